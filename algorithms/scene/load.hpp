@@ -1,0 +1,40 @@
+// Scenes by name or by path.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "traces/scene.hpp"
+
+namespace zstep {
+
+/// What a command line (or a lesson) may change about a scene's camera and raster. Unset: the scene's own, or the default.
+struct ViewOptions {
+  std::optional<double> rho, theta, phi, d, window, near, far;
+  std::optional<bool> orthographic;
+  std::optional<std::int32_t> width, height;
+  bool fit = false;  ///< bounding box's centre to the origin, farthest vertex at distance 1
+};
+
+/// A scene as its file says, before it is looked at: camera.near and camera.far may be 0, which means "from the extent".
+struct SceneFile {
+  Scene scene;
+  Conventions conventions;  ///< the scene's own, where it states any
+};
+
+/// Loads a scene: the name of a built-in one ("pyramid", "teapot", "teapot:8" for a level of tessellation), a scene file
+/// (.toml), or a mesh (.obj .off .ply .stl). Throws InputError with FILE:LINE on anything wrong with it.
+SceneFile load_scene(const std::string& name_or_path);
+
+/// Applies the options and completes the camera: view matrix, eye, near and far. What the algorithms may run on.
+/// Throws InputError on impossible options (near >= far, a size of 0, …).
+Scene look_at_scene(Scene scene, const ViewOptions& options);
+
+/// Built-in scenes, for `zstep list`.
+struct BuiltIn { std::string_view name, description; };
+std::vector<BuiltIn> built_in_scenes();
+
+}  // namespace zstep

@@ -1,0 +1,57 @@
+// A described field: what an event's member is called, measured in, and how well it can be guessed.
+//
+// Every event in vocabulary.hpp lists its fields once, as a tuple of Field. The binary codec, JSONL in and out and the
+// documentation table are all generated from that list; nothing else in zstep repeats it.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+
+namespace zstep {
+
+/// How the codec guesses a value before it looks. A right guess costs no bits in the file (docs/trace-format.md).
+/// Guesses are made from registers: one per field name, holding the last value any event gave to a field of that name.
+enum class Guess : std::uint8_t {
+  same,     ///< the register of the same name, unchanged
+  next,     ///< that register plus one (integers only)
+  on_span,  ///< z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), in this order, in float64
+  stepped,  ///< the register plus the register dz_dx
+};
+
+template <class Event, class Value>
+struct Field {
+  using value_type = Value;
+  std::string_view name;     ///< the name in JSONL, SQL and the documentation
+  Value Event::*member;      ///< where the value lives
+  std::string_view unit;     ///< "px", "row", "world", "depth", "index", "1" …
+  std::string_view meaning;  ///< one phrase for the documentation and the viewer
+  Guess guess;
+
+  constexpr Field(std::string_view name_, Value Event::*member_, std::string_view unit_, std::string_view meaning_,
+                  Guess guess_ = Guess::same)
+      : name(name_), member(member_), unit(unit_), meaning(meaning_), guess(guess_) {}
+};
+
+/// The fields of an event, in file order. Specialised in vocabulary.hpp for every event.
+template <class Event>
+inline constexpr auto fields_of = nullptr;
+
+/// The name of an event's kind as it stands in traces ("depth_compare") and one phrase saying what it records.
+struct KindText {
+  std::string_view name;
+  std::string_view meaning;
+};
+template <class Event>
+inline constexpr KindText kind_text{};
+
+/// The words of an enumeration, in value order from 0. Specialised for every enumeration that an event carries.
+template <class Enumeration>
+inline constexpr auto words_of = nullptr;
+
+template <class Event, class Function>
+constexpr void for_each_field(Function&& function) {
+  std::apply([&](const auto&... field) { (function(field), ...); }, fields_of<Event>);
+}
+
+}  // namespace zstep

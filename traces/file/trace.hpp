@@ -1,0 +1,78 @@
+// An opened trace: header, scene, and its events by position.
+//
+// A position counts events: position p is the moment after the first p events, from 0 (nothing has happened) to size().
+// "Step p" on screen and on the command line is the event that led to position p, so steps count from 1.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "traces/events/vocabulary.hpp"
+#include "traces/file/header.hpp"
+#include "traces/scene.hpp"
+
+namespace zstep {
+
+/// One recorded step: which line of the pseudo-code, and what it did.
+struct RecordedEvent {
+  std::uint8_t step = 0;  ///< id in the header's page
+  Event event;
+};
+
+/// Where work on a polygon begins.
+struct PolygonMark {
+  std::int64_t position = 0;  ///< of the PolygonBegin event: the state just after it
+  std::int32_t polygon = 0;
+};
+
+class Trace {
+ public:
+  /// Opens a .ztrace file, whole or cut off. Reads header, scene and index; events are read when they are asked for.
+  /// Throws InputError for what is no trace, is damaged where it cannot be missed, or comes from a newer zstep.
+  static Trace open(const std::filesystem::path& path);
+  /// The same from memory (a recording that was never a file).
+  static Trace from_bytes(std::vector<std::uint8_t> bytes, const std::string& name);
+
+  Trace(Trace&&) noexcept;
+  Trace& operator=(Trace&&) noexcept;
+  ~Trace();
+
+  const Header& header() const;
+  const Scene& scene() const;
+  const std::string& name() const;            ///< the path it was opened from, or the name given
+  std::int64_t size() const;                  ///< number of events
+  const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
+  std::span<const PolygonMark> polygons() const;     ///< all of them, by position
+
+  /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand. Not thread-safe.
+  const RecordedEvent& event(std::int64_t position) const;
+
+  /// Calls visit(position, step id, const E& event) for the events leading to positions first+1 … last, in order, until
+  /// it returns false. Much faster than event() in a loop. Defined in traces/file/visit.hpp.
+  template <class Visit>
+  void visit(std::int64_t first, std::int64_t last, Visit&& visit) const;
+
+  /// The first position > `from` (or the last < `from`) whose event satisfies the predicate, if any. `pixel`, when given,
+  /// lets whole blocks that never touch that pixel be skipped.
+  using Predicate = std::function<bool(const RecordedEvent&)>;
+  struct Pixel { std::int32_t x, y; };
+  std::optional<std::int64_t> next(std::int64_t from, const Predicate& predicate, std::optional<Pixel> pixel = {}) const;
+  std::optional<std::int64_t> previous(std::int64_t from, const Predicate& predicate, std::optional<Pixel> pixel = {}) const;
+
+  struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  explicit Trace(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The pixel an event touches (depth_interpolate, depth_compare, depth_write, pixel_write), if any.
+std::optional<Trace::Pixel> pixel_of(const Event& event);
+
+}  // namespace zstep

@@ -1,0 +1,45 @@
+// Replay: the state at any position of a trace, forwards, backwards and by seek.
+//
+// Forwards, an event is applied. What is large (buffers, vertices) leaves its old value in an undo log; what is small (Machine)
+// is copied at check-points. Backwards, the large is undone and the small re-applied from the last check-point, so a step
+// back costs the same wherever it is. A seek starts at the nearest key frame, and leaves key frames where it passes.
+#pragma once
+
+#include <memory>
+
+#include "traces/file/trace.hpp"
+#include "traces/replay/state.hpp"
+
+namespace zstep {
+
+class Replay {
+ public:
+  /// The trace must outlive the replay. Begins at position 0.
+  explicit Replay(const Trace& trace);
+  ~Replay();
+  Replay(Replay&&) noexcept;
+  Replay& operator=(Replay&&) noexcept;
+
+  const Trace& trace() const;
+  const State& state() const;
+  std::int64_t position() const { return state().position; }
+
+  /// To any position; clamped to 0 … trace().size(). Near ones are stepped to, far ones sought.
+  void go_to(std::int64_t position);
+  void step_forward() { go_to(position() + 1); }
+  void step_back() { go_to(position() - 1); }
+
+  /// The event that led here, or nullptr at position 0.
+  const RecordedEvent* current() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Where a reader may want to go from here. `from` itself is never the answer; without one the end that way is returned.
+enum class Unit : std::uint8_t { event, pixel, span, scan_line, polygon };
+std::int64_t next_unit(const Trace& trace, std::int64_t from, Unit unit);
+std::int64_t previous_unit(const Trace& trace, std::int64_t from, Unit unit);
+
+}  // namespace zstep

@@ -1,0 +1,114 @@
+// What a run was given: polygons, camera, raster and conventions. A trace carries all of it, so it can be read without the
+// files it came from. algorithms/scene fills it from files; the algorithms run on it; the viewer draws it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace zstep {
+
+/// sRGB, 0…255.
+struct Color {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  bool operator==(const Color&) const = default;
+};
+
+/// One polygon as the file has it. Its index in Scene::polygons is the id that every buffer and event uses.
+struct Polygon {
+  std::string name;             ///< a short label ("A"); empty for most meshes
+  Color color;
+  std::int32_t source_line = 0; ///< line of the file it stands at, 0 if there is none
+  bool operator==(const Polygon&) const = default;
+};
+
+/// A planar piece of a polygon: what the algorithms loop over. A planar polygon, concave or not, is one facet; a polygon
+/// that is not planar is cut into triangles, each a facet of the same polygon (docs/architecture.md, "Degenerate input").
+struct Facet {
+  std::int32_t polygon = 0;
+  std::int32_t first_corner = 0;  ///< its vertices are corners[first_corner .. first_corner + corner_count)
+  std::int32_t corner_count = 0;
+  bool operator==(const Facet&) const = default;
+};
+
+/// How the scene is seen. Left-handed viewing coordinates: x_v right, y_v up, z_v away from the eye.
+struct Camera {
+  enum class Kind : std::uint8_t {
+    screen,        ///< points are (x_s, y_s, z) already: no viewing at all
+    perspective,   ///< x_p = d x_v / z_v
+    orthographic,  ///< x_p = x_v
+  };
+  Kind kind = Kind::perspective;
+  bool polar = true;                          ///< rho, theta, phi say where the eye is (Eckert); else `view` alone does
+  double rho = 4, theta = 30, phi = 60;       ///< distance; angles in degrees, phi from the z axis
+  double d = 1;                               ///< distance of the projection plane from the eye
+  double window = 1;                          ///< half the height of the window on the projection plane
+  double near = 0, far = 0;                   ///< z_v of the clipping planes
+  glm::dmat4 view{1};                         ///< world to view: v = view * w, column vectors (T_v of the notes)
+  glm::dvec3 eye{0};                          ///< world; for orthographic the direction towards the eye, unit length
+  bool operator==(const Camera&) const = default;
+};
+
+struct Raster {
+  std::int32_t width = 64, height = 64;
+  bool y_up = false;  ///< rows are drawn with row 0 at the bottom, as textbooks do (screen scenes only)
+  bool operator==(const Raster&) const = default;
+};
+
+struct Scene {
+  std::string name;                  ///< "pyramid"
+  std::string source;                ///< the file or "built-in"
+  std::vector<glm::dvec3> points;    ///< world; for Camera::Kind::screen (x_s, y_s, z)
+  std::vector<std::int32_t> point_lines;  ///< line of the file each point stands at; empty if there is none
+  std::vector<Polygon> polygons;
+  std::vector<Facet> facets;
+  std::vector<std::int32_t> corners; ///< indices into points
+  Color background{255, 255, 255};
+  Camera camera;
+  Raster raster;
+  bool operator==(const Scene&) const = default;
+};
+
+/// What was interpolated and how. Every trace states them; see docs/trace-format.md.
+struct Conventions {
+  enum class Depth : std::uint8_t { pseudodepth, view };        ///< what the buffer holds: z* of the notes (003), or z_v (000)
+  enum class Interpolation : std::uint8_t { direct, increments };
+  enum class Coverage : std::uint8_t { top_left, inclusive };   ///< inclusive: the textbook's `for x = x_L to x_R`
+  Depth depth = Depth::pseudodepth;
+  Interpolation interpolation = Interpolation::direct;
+  Coverage coverage = Coverage::top_left;
+  bool cull = true;                                             ///< back faces are dropped
+  bool operator==(const Conventions&) const = default;
+};
+
+inline constexpr std::int32_t no_polygon = -1;
+inline constexpr double no_depth = std::numeric_limits<double>::infinity();
+
+/// The two buffers. Row-major, `width` numbers a row; row 0 first.
+struct Picture {
+  std::int32_t width = 0, height = 0;
+  std::vector<std::int32_t> polygon;  ///< [height*width], index of the polygon seen, no_polygon where none is
+  std::vector<double> depth;          ///< [height*width], the buffer's own numbers, no_depth where nothing was drawn
+
+  Picture() = default;
+  Picture(std::int32_t width_, std::int32_t height_)
+      : width(width_), height(height_),
+        polygon(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), no_polygon),
+        depth(polygon.size(), no_depth) {}
+
+  std::size_t at(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+  bool operator==(const Picture&) const = default;
+};
+
+/// z_v at a pixel from the number in the buffer (equation z* = f(a z + b)/z of 003, inverted; linear when orthographic).
+/// Infinity stays infinity; a screen scene's z is returned as it is.
+double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth);
+
+}  // namespace zstep
