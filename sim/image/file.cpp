@@ -1,0 +1,99 @@
+#include "sim/image/file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "traces/error.hpp"
+
+namespace zstep {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  const bool full = error == ENOSPC || error == EFBIG;
+  throw InputError(path.string(), fmt::format("cannot be written: {}", std::strerror(error)),
+                   full ? "make room there, or write to another place" : "choose a place that can be written to");
+}
+
+/// 0, or errno of what went wrong.
+int put(const fs::path& path, std::span<const std::uint8_t> bytes, const char* mode) {
+  errno = 0;
+  File file(std::fopen(path.string().c_str(), mode));
+  if (!file) return errno != 0 ? errno : EIO;
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  const int error = errno;
+  // Closing flushes: a full disk may show only here.
+  if (std::fclose(file.release()) != 0) return errno != 0 ? errno : EIO;
+  return written ? 0 : (error != 0 ? error : EIO);
+}
+
+std::string unlikely_name() {
+  std::random_device device;
+  return fmt::format(".{:08x}{:08x}.part", device(), device());
+}
+
+}  // namespace
+
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  std::error_code ignored;
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  if (path.filename().empty() || fs::is_directory(target, ignored))
+    throw InputError(path.string(), "is a folder", "name a file in it");
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored))
+    throw InputError(path.string(), fmt::format("there is no folder {}", folder.string()), "make it first, or write to another place");
+
+  if (fs::exists(target, ignored)) {
+    if (!fs::is_regular_file(target, ignored)) {
+      if (const int error = put(target, bytes, "wb")) fail(path, error);
+      return;
+    }
+    // Renaming over a file asks only the folder; a file that its owner protected stays as it is.
+    if (!File(std::fopen(target.string().c_str(), "r+b"))) fail(path, errno);
+  }
+
+  fs::path part = target;
+  part += unlikely_name();
+  if (const int error = put(part, bytes, "wb")) {
+    fs::remove(part, ignored);
+    fail(path, error);
+  }
+  std::error_code error;
+  fs::rename(part, target, error);
+  if (error) {
+    fs::remove(part, ignored);
+    fail(path, error.value());
+  }
+}
+
+std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t limit) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw InputError(path.string(), "is a folder", "name a file in it");
+  File file(std::fopen(path.string().c_str(), "rb"));
+  if (!file)
+    throw InputError(path.string(), fmt::format("cannot be opened: {}", std::strerror(errno)), "check its name and that it may be read");
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::uint8_t> piece(std::size_t{1} << 16);
+  while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get())) {
+    bytes.insert(bytes.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(count));
+    if (bytes.size() > limit)
+      throw InputError(path.string(), fmt::format("has more than {} bytes", limit), "give a smaller file");
+  }
+  if (std::ferror(file.get())) throw InputError(path.string(), "cannot be read to its end", "check the file and the disk");
+  return bytes;
+}
+
+}  // namespace zstep

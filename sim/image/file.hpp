@@ -1,0 +1,19 @@
+// Writing whole files so that nobody ever sees half of one.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace zstep {
+
+/// Writes `bytes` as the whole of `path`, replacing what was there. The bytes go to a temporary file beside it that is
+/// renamed when it is complete, so the old file or the new one is always whole; what is no ordinary file (/dev/stdout, a
+/// pipe) is written directly. Throws InputError when the folder is missing, not writable, or the disk is full.
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// All bytes of `path`. Throws InputError when there is no such file, it cannot be read, or has more than `limit` bytes.
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{1} << 30);
+
+}  // namespace zstep

@@ -1,0 +1,25 @@
+// Pictures as PNG files.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace zstep {
+
+/// Three bytes a pixel (red, green, blue; sRGB), row-major, the top row first.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;  ///< [height * width * 3]
+  bool operator==(const Image&) const = default;
+};
+
+/// Writes `rgb` [height * width * 3] as an 8-bit RGB PNG. The same pixels give the same bytes.
+/// Throws InputError when `path` cannot be written (no such folder, disk full) and leaves nothing half-written.
+void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb);
+
+/// Reads any PNG as 8-bit RGB. Throws InputError for what is no PNG, is damaged, or is larger than 2^26 pixels.
+Image read_png(const std::filesystem::path& path);
+
+}  // namespace zstep

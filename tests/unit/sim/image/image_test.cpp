@@ -1,0 +1,156 @@
+// Pictures and tables: what is written is read back, and what goes wrong says so and leaves nothing behind.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "sim/image/file.hpp"
+#include "sim/image/npy.hpp"
+#include "sim/image/png.hpp"
+#include "traces/error.hpp"
+
+namespace fs = std::filesystem;
+using namespace zstep;
+
+namespace {
+
+/// A folder of its own for each test, gone afterwards.
+struct Folder {
+  fs::path path = fs::temp_directory_path() /
+                  ("zstep-image-" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path)) found.push_back(entry.path().filename().string());
+    return found;
+  }
+};
+
+std::vector<std::uint8_t> gradient(int width, int height) {
+  std::vector<std::uint8_t> rgb;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int k = 0; k < 3; ++k) rgb.push_back(static_cast<std::uint8_t>(x * 7 + y * 31 + k * 85));
+  return rgb;
+}
+
+std::string text_of(const fs::path& path) {
+  const std::vector<std::uint8_t> bytes = read_file(path);
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+TEST_CASE("a PNG reads back as the pixels that were written, the top row first") {
+  const Folder folder;
+  const std::vector<std::uint8_t> rgb = gradient(13, 7);
+  write_png(folder.path / "a.png", 13, 7, rgb);
+  const Image image = read_png(folder.path / "a.png");
+  CHECK(image.width == 13);
+  CHECK(image.height == 7);
+  CHECK(image.rgb == rgb);
+  CHECK(folder.names() == std::vector<std::string>{"a.png"});
+  CHECK(text_of(folder.path / "a.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("the same pixels give the same bytes, and an old file is replaced") {
+  const Folder folder;
+  write_png(folder.path / "a.png", 5, 5, gradient(5, 5));
+  write_png(folder.path / "b.png", 3, 3, gradient(3, 3));
+  write_png(folder.path / "b.png", 5, 5, gradient(5, 5));
+  CHECK(read_file(folder.path / "a.png") == read_file(folder.path / "b.png"));
+  CHECK(folder.names().size() == 2);
+}
+
+TEST_CASE("where a picture cannot be written an InputError says why") {
+  const Folder folder;
+  const std::vector<std::uint8_t> rgb = gradient(4, 4);
+  CHECK_THROWS_WITH_AS(write_png(folder.path / "none" / "a.png", 4, 4, rgb), doctest::Contains("there is no folder"), InputError);
+  CHECK_THROWS_WITH_AS(write_png(folder.path, 4, 4, rgb), doctest::Contains("is a folder"), InputError);
+  CHECK(folder.names().empty());
+  if (fs::exists("/dev/full"))
+    CHECK_THROWS_WITH_AS(write_png("/dev/full", 4, 4, rgb), doctest::Contains("No space left"), InputError);
+}
+
+TEST_CASE("pixels that do not fill the picture are the caller's mistake") {
+  const Folder folder;
+  CHECK_THROWS_AS(write_png(folder.path / "a.png", 4, 5, gradient(4, 4)), std::invalid_argument);
+  CHECK_THROWS_AS(write_png(folder.path / "a.png", 0, 4, {}), std::invalid_argument);
+}
+
+TEST_CASE("a PNG cut off anywhere, or a file that is none, is an InputError") {
+  const Folder folder;
+  write_png(folder.path / "a.png", 9, 9, gradient(9, 9));
+  const std::vector<std::uint8_t> whole = read_file(folder.path / "a.png");
+  const fs::path cut = folder.path / "cut.png";
+  // Everything up to the end of the image data; the last 12 bytes are the empty IEND chunk, which no pixel needs.
+  for (std::size_t size = 0; size + 16 < whole.size(); ++size) {
+    write_file(cut, std::span(whole).first(size));
+    CHECK_THROWS_AS(read_png(cut), InputError);
+  }
+  CHECK_THROWS_WITH_AS(read_png(folder.path / "none.png"), doctest::Contains("cannot be opened"), InputError);
+}
+
+TEST_CASE_TEMPLATE("an .npy reads back with its type, shape and values", Value, std::int32_t, float, double) {
+  const Folder folder;
+  std::vector<Value> values{Value(0), Value(-1), Value(2), Value(3), Value(1000000), Value(5)};
+  if constexpr (std::numeric_limits<Value>::has_infinity) values[4] = std::numeric_limits<Value>::infinity();
+  write_npy(folder.path / "a.npy", std::span<const Value>(values), 2, 3);
+  const Npy read = read_npy(folder.path / "a.npy");
+  CHECK(read.height == 2);
+  CHECK(read.width == 3);
+  REQUIRE(std::holds_alternative<std::vector<Value>>(read.values));
+  CHECK(std::get<std::vector<Value>>(read.values) == values);
+  CHECK((fs::file_size(folder.path / "a.npy") - values.size() * sizeof(Value)) % 64 == 0);
+}
+
+TEST_CASE("the head of an .npy is what NumPy writes") {
+  const Folder folder;
+  const std::vector<std::int32_t> values{1, 2};
+  write_npy(folder.path / "a.npy", values, 1, 2);
+  const std::string text = text_of(folder.path / "a.npy");
+  CHECK(text.substr(0, 10) == std::string("\x93NUMPY\x01\x00\x76\x00", 10));
+  CHECK(text.find("{'descr': '<i4', 'fortran_order': False, 'shape': (1, 2), }") == 10);
+  CHECK(text[127] == '\n');
+  CHECK(text.size() == 128 + 8);
+}
+
+TEST_CASE("an .npy cut off anywhere, or of another shape, is an InputError") {
+  const Folder folder;
+  const std::vector<float> values{1, 2, 3, 4};
+  write_npy(folder.path / "a.npy", values, 2, 2);
+  const std::vector<std::uint8_t> whole = read_file(folder.path / "a.npy");
+  const fs::path cut = folder.path / "cut.npy";
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    write_file(cut, std::span(whole).first(size));
+    CHECK_THROWS_AS(read_npy(cut), InputError);
+  }
+  std::string text(whole.begin(), whole.end());
+  text.replace(text.find("(2, 2)"), 6, "(2,2,)");
+  const auto write_text = [&] {
+    write_file(cut, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  };
+  write_text();
+  CHECK(read_npy(cut).width == 2);
+  text.replace(text.find("(2,2,)"), 6, "(4,)  ");
+  write_text();
+  CHECK_THROWS_WITH_AS(read_npy(cut), doctest::Contains("two-dimensional"), InputError);
+}
+
+TEST_CASE("writing replaces the file a link points to, not the link") {
+  const Folder folder;
+  std::ofstream(folder.path / "target") << "old";
+  std::error_code error;
+  fs::create_symlink("target", folder.path / "link", error);
+  if (error) return;  // a file system without links
+  const std::string text = "new";
+  write_file(folder.path / "link", std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  CHECK(fs::is_symlink(folder.path / "link"));
+  CHECK(text_of(folder.path / "target") == "new");
+}
