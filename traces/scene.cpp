@@ -1,0 +1,16 @@
+#include "traces/scene.hpp"
+
+#include <cmath>
+
+namespace zstep {
+
+double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth) {
+  const bool holds_z_v = camera.kind == Camera::Kind::screen || conventions.depth == Conventions::Depth::view;
+  if (holds_z_v || std::isinf(buffer_depth)) return buffer_depth;
+  const double f = camera.near, F = camera.far;
+  if (camera.kind == Camera::Kind::orthographic) return f + (buffer_depth + 1) * (F - f) / 2;
+  // z* = f (a z + b) / z with a = -(f + F) / (f (f - F)) and b = 2 F / (f - F) (003), solved for z
+  return 2 * f * F / (F + f - buffer_depth * (F - f));
+}
+
+}  // namespace zstep
