@@ -15,8 +15,7 @@ namespace zstep {
 enum class Guess : std::uint8_t {
   same,     ///< the register of the same name, unchanged
   next,     ///< that register plus one (integers only)
-  on_span,  ///< z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), in this order, in float64
-  stepped,  ///< the register plus the register dz_dx
+  on_span,  ///< z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), or z + dz_dx when the run interpolates by increments
 };
 
 template <class Event, class Value>

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
+#include "traces/file/block.hpp"
 #include "traces/file/header.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
@@ -14,7 +16,8 @@ namespace zstep {
 
 class TraceRecorder {
  public:
-  /// To a file: written block by block under its own name, so that a killed recording keeps all but its last block.
+  /// To a file, written block by block under its own name, so that a killed recording keeps all but its last block.
+  /// Throws InputError when the file cannot be written.
   TraceRecorder(const std::filesystem::path& path, const Header& header, const Scene& scene);
   /// To memory.
   TraceRecorder(const Header& header, const Scene& scene);
@@ -23,18 +26,35 @@ class TraceRecorder {
   TraceRecorder& operator=(const TraceRecorder&) = delete;
 
   template <class E>
-  void operator()(Step<E> step, const E& event);
+  void operator()(Step<E> step, const E& event) {
+    encoder_.put(step.id, event);
+    if (encoder_.full()) [[unlikely]] write_block();
+  }
 
-  std::int64_t size() const;  ///< events recorded so far
+  /// Events recorded so far.
+  std::int64_t size() const { return encoder_.info().first_position + encoder_.size(); }
 
-  /// Writes the last block and the index. Must be called; throws InputError when the disk is full.
+  /// Called after every block with the number of events so far: for progress, or to stop the run by throwing. finish()
+  /// may still be called after that.
+  void on_block(std::function<void(std::int64_t)> callback) { on_block_ = std::move(callback); }
+
+  /// Writes the last block and the index. Call it when the run is over: without it the file is as a killed run leaves it.
   void finish();
-  /// After finish(), for a recording to memory: the file's bytes.
+
+  /// After finish(), of a recording to memory: the file's bytes.
   std::vector<std::uint8_t> take_bytes();
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Sink;
+  void begin(const Header& header, const Scene& scene);
+  void write_block();
+
+  std::unique_ptr<Sink> sink_;
+  BlockEncoder encoder_;
+  std::function<void(std::int64_t)> on_block_;
 };
+
+/// Records an event whose kind is known only at run time (JSONL in, tests).
+void record_any(TraceRecorder& recorder, std::uint8_t step, const Event& event);
 
 }  // namespace zstep

@@ -20,7 +20,7 @@ struct VertexWay {
   glm::dvec3 view{0};    ///< (x_v, y_v, z_v)
   glm::dvec3 plane{0};   ///< (x_p, y_p, z): on the projection plane, with the depth that is interpolated
   glm::dvec2 raster{0};  ///< (x_s, y_s)
-  bool operator==(const VertexWay&) const = default;
+  bool operator==(const VertexWay&) const;  ///< to the bit
 };
 
 /// A row of the edge table.
@@ -35,7 +35,7 @@ struct EdgeRow {
 struct ActiveEdge {
   std::int32_t edge = 0;  ///< index into State::edge_table
   double x = 0, z = 0;
-  bool operator==(const ActiveEdge&) const = default;
+  bool operator==(const ActiveEdge&) const;  ///< to the bit
 };
 
 /// The pixel at work.
@@ -45,10 +45,10 @@ struct Fragment {
   double stored = 0;               ///< the depth buffer's before this fragment
   std::int32_t stored_polygon = no_polygon;  ///< the frame's before this fragment
   std::optional<bool> nearer;      ///< the compare's outcome, once it was made
-  bool operator==(const Fragment&) const = default;
+  bool operator==(const Fragment&) const;  ///< to the bit
 };
 
-/// What is small: copied at check-points. Everything here is what a pane shows.
+/// What a method has at hand: everything a pane shows besides buffers and vertices.
 struct Machine {
   std::int32_t polygon = no_polygon, facet = -1;  ///< at work
   std::optional<FacingTest> facing;               ///< of that facet, once tested

@@ -1,0 +1,104 @@
+#include "traces/file/chunk.hpp"
+
+#include <algorithm>
+
+#include <xxhash.h>
+#include <zstd.h>
+
+namespace zstep {
+
+namespace {
+
+std::uint64_t checksum_of(const Tag& tag, std::span<const std::uint8_t> bytes) {
+  std::uint64_t seed = 0;
+  for (const char letter : tag) seed = seed << 8 | static_cast<std::uint8_t>(letter);
+  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
+}
+
+void put_tag(Bytes& out, const Tag& tag) {
+  for (const char letter : tag) out.push_back(static_cast<std::uint8_t>(letter));
+}
+
+Tag take_tag(ByteReader& in) {
+  Tag tag;
+  for (char& letter : tag) letter = static_cast<char>(in.u8());
+  return tag;
+}
+
+}  // namespace
+
+Bytes make_chunk(const Tag& tag, std::span<const std::uint8_t> bytes) {
+  Bytes chunk;
+  chunk.reserve(chunk_head_size + bytes.size());
+  put_tag(chunk, tag);
+  put_u64(chunk, bytes.size());
+  put_u64(chunk, checksum_of(tag, bytes));
+  chunk.insert(chunk.end(), bytes.begin(), bytes.end());
+  return chunk;
+}
+
+Bytes make_signature() {
+  Bytes out(trace_signature.begin(), trace_signature.end());
+  put_u32(out, trace_version);
+  return out;
+}
+
+Bytes make_trailer(std::uint64_t offset) {
+  Bytes out;
+  put_tag(out, end_tag);
+  put_u64(out, offset);
+  put_u64(out, checksum_of(end_tag, out));
+  return out;
+}
+
+std::optional<ChunkPlace> chunk_at(const ByteSource& source, std::uint64_t offset) {
+  if (offset > source.size() || source.size() - offset < chunk_head_size) return std::nullopt;
+  const Bytes head = source.read(offset, chunk_head_size);
+  ByteReader in(head);
+  ChunkPlace place;
+  place.tag = take_tag(in);
+  place.offset = offset;
+  place.size = in.u64();
+  place.checksum = in.u64();
+  if (place.size > source.size() - offset - chunk_head_size) return std::nullopt;
+  return place;
+}
+
+Bytes read_chunk(const ByteSource& source, const ChunkPlace& place) {
+  Bytes bytes = source.read(place.offset + chunk_head_size, place.size);
+  if (checksum_of(place.tag, bytes) != place.checksum) {
+    throw MalformedBytes("the checksum of its part " + std::string(place.tag.begin(), place.tag.end()) + " at byte " +
+                         std::to_string(place.offset) + " is wrong");
+  }
+  return bytes;
+}
+
+std::optional<std::uint64_t> index_offset(const ByteSource& source) {
+  if (source.size() < trailer_size) return std::nullopt;
+  const Bytes trailer = source.read(source.size() - trailer_size, trailer_size);
+  ByteReader in(trailer);
+  if (take_tag(in) != end_tag) return std::nullopt;
+  const std::uint64_t offset = in.u64();
+  if (in.u64() != checksum_of(end_tag, std::span(trailer).first(12))) return std::nullopt;
+  return offset;
+}
+
+Bytes compress(std::span<const std::uint8_t> bytes) {
+  Bytes out(ZSTD_compressBound(bytes.size()));
+  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), 1);
+  if (ZSTD_isError(size)) throw std::runtime_error(ZSTD_getErrorName(size));
+  out.resize(size);
+  return out;
+}
+
+Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit) {
+  const unsigned long long stated = ZSTD_getFrameContentSize(frame.data(), frame.size());
+  if (stated == ZSTD_CONTENTSIZE_ERROR || stated == ZSTD_CONTENTSIZE_UNKNOWN) throw MalformedBytes("a part that is not compressed as it should be");
+  if (stated > limit) throw MalformedBytes("a part that would unpack to " + std::to_string(stated) + " bytes");
+  Bytes out(static_cast<std::size_t>(stated));
+  const std::size_t size = ZSTD_decompress(out.data(), out.size(), frame.data(), frame.size());
+  if (ZSTD_isError(size) || size != out.size()) throw MalformedBytes("a part that does not unpack");
+  return out;
+}
+
+}  // namespace zstep

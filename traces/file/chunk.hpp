@@ -1,0 +1,66 @@
+// The container: a signature, then chunks, each with its length and checksum, so that a file that was cut off or damaged
+// is noticed and read as far as it is whole.
+//
+//     "ztrace\r\n" version:u32
+//     chunk*:  tag[4] size:u64 checksum:u64 bytes[size]       checksum = XXH3-64 of tag and bytes
+//     trailer: "ZEND" offset of the INDX chunk:u64 checksum:u64 of the 12 bytes before
+//
+// HEAD, SCEN and INDX are zstd frames; EVTS is a BlockInfo, length first, then a zstd frame (docs/trace-format.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "traces/file/bytes.hpp"
+
+namespace zstep {
+
+inline constexpr std::uint32_t trace_version = 1;
+inline constexpr std::array<std::uint8_t, 8> trace_signature{'z', 't', 'r', 'a', 'c', 'e', '\r', '\n'};
+inline constexpr std::size_t chunk_head_size = 20;
+inline constexpr std::size_t trailer_size = 20;
+
+using Tag = std::array<char, 4>;
+inline constexpr Tag head_tag{'H', 'E', 'A', 'D'}, scene_tag{'S', 'C', 'E', 'N'}, events_tag{'E', 'V', 'T', 'S'},
+    index_tag{'I', 'N', 'D', 'X'}, end_tag{'Z', 'E', 'N', 'D'};
+
+/// Bytes that can be read at any offset: a file, or memory.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+  virtual std::uint64_t size() const = 0;
+  /// Exactly `size` bytes from `offset`; throws MalformedBytes when they are not there.
+  virtual Bytes read(std::uint64_t offset, std::uint64_t size) const = 0;
+};
+
+struct ChunkPlace {
+  Tag tag{};
+  std::uint64_t offset = 0;  ///< of the chunk's first byte
+  std::uint64_t size = 0;    ///< of its bytes, without the head
+  std::uint64_t checksum = 0;
+  std::uint64_t end() const { return offset + chunk_head_size + size; }
+};
+
+/// A chunk, head and all, ready to be written.
+Bytes make_chunk(const Tag& tag, std::span<const std::uint8_t> bytes);
+Bytes make_signature();
+Bytes make_trailer(std::uint64_t index_offset);
+
+/// The head of the chunk at this offset, or nothing when the file ends before the chunk does.
+std::optional<ChunkPlace> chunk_at(const ByteSource& source, std::uint64_t offset);
+/// A chunk's bytes, checked; throws MalformedBytes when the checksum differs.
+Bytes read_chunk(const ByteSource& source, const ChunkPlace& place);
+/// Where the trailer says the index is, if the file has an intact one.
+std::optional<std::uint64_t> index_offset(const ByteSource& source);
+
+/// zstd at level 1, the level that recording can afford.
+Bytes compress(std::span<const std::uint8_t> bytes);
+/// One zstd frame that states its size, at most `limit`; throws MalformedBytes otherwise (a bomb states its size, or lies).
+Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit);
+
+}  // namespace zstep

@@ -1,0 +1,39 @@
+// Header, camera, raster and conventions as JSON: the HEAD chunk of a trace and the first line of its JSONL form.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "traces/file/header.hpp"
+#include "traces/scene.hpp"
+
+namespace zstep {
+
+/// What a JSON document says that cannot be. Readers turn it into an InputError that says where.
+struct MalformedJson : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+nlohmann::ordered_json header_to_json(const Header& header);
+/// Throws MalformedJson for anything missing, of the wrong type, or an event kind this zstep does not know.
+Header header_from_json(const nlohmann::json& json);
+
+nlohmann::ordered_json scene_to_json(const Scene& scene);
+/// Throws MalformedJson; the scene it returns has been checked (check_scene).
+Scene scene_from_json(const nlohmann::json& json);
+
+nlohmann::ordered_json camera_to_json(const Camera& camera);
+Camera camera_from_json(const nlohmann::json& json);
+nlohmann::ordered_json raster_to_json(const Raster& raster);
+Raster raster_from_json(const nlohmann::json& json);
+
+/// A double as JSON: a number, or "inf", "-inf", "nan", which JSON has no numbers for.
+nlohmann::ordered_json real_to_json(double value);
+double real_from_json(const nlohmann::json& json, const char* what);
+
+/// Throws MalformedJson unless every index of the scene points into it and every size is one a raster can have.
+void check_scene(const Scene& scene);
+
+/// The largest raster side that is read from a file.
+inline constexpr std::int32_t raster_limit = 16384;
+
+}  // namespace zstep

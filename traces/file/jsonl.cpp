@@ -1,0 +1,200 @@
+#include "traces/file/jsonl.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "traces/error.hpp"
+#include "traces/events/registers.hpp"
+#include "traces/file/header_json.hpp"
+#include "traces/file/visit.hpp"
+
+namespace zstep {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+// The header line holds the scene; a parsed line takes many times its length in memory.
+constexpr std::size_t line_limit = std::size_t{32} << 20;
+
+/// The next line, of at most line_limit + 1 characters: what comes from others may have no line end at all.
+bool next_line(std::istream& in, std::string& line) {
+  line.clear();
+  std::streambuf* buffer = in.rdbuf();
+  for (;;) {
+    const int c = buffer->sbumpc();
+    if (c == std::char_traits<char>::eof()) return !line.empty();
+    if (c == '\n' || line.size() > line_limit) return true;
+    line.push_back(static_cast<char>(c));
+  }
+}
+
+/// The step's name, with its module where another module has a step of that name.
+std::string step_label(const Page& page, const StepInfo& step) {
+  const auto same_name = std::count_if(page.begin(), page.end(), [&](const StepInfo& other) { return other.name == step.name; });
+  return same_name > 1 ? step.module + "." + step.name : step.name;
+}
+
+template <class E>
+std::string event_line(const Page& page, std::uint8_t step, const E& event) {
+  const StepInfo* info = find_step(page, step);
+  ordered_json line;
+  line["step"] = info == nullptr ? fmt::format("#{}", step) : step_label(page, *info);
+  for_each_index<E>([&]<std::size_t I>() {
+    using Value = FieldValue<E, I>;
+    const Value value = event.*field_at<E, I>.member;
+    ordered_json& out = line[std::string(field_at<E, I>.name)];
+    if constexpr (std::is_same_v<Value, double>) out = real_to_json(value);
+    else if constexpr (std::is_enum_v<Value>) out = words_of<Value>[static_cast<std::size_t>(value)];
+    else out = value;
+  });
+  return line.dump();
+}
+
+template <class Value>
+Value value_from(const json& in, std::string_view name) {
+  if constexpr (std::is_same_v<Value, double>) {
+    return real_from_json(in, std::string(name).c_str());
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    if (in.is_boolean()) return in.get<bool>();
+    throw MalformedJson(fmt::format("\"{}\" is neither true nor false", name));
+  } else if constexpr (std::is_enum_v<Value>) {
+    if (in.is_string()) {
+      for (std::size_t i = 0; i < words_of<Value>.size(); ++i) {
+        if (words_of<Value>[i] == in.get<std::string>()) return static_cast<Value>(i);
+      }
+    }
+    throw MalformedJson(fmt::format("\"{}\" can only be one of: {}", name, fmt::join(words_of<Value>, ", ")));
+  } else {
+    // Programs in languages with one kind of number write 5.0 for 5.
+    if (in.is_number()) {
+      const double value = in.get<double>();
+      if (value == static_cast<double>(static_cast<std::int64_t>(std::clamp(value, -3e9, 3e9))) && value >= INT32_MIN && value <= INT32_MAX) return static_cast<Value>(value);
+    }
+    throw MalformedJson(fmt::format("\"{}\" is not a whole number", name));
+  }
+}
+
+template <class E>
+E event_from(const json& line) {
+  E event{};
+  for_each_index<E>([&]<std::size_t I>() {
+    constexpr std::string_view name = field_at<E, I>.name;
+    const auto found = line.find(std::string(name));
+    if (found == line.end()) throw MalformedJson(fmt::format("\"{}\" is missing ({})", name, field_at<E, I>.meaning));
+    event.*field_at<E, I>.member = value_from<FieldValue<E, I>>(*found, name);
+  });
+  if (line.size() != field_count<E> + 1) {
+    for (const auto& [key, value] : line.items()) {
+      bool known = key == "step";
+      for_each_field<E>([&](const auto& field) { known = known || field.name == key; });
+      if (!known) throw MalformedJson(fmt::format("\"{}\" is no field of {}", key, kind_text<E>.name));
+    }
+  }
+  return event;
+}
+
+}  // namespace
+
+std::string jsonl_header(const Header& header, const Scene& scene) {
+  ordered_json line = header_to_json(header);
+  line["scene"] = scene_to_json(scene);
+  return line.dump();
+}
+
+std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
+  return std::visit([&](const auto& event) { return event_line(page, recorded.step, event); }, recorded.event);
+}
+
+void write_jsonl(const Trace& trace, std::ostream& out) {
+  out << jsonl_header(trace.header(), trace.scene()) << '\n';
+  trace.visit(0, trace.size(), [&](std::int64_t, std::uint8_t step, const auto& event) {
+    out << event_line(trace.header().page, step, event) << '\n';
+    return static_cast<bool>(out);
+  });
+}
+
+void read_jsonl(std::istream& in, const std::string& name, const std::function<TraceRecorder&(const Header&, const Scene&)>& begin) {
+  std::int64_t number = 0;
+  const auto fail = [&](const std::string& what, const std::string& mend) { throw InputError(fmt::format("{}:{}", name, number), what, mend); };
+  std::string line;
+  TraceRecorder* recorder = nullptr;
+  Header header;
+  while (next_line(in, line)) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (line.size() > line_limit) fail("the line is longer than 32 MiB", "write one event a line; large scenes are recorded straight to a .ztrace");
+    json document;
+    try {
+      document = json::parse(line);
+    } catch (const json::exception&) {
+      fail("is not JSON", "write one JSON object a line");
+    }
+    if (!document.is_object()) fail("is not a JSON object", "write one JSON object a line");
+    try {
+      if (recorder == nullptr) {
+        header = header_from_json(document);
+        if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
+        const Scene scene = scene_from_json(document.at("scene"));
+        recorder = &begin(header, scene);
+        continue;
+      }
+      if (!document.contains("step") || !document.at("step").is_string()) throw MalformedJson("\"step\" is missing");
+      const std::string step_name = document.at("step").get<std::string>();
+      const StepInfo* step = find_step(header.page, std::string_view(step_name));
+      if (step == nullptr) throw MalformedJson(fmt::format("there is no step \"{}\" in the header's list", step_name));
+      for_each_kind([&]<class E>() {
+        if (kind_of<E> == step->kind) (*recorder)(Step<E>{step->id}, event_from<E>(document));
+      });
+    } catch (const MalformedJson& error) {
+      fail(error.what(), recorder == nullptr ? "the first line must be a trace's header, as docs/trace-format.md shows it"
+                                             : "see the fields of each event in docs/trace-format.md");
+    }
+  }
+  if (recorder == nullptr) fail("there is no header line", "the first line must be a trace's header, as docs/trace-format.md shows it");
+}
+
+namespace {
+
+std::ifstream opened(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path)) throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
+  return in;
+}
+
+}  // namespace
+
+void import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::ifstream in = opened(from);
+  const std::filesystem::path partial = to.string() + ".part";
+  std::optional<TraceRecorder> recorder;
+  try {
+    read_jsonl(in, from.string(), [&](const Header& header, const Scene& scene) -> TraceRecorder& { return recorder.emplace(partial, header, scene); });
+    recorder->finish();
+    // Numbers outside the scene are found when the events are read, so read them before anyone relies on them.
+    const Trace trace = Trace::open(partial);
+    trace.visit(0, trace.size(), [](std::int64_t, std::uint8_t, const auto&) { return true; });
+  } catch (...) {
+    recorder.reset();
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+    throw;
+  }
+  recorder.reset();
+  std::filesystem::rename(partial, to);
+}
+
+Trace open_jsonl(const std::filesystem::path& path) {
+  std::ifstream in = opened(path);
+  std::optional<TraceRecorder> recorder;
+  read_jsonl(in, path.string(), [&](const Header& header, const Scene& scene) -> TraceRecorder& { return recorder.emplace(header, scene); });
+  recorder->finish();
+  return Trace::from_bytes(recorder->take_bytes(), path.string());
+}
+
+}  // namespace zstep

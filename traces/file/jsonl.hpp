@@ -1,0 +1,31 @@
+// Traces as JSON Lines: one header line, then one line an event. Loss-free both ways; what students' programs write.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+#include "traces/file/trace.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+namespace zstep {
+
+/// The header line: {"ztrace":1, …, "steps":[…], "scene":{…}}.
+std::string jsonl_header(const Header& header, const Scene& scene);
+/// One event: {"step":"compare","x":3,"y":2,"z":4.25,"nearer":true}. The step's name is short where it is unique.
+std::string jsonl_event(const Page& page, const RecordedEvent& event);
+/// The whole trace.
+void write_jsonl(const Trace& trace, std::ostream& out);
+
+/// Reads JSONL and hands header and scene to `begin`, which returns the recorder that takes the events.
+/// Throws InputError with NAME:LINE for what is wrong.
+void read_jsonl(std::istream& in, const std::string& name, const std::function<TraceRecorder&(const Header&, const Scene&)>& begin);
+
+/// JSONL file to trace file. Nothing is left behind when it fails.
+void import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to);
+/// JSONL file to a trace in memory.
+Trace open_jsonl(const std::filesystem::path& path);
+
+}  // namespace zstep

@@ -1,0 +1,92 @@
+#include "traces/file/scene_bytes.hpp"
+
+#include "traces/events/registers.hpp"
+#include "traces/file/header_json.hpp"
+
+namespace zstep {
+
+namespace {
+
+void put_color(Bytes& out, Color color) {
+  for (const std::uint8_t part : {color.red, color.green, color.blue}) put_u8(out, part);
+}
+
+Color take_color(ByteReader& in) {
+  Color color;
+  for (std::uint8_t* part : {&color.red, &color.green, &color.blue}) *part = in.u8();
+  return color;
+}
+
+}  // namespace
+
+Bytes scene_to_bytes(const Scene& scene) {
+  Bytes out;
+  put_text(out, scene.name);
+  put_text(out, scene.source);
+  put_text(out, camera_to_json(scene.camera).dump());
+  put_text(out, raster_to_json(scene.raster).dump());
+  put_color(out, scene.background);
+  put_varint(out, scene.points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const glm::dvec3& point : scene.points) put_u64(out, bits_of(point[axis]));
+  }
+  put_varint(out, scene.point_lines.size());
+  for (const std::int32_t line : scene.point_lines) put_varint(out, zigzag(line));
+  put_varint(out, scene.polygons.size());
+  for (const Polygon& polygon : scene.polygons) {
+    put_color(out, polygon.color);
+    put_varint(out, zigzag(polygon.source_line));
+    put_text(out, polygon.name);
+  }
+  put_varint(out, scene.facets.size());
+  for (const Facet& facet : scene.facets) {
+    put_varint(out, zigzag(facet.polygon));
+    put_varint(out, zigzag(facet.corner_count));
+    for (std::int32_t i = 0; i < facet.corner_count; ++i) {
+      put_varint(out, zigzag(scene.corners[static_cast<std::size_t>(facet.first_corner + i)]));
+    }
+  }
+  return out;
+}
+
+Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  const auto whole = [&] { return unzigzag(static_cast<std::uint32_t>(in.varint())); };
+  const auto document = [&] {
+    try {
+      return nlohmann::json::parse(in.text());
+    } catch (const nlohmann::json::exception& error) {
+      throw MalformedBytes(error.what());
+    }
+  };
+  Scene scene;
+  scene.name = in.text();
+  scene.source = in.text();
+  scene.camera = camera_from_json(document());
+  scene.raster = raster_from_json(document());
+  scene.background = take_color(in);
+  scene.points.resize(in.count(24));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (glm::dvec3& point : scene.points) point[axis] = double_of(in.u64());
+  }
+  scene.point_lines.resize(in.count());
+  for (std::int32_t& line : scene.point_lines) line = whole();
+  scene.polygons.resize(in.count(5));
+  for (Polygon& polygon : scene.polygons) {
+    polygon.color = take_color(in);
+    polygon.source_line = whole();
+    polygon.name = in.text();
+  }
+  scene.facets.resize(in.count(2));
+  for (Facet& facet : scene.facets) {
+    facet.polygon = whole();
+    facet.first_corner = static_cast<std::int32_t>(scene.corners.size());
+    facet.corner_count = whole();
+    if (facet.corner_count < 0 || static_cast<std::size_t>(facet.corner_count) > in.left()) throw MalformedBytes("a facet with more corners than the data");
+    for (std::int32_t i = 0; i < facet.corner_count; ++i) scene.corners.push_back(whole());
+  }
+  check_scene(scene);
+  return scene;
+}
+
+}  // namespace zstep

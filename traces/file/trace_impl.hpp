@@ -1,0 +1,48 @@
+// The inside of a Trace, for those who walk its blocks (visit.hpp, trace.cpp).
+#pragma once
+
+#include <list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "traces/file/block.hpp"
+#include "traces/file/chunk.hpp"
+#include "traces/file/trace.hpp"
+
+namespace zstep {
+
+struct Trace::Impl {
+  struct Block {
+    BlockInfo info;
+    ChunkPlace place;
+    std::uint64_t frame_offset = 0;  ///< of the zstd frame within the chunk's bytes
+    mutable bool checked = false;    ///< its events' numbers were found to lie within the scene
+  };
+
+  std::string name;
+  std::unique_ptr<ByteSource> source;
+  Header header;
+  Scene scene;
+  StepKinds kinds{};
+  bool increments = false;
+  std::vector<Block> blocks;
+  std::vector<PolygonMark> polygons;
+  std::vector<std::string> warnings;
+  std::int64_t size = 0;
+
+  /// The block that holds the event leading to this position.
+  std::size_t block_of(std::int64_t position) const;
+
+  /// A block's packed columns, from the file or from the few kept at hand. Throws InputError when it is damaged.
+  const Bytes& packed(std::size_t block) const;
+  /// A block's events, unpacked; a few blocks are kept at hand.
+  const std::vector<RecordedEvent>& events(std::size_t block) const;
+  /// Turns what a damaged block throws into an InputError that says which events are lost.
+  [[noreturn]] void damaged(std::size_t block, const std::string& what) const;
+
+  mutable std::list<std::pair<std::size_t, Bytes>> packed_at_hand;
+  mutable std::list<std::pair<std::size_t, std::vector<RecordedEvent>>> events_at_hand;
+};
+
+}  // namespace zstep

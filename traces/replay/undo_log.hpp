@@ -1,0 +1,68 @@
+// The old values of what recent events changed in the stores, newest last.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "traces/replay/state.hpp"
+
+namespace zstep {
+
+class UndoLog {
+ public:
+  /// The position that the next entries lead to.
+  void begin(std::int64_t position) { position_ = position; }
+
+  void depth(std::size_t pixel, double old) { add(Depth{pixel, old}); }
+  void polygon(std::size_t pixel, std::int32_t old) { add(Owner{pixel, old}); }
+  void vertex(std::size_t index, const VertexWay& old) { add(Vertex{index, old}); }
+  void vertex_added() { add(VertexAdded{}); }
+  void vertices_dropped(const std::vector<VertexWay>& vertices, std::size_t kept) {
+    add(VerticesDropped{std::make_shared<const std::vector<VertexWay>>(vertices.begin() + static_cast<std::ptrdiff_t>(kept), vertices.end())});
+  }
+  void fragment(const std::optional<Fragment>& old) { add(Pixel{old}); }
+  void picture(const Picture& old) { add(Whole{std::make_shared<const Picture>(old)}); }
+
+  /// Undoes everything that led to positions after `position`.
+  void undo_to(std::int64_t position, State& state) {
+    while (!entries_.empty() && entries_.back().position > position) {
+      std::visit([&](const auto& old) { restore(old, state); }, entries_.back().old);
+      entries_.pop_back();
+    }
+  }
+  /// Forgets what led to positions up to `position`.
+  void forget_to(std::int64_t position) {
+    while (!entries_.empty() && entries_.front().position <= position) entries_.pop_front();
+  }
+  void clear() { entries_.clear(); }
+
+ private:
+  struct Depth { std::size_t pixel; double old; };
+  struct Owner { std::size_t pixel; std::int32_t old; };
+  struct Vertex { std::size_t index; VertexWay old; };
+  struct VertexAdded {};
+  struct VerticesDropped { std::shared_ptr<const std::vector<VertexWay>> old; };
+  struct Pixel { std::optional<Fragment> old; };
+  struct Whole { std::shared_ptr<const Picture> old; };
+  using Old = std::variant<Depth, Owner, Vertex, VertexAdded, VerticesDropped, Pixel, Whole>;
+  struct Entry { std::int64_t position; Old old; };
+
+  void add(Old old) { entries_.push_back(Entry{position_, std::move(old)}); }
+
+  static void restore(const Depth& entry, State& state) { state.picture.depth[entry.pixel] = entry.old; }
+  static void restore(const Owner& entry, State& state) { state.picture.polygon[entry.pixel] = entry.old; }
+  static void restore(const Vertex& entry, State& state) { state.vertices[entry.index] = entry.old; }
+  static void restore(const VertexAdded&, State& state) { state.vertices.pop_back(); }
+  static void restore(const VerticesDropped& entry, State& state) { state.vertices.insert(state.vertices.end(), entry.old->begin(), entry.old->end()); }
+  static void restore(const Pixel& entry, State& state) { state.machine.fragment = entry.old; }
+  static void restore(const Whole& entry, State& state) { state.picture = *entry.old; }
+
+  std::int64_t position_ = 0;
+  std::deque<Entry> entries_;
+};
+
+}  // namespace zstep
