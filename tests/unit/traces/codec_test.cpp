@@ -1,0 +1,131 @@
+// Every kind of event survives the block codec and JSONL to the bit, whatever numbers it holds.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+
+#include "tests/unit/traces/some_trace.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/file/visit.hpp"
+
+using namespace zstep;
+
+TEST_CASE("codec: random events of every kind come back to the bit") {
+  const auto events = random_events(200000, 7);
+  const Trace trace = record_events(events);
+  REQUIRE(trace.size() == static_cast<std::int64_t>(events.size()));
+  std::size_t i = 0;
+  bool same = true;
+  trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t step, const auto& event) {
+    same = same && position == static_cast<std::int64_t>(i + 1) && step == events[i].step && same_bits(Event(event), events[i].event);
+    ++i;
+    return same;
+  });
+  CHECK(same);
+  CHECK(i == events.size());
+}
+
+TEST_CASE("codec: one event at a time equals a visit, in any order") {
+  const auto events = random_events(150000, 11);
+  const Trace trace = record_events(events);
+  std::mt19937 random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const auto position = static_cast<std::int64_t>(random() % events.size()) + 1;
+    const RecordedEvent& event = trace.event(position);
+    REQUIRE(same_bits(event.event, events[static_cast<std::size_t>(position - 1)].event));
+  }
+}
+
+TEST_CASE("codec: next and previous find what a plain loop finds, with and without the pixel index") {
+  const auto events = random_events(140000, 5);
+  const Trace trace = record_events(events);
+  const auto failed = [](const RecordedEvent& e) { return std::holds_alternative<DepthCompare>(e.event) && !std::get<DepthCompare>(e.event).nearer; };
+  const auto touches = [](const RecordedEvent& e) { const auto pixel = pixel_of(e.event); return pixel && pixel->x == 5 && pixel->y == 6; };
+  std::mt19937 random(4);
+  for (int i = 0; i < 50; ++i) {
+    const auto from = static_cast<std::int64_t>(random() % (events.size() + 1));
+    const auto expect = [&](const auto& predicate, int direction) -> std::optional<std::int64_t> {
+      for (std::int64_t p = from + direction; p >= 1 && p <= trace.size(); p += direction) {
+        if (predicate(events[static_cast<std::size_t>(p - 1)])) return p;
+      }
+      return std::nullopt;
+    };
+    CHECK(trace.next(from, failed) == expect(failed, 1));
+    CHECK(trace.previous(from, failed) == expect(failed, -1));
+    CHECK(trace.next(from, touches, Trace::Pixel{5, 6}) == expect(touches, 1));
+    CHECK(trace.previous(from, touches, Trace::Pixel{5, 6}) == expect(touches, -1));
+  }
+}
+
+TEST_CASE("codec: a span's pixels cost less than half a byte each") {
+  std::vector<RecordedEvent> events;
+  const std::uint8_t span = step_of(kind_of<SpanBegin>), interpolate = step_of(kind_of<DepthInterpolate>), compare = step_of(kind_of<DepthCompare>);
+  for (int y = 0; y < 64; ++y) {
+    const double x_left = 0.25 * y, x_right = 63 - 0.125 * y, z_left = 1 + y * 0.01, z_right = 2 - y * 0.003;
+    const SpanBegin s{0, 1, y, static_cast<std::int32_t>(std::ceil(x_left)), static_cast<std::int32_t>(std::ceil(x_right)) - 1, x_left, z_left, x_right, z_right, (z_right - z_left) / (x_right - x_left)};
+    events.push_back({span, s});
+    for (int x = s.first; x <= s.last; ++x) {
+      const double z = z_left + (z_right - z_left) * (x - x_left) / (x_right - x_left);
+      events.push_back({interpolate, DepthInterpolate{x, y, z}});
+      events.push_back({compare, DepthCompare{x, y, z, true}});
+    }
+  }
+  const auto bytes = recorded_bytes(events);
+  const Trace empty = record_events({});
+  const double per_event = static_cast<double>(bytes.size() - recorded_bytes({}).size()) / static_cast<double>(events.size());
+  CHECK(per_event < 0.5);
+}
+
+TEST_CASE("jsonl: out and in again loses nothing") {
+  const auto events = random_events(3000, 23);
+  const Trace trace = record_events(events);
+  std::stringstream text;
+  write_jsonl(trace, text);
+  std::unique_ptr<TraceRecorder> recorder;
+  read_jsonl(text, "text", [&](const Header& header, const Scene& scene) -> TraceRecorder& {
+    CHECK(header == trace.header());
+    CHECK(scene == trace.scene());
+    recorder = std::make_unique<TraceRecorder>(header, scene);
+    return *recorder;
+  });
+  recorder->finish();
+  CHECK(recorder->take_bytes() == recorded_bytes(events));
+}
+
+TEST_CASE("jsonl: what is wrong is said with its line") {
+  const auto message = [](const std::string& text) -> std::string {
+    std::istringstream in(text);
+    std::unique_ptr<TraceRecorder> recorder;
+    try {
+      read_jsonl(in, "run.jsonl", [&](const Header& header, const Scene& scene) -> TraceRecorder& {
+        recorder = std::make_unique<TraceRecorder>(header, scene);
+        return *recorder;
+      });
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const Trace trace = record_events({});
+  const std::string head = jsonl_header(trace.header(), trace.scene()) + "\n";
+  const auto says = [&](const std::string& line, const std::string& part) {
+    const std::string said = message(head + line + "\n");
+    CAPTURE(said);
+    CHECK(said.find("run.jsonl:2: ") == 0);
+    CHECK(said.find(part) != std::string::npos);
+    CHECK(said.find('\n') == std::string::npos);
+  };
+  CHECK(message(head) == "");
+  CHECK(message("").find("run.jsonl:0: there is no header line") == 0);
+  CHECK(message("{}").find("run.jsonl:1: \"ztrace\" is missing") == 0);
+  says("{\"step\":\"depth_write\",\"x\":1,\"y\":2}", "\"z\" is missing");
+  says("{\"step\":\"depth_write\",\"x\":1.5,\"y\":2,\"z\":1}", "\"x\" is not a whole number");
+  says("{\"step\":\"depth_write\",\"x\":1e99,\"y\":2,\"z\":1}", "\"x\" is not a whole number");
+  says("{\"step\":\"depth_write\",\"x\":1,\"y\":2,\"z\":1,\"w\":0}", "\"w\" is no field of depth_write");
+  says("{\"step\":\"facing_test\",\"determinant\":1,\"plane_at_eye\":1,\"view_dot_normal\":1,\"projected_normal_z\":1,\"facing\":\"sideways\"}", "front, back, edge_on");
+  says("{\"step\":\"paint\"}", "no step \"paint\"");
+  says("[1]", "not a JSON object");
+  says("{", "not JSON");
+}
