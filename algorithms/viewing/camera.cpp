@@ -10,18 +10,15 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Sine and cosine of an angle in degrees. The reduction is made in degrees, where it is exact: the sine of 180 degrees is 0,
-// not 1e-16, and that of 30 is one half, as a student who checks the matrix by hand expects.
+// Sine and cosine of an angle in degrees. The reduction is made in degrees, where it is exact: the sine of 180 degrees
+// is 0, not 1e-16, and that of 30 is one half, as a student who checks the matrix by hand expects.
 double sine_of(double degrees, int quarter_turns) {
   int quadrant = 0;
   const double rest = std::remquo(degrees, 90.0, &quadrant);  // -45 … 45
   const double sine = std::abs(rest) == 30 ? std::copysign(0.5, rest) : std::sin(rest * pi / 180);
-  switch ((quadrant + quarter_turns) & 3) {
-    case 0: return sine;
-    case 1: return std::cos(rest * pi / 180);
-    case 2: return 0 - sine;
-    default: return -std::cos(rest * pi / 180);
-  }
+  const double cosine = std::cos(rest * pi / 180);
+  const double around[4] = {sine, cosine, -sine, -cosine};
+  return around[(quadrant + quarter_turns) & 3];
 }
 double sin_degrees(double degrees) { return sine_of(degrees, 0); }
 double cos_degrees(double degrees) { return sine_of(degrees, 1); }
@@ -42,15 +39,15 @@ glm::dmat4 eckert_view(double rho, double theta_degrees, double phi_degrees) {
   const double sin_theta = sin_degrees(theta_degrees), cos_theta = cos_degrees(theta_degrees);
   const double sin_phi = sin_degrees(phi_degrees), cos_phi = cos_degrees(phi_degrees);
   // 000, "Composite Viewing Transformation Matrix"
-  return from_rows({-sin_theta, cos_theta, 0, 0},
-                   {-cos_phi * cos_theta, -cos_phi * sin_theta, sin_phi, 0},
+  return from_rows({-sin_theta, cos_theta, 0, 0},                             //
+                   {-cos_phi * cos_theta, -cos_phi * sin_theta, sin_phi, 0},  //
                    {-sin_phi * cos_theta, -sin_phi * sin_theta, -cos_phi, rho});
 }
 
 glm::dvec3 eckert_eye(double rho, double theta_degrees, double phi_degrees) {
   const double sin_theta = sin_degrees(theta_degrees), cos_theta = cos_degrees(theta_degrees);
   const double sin_phi = sin_degrees(phi_degrees), cos_phi = cos_degrees(phi_degrees);
-  return {rho * sin_phi * cos_theta, rho * sin_phi * sin_theta, rho * cos_phi};
+  return glm::dvec3(rho * sin_phi * cos_theta, rho * sin_phi * sin_theta, rho * cos_phi) + 0.0;  // -0 becomes 0
 }
 
 glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up) {
@@ -75,8 +72,8 @@ double window_for_field_of_view(double degrees_vertical, double d) {
 }
 
 DepthCoefficients depth_coefficients(double near, double far) {
-  // 003, "View Volume": the third row of M_p. As printed its two entries stand in each other's columns and would not take
-  // near to -1 and far to +1; a belongs to z, b to the constant.
+  // 003, "View Volume": the third row of M_p. As printed its two entries stand in each other's columns and would not
+  // take near to -1 and far to +1; a belongs to z, b to the constant.
   return {-(near + far) / (near * (near - far)), 2 * far / (near - far)};
 }
 
@@ -99,14 +96,15 @@ glm::dvec4 Lens::clip_coordinates(glm::dvec3 view) const {
 }
 
 glm::dvec3 Lens::project(glm::dvec3 view) const {
-  // z as in 000 where it is asked for; else z* as in 003, which is linear on the raster, so that interpolating it is exact.
+  // z as in 000 where it is asked for; else z* as in 003, which is linear on the raster, so that interpolating it is
+  // exact.
   const bool view_z = depth == Conventions::Depth::view;
   if (orthographic) return {view.x, view.y, view_z ? view.z : 2 * (view.z - near) / (far - near) - 1};
   return {d * view.x / view.z, d * view.y / view.z, view_z ? view.z : near * (a * view.z + b) / view.z};
 }
 
 glm::dvec2 Lens::to_viewport(double x_p, double y_p) const {
-  return {(x_p + window_x) / (2 * window_x) * width - 0.5,   //
+  return {(x_p + window_x) / (2 * window_x) * width - 0.5,  //
           (window_y - y_p) / (2 * window_y) * height - 0.5};
 }
 

@@ -13,22 +13,27 @@
 
 namespace zstep::viewing {
 
-/// T_v of 000: world to view for an eye at distance rho that looks at the origin. Angles in degrees, theta in the x–y plane
-/// from the x axis, phi from the z axis. Left-handed: x_v right, y_v up, z_v away from the eye. Column vectors: v = T_v * w.
+/// T_v of 000: world to view for an eye at distance rho that looks at the origin. Angles in degrees, theta in the x–y
+/// plane from the x axis, phi from the z axis. Left-handed: x_v right, y_v up, z_v away from the eye. Column vectors: v
+/// = T_v * w.
 glm::dmat4 eckert_view(double rho, double theta_degrees, double phi_degrees);
 
 /// Where that eye stands in the world.
 glm::dvec3 eckert_eye(double rho, double theta_degrees, double phi_degrees);
 
 /// World to view for an eye that looks at `target`, with `up` upwards in the picture; left-handed as T_v is. `eye` and
-/// `target` must differ. An `up` along the line of sight says nothing: the world axis furthest from that line stands in.
+/// `target` must differ. An `up` along the line of sight says nothing: the world axis furthest from that line stands
+/// in.
 glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up);
 
 /// Half the height of the window on a projection plane at distance d that is seen under this angle: d * tan(angle/2).
 double window_for_field_of_view(double degrees_vertical, double d);
 
-/// The coefficients of pseudodepth, z* = f (a z + b) / z with f the near and F the far distance: near goes to -1, far to +1.
-struct DepthCoefficients { double a, b; };
+/// The coefficients of pseudodepth, z* = f (a z + b) / z with f the near and F the far distance: near goes to -1, far
+/// to +1.
+struct DepthCoefficients {
+  double a, b;
+};
 DepthCoefficients depth_coefficients(double near, double far);
 
 /// A camera made ready for one raster: all that lies between viewing coordinates and the raster.
@@ -46,12 +51,12 @@ struct Lens {
   glm::dvec2 to_viewport(double x_p, double y_p) const;
 
   bool orthographic;
-  Conventions::Depth depth;      ///< which depth project() gives
-  double d;                      ///< distance of the projection plane
-  double window_x, window_y;     ///< half the width and half the height of the window on it
-  double near, far;              ///< z_v of the clipping planes
-  double a, b;                   ///< of pseudodepth
-  double width, height;          ///< of the raster, in pixels
+  Conventions::Depth depth;   ///< which depth project() gives
+  double d;                   ///< distance of the projection plane
+  double window_x, window_y;  ///< half the width and half the height of the window on it
+  double near, far;           ///< z_v of the clipping planes
+  double a, b;                ///< of pseudodepth
+  double width, height;       ///< of the raster, in pixels
 };
 
 }  // namespace zstep::viewing

@@ -28,10 +28,8 @@ TEST_SUITE("viewing/camera") {
     const double rho = 7, theta = 33, phi = 71;
     const double s_t = std::sin(theta * degree), c_t = std::cos(theta * degree);
     const double s_p = std::sin(phi * degree), c_p = std::cos(phi * degree);
-    const double printed[4][4] = {{-s_t, c_t, 0, 0},
-                                  {-c_p * c_t, -c_p * s_t, s_p, 0},
-                                  {-s_p * c_t, -s_p * s_t, -c_p, rho},
-                                  {0, 0, 0, 1}};
+    const double printed[4][4] = {
+        {-s_t, c_t, 0, 0}, {-c_p * c_t, -c_p * s_t, s_p, 0}, {-s_p * c_t, -s_p * s_t, -c_p, rho}, {0, 0, 0, 1}};
     const glm::dmat4 view = viewing::eckert_view(rho, theta, phi);
     for (int row = 0; row < 4; ++row) {
       for (int column = 0; column < 4; ++column) {
@@ -120,7 +118,8 @@ TEST_SUITE("viewing/camera") {
   }
 
   TEST_CASE("the window's corners fall half a pixel outside the outermost pixel centres") {
-    const viewing::Lens lens(camera_between(Camera::Kind::perspective, 1, 10), {64, 32}, Conventions::Depth::pseudodepth);
+    const viewing::Lens lens(camera_between(Camera::Kind::perspective, 1, 10), {64, 32},
+                             Conventions::Depth::pseudodepth);
     CHECK(lens.to_viewport(-2, 1) == glm::dvec2(-0.5, -0.5));
     CHECK(lens.to_viewport(2, -1) == glm::dvec2(63.5, 31.5));
     CHECK(lens.to_viewport(0, 0) == glm::dvec2(31.5, 15.5));

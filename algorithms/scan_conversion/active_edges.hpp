@@ -1,0 +1,32 @@
+// The active edge list: the edges of the polygon that the current scan line meets, from left to right.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/scan_conversion/edge_table.hpp"
+
+namespace zstep::scan_conversion {
+
+struct ActiveEdges {
+  std::vector<std::int32_t> edges;  ///< numbers of edges, by x and then by slope
+  std::size_t waiting = 0;          ///< the first of table.buckets that has not entered yet
+
+  void clear() { edges.clear(), waiting = 0; }
+};
+
+/// Moves the list to scan line y, in the order of Foley et al.: active edges step to y, those that begin at y enter,
+/// those that end at y leave, and the rest is put in order again. Calls must go through the table's rows one by one.
+///
+/// Stepping comes before leaving, so that the list can be read as the book prints it; an edge may thus be stepped to
+/// the scan line just beyond its end, once, before it leaves.
+template <Recorder R>
+void begin_scan_line(ActiveEdges& active, EdgeTable& table, std::int32_t y, Conventions::Interpolation interpolation,
+                     R& record);
+
+/// After the last scan line: the edges that are still active leave.
+template <Recorder R>
+void end_polygon(ActiveEdges& active, R& record);
+
+}  // namespace zstep::scan_conversion

@@ -1,0 +1,91 @@
+#include "algorithms/scan_conversion/edge_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "traces/record/all_recorders.hpp"
+
+namespace zstep::scan_conversion {
+
+namespace {
+
+using Outline = std::span<const std::int32_t>;
+
+// The first row at or below y, limited to the raster.
+std::int32_t row_from(double y, std::int32_t height) {
+  if (!(y > 0)) return 0;
+  if (y >= height) return height;
+  return static_cast<std::int32_t>(std::ceil(y));
+}
+
+// The nearest neighbour of outline[i] in the given direction that is not on the same height.
+double height_beside(Outline outline, const viewing::Vertices& vertices, std::size_t i, std::size_t direction) {
+  const auto y_of = [&](std::size_t n) { return vertices[static_cast<std::size_t>(outline[n])].raster.y; };
+  std::size_t n = i;
+  do n = (n + direction) % outline.size();
+  while (n != i && y_of(n) == y_of(i));
+  return y_of(n);
+}
+
+bool local_maximum(Outline outline, const viewing::Vertices& vertices, std::size_t i) {
+  const double y = vertices[static_cast<std::size_t>(outline[i])].raster.y;
+  return height_beside(outline, vertices, i, 1) < y && height_beside(outline, vertices, i, outline.size() - 1) < y;
+}
+
+}  // namespace
+
+template <Recorder R>
+void build_edge_table(EdgeTable& table, std::int32_t polygon, Outline outline, const viewing::Vertices& vertices,
+                      const Raster& raster, Conventions::Coverage coverage, R& record) {
+  table.edges.clear();
+  table.first_row = raster.height;
+  table.end_row = 0;
+
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    std::size_t from = i, to = i + 1 < outline.size() ? i + 1 : 0;
+    const auto point = [&](std::size_t n) { return vertices[static_cast<std::size_t>(outline[n])].raster; };
+    if (point(from).y > point(to).y) std::swap(from, to);
+
+    Edge edge{outline[from], outline[to], point(from), point(to), 0, 0, 0, 0, 0, 0};
+    edge.first_row = row_from(edge.start.y, raster.height);
+    edge.end_row = row_from(edge.end.y, raster.height);
+    const bool horizontal = edge.start.y == edge.end.y;
+    const bool ends_on_row = edge.end_row == edge.end.y && edge.end_row < raster.height;
+    if (coverage == Conventions::Coverage::inclusive && !horizontal && ends_on_row &&
+        local_maximum(outline, vertices, to)) {
+      ++edge.end_row;
+    }
+    if (horizontal || edge.first_row >= edge.end_row) {
+      const EdgeSkip why = horizontal ? EdgeSkip::horizontal : EdgeSkip::between_rows;
+      record(step::skip_edge, EdgeTableSkip{outline[i], outline[i + 1 < outline.size() ? i + 1 : 0], why});
+      continue;
+    }
+
+    edge.x = edge.x_at(edge.first_row);
+    edge.z = edge.z_at(edge.first_row);
+    edge.dx_dy = (edge.end.x - edge.start.x) / (edge.end.y - edge.start.y);
+    edge.dz_dy = (edge.end.z - edge.start.z) / (edge.end.y - edge.start.y);
+    const auto number = static_cast<std::int32_t>(table.edges.size());
+    const EdgeTableInsert row{number,       polygon, edge.vertex_0, edge.vertex_1, edge.first_row,
+                              edge.end_row, edge.x,  edge.dx_dy,    edge.z,        edge.dz_dy};
+    record(step::insert_edge, row);
+
+    table.edges.push_back(edge);
+    table.first_row = std::min(table.first_row, edge.first_row);
+    table.end_row = std::max(table.end_row, edge.end_row);
+  }
+
+  table.buckets.resize(table.edges.size());
+  for (std::size_t i = 0; i < table.buckets.size(); ++i) table.buckets[i] = static_cast<std::int32_t>(i);
+  const auto row = [&](std::int32_t number) { return table.edges[static_cast<std::size_t>(number)].first_row; };
+  std::sort(table.buckets.begin(), table.buckets.end(), [&](std::int32_t one, std::int32_t other) {
+    return row(one) != row(other) ? row(one) < row(other) : one < other;
+  });
+}
+
+#define INSTANTIATE(R)                                                                                          \
+  template void build_edge_table<R>(EdgeTable&, std::int32_t, Outline, const viewing::Vertices&, const Raster&, \
+                                    Conventions::Coverage, R&);
+ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+
+}  // namespace zstep::scan_conversion

@@ -1,0 +1,48 @@
+// The edge table: the edges of one polygon by the scan line on which they begin.
+//
+// Foley, van Dam, Feiner and Hughes, "Computer Graphics: Principles and Practice", 2nd edition, section 3.6; the depth
+// beside x as in 000 ("mixed coordinates": x_s, y_s and z).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algorithms/scan_conversion/steps.hpp"
+#include "algorithms/viewing/vertices.hpp"
+#include "traces/record/recorder.hpp"
+
+namespace zstep::scan_conversion {
+
+/// An edge, from its end with the smaller y to its end with the larger. Two polygons that share it thus compute the
+/// same bits along it.
+struct Edge {
+  std::int32_t vertex_0, vertex_1;
+  glm::dvec3 start, end;            ///< (x_s, y_s, depth) of the two
+  std::int32_t first_row, end_row;  ///< the scan lines it meets: first_row <= y < end_row
+  double x, z;                      ///< where it meets the current scan line
+  double dx_dy, dz_dy;              ///< what they gain from line to line
+
+  /// x–y interpolation (000): x = x_0 + (x_1 - x_0)(y - y_0)/(y_1 - y_0)
+  double x_at(std::int32_t row) const { return start.x + (end.x - start.x) * (row - start.y) / (end.y - start.y); }
+  /// z–y interpolation (000): z = z_0 + (z_1 - z_0)(y - y_0)/(y_1 - y_0)
+  double z_at(std::int32_t row) const { return start.z + (end.z - start.z) * (row - start.y) / (end.y - start.y); }
+};
+
+struct EdgeTable {
+  std::vector<Edge> edges;                  ///< in the order of the outline; an edge's place here is its number
+  std::vector<std::int32_t> buckets;        ///< numbers of edges by first_row, within a row in the order of the outline
+  std::int32_t first_row = 0, end_row = 0;  ///< the scan lines the polygon spans: first_row <= y < end_row
+};
+
+/// Fills the table with the edges of an outline (indices into vertices). Scan lines are limited to the raster.
+///
+/// top_left: an edge meets the rows ceil(y_0) … ceil(y_1) - 1, so the end on top counts and the end at the bottom does
+/// not. inclusive: row y_1 too, when the polygon has its lowest point there (a local maximum of y, horizontal edges
+/// looked past); elsewhere the next edge begins on that row and two would be one too many.
+template <Recorder R>
+void build_edge_table(EdgeTable& table, std::int32_t polygon, std::span<const std::int32_t> outline,
+                      const viewing::Vertices& vertices, const Raster& raster, Conventions::Coverage coverage,
+                      R& record);
+
+}  // namespace zstep::scan_conversion

@@ -1,0 +1,27 @@
+// Spans: the pixels between two active edges, and the depth along them.
+#pragma once
+
+#include <cstdint>
+
+#include "algorithms/scan_conversion/active_edges.hpp"
+
+namespace zstep::scan_conversion {
+
+/// A span is what its event says.
+using Span = SpanBegin;
+
+/// The pixels of scan line y between two active edges. top_left: ceil(x_left) … ceil(x_right) - 1, so a centre on the
+/// left edge counts and one on the right edge does not. inclusive: ceil(x_left) … floor(x_right), the `for x = x_L to
+/// x_R` of 000, which draws the pixels on a shared edge twice. Limited to the raster's width.
+template <Recorder R>
+Span begin_span(const EdgeTable& table, std::int32_t left, std::int32_t right, std::int32_t y, const Raster& raster,
+                Conventions::Coverage coverage, R& record);
+
+/// z–x interpolation (000): z = z_L + (z_R - z_L)(x - x_L)/(x_R - x_L), evaluated in this order, by which the trace's
+/// codec predicts it.
+inline double depth_on(const Span& span, std::int32_t x) {
+  if (span.x_right == span.x_left) return span.z_left;
+  return span.z_left + (span.z_right - span.z_left) * (x - span.x_left) / (span.x_right - span.x_left);
+}
+
+}  // namespace zstep::scan_conversion

@@ -1,0 +1,95 @@
+#include "algorithms/viewing/back_face.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "traces/record/all_recorders.hpp"
+
+namespace zstep::clipping {
+
+namespace {
+
+// Sines below this are rounding: a facet is seen edge-on, an area is none.
+constexpr double edge_on_sine = 1e-12;
+constexpr double zero_area = 1e-14;
+
+bool orthographic(const Scene& scene) { return scene.camera.kind == Camera::Kind::orthographic; }
+
+template <class Element>
+const Element& nth(const std::vector<Element>& elements, Corners corners, std::size_t n) {
+  return elements[static_cast<std::size_t>(corners[n < corners.size() ? n : 0])];
+}
+
+// From the eye to a facet's first corner; for an orthographic camera the direction of all lines of sight.
+glm::dvec3 line_of_sight(const Scene& scene, Corners corners) {
+  return orthographic(scene) ? -scene.camera.eye : nth(scene.points, corners, 0) - scene.camera.eye;
+}
+
+}  // namespace
+
+glm::dvec3 newell_normal(const Scene& scene, Corners corners) {
+  const glm::dvec3 origin = nth(scene.points, corners, 0);
+  glm::dvec3 normal(0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    normal += glm::cross(nth(scene.points, corners, i) - origin, nth(scene.points, corners, i + 1) - origin);
+  }
+  return normal;
+}
+
+double determinant(const Scene& scene, Corners corners, const viewing::Vertices& vertices) {
+  glm::dvec3 sum(0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    sum += glm::cross(nth(vertices, corners, i).view, nth(vertices, corners, i + 1).view);
+  }
+  return glm::dot(orthographic(scene) ? glm::dvec3(0, 0, 1) : nth(vertices, corners, 0).view, sum);
+}
+
+double plane_at_eye(const Scene& scene, Corners corners) {
+  const glm::dvec3 abc = newell_normal(scene, corners), eye = scene.camera.eye;
+  const double d = orthographic(scene) ? 0 : -glm::dot(abc, nth(scene.points, corners, 0));
+  return abc.x * eye.x + abc.y * eye.y + abc.z * eye.z + d;
+}
+
+double view_dot_normal(const Scene& scene, Corners corners) {
+  return glm::dot(line_of_sight(scene, corners), newell_normal(scene, corners));
+}
+
+double projected_normal_z(const Scene& scene, Corners corners, const viewing::Vertices& vertices) {
+  double normal_z = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const viewing::Vertex &here = nth(vertices, corners, i), &next = nth(vertices, corners, i + 1);
+    if (!(here.view.z >= scene.camera.near)) return std::numeric_limits<double>::quiet_NaN();
+    normal_z += here.raster.x * next.raster.y - next.raster.x * here.raster.y;
+  }
+  return normal_z;
+}
+
+bool degenerate(const Scene& scene, Corners corners) {
+  if (corners.size() < 3) return true;
+  const glm::dvec3 origin = nth(scene.points, corners, 0);
+  double extent = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    extent = std::fmax(extent, glm::length(nth(scene.points, corners, i) - origin));
+  }
+  const double area = glm::length(newell_normal(scene, corners));
+  return !(area > zero_area * extent * extent) || !std::isfinite(area);
+}
+
+template <Recorder R>
+Facing test_facing(const Scene& scene, Corners corners, const viewing::Vertices& vertices, R& record) {
+  FacingTest test{determinant(scene, corners, vertices), plane_at_eye(scene, corners), view_dot_normal(scene, corners),
+                  projected_normal_z(scene, corners, vertices), Facing::edge_on};
+
+  const double scale = glm::length(line_of_sight(scene, corners)) * glm::length(newell_normal(scene, corners));
+  if (test.view_dot_normal > edge_on_sine * scale) test.facing = Facing::back;
+  if (test.view_dot_normal < -edge_on_sine * scale) test.facing = Facing::front;
+  record(step::facing, test);
+  return test.facing;
+}
+
+#define INSTANTIATE(R) template Facing test_facing<R>(const Scene&, Corners, const viewing::Vertices&, R&);
+ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+
+}  // namespace zstep::clipping

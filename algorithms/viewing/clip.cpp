@@ -1,0 +1,130 @@
+#include "algorithms/viewing/clip.hpp"
+
+#include <cmath>
+
+#include "traces/record/all_recorders.hpp"
+
+namespace zstep::clipping {
+
+namespace {
+
+using viewing::Lens;
+using viewing::Vertex;
+using viewing::Vertices;
+
+constexpr int plane_count = 6;
+
+const Vertex& vertex_at(const Vertices& vertices, std::int32_t index) {
+  return vertices[static_cast<std::size_t>(index)];
+}
+
+// The point at which the edge from a vertex inside to one outside meets the plane. It is always computed from the
+// inside end, so that two polygons that share the edge get the same bits, whichever way round they run along it.
+template <Recorder R>
+std::int32_t cross(const Lens& lens, ClipPlane plane, std::int32_t inside, std::int32_t outside, Vertices& vertices,
+                   R& record) {
+  const glm::dvec3 from = vertex_at(vertices, inside).view, to = vertex_at(vertices, outside).view;
+  const double d_in = viewing::distance_inside(lens, from, plane), d_out = viewing::distance_inside(lens, to, plane);
+  const double t = d_in / (d_in - d_out);
+  const glm::dvec3 view = from + t * (to - from);
+
+  const auto made = static_cast<std::int32_t>(vertices.size());
+  record(step::clip_cross, ClipCross{plane, inside, outside, t, made, view.x, view.y, view.z});
+  vertices.push_back({view, {}, 0});
+  return made;
+}
+
+// Sutherland and Hodgman: what of the polygon lies inside one plane.
+template <Recorder R>
+Outline clip_against(const Lens& lens, ClipPlane plane, const Outline& polygon, Vertices& vertices, R& record) {
+  Outline kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::int32_t here = polygon[i], next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    const double distance = viewing::distance_inside(lens, vertex_at(vertices, here).view, plane);
+    const double distance_next = viewing::distance_inside(lens, vertex_at(vertices, next).view, plane);
+
+    const bool inside = distance >= 0;
+    record(step::clip_vertex, ClipVertex{plane, here, distance, inside});
+    if (inside) kept.push_back(here);
+
+    // A vertex on the plane itself is the crossing already.
+    if (distance > 0 && distance_next < 0) kept.push_back(cross(lens, plane, here, next, vertices, record));
+    if (distance < 0 && distance_next > 0) kept.push_back(cross(lens, plane, next, here, vertices, record));
+  }
+  return kept;
+}
+
+bool on_raster(const Vertices& vertices, const Outline& outline) {
+  constexpr double limit = 1e9;  // pixels; beyond, differences of coordinates lose whole pixels
+  if (outline.size() < 3) return false;
+  for (const std::int32_t index : outline) {
+    const glm::dvec3 raster = vertex_at(vertices, index).raster;
+    const bool sound = std::abs(raster.x) <= limit && std::abs(raster.y) <= limit && std::isfinite(raster.z);
+    if (!sound) return false;
+  }
+  return true;
+}
+
+template <Recorder R>
+bool reject(const Facet& facet, Reject reason, R& record) {
+  record(step::reject, PolygonReject{facet.polygon, reason});
+  return false;
+}
+
+// Facing, outcodes and the six planes, for a facet in space.
+template <Recorder R>
+bool cull_and_clip(const Scene& scene, const Facet& facet, bool cull, const Lens& lens, Vertices& vertices,
+                   Outline& outline, R& record) {
+  if (degenerate(scene, outline)) return reject(facet, Reject::degenerate, record);
+  const Facing facing = test_facing(scene, outline, vertices, record);
+  if (facing == Facing::edge_on) return reject(facet, Reject::edge_on, record);
+  if (facing == Facing::back && cull) return reject(facet, Reject::back_facing, record);
+
+  std::int32_t outside_some = 0, outside_all = (1 << plane_count) - 1;
+  for (const std::int32_t corner : outline) {
+    outside_some |= vertex_at(vertices, corner).outside;
+    outside_all &= vertex_at(vertices, corner).outside;
+  }
+  record(step::clip_test, ClipTest{outside_some, outside_all});
+  if (outside_all != 0) return reject(facet, Reject::outside, record);
+  if (outside_some == 0) return true;
+
+  for (int plane = 0; plane < plane_count; ++plane) {
+    const bool crossed = (outside_some >> plane & 1) != 0;
+    if (crossed) outline = clip_against(lens, static_cast<ClipPlane>(plane), outline, vertices, record);
+  }
+  if (outline.size() < 3) return reject(facet, Reject::outside, record);
+
+  const auto points = static_cast<std::int32_t>(scene.points.size());
+  for (const std::int32_t index : outline) {
+    if (index >= points) viewing::project_vertex(lens, index, vertices[static_cast<std::size_t>(index)], record);
+  }
+  return true;
+}
+
+}  // namespace
+
+template <Recorder R>
+bool find_outline(const Scene& scene, const Facet& facet, const Conventions& conventions, const Lens& lens,
+                  Vertices& vertices, Outline& outline, R& record) {
+  const auto corners = scene.corners.begin() + facet.first_corner;
+  outline.assign(corners, corners + facet.corner_count);
+  vertices.resize(scene.points.size());
+
+  if (scene.camera.kind != Camera::Kind::screen) {
+    if (!cull_and_clip(scene, facet, conventions.cull, lens, vertices, outline, record)) return false;
+  }
+  if (!on_raster(vertices, outline)) return reject(facet, Reject::degenerate, record);
+
+  for (const std::int32_t index : outline) {
+    record(step::outline, OutlineVertex{index});
+  }
+  return true;
+}
+
+#define INSTANTIATE(R)                                                                                           \
+  template bool find_outline<R>(const Scene&, const Facet&, const Conventions&, const viewing::Lens&, Vertices&, \
+                                Outline&, R&);
+ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+
+}  // namespace zstep::clipping

@@ -1,0 +1,36 @@
+// The way of vertices from the world to the raster.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/viewing/camera.hpp"
+#include "algorithms/viewing/steps.hpp"
+#include "traces/record/recorder.hpp"
+
+namespace zstep::viewing {
+
+/// A vertex on its way.
+struct Vertex {
+  glm::dvec3 view{0};        ///< (x_v, y_v, z_v); unused in screen scenes
+  glm::dvec3 raster{0};      ///< (x_s, y_s) and the depth that is interpolated; meaningful once it was projected
+  std::int32_t outside = 0;  ///< outcode: bit k is set if it lies outside plane k of ClipPlane
+};
+
+/// The scene's points by index, then those that clipping makes for the facet at work.
+using Vertices = std::vector<Vertex>;
+
+/// Signed distance of a point of view space from a plane of the view volume, up to a positive factor; not negative is
+/// inside, and NaN is outside.
+double distance_inside(const Lens& lens, glm::dvec3 view, ClipPlane plane);
+
+/// Every point of the scene: world to view, and on to the raster if it lies on or beyond the near plane. A screen
+/// scene's points are on the raster already: nothing happens to them and nothing is recorded.
+template <Recorder R>
+Vertices view_vertices(const Scene& scene, const Lens& lens, R& record);
+
+/// One vertex from view space to the raster. It must lie on or beyond the near plane.
+template <Recorder R>
+void project_vertex(const Lens& lens, std::int32_t index, Vertex& vertex, R& record);
+
+}  // namespace zstep::viewing
