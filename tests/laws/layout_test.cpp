@@ -1,0 +1,149 @@
+// The house rules that a compiler does not see: which way includes point, what may lie where.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = ZSTEP_SOURCE_DIR;
+
+std::vector<std::string> lines_of(const fs::path& path) {
+  std::ifstream in(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+bool is_code(const fs::path& path) {
+  const std::string ext = path.extension().string();
+  return ext == ".hpp" || ext == ".cpp" || ext == ".h" || ext == ".cc" || ext == ".c" || ext == ".def";
+}
+
+/// All files below a folder of the tree, as paths from the root with forward slashes.
+std::vector<std::string> files_below(const std::string& folder) {
+  std::vector<std::string> found;
+  if (!fs::exists(root / folder)) return found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder))
+    if (entry.is_regular_file()) found.push_back(fs::relative(entry.path(), root).generic_string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string first_folder(const std::string& path) { return path.substr(0, path.find('/')); }
+
+/// The name between the quotes or brackets of an #include line, with its opening sign; empty for every other line.
+std::string included(const std::string& line) {
+  std::size_t at = line.find_first_not_of(" \t");
+  if (at == std::string::npos || line[at] != '#') return {};
+  at = line.find_first_not_of(" \t", at + 1);
+  if (at == std::string::npos || line.compare(at, 7, "include") != 0) return {};
+  at = line.find_first_of("\"<", at);
+  if (at == std::string::npos) return {};
+  const std::size_t end = line.find_first_of("\">", at + 1);
+  return end == std::string::npos ? std::string{} : line.substr(at, end - at);
+}
+
+/// Whether a file in the folder `from` may include one in the folder `to`: traces <- algorithms <- sim <- tests.
+bool may_include(const std::string& from, const std::string& to) {
+  static const std::array<std::string, 4> order{"traces", "algorithms", "sim", "tests"};
+  const auto place = [](const std::string& folder) { return std::find(order.begin(), order.end(), folder) - order.begin(); };
+  return place(to) < 4 && place(from) < 4 && place(to) <= place(from);
+}
+
+/// What is wrong with one line of a file; empty if nothing is.
+std::string offence(const std::string& file, const std::string& line) {
+  const std::string name = included(line);
+  if (name.empty()) return {};
+  const std::string target = name.substr(1);
+  if (name[0] == '"') {
+    if (!fs::exists(root / target)) return "is not a path from the root of the repository";
+    if (!may_include(first_folder(file), first_folder(target))) return "points against traces <- algorithms <- sim";
+    return {};
+  }
+  const std::string folder = first_folder(file);
+  const bool header = fs::path(file).extension() == ".hpp";
+  const auto any_of = [&](std::initializer_list<const char*> starts) {
+    return std::any_of(starts.begin(), starts.end(), [&](const char* start) { return target.rfind(start, 0) == 0; });
+  };
+  if (folder == "tests") return {};
+  if (any_of({"SDL", "imgui"}) && file.rfind("sim/viewer/", 0) != 0) return "belongs to sim/viewer alone";
+  if (any_of({"OpenMesh"}) && file.rfind("algorithms/", 0) != 0) return "belongs to algorithms alone";
+  if (header && any_of({"OpenMesh", "nlohmann", "toml++", "CLI/"})) return "is slow to compile and belongs into .cpp files";
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("the law of includes tells right from wrong") {
+  CHECK(included("  # include \"traces/scene.hpp\"  // why") == "\"traces/scene.hpp");
+  CHECK(included("#include <vector>") == "<vector");
+  CHECK(included("// #include <vector>").empty());
+  CHECK(offence("algorithms/a.cpp", "#include \"traces/scene.hpp\"").empty());
+  CHECK(offence("sim/a.cpp", "#include \"algorithms/catalog/catalog.hpp\"").empty());
+  CHECK_FALSE(offence("traces/a.cpp", "#include \"algorithms/catalog/catalog.hpp\"").empty());
+  CHECK_FALSE(offence("algorithms/a.cpp", "#include \"sim/viewer/viewer.hpp\"").empty());
+  CHECK_FALSE(offence("sim/a.cpp", "#include \"tests/main.cpp\"").empty());
+  CHECK_FALSE(offence("traces/events/a.cpp", "#include \"vocabulary.hpp\"").empty());
+  CHECK_FALSE(offence("sim/cli/a.cpp", "#include <SDL.h>").empty());
+  CHECK_FALSE(offence("sim/cli/a.hpp", "#include <CLI/CLI.hpp>").empty());
+  CHECK(offence("sim/viewer/draw/a.cpp", "#include <SDL.h>").empty());
+}
+
+TEST_CASE("includes point one way, from the root: traces <- algorithms <- sim") {
+  int seen = 0;
+  for (const char* folder : {"traces", "algorithms", "sim", "tests"})
+    for (const std::string& file : files_below(folder)) {
+      if (!is_code(file)) continue;
+      int number = 0;
+      for (const std::string& line : lines_of(root / file)) {
+        ++number;
+        if (included(line).empty()) continue;
+        ++seen;
+        const std::string wrong = offence(file, line);
+        CHECK_MESSAGE(wrong.empty(), file, ":", number, ": ", line, " ", wrong);
+      }
+    }
+  CHECK(seen > 100);
+}
+
+TEST_CASE("one CMake target a folder") {
+  int targets = 0;
+  for (const char* folder : {"traces", "algorithms", "sim"})
+    for (const std::string& file : files_below(folder)) {
+      if (fs::path(file).filename() != "CMakeLists.txt") continue;
+      int here = 0;
+      for (const std::string& line : lines_of(root / file))
+        if (line.rfind("add_library(", 0) == 0 || line.rfind("add_executable(", 0) == 0) ++here;
+      CHECK_MESSAGE(here <= 1, file, " declares ", here, " targets");
+      targets += here;
+    }
+  CHECK(targets >= 3);
+}
+
+TEST_CASE("every file lies where the house has a room for it") {
+  const std::set<std::string> rooms{"traces", "algorithms", "sim", "lessons", "tests", "docs", "out"};
+  for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory() && name[0] != '.' && name.rfind("build", 0) != 0)
+      CHECK_MESSAGE(rooms.count(name) == 1, name, "/ is not a folder of the house");
+    if (entry.is_regular_file()) CHECK_MESSAGE(!is_code(name), name, ": code belongs into a folder");
+  }
+  for (const char* folder : {"lessons", "docs"})
+    for (const std::string& file : files_below(folder)) CHECK_MESSAGE(!is_code(file), file, ": no code among texts");
+  for (const char* folder : {"traces", "algorithms", "sim"})
+    for (const std::string& file : files_below(folder)) {
+      const std::string stem = fs::path(file).stem().string();
+      const bool snake = std::all_of(stem.begin(), stem.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+      });
+      if (is_code(file)) CHECK_MESSAGE(snake, file, ": file names are snake_case");
+    }
+}
