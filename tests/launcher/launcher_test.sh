@@ -1,0 +1,313 @@
+#!/usr/bin/env bash
+# The launcher, on a system made of stand-ins: a clone of a few files, and a PATH on which only a few tools and scripts
+# that play apt-get, sudo, cmake and dpkg-query lie. Each stand-in writes into $calls what it was asked.
+#
+#   launcher_test.sh SOURCE [CASE]    runs one case, or all; a case is a function below whose name starts with case_
+set -u
+source_dir=$1
+failures=0
+box=$(mktemp -d "${TMPDIR:-/tmp}/zstep launcher.XXXXXX")  # with a space, as in people's folders
+trap 'rm -rf "$box"' EXIT
+
+tell() { printf "%s\n" "$@"; }
+expect() {  # WHAT TEXT PATTERN
+  grep -qE -- "$3" <<<"$2" && return
+  failures=$((failures + 1))
+  tell "FAILED: $1" "  expected: $3" "  in:" "$2"
+}
+refuse() {  # WHAT TEXT PATTERN
+  grep -qE -- "$3" <<<"$2" || return 0
+  failures=$((failures + 1))
+  tell "FAILED: $1" "  not expected: $3" "  in:" "$2"
+}
+same() {  # WHAT GOT WANTED
+  [ "$2" = "$3" ] && return
+  failures=$((failures + 1))
+  tell "FAILED: $1: got '$2', wanted '$3'"
+}
+
+stand_in() {  # NAME, body from stdin
+  { printf '#!/bin/bash\necho "%s $*" >>"$calls"\n' "$1"; cat; } >"$box/bin/$1"
+  chmod +x "$box/bin/$1"
+}
+
+# A fresh clone on a bare system: no compiler, no cmake, nothing installed; root's id, no sudo.
+fresh() {
+  rm -rf "${box:?}"/*
+  clone="$box/a clone"
+  export box calls=$box/calls dpkg_list=$box/installed
+  mkdir -p "$clone"/{traces,algorithms,sim,lessons} "$box/bin" "$box/tools"
+  cp "$source_dir/zstep" "$clone/"
+  : >"$clone/CMakeLists.txt"
+  : >"$clone/sim/main.cpp"
+  : >"$calls"
+  : >"$dpkg_list"
+  local tool
+  for tool in bash env sed cat cut tr wc grep find dirname id mkdir rm mv df awk paste flock cp chmod nproc head true; do
+    ln -s "$(type -P "$tool")" "$box/tools/"
+  done
+  stand_in id <<<'[ "${1-}" = -u ] && echo "${as_id:-0}"'
+  stand_in dpkg-query <<<'sed "s/$/ installed/" "$dpkg_list"'
+  stand_in apt-cache <<<'[ "$2" = "${absent-}" ] && echo "  Candidate: (none)" || echo "  Candidate: 1.0"'
+  stand_in apt-get <<'APT'
+[ -z "${offline-}" ] || { echo "E: Temporary failure resolving 'deb.debian.org'"; exit 100; }
+[ -z "${full-}" ] || { echo "E: You don't have enough free space in /var/cache/apt/archives/."; exit 100; }
+case " $* " in *" --assume-no "*) echo "0 upgraded, 370 newly installed, 0 to remove"; exit 1 ;; esac
+case " $* " in *" install "*) ;; *) exit 0 ;; esac
+for word; do
+  case $word in -* | *::* | install) ;; *) echo "$word" >>"$dpkg_list"; echo "Setting up $word (1.0) ..." ;; esac
+done
+for tool in cmake ninja c++ pkg-config ctest; do [ ! -e "$box/kit/$tool" ] || cp "$box/kit/$tool" "$box/bin/$tool"; done
+APT
+  mkdir -p "$box/kit"
+  stand_in cmake <<'CMAKE'
+case " $* " in
+  *" --preset "*)
+    [ -z "${broken-}" ] || { printf '%s\n' "-- looking" "CMake Error at CMakeLists.txt:1 (find_package):" "  Could not find OpenMesh"; exit 1; }
+    folder=; previous=
+    for word; do [ "$previous" = -B ] && folder=$word; previous=$word; done
+    : >"$folder/build.ninja" ;;
+  *" --build "*)
+    mkdir -p "$2/bin"
+    [ -z "${fails-}" ] || exit 1
+    printf '#!/bin/bash\nprintf "program:"; printf " <%%s>" "$@"; echo; pwd\n' >"$2/bin/zstep"
+    chmod +x "$2/bin/zstep" ;;
+esac
+CMAKE
+  stand_in ninja <<<':'
+  stand_in c++ <<<':'
+  stand_in pkg-config <<<':'
+  stand_in ctest <<<'echo "Total Test time (real) = 0.01 sec"'
+  mv "$box"/bin/{cmake,ninja,c++,pkg-config,ctest} "$box/kit/"
+  unset as_id offline full absent broken fails
+}
+zstep() { PATH=$box/bin:$box/tools "$clone/zstep" "$@"; }
+tools_there() {
+  cp "$box"/kit/* "$box/bin/"
+  packages_there
+}
+packages_there() { zstep packages | while read -r _ _ name _; do printf '%s\n' "$name"; done >"$dpkg_list"; }
+start() { output=$(zstep "$@" 2>&1 </dev/null); status=$?; }
+# On a terminal, with the given text typed in.
+on_terminal() {  # TYPED ARGS...
+  local typed=$1
+  shift
+  output=$(printf '%s' "$typed" | script -qec "PATH='$box/bin:$box/tools' '$clone/zstep' $*" /dev/null 2>&1)
+  status=$?
+}
+
+case_installs_without_a_terminal_and_without_a_question() {
+  start
+  same status "$status" 0
+  expect "says what is missing and why" "$output" 'libopenmesh-dev +half-edge meshes'
+  refuse "does not ask" "$output" '\[Y/n\]'
+  expect "installs" "$(cat "$calls")" 'apt-get .*install .*libsdl2-dev'
+  refuse "leaves the tests' packages alone" "$(cat "$dpkg_list")" 'doctest-dev'
+  expect "updates the list first" "$(grep -n 'apt-get' "$calls" | head -n 1)" 'update'
+  expect "builds without tests" "$(cat "$calls")" 'cmake --preset release .*-DZSTEP_TESTS=OFF'
+  expect "runs the program" "$output" '^program:'
+}
+
+case_asks_once_on_a_terminal() {
+  on_terminal $'\n'
+  same "questions" "$(grep -c 'Y/n' <<<"$output")" 1
+  expect "says how much" "$output" '370 packages with what they need'
+  expect "installs after Return" "$(cat "$calls")" 'apt-get .* install .*cmake'
+  expect "runs the program" "$output" '^program:'
+}
+
+case_does_not_install_after_no() {
+  on_terminal $'n\n'
+  refuse "installs nothing" "$(cat "$calls")" 'apt-get .* update'
+  expect "says so" "$output" 'nothing was installed'
+  expect "says what stops it" "$output" 'cmake is missing'
+  refuse "does not run" "$output" '^program:'
+}
+
+case_yes_does_not_ask() {
+  on_terminal '' --yes list
+  refuse "does not ask" "$output" 'Y/n'
+  expect "passes the rest on" "$output" '^program: <list>'
+}
+
+case_uses_sudo_when_not_root() {
+  export as_id=1000
+  stand_in sudo <<<'[ "$1" = -n ] && shift; exec "$@"'
+  start
+  expect "asks sudo" "$(cat "$calls")" '^sudo env .*apt-get .*install'
+  same status "$status" 0
+}
+
+case_says_whom_to_ask_without_sudo() {
+  export as_id=1000
+  start
+  expect "says why" "$output" 'there is no sudo here'
+  expect "gives the line" "$output" 'apt-get install --no-install-recommends cmake ninja-build g\+\+'
+  refuse "tries nothing" "$(cat "$calls")" 'apt-get'
+  same status "$status" 1
+}
+
+case_goes_on_without_root_when_only_optional_ones_are_missing() {
+  export as_id=1000
+  tools_there
+  sed -i '/fonts-dejavu-core/d' "$dpkg_list"
+  start
+  same status "$status" 0
+  refuse "no alarm" "$output" 'in case they came'
+  expect "runs the program" "$output" '^program:'
+}
+
+case_says_when_there_is_no_network() {
+  export offline=1
+  start
+  expect "says so" "$output" 'package server cannot be reached'
+  expect "names the packages" "$output" 'libimgui-dev'
+  same status "$status" 1
+}
+
+case_says_when_the_disk_is_full() {
+  export full=1
+  start
+  expect "says so" "$output" 'disk is full'
+  same status "$status" 1
+}
+
+case_leaves_out_what_the_release_does_not_have() {
+  export absent=libosmesa6-dev
+  start test
+  expect "says so" "$output" 'no package libosmesa6-dev'
+  expect "installs the rest" "$(cat "$dpkg_list")" 'doctest-dev'
+  same "the last line is ctest's" "$(tail -n 1 <<<"$output")" 'Total Test time (real) = 0.01 sec'
+}
+
+case_goes_on_where_cmake_finds_everything_without_apt() {
+  tools_there
+  rm "$box"/bin/{apt-get,dpkg-query}
+  start info
+  expect "runs the program" "$output" '^program: <info>'
+}
+
+case_hints_for_other_systems() {
+  rm "$box"/bin/{apt-get,dpkg-query}
+  stand_in dnf <<<':'
+  start
+  expect "names what dnf knows" "$output" "dnf install .*'cmake\(OpenMesh\)' .*'pkgconfig\(libzstd\)'"
+  same status "$status" 1
+}
+
+case_starts_at_once_when_nothing_changed() {
+  start
+  : >"$calls"
+  start lesson "two words" --at 3
+  same "calls nothing but the program" "$(cat "$calls")" ''
+  expect "passes arguments as they are" "$output" '^program: <lesson> <two words> <--at> <3>'
+  local begin end
+  begin=$(date +%s%N)
+  for _ in 1 2 3 4 5 6 7 8 9 10; do zstep list >/dev/null; done
+  end=$(date +%s%N)
+  tell "ten starts took $(((end - begin) / 1000000)) ms"
+  [ $(((end - begin) / 1000000)) -lt 1000 ] || same "ten starts under a second" no yes
+}
+
+case_builds_again_when_a_source_changed() {
+  start
+  : >"$calls"
+  sleep 0.05
+  echo >>"$clone/sim/main.cpp"
+  start
+  expect "builds" "$(cat "$calls")" 'cmake --build'
+  refuse "does not configure" "$(cat "$calls")" 'preset'
+  : >"$calls"
+  sleep 0.05
+  rm "$clone/sim/main.cpp"
+  start
+  expect "builds when a file is gone" "$(cat "$calls")" 'cmake --build'
+}
+
+case_goes_on_after_a_build_that_failed() {
+  export fails=1
+  start
+  same status "$status" 1
+  expect "says so" "$output" 'building failed'
+  unset fails
+  : >"$calls"
+  start
+  same status "$status" 0
+  refuse "does not configure again" "$(cat "$calls")" 'preset'
+}
+
+case_shows_why_configuring_failed() {
+  export broken=1
+  start
+  same status "$status" 1
+  expect "CMake's own words" "$output" 'Could not find OpenMesh'
+  refuse "without its chatter" "$output" 'looking'
+  unset broken
+  start
+  same "goes on when mended" "$status" 0
+}
+
+case_configures_afresh_when_moved() {
+  start
+  mv "$clone" "$box/moved"
+  clone=$box/moved
+  : >"$calls"
+  start
+  expect "configures" "$(cat "$calls")" 'cmake --preset release'
+  expect "runs" "$output" '^program:'
+}
+
+case_runs_from_another_folder_and_through_a_relative_path() {
+  start
+  output=$(cd "$box" && PATH=$box/bin:$box/tools './a clone/zstep' view x.ztrace </dev/null 2>&1)
+  expect "stays where the user is" "$output" "^$box\$"
+  expect "passes the path on" "$output" '<view> <x.ztrace>'
+}
+
+case_says_when_it_may_not_write() {
+  # Root may write anywhere, so a file stands where the folder should come.
+  : >"$clone/build"
+  start
+  same status "$status" 1
+  expect "says where" "$output" "cannot write to $clone/build/release"
+  output=$(ZSTEP_BUILD=$box/elsewhere zstep list 2>&1 </dev/null)
+  expect "builds elsewhere on request" "$output" '^program: <list>'
+}
+
+case_help_needs_no_build() {
+  start --help
+  same status "$status" 0
+  expect "names the commands" "$output" './zstep test'
+  same "calls nothing" "$(cat "$calls")" ''
+  start help
+  expect "help too" "$output" './zstep clean'
+}
+
+case_clean_removes_the_build() {
+  start
+  start clean
+  same "nothing is left" "$([ -e "$clone/build" ] && echo there)" ''
+}
+
+# The table of packages and the tree name the same libraries.
+case_the_table_is_what_cmake_looks_for() {
+  local wanted listed
+  wanted=$(find "$source_dir" -name build -prune -o -name CMakeLists.txt -exec cat {} + |
+    sed -nE 's/^ *find_package\(([A-Za-z0-9_]+).*/package:\1/p
+             s/^ *pkg_check_modules\([A-Z0-9_]+ (.*)\)/\1/p' | tr ' ' '\n' |
+    sed -E '/^(REQUIRED|QUIET|IMPORTED_TARGET|package:PkgConfig|package:Threads|)$/d; /:/!s/^/module:/' | sort -u)
+  listed=$(zstep packages | while read -r _ how _; do case $how in package:* | module:*) printf '%s\n' "$how" ;; esac; done | sort -u)
+  same "packages" "$(tr '\n' ' ' <<<"$listed")" "$(tr '\n' ' ' <<<"$wanted")"
+}
+
+if [ $# -gt 1 ]; then
+  fresh
+  "case_$2"
+else
+  for name in $(declare -F | sed -n 's/^declare -f \(case_.*\)/\1/p'); do
+    fresh
+    tell "${name#case_}"
+    "$name"
+  done
+fi
+exit $((failures > 0))
