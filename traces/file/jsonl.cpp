@@ -19,8 +19,19 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// The header line holds the scene; a parsed line takes many times its length in memory.
-constexpr std::size_t line_limit = std::size_t{32} << 20;
+// The header line holds the scene. A parsed line takes up to thirty times its length in memory, more when it is nested
+// without end, so both are bounded: what comes from others may be made to fill the machine.
+constexpr std::size_t line_limit = std::size_t{24} << 20;
+constexpr std::size_t short_line = std::size_t{64} << 10;
+constexpr int nesting_limit = 8;
+
+json parse_line(const std::string& line) {
+  if (line.size() <= short_line) return json::parse(line);
+  return json::parse(line, [](int depth, json::parse_event_t, json&) {
+    if (depth > nesting_limit) throw MalformedJson("is nested too deeply");
+    return true;
+  });
+}
 
 /// The next line, of at most line_limit + 1 characters: what comes from others may have no line end at all.
 bool next_line(std::istream& in, std::string& line) {
@@ -90,7 +101,8 @@ E event_from(const json& line) {
     event.*field_at<E, I>.member = value_from<FieldValue<E, I>>(*found, name);
   });
   if (line.size() != field_count<E> + 1) {
-    for (const auto& [key, value] : line.items()) {
+    for (const auto& item : line.items()) {
+      const std::string& key = item.key();
       bool known = key == "step";
       for_each_field<E>([&](const auto& field) { known = known || field.name == key; });
       if (!known) throw MalformedJson(fmt::format("\"{}\" is no field of {}", key, kind_text<E>.name));
@@ -128,12 +140,14 @@ void read_jsonl(std::istream& in, const std::string& name, const std::function<T
   while (next_line(in, line)) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    if (line.size() > line_limit) fail("the line is longer than 32 MiB", "write one event a line; large scenes are recorded straight to a .ztrace");
+    if (line.size() > line_limit) fail("the line is longer than 24 MiB", "write one event a line; large scenes are recorded straight to a .ztrace");
     json document;
     try {
-      document = json::parse(line);
+      document = parse_line(line);
     } catch (const json::exception&) {
       fail("is not JSON", "write one JSON object a line");
+    } catch (const MalformedJson& error) {
+      fail(error.what(), "write one event a line, as docs/trace-format.md shows it");
     }
     if (!document.is_object()) fail("is not a JSON object", "write one JSON object a line");
     try {
