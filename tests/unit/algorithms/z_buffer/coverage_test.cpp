@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "algorithms/z_buffer/z_buffer.hpp"
@@ -35,14 +34,9 @@ Conventions with(Conventions::Coverage coverage) {
   return conventions;
 }
 
-struct Numbers {
-  std::mt19937_64 engine{20260101};
-  double between(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; }
-};
-
 // A grid of points moved about at random, its cells cut into triangles: covers the raster without gap or overlap.
 // `snap` puts points onto multiples of itself, so that edges run through pixel centres.
-Scene random_triangulation(Numbers& random, std::int32_t raster, int cells, double snap) {
+Scene random_triangulation(test::Numbers& random, std::int32_t raster, int cells, double snap) {
   Scene scene = test::screen_scene(raster, raster, {});
   const double low = -2, high = raster + 1;
   for (int row = 0; row <= cells; ++row) {
@@ -88,7 +82,7 @@ TEST_SUITE("z_buffer/coverage") {
   }
 
   TEST_CASE("random triangulations: every pixel exactly once") {
-    Numbers random;
+    test::Numbers random(20260101);
     for (int run = 0; run < 60; ++run) {
       const double snap = run % 3 == 0 ? 1 : run % 3 == 1 ? 0.5 : 0x1p-30;
       const Scene scene = random_triangulation(random, 48, 2 + run % 9, snap);
@@ -102,14 +96,14 @@ TEST_SUITE("z_buffer/coverage") {
   }
 
   TEST_CASE("inclusive coverage draws shared edges twice, which is why it is not the default") {
-    Numbers random;
+    test::Numbers random(20260101);
     const Scene scene = random_triangulation(random, 48, 6, 1);
     const std::vector<int> count = visits(scene, with(Conventions::Coverage::inclusive));
     CHECK(std::count(count.begin(), count.end(), 2) > 0);
   }
 
   TEST_CASE("a sampled pixel agrees with the even-odd rule, concave and self-intersecting polygons included") {
-    Numbers random;
+    test::Numbers random(20260101);
     for (int run = 0; run < 200; ++run) {
       std::vector<glm::dvec3> polygon;
       const int corners = 3 + run % 8;
