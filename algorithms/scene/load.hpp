@@ -19,10 +19,12 @@ struct ViewOptions {
   bool fit = false;  ///< bounding box's centre to the origin, farthest vertex at distance 1
 };
 
-/// A scene as its file says, before it is looked at: camera.near and camera.far may be 0, which means "from the extent".
+/// A scene as its file says, before it is looked at: camera.rho, camera.near and camera.far may be 0, which means "from the
+/// extent".
 struct SceneFile {
   Scene scene;
   Conventions conventions;  ///< the scene's own, where it states any
+  std::vector<std::string> notes;  ///< what a user should know about it, a sentence each: holes, polygons not drawn, …
 };
 
 /// Loads a scene: the name of a built-in one ("pyramid", "teapot", "teapot:8" for a level of tessellation), a scene file

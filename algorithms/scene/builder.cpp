@@ -1,0 +1,157 @@
+#include "algorithms/scene/builder.hpp"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/files/tokens.hpp"
+#include "algorithms/scene/mesh.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::scene {
+
+namespace {
+
+std::string at_line(const std::string& where, std::int32_t line) {
+  return line > 0 ? fmt::format("{}:{}", where, line) : where;
+}
+
+/// "1 polygon is", "3 polygons are"
+std::string polygons_are(std::int64_t count) {
+  return count == 1 ? std::string("1 polygon is") : fmt::format("{} polygons are", count);
+}
+
+/// What the half-edge mesh shows: faces that do not fit together, holes, a surface that is inside out.
+void note_topology(const PolygonSoup& soup, const std::string& where, std::int64_t without_corners,
+                   std::vector<std::string>& notes) {
+  const Mesh mesh = build_mesh(soup.points, soup.outlines, soup.corners);
+  if (const std::int64_t loose = mesh.loose_faces - without_corners; loose > 0)
+    notes.push_back(fmt::format("{}: {} cut loose: more than two meet at an edge, or neighbours run against each other", where,
+                                polygons_are(loose)));
+  if (mesh.boundary_edges > 0)
+    notes.push_back(fmt::format("{}: the surface is open at {} edges: with back faces dropped its inside cannot be seen",
+                                where, mesh.boundary_edges));
+  else if (mesh.loose_faces == 0) {
+    double volume = 0;  // six times the signed volume: negative when the outside is inside
+    for (const Facet& outline : soup.outlines)
+      volume += glm::dot(soup.points[static_cast<std::size_t>(soup.corners_of(outline)[0])],
+                         newell_normal(soup.points, soup.corners_of(outline)));
+    if (volume < 0)
+      notes.push_back(fmt::format("{}: the polygons run clockwise seen from outside: all of them count as back faces", where));
+  }
+}
+
+}  // namespace
+
+void SceneBuilder::check_limits(const PolygonSoup& soup, const std::string& where) const {
+  const auto check = [&](std::size_t have, std::size_t more, std::int64_t most, std::string_view what) {
+    if (static_cast<std::int64_t>(have + more) > most) PolygonSoup::too_much(where, what, most);
+  };
+  check(file_.scene.points.size(), soup.points.size(), most_points, "points");
+  check(file_.scene.polygons.size(), soup.outlines.size(), most_polygons, "polygons");
+  check(file_.scene.corners.size(), soup.corners.size(), most_corners, "corners");
+}
+
+void SceneBuilder::add_points(PolygonSoup& soup, const std::string& where, const Placement& placement) {
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    glm::dvec3& point = soup.points[i];
+    point = placement.linear * point + placement.offset + 0.0;  // -0 becomes 0: it is going to be read
+    const std::int32_t line = soup.point_lines.empty() ? 0 : soup.point_lines[i];
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(point[axis]) <= largest_coordinate))
+        checked_coordinate(point[axis], at_line(where, line), "a coordinate, once placed,");
+  }
+  Scene& scene = file_.scene;
+  // Lines are known for all points or for none: a binary mesh in the scene takes them from all.
+  const bool lines = scene.points.size() == scene.point_lines.size() && soup.points.size() == soup.point_lines.size();
+  if (lines) scene.point_lines.insert(scene.point_lines.end(), soup.point_lines.begin(), soup.point_lines.end());
+  else scene.point_lines.clear();
+  scene.points.insert(scene.points.end(), soup.points.begin(), soup.points.end());
+}
+
+void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Placement& placement, Bare bare, Color bare_color) {
+  check_limits(soup, where);
+  cut_ = too_few_corners_ = no_area_ = 0;
+  Scene& scene = file_.scene;
+  const auto first_point = static_cast<std::int32_t>(scene.points.size());
+  const bool mirrored = glm::determinant(placement.linear) < 0;
+  scene.polygons.reserve(scene.polygons.size() + soup.outlines.size());
+  scene.facets.reserve(scene.facets.size() + soup.outlines.size());
+  scene.corners.reserve(scene.corners.size() + soup.corners.size());
+  add_points(soup, where, placement);
+  for (std::string& note : soup.notes) file_.notes.push_back(std::move(note));
+
+  for (std::size_t k = 0; k < soup.outlines.size(); ++k) {
+    Polygon polygon;
+    if (!soup.names.empty()) polygon.name = std::move(soup.names[k]);
+    if (!soup.outline_lines.empty()) polygon.source_line = soup.outline_lines[k];
+
+    const auto corners = soup.corners_of(soup.outlines[k]);
+    ring_.clear();  // without corners that stand twice in a row
+    for (const std::int32_t corner : corners)
+      if (ring_.empty() || ring_.back() != corner) ring_.push_back(corner);
+    while (ring_.size() > 1 && ring_.back() == ring_.front()) ring_.pop_back();
+    if (mirrored) std::reverse(ring_.begin() + (ring_.empty() ? 0 : 1), ring_.end());
+
+    const glm::dvec3 normal = newell_normal(soup.points, ring_);
+    if (ring_.size() >= 3 && normal == glm::dvec3(0)) ++no_area_;
+    if (!soup.colors.empty() && soup.colors[k]) polygon.color = *soup.colors[k];
+    else if (bare == Bare::shaded) polygon.color = shaded(bare_color, normal);
+    else polygon.color = palette[scene.polygons.size() % palette.size()];
+
+    const auto id = static_cast<std::int32_t>(scene.polygons.size());
+    for (std::int32_t& corner : ring_) corner += first_point;
+    add_facets(ring_, id, where, polygon.source_line);
+    scene.polygons.push_back(std::move(polygon));
+  }
+
+  if (cut_ > 0) file_.notes.push_back(fmt::format("{}: {} not planar and cut into triangles", where, polygons_are(cut_)));
+  if (too_few_corners_ > 0)
+    file_.notes.push_back(fmt::format("{}: {} not drawn, having fewer than three different corners", where,
+                                      polygons_are(too_few_corners_)));
+  if (no_area_ > 0) file_.notes.push_back(fmt::format("{}: {} not drawn, enclosing no area", where, polygons_are(no_area_)));
+  if (bare == Bare::shaded) note_topology(soup, where, too_few_corners_, file_.notes);
+}
+
+void SceneBuilder::add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,
+                              std::int32_t line) {
+  Scene& scene = file_.scene;
+  if (corners.size() < 3) {
+    ++too_few_corners_;
+    return;
+  }
+  const auto append = [&](std::span<const std::int32_t> piece) {
+    if (static_cast<std::int64_t>(scene.corners.size() + piece.size()) > most_corners)
+      PolygonSoup::too_much(at_line(where, line), "corners", most_corners);
+    scene.facets.push_back({polygon, static_cast<std::int32_t>(scene.corners.size()), static_cast<std::int32_t>(piece.size())});
+    scene.corners.insert(scene.corners.end(), piece.begin(), piece.end());
+  };
+  if (is_planar(scene.points, corners)) return append(corners);
+  ++cut_;
+  triangles_.clear();
+  if (!clipper_.cut(scene.points, corners, triangles_))
+    throw InputError(at_line(where, line), "polygons that are not planar have too many corners to cut them into triangles",
+                     "triangulate the mesh in a modelling program");
+  for (std::size_t i = 0; i < triangles_.size(); i += 3) append(std::span(triangles_).subspan(i, 3));
+}
+
+SceneFile SceneBuilder::finish() {
+  std::vector<Polygon>& polygons = file_.scene.polygons;
+  if (polygons.size() <= 26) {
+    std::set<std::string> taken;
+    for (const Polygon& polygon : polygons) taken.insert(polygon.name);
+    char letter = 'A';
+    for (Polygon& polygon : polygons) {
+      if (!polygon.name.empty()) continue;
+      while (taken.count(std::string(1, letter)) > 0) ++letter;  // 26 letters suffice for 26 polygons
+      polygon.name = std::string(1, letter++);
+    }
+  }
+  return std::move(file_);
+}
+
+}  // namespace zstep::scene

@@ -1,0 +1,48 @@
+// Puts polygons into a scene: placed, coloured, named, cut into planar facets.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <glm/mat3x3.hpp>
+
+#include "algorithms/scene/facets.hpp"
+#include "algorithms/scene/files/polygon_soup.hpp"
+#include "algorithms/scene/load.hpp"
+
+namespace zstep::scene {
+
+/// Where a mesh goes: p becomes linear * p + offset. A mirroring turns the polygons round, so that outside stays outside.
+struct Placement {
+  glm::dmat3 linear{1};
+  glm::dvec3 offset{0};
+};
+
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(SceneFile file) : file_(std::move(file)) {}
+
+  enum class Bare : std::uint8_t { palette, shaded };  ///< what polygons without a colour get
+
+  /// Appends the soup's polygons. `where` names the source in errors and notes. `bare_color`: of the shaded ones.
+  void add(PolygonSoup soup, const std::string& where, const Placement& placement = {}, Bare bare = Bare::palette,
+           Color bare_color = {});
+
+  /// Polygons so far.
+  std::size_t size() const { return file_.scene.polygons.size(); }
+
+  /// The scene, its unnamed polygons called A, B, C … if there are no more than 26.
+  SceneFile finish();
+
+ private:
+  void check_limits(const PolygonSoup& soup, const std::string& where) const;
+  void add_points(PolygonSoup& soup, const std::string& where, const Placement& placement);
+  void add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where, std::int32_t line);
+
+  SceneFile file_;
+  EarClipper clipper_;
+  std::vector<std::int32_t> ring_, triangles_;
+  std::int64_t cut_ = 0, too_few_corners_ = 0, no_area_ = 0;  // of the soup at work
+};
+
+}  // namespace zstep::scene

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "algorithms/scene/files/tokens.hpp"
+#include "algorithms/scene/limits.hpp"
+#include "algorithms/scene/load.hpp"
+#include "algorithms/viewing/camera.hpp"
+#include "traces/error.hpp"
+
+namespace zstep {
+
+namespace {
+
+double checked(double value, std::string_view option) {
+  if (!(std::abs(value) <= scene::largest_coordinate))
+    throw InputError(option, fmt::format("{} is no number for it", value), "give a number of ordinary size");
+  return value;
+}
+
+double positive(double value, std::string_view option) {
+  if (!(checked(value, option) > 0)) throw InputError(option, fmt::format("it is {}", value), "it must be greater than 0");
+  return value;
+}
+
+void apply_raster(Raster& raster, const ViewOptions& options) {
+  raster.width = options.width.value_or(raster.width);
+  raster.height = options.height.value_or(raster.height);
+  if (raster.width < 1 || raster.height < 1 || raster.width > scene::largest_side || raster.height > scene::largest_side ||
+      std::int64_t{raster.width} * raster.height > scene::most_pixels)
+    throw InputError("size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
+                     fmt::format("each side is 1 to {}, and there are at most {} pixels", scene::largest_side, scene::most_pixels));
+}
+
+/// The bounding box's centre to the origin, the farthest vertex at distance 1.
+void fit(std::vector<glm::dvec3>& points) {
+  if (points.empty()) return;
+  glm::dvec3 low = points.front(), high = low;
+  for (const glm::dvec3& point : points) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  const glm::dvec3 centre = low + (high - low) / 2.0;
+  double radius = 0;
+  for (const glm::dvec3& point : points) radius = std::max(radius, glm::length(point - centre));
+  if (!(radius > 0)) radius = 1;
+  for (glm::dvec3& point : points) point = (point - centre) / radius;
+}
+
+/// The distance from which a ball round the origin that holds the whole scene just fits into the window, plus a twentieth.
+double distance_for_all(const Scene& scene) {
+  double radius = 0;
+  for (const glm::dvec3& point : scene.points) radius = std::max(radius, glm::length(point));
+  if (!(radius > 0)) radius = 1;
+  const Camera& camera = scene.camera;
+  if (camera.kind == Camera::Kind::orthographic) return 2 * radius;
+  const double aspect = static_cast<double>(scene.raster.width) / scene.raster.height;
+  const double half = camera.window * std::min(1.0, aspect);  // of the window's shorter side
+  return 1.05 * radius * std::sqrt(half * half + camera.d * camera.d) / half;
+}
+
+void place_eye(Scene& scene, const ViewOptions& options) {
+  Camera& camera = scene.camera;
+  if (options.rho || options.theta || options.phi) camera.polar = true;
+  if (options.rho) camera.rho = positive(*options.rho, "rho");
+  if (options.theta) camera.theta = checked(*options.theta, "theta");
+  if (options.phi) camera.phi = checked(*options.phi, "phi");
+  if (camera.polar) {
+    if (!(camera.rho > 0)) camera.rho = distance_for_all(scene);
+    camera.view = viewing::eckert_view(camera.rho, camera.theta, camera.phi);
+    camera.eye = viewing::eckert_eye(camera.rho, camera.theta, camera.phi);
+  }
+  if (camera.kind == Camera::Kind::orthographic)  // z_v grows along the third row, away from the eye
+    camera.eye = glm::normalize(-glm::dvec3(camera.view[0][2], camera.view[1][2], camera.view[2][2])) + 0.0;
+}
+
+/// Near and far, where they are not given: the extent of z_v widened by a hundredth on both sides; in perspective the near
+/// plane stays in front of the eye, at a thousandth of far at least, so that the eye may stand inside the scene.
+void choose_depths(Scene& scene, const ViewOptions& options) {
+  Camera& camera = scene.camera;
+  if (options.near) camera.near = checked(*options.near, "near");
+  if (options.far) camera.far = checked(*options.far, "far");
+  const bool perspective = camera.kind == Camera::Kind::perspective;
+  const bool near_given = options.near || camera.near != 0, far_given = options.far || camera.far != 0;
+
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const glm::dvec3& point : scene.points) {
+    const double z = (camera.view * glm::dvec4(point, 1)).z;
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  if (scene.points.empty()) low = high = 1;
+  const double size = std::max(std::abs(low), std::abs(high));
+  double pad = std::max(0.01 * (high - low), 1e-6 * size);
+  if (high == low) pad = 0.01 * size;
+  if (!(pad > 0)) pad = 1;
+  if (!far_given) {
+    camera.far = high + pad;
+    if (perspective && !(camera.far > 0)) camera.far = 1;  // everything is behind the eye
+    if (near_given && !(camera.far > camera.near)) camera.far = camera.near + pad;
+  }
+  if (!near_given) {
+    camera.near = low - pad;
+    if (perspective) camera.near = std::max(camera.near, camera.far / 1000);
+    if (far_given && !(camera.far > camera.near)) camera.near = perspective ? camera.far / 1000 : camera.far - pad;
+  }
+  if (perspective && !(camera.near > 0))
+    throw InputError("near", fmt::format("it is {}", camera.near), "in perspective it must be greater than 0");
+  if (!(camera.far > camera.near))
+    throw InputError("far", fmt::format("it is {}, but near is {}", camera.far, camera.near), "give the greater distance to far");
+}
+
+}  // namespace
+
+Scene look_at_scene(Scene scene, const ViewOptions& options) {
+  apply_raster(scene.raster, options);
+  Camera& camera = scene.camera;
+  if (camera.kind == Camera::Kind::screen) {
+    if (options.rho || options.theta || options.phi || options.d || options.window || options.near || options.far ||
+        options.orthographic || options.fit)
+      throw InputError(scene.name, "the scene is in screen coordinates, so it has no camera",
+                       "leave out rho, theta, phi, d, window, near, far, ortho and fit");
+    camera.polar = false;
+    return scene;
+  }
+  if (options.fit) fit(scene.points);
+  if (options.orthographic)
+    camera.kind = *options.orthographic ? Camera::Kind::orthographic : Camera::Kind::perspective;
+  if (options.d) camera.d = positive(*options.d, "d");
+  if (options.window) camera.window = positive(*options.window, "window");
+  place_eye(scene, options);
+  choose_depths(scene, options);
+  return scene;
+}
+
+}  // namespace zstep

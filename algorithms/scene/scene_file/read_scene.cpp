@@ -1,0 +1,278 @@
+#include "algorithms/scene/scene_file/read_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include "algorithms/scene/builder.hpp"
+#include "algorithms/scene/built_in/built_in.hpp"
+#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/files/number.hpp"
+#include "algorithms/scene/files/point_merger.hpp"
+#include "algorithms/scene/limits.hpp"
+#include "algorithms/scene/scene_file/keys.hpp"
+#include "algorithms/scene/scene_file/placement.hpp"
+#include "algorithms/scene/scene_file/toml_depth.hpp"
+#include "algorithms/viewing/camera.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::scene {
+
+namespace {
+
+class Reader {
+ public:
+  Reader(const toml::table& table, const std::string& file, const MeshFiles& meshes)
+      : top_(table, file, "the scene"), file_(file), meshes_(meshes) {}
+
+  SceneFile read(const std::string& title) {
+    SceneFile result;
+    Scene& scene = result.scene;
+    scene.name = top_.text("name").value_or(title);
+    scene.source = file_;
+    scene.background = color(top_, "background").value_or(scene.background);
+    screen_ = top_.choice("coordinates", {"world", "screen"}) == 1;
+    read_raster(scene.raster);
+    read_camera(scene.camera);
+    read_options(result.conventions);
+    const toml::array* points = top_.array("points");
+    const toml::array* polygons = top_.array("polygon");
+    const toml::array* meshes = top_.array("mesh");
+    top_.finish();
+
+    SceneBuilder builder(std::move(result));
+    if (points != nullptr) read_points(*points);
+    read_in_file_order(polygons, meshes, builder);
+    if (builder.size() == 0)
+      throw InputError(file_, "the scene has no polygons", "add a [[polygon]] or a [[mesh]]");
+    return builder.finish();
+  }
+
+ private:
+  std::optional<Color> color(Keys& keys, std::string_view key) {
+    const auto text = keys.text(key);
+    if (!text) return std::nullopt;
+    const auto found = color_from_text(*text);
+    if (!found) {
+      std::vector<std::string_view> names;
+      for (const NamedColor& named : named_colors()) names.push_back(named.name);
+      fail_at(*keys.find(key), file_, fmt::format("{} is no colour", quoted(*text)),
+              text->substr(0, 1) == "#" ? "write #rrggbb" : suggestion(*text, names));
+    }
+    return found;
+  }
+
+  void read_raster(Raster& raster) {
+    const toml::table* table = top_.table("raster");
+    if (table == nullptr) return;
+    Keys keys(*table, file_, "[raster]");
+    raster.width = keys.whole("width", 1, largest_side).value_or(raster.width);
+    raster.height = keys.whole("height", 1, largest_side).value_or(raster.height);
+    if (const auto axis = keys.choice("y_axis", {"down", "up"})) raster.y_up = *axis == 1;
+    keys.finish();
+    if (std::int64_t{raster.width} * raster.height > most_pixels)
+      fail_at(*table, file_, fmt::format("the raster has more than {} pixels", most_pixels), "make it smaller");
+    if (raster.y_up && !screen_)
+      fail_at(*table->get("y_axis"), file_, "y_axis is for scenes in screen coordinates",
+              "remove it, or put coordinates = \"screen\" at the top");
+  }
+
+  void read_camera(Camera& camera) {
+    const toml::table* table = top_.table("camera");
+    camera.rho = 0;  // from the scene's extent
+    camera.d = default_d;
+    if (screen_) {
+      if (table != nullptr)
+        fail_at(*table, file_, "a scene in screen coordinates has no camera", "remove [camera], or use world coordinates");
+      camera = Camera{};
+      camera.kind = Camera::Kind::screen;
+      camera.polar = false;
+      return;
+    }
+    if (table == nullptr) return;
+    Keys keys(*table, file_, "[camera]");
+    if (keys.boolean("orthographic").value_or(false)) camera.kind = Camera::Kind::orthographic;
+    for (const std::string_view angle : {"rho", "theta", "phi"})
+      keys.not_both(angle, "eye", "say where the eye is in one way: rho, theta, phi or eye, target, up");
+    camera.rho = keys.positive("rho").value_or(camera.rho);
+    camera.theta = keys.number("theta").value_or(camera.theta);
+    camera.phi = keys.number("phi").value_or(camera.phi);
+    camera.d = keys.positive("d").value_or(camera.d);
+    keys.not_both("window", "field_of_view", "both say how much is seen: keep one");
+    camera.window = keys.positive("window").value_or(camera.window);
+    if (const auto degrees = keys.positive("field_of_view")) {
+      if (!(*degrees < 180)) fail_at(*keys.find("field_of_view"), file_, "field_of_view is not below 180", "try 40");
+      camera.window = viewing::window_for_field_of_view(*degrees, camera.d);
+    }
+    read_eye(keys, camera);
+    if (const auto near = keys.number("near")) camera.near = *near;
+    if (const auto far = keys.number("far")) camera.far = *far;
+    keys.finish();
+    if (keys.has("near") && !(camera.near > 0)) fail_at(*keys.find("near"), file_, "near is not greater than 0", "try 0.1");
+    if (keys.has("far") && !(camera.far > camera.near))
+      fail_at(*keys.find("far"), file_, "far is not greater than near", "give the greater distance to far");
+  }
+
+  void read_eye(Keys& keys, Camera& camera) {
+    const auto eye = keys.point("eye"), target = keys.point("target"), up = keys.point("up");
+    if (!eye) {
+      for (const std::string_view key : {"target", "up"})
+        if (keys.has(key)) fail_at(*keys.find(key), file_, fmt::format("'{}' stands without 'eye'", key), "add eye = [x, y, z]");
+      return;
+    }
+    const glm::dvec3 at = target.value_or(glm::dvec3(0));
+    if (!(glm::length(at - *eye) > 1e-12 * (glm::length(at) + glm::length(*eye))))
+      fail_at(*keys.find("eye"), file_, "the eye stands at its target", "move one of them");
+    camera.polar = false;
+    camera.view = viewing::look_at_view(*eye, at, up.value_or(glm::dvec3(0, 0, 1)));
+    camera.eye = *eye;
+  }
+
+  void read_options(Conventions& conventions) {
+    // In screen coordinates there is no inside and outside: textbooks give outlines either way round.
+    if (screen_) conventions.cull = false;
+    const toml::table* table = top_.table("options");
+    if (table == nullptr) return;
+    Keys keys(*table, file_, "[options]");
+    if (const auto k = keys.choice("depth", {"pseudodepth", "view"})) conventions.depth = static_cast<Conventions::Depth>(*k);
+    if (const auto k = keys.choice("interpolation", {"direct", "increments"}))
+      conventions.interpolation = static_cast<Conventions::Interpolation>(*k);
+    if (const auto k = keys.choice("coverage", {"top_left", "inclusive"}))
+      conventions.coverage = static_cast<Conventions::Coverage>(*k);
+    conventions.cull = keys.boolean("cull").value_or(conventions.cull);
+    keys.finish();
+  }
+
+  void read_points(const toml::array& list) {
+    for (const toml::node& node : list) shared_points_.push_back({point_in(node, file_, "a point", screen_), line_of(node)});
+  }
+
+  // The polygons' indices follow the file, whichever way [[polygon]] and [[mesh]] alternate.
+  void read_in_file_order(const toml::array* polygons, const toml::array* meshes, SceneBuilder& builder) {
+    struct Part { const toml::node* node; bool mesh; };
+    std::vector<Part> parts;
+    if (polygons != nullptr) for (const toml::node& node : *polygons) parts.push_back({&node, false});
+    if (meshes != nullptr) for (const toml::node& node : *meshes) parts.push_back({&node, true});
+    std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+      const auto& p = a.node->source().begin;
+      const auto& q = b.node->source().begin;
+      return p.line != q.line ? p.line < q.line : p.column < q.column;
+    });
+    PolygonSoup soup;
+    PointMerger merger;
+    const auto flush = [&] {
+      if (!soup.outlines.empty()) builder.add(std::exchange(soup, {}), file_);
+      merger = PointMerger();
+    };
+    for (const Part& part : parts) {
+      const toml::table* table = part.node->as_table();
+      if (table == nullptr)
+        fail_at(*part.node, file_, part.mesh ? "mesh is not a table" : "polygon is not a table",
+                part.mesh ? "write [[mesh]]" : "write [[polygon]]");
+      if (part.mesh) {
+        flush();
+        read_mesh_entry(*table, builder);
+      } else {
+        read_polygon(*table, soup, merger);
+      }
+    }
+    flush();
+  }
+
+  void read_polygon(const toml::table& table, PolygonSoup& soup, PointMerger& merger) {
+    Keys keys(table, file_, "[[polygon]]");
+    const std::int32_t line = line_of(table);
+    std::string name = keys.text("name").value_or("");
+    if (!name.empty()) {
+      const auto [other, is_new] = lines_of_names_.try_emplace(name, line);
+      if (!is_new)
+        fail_at(*keys.find("name"), file_, fmt::format("a polygon named {} stands at line {} already", quoted(name), other->second),
+                "give it another name");
+    }
+    const auto polygon_color = color(keys, "color");
+    keys.not_both("points", "corners", "keep one: points are coordinates, corners are indices into the scene's points");
+    const auto where = [&] { return fmt::format("{}:{}", file_, line); };
+    const toml::array* points = keys.array("points");
+    const toml::array* corners = keys.array("corners");
+    keys.finish();
+    if (points == nullptr && corners == nullptr)
+      fail_at(table, file_, "the polygon has no points", "add points = [[x, y, z], [x, y, z], [x, y, z]]");
+    if ((points != nullptr ? points : corners)->size() < 3)
+      fail_at(table, file_, "the polygon has fewer than three corners", "add some");
+    if (points != nullptr)
+      for (const toml::node& node : *points)
+        soup.add_corner(merger.add(soup, point_in(node, file_, "a point", screen_), line_of(node), where), where);
+    else
+      for (const toml::node& node : *corners) {
+        const auto index = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+        if (!index || *index < 0 || *index >= static_cast<std::int64_t>(shared_points_.size()))
+          fail_at(node, file_, "a corner is no index into the scene's points",
+                  shared_points_.empty() ? std::string("put points = [[x, y, z], …] at the top of the file")
+                                         : fmt::format("the indices are 0 to {}", shared_points_.size() - 1));
+        const SharedPoint& point = shared_points_[static_cast<std::size_t>(*index)];
+        soup.add_corner(merger.add(soup, point.position, point.line, where), where);
+      }
+    soup.close_outline(line, polygon_color, where);
+    soup.names.push_back(std::move(name));
+  }
+
+  void read_mesh_entry(const toml::table& table, SceneBuilder& builder) {
+    Keys keys(table, file_, "[[mesh]]");
+    if (screen_) fail_at(table, file_, "a mesh cannot stand in a scene in screen coordinates", "use world coordinates");
+    const auto path = keys.text("file"), built_in = keys.text("builtin");
+    keys.not_both("file", "builtin", "keep one");
+    const auto base = color(keys, "color");
+    const Placement placement = read_placement(keys, file_);
+    keys.finish();
+    if (!path && !built_in) fail_at(table, file_, "the mesh has neither 'file' nor 'builtin'", "add file = \"mesh.obj\"");
+    PolygonSoup soup;
+    if (path) {
+      soup = meshes_(*path);
+    } else {
+      auto found = built_in_mesh(*built_in);
+      if (!found) fail_at(*keys.find("builtin"), file_, fmt::format("there is no built-in mesh {}", quoted(*built_in)),
+                          suggestion(*built_in, built_in_meshes()));
+      soup = std::move(*found);
+    }
+    // A scene has lines of one file, its own: everything in a mesh stands at its [[mesh]].
+    soup.outline_lines.assign(soup.outlines.size(), line_of(table));
+    soup.point_lines.assign(soup.points.size(), line_of(table));
+    const bool few = soup.outlines.size() <= palette.size() && !base;
+    builder.add(std::move(soup), fmt::format("{}:{}", file_, line_of(table)), placement,
+                few ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded, base.value_or(clay));
+  }
+
+  struct SharedPoint { glm::dvec3 position; std::int32_t line; };
+
+  Keys top_;
+  const std::string& file_;
+  const MeshFiles& meshes_;
+  bool screen_ = false;
+  std::vector<SharedPoint> shared_points_;
+  std::map<std::string, std::int32_t> lines_of_names_;
+};
+
+}  // namespace
+
+SceneFile read_scene(std::string_view text, const std::string& name, const std::string& title, const MeshFiles& meshes) {
+  if (text.size() > largest_scene_file)
+    throw InputError(name, fmt::format("a scene file is at most {} bytes long", largest_scene_file),
+                     "put the polygons into a mesh file and name it in a [[mesh]]");
+  check_toml_depth(text, name);
+  toml::table table;
+  try {
+    table = toml::parse(text, std::string_view(name));
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}", name, error.source().begin.line), error.description(),
+                     "see docs/scene-format.md for how a scene is written");
+  }
+  return Reader(table, name, meshes).read(title);
+}
+
+}  // namespace zstep::scene
