@@ -1,10 +1,12 @@
 #include "algorithms/scene/builder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "algorithms/scene/colors.hpp"
@@ -56,7 +58,8 @@ void SceneBuilder::check_limits(const PolygonSoup& soup, const std::string& wher
   check(file_.scene.corners.size(), soup.corners.size(), most_corners, "corners");
 }
 
-void SceneBuilder::add_points(PolygonSoup& soup, const std::string& where, const Placement& placement) {
+void SceneBuilder::add_points(PolygonSoup& soup, const std::string& where, const Style& style) {
+  const Placement& placement = style.placement;
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
     glm::dvec3& point = soup.points[i];
     point = placement.linear * point + placement.offset + 0.0;  // -0 becomes 0: it is going to be read
@@ -66,6 +69,7 @@ void SceneBuilder::add_points(PolygonSoup& soup, const std::string& where, const
         checked_coordinate(point[axis], at_line(where, line), "a coordinate, once placed,");
   }
   Scene& scene = file_.scene;
+  if (style.line > 0) soup.point_lines.assign(soup.points.size(), style.line);
   // Lines are known for all points or for none: a binary mesh in the scene takes them from all.
   const bool lines = scene.points.size() == scene.point_lines.size() && soup.points.size() == soup.point_lines.size();
   if (lines) scene.point_lines.insert(scene.point_lines.end(), soup.point_lines.begin(), soup.point_lines.end());
@@ -73,22 +77,23 @@ void SceneBuilder::add_points(PolygonSoup& soup, const std::string& where, const
   scene.points.insert(scene.points.end(), soup.points.begin(), soup.points.end());
 }
 
-void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Placement& placement, Bare bare, Color bare_color) {
+void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& style) {
   check_limits(soup, where);
   cut_ = too_few_corners_ = no_area_ = 0;
   Scene& scene = file_.scene;
   const auto first_point = static_cast<std::int32_t>(scene.points.size());
-  const bool mirrored = glm::determinant(placement.linear) < 0;
+  const bool mirrored = glm::determinant(style.placement.linear) < 0;
   scene.polygons.reserve(scene.polygons.size() + soup.outlines.size());
   scene.facets.reserve(scene.facets.size() + soup.outlines.size());
   scene.corners.reserve(scene.corners.size() + soup.corners.size());
-  add_points(soup, where, placement);
+  add_points(soup, where, style);
   for (std::string& note : soup.notes) file_.notes.push_back(std::move(note));
 
   for (std::size_t k = 0; k < soup.outlines.size(); ++k) {
     Polygon polygon;
     if (!soup.names.empty()) polygon.name = std::move(soup.names[k]);
-    if (!soup.outline_lines.empty()) polygon.source_line = soup.outline_lines[k];
+    const std::int32_t line = soup.outline_lines.empty() ? 0 : soup.outline_lines[k];
+    polygon.source_line = style.line > 0 ? style.line : line;
 
     const auto corners = soup.corners_of(soup.outlines[k]);
     ring_.clear();  // without corners that stand twice in a row
@@ -100,12 +105,12 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Placeme
     const glm::dvec3 normal = newell_normal(soup.points, ring_);
     if (ring_.size() >= 3 && normal == glm::dvec3(0)) ++no_area_;
     if (!soup.colors.empty() && soup.colors[k]) polygon.color = *soup.colors[k];
-    else if (bare == Bare::shaded) polygon.color = shaded(bare_color, normal);
+    else if (style.bare == Bare::shaded) polygon.color = shaded(style.bare_color, normal);
     else polygon.color = palette[scene.polygons.size() % palette.size()];
 
     const auto id = static_cast<std::int32_t>(scene.polygons.size());
     for (std::int32_t& corner : ring_) corner += first_point;
-    add_facets(ring_, id, where, polygon.source_line);
+    add_facets(ring_, id, where, line);
     scene.polygons.push_back(std::move(polygon));
   }
 
@@ -114,7 +119,7 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Placeme
     file_.notes.push_back(fmt::format("{}: {} not drawn, having fewer than three different corners", where,
                                       polygons_are(too_few_corners_)));
   if (no_area_ > 0) file_.notes.push_back(fmt::format("{}: {} not drawn, enclosing no area", where, polygons_are(no_area_)));
-  if (bare == Bare::shaded) note_topology(soup, where, too_few_corners_, file_.notes);
+  if (style.bare == Bare::shaded) note_topology(soup, where, too_few_corners_, file_.notes);
 }
 
 void SceneBuilder::add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,

@@ -24,9 +24,15 @@ class SceneBuilder {
 
   enum class Bare : std::uint8_t { palette, shaded };  ///< what polygons without a colour get
 
-  /// Appends the soup's polygons. `where` names the source in errors and notes. `bare_color`: of the shaded ones.
-  void add(PolygonSoup soup, const std::string& where, const Placement& placement = {}, Bare bare = Bare::palette,
-           Color bare_color = {});
+  struct Style {
+    Placement placement;
+    Bare bare = Bare::palette;
+    Color bare_color;       ///< of the shaded ones, before shading
+    std::int32_t line = 0;  ///< where all of it stands in the scene's file; 0: the soup's own lines are of that file
+  };
+
+  /// Appends the soup's polygons. `where` names the soup's file in errors and notes.
+  void add(PolygonSoup soup, const std::string& where, const Style& style);
 
   /// Polygons so far.
   std::size_t size() const { return file_.scene.polygons.size(); }
@@ -36,7 +42,7 @@ class SceneBuilder {
 
  private:
   void check_limits(const PolygonSoup& soup, const std::string& where) const;
-  void add_points(PolygonSoup& soup, const std::string& where, const Placement& placement);
+  void add_points(PolygonSoup& soup, const std::string& where, const Style& style);
   void add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where, std::int32_t line);
 
   SceneFile file_;

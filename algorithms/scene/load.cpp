@@ -39,7 +39,7 @@ SceneFile load_mesh(const std::filesystem::path& path) {
   PolygonSoup soup = read_mesh(path);
   const auto bare = soup.outlines.size() <= palette.size() ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded;
   SceneBuilder builder(std::move(file));
-  builder.add(std::move(soup), path.string(), {}, bare, clay);
+  builder.add(std::move(soup), path.string(), {{}, bare, clay, 0});
   return builder.finish();
 }
 
@@ -74,7 +74,7 @@ SceneFile load_scene(const std::string& name_or_path) {
 
   std::vector<std::string_view> names;
   for (const BuiltIn& built_in : built_in_scenes()) names.push_back(built_in.name);
-  throw InputError(quoted(name_or_path), "there is no such scene",
+  throw InputError(in_quotes(name_or_path), "there is no such scene",
                    fmt::format("name a .toml, .obj, .off, .ply or .stl file, or one of: {}", fmt::join(names, ", ")));
 }
 

@@ -23,7 +23,7 @@ height = 32
 rho = 5
 theta = 30
 phi = 60
-d = 2
+d = 3
 
 [[polygon]]
 name = "A"
@@ -52,7 +52,7 @@ constexpr std::string_view pyramid_behind = R"(# The pyramid, and behind it a ca
 name = "pyramid-behind"
 points = [
   [1, 1, -1], [-1, 1, -1], [-1, -1, -1], [1, -1, -1], [0, 0, 1],  # the pyramid
-  [-2, -0.5, -1], [-1, 2, -1], [-1.5, 1, 2],                      # the card
+  [-1, -2, -0.5], [-1, 2, -1], [-1.5, 0, 1.5],                     # the card
 ]
 
 [raster]
@@ -63,7 +63,7 @@ height = 32
 rho = 6
 theta = 30
 phi = 60
-d = 2
+d = 3
 
 [[polygon]]
 name = "F"
@@ -156,15 +156,15 @@ d = 2
 
 [[polygon]]
 name = "A"
-points = [[-3, -1.5, 1], [3, -1, -1], [-3, -0.5, 1]]
+points = [[-2.5, -2.5, 1], [3, -1, -1], [-2.5, -0.5, 1]]
 
 [[polygon]]
 name = "B"
-points = [[2, -2.2, 1], [3, -1.8, 1], [-0.5, 2.75, -1]]
+points = [[1.5, -2.5, 1], [3, -1.5, 1], [-0.5, 3, -1]]
 
 [[polygon]]
 name = "C"
-points = [[1, 2.8, 1], [0, 3.2, 1], [-2.6, -1.9, -1]]
+points = [[1.5, 2, 1], [-0.5, 3, 1], [-2.5, -2, -1]]
 )";
 
 constexpr std::string_view intersecting = R"(# Two triangles that run through each other: A is nearer on the left, B on the right. With this
@@ -176,7 +176,7 @@ width = 32
 height = 32
 
 [camera]
-rho = 5
+rho = 6
 theta = -90
 phi = 0
 d = 2
@@ -225,7 +225,7 @@ builtin = "dodecahedron"
 )";
 
 // {0}: the name, with its level where one is given
-constexpr std::string_view teapot = R"(# Martin Newell's teapot (University of Utah, 1975). A level N after the name, as in teapot:12, cuts each of
+constexpr std::string_view teapot_at_level = R"(# Martin Newell's teapot (University of Utah, 1975). A level N after the name, as in teapot:12, cuts each of
 # its 28 patches into N x N pieces.
 name = "{0}"
 
@@ -234,10 +234,10 @@ width = 640
 height = 480
 
 [camera]
-rho = 3.4
+rho = 3.2
 theta = -60
 phi = 68
-d = 3
+d = 3.6
 
 [[mesh]]
 builtin = "{0}"
@@ -254,13 +254,13 @@ constexpr std::array<Entry, 9> entries{{
     {{"intersecting", "two triangles that run through each other (32x32)"}, intersecting},
     {{"cube", "a cube, a colour a side (32x32)"}, cube},
     {{"dodecahedron", "twelve regular pentagons (64x64)"}, dodecahedron},
-    {{"teapot", "Newell's teapot; teapot:N cuts its patches into N x N (640x480)"}, teapot},
+    {{"teapot", "Newell's teapot; teapot:N cuts its patches into N x N (640x480)"}, teapot_at_level},
 }};
 
 }  // namespace
 
 std::optional<std::string> built_in_scene(const std::string& name) {
-  if (teapot_level(name)) return fmt::format(fmt::runtime(teapot), name);
+  if (teapot_level(name)) return fmt::format(fmt::runtime(teapot_at_level), name);
   for (const Entry& entry : entries)
     if (entry.about.name == name) return std::string(entry.text);
   return std::nullopt;

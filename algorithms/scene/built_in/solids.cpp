@@ -33,8 +33,8 @@ PolygonSoup pyramid() {
                {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1, 0}});
 }
 
-/// Twelve pentagons, their planes perpendicular to the directions of an icosahedron's corners (0, ±1, ±g), (±1, ±g, 0),
-/// (±g, 0, ±1). The corners: those of a cube and (0, ±1/g, ±g), (±1/g, ±g, 0), (±g, 0, ±1/g), g the golden ratio.
+/// Twelve pentagons, their planes perpendicular to the directions of an icosahedron's corners (0, ±g, ±1), (±g, ±1, 0),
+/// (±1, 0, ±g). The corners: those of a cube and (0, ±1/g, ±g), (±1/g, ±g, 0), (±g, 0, ±1/g), g the golden ratio.
 PolygonSoup dodecahedron() {
   const double g = (1 + std::sqrt(5.0)) / 2;
   PolygonSoup soup;
@@ -46,7 +46,7 @@ PolygonSoup dodecahedron() {
     for (const double b : {-1.0, 1.0}) {
       for (const glm::dvec3 p : {glm::dvec3(0, a / g, b * g), glm::dvec3(a / g, b * g, 0), glm::dvec3(b * g, 0, a / g)})
         soup.points.push_back(p);
-      for (const glm::dvec3 n : {glm::dvec3(0, b, a * g), glm::dvec3(b, a * g, 0), glm::dvec3(a * g, 0, b)})
+      for (const glm::dvec3 n : {glm::dvec3(0, b * g, a), glm::dvec3(b * g, a, 0), glm::dvec3(a, 0, b * g)})
         directions.push_back(n);
     }
   for (const glm::dvec3 n : directions) {

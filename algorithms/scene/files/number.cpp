@@ -101,7 +101,7 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   return negative ? -value : value;
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   constexpr std::size_t longest = 40;
   std::string text = "'";
   for (const char c : token.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';

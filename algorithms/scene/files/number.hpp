@@ -16,6 +16,6 @@ std::optional<double> parse_number(std::string_view token);
 std::optional<std::int64_t> parse_integer(std::string_view token);
 
 /// A token as an error message shows it: in quotes, shortened, with unprintable bytes replaced.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 }  // namespace zstep::scene

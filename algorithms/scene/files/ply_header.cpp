@@ -30,7 +30,7 @@ std::optional<Type> type_of(std::string_view word) {
 
 Type checked_type(Tokens& file, std::string_view word) {
   const auto type = type_of(word);
-  if (!type) file.fail(fmt::format("{} is no type of a property", quoted(word)), "use char, uchar, short, ushort, int, uint, float or double");
+  if (!type) file.fail(fmt::format("{} is no type of a property", in_quotes(word)), "use char, uchar, short, ushort, int, uint, float or double");
   return *type;
 }
 
@@ -81,24 +81,24 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
       if (encoding == "ascii") header.encoding = PlyHeader::Encoding::ascii;
       else if (encoding == "binary_little_endian") header.encoding = PlyHeader::Encoding::little_endian;
       else if (encoding == "binary_big_endian") header.encoding = PlyHeader::Encoding::big_endian;
-      else file.fail(fmt::format("{} is no PLY format", quoted(encoding)), "use ascii, binary_little_endian or binary_big_endian");
+      else file.fail(fmt::format("{} is no PLY format", in_quotes(encoding)), "use ascii, binary_little_endian or binary_big_endian");
       if (const std::string_view version = file.next_in_line(); version != "1.0")
-        file.fail(fmt::format("version {} is not read", quoted(version)), "save it as PLY 1.0");
+        file.fail(fmt::format("version {} is not read", in_quotes(version)), "save it as PLY 1.0");
       format_known = true;
     } else if (word == "element") {
       if (header.elements.size() == most_parts) file.fail("there are too many elements", "keep vertex and face");
       PlyElement element;
       element.name = std::string(file.next_in_line());
-      element.count = file.count(file.next_in_line(), fmt::format("the number of {}", quoted(element.name)), INT64_MAX);
+      element.count = file.count(file.next_in_line(), fmt::format("the number of {}", in_quotes(element.name)), INT64_MAX);
       for (const PlyElement& other : header.elements)
-        if (other.name == element.name) file.fail(fmt::format("the element {} stands twice", quoted(element.name)), "keep one");
+        if (other.name == element.name) file.fail(fmt::format("the element {} stands twice", in_quotes(element.name)), "keep one");
       header.elements.push_back(std::move(element));
     } else if (word == "property") {
       if (header.elements.empty()) file.fail("a property stands before any element", "put an element line before it");
       if (header.elements.back().properties.size() == most_parts) file.fail("there are too many properties", "remove some");
       header.elements.back().properties.push_back(read_property(file));
     } else {
-      file.fail(fmt::format("{} is no word of a PLY head", quoted(word)), "is this a PLY file?");
+      file.fail(fmt::format("{} is no word of a PLY head", in_quotes(word)), "is this a PLY file?");
     }
   }
   if (!format_known) file.fail("the head has no format line", "write: format ascii 1.0");
@@ -117,7 +117,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
     const std::size_t least = least_size(element, header.encoding);
     if (least > 0 && element.count > static_cast<std::int64_t>((left + 1) / least))
       throw InputError(name, fmt::format("{} of element {} are declared, which {} bytes cannot hold", element.count,
-                                         quoted(element.name), left),
+                                         in_quotes(element.name), left),
                        "correct the count, or get the file again if it was cut short");
   }
   return header;

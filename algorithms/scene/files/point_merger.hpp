@@ -10,6 +10,21 @@
 
 namespace zstep::scene {
 
+/// Seeded anew each time: a file cannot be made so that its points collide. The indices do not depend on the seed.
+struct PointHash {
+  std::uint64_t seed = std::random_device{}();
+  std::size_t operator()(const glm::dvec3& point) const {
+    std::uint64_t hash = seed;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &point[axis], sizeof bits);
+      hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
+      hash ^= hash >> 29;
+    }
+    return static_cast<std::size_t>(hash);
+  }
+};
+
 class PointMerger {
  public:
   /// The index of `point` in the soup, which gets it if it is new. Equal means equal in every bit, but -0 is 0.
@@ -22,21 +37,7 @@ class PointMerger {
   }
 
  private:
-  // Seeded anew each time: a file cannot be made so that its points collide. The indices do not depend on the seed.
-  struct Hash {
-    std::uint64_t seed = std::random_device{}();
-    std::size_t operator()(const glm::dvec3& point) const {
-      std::uint64_t hash = seed;
-      for (int axis = 0; axis < 3; ++axis) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &point[axis], sizeof bits);
-        hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
-        hash ^= hash >> 29;
-      }
-      return static_cast<std::size_t>(hash);
-    }
-  };
-  std::unordered_map<glm::dvec3, std::int32_t, Hash> index_;
+  std::unordered_map<glm::dvec3, std::int32_t, PointHash> index_;
 };
 
 }  // namespace zstep::scene

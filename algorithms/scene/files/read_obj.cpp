@@ -68,7 +68,7 @@ class Reader {
       else if (word == "curv" || word == "curv2" || word == "surf")
         file_.fail("free-form curves and surfaces are not read", "export the mesh as polygons");
       else if (!one_of(passed_over, word) && !one_of(free_form_, word))
-        file_.fail(fmt::format("{} is no statement of an OBJ file", quoted(word)), "is this an OBJ file, and is it whole?");
+        file_.fail(fmt::format("{} is no statement of an OBJ file", in_quotes(word)), "is this an OBJ file, and is it whole?");
     } while (file_.next_line());
     check_forward_references();
     if (elements_passed_over_ > 0)
@@ -93,7 +93,7 @@ class Reader {
     for (std::string_view token = file_.next_in_line(); !token.empty(); token = file_.next_in_line()) {
       const std::string_view digits = token.substr(0, token.find('/'));
       const auto index = parse_integer(digits);
-      if (!index) file_.fail(fmt::format("the corner {} is not an index", quoted(token)), "write i, i/t, i//n or i/t/n");
+      if (!index) file_.fail(fmt::format("the corner {} is not an index", in_quotes(token)), "write i, i/t, i//n or i/t/n");
       if (*index == 0) file_.fail("a corner has the index 0", "indices count from 1");
       if (*index < -count)
         file_.fail(fmt::format("the index {} goes back beyond the first of {} vertices", *index, count),
@@ -118,7 +118,7 @@ class Reader {
       found = (word != rest && add_library(std::string(word))) || found;
     if (!found && soup_.notes.size() < 8)
       soup_.notes.push_back(fmt::format("{}: the material file {} is not in the mesh's folder; its colours are not known",
-                                        where(), quoted(rest)));
+                                        where(), in_quotes(rest)));
   }
   bool add_library(const std::string& file_name) {
     if (library_bytes_ > most_library_bytes) file_.fail("the material files are too large", "remove unused ones");

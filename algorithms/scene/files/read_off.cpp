@@ -71,8 +71,8 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     if (token == "BINARY") file.fail("binary OFF is not read", "save it as ascii OFF, or as PLY");
   } else if (!parse_integer(token)) {  // the keyword may be missing altogether
     if (token.find("OFF") != std::string_view::npos)
-      file.fail(fmt::format("{} is not read", quoted(token)), "only OFF in three dimensions is, with the prefixes ST, C and N");
-    file.fail(fmt::format("{} is not the beginning of an OFF file", quoted(token)), "begin with OFF");
+      file.fail(fmt::format("{} is not read", in_quotes(token)), "only OFF in three dimensions is, with the prefixes ST, C and N");
+    file.fail(fmt::format("{} is not the beginning of an OFF file", in_quotes(token)), "begin with OFF");
   }
 
   constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
@@ -103,7 +103,7 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
       const std::string_view corner = file.next();
       const auto index = parse_integer(corner);
       if (!index)
-        file.fail(corner.empty() ? "the file ends within a face" : fmt::format("the corner {} is not an index", quoted(corner)),
+        file.fail(corner.empty() ? "the file ends within a face" : fmt::format("the corner {} is not an index", in_quotes(corner)),
                   "a face is: number of corners, then that many indices from 0");
       if (*index < 0 || *index >= declared_points)
         file.fail(fmt::format("there is no vertex {}", *index), fmt::format("the indices are 0 to {}", declared_points - 1));
@@ -112,7 +112,7 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     soup.close_outline(line, face_color(file), where);
   }
   if (const std::string_view more = file.next(); !more.empty())
-    file.fail(fmt::format("{} follows after the last face", quoted(more)), "correct the counts in the head of the file");
+    file.fail(fmt::format("{} follows after the last face", in_quotes(more)), "correct the counts in the head of the file");
   return soup;
 }
 

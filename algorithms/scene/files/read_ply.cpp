@@ -28,7 +28,7 @@ class AsciiValues {
     const std::string_view token = file_.next();
     if (token.empty()) file_.fail("the file ends before the last element", "get the file again: it was cut short");
     const auto value = parse_number(token);
-    if (!value) file_.fail(fmt::format("{} is not a number", quoted(token)), "write a decimal number");
+    if (!value) file_.fail(fmt::format("{} is not a number", in_quotes(token)), "write a decimal number");
     return *value;
   }
   std::size_t bytes_left() const { return file_.bytes_left(); }
@@ -37,7 +37,7 @@ class AsciiValues {
   std::string where() const { return file_.where(); }
   void finish() {
     if (const std::string_view more = file_.next(); !more.empty())
-      file_.fail(fmt::format("{} follows after the last element", quoted(more)), "correct the counts in the head");
+      file_.fail(fmt::format("{} follows after the last element", in_quotes(more)), "correct the counts in the head");
   }
 
  private:
@@ -175,7 +175,7 @@ class Reader {
     const auto most = static_cast<double>((values_.bytes_left() + 1) / values_.least_bytes(property.type));
     if (!(count >= 0 && count <= most) || count != std::floor(count))
       throw InputError(values_.where(), fmt::format("a list of {} {} is declared, but the rest of the file holds at most {}",
-                                                    count, quoted(property.name), most),
+                                                    count, in_quotes(property.name), most),
                        "correct the count, or get the file again if it was cut short");
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) {
       const double index = values_.next(property.type);

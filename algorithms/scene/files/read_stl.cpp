@@ -122,7 +122,7 @@ class AsciiReader {
   }
   [[noreturn]] void unexpected(std::string_view token, std::string_view wanted) const {
     if (token.empty()) file_.fail(fmt::format("the file ends where {} should stand", wanted), "get the file again: it was cut short");
-    file_.fail(fmt::format("{} stands where {} should", quoted(token), wanted), "is this an STL file, and is it whole?");
+    file_.fail(fmt::format("{} stands where {} should", in_quotes(token), wanted), "is this an STL file, and is it whole?");
   }
 
   Tokens file_;

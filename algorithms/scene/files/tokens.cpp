@@ -90,7 +90,7 @@ void Tokens::fail(std::string_view what, std::string_view mend) const { throw In
 double Tokens::coordinate(std::string_view token, std::string_view what) const {
   if (token.empty()) fail(fmt::format("{} is missing", what), "write it as a decimal number");
   const auto value = parse_number(token);
-  if (!value) fail(fmt::format("{} is {}, which is not a number", what, quoted(token)), "write a decimal number");
+  if (!value) fail(fmt::format("{} is {}, which is not a number", what, in_quotes(token)), "write a decimal number");
   if (!(std::abs(*value) <= largest_coordinate)) checked_coordinate(*value, where(), what);
   return *value;
 }
@@ -99,7 +99,7 @@ std::int64_t Tokens::count(std::string_view token, std::string_view what, std::i
   if (token.empty()) fail(fmt::format("{} is missing", what), "the file seems to be cut short");
   const auto value = parse_integer(token);
   if (!value || *value < 0)
-    fail(fmt::format("{} is {}, which is not a whole number", what, quoted(token)), "write a whole number from 0");
+    fail(fmt::format("{} is {}, which is not a whole number", what, in_quotes(token)), "write a whole number from 0");
   if (*value > most)
     fail(fmt::format("{} is {}, but what follows can hold at most {}", what, *value, most),
          "correct the count, or get the file again if it was cut short");

@@ -156,7 +156,7 @@ std::optional<std::size_t> Keys::choice(std::string_view key, const std::vector<
   if (!word) return std::nullopt;
   const auto found = std::find(words.begin(), words.end(), *word);
   if (found == words.end())
-    fail_at(*table_.get(key), file_, fmt::format("{} is {}", key, quoted(*word)), suggestion(*word, words));
+    fail_at(*table_.get(key), file_, fmt::format("{} is {}", key, in_quotes(*word)), suggestion(*word, words));
   return static_cast<std::size_t>(found - words.begin());
 }
 
@@ -172,7 +172,7 @@ void Keys::finish() const {
     for (const std::string_view k : known_)
       if (std::find(candidates.begin(), candidates.end(), k) == candidates.end()) candidates.push_back(k);
     throw InputError(fmt::format("{}:{}", file_, key.source().begin.line),
-                     fmt::format("unknown key {} in {}", quoted(key.str()), title_), suggestion(key.str(), candidates));
+                     fmt::format("unknown key {} in {}", in_quotes(key.str()), title_), suggestion(key.str(), candidates));
   }
 }
 

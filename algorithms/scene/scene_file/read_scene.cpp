@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <glm/matrix.hpp>
+#include <glm/geometric.hpp>
 
 #include "algorithms/scene/builder.hpp"
 #include "algorithms/scene/built_in/built_in.hpp"
@@ -62,7 +62,7 @@ class Reader {
     if (!found) {
       std::vector<std::string_view> names;
       for (const NamedColor& named : named_colors()) names.push_back(named.name);
-      fail_at(*keys.find(key), file_, fmt::format("{} is no colour", quoted(*text)),
+      fail_at(*keys.find(key), file_, fmt::format("{} is no colour", in_quotes(*text)),
               text->substr(0, 1) == "#" ? "write #rrggbb" : suggestion(*text, names));
     }
     return found;
@@ -167,7 +167,7 @@ class Reader {
     PolygonSoup soup;
     PointMerger merger;
     const auto flush = [&] {
-      if (!soup.outlines.empty()) builder.add(std::exchange(soup, {}), file_);
+      if (!soup.outlines.empty()) builder.add(std::exchange(soup, {}), file_, {});
       merger = PointMerger();
     };
     for (const Part& part : parts) {
@@ -192,7 +192,7 @@ class Reader {
     if (!name.empty()) {
       const auto [other, is_new] = lines_of_names_.try_emplace(name, line);
       if (!is_new)
-        fail_at(*keys.find("name"), file_, fmt::format("a polygon named {} stands at line {} already", quoted(name), other->second),
+        fail_at(*keys.find("name"), file_, fmt::format("a polygon named {} stands at line {} already", in_quotes(name), other->second),
                 "give it another name");
     }
     const auto polygon_color = color(keys, "color");
@@ -236,16 +236,14 @@ class Reader {
       soup = meshes_(*path);
     } else {
       auto found = built_in_mesh(*built_in);
-      if (!found) fail_at(*keys.find("builtin"), file_, fmt::format("there is no built-in mesh {}", quoted(*built_in)),
+      if (!found) fail_at(*keys.find("builtin"), file_, fmt::format("there is no built-in mesh {}", in_quotes(*built_in)),
                           suggestion(*built_in, built_in_meshes()));
       soup = std::move(*found);
     }
-    // A scene has lines of one file, its own: everything in a mesh stands at its [[mesh]].
-    soup.outline_lines.assign(soup.outlines.size(), line_of(table));
-    soup.point_lines.assign(soup.points.size(), line_of(table));
     const bool few = soup.outlines.size() <= palette.size() && !base;
-    builder.add(std::move(soup), fmt::format("{}:{}", file_, line_of(table)), placement,
-                few ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded, base.value_or(clay));
+    // A scene has lines of one file, its own: everything in a mesh stands at its [[mesh]].
+    builder.add(std::move(soup), path ? *path : *built_in,
+                {placement, few ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded, base.value_or(clay), line_of(table)});
   }
 
   struct SharedPoint { glm::dvec3 position; std::int32_t line; };
