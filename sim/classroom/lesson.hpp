@@ -20,11 +20,13 @@ namespace zstep {
 struct Answer {
   std::string text;
   bool right = false;
-  std::string reply;  ///< why it is so, or what would have to be true for it to be; never "try again"
+  std::string reply;      ///< why it is so, or what would have to be true for it to be; never "try again"
+  std::int32_t line = 0, reply_line = 0;  ///< of the lesson's file
 };
 struct Question {
   std::string text;
   std::vector<Answer> answers;
+  std::int32_t line = 0;  ///< of its text
 };
 
 /// One stop of the narration.
@@ -33,19 +35,27 @@ struct Stop {
   std::string text;                  ///< Markdown; its {…} are filled with the trace's numbers when resolved
   std::optional<Question> question;  ///< asked here, answered by the steps that follow
   std::string anchor;                ///< as written in the file: step name and condition
-  std::int32_t line = 0;             ///< of the lesson's file
+  std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
   std::int64_t position = 0;         ///< where the trace is when it speaks; set by resolve()
 };
 
+/// What a lesson may change about its scene's conventions. Unset: as the scene has them.
+struct ConventionOptions {
+  std::optional<Conventions::Depth> depth;
+  std::optional<Conventions::Interpolation> interpolation;
+  std::optional<Conventions::Coverage> coverage;
+  std::optional<bool> cull;
+};
+
 struct Lesson {
-  std::string id;       ///< "z-buffer"
+  std::string id;       ///< "z-buffer", from the file's name: "4-z-buffer.md"
   std::string title;
   std::string summary;  ///< one line for `zstep list`
   std::filesystem::path path;
   std::string scene;    ///< a name or a path, as load_scene takes it (relative to the lesson's folder)
   std::string method;   ///< a method's id
   ViewOptions view;
-  Conventions conventions;
+  ConventionOptions conventions;
   std::vector<Stop> stops;
 };
 
@@ -53,8 +63,10 @@ struct Lesson {
 Lesson load_lesson(const std::filesystem::path& path);
 
 /// Runs the lesson's method on its scene and returns the trace, its stops resolved against it, in order of position.
-/// Throws InputError with the lesson's FILE:LINE when a stop names a step that does not exist or never happens.
+/// To be called once for a loaded lesson: it fills the text's braces. Throws InputError with the lesson's FILE:LINE when a stop names a step that does not exist or never happens.
 Trace run_lesson(Lesson& lesson);
+/// Resolves a loaded lesson against a trace that exists already (a student's, say). run_lesson does it against its own.
+void resolve_lesson(Lesson& lesson, const Trace& trace);
 
 /// All lessons, in teaching order. Looks in $ZSTEP_LESSONS, then beside the program, then in the source tree.
 std::vector<Lesson> all_lessons();

@@ -1,0 +1,174 @@
+// Every name of an expression against the vocabulary, before a run: a slip is told with the names that would do.
+#include <algorithm>
+#include <array>
+
+#include <fmt/core.h>
+
+#include "sim/classroom/evaluate.hpp"
+#include "traces/error.hpp"
+
+namespace zstep {
+namespace {
+
+using Kind = Expression::Kind;
+using Type = Value::Type;
+
+/// How many letters must change to make one word of the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0u : 1u)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+struct Checker {
+  std::uint8_t kind;
+  const Page& page;
+  std::string_view where;
+
+  /// The words a name on one side of a comparison may take, if it is a field of words.
+  std::span<const std::string_view> words(const Expression& expression) const {
+    if (expression.kind != Kind::name) return {};
+    if (kind != no_kind) {
+      if (const auto field = field_type(kind, expression.text)) return field->words;
+    }
+    if (expression.text == "facing") return {words_of<Facing>.data(), words_of<Facing>.size()};
+    return {};
+  }
+
+  [[noreturn]] void unknown_name(std::string_view name) const {
+    std::vector<std::string_view> candidates;
+    for (const KnownName& known : known_names()) candidates.push_back(known.name);
+    const std::string fields = kind == no_kind ? "" : field_names(kind);
+    for (std::size_t at = 0; at < fields.size();) {
+      const std::size_t comma = std::min(fields.find(',', at), fields.size());
+      candidates.push_back(std::string_view(fields).substr(at, comma - at));
+      at = comma + 2;
+    }
+    throw InputError(where, fmt::format("nothing is called `{}`{}", name, did_you_mean(name, candidates)),
+                     kind == no_kind ? "see the list of names in docs/writing-a-lesson.md"
+                                     : fmt::format("this step has {}; see docs/writing-a-lesson.md for the rest", fields));
+  }
+
+  Type of_name(const Expression& expression) const {
+    if (kind != no_kind) {
+      if (const auto field = field_type(kind, expression.text)) return field->type;
+    }
+    if (expression.text == "true" || expression.text == "false") return Type::truth;
+    if (const KnownName* known = find_known_name(expression.text)) return known->type;
+    unknown_name(expression.text);
+  }
+
+  Type of_call(const Expression& expression) const {
+    const KnownFunction* known = find_known_function(expression.text);
+    if (!known) {
+      std::vector<std::string_view> candidates;
+      for (const KnownFunction& function : known_functions()) candidates.push_back(function.name);
+      throw InputError(where, fmt::format("nothing is called `{}(…)`{}", expression.text, did_you_mean(expression.text, candidates)),
+                       "see the list of names in docs/writing-a-lesson.md");
+    }
+    if (known->arguments != expression.parts.size()) {
+      throw InputError(where, fmt::format("`{}` is given {} arguments", known->name, expression.parts.size()),
+                       fmt::format("write {}", known->meaning.substr(0, known->meaning.find(':'))));
+    }
+    for (const Expression& part : expression.parts) number(part);
+    return known->type;
+  }
+
+  void number(const Expression& expression) const {
+    const Type type = of(expression);
+    if (type == Type::truth || type == Type::word) {
+      throw InputError(where, "a number is needed where a truth or a word stands", "compare it first: `facing == back`");
+    }
+  }
+  void truth(const Expression& expression) const {
+    if (of(expression) != Type::truth) {
+      throw InputError(where, "`and`, `or`, `not` and `where` need a truth", "compare the number with something: `x == 3`");
+    }
+  }
+
+  void equality(const Expression& expression) const {
+    const auto known = words(expression.parts[0]);
+    if (!known.empty()) {
+      const Expression& other = expression.parts[1];
+      if (other.kind == Kind::name && std::find(known.begin(), known.end(), other.text) != known.end()) return;
+      std::string list;
+      for (const std::string_view word : known) list += (list.empty() ? "" : ", ") + std::string(word);
+      throw InputError(where, fmt::format("`{}` is never `{}`", expression.parts[0].text,
+                                          other.kind == Kind::name ? other.text : std::string("that")),
+                       "it is one of " + list);
+    }
+    const Type first = of(expression.parts[0]), second = of(expression.parts[1]);
+    const auto comparable = [](Type type) { return type == Type::number || type == Type::polygon; };
+    if (first != second && !(comparable(first) && comparable(second))) {
+      throw InputError(where, "a comparison of unlike things", "compare numbers with numbers, truths with truths");
+    }
+  }
+
+  Type of(const Expression& expression) const {
+    switch (expression.kind) {
+      case Kind::number: return Type::number;
+      case Kind::quoted: return Type::polygon;
+      case Kind::name: return of_name(expression);
+      case Kind::call: return of_call(expression);
+      case Kind::count: {
+        const StepInfo& step = require_step(page, expression.text, where);
+        if (!expression.parts.empty()) Checker{step.kind, page, where}.truth(expression.parts[0]);
+        return Type::number;
+      }
+      case Kind::equal:
+      case Kind::unequal: equality(expression); return Type::truth;
+      case Kind::not_:
+      case Kind::and_:
+      case Kind::or_:
+        for (const Expression& part : expression.parts) truth(part);
+        return Type::truth;
+      default:
+        for (const Expression& part : expression.parts) number(part);
+        return expression.kind >= Kind::less && expression.kind <= Kind::greater_equal ? Type::truth : Type::number;
+    }
+  }
+};
+
+}  // namespace
+
+std::string did_you_mean(std::string_view written, const std::vector<std::string_view>& candidates) {
+  std::string_view best;
+  std::size_t distance = written.size() < 4 ? 2 : 3;  // farther ones are not meant
+  for (const std::string_view candidate : candidates) {
+    const std::size_t d = edit_distance(written, candidate);
+    if (d < distance) {
+      distance = d;
+      best = candidate;
+    }
+  }
+  return best.empty() ? "" : fmt::format(" (did you mean `{}`?)", best);
+}
+
+const StepInfo& require_step(const Page& page, std::string_view name, std::string_view where) {
+  if (const StepInfo* step = find_step(page, name)) return *step;
+  std::vector<std::string_view> names;
+  std::string list;
+  for (const StepInfo& step : page) {
+    names.push_back(step.name);
+    list += (list.empty() ? "" : ", ") + step.name;
+  }
+  const std::size_t dot = name.rfind('.');
+  throw InputError(where, fmt::format("the method has no step named `{}`{}", name,
+                                      did_you_mean(dot == std::string_view::npos ? name : name.substr(dot + 1), names)),
+                   "its steps are " + list);
+}
+
+Type check(const Expression& expression, std::uint8_t kind, const Page& page, std::string_view where) {
+  return Checker{kind, page, where}.of(expression);
+}
+
+}  // namespace zstep

@@ -1,0 +1,245 @@
+#include "sim/classroom/expression.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "traces/error.hpp"
+
+namespace zstep {
+namespace {
+
+using Kind = Expression::Kind;
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+struct Parser {
+  std::string_view all, left;
+  std::string_view where;
+  int depth = 0;
+
+  [[noreturn]] void fail(std::string_view what, std::string_view mend) const {
+    throw InputError(where, fmt::format("{} in `{}`", what, trim(all)), mend);
+  }
+  std::string here() const {
+    const std::string_view rest = trim(left);
+    return rest.empty() ? "the end" : fmt::format("`{}`", rest.substr(0, 24));
+  }
+
+  void skip_space() {
+    while (!left.empty() && (left.front() == ' ' || left.front() == '\t' || left.front() == '\n')) left.remove_prefix(1);
+  }
+  bool take(std::string_view sign) {
+    skip_space();
+    if (left.substr(0, sign.size()) != sign) return false;
+    left.remove_prefix(sign.size());
+    return true;
+  }
+  std::string_view peek_word() {
+    skip_space();
+    std::size_t size = 0;
+    while (size < left.size() && (is_letter(left[size]) || (size > 0 && is_digit(left[size])))) ++size;
+    return left.substr(0, size);
+  }
+  bool take_word(std::string_view word) {
+    if (peek_word() != word) return false;
+    left.remove_prefix(word.size());
+    return true;
+  }
+  void close(std::string_view opened) {
+    if (!take(")")) fail(fmt::format("`{}` is not closed at {}", opened, here()), "add `)`");
+  }
+
+  static Expression of(Kind kind, Expression first, Expression second) {
+    Expression made;
+    made.kind = kind;
+    made.parts.push_back(std::move(first));
+    made.parts.push_back(std::move(second));
+    return made;
+  }
+  static Expression of(Kind kind, Expression first) {
+    Expression made;
+    made.kind = kind;
+    made.parts.push_back(std::move(first));
+    return made;
+  }
+
+  Expression either() {
+    if (++depth > 64) fail("brackets nest more than 64 deep", "write it flatter");
+    Expression first = both();
+    while (take_word("or")) first = of(Kind::or_, std::move(first), both());
+    --depth;
+    return first;
+  }
+  Expression both() {
+    Expression first = negation();
+    while (take_word("and")) first = of(Kind::and_, std::move(first), negation());
+    return first;
+  }
+  Expression negation() {
+    bool negated = false;
+    while (take_word("not")) negated = !negated;
+    Expression inner = comparison();
+    return negated ? of(Kind::not_, std::move(inner)) : inner;
+  }
+
+  Expression comparison() {
+    static constexpr std::array<std::pair<std::string_view, Kind>, 9> signs{{{"==", Kind::equal},
+                                                                           {"!=", Kind::unequal},
+                                                                           {"≠", Kind::unequal},
+                                                                           {"<=", Kind::less_equal},
+                                                                           {"≤", Kind::less_equal},
+                                                                           {">=", Kind::greater_equal},
+                                                                           {"≥", Kind::greater_equal},
+                                                                           {"<", Kind::less},
+                                                                           {">", Kind::greater}}};
+    Expression first = sum();
+    for (const auto& [sign, kind] : signs) {
+      if (take(sign)) return of(kind, std::move(first), sum());
+    }
+    return first;
+  }
+  Expression sum() {
+    Expression first = product();
+    while (true) {
+      if (take("+")) first = of(Kind::add, std::move(first), product());
+      else if (take("-") || take("−")) first = of(Kind::subtract, std::move(first), product());
+      else return first;
+    }
+  }
+  Expression product() {
+    Expression first = sign();
+    while (true) {
+      if (take("*") || take("·") || take("×")) first = of(Kind::multiply, std::move(first), sign());
+      else if (take("/")) first = of(Kind::divide, std::move(first), sign());
+      else return first;
+    }
+  }
+  Expression sign() {
+    if (++depth > 64) fail("signs nest more than 64 deep", "write it flatter");
+    Expression made;
+    if (take("-") || take("−")) made = of(Kind::negate, sign());
+    else if (take("√")) made = of(Kind::root, sign());
+    else made = primary();
+    --depth;
+    return made;
+  }
+
+  Expression primary() {
+    skip_space();
+    if (take("(")) {
+      Expression inner = either();
+      close("(");
+      return inner;
+    }
+    if (take("\"")) return quoted();
+    Expression made;
+    if (take("∞")) {
+      made.number = std::numeric_limits<double>::infinity();
+      return made;
+    }
+    if (!left.empty() && (is_digit(left.front()) || left.front() == '.')) return number();
+    const std::string_view word = peek_word();
+    if (word.empty() || word == "and" || word == "or" || word == "where") {
+      fail(fmt::format("a number or a name is missing at {}", here()), "write `x == 3`, `not nearer`, `z < stored` …");
+    }
+    left.remove_prefix(word.size());
+    if (word == "infinity") {
+      made.number = std::numeric_limits<double>::infinity();
+      return made;
+    }
+    made.kind = Kind::name;
+    made.text = word;
+    if (!take("(")) return made;
+    if (word == "count") return count();
+    made.kind = Kind::call;
+    do made.parts.push_back(either());
+    while (take(","));
+    close(fmt::format("{}(", word));
+    return made;
+  }
+
+  Expression number() {
+    double digits = 0;
+    int places = 0;
+    bool any = false, point = false;
+    while (!left.empty() && (is_digit(left.front()) || (left.front() == '.' && !point))) {
+      if (left.front() == '.') {
+        point = true;
+      } else {
+        any = true;
+        digits = digits * 10 + (left.front() - '0');
+        if (point) ++places;
+      }
+      left.remove_prefix(1);
+    }
+    if (!any || places > 22 || digits > 9007199254740992.0) {
+      fail("a number that cannot be read exactly", "write at most 15 digits");
+    }
+    Expression made;
+    made.number = digits / std::pow(10.0, places);
+    return made;
+  }
+
+  Expression quoted() {
+    const std::size_t end = left.find('"');
+    if (end == std::string_view::npos) fail("a quote is not closed", "add `\"`");
+    Expression made;
+    made.kind = Kind::quoted;
+    made.text = left.substr(0, end);
+    left.remove_prefix(end + 1);
+    return made;
+  }
+
+  Expression count() {
+    skip_space();
+    const std::string_view step = leading_step_name(left);
+    if (step.empty()) fail(fmt::format("`count(` needs a step's name at {}", here()), "write `count(compare)`");
+    left.remove_prefix(step.size());
+    Expression made;
+    made.kind = Kind::count;
+    made.text = step;
+    if (take_word("where")) made.parts.push_back(either());
+    close("count(");
+    return made;
+  }
+};
+
+}  // namespace
+
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view space = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(space);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(space) - first + 1);
+}
+
+std::string_view leading_step_name(std::string_view text) {
+  std::size_t size = 0;
+  while (size < text.size() && (is_letter(text[size]) || (size > 0 && (is_digit(text[size]) || text[size] == '.')))) ++size;
+  return text.substr(0, size);
+}
+
+Expression parse_expression(std::string_view text, std::string_view& rest, std::string_view where) {
+  Parser parser{text, text, where};
+  Expression made = parser.either();
+  parser.skip_space();
+  rest = parser.left;
+  return made;
+}
+
+Expression parse_expression(std::string_view text, std::string_view where) {
+  std::string_view rest;
+  Expression made = parse_expression(text, rest, where);
+  if (!rest.empty()) {
+    throw InputError(where, fmt::format("`{}` is left over in `{}`", rest.substr(0, 24), trim(text)),
+                     "join comparisons with `and` or `or`; write == to compare");
+  }
+  return made;
+}
+
+}  // namespace zstep

@@ -1,0 +1,33 @@
+// The numbers in a lesson's text: `{z}`, `{z:2}`, `{z = 4.25}`, `{z ~ 0.333}`.
+//
+// What stands between braces is an expression. Plain, it is replaced by its value; after `:` comes the number of decimals.
+// After `=` or `~` the author writes what the reader will see, and it is checked: `=` wants the number itself (√3/2 and
+// 1/3 will do), `~` a decimal rounded as written. So a lesson cannot say what its trace does not show.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "sim/classroom/names.hpp"
+#include "traces/record/step.hpp"
+
+namespace zstep {
+
+/// Where a text begins in a file; complaints count its lines.
+struct Place {
+  std::string file;
+  std::int32_t line = 0;
+  std::string str(std::int32_t lines_on = 0) const { return file + ":" + std::to_string(line + lines_on); }
+};
+
+/// The text with its braces filled. Doubled braces are braces. Throws InputError with the line.
+std::string fill(std::string_view text, const Place& place, Replay& replay, const RecordedEvent* event, std::int64_t position);
+
+/// Checks all of it that can be checked without a run.
+void check_fill(std::string_view text, const Place& place, std::uint8_t kind, const Page& page);
+
+/// A value as readers see it: 4.25, −3, ∞, A, back; `decimals` < 0 for at most four of them, as few as will do.
+std::string show(const Value& value, const Scene& scene, int decimals = -1);
+
+}  // namespace zstep

@@ -1,0 +1,267 @@
+// A lesson's file: a TOML head between +++ lines, then stops, each a `## ` heading with its anchor.
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "sim/classroom/anchor.hpp"
+#include "sim/classroom/evaluate.hpp"
+#include "sim/classroom/fill.hpp"
+#include "sim/classroom/lesson.hpp"
+#include "sim/classroom/lesson_head.hpp"
+#include "traces/error.hpp"
+
+namespace zstep {
+namespace {
+
+constexpr std::size_t largest_file = 1 << 20;
+
+struct Line {
+  std::string_view text;
+  std::int32_t number = 0;
+};
+
+bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::size_t more = byte < 0x80 ? 0 : (byte >> 5) == 6 ? 1 : (byte >> 4) == 14 ? 2 : (byte >> 3) == 30 ? 3 : 9;
+    if (byte == 0 || more == 9 || i + more >= text.size() + (more == 0)) return false;
+    for (std::size_t k = 1; k <= more; ++k) {
+      if ((static_cast<unsigned char>(text[i + k]) >> 6) != 2) return false;
+    }
+    i += more + 1;
+  }
+  return true;
+}
+
+/// "lessons/4-z-buffer.md" -> "z-buffer": the number only orders the folder.
+std::string id_of(const std::filesystem::path& path) {
+  const std::string stem = path.stem().string();
+  const std::size_t word = stem.find_first_not_of("0123456789-_");
+  return word == std::string::npos ? stem : stem.substr(word);
+}
+
+class Reader {
+ public:
+  Reader(Lesson& lesson, const std::string& file, const std::vector<Line>& lines) : lesson_(lesson), file_(file), lines_(lines) {}
+
+  void read(std::size_t first) {
+    for (at_ = first; at_ < lines_.size(); ++at_) {
+      const std::string_view text = lines_[at_].text;
+      if (starts_with(text, "## ")) begin_stop();
+      else if (starts_with(text, "# ")) fail("a heading with one #", "the title stands in the head; a stop's heading has ##");
+      else if (starts_with(text, ":::")) question();
+      else narration();
+    }
+    if (lesson_.stops.empty()) throw InputError(file_, "the lesson has no stop", "write `## Heading {at: start}` and its text");
+    for (Stop& stop : lesson_.stops) finish(stop);
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view what, std::string_view mend) const { throw InputError(where(at_), what, mend); }
+  std::string where(std::size_t line) const { return fmt::format("{}:{}", file_, lines_[line].number); }
+
+  void begin_stop() {
+    const std::string_view text = trim(lines_[at_].text.substr(3));
+    std::size_t open = text.rfind("{at:");
+    if (open == std::string_view::npos) open = text.rfind("{before:");
+    if (open == std::string_view::npos || text.back() != '}') {
+      fail(fmt::format("the stop `{}` has no anchor", text), "end its heading with {at: step}, {before: step where condition}, {at: here}, {at: start} or {at: end}");
+    }
+    Stop stop;
+    stop.heading = trim(text.substr(0, open));
+    if (stop.heading.empty()) fail("the stop has no heading", "write a few words before its anchor");
+    stop.anchor = text.substr(open + 1, text.size() - open - 2);
+    parse_anchor(stop.anchor, where(at_));
+    stop.line = lines_[at_].number;
+    stop.text_line = stop.line + 1;
+    lesson_.stops.push_back(std::move(stop));
+  }
+
+  void narration() {
+    const std::string_view text = lines_[at_].text;
+    const bool blank = trim(text).empty();
+    if (lesson_.stops.empty()) {
+      if (!blank) fail("text before the first stop", "write `## Heading {at: start}` above it");
+      return;
+    }
+    Stop& stop = lesson_.stops.back();
+    if (stop.question && !blank) fail("text after a question", "put it before the question, or into a stop of its own");
+    if (starts_with(trim(text), "```")) return code(stop);
+    append(stop.text, text);
+  }
+
+  /// A fenced block goes in whole: what looks like a heading in it is none.
+  void code(Stop& stop) {
+    const std::size_t opened = at_;
+    do {
+      append(stop.text, lines_[at_].text);
+      if (++at_ == lines_.size()) throw InputError(where(opened), "a code block is not closed", "add a line with ```");
+    } while (!starts_with(trim(lines_[at_].text), "```"));
+    append(stop.text, lines_[at_].text);
+  }
+
+  static void append(std::string& text, std::string_view line) {
+    text += line;
+    text += '\n';
+  }
+
+  void question() {
+    const std::size_t opened = at_;
+    const std::string_view name = trim(lines_[at_].text.substr(3));
+    if (name.empty()) fail("`:::` closes nothing", "remove it, or open a question with `::: question`");
+    if (name != "question") fail(fmt::format("a block of the unknown kind `{}`", name), "write `::: question`");
+    if (lesson_.stops.empty()) fail("a question before the first stop", "write `## Heading {at: start}` above it");
+    if (lesson_.stops.back().question) fail("a second question at one stop", "give it a stop of its own; {at: here} stays at the same place");
+    Question asked;
+    asked.line = lines_[opened].number + 1;
+    while (true) {
+      if (++at_ == lines_.size() || starts_with(lines_[at_].text, "## ")) {
+        throw InputError(where(opened), "the question is not closed", "add a line `:::` after its last reply");
+      }
+      const std::string_view text = lines_[at_].text;
+      if (trim(text) == ":::") break;
+      question_line(asked, text);
+    }
+    finish(asked, opened);
+    lesson_.stops.back().question = std::move(asked);
+  }
+
+  void question_line(Question& asked, std::string_view text) {
+    const std::string_view bare = trim(text);
+    const bool marked = starts_with(text, "- [x] ") || starts_with(text, "- [X] ");
+    if (marked || starts_with(text, "- [ ] ")) {
+      Answer answer;
+      answer.right = marked;
+      answer.text = trim(text.substr(6));
+      answer.line = lines_[at_].number;
+      asked.answers.push_back(std::move(answer));
+    } else if (starts_with(text, "- ")) {
+      fail("an answer without its box", "write `- [ ] wrong answer` or `- [x] right answer`");
+    } else if (asked.answers.empty()) {
+      append(asked.text, text);
+    } else if (starts_with(bare, ">")) {
+      Answer& answer = asked.answers.back();
+      if (answer.reply.empty()) answer.reply_line = lines_[at_].number;
+      append(answer.reply, trim(bare.substr(1)));
+    } else if (!bare.empty()) {
+      Answer& answer = asked.answers.back();
+      if (!answer.reply.empty()) fail("a line that is neither answer nor reply", "begin a reply's lines with `  > `");
+      answer.text += '\n';
+      answer.text += bare;
+    }
+  }
+
+  void finish(Question& asked, std::size_t opened) const {
+    asked.text = strip(asked.text, asked.line);
+    if (asked.text.empty()) throw InputError(where(opened), "the question asks nothing", "write it under `::: question`");
+    if (asked.answers.size() < 2) throw InputError(where(opened), "the question has fewer than two answers", "write `- [ ] wrong` and `- [x] right`");
+    const auto right = std::count_if(asked.answers.begin(), asked.answers.end(), [](const Answer& answer) { return answer.right; });
+    if (right != 1) throw InputError(where(opened), fmt::format("the question has {} right answers", right), "mark exactly one with [x]");
+    for (Answer& answer : asked.answers) {
+      const std::string line = fmt::format("{}:{}", file_, answer.line);
+      if (answer.text.empty()) throw InputError(line, "the answer is empty", "write it after its box");
+      if (trim(answer.reply).empty()) throw InputError(line, "the answer has no reply", "say under it, after `  > `, why it is so or is not");
+      answer.reply = strip(answer.reply, answer.reply_line);
+    }
+  }
+
+  /// Without blank lines around it; `line` follows its first one.
+  static std::string strip(const std::string& text, std::int32_t& line) {
+    std::size_t first = 0;
+    while (first < text.size() && (text[first] == '\n' || text[first] == ' ')) line += text[first++] == '\n';
+    const std::size_t last = text.find_last_not_of(" \n");
+    return last == std::string::npos ? std::string() : text.substr(first, last + 1 - first);
+  }
+
+  void finish(Stop& stop) const {
+    stop.text = strip(stop.text, stop.text_line);
+    if (stop.text.empty() && !stop.question) {
+      throw InputError(fmt::format("{}:{}", file_, stop.line), "the stop says nothing", "write a sentence or a question under it");
+    }
+  }
+
+  Lesson& lesson_;
+  const std::string& file_;
+  const std::vector<Line>& lines_;
+  std::size_t at_ = 0;
+};
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code error;
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(path, error)) in.open(path, std::ios::binary);  // opening a pipe could wait for ever
+  if (!in.is_open()) throw InputError(path.string(), "the lesson cannot be read", "name a Markdown file, or a lesson that `zstep list` shows");
+  std::string text(largest_file + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > largest_file) throw InputError(path.string(), "the file is larger than any lesson", "lessons have at most 1 MiB");
+  return text;
+}
+
+std::vector<Line> split_lines(std::string_view text, const std::string& file) {
+  std::vector<Line> lines;
+  if (starts_with(text, "\xEF\xBB\xBF")) text.remove_prefix(3);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    lines.push_back({line, static_cast<std::int32_t>(lines.size()) + 1});
+    if (!is_utf8(line)) throw InputError(fmt::format("{}:{}", file, lines.size()), "the line is not UTF-8", "save the file as UTF-8");
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+/// Names in anchors and braces against the method's page, before anything runs.
+void check_stops(const Lesson& lesson, const std::string& file) {
+  const Page page = method(lesson.method).page();
+  std::uint8_t kind = no_kind;
+  for (const Stop& stop : lesson.stops) {
+    const Place place{file, stop.line};
+    const Anchor anchor = parse_anchor(stop.anchor, place.str());
+    check_anchor(anchor, page, place.str());
+    if (anchor.kind == Anchor::Kind::step) kind = require_step(page, anchor.step, place.str()).kind;
+    else if (anchor.kind != Anchor::Kind::here) kind = no_kind;
+    check_fill(stop.heading, place, kind, page);
+    check_fill(stop.text, {file, stop.text_line}, kind, page);
+    if (!stop.question) continue;
+    check_fill(stop.question->text, {file, stop.question->line}, kind, page);
+    for (const Answer& answer : stop.question->answers) {
+      check_fill(answer.text, {file, answer.line}, kind, page);
+      check_fill(answer.reply, {file, answer.reply_line}, kind, page);
+    }
+  }
+}
+
+}  // namespace
+
+Lesson load_lesson(const std::filesystem::path& path) {
+  Lesson lesson;
+  lesson.path = path;
+  lesson.id = id_of(path);
+  const std::string file = path.string();
+  const std::string text = read_file(path);
+  const std::vector<Line> lines = split_lines(text, file);
+
+  if (lines.empty() || trim(lines[0].text) != "+++") throw InputError(file + ":1", "the lesson has no head", "begin with a line +++, then title = \"…\"");
+  std::size_t close = 1;
+  std::string head;
+  while (close < lines.size() && trim(lines[close].text) != "+++") {
+    head += lines[close++].text;
+    head += '\n';
+  }
+  if (close == lines.size()) throw InputError(file + ":1", "the head is not closed", "add a second line +++ after it");
+  read_lesson_head(lesson, file, head, 2);
+  Reader(lesson, file, lines).read(close + 1);
+  check_stops(lesson, file);
+  return lesson;
+}
+
+}  // namespace zstep

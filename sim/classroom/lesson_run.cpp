@@ -1,0 +1,69 @@
+// Running a lesson: its method on its scene, then its stops against the trace.
+#include <set>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "sim/classroom/anchor.hpp"
+#include "sim/classroom/fill.hpp"
+#include "sim/classroom/lesson.hpp"
+#include "traces/error.hpp"
+#include "traces/record/trace_recorder.hpp"
+#include "traces/replay/replay.hpp"
+
+namespace zstep {
+namespace {
+
+/// A scene with a file's ending lies beside the lesson; a bare word is a built-in scene.
+std::string scene_path(const Lesson& lesson) {
+  static const std::set<std::string> endings{".toml", ".obj", ".off", ".ply", ".stl"};
+  const std::filesystem::path path(lesson.scene);
+  if (endings.count(path.extension().string()) == 0 || path.is_absolute()) return lesson.scene;
+  return (lesson.path.parent_path() / path).string();
+}
+
+Conventions with_options(Conventions conventions, const ConventionOptions& options) {
+  if (options.depth) conventions.depth = *options.depth;
+  if (options.interpolation) conventions.interpolation = *options.interpolation;
+  if (options.coverage) conventions.coverage = *options.coverage;
+  if (options.cull) conventions.cull = *options.cull;
+  return conventions;
+}
+
+}  // namespace
+
+void resolve_lesson(Lesson& lesson, const Trace& trace) {
+  const std::string file = lesson.path.string();
+  Replay replay(trace);
+  Spot spot;
+  for (Stop& stop : lesson.stops) {
+    const Place place{file, stop.line};
+    spot = resolve_anchor(parse_anchor(stop.anchor, place.str()), spot, replay, place.str());
+    stop.position = spot.position;
+    const std::optional<RecordedEvent> event = spot.event > 0 ? std::optional(trace.event(spot.event)) : std::nullopt;
+    const auto filled = [&](const std::string& text, std::int32_t line) {
+      return fill(text, {file, line}, replay, event ? &*event : nullptr, spot.position);
+    };
+    stop.heading = filled(stop.heading, stop.line);
+    stop.text = filled(stop.text, stop.text_line);
+    if (!stop.question) continue;
+    stop.question->text = filled(stop.question->text, stop.question->line);
+    for (Answer& answer : stop.question->answers) {
+      answer.text = filled(answer.text, answer.line);
+      answer.reply = filled(answer.reply, answer.reply_line);
+    }
+  }
+}
+
+Trace run_lesson(Lesson& lesson) {
+  const Method& run = method(lesson.method);
+  SceneFile file = load_scene(scene_path(lesson));
+  const Scene scene = look_at_scene(std::move(file.scene), lesson.view);
+  const Conventions conventions = with_options(file.conventions, lesson.conventions);
+  TraceRecorder record(header_for(run, conventions), scene);
+  run.record(scene, conventions, record);
+  record.finish();
+  Trace trace = Trace::from_bytes(record.take_bytes(), "lesson " + lesson.id);
+  resolve_lesson(lesson, trace);
+  return trace;
+}
+
+}  // namespace zstep
