@@ -7,7 +7,7 @@
 #include "sim/classroom/evaluate.hpp"
 #include "traces/error.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 constexpr std::string_view form = "write {at: step}, {at: step where condition} or {before: step where condition, first}";
@@ -91,7 +91,7 @@ Anchor parse_anchor(std::string_view text, std::string_view where) {
 void check_anchor(const Anchor& anchor, const Page& page, std::string_view where) {
   if (anchor.kind != Anchor::Kind::step) return;
   const StepInfo& step = require_step(page, anchor.step, where);
-  if (anchor.condition && check(*anchor.condition, step.kind, page, where) != Value::Type::truth) {
+  if (anchor.condition && check(*anchor.condition, step.kind, page, where) != Quantity::Type::truth) {
     throw InputError(where, "the condition is no truth", "compare the number with something: `x == 3`");
   }
 }
@@ -128,4 +128,4 @@ Spot resolve_anchor(const Anchor& anchor, const Spot& previous, Replay& replay, 
   return spot;
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

@@ -10,7 +10,7 @@
 #include "traces/record/step.hpp"
 #include "traces/replay/replay.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 
 struct Anchor {
   enum class Kind : std::uint8_t { step, start, end, here };  ///< here: where the stop before it stands
@@ -38,4 +38,4 @@ struct Spot {
 /// Finds the step in the replay's trace. Throws InputError when it never happens, or not after `previous`.
 Spot resolve_anchor(const Anchor& anchor, const Spot& previous, Replay& replay, std::string_view where);
 
-}  // namespace zstep
+}  // namespace zstep::classroom

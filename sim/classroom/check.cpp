@@ -7,11 +7,11 @@
 #include "sim/classroom/evaluate.hpp"
 #include "traces/error.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 using Kind = Expression::Kind;
-using Type = Value::Type;
+using Type = Quantity::Type;
 
 /// How many letters must change to make one word of the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -171,4 +171,4 @@ Type check(const Expression& expression, std::uint8_t kind, const Page& page, st
   return Checker{kind, page, where}.of(expression);
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

@@ -7,12 +7,10 @@
 
 #include "traces/error.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 using Kind = Expression::Kind;
-
-bool is_equality(Kind kind) { return kind == Kind::equal || kind == Kind::unequal; }
 
 /// A polygon by the name the scene gives it.
 double polygon_named(const Moment& moment, std::string_view name) {
@@ -28,26 +26,26 @@ double polygon_named(const Moment& moment, std::string_view name) {
                    names.empty() ? "its polygons have no names; use their numbers" : "its polygons are " + names);
 }
 
-Value name_value(const Expression& expression, const Moment& moment) {
+Quantity name_value(const Expression& expression, const Moment& moment) {
   if (moment.event) {
     if (auto value = field_value(moment.event->event, expression.text)) return *value;
   }
-  if (expression.text == "true") return Value::of_truth(true);
-  if (expression.text == "false") return Value::of_truth(false);
+  if (expression.text == "true") return Quantity::of_truth(true);
+  if (expression.text == "false") return Quantity::of_truth(false);
   if (const KnownName* known = find_known_name(expression.text)) return known->value(moment);
-  return Value::of_word(expression.text);  // check() has let no other name through
+  return Quantity::of_word(expression.text);  // check() has let no other name through
 }
 
 /// In `facing == back` the word is a word even where `back` could be a name: `plane == near`.
-Value comparand(const Expression& side, const Value& other, const Moment& moment) {
-  if (other.type == Value::Type::word && side.kind == Kind::name) return Value::of_word(side.text);
+Quantity comparand(const Expression& side, const Quantity& other, const Moment& moment) {
+  if (other.type == Quantity::Type::word && side.kind == Kind::name) return Quantity::of_word(side.text);
   return evaluate(side, moment);
 }
 
 bool equal(const Expression& expression, const Moment& moment) {
-  const Value first = evaluate(expression.parts[0], moment);
-  const Value second = comparand(expression.parts[1], first, moment);
-  if (first.type == Value::Type::word) return first.word == second.word;
+  const Quantity first = evaluate(expression.parts[0], moment);
+  const Quantity second = comparand(expression.parts[1], first, moment);
+  if (first.type == Quantity::Type::word) return first.word == second.word;
   return same_number(first.number, second.number);
 }
 
@@ -74,35 +72,35 @@ bool same_number(double a, double b) {
 
 bool holds(const Expression& condition, const Moment& moment) { return evaluate(condition, moment).number != 0; }
 
-Value evaluate(const Expression& expression, const Moment& moment) {
+Quantity evaluate(const Expression& expression, const Moment& moment) {
   const auto number = [&](std::size_t part) { return evaluate(expression.parts[part], moment).number; };
   switch (expression.kind) {
-    case Kind::number: return Value::of(expression.number);
-    case Kind::quoted: return {Value::Type::polygon, polygon_named(moment, expression.text), {}};
+    case Kind::number: return Quantity::of(expression.number);
+    case Kind::quoted: return {Quantity::Type::polygon, polygon_named(moment, expression.text), {}};
     case Kind::name: return name_value(expression, moment);
     case Kind::call: {
       std::vector<double> arguments;
       for (const Expression& part : expression.parts) arguments.push_back(evaluate(part, moment).number);
       return find_known_function(expression.text)->value(moment, arguments);
     }
-    case Kind::count: return Value::of(counted(expression, moment));
-    case Kind::negate: return Value::of(-number(0));
-    case Kind::root: return Value::of(std::sqrt(number(0)));
-    case Kind::not_: return Value::of_truth(number(0) == 0);
-    case Kind::add: return Value::of(number(0) + number(1));
-    case Kind::subtract: return Value::of(number(0) - number(1));
-    case Kind::multiply: return Value::of(number(0) * number(1));
-    case Kind::divide: return Value::of(number(0) / number(1));
-    case Kind::equal: return Value::of_truth(equal(expression, moment));
-    case Kind::unequal: return Value::of_truth(!equal(expression, moment));
-    case Kind::less: return Value::of_truth(number(0) < number(1));
-    case Kind::less_equal: return Value::of_truth(number(0) <= number(1));
-    case Kind::greater: return Value::of_truth(number(0) > number(1));
-    case Kind::greater_equal: return Value::of_truth(number(0) >= number(1));
-    case Kind::and_: return Value::of_truth(number(0) != 0 && number(1) != 0);
-    case Kind::or_: return Value::of_truth(number(0) != 0 || number(1) != 0);
+    case Kind::count: return Quantity::of(counted(expression, moment));
+    case Kind::negate: return Quantity::of(-number(0));
+    case Kind::root: return Quantity::of(std::sqrt(number(0)));
+    case Kind::not_: return Quantity::of_truth(number(0) == 0);
+    case Kind::add: return Quantity::of(number(0) + number(1));
+    case Kind::subtract: return Quantity::of(number(0) - number(1));
+    case Kind::multiply: return Quantity::of(number(0) * number(1));
+    case Kind::divide: return Quantity::of(number(0) / number(1));
+    case Kind::equal: return Quantity::of_truth(equal(expression, moment));
+    case Kind::unequal: return Quantity::of_truth(!equal(expression, moment));
+    case Kind::less: return Quantity::of_truth(number(0) < number(1));
+    case Kind::less_equal: return Quantity::of_truth(number(0) <= number(1));
+    case Kind::greater: return Quantity::of_truth(number(0) > number(1));
+    case Kind::greater_equal: return Quantity::of_truth(number(0) >= number(1));
+    case Kind::and_: return Quantity::of_truth(number(0) != 0 && number(1) != 0);
+    case Kind::or_: return Quantity::of_truth(number(0) != 0 || number(1) != 0);
   }
   return {};
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

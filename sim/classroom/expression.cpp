@@ -9,7 +9,7 @@
 
 #include "traces/error.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 using Kind = Expression::Kind;
@@ -242,4 +242,4 @@ Expression parse_expression(std::string_view text, std::string_view where) {
   return made;
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

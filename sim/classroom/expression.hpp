@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-namespace zstep {
+namespace zstep::classroom {
 
 struct Expression {
   enum class Kind : std::uint8_t {
@@ -51,4 +51,4 @@ Expression parse_expression(std::string_view text, std::string_view where);
 std::string_view leading_step_name(std::string_view text);
 std::string_view trim(std::string_view text);
 
-}  // namespace zstep
+}  // namespace zstep::classroom

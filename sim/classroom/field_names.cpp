@@ -5,14 +5,14 @@
 #include "sim/classroom/names.hpp"
 #include "traces/events/vocabulary.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 template <class V>
-constexpr Value::Type type_of(std::string_view name) {
-  if constexpr (std::is_same_v<V, bool>) return Value::Type::truth;
-  else if constexpr (std::is_enum_v<V>) return Value::Type::word;
-  else return name == "polygon" ? Value::Type::polygon : Value::Type::number;
+constexpr Quantity::Type type_of(std::string_view name) {
+  if constexpr (std::is_same_v<V, bool>) return Quantity::Type::truth;
+  else if constexpr (std::is_enum_v<V>) return Quantity::Type::word;
+  else return name == "polygon" ? Quantity::Type::polygon : Quantity::Type::number;
 }
 
 template <class V>
@@ -22,11 +22,11 @@ std::span<const std::string_view> words_of_type() {
 }
 
 template <class V>
-Value value_of(std::string_view name, V value) {
-  if constexpr (std::is_same_v<V, bool>) return Value::of_truth(value);
-  else if constexpr (std::is_enum_v<V>) return Value::of_word(words_of<V>[static_cast<std::size_t>(value)]);
-  else if constexpr (std::is_same_v<V, double>) return Value::of(value);
-  else return name == "polygon" ? Value::of_polygon(value) : Value::of(static_cast<double>(value));
+Quantity value_of(std::string_view name, V value) {
+  if constexpr (std::is_same_v<V, bool>) return Quantity::of_truth(value);
+  else if constexpr (std::is_enum_v<V>) return Quantity::of_word(words_of<V>[static_cast<std::size_t>(value)]);
+  else if constexpr (std::is_same_v<V, double>) return Quantity::of(value);
+  else return name == "polygon" ? Quantity::of_polygon(value) : Quantity::of(static_cast<double>(value));
 }
 
 template <class Visit>
@@ -56,8 +56,8 @@ std::string field_names(std::uint8_t kind) {
   return names;
 }
 
-std::optional<Value> field_value(const Event& event, std::string_view name) {
-  std::optional<Value> found;
+std::optional<Quantity> field_value(const Event& event, std::string_view name) {
+  std::optional<Quantity> found;
   std::visit(
       [&](const auto& known) {
         using E = std::decay_t<decltype(known)>;
@@ -69,4 +69,4 @@ std::optional<Value> field_value(const Event& event, std::string_view name) {
   return found;
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

@@ -7,7 +7,7 @@
 #include "sim/classroom/evaluate.hpp"
 #include "traces/error.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 constexpr std::string_view form = "write {z}, {z:2}, {z = 4.25} or {z ~ 0.333}; a brace itself is {{ or }}";
@@ -98,16 +98,16 @@ bool rounds_to(double number, const std::string& written, std::string_view where
   return std::abs(number - value) <= 0.5 * std::pow(10.0, -places) * (1 + 1e-9);
 }
 
-void verify(const Slot& slot, std::string_view text, const Value& value, const Moment& moment) {
+void verify(const Slot& slot, std::string_view text, const Quantity& value, const Moment& moment) {
   const Scene& scene = moment.trace().scene();
   bool good = false;
   switch (value.type) {
-    case Value::Type::truth:
-    case Value::Type::word:
-    case Value::Type::polygon:
+    case Quantity::Type::truth:
+    case Quantity::Type::word:
+    case Quantity::Type::polygon:
       good = slot.mark == '=' && slot.written == show(value, scene);
       break;
-    case Value::Type::number:
+    case Quantity::Type::number:
       good = slot.mark == '~' ? rounds_to(value.number, slot.written, moment.where)
                               : same_number(value.number, evaluate(parse_expression(slot.written, moment.where), moment).number);
       break;
@@ -117,17 +117,17 @@ void verify(const Slot& slot, std::string_view text, const Value& value, const M
 
 }  // namespace
 
-std::string show(const Value& value, const Scene& scene, int decimals) {
+std::string show(const Quantity& value, const Scene& scene, int decimals) {
   switch (value.type) {
-    case Value::Type::truth: return value.number != 0 ? "true" : "false";
-    case Value::Type::word: return value.word;
-    case Value::Type::polygon: {
+    case Quantity::Type::truth: return value.number != 0 ? "true" : "false";
+    case Quantity::Type::word: return value.word;
+    case Quantity::Type::polygon: {
       const auto index = static_cast<std::int64_t>(value.number);
       if (index < 0 || index >= static_cast<std::int64_t>(scene.polygons.size())) return "background";
       const std::string& name = scene.polygons[static_cast<std::size_t>(index)].name;
       return name.empty() ? std::to_string(index) : name;
     }
-    case Value::Type::number: break;
+    case Quantity::Type::number: break;
   }
   const double number = value.number;
   if (std::isinf(number)) return number > 0 ? "∞" : "−∞";
@@ -149,10 +149,10 @@ std::string fill(std::string_view text, const Place& place, Replay& replay, cons
         const std::string where = place.str(line);
         const Moment moment(replay, event, position, where);
         const Slot slot = parse_slot(inside, where);
-        const Value value = evaluate(slot.expression, moment);
+        const Quantity value = evaluate(slot.expression, moment);
         const bool checked = slot.mark == '=' || slot.mark == '~';
         if (checked) verify(slot, inside, value, moment);
-        const bool number = value.type == Value::Type::number;
+        const bool number = value.type == Quantity::Type::number;
         filled += checked ? (number ? with_signs(slot.written) : slot.written)
                           : show(value, moment.trace().scene(), slot.mark == ':' ? slot.written[0] - '0' : -1);
       });
@@ -165,8 +165,8 @@ void check_fill(std::string_view text, const Place& place, std::uint8_t kind, co
       [&](std::string_view inside, std::int32_t line) {
         const std::string where = place.str(line);
         const Slot slot = parse_slot(inside, where);
-        const Value::Type type = check(slot.expression, kind, page, where);
-        if (type == Value::Type::number && (slot.mark == '=' || slot.mark == '~')) {
+        const Quantity::Type type = check(slot.expression, kind, page, where);
+        if (type == Quantity::Type::number && (slot.mark == '=' || slot.mark == '~')) {
           if (!is_written_number(parse_expression(slot.written, where))) {
             throw InputError(where, fmt::format("`{}` is no number that a reader can be shown", slot.written), "write 4.25, −1/3 or √3/2");
           }
@@ -174,4 +174,4 @@ void check_fill(std::string_view text, const Place& place, std::uint8_t kind, co
       });
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

@@ -12,7 +12,7 @@
 #include "sim/classroom/names.hpp"
 #include "traces/record/step.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 
 /// Where a text begins in a file; complaints count its lines.
 struct Place {
@@ -28,6 +28,6 @@ std::string fill(std::string_view text, const Place& place, Replay& replay, cons
 void check_fill(std::string_view text, const Place& place, std::uint8_t kind, const Page& page);
 
 /// A value as readers see it: 4.25, −3, ∞, A, back; `decimals` < 0 for at most four of them, as few as will do.
-std::string show(const Value& value, const Scene& scene, int decimals = -1);
+std::string show(const Quantity& value, const Scene& scene, int decimals = -1);
 
-}  // namespace zstep
+}  // namespace zstep::classroom

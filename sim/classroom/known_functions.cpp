@@ -8,11 +8,11 @@
 #include "sim/classroom/names.hpp"
 #include "traces/error.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 using Args = std::span<const double>;
-using Type = Value::Type;
+using Type = Quantity::Type;
 
 std::size_t index(const Moment& moment, double value, std::size_t size, std::string_view what) {
   if (!(value >= 0 && value < static_cast<double>(size)) || value != std::floor(value)) {
@@ -78,19 +78,19 @@ std::size_t corner(const Moment& moment, double which) {
 double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
 
 #define OF_VERTEX(name, stage, part, meaning) \
-  KnownFunction { name, 1, Type::number, [](const Moment& m, Args a) { return Value::of(way(m, a[0], VertexWay::stage).part); }, meaning }
+  KnownFunction { name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(way(m, a[0], VertexWay::stage).part); }, meaning }
 #define OF_POINT(name, part, meaning) \
-  KnownFunction { name, 1, Type::number, [](const Moment& m, Args a) { return Value::of(point(m, a[0]).part); }, meaning }
+  KnownFunction { name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(point(m, a[0]).part); }, meaning }
 #define OF_EDGE(member, meaning) \
-  KnownFunction { #member, 1, Type::number, [](const Moment& m, Args a) { return Value::of(edge_row(m, a[0]).entry.member); }, meaning }
+  KnownFunction { #member, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(edge_row(m, a[0]).entry.member); }, meaning }
 #define ARITHMETIC(name, count, value, meaning) \
-  KnownFunction { name, count, Type::number, [](const Moment&, Args a) { return Value::of(value); }, meaning }
+  KnownFunction { name, count, Type::number, [](const Moment&, Args a) { return Quantity::of(value); }, meaning }
 
 const std::array<KnownFunction, 34> functions{{
-    {"depth", 2, Type::number, [](const Moment& m, Args a) { return Value::of(m.state().picture.depth[pixel(m, a)]); },
+    {"depth", 2, Type::number, [](const Moment& m, Args a) { return Quantity::of(m.state().picture.depth[pixel(m, a)]); },
      "depth(x, y): the depth buffer there"},
     {"frame", 2, Type::polygon,
-     [](const Moment& m, Args a) { return Value::of_polygon(m.state().picture.polygon[pixel(m, a)]); },
+     [](const Moment& m, Args a) { return Quantity::of_polygon(m.state().picture.polygon[pixel(m, a)]); },
      "frame(x, y): the polygon seen there"},
     OF_POINT("x_w", x, "x_w(vertex): world"),
     OF_POINT("y_w", y, "y_w(vertex)"),
@@ -109,27 +109,27 @@ const std::array<KnownFunction, 34> functions{{
     OF_EDGE(end_row, "end_row(edge): the scan line at which it retires"),
     OF_EDGE(dx_dy, "dx_dy(edge): what x gains from row to row"),
     OF_EDGE(dz_dy, "dz_dy(edge): what depth gains from row to row"),
-    {"x_edge", 1, Type::number, [](const Moment& m, Args a) { return Value::of(edge_now(m, a[0]).x); },
+    {"x_edge", 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(edge_now(m, a[0]).x); },
      "x_edge(edge): its x now; before it is active, on its first row"},
-    {"z_edge", 1, Type::number, [](const Moment& m, Args a) { return Value::of(edge_now(m, a[0]).y); },
+    {"z_edge", 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(edge_now(m, a[0]).y); },
      "z_edge(edge): its depth there"},
     {"active_edge", 1, Type::number,
      [](const Moment& m, Args a) {
        const auto& active = m.state().machine.active;
-       return Value::of(active[index(m, a[0], active.size(), "place in the active edge list")].edge);
+       return Quantity::of(active[index(m, a[0], active.size(), "place in the active edge list")].edge);
      },
      "active_edge(place): the edge at this place of the active edge list, from 0"},
-    {"corner", 1, Type::number, [](const Moment& m, Args a) { return Value::of(static_cast<double>(corner(m, a[0]))); },
+    {"corner", 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(static_cast<double>(corner(m, a[0]))); },
      "corner(i): the i-th vertex of the polygon at work, from 0"},
     {"T_v", 2, Type::number,
      [](const Moment& m, Args a) {
        const glm::dmat4& view = m.trace().scene().camera.view;
-       return Value::of(view[static_cast<int>(matrix_place(m, a[1]))][static_cast<int>(matrix_place(m, a[0]))]);
+       return Quantity::of(view[static_cast<int>(matrix_place(m, a[1]))][static_cast<int>(matrix_place(m, a[0]))]);
      },
      "T_v(row, column): of the viewing matrix, from 1"},
     {"view_depth", 1, Type::number,
      [](const Moment& m, Args a) {
-       return Value::of(view_depth(m.trace().scene().camera, m.trace().header().conventions, a[0]));
+       return Quantity::of(view_depth(m.trace().scene().camera, m.trace().header().conventions, a[0]));
      },
      "view_depth(z): z_v of a number in the depth buffer"},
     ARITHMETIC("abs", 1, std::abs(a[0]), "abs(a)"),
@@ -154,4 +154,4 @@ const KnownFunction* find_known_function(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

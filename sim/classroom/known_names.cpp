@@ -6,7 +6,7 @@
 #include "sim/classroom/names.hpp"
 #include "traces/error.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 [[noreturn]] void lacking(const Moment& moment, std::string_view what, std::string_view from) {
@@ -40,56 +40,56 @@ const DepthInterpolate* coming_pixel(const Moment& moment) {
   const bool arrived = fragment && fragment->x == coming->x && fragment->y == coming->y && !fragment->nearer;
   return arrived ? nullptr : coming;
 }
-Value stored(const Moment& moment) {
+Quantity stored(const Moment& moment) {
   if (const DepthInterpolate* coming = coming_pixel(moment)) {
     const Picture& picture = moment.state().picture;
-    return Value::of(picture.depth[picture.at(coming->x, coming->y)]);
+    return Quantity::of(picture.depth[picture.at(coming->x, coming->y)]);
   }
-  return Value::of(fragment_at(moment).stored);
+  return Quantity::of(fragment_at(moment).stored);
 }
-Value stored_polygon(const Moment& moment) {
+Quantity stored_polygon(const Moment& moment) {
   if (const DepthInterpolate* coming = coming_pixel(moment)) {
     const Picture& picture = moment.state().picture;
-    return Value::of_polygon(picture.polygon[picture.at(coming->x, coming->y)]);
+    return Quantity::of_polygon(picture.polygon[picture.at(coming->x, coming->y)]);
   }
-  return Value::of_polygon(fragment_at(moment).stored_polygon);
+  return Quantity::of_polygon(fragment_at(moment).stored_polygon);
 }
 
 double count(std::size_t size) { return static_cast<double>(size); }
 
-using Type = Value::Type;
+using Type = Quantity::Type;
 #define OF_SPAN(member, meaning) \
-  KnownName { #member, Type::number, [](const Moment& m) { return Value::of(span_at(m).member); }, meaning }
+  KnownName { #member, Type::number, [](const Moment& m) { return Quantity::of(span_at(m).member); }, meaning }
 #define OF_FACING(member, meaning) \
-  KnownName { #member, Type::number, [](const Moment& m) { return Value::of(facing_at(m).member); }, meaning }
+  KnownName { #member, Type::number, [](const Moment& m) { return Quantity::of(facing_at(m).member); }, meaning }
 #define OF_CAMERA(member, meaning) \
-  KnownName { #member, Type::number, [](const Moment& m) { return Value::of(camera_at(m).member); }, meaning }
+  KnownName { #member, Type::number, [](const Moment& m) { return Quantity::of(camera_at(m).member); }, meaning }
 
 const std::array<KnownName, 37> names{{
-    {"polygon", Type::polygon, [](const Moment& m) { return Value::of_polygon(m.state().machine.polygon); },
+    {"polygon", Type::polygon, [](const Moment& m) { return Quantity::of_polygon(m.state().machine.polygon); },
      "the polygon at work"},
-    {"facet", Type::number, [](const Moment& m) { return Value::of(m.state().machine.facet); }, "the facet at work"},
+    {"facet", Type::number, [](const Moment& m) { return Quantity::of(m.state().machine.facet); }, "the facet at work"},
     {"scan_line", Type::number,
      [](const Moment& m) {
        const auto& line = m.state().machine.scan_line;
        if (!line) lacking(m, "scan line", "scan_line");
-       return Value::of(*line);
+       return Quantity::of(*line);
      },
      "the scan line at work"},
-    {"active", Type::number, [](const Moment& m) { return Value::of(count(m.state().machine.active.size())); },
+    {"active", Type::number, [](const Moment& m) { return Quantity::of(count(m.state().machine.active.size())); },
      "how many edges are active"},
-    {"outline", Type::number, [](const Moment& m) { return Value::of(count(m.state().machine.outline.size())); },
+    {"outline", Type::number, [](const Moment& m) { return Quantity::of(count(m.state().machine.outline.size())); },
      "how many vertices the polygon has as it is drawn"},
     {"stored", Type::number, stored, "the depth buffer's number at the pixel, before this fragment"},
     {"stored_polygon", Type::polygon, stored_polygon, "the polygon seen at the pixel, before this fragment"},
-    {"x", Type::number, [](const Moment& m) { return Value::of(fragment_at(m).x); }, "column of the pixel at work"},
-    {"y", Type::number, [](const Moment& m) { return Value::of(fragment_at(m).y); }, "row of the pixel at work"},
-    {"z", Type::number, [](const Moment& m) { return Value::of(fragment_at(m).z); }, "the polygon's depth at that pixel"},
+    {"x", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).x); }, "column of the pixel at work"},
+    {"y", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).y); }, "row of the pixel at work"},
+    {"z", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).z); }, "the polygon's depth at that pixel"},
     {"nearer", Type::truth,
      [](const Moment& m) {
        const Fragment& fragment = fragment_at(m);
        if (!fragment.nearer) lacking(m, "outcome of a compare", "compare");
-       return Value::of_truth(*fragment.nearer);
+       return Quantity::of_truth(*fragment.nearer);
      },
      "whether the pixel at work won its compare"},
     OF_SPAN(left_edge, "the span's edge on the left"),
@@ -102,7 +102,7 @@ const std::array<KnownName, 37> names{{
     OF_SPAN(z_right, "depth where the span ends"),
     OF_SPAN(dz_dx, "what depth gains from pixel to pixel of the span"),
     {"facing", Type::word,
-     [](const Moment& m) { return Value::of_word(words_of<Facing>[static_cast<std::size_t>(facing_at(m).facing)]); },
+     [](const Moment& m) { return Quantity::of_word(words_of<Facing>[static_cast<std::size_t>(facing_at(m).facing)]); },
      "the verdict of the facing test"},
     OF_FACING(determinant, "the facing test's determinant"),
     OF_FACING(plane_at_eye, "the facet's plane equation at the eye"),
@@ -115,13 +115,13 @@ const std::array<KnownName, 37> names{{
     OF_CAMERA(window, "half the height of the window"),
     OF_CAMERA(near, "z_v of the near plane"),
     OF_CAMERA(far, "z_v of the far plane"),
-    {"width", Type::number, [](const Moment& m) { return Value::of(m.trace().scene().raster.width); }, "columns"},
-    {"height", Type::number, [](const Moment& m) { return Value::of(m.trace().scene().raster.height); }, "rows"},
-    {"polygons", Type::number, [](const Moment& m) { return Value::of(count(m.trace().scene().polygons.size())); },
+    {"width", Type::number, [](const Moment& m) { return Quantity::of(m.trace().scene().raster.width); }, "columns"},
+    {"height", Type::number, [](const Moment& m) { return Quantity::of(m.trace().scene().raster.height); }, "rows"},
+    {"polygons", Type::number, [](const Moment& m) { return Quantity::of(count(m.trace().scene().polygons.size())); },
      "how many polygons the scene has"},
-    {"vertices", Type::number, [](const Moment& m) { return Value::of(count(m.trace().scene().points.size())); },
+    {"vertices", Type::number, [](const Moment& m) { return Quantity::of(count(m.trace().scene().points.size())); },
      "how many vertices the scene has"},
-    {"steps", Type::number, [](const Moment& m) { return Value::of(static_cast<double>(m.trace().size())); },
+    {"steps", Type::number, [](const Moment& m) { return Quantity::of(static_cast<double>(m.trace().size())); },
      "how many steps the run took"},
 }};
 #undef OF_SPAN
@@ -139,4 +139,4 @@ const KnownName* find_known_name(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

@@ -16,6 +16,9 @@
 #include "traces/error.hpp"
 
 namespace zstep {
+
+using namespace classroom;
+
 namespace {
 
 constexpr std::size_t largest_file = 1 << 20;

@@ -10,7 +10,7 @@
 #include "sim/classroom/evaluate.hpp"
 #include "traces/error.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 namespace {
 
 struct Head {
@@ -137,4 +137,4 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
   lesson.conventions.cull = read.truth(conventions, "cull");
 }
 
-}  // namespace zstep
+}  // namespace zstep::classroom

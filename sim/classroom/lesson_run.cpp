@@ -10,6 +10,9 @@
 #include "traces/replay/replay.hpp"
 
 namespace zstep {
+
+using namespace classroom;
+
 namespace {
 
 /// A scene with a file's ending lies beside the lesson; a bare word is a built-in scene.

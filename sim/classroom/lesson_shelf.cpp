@@ -9,6 +9,9 @@
 #include "traces/error.hpp"
 
 namespace zstep {
+
+using namespace classroom;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -9,10 +9,10 @@
 
 #include "traces/replay/replay.hpp"
 
-namespace zstep {
+namespace zstep::classroom {
 
 /// What an expression yields.
-struct Value {
+struct Quantity {
   enum class Type : std::uint8_t {
     number,
     truth,    ///< number is 0 or 1
@@ -23,10 +23,10 @@ struct Value {
   double number = 0;
   std::string word;
 
-  static Value of(double number) { return {Type::number, number, {}}; }
-  static Value of_truth(bool truth) { return {Type::truth, truth ? 1.0 : 0.0, {}}; }
-  static Value of_polygon(std::int32_t polygon) { return {Type::polygon, static_cast<double>(polygon), {}}; }
-  static Value of_word(std::string_view word) { return {Type::word, 0, std::string(word)}; }
+  static Quantity of(double number) { return {Type::number, number, {}}; }
+  static Quantity of_truth(bool truth) { return {Type::truth, truth ? 1.0 : 0.0, {}}; }
+  static Quantity of_polygon(std::int32_t polygon) { return {Type::polygon, static_cast<double>(polygon), {}}; }
+  static Quantity of_word(std::string_view word) { return {Type::word, 0, std::string(word)}; }
 };
 
 /// A moment: a step, and the state it is looked at in. The state is only rebuilt when a name asks for it.
@@ -53,19 +53,19 @@ class Moment {
 
 /// A field of a kind of event: its type and, for an enumeration, its words. None if the kind has no such field.
 struct FieldType {
-  Value::Type type;
+  Quantity::Type type;
   std::span<const std::string_view> words;
 };
 std::optional<FieldType> field_type(std::uint8_t kind, std::string_view name);
 /// The fields of a kind, "x, y, z, nearer".
 std::string field_names(std::uint8_t kind);
-std::optional<Value> field_value(const Event& event, std::string_view name);
+std::optional<Quantity> field_value(const Event& event, std::string_view name);
 
 /// What the run knows: `stored`, `scan_line`, `x_left`, `rho`.
 struct KnownName {
   std::string_view name;
-  Value::Type type;
-  Value (*value)(const Moment&);  ///< throws InputError when there is no such thing at that moment
+  Quantity::Type type;
+  Quantity (*value)(const Moment&);  ///< throws InputError when there is no such thing at that moment
   std::string_view meaning;
 };
 std::span<const KnownName> known_names();
@@ -75,11 +75,11 @@ const KnownName* find_known_name(std::string_view name);
 struct KnownFunction {
   std::string_view name;
   std::size_t arguments;
-  Value::Type type;
-  Value (*value)(const Moment&, std::span<const double>);
+  Quantity::Type type;
+  Quantity (*value)(const Moment&, std::span<const double>);
   std::string_view meaning;
 };
 std::span<const KnownFunction> known_functions();
 const KnownFunction* find_known_function(std::string_view name);
 
-}  // namespace zstep
+}  // namespace zstep::classroom
