@@ -66,7 +66,7 @@ double counted(const Expression& expression, const Moment& moment) {
 }  // namespace
 
 bool same_number(double a, double b) {
-  if (a == b) return true;
+  if (a == b || !std::isfinite(a) || !std::isfinite(b)) return a == b;
   return std::abs(a - b) <= 1e-9 * std::max({1.0, std::abs(a), std::abs(b)});
 }
 

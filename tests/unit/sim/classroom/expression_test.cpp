@@ -51,6 +51,7 @@ TEST_CASE("comparisons, and, or, not: `and` binds closer than `or`, `not` closes
   CHECK(small.number(1, "2 ≠ 3 and 2 ≤ 2 and 2 != 3 and 2 <= 2 and 2 > 1") == 1);
   CHECK(small.number(1, "0.1 + 0.2 == 0.3") == 1);
   CHECK(small.number(1, "infinity == infinity") == 1);
+  CHECK(small.number(1, "5 == infinity or -infinity == infinity") == 0);
 }
 
 TEST_CASE("names are the step's fields first, then what the run knows") {
