@@ -1,0 +1,117 @@
+#include "tests/mesa/mesa.hpp"
+
+#include <GL/osmesa.h>
+
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace zstep::test {
+
+namespace {
+
+using Context = std::unique_ptr<osmesa_context, decltype(&OSMesaDestroyContext)>;
+
+struct Canvas {
+  std::vector<std::uint8_t> rgba;
+  Context context{nullptr, &OSMesaDestroyContext};
+
+  Canvas(std::int32_t width, std::int32_t height)
+      : rgba(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4) {
+    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 32, 0};
+    context.reset(OSMesaCreateContextAttribs(attributes, nullptr));
+    if (!context || !OSMesaMakeCurrent(context.get(), rgba.data(), GL_UNSIGNED_BYTE, width, height)) {
+      throw std::runtime_error("OSMesa gives no context");
+    }
+  }
+};
+
+// From view to OpenGL's clip coordinates, made from the camera's description alone and not with zstep's own code: a
+// frustum (or a box) around z_v, with z_v = near at -1 and z_v = far at +1.
+glm::dmat4 clip_matrix(const Camera& camera, const Raster& raster) {
+  const double window_x = camera.window * raster.width / raster.height, window_y = camera.window;
+  const double near = camera.near, far = camera.far;
+  glm::dmat4 matrix(0.0);
+  if (camera.kind == Camera::Kind::orthographic) {
+    matrix[0][0] = 1 / window_x;
+    matrix[1][1] = 1 / window_y;
+    matrix[2][2] = 2 / (far - near);
+    matrix[3][2] = -(far + near) / (far - near);
+    matrix[3][3] = 1;
+  } else {
+    matrix[0][0] = camera.d / window_x;
+    matrix[1][1] = camera.d / window_y;
+    matrix[2][2] = (far + near) / (far - near);
+    matrix[3][2] = -2 * far * near / (far - near);
+    matrix[2][3] = 1;
+  }
+  return matrix;
+}
+
+void draw_facets(const Scene& scene) {
+  for (const Facet& facet : scene.facets) {
+    const auto id = static_cast<std::uint32_t>(facet.polygon + 1);  // 0 is the background
+    glColor3ub(static_cast<GLubyte>(id), static_cast<GLubyte>(id >> 8), static_cast<GLubyte>(id >> 16));
+    glBegin(GL_POLYGON);
+    for (std::int32_t i = 0; i < facet.corner_count; ++i) {
+      const std::int32_t corner = scene.corners[static_cast<std::size_t>(facet.first_corner + i)];
+      glVertex3dv(glm::value_ptr(scene.points[static_cast<std::size_t>(corner)]));
+    }
+    glEnd();
+  }
+}
+
+// z_v from OpenGL's depth, 0 … 1 for near … far.
+double linearised(const Camera& camera, double depth) {
+  const double near = camera.near, far = camera.far;
+  if (camera.kind == Camera::Kind::orthographic) return near + depth * (far - near);
+  return near * far / (far - depth * (far - near));
+}
+
+}  // namespace
+
+Picture draw_with_mesa(const Scene& scene, bool cull) {
+  Canvas canvas(scene.raster.width, scene.raster.height);
+  glViewport(0, 0, scene.raster.width, scene.raster.height);
+  glMatrixMode(GL_PROJECTION);
+  glLoadMatrixd(glm::value_ptr(clip_matrix(scene.camera, scene.raster)));
+  glMatrixMode(GL_MODELVIEW);
+  glLoadMatrixd(glm::value_ptr(scene.camera.view));
+  glDisable(GL_DITHER);
+  glShadeModel(GL_FLAT);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glFrontFace(GL_CCW);
+  glCullFace(GL_BACK);
+  if (cull) glEnable(GL_CULL_FACE);
+  glClearColor(0, 0, 0, 0);
+  glClearDepth(1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  draw_facets(scene);
+  glFinish();
+
+  Picture picture(scene.raster.width, scene.raster.height);
+  std::vector<std::uint32_t> depth(picture.polygon.size());
+  glReadPixels(0, 0, picture.width, picture.height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth.data());
+  if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL reports an error");
+  for (std::int32_t y = 0; y < picture.height; ++y) {
+    for (std::int32_t x = 0; x < picture.width; ++x) {
+      const std::size_t from = picture.at(x, picture.height - 1 - y),
+                        to = picture.at(x, y);  // OpenGL counts rows upwards
+      const std::uint8_t* rgba = &canvas.rgba[from * 4];
+      picture.polygon[to] = (rgba[0] | rgba[1] << 8 | rgba[2] << 16) - 1;
+      if (picture.polygon[to] != no_polygon) picture.depth[to] = linearised(scene.camera, depth[from] / 4294967295.0);
+    }
+  }
+  return picture;
+}
+
+std::string mesa_version() {
+  const Canvas canvas(4, 4);
+  const auto text = [](GLenum name) { return std::string(reinterpret_cast<const char*>(glGetString(name))); };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+}  // namespace zstep::test
