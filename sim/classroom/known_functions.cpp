@@ -86,7 +86,7 @@ double radians(double degrees) { return degrees * (3.14159265358979323846 / 180)
 #define ARITHMETIC(name, count, value, meaning) \
   KnownFunction { name, count, Type::number, [](const Moment&, Args a) { return Quantity::of(value); }, meaning }
 
-const std::array<KnownFunction, 34> functions{{
+const std::array<KnownFunction, 35> functions{{
     {"depth", 2, Type::number, [](const Moment& m, Args a) { return Quantity::of(m.state().picture.depth[pixel(m, a)]); },
      "depth(x, y): the depth buffer there"},
     {"frame", 2, Type::polygon,
@@ -132,6 +132,13 @@ const std::array<KnownFunction, 34> functions{{
        return Quantity::of(view_depth(m.trace().scene().camera, m.trace().header().conventions, a[0]));
      },
      "view_depth(z): z_v of a number in the depth buffer"},
+    {"pseudodepth", 1, Type::number,
+     [](const Moment& m, Args a) {
+       const Camera& camera = m.trace().scene().camera;
+       const double range = camera.far - camera.near;
+       return Quantity::of((camera.far + camera.near) / range - 2 * camera.far * camera.near / range / a[0]);
+     },
+     "pseudodepth(z_v): the number that perspective gives to this distance"},
     ARITHMETIC("abs", 1, std::abs(a[0]), "abs(a)"),
     ARITHMETIC("ceil", 1, std::ceil(a[0]), "ceil(a): rounded up"),
     ARITHMETIC("floor", 1, std::floor(a[0]), "floor(a): rounded down"),

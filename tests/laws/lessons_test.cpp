@@ -1,0 +1,282 @@
+// What every lesson must hold: it runs, it says only what its trace shows, it asks before it answers, and it is short.
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "sim/classroom/lesson.hpp"
+#include "sim/classroom/markdown.hpp"
+#include "traces/replay/replay.hpp"
+
+namespace zstep {
+namespace {
+
+struct Course {
+  std::vector<Lesson> written;  // as in the files, braces and all
+  std::vector<Lesson> told;     // after the run
+  std::vector<Trace> traces;
+};
+
+const Course& course() {
+  static const Course all = [] {
+    Course made;
+    made.written = all_lessons();
+    made.told = made.written;
+    for (Lesson& lesson : made.told) made.traces.push_back(run_lesson(lesson));
+    return made;
+  }();
+  return all;
+}
+
+std::string place(const Lesson& lesson, const Stop& stop) { return lesson.path.filename().string() + ":" + std::to_string(stop.line); }
+
+/// The text without what braces and code spans vouch for; each leaves a space.
+std::string without_braces(const std::string& text) {
+  std::string left;
+  bool brace = false, code = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.compare(i, 3, "```") == 0) i += 2;  // what stands in a block of code is said, too
+    else if (text[i] == '{') brace = true;
+    else if (text[i] == '}') brace = false;
+    else if (text[i] == '`') code = !code;
+    else if (!brace && !code) left += text[i];
+    if (brace || code) left += ' ';
+  }
+  return left;
+}
+
+/// Numerals that no brace vouches for and that name nothing ("edge 2", "rows 4 and 5", z_1, 3-4-5): claims left unchecked.
+std::string bare_numerals(const std::string& text) {
+  static const std::set<std::string> labels{"edge", "edges", "corner", "corners", "row", "rows", "pixel", "cell"};
+  std::istringstream words(without_braces(text));
+  std::string word, bare;
+  bool label = false;
+  while (words >> word) {
+    const bool numeral = std::isdigit(static_cast<unsigned char>(word[word.find_first_not_of("([−-") == std::string::npos ? 0 : word.find_first_not_of("([−-")])) &&
+                         word.find_first_of("_-", 1) == std::string::npos;
+    if (numeral && !label) bare += word + " ";
+    if (numeral || word == "and" || word == "to") continue;
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    label = labels.count(word) > 0;
+  }
+  return bare;
+}
+
+/// Sentences of a text, code blocks and lists left aside.
+int sentences(const std::string& text) {
+  int count = 0;
+  for (const TextBlock& block : parse_markdown(text)) {
+    if (block.kind != TextBlock::Kind::paragraph) continue;
+    const std::string words = plain_text({block});
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const bool ends = words[i] == '.' || words[i] == '?' || words[i] == '!' || (words[i] == ':' && i + 1 == words.size());
+      if (ends && (i + 1 == words.size() || words[i + 1] == ' ')) ++count;
+    }
+  }
+  return count;
+}
+
+TEST_CASE("the five lessons stand in teaching order") {
+  std::vector<std::string> ids;
+  for (const Lesson& lesson : course().written) ids.push_back(lesson.id);
+  CHECK(ids == std::vector<std::string>{"viewing", "back-faces", "edge-table", "z-buffer", "worked-example"});
+  for (const Lesson& lesson : course().written) {
+    CHECK(find_lesson(lesson.id).title == lesson.title);
+    CHECK(find_lesson(lesson.path.string()).title == lesson.title);
+  }
+}
+
+TEST_CASE("every stop is found in the lesson's own run, in order") {
+  for (std::size_t i = 0; i < course().told.size(); ++i) {
+    const Lesson& lesson = course().told[i];
+    CHECK(lesson.stops.size() >= 8);
+    CHECK(lesson.stops.size() <= 25);  // ten minutes
+    std::int64_t last = 0;
+    for (const Stop& stop : lesson.stops) {
+      CAPTURE(place(lesson, stop));
+      CHECK(stop.position >= last);
+      CHECK(stop.position <= course().traces[i].size());
+      last = stop.position;
+    }
+  }
+}
+
+TEST_CASE("nothing is left unfilled") {
+  for (const Lesson& lesson : course().told) {
+    for (const Stop& stop : lesson.stops) {
+      CAPTURE(place(lesson, stop));
+      std::string all = stop.heading + stop.text;
+      if (stop.question) {
+        all += stop.question->text;
+        for (const Answer& answer : stop.question->answers) all += answer.text + answer.reply;
+      }
+      CHECK(all.find_first_of("{}") == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("every number that is said is held against the trace") {
+  for (const Lesson& lesson : course().written) {
+    for (const Stop& stop : lesson.stops) {
+      if (stop.heading == "Try it") continue;  // says what to do, not what is
+      CAPTURE(place(lesson, stop));
+      CHECK(bare_numerals(stop.heading) == "");
+      CHECK(bare_numerals(stop.text) == "");
+      if (!stop.question) continue;
+      CHECK(bare_numerals(stop.question->text) == "");
+      for (const Answer& answer : stop.question->answers) {
+        if (answer.right) CHECK(bare_numerals(answer.text) == "");
+        CHECK(bare_numerals(answer.reply) == "");
+      }
+    }
+  }
+}
+
+TEST_CASE("every question has one right answer, and a reply to each") {
+  for (const Lesson& lesson : course().told) {
+    CAPTURE(lesson.id);
+    int questions = 0;
+    std::set<std::size_t> right_places;
+    for (const Stop& stop : lesson.stops) {
+      if (!stop.question) continue;
+      CAPTURE(place(lesson, stop));
+      ++questions;
+      std::set<std::string> texts, replies;
+      int right = 0;
+      for (std::size_t i = 0; i < stop.question->answers.size(); ++i) {
+        const Answer& answer = stop.question->answers[i];
+        if (answer.right) right_places.insert(i);
+        right += answer.right;
+        texts.insert(answer.text);
+        replies.insert(answer.reply);
+        CHECK(answer.reply.size() > 10);
+        CHECK(answer.reply.find("try again") == std::string::npos);
+        CHECK(sentences(answer.reply) <= 3);
+      }
+      CHECK(right == 1);
+      CHECK(stop.question->answers.size() >= 3);
+      CHECK(texts.size() == stop.question->answers.size());
+      CHECK(replies.size() == stop.question->answers.size());
+    }
+    CHECK(questions >= 4);
+    CHECK(right_places.size() >= 2);  // or the place gives it away
+    CHECK_FALSE(lesson.stops.back().question.has_value());
+  }
+}
+
+TEST_CASE("a question is asked before the step that answers it") {
+  for (const Lesson& lesson : course().told) {
+    for (const Stop& stop : lesson.stops) {
+      CAPTURE(place(lesson, stop));
+      if (stop.heading.substr(0, 8) == "Predict:") CHECK(stop.question.has_value());
+      if (stop.anchor.substr(0, 7) == "before:" && stop.question) CHECK(stop.position < course().traces[static_cast<std::size_t>(&lesson - course().told.data())].size());
+    }
+  }
+}
+
+TEST_CASE("narration is at most two sentences and fits a projector") {
+  for (const Lesson& lesson : course().told) {
+    for (const Stop& stop : lesson.stops) {
+      CAPTURE(place(lesson, stop));
+      CHECK(sentences(stop.text) <= 2);
+      CHECK(stop.heading.size() <= 60);
+      for (const TextBlock& block : parse_markdown(stop.text)) {
+        const std::string words = plain_text({block});
+        if (block.kind != TextBlock::Kind::code) {
+          CHECK(words.size() <= 260);
+          continue;
+        }
+        for (std::size_t at = 0; at < words.size();) {
+          const std::size_t end = std::min(words.find('\n', at), words.size());
+          std::size_t columns = 0;
+          for (std::size_t i = at; i < end; ++i) columns += (static_cast<unsigned char>(words[i]) >> 6) != 2;
+          CHECK_MESSAGE(columns <= 40, words.substr(at, end - at));
+          at = end + 1;
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a lesson has its shape: problem, idea, prediction, failure, cost, and something to try") {
+  for (const Lesson& lesson : course().told) {
+    CAPTURE(lesson.id);
+    const auto has = [&](std::string_view start) {
+      for (const Stop& stop : lesson.stops) {
+        if (stop.heading.substr(0, start.size()) == start) return true;
+      }
+      return false;
+    };
+    CHECK(lesson.stops.front().position == 0);
+    CHECK(has("One idea"));
+    CHECK(has("Predict"));
+    CHECK(has("Where it fails"));
+    CHECK(has("What it costs"));
+    CHECK(lesson.stops.back().heading == "Try it");
+    CHECK(lesson.summary.size() <= 90);
+  }
+}
+
+TEST_CASE("a term is introduced once, in bold") {
+  for (const Lesson& lesson : course().told) {
+    CAPTURE(lesson.id);
+    std::set<std::string> terms;
+    for (const Stop& stop : lesson.stops) {
+      for (const TextBlock& block : parse_markdown(stop.text)) {
+        for (const TextRun& run : block.runs) {
+          if (run.bold) CHECK_MESSAGE(terms.insert(run.text).second, run.text);
+        }
+      }
+    }
+    CHECK_FALSE(terms.empty());
+  }
+}
+
+/// How often an event of kind E fits in a lesson's run, with the state after it at hand.
+template <class E, class Fits>
+int happens(const std::string& id, Fits&& fits) {
+  int count = 0;
+  for (std::size_t i = 0; i < course().told.size(); ++i) {
+    if (course().told[i].id != id) continue;
+    const Trace& trace = course().traces[i];
+    Replay replay(trace);
+    for (std::int64_t position = 1; position <= trace.size(); ++position) {
+      replay.go_to(position);
+      if (const E* event = std::get_if<E>(&replay.current()->event)) count += fits(*event, replay.state().machine);
+    }
+  }
+  return count;
+}
+
+TEST_CASE("each scene takes every branch of its method's idea") {
+  const auto facing = [](Facing wanted) {
+    return happens<FacingTest>("back-faces", [&](const FacingTest& test, const Machine&) { return test.facing == wanted; });
+  };
+  CHECK(facing(Facing::front) > 0);
+  CHECK(facing(Facing::back) > 0);
+  CHECK(facing(Facing::edge_on) == 1);
+
+  for (const char* id : {"back-faces", "z-buffer", "worked-example"}) {
+    CAPTURE(id);
+    const auto compares = [&](auto&& fits) {
+      return happens<DepthCompare>(id, [&](const DepthCompare& compare, const Machine& machine) { return fits(compare, *machine.fragment); });
+    };
+    CHECK(compares([](const DepthCompare& c, const Fragment& f) { return c.nearer && f.stored == no_depth; }) > 0);
+    CHECK(compares([](const DepthCompare& c, const Fragment& f) { return c.nearer && f.stored != no_depth; }) > 0);
+    CHECK(compares([](const DepthCompare& c, const Fragment& f) { return !c.nearer && c.z > f.stored; }) > 0);
+    const int ties = compares([](const DepthCompare& c, const Fragment& f) { return !c.nearer && c.z == f.stored; });
+    CHECK(ties == (std::string(id) == "worked-example" ? 2 : 0));
+  }
+
+  const auto spans = [](auto&& fits) { return happens<SpanBegin>("edge-table", [&](const SpanBegin& span, const Machine& machine) { return fits(span, machine); }); };
+  CHECK(spans([](const SpanBegin& s, const Machine&) { return s.last < s.first; }) > 0);                  // empty, at a corner
+  CHECK(spans([](const SpanBegin& s, const Machine&) { return s.x_left != static_cast<double>(s.first) && s.first <= s.last; }) > 0);  // between pixels
+  CHECK(spans([](const SpanBegin&, const Machine& m) { return m.active.size() == 4; }) > 0);              // two pairs
+  CHECK(happens<EdgeRetire>("edge-table", [](const EdgeRetire&, const Machine& m) { return m.active.size() == 2; }) > 0);
+  CHECK(happens<EdgeTableSkip>("worked-example", [](const EdgeTableSkip& skip, const Machine&) { return skip.why == EdgeSkip::horizontal; }) == 2);
+}
+
+}  // namespace
+}  // namespace zstep

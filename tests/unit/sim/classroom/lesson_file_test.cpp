@@ -1,0 +1,223 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+#include "sim/classroom/lesson.hpp"
+#include "tests/unit/sim/classroom/small_run.hpp"
+
+namespace zstep {
+namespace {
+
+using classroom::complaint;
+using classroom::contains;
+
+const std::string head = "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"delhi\"\nmethod = \"z-buffer\"\n+++\n";  // six lines
+const std::string question =
+    "::: question\nWhich?\n\n- [ ] one\n  more of one\n  > No,\n  > not one.\n- [x] {z}\n  > Yes.\n:::\n";
+
+/// A file of its own for each test, gone with it.
+class LessonFile {
+ public:
+  explicit LessonFile(const std::string& text, const std::string& name = "7-made-up.md") {
+    folder_ = std::filesystem::temp_directory_path() / ("zstep_lesson_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+    std::filesystem::create_directories(folder_);
+    path = folder_ / name;
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  ~LessonFile() { std::filesystem::remove_all(folder_); }
+  LessonFile(const LessonFile&) = delete;
+  LessonFile& operator=(const LessonFile&) = delete;
+
+  std::filesystem::path path;
+
+ private:
+  static inline int count = 0;
+  std::filesystem::path folder_;
+};
+
+/// The complaint about a lesson, without the folder its file lies in.
+std::string load_error(const std::string& text) {
+  const LessonFile file(text);
+  const std::string error = complaint([&] { load_lesson(file.path); });
+  const std::size_t name = error.find("7-made-up.md");
+  return name == std::string::npos ? error : error.substr(name);
+}
+std::string run_error(const std::string& text) {
+  const LessonFile file(text);
+  const std::string error = complaint([&] {
+    Lesson lesson = load_lesson(file.path);
+    run_lesson(lesson);
+  });
+  const std::size_t name = error.find("7-made-up.md");
+  return name == std::string::npos ? error : error.substr(name);
+}
+
+TEST_CASE("a lesson is a head and stops") {
+  const LessonFile file(head + "\n## First {at: start}\n\nHello,\n**you**.\n\n## A tie at {x} {before: compare where not nearer}\n\n" + question + "\n");
+  Lesson lesson = load_lesson(file.path);
+  CHECK(lesson.id == "made-up");
+  CHECK(lesson.title == "T");
+  CHECK(lesson.summary == "S");
+  CHECK(lesson.scene == "delhi");
+  REQUIRE(lesson.stops.size() == 2);
+  CHECK(lesson.stops[0].heading == "First");
+  CHECK(lesson.stops[0].text == "Hello,\n**you**.");
+  CHECK(lesson.stops[0].line == 8);
+  CHECK(lesson.stops[0].text_line == 10);
+  CHECK(lesson.stops[1].anchor == "before: compare where not nearer");
+  REQUIRE(lesson.stops[1].question.has_value());
+  const Question& asked = *lesson.stops[1].question;
+  CHECK(asked.text == "Which?");
+  REQUIRE(asked.answers.size() == 2);
+  CHECK(asked.answers[0].text == "one\nmore of one");
+  CHECK(asked.answers[0].reply == "No,\nnot one.");
+  CHECK_FALSE(asked.answers[0].right);
+  CHECK(asked.answers[1].right);
+  CHECK(asked.answers[1].text == "{z}");
+
+  const Trace trace = run_lesson(lesson);
+  CHECK(lesson.stops[0].position == 0);
+  CHECK(lesson.stops[1].heading == "A tie at 1");  // pixel (1, 3), the first tie of the Delhi example
+  CHECK(std::get<DepthCompare>(trace.event(lesson.stops[1].position + 1).event).y == 3);
+  CHECK(lesson.stops[1].question->answers[1].text == "5");
+}
+
+TEST_CASE("the head sets view and conventions") {
+  const LessonFile file(
+      "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"pyramid\"\nmethod = \"z-buffer\"\n[camera]\nrho = 6\ntheta = 10.5\northographic = true\n"
+      "[raster]\nwidth = 16\nheight = 12\n[conventions]\ndepth = \"view\"\ninterpolation = \"increments\"\ncoverage = \"inclusive\"\ncull = false\n"
+      "+++\n## Here {at: start}\nText.\n");
+  Lesson lesson = load_lesson(file.path);
+  const Trace trace = run_lesson(lesson);
+  CHECK(trace.scene().camera.rho == 6);
+  CHECK(trace.scene().camera.theta == 10.5);
+  CHECK(trace.scene().camera.kind == Camera::Kind::orthographic);
+  CHECK(trace.scene().raster.width == 16);
+  CHECK(trace.scene().raster.height == 12);
+  CHECK(trace.header().conventions == Conventions{Conventions::Depth::view, Conventions::Interpolation::increments, Conventions::Coverage::inclusive, false});
+}
+
+TEST_CASE("unset conventions stay the scene's own") {
+  const LessonFile file(head + "## Here {at: start}\nText.\n");
+  Lesson lesson = load_lesson(file.path);
+  CHECK(run_lesson(lesson).header().conventions.coverage == Conventions::Coverage::inclusive);
+}
+
+TEST_CASE("a scene file is looked for beside the lesson") {
+  const LessonFile file("+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"own.toml\"\nmethod = \"z-buffer\"\n+++\n## Here {at: end}\n{count(compare)}\n");
+  Lesson lesson = load_lesson(file.path);
+  CHECK(contains(complaint([&] { run_lesson(lesson); }), "own.toml"));
+  std::ofstream(file.path.parent_path() / "own.toml") << "coordinates = \"screen\"\n[raster]\nwidth = 4\nheight = 4\n[[polygon]]\npoints = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]]\n";
+  run_lesson(lesson);
+  CHECK(lesson.stops[0].text == "4");
+}
+
+TEST_CASE("Windows line ends and a byte order mark are taken") {
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : head + "## Here {at: start}\nText.\n") {
+    if (c == '\n') text += '\r';
+    text += c;
+  }
+  const LessonFile file(text);
+  CHECK(load_lesson(file.path).stops[0].text == "Text.");
+}
+
+TEST_CASE("a block of code goes in whole") {
+  const LessonFile file(head + "## Here {at: start}\n```\n## no stop\n::: question\nx < 3 {{\n```\n");
+  CHECK(load_lesson(file.path).stops.size() == 1);
+}
+
+TEST_CASE("slips in the head") {
+  CHECK(load_error("") == "7-made-up.md:1: the lesson has no head; begin with a line +++, then title = \"…\"");
+  CHECK(contains(load_error("## Here {at: start}\n"), ":1: the lesson has no head"));
+  CHECK(contains(load_error("+++\ntitle = \"T\"\n"), ":1: the head is not closed; add a second line +++"));
+  CHECK(contains(load_error("+++\ntitle = \"T\"\nsummary = \n+++\n"), ":3: the head is no TOML"));
+  CHECK(contains(load_error("+++\nsummary = \"S\"\n+++\n"), ":2: the head needs a text for `title`; write title = \"…\""));
+  CHECK(contains(load_error("+++\ntitle = 3\n+++\n"), ":2: the head needs a text for `title`"));
+  CHECK(contains(load_error("+++\ntitle = \"T\"\nsumary = \"S\"\n+++\n"), ":3: a lesson's head has no `sumary` (did you mean `summary`?)"));
+  const auto with = [](const std::string& more) { return head.substr(0, head.size() - 4) + more + "+++\n## Here {at: start}\nText.\n"; };
+  CHECK(load_error(with("")) == "");
+  CHECK(contains(load_error(with("[camera]\nrh = 3\n")), ":7: [camera] has no `rh`"));
+  CHECK(contains(load_error(with("[camera]\nrho = \"far\"\n")), ":7: `rho` is no number"));
+  CHECK(contains(load_error(with("[camera]\nrho = inf\n")), ":7: `rho` is no number"));
+  CHECK(contains(load_error(with("[raster]\nwidth = 0\n")), ":7: `width` is no number of pixels"));
+  CHECK(contains(load_error(with("[raster]\nwidth = 2.5\n")), ":7: `width` is no number of pixels"));
+  CHECK(contains(load_error(with("[conventions]\ndepth = \"w\"\n")), ":7: `depth` has a value it does not know; write depth = \"pseudodepth\" or \"view\""));
+  CHECK(contains(load_error(with("[conventions]\ncull = 1\n")), ":7: `cull` is no truth"));
+  CHECK(contains(load_error(with("camera = 3\n")), ":6: `camera` is no table"));
+  CHECK(contains(load_error("+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"delhi\"\nmethod = \"warnok\"\n+++\n## Here {at: start}\nText.\n"), "warnok"));
+}
+
+TEST_CASE("slips in the stops") {
+  CHECK(contains(load_error(head), "the lesson has no stop"));
+  CHECK(contains(load_error(head + "Hello.\n"), ":7: text before the first stop"));
+  CHECK(contains(load_error(head + "# Title\n"), ":7: a heading with one #"));
+  CHECK(contains(load_error(head + "## Here\nText.\n"), ":7: the stop `Here` has no anchor; end its heading with {at: step}"));
+  CHECK(contains(load_error(head + "## {at: start}\nText.\n"), ":7: the stop has no heading"));
+  CHECK(contains(load_error(head + "## Here {at: start}\n\n## There {at: end}\nText.\n"), ":7: the stop says nothing"));
+  CHECK(contains(load_error(head + "## Here {at: cmpare}\nText.\n"), ":7: the method has no step named `cmpare` (did you mean `compare`?)"));
+  CHECK(contains(load_error(head + "## Here {at: compare where w < 3}\nText.\n"), ":7: nothing is called `w`"));
+  CHECK(contains(load_error(head + "## Here {at: compare}\n\nText {z} and\n{zz}.\n"), ":10: nothing is called `zz`"));
+  CHECK(contains(load_error(head + "## Here {at: compare}\nText {z.\n"), ":8: a `{` is not closed on its line"));
+  CHECK(contains(load_error(head + "## Here {at: start}\n```\ncode\n"), ":8: a code block is not closed"));
+  CHECK(contains(load_error(head + "## Here {at: start}\nText \xFF.\n"), ":8: the line is not UTF-8"));
+  CHECK(contains(run_error(head + "## Here {at: clip_cross}\nText.\n"), ":7: `clip_cross` never happens in this run"));
+  CHECK(contains(run_error(head + "## Here {at: end}\nText.\n## There {at: compare}\nText.\n"), ":9: `compare` happens as described 49 times, but not after the stop before this one"));
+  CHECK(contains(run_error(head + "## Here {at: compare}\nText.\n\n{z = 4}\n"), ":10: `{z = 4}` does not hold: it is 5 here"));
+}
+
+TEST_CASE("slips in questions") {
+  const std::string stop = head + "## Here {at: compare}\n";  // line 7
+  CHECK(load_error(stop + question) == "");
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n"), ":8: the question is not closed; add a line `:::`"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n## Next {at: end}\nText.\n"), ":8: the question is not closed"));
+  CHECK(contains(load_error(stop + ":::\n"), ":8: `:::` closes nothing"));
+  CHECK(contains(load_error(stop + "::: quiz\n:::\n"), ":8: a block of the unknown kind `quiz`"));
+  CHECK(contains(load_error(stop + "::: question\n- [x] a\n  > b\n:::\n"), ":8: the question asks nothing"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n:::\n"), ":8: the question has fewer than two answers"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [ ] a\n  > b\n- [ ] c\n  > d\n:::\n"), ":8: the question has 0 right answers; mark exactly one"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n- [x] c\n  > d\n:::\n"), ":8: the question has 2 right answers"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n- [ ] c\n  > d\n:::\n"), ":10: the answer has no reply; say under it, after `  > `"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n- c\n:::\n"), ":12: an answer without its box"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\nmore\n:::\n"), ":12: a line that is neither answer nor reply"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b {q}\n- [ ] c\n  > d\n:::\n"), ":11: nothing is called `q`"));
+  CHECK(contains(load_error(stop + question + question), ":18: a second question at one stop"));
+  CHECK(contains(load_error(stop + question + "More.\n"), ":18: text after a question"));
+  CHECK(contains(load_error(head + question), ":7: a question before the first stop"));
+}
+
+TEST_CASE("what is no lesson file is told so") {
+  CHECK(contains(complaint([] { load_lesson("/nowhere/at-all.md"); }), "the lesson cannot be read"));
+  CHECK(contains(complaint([] { load_lesson("/tmp"); }), "the lesson cannot be read"));
+  CHECK(contains(load_error(std::string((1 << 20) + 1, 'x')), "larger than any lesson"));
+  CHECK(contains(complaint([] { find_lesson("zbuffer"); }), "there is no lesson of this name (did you mean `z-buffer`?); the lessons are viewing, back-faces"));
+}
+
+TEST_CASE("a lesson cut off anywhere is a lesson or one clear complaint") {
+  const std::string whole = head + "\n## First {at: compare where not nearer, first}\n\nHello {z = 5}.\n\n" + question + "\n## Last {at: end}\nEnd.\n";
+  int good = 0;
+  for (std::size_t size = 0; size <= whole.size(); ++size) {
+    const std::string error = load_error(whole.substr(0, size));
+    if (error.empty()) ++good;
+    else CHECK(error.find('\n') == std::string::npos);
+  }
+  CHECK(good > 0);
+}
+
+TEST_CASE("$ZSTEP_LESSONS names another folder, read in the order of its numbers") {
+  const LessonFile file(head + "## Here {at: start}\nText.\n", "10-last.md");
+  const std::filesystem::path folder = file.path.parent_path();
+  std::ofstream(folder / "9-first.md") << head << "## Here {at: start}\nText.\n";
+  std::ofstream(folder / "notes.md") << "not a lesson";
+  setenv("ZSTEP_LESSONS", folder.c_str(), 1);
+  const std::vector<Lesson> lessons = all_lessons();
+  unsetenv("ZSTEP_LESSONS");
+  REQUIRE(lessons.size() == 2);
+  CHECK(lessons[0].id == "first");
+  CHECK(lessons[1].id == "last");
+}
+
+}  // namespace
+}  // namespace zstep
