@@ -1,0 +1,78 @@
+#include "sim/viewer/draw/canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zstep::viewer {
+
+void Canvas::resize(int width, int height) {
+  width_ = std::max(0, width);
+  height_ = std::max(0, height);
+  pixels_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0xff000000u);
+}
+
+void Canvas::fill(Pixel32 color) { std::fill(pixels_.begin(), pixels_.end(), color); }
+
+void Canvas::rectangle(int left, int top, int right, int bottom, Pixel32 color) {
+  left = std::max(left, 0);
+  top = std::max(top, 0);
+  right = std::min(right, width_);
+  bottom = std::min(bottom, height_);
+  for (int y = top; y < bottom; ++y)
+    if (left < right) std::fill(row(y) + left, row(y) + right, color);
+}
+
+namespace {
+
+/// Cuts the segment to the box; false when nothing is left. Keeps far-away ends from costing time.
+bool cut_to(double left, double top, double right, double bottom, double& x0, double& y0, double& x1, double& y1) {
+  double first = 0, last = 1;
+  const double dx = x1 - x0, dy = y1 - y0;
+  const auto side = [&](double p, double q) {
+    if (p == 0) return q >= 0;
+    const double t = q / p;
+    if (p < 0) first = std::max(first, t);
+    else last = std::min(last, t);
+    return first <= last;
+  };
+  if (!side(-dx, x0 - left) || !side(dx, right - x0) || !side(-dy, y0 - top) || !side(dy, bottom - y0)) return false;
+  const double ox = x0, oy = y0;
+  x0 = ox + first * dx;
+  y0 = oy + first * dy;
+  x1 = ox + last * dx;
+  y1 = oy + last * dy;
+  return true;
+}
+
+}  // namespace
+
+void Canvas::line(double x0, double y0, double x1, double y1, double thickness, Pixel32 color) {
+  if (!std::isfinite(x0) || !std::isfinite(y0) || !std::isfinite(x1) || !std::isfinite(y1)) return;
+  if (!cut_to(-4, -4, width_ + 4.0, height_ + 4.0, x0, y0, x1, y1)) return;
+  const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
+  if (steep) {
+    std::swap(x0, y0);
+    std::swap(x1, y1);
+  }
+  if (x0 > x1) {
+    std::swap(x0, x1);
+    std::swap(y0, y1);
+  }
+  // Along the longer axis; across it, coverage falls off linearly around the true width.
+  const double length = x1 - x0, slope = length > 0 ? (y1 - y0) / length : 0;
+  const double half = thickness / 2 * std::sqrt(1 + slope * slope);
+  const int first = static_cast<int>(std::floor(x0)), last = static_cast<int>(std::floor(x1));
+  const int across = steep ? width_ : height_, along = steep ? height_ : width_;
+  for (int u = std::max(first, 0); u <= std::min(last, along - 1); ++u) {
+    const double middle = y0 + (std::clamp(u + 0.5, x0, x1) - x0) * slope;
+    const int low = static_cast<int>(std::floor(middle - half)), high = static_cast<int>(std::floor(middle + half));
+    for (int v = std::max(low, 0); v <= std::min(high, across - 1); ++v) {
+      const double covered = std::min(v + 1.0, middle + half) - std::max<double>(v, middle - half);
+      if (covered <= 0) continue;
+      Pixel32& pixel = steep ? row(u)[v] : row(v)[u];
+      pixel = mixed(pixel, color, static_cast<unsigned>(std::lround(std::min(covered, 1.0) * 255)));
+    }
+  }
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,45 @@
+// A rectangle of pixels that the viewer paints itself: buffers, wireframes, the timeline.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "traces/scene.hpp"
+
+namespace zstep::viewer {
+
+/// 0xAARRGGBB.
+using Pixel32 = std::uint32_t;
+constexpr Pixel32 opaque(Color c) {
+  return 0xff000000u | static_cast<Pixel32>(c.red) << 16 | static_cast<Pixel32>(c.green) << 8 | static_cast<Pixel32>(c.blue);
+}
+/// `share` 0…255 of `top` over `bottom`.
+constexpr Pixel32 mixed(Pixel32 bottom, Pixel32 top, unsigned share) {
+  const auto channel = [&](int shift) {
+    const unsigned b = bottom >> shift & 255u, t = top >> shift & 255u;
+    return ((b * (255u - share) + t * share + 127u) / 255u) << shift;
+  };
+  return 0xff000000u | channel(16) | channel(8) | channel(0);
+}
+
+class Canvas {
+ public:
+  void resize(int width, int height);
+  void fill(Pixel32 color);
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool empty() const { return pixels_.empty(); }
+  Pixel32* row(int y) { return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
+  const Pixel32* row(int y) const { return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
+
+  /// Clipped to the canvas; right and bottom are exclusive.
+  void rectangle(int left, int top, int right, int bottom, Pixel32 color);
+  /// An antialiased line, one to a few pixels wide, by distance to the segment; coverage is mixed over what is there.
+  void line(double x0, double y0, double x1, double y1, double thickness, Pixel32 color);
+
+ private:
+  int width_ = 0, height_ = 0;
+  std::vector<Pixel32> pixels_;
+};
+
+}  // namespace zstep::viewer

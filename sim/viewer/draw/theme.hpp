@@ -1,0 +1,29 @@
+// Colours. Three accents mean the same in every pane, each with a second sign: now (frame, arrow), changed by this step
+// (filled corner), selected (double frame).
+#pragma once
+
+#include <imgui.h>
+
+#include "sim/viewer/draw/canvas.hpp"
+
+namespace zstep::viewer {
+
+struct Theme {
+  ImU32 window, pane, text, muted, rule, head;  ///< head: behind a pane's title
+  ImU32 now, now_soft;                          ///< soft: a band behind text
+  ImU32 changed, changed_soft;
+  ImU32 selected, selected_soft;
+  ImU32 good, bad;                              ///< replies to answers
+  ImU32 button, button_hovered;
+  ImU32 grid;                                   ///< between a raster's cells
+  ImU32 empty, empty_hatch;                     ///< a depth of infinity
+};
+
+const Theme& light_theme();
+const Theme& dark_theme();
+
+constexpr Pixel32 to_pixel(ImU32 c) { return 0xff000000u | (c & 0xffu) << 16 | (c & 0xff00u) | (c >> 16 & 0xffu); }
+constexpr ImU32 to_im(Pixel32 c) { return 0xff000000u | (c & 0xffu) << 16 | (c & 0xff00u) | (c >> 16 & 0xffu); }
+constexpr ImU32 with_alpha(ImU32 c, unsigned alpha) { return (c & 0x00ffffffu) | alpha << 24; }
+
+}  // namespace zstep::viewer

@@ -1,0 +1,53 @@
+// Zoom and pan of the two buffers, linked: where each cell of the raster lies in a pane.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "sim/viewer/model/session.hpp"
+
+namespace zstep::viewer {
+
+struct RasterView {
+  double zoom = 1;                   ///< 1: the whole raster fits the pane
+  double center_x = 0, center_y = 0; ///< the raster point in the middle of the pane while zoomed in, in cells from the centre
+};
+
+/// The raster laid into a box of pixels. Raster coordinates have pixel centres at integers.
+struct RasterMap {
+  int width = 1, height = 1;  ///< cells
+  bool y_up = false;
+  double cell = 1;            ///< pixels a cell
+  double left = 0, top = 0;   ///< of the raster's corner inside the box, in pixels
+  int box_width = 1, box_height = 1;
+
+  RasterMap(const Raster& raster, const RasterView& view, int box_width_, int box_height_);
+
+  double px(double x) const { return left + (x + 0.5) * cell; }
+  double py(double y) const { return top + ((y_up ? height - 1 - y : y) + 0.5) * cell; }
+  /// Pixel bounds of column x and of row y; whole pixels, so that neighbours share a border.
+  int column_begin(int x) const { return static_cast<int>(std::lround(left + x * cell)); }
+  int row_begin(int y) const { return static_cast<int>(std::lround(top + (y_up ? height - 1 - y : y) * cell)); }
+  int row_end(int y) const { return static_cast<int>(std::lround(top + (y_up ? height - y : y + 1) * cell)); }
+  std::optional<Cell> cell_at(double pixel_x, double pixel_y) const;
+};
+
+inline RasterMap::RasterMap(const Raster& raster, const RasterView& view, int box_width_, int box_height_)
+    : width(std::max(1, raster.width)), height(std::max(1, raster.height)), y_up(raster.y_up),
+      box_width(std::max(1, box_width_)), box_height(std::max(1, box_height_)) {
+  double fit = std::min(static_cast<double>(box_width) / width, static_cast<double>(box_height) / height);
+  if (fit > 2) fit = std::floor(fit);  // whole pixels make an even grid
+  cell = fit * view.zoom;
+  if (cell > 2) cell = std::floor(cell);
+  left = std::floor((box_width - width * cell) / 2 - view.center_x * cell);
+  top = std::floor((box_height - height * cell) / 2 - view.center_y * cell);
+}
+
+inline std::optional<Cell> RasterMap::cell_at(double pixel_x, double pixel_y) const {
+  const int x = static_cast<int>(std::floor((pixel_x - left) / cell)), row = static_cast<int>(std::floor((pixel_y - top) / cell));
+  if (x < 0 || row < 0 || x >= width || row >= height) return std::nullopt;
+  return Cell{x, y_up ? height - 1 - row : row};
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,243 @@
+#include "sim/viewer/model/session.hpp"
+
+#include <algorithm>
+
+namespace zstep::viewer {
+
+const char* unit_word(Unit unit) {
+  switch (unit) {
+    case Unit::event: return "step";
+    case Unit::pixel: return "pixel";
+    case Unit::span: return "span";
+    case Unit::scan_line: return "scan line";
+    case Unit::polygon: return "polygon";
+  }
+  return "step";
+}
+
+Session::Session(const Trace& trace, const Lesson* lesson)
+    : trace_(trace), lesson_(lesson), replay_(trace), chosen_(lesson ? lesson->stops.size() : 0) {
+  stop_ = stop_at(0);
+}
+
+void Session::go_to(std::int64_t position, Unit unit) {
+  const std::int64_t from = this->position(), to = std::clamp<std::int64_t>(position, 0, size());
+  const bool was_open = question_open();
+  const int was_stop = stop_;
+  if (to == from && unit == unit_ && message.empty()) return;
+  unit_ = unit;
+  if (to != from) {
+    replay_.go_to(to);
+    selected_edge.reset();
+    stop_ = stop_at(to);
+    nudged = was_open && to > from && stop_ >= was_stop;
+  }
+  arrived();
+}
+
+void Session::arrived() {
+  before_.reset();
+  changed_.reset();
+  message.clear();
+  touch();
+}
+
+void Session::move(Unit unit, int direction) {
+  const std::int64_t at = position();
+  if ((direction > 0 && at == size()) || (direction < 0 && at == 0)) {
+    message = direction > 0 ? "This is the end of the trace." : "This is the beginning of the trace.";
+    touch();
+    return;
+  }
+  if (unit == Unit::event) return go_to(at + direction, unit);
+  go_to(direction > 0 ? next_unit(trace_, at, unit) : previous_unit(trace_, at, unit), unit);
+}
+
+bool Session::to_step(std::uint8_t step, int direction) {
+  const auto same = [step](const RecordedEvent& e) { return e.step == step; };
+  const auto found = direction > 0 ? trace_.next(position(), same) : trace_.previous(position(), same);
+  if (found) {
+    go_to(*found);
+    return true;
+  }
+  message = direction > 0 ? "This line does not run again." : "This line did not run before.";
+  touch();
+  return false;
+}
+
+bool Session::to_selected_pixel(int direction) {
+  if (!selected) {
+    message = "Click a pixel first; then F runs to the next step that touches it.";
+    touch();
+    return false;
+  }
+  const Cell cell = *selected;
+  const auto touches = [cell](const RecordedEvent& e) {
+    const auto pixel = pixel_of(e.event);
+    return pixel && pixel->x == cell.x && pixel->y == cell.y;
+  };
+  const Trace::Pixel pixel{cell.x, cell.y};
+  const auto found = direction > 0 ? trace_.next(position(), touches, pixel) : trace_.previous(position(), touches, pixel);
+  if (found) {
+    go_to(*found);
+    return true;
+  }
+  message = direction > 0 ? "No later step touches this pixel." : "No earlier step touches this pixel.";
+  touch();
+  return false;
+}
+
+void Session::select(std::optional<Cell> cell) {
+  selected = cell;
+  touch();
+}
+
+// --- Before and after
+
+std::int64_t Session::before() const {
+  if (!before_) {
+    if (position() == 0) before_ = 0;
+    else before_ = unit_ == Unit::event ? position() - 1 : previous_unit(trace_, position(), unit_);
+  }
+  return *before_;
+}
+
+const std::vector<Cell>& Session::changed() const {
+  if (changed_) return *changed_;
+  changed_.emplace();
+  constexpr std::int64_t readable = 200'000;  // beyond, marks would cover the picture and cost more than a frame
+  if (position() - before() > readable) return *changed_;
+  for (std::int64_t p = before() + 1; p <= position(); ++p) {
+    const Event& event = trace_.event(p).event;
+    if (!std::holds_alternative<DepthWrite>(event) && !std::holds_alternative<PixelWrite>(event)) continue;
+    const auto pixel = pixel_of(event);
+    if (pixel && (changed_->empty() || changed_->back() != Cell{pixel->x, pixel->y})) changed_->push_back({pixel->x, pixel->y});
+  }
+  return *changed_;
+}
+
+const Picture& Session::picture() const {
+  if (!looking_back) return state().picture;
+  if (!replay_before_) replay_before_.emplace(trace_);
+  replay_before_->go_to(before());
+  return replay_before_->state().picture;
+}
+
+std::optional<Cell> Session::current_cell() const {
+  if (!event()) return std::nullopt;
+  if (const auto pixel = pixel_of(event()->event)) return Cell{pixel->x, pixel->y};
+  return std::nullopt;
+}
+
+// --- Lesson
+
+int Session::stop_at(std::int64_t position) const {
+  if (!lesson_) return -1;
+  const auto& stops = lesson_->stops;
+  // Where several speak at one position, arriving there begins with the first; later the last one has the word.
+  int found = -1;
+  for (int i = 0; i < static_cast<int>(stops.size()); ++i) {
+    const std::int64_t at = stops[static_cast<std::size_t>(i)].position;
+    if (at == position) return i;
+    if (at < position) found = i;
+  }
+  return found;
+}
+
+void Session::to_stop(int index) {
+  if (!lesson_ || lesson_->stops.empty()) return;
+  index = std::clamp(index, 0, static_cast<int>(lesson_->stops.size()) - 1);
+  unit_ = Unit::event;
+  replay_.go_to(lesson_->stops[static_cast<std::size_t>(index)].position);
+  stop_ = index;
+  nudged = false;
+  selected_edge.reset();
+  arrived();
+}
+
+void Session::next_stop(int direction) {
+  if (!lesson_ || lesson_->stops.empty()) {
+    message = "There is no lesson here; open one with: zstep lesson";
+    touch();
+    return;
+  }
+  const int count = static_cast<int>(lesson_->stops.size());
+  int target = stop_ + direction;
+  // Going back from between two stops returns to the one that still speaks.
+  if (direction < 0 && stop_ >= 0 && position() > lesson_->stops[static_cast<std::size_t>(stop_)].position) target = stop_;
+  if (target < 0 || target >= count) {
+    message = direction > 0 ? "This was the last stop of the lesson." : "This is the first stop of the lesson.";
+    touch();
+    return;
+  }
+  to_stop(target);
+}
+
+bool Session::question_open() const {
+  if (stop_ < 0) return false;
+  const auto& question = lesson_->stops[static_cast<std::size_t>(stop_)].question;
+  if (!question) return false;
+  const auto given = chosen(stop_);
+  return !given || !question->answers[static_cast<std::size_t>(*given)].right;
+}
+
+void Session::answer(int choice) {
+  if (stop_ < 0) return;
+  const auto& question = lesson_->stops[static_cast<std::size_t>(stop_)].question;
+  if (!question || choice < 0 || choice >= static_cast<int>(question->answers.size())) return;
+  chosen_[static_cast<std::size_t>(stop_)] = choice;
+  nudged = false;
+  touch();
+}
+
+// --- Playing
+
+const std::vector<Session::Speed>& Session::speeds() {
+  static const std::vector<Speed> all{
+      {"1 step/s", 1, {}},     {"2 steps/s", 2, {}},   {"5 steps/s", 5, {}},     {"10 steps/s", 10, {}},
+      {"30 steps/s", 30, {}},  {"100 steps/s", 100, {}}, {"500 steps/s", 500, {}}, {"a span a frame", 0, Unit::span},
+      {"a line a frame", 0, Unit::scan_line}, {"a polygon a frame", 0, Unit::polygon}};
+  return all;
+}
+
+double Session::play(double now) {
+  constexpr double frame = 1.0 / 60, words_a_second = 3.5;
+  if (played_until_ < 0 || now - played_until_ > 1) played_until_ = now;
+  const double passed = now - played_until_;
+  played_until_ = now;
+  if (!playing) {
+    owed_ = 0;
+    reading_until_ = played_until_ = -1;
+    return 3600;
+  }
+  if (reading_until_ > now) return reading_until_ - now;
+  const Speed& s = speeds()[static_cast<std::size_t>(speed)];
+  std::int64_t to = position();
+  if (s.unit_a_frame) {
+    to = next_unit(trace_, position(), *s.unit_a_frame);
+  } else {
+    owed_ = std::min(owed_ + passed * s.steps_a_second, s.steps_a_second);
+    to = position() + static_cast<std::int64_t>(owed_);
+    owed_ -= static_cast<double>(static_cast<std::int64_t>(owed_));
+  }
+  // The lesson has the word: halt where it speaks, for as long as reading takes, or until its question is answered.
+  if (lesson_ && to > position())
+    for (std::size_t i = 0; i < lesson_->stops.size(); ++i) {
+      const Stop& stop = lesson_->stops[i];
+      if (stop.position <= position() || stop.position > to) continue;
+      to = stop.position;
+      owed_ = 0;
+      if (stop.question && !chosen_[i]) playing = false;
+      else reading_until_ = now + 2 + static_cast<double>(std::count(stop.text.begin(), stop.text.end(), ' ')) / words_a_second;
+      break;
+    }
+  if (to != position()) go_to(to, s.unit_a_frame.value_or(Unit::event));
+  if (position() == size()) {
+    playing = false;
+    touch();
+  }
+  if (s.unit_a_frame) return frame;
+  return std::max(frame, (1 - owed_) / s.steps_a_second);
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,95 @@
+// Where a reader is in a trace, and what follows from it. Knows no window; what is shown is a function of this alone.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/classroom/lesson.hpp"
+#include "traces/replay/replay.hpp"
+
+namespace zstep::viewer {
+
+struct Cell {
+  std::int32_t x = 0, y = 0;
+  bool operator==(const Cell&) const = default;
+};
+
+class Session {
+ public:
+  Session(const Trace& trace, const Lesson* lesson);
+
+  const Trace& trace() const { return trace_; }
+  const Scene& scene() const { return trace_.scene(); }
+  const Header& header() const { return trace_.header(); }
+  const Lesson* lesson() const { return lesson_; }
+  const State& state() const { return replay_.state(); }
+  const RecordedEvent* event() const { return replay_.current(); }
+  std::int64_t position() const { return replay_.position(); }
+  std::int64_t size() const { return trace_.size(); }
+
+  // --- Moving. All clamp to the trace; what is shown as "changed by this step" spans the unit of the last move.
+  void go_to(std::int64_t position, Unit unit = Unit::event);
+  void move(Unit unit, int direction);
+  /// To the next (or previous) event of this step of the pseudo-code. False, and a message, when there is none.
+  bool to_step(std::uint8_t step, int direction);
+  /// To the next (or previous) event that touches the selected pixel.
+  bool to_selected_pixel(int direction);
+
+  // --- Before and after
+  Unit unit() const { return unit_; }
+  std::int64_t before() const;               ///< where the last move's unit began
+  const std::vector<Cell>& changed() const;  ///< cells written since before()
+  bool looking_back = false;                 ///< show the buffers as they were at before()
+  const Picture& picture() const;            ///< the buffers, or those of before()
+  std::optional<Cell> current_cell() const;  ///< the pixel of the current event, or that at work
+
+  // --- Lesson
+  int stop() const { return stop_; }         ///< index of the stop that speaks, −1 before the first
+  void to_stop(int index);
+  void next_stop(int direction);
+  void answer(int choice);
+  std::optional<int> chosen(int stop) const { return chosen_[static_cast<std::size_t>(stop)]; }
+  bool question_open() const;                ///< the current stop asks and has no right answer yet
+  bool nudged = false;                       ///< stepped on while the question was open
+
+  // --- Selected and pointed at, the same in every pane
+  std::optional<Cell> selected;
+  std::optional<std::int32_t> selected_edge, hovered_edge, selected_vertex;
+  std::optional<std::int32_t> lit_edge() const { return hovered_edge ? hovered_edge : selected_edge; }
+  void select(std::optional<Cell> cell);
+
+  // --- Playing
+  bool playing = false;
+  int speed = 2;                             ///< index into speeds()
+  struct Speed { const char* name; double steps_a_second; std::optional<Unit> unit_a_frame; };
+  static const std::vector<Speed>& speeds();
+  /// Plays on; `now` in seconds of any clock. Returns in how many seconds the next picture is due, 0 for at once.
+  double play(double now);
+
+  std::string message;                       ///< one sentence for the reader, until the next move
+  std::uint64_t revision() const { return revision_; }  ///< grows with every change of what is shown
+  void touch() { ++revision_; }
+
+ private:
+  void arrived();
+  int stop_at(std::int64_t position) const;
+
+  const Trace& trace_;
+  const Lesson* lesson_;
+  Replay replay_;
+  mutable std::optional<Replay> replay_before_;
+  Unit unit_ = Unit::event;
+  mutable std::optional<std::int64_t> before_;
+  mutable std::optional<std::vector<Cell>> changed_;
+  int stop_ = -1;
+  std::vector<std::optional<int>> chosen_;
+  double played_until_ = -1, owed_ = 0, reading_until_ = -1;
+  std::uint64_t revision_ = 1;
+};
+
+/// "event", "pixel", …: the word for one and where it is said.
+const char* unit_word(Unit unit);
+
+}  // namespace zstep::viewer

@@ -1,0 +1,86 @@
+// The active edge list, left to right, with the edge that enters, steps or leaves.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+struct Mark { std::string word; bool now = false; };
+
+Mark mark_of(const Machine& machine, const RecordedEvent* event, std::size_t place) {
+  const std::int32_t edge = machine.active[place].edge;
+  if (event) {
+    if (const auto* e = std::get_if<EdgeEnter>(&event->event); e && e->edge == edge) return {"\u2192 enters", true};
+    if (const auto* e = std::get_if<EdgeStep>(&event->event); e && e->edge == edge) return {"\u2193 steps", true};
+    if (const auto* e = std::get_if<EdgeSwap>(&event->event); e && (place == static_cast<std::size_t>(e->place) || place == static_cast<std::size_t>(e->place) + 1))
+      return {"\u2195 swapped", true};
+  }
+  const bool on_event = event && std::holds_alternative<SpanBegin>(event->event);
+  if (machine.span && machine.scan_line == machine.span->y) {
+    if (machine.span->left_edge == edge) return {"left", on_event};
+    if (machine.span->right_edge == edge) return {"right", on_event};
+  }
+  return {};
+}
+
+TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
+  const Machine& machine = s.state().machine;
+  TableRow row;
+  const auto at = static_cast<std::size_t>(active.edge);
+  const EdgeTableInsert* entry = active.edge >= 0 && at < machine.edge_table.size() ? &machine.edge_table[at].entry : nullptr;
+  row.cells = {fmt::format("e{}", active.edge), active.x, active.z};
+  if (entry) row.cells.emplace_back(static_cast<double>(entry->end_row));
+  else row.cells.emplace_back(std::string());
+  row.cells.emplace_back(mark.word);
+  row.look = mark.now ? TableRow::Look::now : TableRow::Look::plain;
+  row.lit = s.lit_edge() == active.edge;
+  row.key = active.edge;
+  return row;
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& machine = s.state().machine;
+  std::vector<TableRow> rows;
+  for (std::size_t place = 0; place < machine.active.size(); ++place)
+    rows.push_back(row_of(s, machine.active[place], mark_of(machine, s.event(), place)));
+  if (s.event())
+    if (const auto* left = std::get_if<EdgeRetire>(&s.event()->event)) {
+      // Gone from the list already; shown once more so that one sees it go.
+      TableRow row;
+      row.cells = {fmt::format("e{}", left->edge), std::string(), std::string(), std::string(), std::string("\u2717 leaves")};
+      row.look = TableRow::Look::now;
+      row.lit = s.lit_edge() == left->edge;
+      row.key = left->edge;
+      rows.push_back(std::move(row));
+    }
+  if (rows.empty())
+    return say_empty(ui, machine.scan_line ? fmt::format("Empty: no edge crosses scan line {} at this moment.", *machine.scan_line)
+                         : machine.edge_table.empty() ? std::string("Empty: it fills when scan conversion reaches an edge's first scan line.")
+                                                      : std::string("Empty: edges enter when the scan line reaches their bucket."));
+  const std::string z = depth_symbol(s.scene(), s.header().conventions);
+  const TableResult result = number_table(ui, "active", {"edge", "x", z, "y_max", ""}, rows);
+  if (result.hovered) ui.hovered_edge_next = result.hovered;
+  if (result.clicked) {
+    ui.session.selected_edge = s.selected_edge == result.clicked ? std::nullopt : result.clicked;
+    ui.session.touch();
+  }
+}
+
+std::string note(Ui& ui) {
+  const auto y = ui.session.state().machine.scan_line;
+  return y ? fmt::format("y = {}", *y) : "";
+}
+
+bool serves(const Header& header) { return has_step_of<EdgeEnter>(header); }
+
+}  // namespace
+
+const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw, note, serves, 0.27f, true};
+
+}  // namespace zstep::viewer

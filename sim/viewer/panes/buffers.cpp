@@ -1,0 +1,139 @@
+// Framebuffer and depth buffer.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/raster_pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+std::vector<std::string> about_cell(Ui& ui, Cell cell) {
+  const Session& s = ui.session;
+  const Picture& picture = s.picture();
+  const std::size_t at = picture.at(cell.x, cell.y);
+  const std::string z = depth_symbol(s.scene(), s.header().conventions);
+  std::vector<std::string> lines{fmt::format("pixel ({}, {})", cell.x, cell.y),
+                                 fmt::format("frame: {}", polygon_label(s.scene(), picture.polygon[at])),
+                                 fmt::format("{} = {}", z, exact(picture.depth[at]))};
+  if (z == "z*") lines.push_back(fmt::format("z_v = {}", exact(view_depth(s.scene().camera, s.header().conventions, picture.depth[at]))));
+  return lines;
+}
+
+void draw_frame(Ui& ui) {
+  static RasterContent content{"frame", {}, {}, 0, 0};
+  const Session& s = ui.session;
+  const Scene& scene = s.scene();
+  draw_raster(
+      ui, content, std::round(ui.fonts.small->FontSize * 1.3f),
+      [&](std::vector<Pixel32>& cells) {
+        const Picture& picture = s.picture();
+        std::vector<Pixel32> colors;
+        for (const Polygon& polygon : scene.polygons) colors.push_back(opaque(polygon.color));
+        const Pixel32 background = opaque(scene.background);
+        cells.resize(picture.polygon.size());
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+          const std::int32_t p = picture.polygon[i];
+          cells[i] = p >= 0 && static_cast<std::size_t>(p) < colors.size() ? colors[static_cast<std::size_t>(p)] : background;
+        }
+      },
+      [&](std::size_t at, int) {
+        const std::int32_t p = s.picture().polygon[at];
+        return p < 0 ? std::string() : polygon_label(scene, p);
+      },
+      0, [&](Cell cell) { return about_cell(ui, cell); });
+}
+
+std::string frame_note(Ui& ui) {
+  const Session& s = ui.session;
+  if (s.looking_back) return fmt::format("BEFORE: step {}", grouped(s.before()));
+  return fmt::format("{} \u00d7 {}{}", s.scene().raster.width, s.scene().raster.height,
+                     ui.view.zoom > 1 ? fmt::format(", zoom {:.3g}", ui.view.zoom) : "");
+}
+
+/// Decimals that the final numbers of this trace need; from what is in the buffer now.
+int decimals_in(const Picture& picture) {
+  std::vector<double> values;
+  for (const double z : picture.depth)
+    if (std::isfinite(z)) values.push_back(z);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return decimals_needed(values, 3);
+}
+
+void draw_legend(Ui& ui, float top) {
+  const Theme& c = ui.colors();
+  const ImFont* font = ui.fonts.small;
+  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, top});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const DepthRange& range = ui.depth_range;
+  const double ends[] = {range.near, range.far};
+  const int decimals = std::min(2, decimals_needed(ends, 2));
+  const std::string near = "near " + number(range.near, decimals), far = number(range.far, decimals) + " far", none = "\u221e";
+  const float near_width = text_size(ui, font, near).x, far_width = text_size(ui, font, far).x, none_width = text_size(ui, font, none).x;
+  const float box = std::round(font->FontSize * 0.9f), gap = std::round(ui.em * 0.35f);
+  const float bar_left = at.x + near_width + gap, bar_right = at.x + width - far_width - none_width - box - 3 * gap;
+  if (bar_right - bar_left < 12) return;
+  draw_text(ui, {at.x, at.y}, font, c.muted, near);
+  static Canvas bar;
+  const int bar_width = static_cast<int>(bar_right - bar_left), bar_height = static_cast<int>(box);
+  bar.resize(bar_width, bar_height);
+  for (int y = 0; y < bar_height; ++y)
+    for (int x = 0; x < bar_width; ++x) bar.row(y)[x] = ui.depth_scale.at((x + 0.5) / bar_width);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddImage(ui.renderer.image("legend", bar, fingerprint({bar_right - bar_left, box})), {bar_left, at.y + 1},
+                 {bar_left + static_cast<float>(bar_width), at.y + 1 + box});
+  draw_text(ui, {bar_right + gap, at.y}, font, c.muted, far);
+  const ImVec2 box_at{bar_right + far_width + 2 * gap, at.y + 1}, box_end{box_at.x + box, box_at.y + box};
+  list->AddRectFilled(box_at, box_end, c.empty);
+  for (float d = 3; d < box; d += 4) list->AddRectFilled({box_at.x + d, box_at.y}, {box_at.x + d + 1, box_end.y}, c.empty_hatch);
+  list->AddRect(box_at, box_end, c.rule);
+  draw_text(ui, {box_end.x + 3, at.y}, font, c.muted, none);
+}
+
+void draw_depth(Ui& ui) {
+  static RasterContent content{"depth", {}, {}, 0, 0};
+  static int decimals = 2;
+  const Session& s = ui.session;
+  if (!ui.depth_range.known) {
+    // A trace that does not say where its vertices are: the range is what the buffer has shown so far.
+    for (const double z : s.picture().depth)
+      if (std::isfinite(z)) ui.depth_range = ui.depth_range.known ? DepthRange{std::min(ui.depth_range.near, z), std::max(ui.depth_range.far, z), true}
+                                                                  : DepthRange{z, z, true};
+  }
+  const float legend = std::round(ui.fonts.small->FontSize * 1.3f);
+  const float bottom = ImGui::GetCursorScreenPos().y + ImGui::GetContentRegionAvail().y;
+  draw_raster(
+      ui, content, legend,
+      [&](std::vector<Pixel32>& cells) {
+        const Picture& picture = s.picture();
+        decimals = picture.depth.size() <= 16384 ? decimals_in(picture) : 2;
+        const DepthRange range = ui.depth_range;
+        const double scale = range.far > range.near ? 1 / (range.far - range.near) : 0;
+        cells.resize(picture.depth.size());
+        for (std::size_t i = 0; i < cells.size(); ++i)
+          cells[i] = std::isfinite(picture.depth[i]) ? ui.depth_scale.at((picture.depth[i] - range.near) * scale) : hatched_cell;
+      },
+      [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, decimals,
+      [&](Cell cell) { return about_cell(ui, cell); });
+  draw_legend(ui, bottom - legend + 2);
+}
+
+std::string depth_note(Ui& ui) {
+  const Session& s = ui.session;
+  if (s.looking_back) return "BEFORE";
+  const std::string z = depth_symbol(s.scene(), s.header().conventions);
+  return z == "z*" ? "z* pseudodepth" : z == "z_v" ? "z_v" : "z";
+}
+
+}  // namespace
+
+const Pane frame_pane{"frame", "FRAMEBUFFER", draw_frame, frame_note, nullptr, 0, false};
+const Pane depth_pane{"depth", "DEPTH BUFFER", draw_depth, depth_note, nullptr, 0, false};
+
+}  // namespace zstep::viewer

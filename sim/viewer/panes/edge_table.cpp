@@ -1,0 +1,90 @@
+// The edge table of the polygon at work, in buckets by first scan line.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// The edge that the current event is about, if it is about one.
+std::optional<std::int32_t> edge_now(const RecordedEvent* event) {
+  if (!event) return std::nullopt;
+  if (const auto* e = std::get_if<EdgeTableInsert>(&event->event)) return e->edge;
+  if (const auto* e = std::get_if<EdgeEnter>(&event->event)) return e->edge;
+  if (const auto* e = std::get_if<EdgeStep>(&event->event)) return e->edge;
+  if (const auto* e = std::get_if<EdgeRetire>(&event->event)) return e->edge;
+  return std::nullopt;
+}
+
+std::string state_word(const EdgeRow& row, bool now, const RecordedEvent* event) {
+  if (now && std::holds_alternative<EdgeTableInsert>(event->event)) return "\u2190 new";
+  if (now && std::holds_alternative<EdgeEnter>(event->event)) return "\u2192 enters";
+  if (now && std::holds_alternative<EdgeRetire>(event->event)) return "\u2717 leaves";
+  switch (row.where) {
+    case EdgeRow::Where::waiting: return "waits";
+    case EdgeRow::Where::active: return "active";
+    case EdgeRow::Where::retired: return "done";
+  }
+  return "";
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& machine = s.state().machine;
+  if (machine.polygon == no_polygon)
+    return say_empty(ui, "Empty: no polygon is at work yet. Each polygon fills it with its own edges.");
+  if (machine.edge_table.empty())
+    return say_empty(ui, machine.rejected ? fmt::format("Empty: polygon {} was dropped before it got here.", polygon_label(s.scene(), machine.polygon))
+                                          : fmt::format("Empty: the edges of polygon {} are not in it yet.", polygon_label(s.scene(), machine.polygon)));
+  std::vector<const EdgeRow*> order;
+  for (const EdgeRow& row : machine.edge_table) order.push_back(&row);
+  std::stable_sort(order.begin(), order.end(), [](const EdgeRow* a, const EdgeRow* b) {
+    return std::make_pair(a->entry.first_row, a->entry.x_edge) < std::make_pair(b->entry.first_row, b->entry.x_edge);
+  });
+  const auto now = edge_now(s.event());
+  std::vector<TableRow> rows;
+  std::optional<std::int32_t> bucket;
+  for (const EdgeRow* row : order) {
+    const EdgeTableInsert& e = row->entry;
+    TableRow out;
+    const bool is_now = now == e.edge;
+    out.cells = {bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row), fmt::format("e{}", e.edge),
+                 static_cast<double>(e.end_row), e.x_edge, e.dx_dy, e.z_edge, e.dz_dy,
+                 TableCell(polygon_label(s.scene(), e.polygon),
+                           e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < s.scene().polygons.size()
+                               ? to_im(opaque(s.scene().polygons[static_cast<std::size_t>(e.polygon)].color)) : 0),
+                 state_word(*row, is_now, s.event())};
+    bucket = e.first_row;
+    out.look = is_now ? TableRow::Look::now : row->where == EdgeRow::Where::retired ? TableRow::Look::gone : TableRow::Look::plain;
+    out.lit = s.lit_edge() == e.edge;
+    out.key = e.edge;
+    rows.push_back(std::move(out));
+  }
+  const std::string z = depth_symbol(s.scene(), s.header().conventions);
+  const TableResult result = number_table(ui, "edges", {"y", "edge", "y_max", "x", "1/m", z, "dz/dy", "of", ""}, rows);
+  if (result.hovered) {
+    ui.hovered_edge_next = result.hovered;
+    ui.mouse_help = "Click: keep this edge lit in every pane.";
+  }
+  if (result.clicked) {
+    ui.session.selected_edge = s.selected_edge == result.clicked ? std::nullopt : result.clicked;
+    ui.session.touch();
+  }
+}
+
+std::string note(Ui& ui) {
+  const Machine& machine = ui.session.state().machine;
+  return machine.edge_table.empty() ? "" : fmt::format("{} edges", machine.edge_table.size());
+}
+
+bool serves(const Header& header) { return has_step_of<EdgeTableInsert>(header); }
+
+}  // namespace
+
+const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw, note, serves, 0.42f, true};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,118 @@
+#include "sim/viewer/panes/number_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+struct Column {
+  std::vector<std::string> shown;
+  int decimals = 0;
+  float width = 0;
+  bool numeric = false;
+};
+
+std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, const std::vector<TableRow>& rows, int at_most) {
+  std::vector<Column> columns(headings.size());
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    Column& column = columns[k];
+    std::vector<double> values;
+    for (const TableRow& row : rows)
+      if (k < row.cells.size() && row.cells[k].value) values.push_back(*row.cells[k].value);
+    column.numeric = !values.empty();
+    column.decimals = decimals_needed(values, at_most);
+    column.width = text_size(ui, ui.fonts.small, headings[k]).x;
+    for (const TableRow& row : rows) {
+      std::string text;
+      if (k < row.cells.size()) text = row.cells[k].value ? number(*row.cells[k].value, column.decimals) : row.cells[k].text;
+      float width = text_size(ui, ui.fonts.mono, text).x;
+      if (k < row.cells.size() && row.cells[k].chip) width += ui.em * 0.75f;
+      column.width = std::max(column.width, width);
+      column.shown.push_back(std::move(text));
+    }
+  }
+  return columns;
+}
+
+float total(const std::vector<Column>& columns, float gap) {
+  float width = 0;
+  for (const Column& column : columns) width += column.width + gap;
+  return width;
+}
+
+}  // namespace
+
+TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>& headings, const std::vector<TableRow>& rows) {
+  TableResult result;
+  const Theme& c = ui.colors();
+  const float room = ImGui::GetContentRegionAvail().x;
+  float gap = std::round(ui.em * 0.85f);
+  int at_most = usual_decimals;
+  std::vector<Column> columns = lay_out(ui, headings, rows, at_most);
+  while (total(columns, gap) > room && (gap > ui.em * 0.45f || at_most > 1)) {
+    if (gap > ui.em * 0.45f) gap = std::max(ui.em * 0.45f, gap - 2);
+    else columns = lay_out(ui, headings, rows, --at_most);
+  }
+  const float width = std::max(room, total(columns, gap));
+  const float height = std::round(ui.fonts.mono->FontSize * 1.35f);
+  ImGui::PushID(id);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  ImDrawList* list = ImGui::GetWindowDrawList();
+
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  float x = at.x + gap / 2;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const float shift = columns[k].numeric ? columns[k].width - text_size(ui, ui.fonts.small, headings[k]).x : 0;
+    draw_text(ui, {x + shift, at.y}, ui.fonts.small, c.muted, headings[k]);
+    x += columns[k].width + gap;
+  }
+  ImGui::Dummy({width, std::round(ui.fonts.small->FontSize * 1.3f)});
+  list->AddRectFilled({at.x, ImGui::GetCursorScreenPos().y - 1}, {at.x + width, ImGui::GetCursorScreenPos().y}, c.rule);
+
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const TableRow& row = rows[r];
+    at = ImGui::GetCursorScreenPos();
+    ImGui::PushID(static_cast<int>(r));
+    const bool clicked = ImGui::InvisibleButton("row", {width, height});
+    const bool hovered = ImGui::IsItemHovered();
+    ImGui::PopID();
+    const ImVec2 end{at.x + width, at.y + height};
+    if (row.look == TableRow::Look::now) list->AddRectFilled(at, end, c.now_soft);
+    if (row.lit) list->AddRectFilled(at, end, c.selected_soft);
+    if (row.look == TableRow::Look::now) list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
+    if (row.lit) list->AddRect(at, end, c.selected);
+    if (hovered && row.key >= 0) result.hovered = row.key;
+    if (clicked && row.key >= 0) result.clicked = row.key;
+    const ImU32 color = row.look == TableRow::Look::gone ? c.muted : c.text;
+    x = at.x + gap / 2;
+    std::vector<std::string> exact_values;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      float left = x;
+      if (k < row.cells.size() && row.cells[k].chip) {
+        const float side = std::round(ui.em * 0.55f), y = at.y + std::round((height - side) / 2);
+        list->AddRectFilled({left, y}, {left + side, y + side}, row.cells[k].chip);
+        list->AddRect({left, y}, {left + side, y + side}, c.text);
+        left += ui.em * 0.75f;
+      }
+      if (columns[k].numeric) left = x + columns[k].width - text_size(ui, ui.fonts.mono, columns[k].shown[r]).x;
+      draw_text(ui, {left, at.y + 2}, ui.fonts.mono, color, columns[k].shown[r]);
+      if (k < row.cells.size() && row.cells[k].value) exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
+      x += columns[k].width + gap;
+    }
+    if (row.look == TableRow::Look::gone)
+      list->AddRectFilled({at.x + gap / 2, at.y + height / 2}, {x - gap, at.y + height / 2 + 1}, c.muted);
+    if (row.look == TableRow::Look::now && ui.scroll_now) {
+      const float y = at.y - ImGui::GetWindowPos().y;
+      if (y < 0 || y + height > ImGui::GetWindowHeight()) ImGui::SetScrollHereY(0.5f);
+    }
+    if (hovered && !exact_values.empty()) tooltip(ui, exact_values);
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+  return result;
+}
+
+}  // namespace zstep::viewer

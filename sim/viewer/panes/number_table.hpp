@@ -1,0 +1,36 @@
+// A table of numbers: columns as wide as their content, aligned at the decimal point, rows that can be pointed at.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/viewer/ui.hpp"
+
+namespace zstep::viewer {
+
+struct TableCell {
+  std::string text;
+  std::optional<double> value;  ///< drawn with its column's decimals; exact on hover
+  ImU32 chip = 0;               ///< a swatch of this colour before the text
+  TableCell(std::string t = {}) : text(std::move(t)) {}
+  TableCell(double v) : value(v) {}
+  TableCell(std::string t, ImU32 color) : text(std::move(t)), chip(color) {}
+};
+
+struct TableRow {
+  enum class Look { plain, now, gone, waiting };
+  std::vector<TableCell> cells;
+  Look look = Look::plain;
+  bool lit = false;       ///< selected or pointed at, here or in another pane
+  int key = -1;           ///< what click and hover report; −1: nothing
+};
+
+struct TableResult {
+  std::optional<int> hovered, clicked;
+};
+
+/// Draws headings and rows at the cursor. Decimals shrink, then gaps, before anything would be cut.
+TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>& headings, const std::vector<TableRow>& rows);
+
+}  // namespace zstep::viewer

@@ -1,0 +1,44 @@
+// Panes: small functions that draw a part of the window from a Ui. Each lives in a file of its own.
+//
+// A method that lives by another structure (a tree, a list, areas, rays) adds its pane to structure_panes() and says with
+// `serves` for which traces it is shown; nothing else needs to change.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/viewer/ui.hpp"
+
+namespace zstep::viewer {
+
+struct Pane {
+  const char* id;               ///< for the layout file
+  const char* title;            ///< "FRAMEBUFFER"
+  void (*draw)(Ui&);            ///< inside its own child window; the cursor is at the top left
+  std::string (*note)(Ui&);     ///< right of the title, in muted text; may be nullptr
+  bool (*serves)(const Header&);///< shown for this trace; nullptr: always
+  float share;                  ///< of its row's width, to begin with
+  bool scrolls;                 ///< its content may be larger than it is
+};
+
+extern const Pane pseudo_code_pane, happened_pane, frame_pane, depth_pane, lesson_pane;
+
+/// The structures that this trace's method lives by, left to right.
+std::vector<Pane> structure_panes(const Header& header);
+extern const Pane edge_table_pane, active_edges_pane, scene_pane;
+
+/// Across the window, above and below the panes.
+void draw_timeline(Ui& ui, ImVec2 size);
+
+/// Does this trace's pseudo-code have a step that records this event?
+template <class E>
+bool has_step_of(const Header& header) {
+  for (const StepInfo& step : header.page)
+    if (step.kind == kind_of<E>) return true;
+  return false;
+}
+
+/// The exact values of numbers as lines for a tooltip.
+std::vector<std::string> exact_lines(const std::vector<std::pair<std::string, double>>& values);
+
+}  // namespace zstep::viewer

@@ -1,0 +1,77 @@
+// The page of the lecture, the line at work lit, with how often each line ran. A click runs on to the next time.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+void draw_line(Ui& ui, const StepInfo& step, bool now) {
+  const Theme& c = ui.colors();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float gutter = std::round(ui.em * 1.15f), indent = gutter + static_cast<float>(step.indent) * std::round(ui.em * 0.8f);
+  const auto count = ui.hits.of(step.id);
+  const std::string hits = count && *count > 0 && !ui.presenter ? grouped(*count) : "";
+  const float hits_width = hits.empty() ? 0 : text_size(ui, ui.fonts.small, hits).x + ui.em * 0.4f;
+
+  Flow how;
+  how.font = ui.fonts.mono;
+  how.indent = std::round(ui.em * 0.9f);
+  how.width = std::max(ui.em * 4, width - indent - hits_width - 2);
+  how.color = now ? c.text : count && *count == 0 ? c.muted : c.text;
+  const float height = flow_height(ui, step.text, how) + 2;
+
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID(step.id);
+  const bool clicked = ImGui::InvisibleButton("line", {width, height});
+  const bool hovered = ImGui::IsItemHovered();
+  ImGui::PopID();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + width, at.y + height};
+  if (now) {
+    list->AddRectFilled(at, end, c.now_soft);
+    list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
+    draw_text(ui, {at.x + 5, at.y + 1}, ui.fonts.text, c.now, "\u25b6");
+  } else if (hovered) {
+    list->AddRectFilled(at, end, c.head);
+  }
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({at.x + indent, at.y + 1});
+  flow(ui, step.text, how);
+  ImGui::SetCursorScreenPos(after);
+  if (!hits.empty()) draw_text(ui, {end.x - hits_width + ui.em * 0.2f, at.y + 3}, ui.fonts.small, c.muted, hits);
+
+  if (now && ui.scroll_now) {
+    // Keep the lit line in the middle third, so that what comes next can be read.
+    const float y = at.y - ImGui::GetWindowPos().y, view = ImGui::GetWindowHeight();
+    if (y < view * 0.2f || y + height > view * 0.8f) ImGui::SetScrollHereY(0.5f);
+  }
+  if (hovered) ui.mouse_help = "Click: on to the next time this line runs. Shift+click: back to the last time.";
+  if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
+}
+
+void draw(Ui& ui) {
+  const Page& page = ui.session.header().page;
+  if (page.empty()) return say_empty(ui, "This trace has no step table, so there is no pseudo-code to show.");
+  ui.hits.follow(ui.session.trace(), ui.session.position());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  const RecordedEvent* event = ui.session.event();
+  for (const StepInfo& step : page) draw_line(ui, step, event && event->step == step.id);
+  ImGui::PopStyleVar();
+}
+
+std::string note(Ui& ui) {
+  const RecordedEvent* event = ui.session.event();
+  const StepInfo* step = event ? find_step(ui.session.header().page, event->step) : nullptr;
+  return step ? step->module + "." + step->name : "";
+}
+
+}  // namespace
+
+const Pane pseudo_code_pane{"pseudo_code", "PSEUDO-CODE", draw, note, nullptr, 0, true};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,247 @@
+#include "sim/viewer/panes/raster_pane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/viewer/words/explain.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// Column and row numbers along the raster, as many as have room.
+struct Rulers {
+  float left = 0, below = 0;
+};
+
+Rulers room_for_rulers(const Ui& ui, const Raster& raster) {
+  const float digits = text_size(ui, ui.fonts.small, std::to_string(std::max(raster.width, raster.height) - 1)).x;
+  return {std::round(digits + ui.em * 0.9f), std::round(ui.fonts.small->FontSize * 1.25f)};
+}
+
+int label_step(double cell, double needed) {
+  for (int step = 1;; step *= 10)
+    for (const int factor : {1, 2, 5})
+      if (step * factor * cell >= needed) return step * factor;
+}
+
+void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rulers) {
+  const Theme& c = ui.colors();
+  const ImFont* font = ui.fonts.small;
+  const double widest = text_size(ui, font, std::to_string(map.width - 1)).x + 6.0;
+  for (int x = 0, step = label_step(map.cell, widest); x < map.width; x += step) {
+    const std::string text = std::to_string(x);
+    const float at = static_cast<float>(map.px(x)) - text_size(ui, font, text).x / 2;
+    if (map.px(x) < 0 || map.px(x) > map.box_width) continue;
+    const float y = origin.y + static_cast<float>(std::min<double>(map.box_height, map.top + map.height * map.cell)) + 1;
+    draw_text(ui, {std::max(origin.x - rulers.left, origin.x + at), y}, font, c.muted, text);
+  }
+  const auto line = ui.session.state().machine.scan_line;
+  const float edge = origin.x + static_cast<float>(std::max(0.0, map.left));
+  for (int y = 0, step = label_step(map.cell, font->FontSize + 2.0); y < map.height; y += step) {
+    if (map.py(y) < font->FontSize / 2 || map.py(y) > map.box_height - font->FontSize / 2) continue;
+    if (line && y != *line && std::abs(map.py(y) - map.py(*line)) < font->FontSize) continue;
+    const std::string text = std::to_string(y);
+    draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + static_cast<float>(map.py(y)) - font->FontSize / 2}, font,
+              line == y ? c.now : c.muted, text);
+  }
+  if (line && map.py(*line) >= 0 && map.py(*line) <= map.box_height) {
+    // The scan line at work: its number and an arrow, wherever it stands.
+    const std::string text = std::to_string(*line);
+    const float y = std::clamp(origin.y + static_cast<float>(map.py(*line)) - font->FontSize / 2, origin.y,
+                               origin.y + static_cast<float>(map.box_height) - font->FontSize);
+    const float width = text_size(ui, font, text).x;
+    draw_text(ui, {edge - 4 - width, y}, font, c.now, text);
+    const float tip = edge - 6 - width, middle = y + font->FontSize / 2, size = font->FontSize * 0.3f;
+    ImGui::GetWindowDrawList()->AddTriangleFilled({tip - size * 1.4f, middle - size}, {tip, middle}, {tip - size * 1.4f, middle + size}, c.now);
+  }
+}
+
+/// The outline of the polygon at work and the edge that is lit, over the cells.
+void draw_geometry(Ui& ui, Canvas& canvas, const RasterMap& map) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const auto line = [&](std::int32_t a, std::int32_t b, double thickness, ImU32 color) {
+    const auto from = on_raster(s.scene(), s.state(), a), to = on_raster(s.scene(), s.state(), b);
+    if (from && to) canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness, to_pixel(color));
+  };
+  if (map.cell >= 3 && m.outline.size() > 1)
+    for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, ui.colors().text);
+  if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
+    const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)].entry;
+    line(e.vertex_0, e.vertex_1, 4, ui.colors().selected);
+  }
+}
+
+void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const ImGuiIO& io = ImGui::GetIO();
+  RasterView& view = ui.view;
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    const double before = map.cell;
+    const double zoom = std::clamp(view.zoom * std::pow(1.25, static_cast<double>(io.MouseWheel)), 1.0, 64.0);
+    // The cell under the mouse stays there.
+    const double from_x = (io.MousePos.x - origin.x - map.left) / before - map.width / 2.0;
+    const double from_y = (io.MousePos.y - origin.y - map.top) / before - map.height / 2.0;
+    const double ratio = view.zoom / zoom;
+    view.center_x = from_x + (view.center_x - from_x) * ratio;
+    view.center_y = from_y + (view.center_y - from_y) * ratio;
+    view.zoom = zoom;
+    if (zoom == 1) view.center_x = view.center_y = 0;
+    ui.session.touch();
+  }
+  const bool dragging = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 4) || ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 4));
+  if (dragging && view.zoom > 1) {
+    view.center_x -= io.MouseDelta.x / map.cell;
+    view.center_y -= io.MouseDelta.y / map.cell;
+    ui.session.touch();
+  }
+  view.center_x = std::clamp(view.center_x, -map.width / 2.0, map.width / 2.0);
+  view.center_y = std::clamp(view.center_y, -map.height / 2.0, map.height / 2.0);
+}
+
+/// As many decimals as fit every visible cell; −1 when not even the shortest does.
+void draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const RasterContent& content,
+                  const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals) {
+  if (map.cell < numbers_from) return;
+  const int x0 = std::max(0, static_cast<int>(-map.left / map.cell)), x1 = std::min(map.width - 1, static_cast<int>((map.box_width - map.left) / map.cell));
+  const int r0 = std::max(0, static_cast<int>(-map.top / map.cell)), r1 = std::min(map.height - 1, static_cast<int>((map.box_height - map.top) / map.cell));
+  for (const ImFont* font : {ui.fonts.mono, ui.fonts.small}) {
+    if (font->FontSize > map.cell - 3) continue;
+    for (int decimals = most_decimals; decimals >= 0; --decimals) {
+      double widest = 0;
+      for (int r = r0; r <= r1; ++r)
+        for (int x = x0; x <= x1; ++x) {
+          const int y = map.y_up ? map.height - 1 - r : r;
+          widest = std::max<double>(widest, text_size(ui, font, cell_text(static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x), decimals)).x);
+        }
+      // Smaller type is better than fewer decimals; fewer decimals are better than nothing.
+      if (widest > map.cell - 4) {
+        if (font == ui.fonts.mono) break;
+        continue;
+      }
+      for (int r = r0; r <= r1; ++r)
+        for (int x = x0; x <= x1; ++x) {
+          const int y = map.y_up ? map.height - 1 - r : r;
+          const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
+          const std::string text = cell_text(at, decimals);
+          if (text.empty()) continue;
+          const ImVec2 size = text_size(ui, font, text);
+          const Pixel32 back = content.cells[at] == hatched_cell ? to_pixel(ui.colors().empty) : content.cells[at];
+          draw_text(ui, {origin.x + static_cast<float>(map.px(x)) - size.x / 2, origin.y + static_cast<float>(map.py(y)) - size.y / 2}, font,
+                    wants_dark_text(back) ? IM_COL32(20, 20, 20, 255) : IM_COL32(250, 250, 250, 255), text);
+        }
+      return;
+    }
+  }
+}
+
+void frame_cell(ImDrawList* list, const RasterMap& map, ImVec2 origin, Cell cell, float out, float thickness, ImU32 color) {
+  const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)) - out, origin.y + static_cast<float>(map.row_begin(cell.y)) - out};
+  const ImVec2 b{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) + out - 1, origin.y + static_cast<float>(map.row_end(cell.y)) + out - 1};
+  list->AddRectFilled(a, {b.x, a.y + thickness}, color);
+  list->AddRectFilled({a.x, b.y - thickness}, b, color);
+  list->AddRectFilled({a.x, a.y + thickness}, {a.x + thickness, b.y - thickness}, color);
+  list->AddRectFilled({b.x - thickness, a.y + thickness}, {b.x, b.y - thickness}, color);
+}
+
+}  // namespace
+
+void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const Theme& c = ui.colors();
+  const Session& s = ui.session;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto& changed = s.changed();
+  if (map.cell >= 6) {
+    // A filled corner in each changed cell.
+    const float size = std::max(4.0f, std::round(static_cast<float>(map.cell) * 0.3f));
+    for (const Cell cell : changed) {
+      const ImVec2 corner{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) - 1, origin.y + static_cast<float>(map.row_begin(cell.y))};
+      list->AddTriangleFilled({corner.x - size - 1, corner.y}, corner, {corner.x, corner.y + size + 1}, ui.colors().pane);
+      list->AddTriangleFilled({corner.x - size, corner.y}, corner, {corner.x, corner.y + size}, c.changed);
+    }
+  } else if (!changed.empty()) {
+    // Too small for corners: brackets around all of them.
+    Cell low = changed.front(), high = changed.front();
+    for (const Cell cell : changed) {
+      low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
+      high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
+    }
+    const float x0 = origin.x + static_cast<float>(map.column_begin(low.x)) - 2, x1 = origin.x + static_cast<float>(map.column_begin(high.x + 1)) + 2;
+    const float y0 = origin.y + static_cast<float>(std::min(map.row_begin(low.y), map.row_begin(high.y))) - 2;
+    const float y1 = origin.y + static_cast<float>(std::max(map.row_end(low.y), map.row_end(high.y))) + 2;
+    const float arm = std::min(8.0f, std::max(3.0f, (x1 - x0) / 3));
+    for (const float x : {x0, x1 - 2}) list->AddRectFilled({x, y0}, {x + 2, y1}, c.changed);
+    for (const float y : {y0, y1 - 2}) {
+      list->AddRectFilled({x0, y}, {x0 + arm, y + 2}, c.changed);
+      list->AddRectFilled({x1 - arm, y}, {x1, y + 2}, c.changed);
+    }
+  }
+  if (const auto& span = s.state().machine.span; span && span->last >= span->first && map.cell >= 3) {
+    // The span at work: a line along its lower side.
+    const float y = origin.y + static_cast<float>(map.row_end(span->y)) - 2;
+    list->AddRectFilled({origin.x + static_cast<float>(map.column_begin(span->first)), y},
+                        {origin.x + static_cast<float>(map.column_begin(span->last + 1)) - 1, y + 2}, c.now);
+  }
+  const float small = map.cell < 8 ? 3.0f : 0.0f;
+  if (ui.pointed) frame_cell(list, map, origin, *ui.pointed, small, 1, c.text);
+  if (s.selected) {
+    frame_cell(list, map, origin, *s.selected, small + 1, 2, c.selected);
+    frame_cell(list, map, origin, *s.selected, small + 4, 1, c.selected);
+  }
+  if (const auto now = s.current_cell()) {
+    frame_cell(list, map, origin, *now, small + 2, 3, c.now);
+    frame_cell(list, map, origin, *now, small - 1, 1, ui.colors().pane);
+  }
+}
+
+void draw_raster(Ui& ui, RasterContent& content, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
+                 const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals,
+                 const std::function<std::vector<std::string>(Cell)>& cell_tip) {
+  Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const Rulers rulers = room_for_rulers(ui, s.scene().raster);
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), avail = ImGui::GetContentRegionAvail();
+  const ImVec2 origin{corner.x + rulers.left, corner.y};
+  const int width = static_cast<int>(avail.x - rulers.left), height = static_cast<int>(avail.y - rulers.below - reserve_below);
+  if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  const RasterMap map(s.scene().raster, ui.view, width, height);
+
+  const std::uint64_t state = fingerprint({static_cast<double>(s.position()), s.looking_back ? static_cast<double>(s.before()) : -1,
+                                           ui.theme == &light_theme() ? 0.0 : 1.0});
+  if (content.cells_version != state || content.cells.empty()) {
+    refill(content.cells);
+    content.cells_version = state;
+  }
+  const std::uint64_t version = fingerprint({static_cast<double>(state >> 12), static_cast<double>(width), static_cast<double>(height), ui.view.zoom,
+                                             ui.view.center_x, ui.view.center_y, static_cast<double>(s.lit_edge().value_or(-1))});
+  if (content.canvas_version != version) {
+    content.canvas.resize(width, height);
+    paint_raster(content.canvas, map, content.cells, {to_pixel(c.window), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
+    draw_geometry(ui, content.canvas, map);
+    content.canvas_version = version;
+  }
+  const ImVec2 end{origin.x + static_cast<float>(width), origin.y + static_cast<float>(height)};
+  ImGui::GetWindowDrawList()->AddImage(ui.renderer.image(content.id, content.canvas, version), origin, end);
+
+  ImGui::SetCursorScreenPos(origin);
+  ImGui::InvisibleButton(content.id, {static_cast<float>(width), static_cast<float>(height)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  zoom_and_pan(ui, map, origin);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const auto under = ImGui::IsItemHovered() ? map.cell_at(mouse.x - origin.x, mouse.y - origin.y) : std::nullopt;
+  if (under) {
+    ui.pointed_next = under;
+    ui.mouse_help = "Click: select this pixel; then F / Shift+F: next / previous step that touches it. Wheel: zoom. Drag: pan.";
+    const float moved = std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).x) + std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).y);
+    if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left))
+      s.select(s.selected == under ? std::nullopt : under);
+  }
+  ImGui::PushClipRect(origin, end, true);
+  draw_numbers(ui, map, origin, content, cell_text, most_decimals);
+  draw_marks(ui, map, origin);
+  ImGui::PopClipRect();
+  draw_rulers(ui, map, origin, rulers);
+  if (under) tooltip(ui, cell_tip(*under));
+  ImGui::SetCursorScreenPos({corner.x, end.y + rulers.below});
+}
+
+}  // namespace zstep::viewer

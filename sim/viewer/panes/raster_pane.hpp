@@ -1,0 +1,33 @@
+// What framebuffer and depth buffer share: zoom, pan, rulers, marks, the mouse.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/viewer/draw/raster_canvas.hpp"
+#include "sim/viewer/ui.hpp"
+
+namespace zstep::viewer {
+
+/// One of the two buffers as a pane shows it.
+struct RasterContent {
+  const char* id = "";
+  Canvas canvas;                 ///< kept between frames
+  std::vector<Pixel32> cells;
+  std::uint64_t cells_version = 0, canvas_version = 0;
+};
+
+struct RasterText {
+  std::string text;              ///< may be empty
+};
+
+/// Draws the raster into what is left of the pane. `refill` recolours content.cells (called only when the state changed);
+/// `cell_text` says what stands in a cell; `cell_tip` what the mouse is told there.
+void draw_raster(Ui& ui, RasterContent& content, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
+                 const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals,
+                 const std::function<std::vector<std::string>(Cell)>& cell_tip);
+
+/// Marks over the raster: changed, selected, pointed at, now.
+void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin);
+
+}  // namespace zstep::viewer

@@ -1,0 +1,193 @@
+#include "sim/viewer/ui.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace zstep::viewer {
+
+std::uint64_t fingerprint(std::initializer_list<double> parts) {
+  std::uint64_t hash = 1469598103934665603u;
+  for (const double part : parts) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &part, sizeof bits);
+    for (int shift = 0; shift < 64; shift += 8) hash = (hash ^ (bits >> shift & 255u)) * 1099511628211u;
+  }
+  return hash;
+}
+
+ImVec2 text_size(const Ui& ui, const ImFont* font, const std::string& text) {
+  const std::string shown = ui.fonts.drawable(text);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, shown.c_str(), shown.c_str() + shown.size());
+  return {std::ceil(size.x), size.y};
+}
+
+void draw_text(const Ui& ui, ImVec2 at, const ImFont* font, ImU32 color, const std::string& text) {
+  const std::string shown = ui.fonts.drawable(text);
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {std::floor(at.x), std::floor(at.y)}, color, shown.c_str(),
+                                      shown.c_str() + shown.size());
+}
+
+namespace {
+
+struct Word {
+  std::string text;
+  const ImFont* font;
+  float width;
+  bool space_before, code, breaks_line;
+};
+
+const ImFont* font_of(const Ui& ui, const TextRun& run, const Flow& how) {
+  if (run.code) return ui.fonts.mono;
+  if (run.bold) return ui.fonts.bold;
+  return how.font ? how.font : ui.fonts.text;
+}
+
+/// Cuts a word that is wider than a whole line into pieces that are not, at character borders.
+void push_word(const Ui& ui, std::vector<Word>& words, std::string text, const ImFont* font, bool space, bool code, float limit) {
+  while (!text.empty()) {
+    float width = text_size(ui, font, text).x;
+    std::size_t take = text.size();
+    while (width > limit && take > 1) {
+      do --take;
+      while (take > 1 && (static_cast<unsigned char>(text[take]) & 0xc0u) == 0x80u);
+      width = text_size(ui, font, text.substr(0, take)).x;
+    }
+    words.push_back({text.substr(0, take), font, width, space, code, false});
+    text.erase(0, take);
+    space = false;
+  }
+}
+
+std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const Flow& how, float limit) {
+  std::vector<Word> words;
+  bool space = false;
+  for (const TextRun& run : runs) {
+    const ImFont* font = font_of(ui, run, how);
+    std::string word;
+    const auto end_word = [&] {
+      if (!word.empty()) push_word(ui, words, std::exchange(word, {}), font, std::exchange(space, false), run.code, limit);
+    };
+    for (const char c : run.text) {
+      if (c == '\n') {
+        end_word();
+        words.push_back({"", font, 0, false, false, true});
+        space = false;
+      } else if (c == ' ') {
+        end_word();
+        space = true;
+      } else {
+        word += c;
+      }
+    }
+    end_word();
+  }
+  return words;
+}
+
+float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool draw) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float width = how.width > 0 ? how.width : std::max(ui.em, ImGui::GetContentRegionAvail().x);
+  const ImU32 color = how.color ? how.color : ui.colors().text;
+  const ImFont* base = how.font ? how.font : ui.fonts.text;
+  const float line = std::round(base->FontSize * 1.28f);
+  float x = 0, y = 0;
+  for (const Word& word : words_in(ui, runs, how, width - how.indent)) {
+    if (word.breaks_line) {
+      x = how.indent;
+      y += line;
+      continue;
+    }
+    const float space = word.space_before ? std::round(base->FontSize * 0.28f) + (word.font == ui.fonts.mono ? 2.0f : 0.0f) : 0;
+    const bool first = x == 0 || (y > 0 && x == how.indent);
+    if (!first && x + space + word.width > width) {
+      x = how.indent;
+      y += line;
+    } else if (!first) {
+      x += space;
+    }
+    if (draw) {
+      const float baseline = std::round((base->Ascent - word.font->Ascent));
+      const ImVec2 at{origin.x + x, origin.y + y + baseline};
+      if (word.code && base != ui.fonts.mono)
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x - 1, at.y - 1}, {at.x + word.width + 1, at.y + word.font->FontSize + 1}, ui.colors().head);
+      draw_text(ui, at, word.font, color, word.text);
+    }
+    x += word.width;
+  }
+  return y + line;
+}
+
+}  // namespace
+
+void flow(Ui& ui, const std::vector<TextRun>& runs, const Flow& how) {
+  const float width = how.width > 0 ? how.width : ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy({std::max(1.0f, width), lay_out(ui, runs, how, true)});
+}
+
+void flow(Ui& ui, const std::string& text, const Flow& how) { flow(ui, std::vector<TextRun>{{text, false, false, false}}, how); }
+
+float flow_height(Ui& ui, const std::string& text, const Flow& how) {
+  return lay_out(ui, std::vector<TextRun>{{text, false, false, false}}, how, false);
+}
+
+void flow_markdown(Ui& ui, const std::string& markdown) {
+  for (const TextBlock& block : parse_markdown(markdown)) {
+    const float indent = static_cast<float>(block.depth) * ui.em * 1.2f;
+    Flow how;
+    switch (block.kind) {
+      case TextBlock::Kind::heading: how.font = ui.fonts.bold; break;
+      case TextBlock::Kind::code: how.font = ui.fonts.mono; break;
+      case TextBlock::Kind::quote: how.color = ui.colors().muted; break;
+      case TextBlock::Kind::rule: {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + 1}, ui.colors().rule);
+        ImGui::Dummy({1, ui.em * 0.4f});
+        continue;
+      }
+      case TextBlock::Kind::item: {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        draw_text(ui, {at.x + indent - ui.em, at.y}, ui.fonts.text, ui.colors().text,
+                  block.number ? std::to_string(block.number) + "." : "\u2022");
+        break;
+      }
+      case TextBlock::Kind::paragraph: break;
+    }
+    if (indent > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+    flow(ui, block.runs, how);
+    ImGui::Dummy({1, std::round(ui.em * 0.35f)});
+  }
+}
+
+void say_empty(Ui& ui, const std::string& why) {
+  Flow how;
+  how.color = ui.colors().muted;
+  flow(ui, why, how);
+}
+
+bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
+  const ImVec2 size = text_size(ui, ui.fonts.text, label), at = ImGui::GetCursorScreenPos();
+  const float pad_x = std::round(ui.em * 0.55f), pad_y = std::round(ui.em * 0.25f);
+  const ImVec2 end{at.x + size.x + 2 * pad_x, at.y + ui.em + 2 * pad_y + 2};
+  const bool clicked = ImGui::InvisibleButton(label.c_str(), {end.x - at.x, end.y - at.y}) && enabled;
+  const bool hovered = ImGui::IsItemHovered() && enabled;
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(at, end, lit ? c.now_soft : hovered ? c.button_hovered : c.button);
+  list->AddRect(at, end, lit ? c.now : c.rule);
+  draw_text(ui, {at.x + pad_x, at.y + pad_y}, ui.fonts.text, enabled ? c.text : c.muted, label);
+  return clicked;
+}
+
+void tooltip(Ui& ui, const std::vector<std::string>& lines) {
+  float width = 0;
+  for (const std::string& line : lines) width = std::max(width, text_size(ui, ui.fonts.mono, line).x);
+  ImGui::BeginTooltip();
+  for (const std::string& line : lines) {
+    draw_text(ui, ImGui::GetCursorScreenPos(), ui.fonts.mono, ui.colors().text, line);
+    ImGui::Dummy({width, std::round(ui.fonts.mono->FontSize * 1.2f)});
+  }
+  ImGui::EndTooltip();
+}
+
+}  // namespace zstep::viewer

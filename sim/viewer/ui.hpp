@@ -1,0 +1,74 @@
+// What every pane is given, and how panes draw text. A pane is a function of this; panes/pane.hpp lists them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "sim/classroom/markdown.hpp"
+#include "sim/viewer/draw/depth_scale.hpp"
+#include "sim/viewer/draw/fonts.hpp"
+#include "sim/viewer/draw/renderer.hpp"
+#include "sim/viewer/draw/theme.hpp"
+#include "sim/viewer/model/raster_view.hpp"
+#include "sim/viewer/model/session.hpp"
+#include "sim/viewer/model/summary.hpp"
+
+namespace zstep::viewer {
+
+struct Ui {
+  Session& session;
+  Renderer& renderer;
+  Fonts fonts;
+  const Theme* theme = &light_theme();
+  DepthScale depth_scale;
+  DepthRange depth_range;
+  HitCounts hits;
+  ScanLineMarks lines;
+  RasterView view;
+  float em = 16;            ///< body text in pixels
+  bool presenter = false;
+  std::optional<Cell> pointed;       ///< cell under the mouse, in either buffer
+  std::optional<Cell> pointed_next;  ///< collected while this frame is drawn
+  std::optional<std::int32_t> hovered_edge_next;
+  std::int64_t scroll_follows = -1;  ///< position for which panes have scrolled to what is at work
+  bool scroll_now = false;           ///< this frame they must
+  std::string mouse_help;            ///< what the mouse does here, for the bottom line
+
+  const Theme& colors() const { return *theme; }
+  float line() const { return em * 1.3f; }
+};
+
+/// A number for image versions: changes whenever one of these does.
+std::uint64_t fingerprint(std::initializer_list<double> parts);
+
+// --- Text. All of it goes through Fonts::drawable. Sizes in pixels.
+
+ImVec2 text_size(const Ui& ui, const ImFont* font, const std::string& text);
+/// At a place on screen, one line, no wrapping.
+void draw_text(const Ui& ui, ImVec2 at, const ImFont* font, ImU32 color, const std::string& text);
+
+struct Flow {
+  ImU32 color = 0;
+  float indent = 0;          ///< of every line but the first
+  const ImFont* font = nullptr;  ///< of plain runs; body text by default
+  float width = 0;           ///< 0: to the right edge of the pane
+};
+/// Words at the cursor, wrapped; advances the cursor. Words too long for a line are broken.
+void flow(Ui& ui, const std::vector<TextRun>& runs, const Flow& how);
+void flow(Ui& ui, const std::string& text, const Flow& how);
+/// Height that flow() would take.
+float flow_height(Ui& ui, const std::string& text, const Flow& how);
+/// A lesson's Markdown.
+void flow_markdown(Ui& ui, const std::string& markdown);
+/// A sentence in muted colour: why a pane is empty.
+void say_empty(Ui& ui, const std::string& why);
+
+/// A button with a label that fits; true when clicked.
+bool button(Ui& ui, const std::string& label, bool lit = false, bool enabled = true);
+/// A small window beside the mouse with these lines.
+void tooltip(Ui& ui, const std::vector<std::string>& lines);
+
+}  // namespace zstep::viewer

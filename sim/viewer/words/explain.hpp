@@ -1,0 +1,36 @@
+// What a step did, in one sentence and in the formula with its numbers filled in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "traces/file/trace.hpp"
+#include "traces/replay/state.hpp"
+
+namespace zstep {
+
+struct Explanation {
+  std::string sentence;                                 ///< plain text, one sentence or two
+  std::vector<std::string> formulas;                    ///< one line each: symbols = numbers = result
+  std::vector<std::pair<std::string, double>> values;   ///< by name, for who wants every digit
+  std::optional<std::string> doubt;                     ///< the trace's number is not what its formula gives
+};
+
+/// What `event` did. `after` is the state it led to, at after.position; the event is trace.event(after.position).
+/// Uses the trace's conventions for names (z*, z_v or z) and for formulas (direct, or by increments).
+Explanation explain(const Trace& trace, const State& after, const RecordedEvent& event);
+
+/// The label of a polygon: its name, or "P7".
+std::string polygon_label(const Scene& scene, std::int32_t polygon);
+/// What the buffer's numbers are called: "z*", "z_v" or "z".
+std::string depth_symbol(const Scene& scene, const Conventions& conventions);
+
+/// Where a vertex is on the raster and how deep, whether it came through a camera or was given in screen coordinates.
+struct OnRaster {
+  double x = 0, y = 0, z = 0;
+};
+std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::int32_t vertex);
+
+}  // namespace zstep

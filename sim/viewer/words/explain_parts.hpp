@@ -1,0 +1,85 @@
+// What the explanations of single events share. For explain*.cpp only.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::words {
+
+struct Telling {
+  const Trace& trace;
+  const State& after;
+  const Scene& scene;
+  const Conventions& conventions;
+  const Machine& machine;
+  std::string z;  ///< what depths are called
+  Explanation out;
+
+  Telling(const Trace& trace_, const State& after_)
+      : trace(trace_), after(after_), scene(trace_.scene()), conventions(trace_.header().conventions),
+        machine(after_.machine), z(depth_symbol(trace_.scene(), trace_.header().conventions)) {}
+
+  void say(std::string sentence) { out.sentence = std::move(sentence); }
+  void formula(std::string line) { out.formulas.push_back(std::move(line)); }
+  void value(std::string name, double v) { out.values.emplace_back(std::move(name), v); }
+  std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
+  std::string here() const { return label(machine.polygon); }
+
+  /// Holds the recorded number against what the shown formula gives; rounding of an honest computation passes.
+  void hold_against(const std::string& name, double recorded, double computed) {
+    const double scale = std::max({1e-6, std::abs(recorded), std::abs(computed)});
+    if (recorded == computed || (std::isnan(recorded) && std::isnan(computed))) return;
+    if (std::abs(recorded - computed) <= 1e-6 * scale) return;
+    const auto [is, ought] = tell_apart(recorded, computed);
+    out.doubt = fmt::format("The trace records {} = {}, but this formula gives {}.", name, is, ought);
+  }
+};
+
+/// In parentheses when negative, so that "3 − (−2)" reads right.
+inline std::string operand(double value) {
+  std::string text = number(value);
+  return value < 0 && text.find("\u2212") == 0 ? "(" + text + ")" : text;
+}
+
+inline std::string vertex_label(std::int32_t vertex) { return fmt::format("vertex {}", vertex); }
+inline std::string edge_label(std::int32_t edge) { return fmt::format("e{}", edge); }
+
+/// "p_0 + (p_1 − p_0)(t − t_0)/(t_1 − t_0)" with numbers.
+inline std::string line_through(double p0, double p1, double t, double t0, double t1) {
+  return fmt::format("{} + ({} \u2212 {})({} \u2212 {})/({} \u2212 {})", number(p0), number(p1), operand(p0), number(t),
+                     operand(t0), number(t1), operand(t0));
+}
+inline double on_line(double p0, double p1, double t, double t0, double t1) {
+  return p0 + (p1 - p0) * (t - t0) / (t1 - t0);
+}
+
+void tell(Telling& t, const BuffersClear& e);
+void tell(Telling& t, const ViewTransform& e);
+void tell(Telling& t, const Projection& e);
+void tell(Telling& t, const ViewportTransform& e);
+void tell(Telling& t, const PolygonBegin& e);
+void tell(Telling& t, const FacingTest& e);
+void tell(Telling& t, const PolygonReject& e);
+void tell(Telling& t, const ClipTest& e);
+void tell(Telling& t, const ClipVertex& e);
+void tell(Telling& t, const ClipCross& e);
+void tell(Telling& t, const OutlineVertex& e);
+void tell(Telling& t, const EdgeTableInsert& e);
+void tell(Telling& t, const EdgeTableSkip& e);
+void tell(Telling& t, const ScanLineBegin& e);
+void tell(Telling& t, const EdgeEnter& e);
+void tell(Telling& t, const EdgeRetire& e);
+void tell(Telling& t, const EdgeStep& e);
+void tell(Telling& t, const EdgeSwap& e);
+void tell(Telling& t, const SpanBegin& e);
+void tell(Telling& t, const DepthInterpolate& e);
+void tell(Telling& t, const DepthCompare& e);
+void tell(Telling& t, const DepthWrite& e);
+void tell(Telling& t, const PixelWrite& e);
+
+}  // namespace zstep::words

@@ -1,0 +1,91 @@
+// One pixel: z–x interpolation, the compare, the two writes (000, "The algorithm"; 004 for the tie).
+#include "sim/viewer/words/explain_parts.hpp"
+
+namespace zstep::words {
+namespace {
+
+std::string pixel(std::int32_t x, std::int32_t y) { return fmt::format("({}, {})", x, y); }
+
+/// The depth the increment was added to: that of the pixel before, or of the span's first pixel's left end.
+std::optional<double> depth_before(const Telling& t, const DepthInterpolate& e) {
+  for (std::int64_t p = t.after.position - 1; p >= 1 && p > t.after.position - 16; --p) {
+    const Event& event = t.trace.event(p).event;
+    if (const auto* last = std::get_if<DepthInterpolate>(&event)) {
+      if (last->y == e.y && last->x == e.x - 1) return last->z;
+      return std::nullopt;
+    }
+    if (std::holds_alternative<SpanBegin>(event)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void tell(Telling& t, const DepthInterpolate& e) {
+  t.say(fmt::format("At pixel {} polygon {} is at depth {}.", pixel(e.x, e.y), t.here(), number(e.z)));
+  t.value(t.z, e.z);
+  if (!t.machine.span) return;
+  const SpanBegin& s = *t.machine.span;
+  if (t.conventions.interpolation == Conventions::Interpolation::increments) {
+    if (const auto before = depth_before(t, e)) {
+      t.formula(fmt::format("{0} = {0} + dz/dx = {1} + {2} = {3}", t.z, number(*before), operand(s.dz_dx), number(e.z)));
+      t.hold_against(t.z, e.z, *before + s.dz_dx);
+      return;
+    }
+    t.formula(fmt::format("{} = z_L + (x \u2212 x_L)\u00b7dz/dx = {} + ({} \u2212 {})\u00b7{} = {}", t.z, number(s.z_left), e.x,
+                          operand(s.x_left), operand(s.dz_dx), number(e.z)));
+    t.hold_against(t.z, e.z, s.z_left + (e.x - s.x_left) * s.dz_dx);
+    return;
+  }
+  if (s.x_right == s.x_left) {
+    t.formula(fmt::format("x_L = x_R: {} = z_L = {}", t.z, number(e.z)));
+    return;
+  }
+  t.formula(fmt::format("{} = z_L + (z_R \u2212 z_L)(x \u2212 x_L)/(x_R \u2212 x_L) = {} = {}", t.z,
+                        line_through(s.z_left, s.z_right, e.x, s.x_left, s.x_right), number(e.z)));
+  t.hold_against(t.z, e.z, on_line(s.z_left, s.z_right, e.x, s.x_left, s.x_right));
+}
+
+void tell(Telling& t, const DepthCompare& e) {
+  const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
+  const double stored = f ? f->stored : no_depth;
+  const auto [z, before] = tell_apart(e.z, stored);
+  const std::string who = f ? t.label(f->stored_polygon) : "what is stored";
+  if (e.nearer && std::isinf(stored))
+    t.say(fmt::format("{} < \u221e: nothing was drawn here yet, so pixel {} becomes {}.", z, pixel(e.x, e.y), t.here()));
+  else if (e.nearer)
+    t.say(fmt::format("{} < {}: nearer than {}, so pixel {} becomes {}.", z, before, who, pixel(e.x, e.y), t.here()));
+  else if (e.z == stored)
+    t.say(fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, who, pixel(e.x, e.y)));
+  else
+    t.say(fmt::format("{} > {}: {} is hidden behind {} at pixel {}, nothing is written.", z, before, t.here(), who, pixel(e.x, e.y)));
+  t.formula(fmt::format("{} < zbuffer[x,y]:  {} < {}  is {}", t.z, z, before, e.nearer ? "true" : "false"));
+  t.value(t.z, e.z);
+  if (f) {
+    t.value("zbuffer[x,y]", stored);
+    if ((e.z < stored) != e.nearer)
+      t.out.doubt = fmt::format("The trace says {}, but {} < {} is {}.", e.nearer ? "nearer" : "not nearer", z, before,
+                                e.z < stored ? "true" : "false");
+  }
+}
+
+void tell(Telling& t, const DepthWrite& e) {
+  const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
+  if (f) {
+    const auto [z, before] = tell_apart(e.z, f->stored);
+    t.say(fmt::format("The depth buffer at {} takes {}; it held {}.", pixel(e.x, e.y), z, before));
+  } else {
+    t.say(fmt::format("The depth buffer at {} takes {}.", pixel(e.x, e.y), number(e.z)));
+  }
+  t.formula(fmt::format("zbuffer[{},{}] = {}", e.x, e.y, number(e.z)));
+  t.value(t.z, e.z);
+}
+
+void tell(Telling& t, const PixelWrite& e) {
+  const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
+  t.say(f ? fmt::format("Pixel {} takes the colour of {}; it showed {}.", pixel(e.x, e.y), t.label(e.polygon), t.label(f->stored_polygon))
+          : fmt::format("Pixel {} takes the colour of {}.", pixel(e.x, e.y), t.label(e.polygon)));
+  t.formula(fmt::format("frame[{},{}] = colour of {}", e.x, e.y, t.label(e.polygon)));
+}
+
+}  // namespace zstep::words

@@ -1,0 +1,33 @@
+// Numbers as a person reads them: short, true, aligned.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace zstep {
+
+/// How many decimals at most where nobody asks for the exact value.
+inline constexpr int usual_decimals = 4;
+
+/// With exactly this many decimals: "−0.50", "∞", "undefined" for a NaN.
+std::string number(double value, int decimals);
+/// As short as it can be without losing one of `at_most` decimals: "4.25", "3", "0.3333". Very large and very small values
+/// are written with an exponent ("1.2e−07").
+std::string number(double value, int at_most_decimals, bool shorten);
+inline std::string number(double value) { return number(value, usual_decimals, true); }
+
+/// The decimals a column needs so that different values look different and short ones stay short; at most `at_most`.
+int decimals_needed(std::span<const double> values, int at_most = usual_decimals);
+
+/// Two numbers with as many decimals as tell them apart (all 17 digits if need be); equal numbers look equal.
+std::pair<std::string, std::string> tell_apart(double a, double b);
+
+/// Decimal that reads back to the same bits, and the hex float: "0.1 (0x1.999999999999ap-4)".
+std::string exact(double value);
+
+/// Thousands set apart by a no-break space: "12 041".
+std::string grouped(std::int64_t value);
+
+}  // namespace zstep
