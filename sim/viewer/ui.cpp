@@ -166,7 +166,8 @@ void say_empty(Ui& ui, const std::string& why) {
 }
 
 bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
-  const ImVec2 size = text_size(ui, ui.fonts.text, label), at = ImGui::GetCursorScreenPos();
+  const std::string shown = label.substr(0, label.find("##"));
+  const ImVec2 size = text_size(ui, ui.fonts.text, shown), at = ImGui::GetCursorScreenPos();
   const float pad_x = std::round(ui.em * 0.55f), pad_y = std::round(ui.em * 0.25f);
   const ImVec2 end{at.x + size.x + 2 * pad_x, at.y + ui.em + 2 * pad_y + 2};
   const bool clicked = ImGui::InvisibleButton(label.c_str(), {end.x - at.x, end.y - at.y}) && enabled;
@@ -175,7 +176,7 @@ bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(at, end, lit ? c.now_soft : hovered ? c.button_hovered : c.button);
   list->AddRect(at, end, lit ? c.now : c.rule);
-  draw_text(ui, {at.x + pad_x, at.y + pad_y}, ui.fonts.text, enabled ? c.text : c.muted, label);
+  draw_text(ui, {at.x + pad_x, at.y + pad_y}, ui.fonts.text, enabled ? c.text : c.muted, shown);
   return clicked;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,13 @@
 
 namespace zstep::viewer {
 
+/// One of the two buffers as a pane shows it, kept between frames.
+struct RasterContent {
+  Canvas canvas;
+  std::vector<Pixel32> cells;
+  std::uint64_t cells_version = 0, canvas_version = 0;
+};
+
 struct Ui {
   Session& session;
   Renderer& renderer;
@@ -28,6 +36,10 @@ struct Ui {
   HitCounts hits;
   ScanLineMarks lines;
   RasterView view;
+  std::map<std::string, RasterContent> rasters;  ///< by pane
+  std::map<std::string, Canvas> canvases;        ///< by what is painted there
+  std::map<std::string, std::uint64_t> painted;  ///< the version each canvas shows
+  int depth_decimals = 2;                        ///< what the depth buffer's numbers need
   float em = 16;            ///< body text in pixels
   bool presenter = false;
   std::optional<Cell> pointed;       ///< cell under the mouse, in either buffer

@@ -1,6 +1,9 @@
 #include "sim/viewer/model/session.hpp"
 
 #include <algorithm>
+#include <type_traits>
+
+#include "traces/file/visit.hpp"
 
 namespace zstep::viewer {
 
@@ -105,13 +108,20 @@ std::int64_t Session::before() const {
 const std::vector<Cell>& Session::changed() const {
   if (changed_) return *changed_;
   changed_.emplace();
-  constexpr std::int64_t readable = 200'000;  // beyond, marks would cover the picture and cost more than a frame
+  constexpr std::int64_t readable = 500'000;  // beyond, marks would cover the picture and cost more than a frame
   if (position() - before() > readable) return *changed_;
-  for (std::int64_t p = before() + 1; p <= position(); ++p) {
-    const Event& event = trace_.event(p).event;
-    if (!std::holds_alternative<DepthWrite>(event) && !std::holds_alternative<PixelWrite>(event)) continue;
-    const auto pixel = pixel_of(event);
-    if (pixel && (changed_->empty() || changed_->back() != Cell{pixel->x, pixel->y})) changed_->push_back({pixel->x, pixel->y});
+  const auto look = [&](const auto& event) {
+    using E = std::decay_t<decltype(event)>;
+    if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelWrite>)
+      if (const Cell cell{event.x, event.y}; changed_->empty() || changed_->back() != cell) changed_->push_back(cell);
+  };
+  if (position() - before() == 1) {
+    std::visit(look, trace_.event(position()).event);
+  } else {
+    trace_.visit(before(), position(), [&](std::int64_t, std::uint8_t, const auto& event) {
+      look(event);
+      return true;
+    });
   }
   return *changed_;
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+
+#include "traces/file/visit.hpp"
 
 namespace zstep::viewer {
 
@@ -25,12 +28,13 @@ DepthRange depth_range(const Trace& trace) {
   } else {
     // The vertices that are in view in depth, as the trace's own projection gives them; where some are not, the planes.
     const std::int64_t end = trace.polygons().empty() ? trace.size() : trace.polygons().front().position;
-    for (std::int64_t p = 1; p <= std::min(end, quick); ++p) {
-      const auto* projected = std::get_if<Projection>(&trace.event(p).event);
-      if (!projected) continue;
-      const double z_v = view_depth(camera, trace.header().conventions, projected->z);
-      if (z_v >= camera.near && z_v <= camera.far) add(projected->z);
-    }
+    trace.visit(0, std::min(end, quick), [&](std::int64_t, std::uint8_t, const auto& event) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(event)>, Projection>) {
+        const double z_v = view_depth(camera, trace.header().conventions, event.z);
+        if (z_v >= camera.near && z_v <= camera.far) add(event.z);
+      }
+      return true;
+    });
   }
   if (!(near <= far)) return range;
   range = {near, far, true};
@@ -52,8 +56,10 @@ const ScanLineMarks::Stretch& ScanLineMarks::at(const Trace& trace, std::int64_t
   }
   s.complete = s.last - s.first <= quick;
   if (s.complete && s.polygon != no_polygon)
-    for (std::int64_t p = s.first + 1; p <= s.last; ++p)
-      if (const auto* line = std::get_if<ScanLineBegin>(&trace.event(p).event)) s.lines.push_back({p, line->y});
+    trace.visit(s.first, s.last, [&](std::int64_t p, std::uint8_t, const auto& event) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(event)>, ScanLineBegin>) s.lines.push_back({p, event.y});
+      return true;
+    });
   stretch_ = std::move(s);
   return *stretch_;
 }
@@ -67,8 +73,16 @@ void HitCounts::follow(const Trace& trace, std::int64_t position) {
     known_ = position <= quick;
     if (!known_) return;
   }
-  for (std::int64_t p = position_ + 1; p <= position; ++p) ++count_[trace.event(p).step];
-  for (std::int64_t p = position + 1; p <= position_; ++p) --count_[trace.event(p).step];
+  const std::int64_t change = position > position_ ? 1 : -1;
+  const std::int64_t low = std::min(position, position_), high = std::max(position, position_);
+  if (high - low < 64) {
+    for (std::int64_t p = low + 1; p <= high; ++p) count_[trace.event(p).step] += change;
+  } else {
+    trace.visit(low, high, [&](std::int64_t, std::uint8_t step, const auto&) {
+      count_[step] += change;
+      return true;
+    });
+  }
   position_ = position;
 }
 

@@ -25,11 +25,10 @@ std::vector<std::string> about_cell(Ui& ui, Cell cell) {
 }
 
 void draw_frame(Ui& ui) {
-  static RasterContent content{"frame", {}, {}, 0, 0};
   const Session& s = ui.session;
   const Scene& scene = s.scene();
   draw_raster(
-      ui, content, std::round(ui.fonts.small->FontSize * 1.3f),
+      ui, "frame", std::round(ui.fonts.small->FontSize * 1.3f),
       [&](std::vector<Pixel32>& cells) {
         const Picture& picture = s.picture();
         std::vector<Pixel32> colors;
@@ -80,7 +79,7 @@ void draw_legend(Ui& ui, float top) {
   const float bar_left = at.x + near_width + gap, bar_right = at.x + width - far_width - none_width - box - 3 * gap;
   if (bar_right - bar_left < 12) return;
   draw_text(ui, {at.x, at.y}, font, c.muted, near);
-  static Canvas bar;
+  Canvas& bar = ui.canvases["legend"];
   const int bar_width = static_cast<int>(bar_right - bar_left), bar_height = static_cast<int>(box);
   bar.resize(bar_width, bar_height);
   for (int y = 0; y < bar_height; ++y)
@@ -97,8 +96,6 @@ void draw_legend(Ui& ui, float top) {
 }
 
 void draw_depth(Ui& ui) {
-  static RasterContent content{"depth", {}, {}, 0, 0};
-  static int decimals = 2;
   const Session& s = ui.session;
   if (!ui.depth_range.known) {
     // A trace that does not say where its vertices are: the range is what the buffer has shown so far.
@@ -109,17 +106,17 @@ void draw_depth(Ui& ui) {
   const float legend = std::round(ui.fonts.small->FontSize * 1.3f);
   const float bottom = ImGui::GetCursorScreenPos().y + ImGui::GetContentRegionAvail().y;
   draw_raster(
-      ui, content, legend,
+      ui, "depth", legend,
       [&](std::vector<Pixel32>& cells) {
         const Picture& picture = s.picture();
-        decimals = picture.depth.size() <= 16384 ? decimals_in(picture) : 2;
+        ui.depth_decimals = picture.depth.size() <= 16384 ? decimals_in(picture) : 2;
         const DepthRange range = ui.depth_range;
         const double scale = range.far > range.near ? 1 / (range.far - range.near) : 0;
         cells.resize(picture.depth.size());
         for (std::size_t i = 0; i < cells.size(); ++i)
           cells[i] = std::isfinite(picture.depth[i]) ? ui.depth_scale.at((picture.depth[i] - range.near) * scale) : hatched_cell;
       },
-      [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, decimals,
+      [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, ui.depth_decimals,
       [&](Cell cell) { return about_cell(ui, cell); });
   draw_legend(ui, bottom - legend + 2);
 }

@@ -193,11 +193,12 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   }
 }
 
-void draw_raster(Ui& ui, RasterContent& content, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
+void draw_raster(Ui& ui, const char* id, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
                  const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals,
                  const std::function<std::vector<std::string>(Cell)>& cell_tip) {
   Session& s = ui.session;
   const Theme& c = ui.colors();
+  RasterContent& content = ui.rasters[id];
   const Rulers rulers = room_for_rulers(ui, s.scene().raster);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), avail = ImGui::GetContentRegionAvail();
   const ImVec2 origin{corner.x + rulers.left, corner.y};
@@ -220,10 +221,10 @@ void draw_raster(Ui& ui, RasterContent& content, float reserve_below, const std:
     content.canvas_version = version;
   }
   const ImVec2 end{origin.x + static_cast<float>(width), origin.y + static_cast<float>(height)};
-  ImGui::GetWindowDrawList()->AddImage(ui.renderer.image(content.id, content.canvas, version), origin, end);
+  ImGui::GetWindowDrawList()->AddImage(ui.renderer.image(id, content.canvas, version), origin, end);
 
   ImGui::SetCursorScreenPos(origin);
-  ImGui::InvisibleButton(content.id, {static_cast<float>(width), static_cast<float>(height)},
+  ImGui::InvisibleButton(id, {static_cast<float>(width), static_cast<float>(height)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   zoom_and_pan(ui, map, origin);
   const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -9,21 +9,9 @@
 
 namespace zstep::viewer {
 
-/// One of the two buffers as a pane shows it.
-struct RasterContent {
-  const char* id = "";
-  Canvas canvas;                 ///< kept between frames
-  std::vector<Pixel32> cells;
-  std::uint64_t cells_version = 0, canvas_version = 0;
-};
-
-struct RasterText {
-  std::string text;              ///< may be empty
-};
-
-/// Draws the raster into what is left of the pane. `refill` recolours content.cells (called only when the state changed);
+/// Draws the raster into what is left of the pane. `refill` recolours the cells (called only when the state changed);
 /// `cell_text` says what stands in a cell; `cell_tip` what the mouse is told there.
-void draw_raster(Ui& ui, RasterContent& content, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
+void draw_raster(Ui& ui, const char* id, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
                  const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals,
                  const std::function<std::vector<std::string>(Cell)>& cell_tip);
 

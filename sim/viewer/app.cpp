@@ -1,0 +1,247 @@
+#include "sim/viewer/app.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/commands.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+
+App::Context::Context() : context(ImGui::CreateContext()) {
+  ImGui::SetCurrentContext(context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // what stays is in Settings
+  io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io.ConfigInputTextCursorBlink = false;  // an idle window draws nothing
+  io.DeltaTime = 1.0f / 60;
+}
+
+App::Context::~Context() { ImGui::DestroyContext(context); }
+
+App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale)
+    : settings_(settings), renderer_(width, height), session_(trace, lesson), ui_{session_, renderer_, {}}, dpi_scale_(dpi_scale) {
+  ui_.depth_range = depth_range(trace);
+  session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
+  structures_ = structure_panes(trace.header());
+  set_dark(settings.dark);
+  set_presenter(settings.presenter);
+}
+
+App::~App() = default;
+
+void App::resize(int width, int height) {
+  renderer_.resize(width, height);
+  session_.touch();
+}
+
+void App::set_dpi_scale(float scale) {
+  dpi_scale_ = scale;
+  session_.touch();
+}
+
+void App::set_dark(bool dark) {
+  settings_.dark = dark;
+  ui_.theme = dark ? &dark_theme() : &light_theme();
+  session_.touch();
+}
+
+void App::set_presenter(bool presenter) {
+  settings_.presenter = ui_.presenter = presenter;
+  session_.touch();
+}
+
+void App::scale_text(float factor) {
+  settings_.text_scale = factor == 0 ? 1.0f : std::clamp(settings_.text_scale * factor, 0.5f, 3.0f);
+  say(fmt::format("Text at {:.0f} %.", settings_.text_scale * 100));
+}
+
+void App::say(std::string message) {
+  session_.message = std::move(message);
+  session_.touch();
+}
+
+void App::open(Overlay overlay) {
+  overlay_ = overlay;
+  typed.clear();
+  picked = 0;
+  session_.touch();
+}
+
+std::string App::link() const {
+  const std::string& name = session_.trace().name();
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || std::string_view("/._-:+@%").find(static_cast<char>(c)) != std::string_view::npos; });
+  std::string quoted = name;
+  if (!plain) {
+    quoted = "'";
+    for (const char c : name) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    quoted += "'";
+  }
+  return fmt::format("zstep view {} --at {}", quoted, session_.position());
+}
+
+/// Body text: 16 px in a window of 1280 x 720. Half of what a window is larger goes into the text, the other half into room;
+/// a screen with more pixels to the inch gets at least its own scale. Presenter mode begins at 24 px.
+void App::update_fonts() {
+  const float larger = std::min(static_cast<float>(renderer_.width()) / 1280, static_cast<float>(renderer_.height()) / 720);
+  const float grown = std::max(dpi_scale_, 1 + (std::max(larger, 1.0f) - 1) / 2);
+  const float pixels = std::clamp(std::round((ui_.presenter ? 24.0f : 16.0f) * grown * settings_.text_scale), 9.0f, 96.0f);
+  if (pixels == built_for_) return;
+  built_for_ = ui_.em = pixels;
+  ui_.fonts.load(pixels);
+  renderer_.upload_fonts();
+}
+
+bool App::key(const SDL_KeyboardEvent& event) {
+  const unsigned modifiers = (event.keysym.mod & KMOD_SHIFT ? Chord::shift : 0u) | (event.keysym.mod & (KMOD_CTRL | KMOD_GUI) ? Chord::ctrl : 0u) |
+                             (event.keysym.mod & KMOD_ALT ? Chord::alt : 0u);
+  SDL_Keycode code = event.keysym.sym;
+  if (code == SDLK_KP_ENTER) code = SDLK_RETURN;
+  if (event.type == SDL_KEYUP) {
+    for (const Command& command : commands())
+      if (command.release && !command.keys.empty() && command.keys[0].key == code) command.release(*this);
+    return false;
+  }
+  const bool typing = overlay_ == Overlay::palette || overlay_ == Overlay::go_to;
+  if (typing && code == SDLK_BACKSPACE && !typed.empty()) {
+    do typed.pop_back();
+    while (!typed.empty() && (static_cast<unsigned char>(typed.back()) & 0xc0u) == 0x80u);
+    picked = 0;
+  } else if (typing && code == SDLK_RETURN) {
+    if (overlay_ == Overlay::go_to) return go_to_typed(), true;
+    const auto found = matching(typed);
+    if (picked >= static_cast<int>(found.size())) return true;
+    const Command* command = found[static_cast<std::size_t>(picked)];
+    open(Overlay::none);
+    if (!command->release) command->run(*this);  // what is held cannot be run from a list
+    else say("Hold " + key_names(*command) + " for that.");
+  } else if (typing && (code == SDLK_UP || code == SDLK_DOWN)) {
+    picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(matching(typed).size()) - 1));
+  } else if (const Command* command = command_for(code, modifiers)) {
+    // While something is being typed, only what has Ctrl or closes it is a command.
+    if (typing && !(modifiers & Chord::ctrl) && code != SDLK_ESCAPE && code != SDLK_F1 && code != SDLK_F10) return true;
+    if (event.repeat && command->release) return true;
+    if (overlay_ == Overlay::keys || overlay_ == Overlay::menu) {
+      const std::string id = command->id;
+      if (id != "keys" && id != "menu" && id != "escape") open(Overlay::none);
+    }
+    command->run(*this);
+  }
+  session_.touch();
+  return true;
+}
+
+bool App::handle(const SDL_Event& event, float pixels_per_point) {
+  ImGuiIO& io = ImGui::GetIO();
+  const auto mouse = [&](float x, float y) {
+#if IMGUI_VERSION_NUM >= 18700
+    io.AddMousePosEvent(x, y);
+#else
+    io.MousePos = {x, y};
+#endif
+  };
+  switch (event.type) {
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      key(event.key);
+      return false;
+    case SDL_TEXTINPUT:
+      if (overlay_ == Overlay::palette || overlay_ == Overlay::go_to) {
+        // The key that opened it types its own letter too; an empty field does not want it.
+        if (!(typed.empty() && overlay_ == Overlay::go_to && (event.text.text[0] == 'g' || event.text.text[0] == 'G'))) typed += event.text.text;
+        picked = 0;
+        session_.touch();
+      } else if (const Command* command = command_for(event.text.text[0])) {
+        command->run(*this);
+        session_.touch();
+      }
+      return false;
+    case SDL_MOUSEMOTION:
+      mouse(static_cast<float>(event.motion.x) * pixels_per_point, static_cast<float>(event.motion.y) * pixels_per_point);
+      return false;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP: {
+      mouse(static_cast<float>(event.button.x) * pixels_per_point, static_cast<float>(event.button.y) * pixels_per_point);
+      const bool down = event.type == SDL_MOUSEBUTTONDOWN;
+      const int which = event.button.button == SDL_BUTTON_LEFT ? 0 : event.button.button == SDL_BUTTON_RIGHT ? 1 : event.button.button == SDL_BUTTON_MIDDLE ? 2 : -1;
+      if (which < 0) return false;
+      const SDL_Keymod mod = SDL_GetModState();
+#if IMGUI_VERSION_NUM >= 18700
+      io.AddMouseButtonEvent(which, down);
+      io.AddKeyEvent(ImGuiMod_Shift, (mod & KMOD_SHIFT) != 0);
+#else
+      io.MouseDown[which] = down;
+      io.KeyShift = (mod & KMOD_SHIFT) != 0;
+#endif
+      return true;
+    }
+    case SDL_MOUSEWHEEL:
+#if IMGUI_VERSION_NUM >= 18700
+      io.AddMouseWheelEvent(static_cast<float>(event.wheel.x), static_cast<float>(event.wheel.y));
+#else
+      io.MouseWheel += static_cast<float>(event.wheel.y);
+      io.MouseWheelH += static_cast<float>(event.wheel.x);
+#endif
+      return false;
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE) mouse(-1e6f, -1e6f);
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) session_.looking_back = false;
+      return false;
+    case SDL_QUIT: requests.quit = true; return false;
+    default: return false;
+  }
+}
+
+void App::settle() {
+  for (int i = 0; i < 4; ++i) frame();
+}
+
+void App::go_to_typed() {
+  std::string text = typed;
+  open(Overlay::none);
+  const auto numbers = [&text] {
+    std::vector<std::int64_t> found;
+    std::string digits;
+    for (const char c : text + " ") {
+      if (std::isdigit(static_cast<unsigned char>(c))) digits += c;
+      else if (!digits.empty()) found.push_back(std::strtoll(std::exchange(digits, {}).substr(0, 18).c_str(), nullptr, 10));
+    }
+    return found;
+  }();
+  const bool pixel = text.find(',') != std::string::npos;
+  if (pixel && numbers.size() == 2) {
+    const Raster& raster = session_.scene().raster;
+    if (numbers[0] >= raster.width || numbers[1] >= raster.height) return say(fmt::format("The raster is {} by {}.", raster.width, raster.height));
+    session_.select(Cell{static_cast<std::int32_t>(numbers[0]), static_cast<std::int32_t>(numbers[1])});
+    return say("Selected; F runs to the next step that touches it.");
+  }
+  if (!pixel && text.find('%') != std::string::npos && !numbers.empty()) {
+    const double share = std::clamp(std::strtod(text.c_str(), nullptr), 0.0, 100.0) / 100;
+    return session_.go_to(std::llround(share * static_cast<double>(session_.size())));
+  }
+  if (text.find_first_of("pP") != std::string::npos && numbers.size() == 1) {
+    for (const PolygonMark& mark : session_.trace().polygons())
+      if (mark.polygon == numbers[0]) return session_.go_to(mark.position, Unit::polygon);
+    return say(fmt::format("Polygon {} is not in this trace.", numbers[0]));
+  }
+  if (!numbers.empty() && !pixel) {
+    std::int64_t step = 0;
+    std::string digits;
+    for (const char c : text)
+      if (std::isdigit(static_cast<unsigned char>(c))) digits += c;
+    step = std::strtoll(digits.substr(0, 18).c_str(), nullptr, 10);
+    if (step > session_.size()) {
+      session_.go_to(session_.size());
+      return say(fmt::format("This trace has {} steps; this is its end.", grouped(session_.size())));
+    }
+    return session_.go_to(step);
+  }
+  say("Type a step (12041), a percentage (25 %), a polygon (p 3) or a pixel (9, 17).");
+}
+
+}  // namespace zstep::viewer

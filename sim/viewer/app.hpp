@@ -1,0 +1,97 @@
+// The viewer without its window: takes SDL's events, draws one frame on a surface. Never blocks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <SDL.h>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/settings.hpp"
+#include "sim/viewer/ui.hpp"
+#include "sim/viewer/viewer.hpp"
+
+namespace zstep::viewer {
+
+/// What the window is asked to do; whoever owns it takes the requests and clears them.
+struct WindowRequests {
+  bool quit = false, toggle_full_screen = false;
+  std::optional<std::string> clipboard;
+  std::optional<std::string> save_picture;  ///< path
+};
+
+enum class Overlay { none, keys, palette, go_to, menu };
+
+class App {
+ public:
+  /// `dpi_scale`: pixels of this surface per pixel of a common screen.
+  App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale = 1);
+  ~App();
+  App(const App&) = delete;
+  App& operator=(const App&) = delete;
+
+  /// True when a frame should be drawn before the next event is taken (a mouse button changed).
+  bool handle(const SDL_Event& event, float pixels_per_point = 1);
+  void resize(int width, int height);
+  void set_dpi_scale(float scale);
+
+  /// Draws what is to be seen now on renderer().surface().
+  void frame();
+  /// Frames until nothing moves any more: hovering, scrolling and sizes need more than one.
+  void settle();
+
+  Ui& ui() { return ui_; }
+  Session& session() { return session_; }
+  Renderer& renderer() { return renderer_; }
+  Settings& settings() { return settings_; }
+  const Settings& settings() const { return settings_; }
+  WindowRequests requests;
+
+  // --- What commands do
+  void open(Overlay overlay);
+  Overlay overlay() const { return overlay_; }
+  void set_dark(bool dark);
+  void set_presenter(bool presenter);
+  void scale_text(float factor);  ///< 0: back to the usual size
+  std::string link() const;       ///< the command line that opens this place
+  std::string typed;              ///< in palette and go-to
+  int picked = 0;                 ///< in palette
+  void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"
+  void say(std::string message);
+
+ private:
+  void update_fonts();
+  void draw_title(ImVec2 at, ImVec2 size);
+  void draw_panes(ImVec2 at, ImVec2 size);
+  void draw_pane(const Pane& pane, ImVec2 at, ImVec2 size);
+  void draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id);
+  void draw_structures(ImVec2 at, ImVec2 size);
+  bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
+  void draw_overlay();
+  bool key(const SDL_KeyboardEvent& event);
+
+  struct Context {  // created before everything that uses Dear ImGui, destroyed after it
+    Context();
+    ~Context();
+    ImGuiContext* context;
+  };
+  Context context_;
+  Settings settings_;
+  Renderer renderer_;
+  Session session_;
+  Ui ui_;
+  std::vector<Pane> structures_;
+  float dpi_scale_;
+  float built_for_ = 0;
+  Overlay overlay_ = Overlay::none;
+  std::uint64_t seen_revision_ = 0;
+};
+
+// overlays.cpp
+void draw_key_sheet(App& app);
+void draw_palette(App& app);
+void draw_go_to(App& app);
+void draw_menu(App& app);
+
+}  // namespace zstep::viewer

@@ -1,0 +1,264 @@
+// One frame: title, panes and their borders, timeline.
+#include "sim/viewer/app.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse;
+
+ImVec4 color(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
+
+void apply_style(const Ui& ui) {
+  const Theme& c = ui.colors();
+  ImGuiStyle& style = ImGui::GetStyle();
+  // Straight edges only: the software renderer draws rectangles by blitting, and triangles one pixel at a time.
+  style.AntiAliasedLines = style.AntiAliasedLinesUseTex = style.AntiAliasedFill = false;
+  style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = style.ScrollbarRounding = style.GrabRounding = 0;
+  style.WindowBorderSize = style.ChildBorderSize = 0;
+  style.PopupBorderSize = 1;
+  style.WindowMinSize = {1, 1};
+  style.ScrollbarSize = std::round(ui.em * 0.6f);
+  style.WindowPadding = {std::round(ui.em * 0.5f), std::round(ui.em * 0.35f)};
+  style.ItemSpacing = {std::round(ui.em * 0.4f), 0};
+  style.Colors[ImGuiCol_Text] = color(c.text);
+  style.Colors[ImGuiCol_WindowBg] = color(c.window);
+  style.Colors[ImGuiCol_ChildBg] = color(c.pane);
+  style.Colors[ImGuiCol_PopupBg] = color(c.pane);
+  style.Colors[ImGuiCol_Border] = color(c.rule);
+  style.Colors[ImGuiCol_ScrollbarBg] = color(c.pane);
+  style.Colors[ImGuiCol_ScrollbarGrab] = color(c.rule);
+  style.Colors[ImGuiCol_ScrollbarGrabHovered] = style.Colors[ImGuiCol_ScrollbarGrabActive] = color(c.muted);
+}
+
+}  // namespace
+
+void App::draw_title(ImVec2 at, ImVec2 size) {
+  const Theme& c = ui_.colors();
+  const State& state = session_.state();
+  const ImFont* font = ui_.fonts.text;
+  const float y = at.y + std::round((size.y - font->FontSize) / 2) - 1;
+  const std::string menu = "Menu";
+  const float menu_width = text_size(ui_, font, menu).x + std::round(ui_.em * 1.1f);
+  ImGui::SetCursorScreenPos({at.x + size.x - menu_width, at.y + std::round(ui_.em * 0.12f)});
+  if (button(ui_, menu, overlay_ == Overlay::menu)) open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
+  if (ImGui::IsItemHovered()) ui_.mouse_help = "Every command, with its key.";
+  const float right = at.x + size.x - menu_width - ui_.em;
+
+  // From the right: what there is room for, the most important first.
+  std::vector<std::string> parts{fmt::format("step {} of {}", grouped(session_.position()), grouped(session_.size()))};
+  if (state.machine.polygon != no_polygon) parts.push_back("polygon " + polygon_label(session_.scene(), state.machine.polygon));
+  if (state.machine.scan_line) parts.push_back(fmt::format("line {}", *state.machine.scan_line));
+  if (const auto cell = session_.current_cell()) parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
+  const Scene& scene = session_.scene();
+  std::vector<std::string> names{"zstep"};
+  if (session_.lesson()) names.push_back(session_.lesson()->title);
+  names.push_back(session_.header().title.empty() ? session_.header().algorithm : session_.header().title);
+  names.push_back(scene.name.empty() ? session_.trace().name() : scene.name);
+  const auto joined = [](const std::vector<std::string>& all) {
+    std::string text;
+    for (const std::string& part : all) text += (text.empty() ? "" : " \u00b7 ") + part;
+    return text;
+  };
+  while (parts.size() > 1 && text_size(ui_, font, joined(parts)).x > right - at.x) parts.pop_back();
+  const std::string where = joined(parts);
+  const float where_width = text_size(ui_, font, where).x;
+  if (where_width <= right - at.x) draw_text(ui_, {right - where_width, y}, font, c.text, where);
+  while (names.size() > 1 && text_size(ui_, ui_.fonts.bold, joined(names)).x > right - where_width - at.x - ui_.em) names.pop_back();
+  const std::string name = joined(names);
+  if (text_size(ui_, ui_.fonts.bold, name).x <= right - where_width - at.x - ui_.em) draw_text(ui_, {at.x, y}, ui_.fonts.bold, c.text, name);
+}
+
+void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
+  const Theme& c = ui_.colors();
+  size = {std::floor(size.x), std::floor(size.y)};
+  at = {std::floor(at.x), std::floor(at.y)};
+  const float head = std::round(ui_.em * 1.5f);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, c.pane);
+  list->AddRectFilled(at, {at.x + size.x, at.y + head}, c.head);
+  const float pad = std::round(ui_.em * 0.5f);
+  const ImFont* font = ui_.fonts.small;
+  const float y = at.y + std::round((head - font->FontSize) / 2) - 1;
+  const float title_width = text_size(ui_, font, pane.title).x;
+  if (title_width + 2 * pad <= size.x) draw_text(ui_, {at.x + pad, y}, font, c.text, pane.title);
+  const std::string note = pane.note ? pane.note(ui_) : "";
+  const float note_width = text_size(ui_, font, note).x;
+  if (!note.empty() && title_width + note_width + 3 * pad + ui_.em <= size.x)
+    draw_text(ui_, {at.x + size.x - pad - note_width, y}, font, session_.looking_back ? c.now : c.muted, note);
+  const float body = size.y - head;
+  if (body >= 8 && size.x >= 8) {
+    ImGui::SetCursorScreenPos({at.x, at.y + head});
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav |
+                                   (pane.scrolls ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    if (ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) pane.draw(ui_);
+    ImGui::EndChild();
+  }
+  list->AddRect(at, {at.x + size.x, at.y + size.y}, c.rule);
+}
+
+bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole) {
+  ImGui::SetCursorScreenPos(at);
+  ImGui::InvisibleButton(id, {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+  const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  if (hot) {
+    ui_.mouse_help = "Drag: move this border. Ctrl+L puts all borders back.";
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, ui_.colors().button_hovered);
+  }
+  if (!ImGui::IsItemActive() || whole <= 0) return false;
+  const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+  if (moved == 0) return false;
+  share = std::clamp(share + moved / whole, 0.08f, 0.92f);
+  session_.touch();
+  return true;
+}
+
+void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id) {
+  const float gap = std::round(ui_.em * 0.35f), first = std::round((size.y - gap) * share);
+  draw_pane(upper, at, {size.x, first});
+  draw_pane(lower, {at.x, at.y + first + gap}, {size.x, size.y - first - gap});
+  splitter(id, {at.x, at.y + first}, {size.x, gap}, false, share, size.y - gap);
+}
+
+void App::draw_structures(ImVec2 at, ImVec2 size) {
+  const float gap = std::round(ui_.em * 0.35f);
+  // What does not get a readable width waits until there is one; the last pane (the scene) stays.
+  std::vector<Pane> shown = structures_;
+  const auto narrowest = [&] { return ui_.em * 11; };
+  while (shown.size() > 1 && size.x / static_cast<float>(shown.size()) < narrowest()) shown.erase(shown.end() - 2);
+  if (shown.empty()) return;
+  const float room = size.x - gap * static_cast<float>(shown.size() - 1);
+  const auto weight = [&](const Pane& pane) {
+    const auto found = settings_.layout.structures.find(pane.id);
+    return found == settings_.layout.structures.end() ? pane.share : found->second;
+  };
+  float sum = 0;
+  for (const Pane& pane : shown) sum += weight(pane);
+  float x = at.x;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const float width = i + 1 == shown.size() ? at.x + size.x - x : std::round(room * weight(shown[i]) / sum);
+    draw_pane(shown[i], {x, at.y}, {width, size.y});
+    x += width;
+    if (i + 1 == shown.size()) break;
+    float share = weight(shown[i]);
+    if (splitter(fmt::format("structure{}", i).c_str(), {x, at.y}, {gap, size.y}, true, share, room / sum)) {
+      // What one gains its neighbour loses.
+      const float total = weight(shown[i]) + weight(shown[i + 1]);
+      share = std::clamp(share, 0.08f, std::max(0.08f, total - 0.08f));
+      settings_.layout.structures[shown[i].id] = share;
+      settings_.layout.structures[shown[i + 1].id] = std::max(0.08f, total - share);
+    }
+    x += gap;
+  }
+}
+
+void App::draw_panes(ImVec2 at, ImVec2 size) {
+  Layout& l = settings_.layout;
+  const float gap = std::round(ui_.em * 0.35f);
+  const bool narrow = size.x < ui_.em * 44 || size.y < ui_.em * 21;
+  if (narrow) {
+    // Too small for everything: what happened and the framebuffer, and a sentence that says so.
+    const float line = ui_.line();
+    Flow how;
+    how.color = ui_.colors().muted;
+    ImGui::SetCursorScreenPos(at);
+    const std::string why = "Only some panes fit; enlarge the window, or Ctrl+\u2212 for smaller text.";
+    how.width = size.x;
+    const float height = flow_height(ui_, why, how);
+    if (size.y > height + 6 * line) {
+      flow(ui_, why, how);
+      at.y += height;
+      size.y -= height;
+    }
+    if (size.x > size.y * 1.3f) {
+      const float half = std::round((size.x - gap) / 2);
+      draw_pane(session_.lesson() ? lesson_pane : happened_pane, at, {half, size.y});
+      draw_pane(frame_pane, {at.x + half + gap, at.y}, {size.x - half - gap, size.y});
+    } else {
+      const float half = std::round((size.y - gap) / 2);
+      draw_pane(frame_pane, at, {size.x, half});
+      draw_pane(session_.lesson() ? lesson_pane : happened_pane, {at.x, at.y + half + gap}, {size.x, size.y - half - gap});
+    }
+    return;
+  }
+  const float left = std::round(size.x * l.left);
+  const float right = session_.lesson() ? std::round(size.x * l.right) : 0;
+  const float middle = size.x - left - gap - (right > 0 ? right + gap : 0);
+  const float x = at.x + left + gap;
+  draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, l.code, "code");
+
+  const float upper = structures_.empty() ? size.y : std::round((size.y - gap) * l.buffers);
+  const float frame = std::round((middle - gap) * l.frame);
+  draw_pane(frame_pane, {x, at.y}, {frame, upper});
+  draw_pane(depth_pane, {x + frame + gap, at.y}, {middle - frame - gap, upper});
+  splitter("frame", {x + frame, at.y}, {gap, upper}, true, l.frame, middle - gap);
+  if (!structures_.empty()) {
+    draw_structures({x, at.y + upper + gap}, {middle, size.y - upper - gap});
+    splitter("buffers", {x, at.y + upper}, {middle, gap}, false, l.buffers, size.y - gap);
+  }
+  splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
+  if (right > 0) {
+    draw_pane(lesson_pane, {x + middle + gap, at.y}, {right, size.y});
+    float others = 1 - l.right;
+    if (splitter("right", {x + middle, at.y}, {gap, size.y}, true, others, size.x)) l.right = 1 - others;
+  }
+  l.right = std::clamp(l.right, 0.1f, 0.5f);
+  l.left = std::clamp(l.left, 0.1f, 0.55f);
+}
+
+void App::draw_overlay() {
+  switch (overlay_) {
+    case Overlay::none: return;
+    case Overlay::keys: return draw_key_sheet(*this);
+    case Overlay::palette: return draw_palette(*this);
+    case Overlay::go_to: return draw_go_to(*this);
+    case Overlay::menu: return draw_menu(*this);
+  }
+}
+
+void App::frame() {
+  ImGui::SetCurrentContext(context_.context);
+  update_fonts();
+  apply_style(ui_);
+  const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
+  ImGui::GetIO().DisplaySize = size;
+  ui_.scroll_now = ui_.scroll_follows != session_.position();
+  ui_.mouse_help = ui_.fonts.lacking;
+  ui_.pointed_next.reset();
+  ui_.hovered_edge_next.reset();
+  ImGui::NewFrame();
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::Begin("zstep", nullptr, bare);
+  ImGui::PopStyleVar();
+  const float pad = std::round(ui_.em * 0.4f);
+  const float title = std::round(ui_.em * 1.9f);
+  const float timeline = std::round(2 * (std::round(ui_.em * 1.25f) + std::round(ui_.em * 0.55f)) + ui_.em * 1.75f);
+  const ImVec2 at{pad, 0};
+  const float width = size.x - 2 * pad, height = size.y - title - timeline - 2 * pad;
+  draw_title(at, {width, title});
+  if (width > 8 && height > 8) draw_panes({pad, title}, {width, height});
+  if (size.y > title + timeline) {
+    ImGui::SetCursorScreenPos({pad, size.y - timeline - pad});
+    draw_timeline(ui_, {width, timeline});
+  }
+  ImGui::End();
+  draw_overlay();
+  ImGui::Render();
+  renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
+  if (ui_.scroll_now) ui_.scroll_follows = session_.position();
+  if (ui_.pointed != ui_.pointed_next || session_.hovered_edge != ui_.hovered_edge_next) session_.touch();
+  ui_.pointed = ui_.pointed_next;
+  session_.hovered_edge = ui_.hovered_edge_next;
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,224 @@
+#include "sim/viewer/commands.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/app.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr unsigned S = Chord::shift, C = Chord::ctrl;
+
+template <Unit unit, int direction>
+void move(App& app) { app.session().move(unit, direction); }
+
+template <int direction>
+void same_line(App& app) {
+  if (const RecordedEvent* event = app.session().event()) app.session().to_step(event->step, direction);
+}
+
+template <int direction>
+void change_speed(App& app) {
+  Session& s = app.session();
+  s.speed = std::clamp(s.speed + direction, 0, static_cast<int>(Session::speeds().size()) - 1);
+  app.say(fmt::format("Plays at {}.", Session::speeds()[static_cast<std::size_t>(s.speed)].name));
+}
+
+template <int direction>
+void zoom(App& app) {
+  RasterView& view = app.ui().view;
+  view.zoom = std::clamp(direction > 0 ? view.zoom * 1.25 : view.zoom / 1.25, 1.0, 64.0);
+  if (view.zoom < 1.01) view = {};
+  app.session().touch();
+}
+
+/// Moves what is seen by an eighth of it.
+template <int x, int y>
+void pan(App& app) {
+  RasterView& view = app.ui().view;
+  const Raster& raster = app.session().scene().raster;
+  const double step = std::max(raster.width, raster.height) / view.zoom / 8;
+  view.center_x = std::clamp(view.center_x + x * step, -raster.width / 2.0, raster.width / 2.0);
+  view.center_y = std::clamp(view.center_y + y * step, -raster.height / 2.0, raster.height / 2.0);
+  app.session().touch();
+}
+
+void center_on_pixel(App& app) {
+  const Session& s = app.session();
+  const auto cell = s.current_cell() ? s.current_cell() : s.selected;
+  if (!cell) return app.say("No pixel is at work or selected.");
+  const Raster& raster = s.scene().raster;
+  RasterView& view = app.ui().view;
+  if (view.zoom < 1.01) view.zoom = std::max(2.0, std::max(raster.width, raster.height) / 16.0);
+  view.center_x = cell->x + 0.5 - raster.width / 2.0;
+  view.center_y = (raster.y_up ? raster.height - 1 - cell->y : cell->y) + 0.5 - raster.height / 2.0;
+  app.session().touch();
+}
+
+void next_edge(App& app) {
+  Session& s = app.session();
+  const int count = static_cast<int>(s.state().machine.edge_table.size());
+  if (count == 0) return app.say("The edge table is empty.");
+  const int next = s.selected_edge ? *s.selected_edge + 1 : 0;
+  s.selected_edge = next < count ? std::optional(next) : std::nullopt;
+  s.touch();
+}
+
+void select_current(App& app) {
+  if (const auto cell = app.session().current_cell()) app.session().select(cell);
+  else app.say("No pixel is at work; click one, or type its column and row after G.");
+}
+
+void escape(App& app) {
+  if (app.overlay() != Overlay::none) return app.open(Overlay::none);
+  Session& s = app.session();
+  s.selected.reset();
+  s.selected_edge.reset();
+  s.message.clear();
+  s.playing = false;
+  s.touch();
+}
+
+template <int n>
+void answer(App& app) { app.session().answer(n); }
+
+void play(App& app) {
+  Session& s = app.session();
+  if (s.position() == s.size()) return app.say("This is the end of the trace; Home goes back to its beginning.");
+  s.playing = !s.playing;
+  s.touch();
+}
+
+const std::vector<Command>& table() {
+  static const std::vector<Command> all{
+      {"next", "Move", "One step on", {{SDLK_RIGHT}}, move<Unit::event, 1>},
+      {"previous", "Move", "One step back", {{SDLK_LEFT}}, move<Unit::event, -1>},
+      {"next-pixel", "Move", "Next pixel", {{SDLK_RIGHT, S}}, move<Unit::pixel, 1>},
+      {"previous-pixel", "Move", "Previous pixel", {{SDLK_LEFT, S}}, move<Unit::pixel, -1>},
+      {"next-span", "Move", "Next span", {{SDLK_RIGHT, C | S}}, move<Unit::span, 1>},
+      {"previous-span", "Move", "Previous span", {{SDLK_LEFT, C | S}}, move<Unit::span, -1>},
+      {"next-line", "Move", "Next scan line", {{SDLK_RIGHT, C}, {SDLK_DOWN}}, move<Unit::scan_line, 1>},
+      {"previous-line", "Move", "Previous scan line", {{SDLK_LEFT, C}, {SDLK_UP}}, move<Unit::scan_line, -1>},
+      {"next-polygon", "Move", "Next polygon", {{SDLK_PAGEDOWN}}, move<Unit::polygon, 1>},
+      {"previous-polygon", "Move", "Previous polygon", {{SDLK_PAGEUP}}, move<Unit::polygon, -1>},
+      {"next-same", "Move", "Next time this line runs", {{SDLK_k}}, same_line<1>},
+      {"previous-same", "Move", "Last time this line ran", {{SDLK_k, S}}, same_line<-1>},
+      {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
+      {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.session().go_to(a.session().size()); }},
+      {"go-to", "Move", "Go to a step, a percentage, a polygon or a pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
+      {"play", "Play", "Play or pause", {{SDLK_SPACE}}, play},
+      {"faster", "Play", "Faster", {{0, 0, '+'}}, change_speed<1>},
+      {"slower", "Play", "Slower", {{0, 0, '-'}}, change_speed<-1>},
+      {"next-touch", "Pixel", "Next step that touches the selected pixel", {{SDLK_f}}, [](App& a) { a.session().to_selected_pixel(1); }},
+      {"previous-touch", "Pixel", "Last step that touched the selected pixel", {{SDLK_f, S}}, [](App& a) { a.session().to_selected_pixel(-1); }},
+      {"select-pixel", "Pixel", "Select the pixel at work (or click one)", {{SDLK_RETURN}}, select_current},
+      {"next-edge", "Pixel", "Light the next edge of the table (or click one)", {{SDLK_e}}, next_edge},
+      {"before", "Look", "Hold: the buffers one step ago", {{SDLK_b}},
+       [](App& a) { a.session().looking_back = true; a.session().touch(); },
+       [](App& a) { a.session().looking_back = false; a.session().touch(); }},
+      {"zoom-in", "Look", "Zoom into the buffers (or wheel)", {{SDLK_z}}, zoom<1>},
+      {"zoom-out", "Look", "Zoom out", {{SDLK_z, S}}, zoom<-1>},
+      {"whole", "Look", "The whole raster", {{SDLK_0}}, [](App& a) { a.ui().view = {}; a.session().touch(); }},
+      {"center", "Look", "Zoom to the pixel at work", {{SDLK_c}}, center_on_pixel},
+      {"pan-left", "Look", "Pan left (or drag)", {{SDLK_a}}, pan<-1, 0>},
+      {"pan-right", "Look", "Pan right", {{SDLK_d}}, pan<1, 0>},
+      {"pan-up", "Look", "Pan up", {{SDLK_w}}, pan<0, -1>},
+      {"pan-down", "Look", "Pan down", {{SDLK_s}}, pan<0, 1>},
+      {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},
+      {"previous-stop", "Lesson", "Previous stop", {{SDLK_n, S}}, [](App& a) { a.session().next_stop(-1); }},
+      {"answer-1", "Lesson", "First answer", {{SDLK_1}}, answer<0>},
+      {"answer-2", "Lesson", "Second answer", {{SDLK_2}}, answer<1>},
+      {"answer-3", "Lesson", "Third answer", {{SDLK_3}}, answer<2>},
+      {"answer-4", "Lesson", "Fourth answer", {{SDLK_4}}, answer<3>},
+      {"larger", "Window", "Larger text", {{SDLK_PLUS, C}, {SDLK_EQUALS, C}, {SDLK_EQUALS, C | S}, {SDLK_KP_PLUS, C}}, [](App& a) { a.scale_text(1.125f); }},
+      {"smaller", "Window", "Smaller text", {{SDLK_MINUS, C}, {SDLK_KP_MINUS, C}}, [](App& a) { a.scale_text(1 / 1.125f); }},
+      {"usual-text", "Window", "Usual text size", {{SDLK_0, C}}, [](App& a) { a.scale_text(0); }},
+      {"presenter", "Window", "Presenter mode: large, only what a class needs", {{SDLK_p}}, [](App& a) { a.set_presenter(!a.settings().presenter); }},
+      {"theme", "Window", "Light or dark", {{SDLK_t}}, [](App& a) { a.set_dark(!a.settings().dark); }},
+      {"full-screen", "Window", "Full screen", {{SDLK_F11}}, [](App& a) { a.requests.toggle_full_screen = true; }},
+      {"layout", "Window", "Borders back where they were", {{SDLK_l, C}}, [](App& a) { a.settings().layout = {}; a.session().touch(); }},
+      {"copy-link", "Window", "Copy the command that opens this place", {{SDLK_c, C}},
+       [](App& a) { a.requests.clipboard = a.link(); a.say("Copied: " + a.link()); }},
+      {"picture", "Window", "Save a picture of the window", {{SDLK_s, C}},
+       [](App& a) { a.requests.save_picture = fmt::format("zstep-{}.png", a.session().position()); }},
+      {"palette", "Window", "Every command by name", {{SDLK_p, C}}, [](App& a) { a.open(Overlay::palette); }},
+      {"menu", "Window", "Menu", {{SDLK_F10}, {SDLK_m}}, [](App& a) { a.open(a.overlay() == Overlay::menu ? Overlay::none : Overlay::menu); }},
+      {"keys", "Window", "Every key", {{0, 0, '?'}, {SDLK_F1}}, [](App& a) { a.open(a.overlay() == Overlay::keys ? Overlay::none : Overlay::keys); }},
+      {"escape", "Window", "Close, stop, or select nothing", {{SDLK_ESCAPE}}, escape},
+      {"quit", "Window", "Quit", {{SDLK_q, C}}, [](App& a) { a.requests.quit = true; }},
+  };
+  return all;
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return table(); }
+
+std::string chord_name(const Chord& chord) {
+  if (chord.character) return chord.character == '-' ? "\u2212" : std::string(1, chord.character);
+  std::string name;
+  if (chord.modifiers & Chord::ctrl) name += "Ctrl+";
+  if (chord.modifiers & Chord::alt) name += "Alt+";
+  if (chord.modifiers & Chord::shift) name += "Shift+";
+  switch (chord.key) {
+    case SDLK_RIGHT: return name + "\u2192";
+    case SDLK_LEFT: return name + "\u2190";
+    case SDLK_UP: return name + "\u2191";
+    case SDLK_DOWN: return name + "\u2193";
+    case SDLK_PAGEDOWN: return name + "Page down";
+    case SDLK_PAGEUP: return name + "Page up";
+    case SDLK_ESCAPE: return name + "Esc";
+    case SDLK_RETURN: return name + "Enter";
+    case SDLK_PLUS: return name + "+";
+    case SDLK_MINUS: return name + "\u2212";
+    default: return name + SDL_GetKeyName(chord.key);
+  }
+}
+
+std::string key_names(const Command& command) {
+  std::string names;
+  for (const Chord& chord : command.keys) {
+    // Ctrl+= and the keypad are the same wish as Ctrl++ and need no mention.
+    if (chord.key == SDLK_EQUALS || chord.key == SDLK_KP_PLUS || chord.key == SDLK_KP_MINUS) continue;
+    if (!names.empty()) names += " or ";
+    names += chord_name(chord);
+  }
+  return names;
+}
+
+const Command* command_for(SDL_Keycode key, unsigned modifiers) {
+  for (const Command& command : table())
+    for (const Chord& chord : command.keys)
+      if (chord.key != 0 && chord.key == key && chord.modifiers == modifiers) return &command;
+  return nullptr;
+}
+
+const Command* command_for(char character) {
+  for (const Command& command : table())
+    for (const Chord& chord : command.keys)
+      if (chord.character != 0 && chord.character == character) return &command;
+  return nullptr;
+}
+
+std::vector<const Command*> matching(const std::string& typed) {
+  std::vector<const Command*> found;
+  for (const Command& command : table()) {
+    const std::string title = lower(std::string(command.group) + " " + command.title);
+    std::istringstream words(lower(typed));
+    bool all = true;
+    for (std::string word; words >> word;) all = all && title.find(word) != std::string::npos;
+    if (all) found.push_back(&command);
+  }
+  return found;
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,45 @@
+// The one table of everything a reader can do: keys, the key sheet, the palette and the menu come from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <SDL.h>
+
+namespace zstep::viewer {
+
+class App;
+
+/// A key with modifiers, or a character however it is typed on this keyboard ("?" needs Shift on some, not on all).
+struct Chord {
+  enum : unsigned { none = 0, shift = 1, ctrl = 2, alt = 4 };
+  SDL_Keycode key = 0;
+  unsigned modifiers = none;
+  char character = 0;
+};
+
+struct Command {
+  const char* id;
+  const char* group;    ///< heading in menu and key sheet
+  const char* title;
+  std::vector<Chord> keys;
+  void (*run)(App&);
+  void (*release)(App&) = nullptr;  ///< for keys that are held
+};
+
+std::span<const Command> commands();
+
+/// "Shift+→"
+std::string chord_name(const Chord& chord);
+/// All of a command's keys: "→", "? or F1".
+std::string key_names(const Command& command);
+
+/// The command of a key press, or nullptr.
+const Command* command_for(SDL_Keycode key, unsigned modifiers);
+const Command* command_for(char character);
+
+/// Commands whose title holds all words typed, in table order.
+std::vector<const Command*> matching(const std::string& typed);
+
+}  // namespace zstep::viewer

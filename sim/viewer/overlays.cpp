@@ -1,0 +1,155 @@
+// What lies over the panes for a moment: key sheet, palette, go-to, menu. All from the table of commands.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/app.hpp"
+#include "sim/viewer/commands.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// A framed window over the others; returns false when a click outside closed it.
+bool begin(App& app, const char* id, ImVec2 size) {
+  Ui& ui = app.ui();
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  size = {std::min(size.x, whole.x - 8), std::min(size.y, whole.y - 8)};
+  const ImVec2 at{std::floor((whole.x - size.x) / 2), std::floor((whole.y - size.y) / 2.4f)};
+  ImGui::SetNextWindowPos(at);
+  ImGui::SetNextWindowSize(size);
+  ImGui::SetNextWindowFocus();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colors().pane);
+  ImGui::PushStyleColor(ImGuiCol_Border, ui.colors().now);
+  ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool inside = mouse.x >= at.x && mouse.y >= at.y && mouse.x < at.x + size.x && mouse.y < at.y + size.y;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !inside) app.open(Overlay::none);
+  return true;
+}
+
+/// A row with a title on the left and its keys on the right; true when clicked.
+bool row(Ui& ui, const Command& command, float width, bool lit) {
+  const Theme& c = ui.colors();
+  const float height = std::round(ui.em * 1.4f);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
+  const bool clicked = ImGui::InvisibleButton(command.id, {width, height});
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (lit) list->AddRectFilled(at, end, c.now_soft);
+  else if (ImGui::IsItemHovered()) list->AddRectFilled(at, end, c.button_hovered);
+  const std::string keys = key_names(command);
+  const float keys_width = text_size(ui, ui.fonts.mono, keys).x;
+  draw_text(ui, {at.x + ui.em * 0.4f, at.y + ui.em * 0.15f}, ui.fonts.text, c.text, command.title);
+  draw_text(ui, {end.x - keys_width - ui.em * 0.4f, at.y + ui.em * 0.2f}, ui.fonts.mono, c.muted, keys);
+  return clicked;
+}
+
+float widest_row(Ui& ui) {
+  float width = 0;
+  for (const Command& command : commands())
+    width = std::max(width, text_size(ui, ui.fonts.text, command.title).x + text_size(ui, ui.fonts.mono, key_names(command)).x);
+  return width + ui.em * 3;
+}
+
+void run(App& app, const Command& command) {
+  app.open(Overlay::none);
+  if (command.release) app.say("Hold " + key_names(command) + " for that.");
+  else command.run(app);
+}
+
+void draw_columns(App& app, const char* id, const char* title) {
+  Ui& ui = app.ui();
+  const float width = widest_row(ui), row_height = std::round(ui.em * 1.4f);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  std::size_t lines = commands().size();
+  const char* group = "";
+  for (const Command& command : commands())
+    if (std::strcmp(group, command.group) != 0) group = command.group, lines += 1;
+  const int columns = std::clamp(static_cast<int>((screen.x - 2 * ui.em) / width), 1, 3);
+  const float needed = std::ceil(static_cast<float>(lines + 3) / static_cast<float>(columns)) * row_height + 3 * ui.em;
+  begin(app, id, {width * static_cast<float>(columns) + 2 * ui.em, needed});
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, title, heading);
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const float bottom = top.y + needed - 3 * ui.em;
+  float x = top.x, y = top.y;
+  group = "";
+  const Command* clicked = nullptr;
+  for (const Command& command : commands()) {
+    const bool fresh = std::strcmp(group, command.group) != 0;
+    if (columns > 1 && y + row_height * (fresh ? 2.0f : 1.0f) > bottom) {
+      x += width;
+      y = top.y;
+    }
+    if (fresh) {
+      group = command.group;
+      draw_text(ui, {x + ui.em * 0.4f, y + ui.em * 0.25f}, ui.fonts.bold, ui.colors().now, group);
+      y += row_height;
+    }
+    ImGui::SetCursorScreenPos({x, y});
+    if (row(ui, command, width - ui.em * 0.5f, false)) clicked = &command;
+    y += row_height;
+  }
+  ImGui::End();
+  if (clicked) run(app, *clicked);
+}
+
+void field(Ui& ui, const std::string& text, const std::string& hint) {
+  const Theme& c = ui.colors();
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(ui.em * 1.7f)};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(at, end, c.head);
+  list->AddRect(at, end, c.now);
+  ImGui::PushClipRect(at, end, true);
+  const float x = at.x + ui.em * 0.4f, y = at.y + ui.em * 0.3f;
+  draw_text(ui, {x, y}, ui.fonts.text, text.empty() ? c.muted : c.text, text.empty() ? hint : text);
+  const float caret = text.empty() ? x - 2 : x + text_size(ui, ui.fonts.text, text).x + 1;
+  list->AddRectFilled({caret, y}, {caret + 2, y + ui.em}, c.now);
+  ImGui::PopClipRect();
+  ImGui::Dummy({1, end.y - at.y + ui.em * 0.3f});
+}
+
+}  // namespace
+
+void draw_key_sheet(App& app) { draw_columns(app, "keys", "Every key. A click does what its row says; Esc closes."); }
+void draw_menu(App& app) { draw_columns(app, "menu", "Menu"); }
+
+void draw_palette(App& app) {
+  Ui& ui = app.ui();
+  const float row_height = std::round(ui.em * 1.4f);
+  begin(app, "palette", {std::max(ui.em * 26, widest_row(ui)), row_height * 12 + ui.em * 3});
+  field(ui, app.typed, "Type a part of a command's name");
+  const auto found = matching(app.typed);
+  const Command* clicked = nullptr;
+  ImGui::BeginChild("found", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (row(ui, *found[i], ImGui::GetContentRegionAvail().x, app.picked == static_cast<int>(i))) clicked = found[i];
+    if (app.picked == static_cast<int>(i)) ImGui::SetScrollHereY(0.5f);
+  }
+  if (found.empty()) say_empty(ui, "No command has this in its name.");
+  ImGui::EndChild();
+  ImGui::End();
+  if (clicked) run(app, *clicked);
+}
+
+void draw_go_to(App& app) {
+  Ui& ui = app.ui();
+  begin(app, "go to", {ui.em * 26, ui.em * 7});
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, "Go to", heading);
+  field(ui, app.typed, "12041");
+  Flow how;
+  how.color = ui.colors().muted;
+  flow(ui, fmt::format("A step (0 to {}), 25 %, p 3 for polygon 3, or 9, 17 to select a pixel. Enter goes there.", grouped(app.session().size())), how);
+  ImGui::End();
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,91 @@
+// The lesson's narration beside the trace; its questions ask for a prediction before the step that answers them.
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/pane.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
+  const Theme& c = ui.colors();
+  const float width = ImGui::GetContentRegionAvail().x, pad = ui.em * 0.4f, key = ui.em * 1.5f;
+  Flow how;
+  how.width = width - 2 * pad - key;
+  const float height = flow_height(ui, answer.text, how) + 2 * pad * 0.6f;
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
+  ImGui::PushID(index);
+  const bool clicked = ImGui::InvisibleButton("answer", {width, height});
+  const bool hovered = ImGui::IsItemHovered();
+  ImGui::PopID();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImU32 edge = given ? (answer.right ? c.good : c.bad) : c.rule;
+  list->AddRectFilled(at, end, hovered ? c.button_hovered : c.button);
+  list->AddRect(at, end, edge, 0, 0, given ? 2.0f : 1.0f);
+  draw_text(ui, {at.x + pad, at.y + pad * 0.6f}, ui.fonts.bold, given ? edge : c.muted, given ? (answer.right ? "\u2713" : "\u2717") : fmt::format("{}", index + 1));
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({at.x + pad + key, at.y + pad * 0.6f});
+  flow(ui, answer.text, how);
+  ImGui::SetCursorScreenPos(after);
+  if (clicked) ui.session.answer(index);
+}
+
+void draw_question(Ui& ui, const Question& question) {
+  Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + 2}, s.nudged ? c.now : c.rule);
+  ImGui::Dummy({1, ui.em * 0.4f});
+  if (s.nudged) {
+    Flow nudge;
+    nudge.color = c.now;
+    nudge.font = ui.fonts.bold;
+    flow(ui, "\u25b6 What did you expect? Answer first, then see whether the steps agree.", nudge);
+  }
+  flow_markdown(ui, question.text);
+  const auto given = s.chosen(s.stop());
+  for (std::size_t i = 0; i < question.answers.size(); ++i) {
+    draw_answer(ui, static_cast<int>(i), question.answers[i], given == static_cast<int>(i));
+    ImGui::Dummy({1, ui.em * 0.15f});
+  }
+  if (given) {
+    ImGui::Dummy({1, ui.em * 0.2f});
+    flow_markdown(ui, question.answers[static_cast<std::size_t>(*given)].reply);
+  }
+}
+
+void draw(Ui& ui) {
+  Session& s = ui.session;
+  const Theme& c = ui.colors();
+  if (!s.lesson() || s.lesson()->stops.empty()) return say_empty(ui, "This lesson has no narration.");
+  if (s.stop() < 0) {
+    flow_markdown(ui, "**" + s.lesson()->title + "**");
+    flow_markdown(ui, s.lesson()->summary);
+    return say_empty(ui, "The narration begins a few steps on: N goes to its first stop.");
+  }
+  const Stop& stop = s.lesson()->stops[static_cast<std::size_t>(s.stop())];
+  ImGui::PushID(s.stop());
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  heading.color = stop.position == s.position() ? c.now : c.text;
+  if (!stop.heading.empty()) flow(ui, stop.heading, heading);
+  ImGui::Dummy({1, ui.em * 0.25f});
+  flow_markdown(ui, stop.text);
+  if (stop.question) draw_question(ui, *stop.question);
+  ImGui::Dummy({1, ui.em * 0.4f});
+  if (button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
+  ImGui::SameLine(0, ui.em * 0.4f);
+  const bool last = s.stop() + 1 == static_cast<int>(s.lesson()->stops.size());
+  if (button(ui, last ? "This was the last stop" : "Next (N) \u25b6", !last && !s.question_open(), !last)) s.next_stop(1);
+  ImGui::PopID();
+}
+
+std::string note(Ui& ui) {
+  const Session& s = ui.session;
+  return s.lesson() && s.stop() >= 0 ? fmt::format("{} of {}", s.stop() + 1, s.lesson()->stops.size()) : "";
+}
+
+}  // namespace
+
+const Pane lesson_pane{"lesson", "LESSON", draw, note, nullptr, 0, true};
+
+}  // namespace zstep::viewer

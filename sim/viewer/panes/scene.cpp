@@ -1,0 +1,234 @@
+// The scene as a wireframe through its camera, the polygon at work in it, and the way of its vertices to the raster.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <glm/vec4.hpp>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// World to raster for drawing; nullopt behind the eye.
+struct Lens {
+  const Scene& scene;
+  explicit Lens(const Scene& s) : scene(s) {}
+
+  glm::dvec3 view(const glm::dvec3& p) const { return glm::dvec3(scene.camera.view * glm::dvec4(p, 1)); }
+  std::optional<glm::dvec2> raster(const glm::dvec3& v) const {
+    const Camera& c = scene.camera;
+    const double scale = c.kind == Camera::Kind::perspective ? c.d / v.z : 1;
+    if (c.kind == Camera::Kind::perspective && v.z <= c.near * 0.5) return std::nullopt;
+    const double w = scene.raster.width, h = scene.raster.height;
+    return glm::dvec2((v.x * scale / (c.window * w / h) + 1) * w / 2 - 0.5, (1 - v.y * scale / c.window) * h / 2 - 0.5);
+  }
+  /// A segment of the world on the raster, cut at the near plane.
+  std::optional<std::pair<glm::dvec2, glm::dvec2>> segment(const glm::dvec3& a, const glm::dvec3& b) const {
+    if (scene.camera.kind == Camera::Kind::screen) return std::make_pair(glm::dvec2(a), glm::dvec2(b));
+    glm::dvec3 from = view(a), to = view(b);
+    if (scene.camera.kind == Camera::Kind::perspective) {
+      const double near = std::max(scene.camera.near, 1e-9);
+      if (from.z < near && to.z < near) return std::nullopt;
+      if (from.z < near) from += (to - from) * ((near - from.z) / (to.z - from.z));
+      if (to.z < near) to += (from - to) * ((near - to.z) / (from.z - to.z));
+    }
+    const auto p = raster(from), q = raster(to);
+    if (!p || !q) return std::nullopt;
+    return std::make_pair(*p, *q);
+  }
+};
+
+void paint_wireframe(Ui& ui, Canvas& canvas, const RasterMap& map) {
+  const Scene& scene = ui.session.scene();
+  const Theme& c = ui.colors();
+  const Lens lens(scene);
+  canvas.fill(to_pixel(c.pane));
+  canvas.rectangle(static_cast<int>(map.left), static_cast<int>(map.top), static_cast<int>(map.left + map.width * map.cell),
+                   static_cast<int>(map.top + map.height * map.cell), to_pixel(c.head));
+  std::set<std::pair<std::int32_t, std::int32_t>> drawn;
+  const bool many = scene.corners.size() > 2000;
+  const Pixel32 ink = many ? mixed(to_pixel(c.head), to_pixel(c.muted), 110) : to_pixel(c.muted);
+  for (const Facet& facet : scene.facets)
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+      const std::int32_t a = scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
+      const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
+      if (!drawn.insert(std::minmax(a, b)).second) continue;
+      if (const auto s = lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
+        canvas.line(map.px(s->first.x), map.py(s->first.y), map.px(s->second.x), map.py(s->second.y), 1, ink);
+    }
+}
+
+/// The facet at work, over the wireframe; its corners dotted and, where there are few, numbered.
+void draw_polygon(Ui& ui, Canvas& canvas, const RasterMap& map) {
+  const Session& s = ui.session;
+  const Scene& scene = s.scene();
+  const Machine& m = s.state().machine;
+  const Theme& c = ui.colors();
+  const Lens lens(scene);
+  if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < scene.facets.size()) {
+    const Facet& facet = scene.facets[static_cast<std::size_t>(m.facet)];
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+      const std::int32_t a = scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
+      const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
+      if (const auto e = lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
+        canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4, to_pixel(c.now));
+    }
+  }
+  if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
+    const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)].entry;
+    const auto a = on_raster(scene, s.state(), e.vertex_0), b = on_raster(scene, s.state(), e.vertex_1);
+    if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 5, to_pixel(c.selected));
+  }
+  if (m.scan_line) {
+    const int y = static_cast<int>(std::lround(map.py(*m.scan_line)));
+    const int left = std::max(0, static_cast<int>(map.left)), right = std::min(canvas.width(), static_cast<int>(map.left + map.width * map.cell));
+    for (int x = left; x < right; x += 8) canvas.rectangle(x, y, std::min(x + 5, right), y + 1, to_pixel(c.now));
+  }
+}
+
+/// The vertex that the step is about: that of the event, the selected one, or none.
+std::int32_t vertex_now(const Session& s) {
+  if (s.event()) {
+    const Event& e = s.event()->event;
+    if (const auto* v = std::get_if<ViewTransform>(&e)) return v->vertex;
+    if (const auto* v = std::get_if<Projection>(&e)) return v->vertex;
+    if (const auto* v = std::get_if<ViewportTransform>(&e)) return v->vertex;
+    if (const auto* v = std::get_if<ClipVertex>(&e)) return v->vertex;
+    if (const auto* v = std::get_if<ClipCross>(&e)) return v->vertex;
+    if (const auto* v = std::get_if<OutlineVertex>(&e)) return v->vertex;
+  }
+  return -1;
+}
+
+std::vector<std::int32_t> vertices_shown(const Session& s) {
+  const Machine& m = s.state().machine;
+  const std::int32_t now = vertex_now(s);
+  std::vector<std::int32_t> shown;
+  if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < s.scene().facets.size()) {
+    const Facet& facet = s.scene().facets[static_cast<std::size_t>(m.facet)];
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) shown.push_back(s.scene().corners[static_cast<std::size_t>(facet.first_corner + k)]);
+    for (const std::int32_t v : m.outline)
+      if (std::find(shown.begin(), shown.end(), v) == shown.end()) shown.push_back(v);
+  }
+  if (now >= 0 && std::find(shown.begin(), shown.end(), now) == shown.end()) shown.insert(shown.begin(), now);
+  return shown;
+}
+
+struct WayRow { const char* stage; std::optional<glm::dvec3> at; bool flat; };
+
+/// The stages of one vertex as aligned lines.
+void draw_way(Ui& ui, std::int32_t vertex, bool now) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const auto at = static_cast<std::size_t>(vertex);
+  const VertexWay* way = at < s.state().vertices.size() ? &s.state().vertices[at] : nullptr;
+  std::vector<WayRow> rows;
+  const bool screen = s.scene().camera.kind == Camera::Kind::screen;
+  if (at < s.scene().points.size()) rows.push_back({screen ? "screen" : "world", s.scene().points[at], false});
+  if (!screen && way) {
+    if (way->stage >= VertexWay::viewed || at >= s.scene().points.size()) rows.push_back({"view", way->view, false});
+    if (way->stage >= VertexWay::projected) rows.push_back({"plane", way->plane, false});
+    if (way->stage >= VertexWay::on_raster) rows.push_back({"screen", glm::dvec3(way->raster, 0), true});
+  }
+  std::vector<double> values;
+  for (const WayRow& row : rows)
+    for (int k = 0; k < (row.flat ? 2 : 3); ++k) values.push_back((*row.at)[k]);
+  const ImFont* font = ui.fonts.mono;
+  const float height = std::round(font->FontSize * 1.3f), name = text_size(ui, font, "screen ").x;
+  const float room = ImGui::GetContentRegionAvail().x - ui.em * 0.4f - name;
+  int decimals = decimals_needed(values, 3);
+  float column = 0;
+  for (; decimals >= 0; --decimals) {
+    column = 0;
+    for (const double v : values) column = std::max(column, text_size(ui, font, number(v, decimals)).x);
+    column += ui.em * 0.6f;
+    if (3 * column <= room || decimals == 0) break;
+  }
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float block = height * static_cast<float>(rows.size() + 1);
+  if (now) {
+    list->AddRectFilled(top, {top.x + ImGui::GetContentRegionAvail().x, top.y + block}, c.now_soft);
+    list->AddRectFilled(top, {top.x + 3, top.y + block}, c.now);
+  }
+  const float x = top.x + ui.em * 0.4f;
+  draw_text(ui, {x, top.y + 1}, ui.fonts.bold, now ? c.now : c.text, fmt::format("vertex {}", vertex));
+  std::vector<std::string> tips;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const float y = top.y + height * static_cast<float>(r + 1);
+    draw_text(ui, {x, y}, font, c.muted, rows[r].stage);
+    for (int k = 0; k < (rows[r].flat ? 2 : 3); ++k) {
+      const std::string text = number((*rows[r].at)[k], decimals);
+      draw_text(ui, {x + name + column * static_cast<float>(k + 1) - text_size(ui, font, text).x, y}, font, c.text, text);
+      tips.push_back(fmt::format("{} {} = {}", rows[r].stage, "xyz"[k], exact((*rows[r].at)[k])));
+    }
+  }
+  ImGui::Dummy({std::max(1.0f, std::min(ImGui::GetContentRegionAvail().x, name + 3 * column + ui.em)), block});
+  if (ImGui::IsItemHovered()) tooltip(ui, tips);
+  if (now && ui.scroll_now) ImGui::SetScrollHereY(0.3f);
+}
+
+void draw_vertices(Ui& ui) {
+  const std::vector<std::int32_t> shown = vertices_shown(ui.session);
+  if (shown.empty()) return say_empty(ui, "The way of a vertex stands here once a polygon or a vertex is at work.");
+  const std::int32_t now = vertex_now(ui.session);
+  for (const std::int32_t vertex : shown) draw_way(ui, vertex, vertex == now);
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const ImVec2 avail = ImGui::GetContentRegionAvail();
+  const float way_height = std::min(avail.y * 0.5f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
+  // Side by side when there is more width than height, else the way below the picture.
+  const bool beside = avail.x > avail.y * 1.9f && avail.x > ui.em * 32;
+  const int width = static_cast<int>(beside ? avail.x * 0.5f : avail.x), height = static_cast<int>(beside ? avail.y : avail.y - way_height);
+  if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  const RasterMap map = [&] {
+    // Not in whole pixels: a wireframe may use all the room.
+    RasterMap m(s.scene().raster, {}, width, height);
+    m.cell = std::min((width - 8.0) / m.width, (height - 8.0) / m.height);
+    m.left = std::floor((width - m.width * m.cell) / 2);
+    m.top = std::floor((height - m.height * m.cell) / 2);
+    return m;
+  }();
+  const double theme = ui.theme == &light_theme() ? 0 : 1;
+  const std::uint64_t still = fingerprint({static_cast<double>(width), static_cast<double>(height), theme});
+  const std::uint64_t version = fingerprint({static_cast<double>(still >> 12), static_cast<double>(s.position()), static_cast<double>(s.lit_edge().value_or(-1))});
+  Canvas& wires = ui.canvases["wires"];
+  Canvas& shown = ui.canvases["scene"];
+  if (ui.painted["wires"] != still || wires.width() != width) {
+    wires.resize(width, height);
+    paint_wireframe(ui, wires, map);
+    ui.painted["wires"] = still;
+    ui.painted["scene"] = 0;
+  }
+  if (ui.painted["scene"] != version) {
+    shown = wires;
+    draw_polygon(ui, shown, map);
+    ui.painted["scene"] = version;
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddImage(ui.renderer.image("scene", shown, version), at,
+                                       {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.5f, at.y});
+  else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
+  ImGui::BeginChild("way", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_None);
+  draw_vertices(ui);
+  ImGui::EndChild();
+}
+
+std::string note(Ui& ui) {
+  const Machine& m = ui.session.state().machine;
+  if (m.polygon == no_polygon) return "";
+  return "polygon " + polygon_label(ui.session.scene(), m.polygon);
+}
+
+}  // namespace
+
+const Pane scene_pane{"scene", "SCENE", draw, note, nullptr, 0.31f, false};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,170 @@
+// The whole trace as a strip to scrub, polygons marked; below it the polygon at work, its scan lines marked. Transport.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+struct Strip {
+  ImVec2 at;
+  float width, height;
+  std::int64_t first, last;  ///< positions at its ends
+  float x(std::int64_t position) const {
+    if (last <= first) return at.x;
+    return at.x + width * static_cast<float>(static_cast<double>(position - first) / static_cast<double>(last - first));
+  }
+  std::int64_t position(float mouse) const {
+    const double share = std::clamp((mouse - at.x) / width, 0.0f, 1.0f);
+    return first + std::llround(share * static_cast<double>(last - first));
+  }
+};
+
+/// True while it is scrubbed.
+bool scrub(Ui& ui, const char* id, const Strip& strip) {
+  ImGui::SetCursorScreenPos(strip.at);
+  ImGui::InvisibleButton(id, {strip.width, strip.height});
+  if (ImGui::IsItemHovered()) ui.mouse_help = "Drag: go to any step.";
+  if (!ImGui::IsItemActive()) return false;
+  ui.session.playing = false;
+  ui.session.go_to(strip.position(ImGui::GetIO().MousePos.x));
+  return true;
+}
+
+/// Where the reader is: a line and, as its second sign, an arrow head from below.
+void draw_place(Ui& ui, const Strip& strip) {
+  const std::int64_t p = ui.session.position();
+  if (p < strip.first || p > strip.last) return;
+  const float x = std::floor(strip.x(p)), head = std::round(ui.em * 0.35f), bottom = strip.at.y + strip.height;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({x - 1, strip.at.y}, {x + 2, bottom}, ui.colors().now);
+  list->AddTriangleFilled({x - head, bottom + 1}, {x + 0.5f, bottom - head - 1}, {x + 1 + head, bottom + 1}, ui.colors().now);
+}
+
+ImU32 color_of(const Session& s, std::int32_t polygon) {
+  const auto at = static_cast<std::size_t>(polygon);
+  return polygon >= 0 && at < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[at].color)) : IM_COL32(128, 128, 128, 255);
+}
+
+void draw_whole(Ui& ui, const Strip& strip) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 end{strip.at.x + strip.width, strip.at.y + strip.height};
+  list->AddRectFilled(strip.at, end, c.head);
+  const auto marks = s.trace().polygons();
+  const ImFont* font = ui.fonts.small;
+  float drawn_to = -1;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const float x0 = std::floor(strip.x(marks[i].position)), x1 = std::floor(i + 1 < marks.size() ? strip.x(marks[i + 1].position) : end.x);
+    if (x1 <= drawn_to) continue;  // many polygons in one pixel: the first stands for them
+    drawn_to = x1;
+    list->AddRectFilled({x0, end.y - 5}, {std::max(x0 + 1, x1), end.y}, color_of(s, marks[i].polygon));
+    if (x1 - x0 < 4) continue;
+    list->AddRectFilled({x0, strip.at.y}, {x0 + 1, end.y}, c.rule);
+    const std::string label = (x1 - x0 > ui.em * 6 ? "polygon " : "") + polygon_label(s.scene(), marks[i].polygon);
+    const float width = text_size(ui, font, label).x;
+    if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, font, c.text, label);
+  }
+  if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this trace marks no polygons");
+  if (s.lesson())
+    for (const Stop& stop : s.lesson()->stops) {
+      const float x = std::floor(strip.x(stop.position)), y = strip.at.y + 4;
+      list->AddQuadFilled({x, y - 4}, {x + 4, y}, {x, y + 4}, {x - 4, y}, stop.question ? c.selected : c.changed);
+    }
+  list->AddRect(strip.at, end, c.rule);
+  draw_place(ui, strip);
+}
+
+void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stretch) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const ImFont* font = ui.fonts.small;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 end{strip.at.x + strip.width, strip.at.y + strip.height};
+  list->AddRectFilled(strip.at, end, c.head);
+  std::optional<std::pair<std::int32_t, std::int32_t>> lit;
+  const auto& table = s.state().machine.edge_table;
+  if (const auto edge = s.lit_edge(); edge && static_cast<std::size_t>(*edge) < table.size())
+    lit = {table[static_cast<std::size_t>(*edge)].entry.first_row, table[static_cast<std::size_t>(*edge)].entry.end_row};
+  float labelled_to = strip.at.x;
+  const float needed = text_size(ui, font, "y 000").x + 6;
+  for (std::size_t i = 0; i < stretch.lines.size(); ++i) {
+    const auto& mark = stretch.lines[i];
+    const float x0 = std::floor(strip.x(mark.position)), x1 = i + 1 < stretch.lines.size() ? std::floor(strip.x(stretch.lines[i + 1].position)) : end.x;
+    if (lit && mark.y >= lit->first && mark.y < lit->second) {
+      list->AddRectFilled({x0, strip.at.y}, {x1, end.y}, c.selected_soft);
+      list->AddRectFilled({x0, end.y - 3}, {x1, end.y}, c.selected);
+    }
+    list->AddRectFilled({x0, strip.at.y}, {x0 + 1, end.y}, c.rule);
+    if (x0 < labelled_to || x0 + needed > end.x) continue;
+    draw_text(ui, {x0 + 3, strip.at.y + 1}, font, c.muted, fmt::format("y {}", mark.y));
+    labelled_to = x0 + needed;
+  }
+  if (stretch.polygon == no_polygon) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
+  else if (!stretch.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
+  else if (stretch.lines.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), stretch.polygon)));
+  list->AddRect(strip.at, end, c.rule);
+  draw_place(ui, strip);
+}
+
+void draw_transport(Ui& ui) {
+  Session& s = ui.session;
+  const float gap = ui.em * 0.25f;
+  if (button(ui, "|\u25c0")) s.go_to(0);
+  ImGui::SameLine(0, gap);
+  if (button(ui, "\u25c0")) s.move(Unit::event, -1);
+  ImGui::SameLine(0, gap);
+  if (button(ui, s.playing ? "Pause" : "Play \u25b6\u25b6", s.playing)) {
+    s.playing = !s.playing;
+    s.touch();
+  }
+  ImGui::SameLine(0, gap);
+  if (button(ui, "\u25b6")) s.move(Unit::event, 1);
+  ImGui::SameLine(0, gap);
+  if (button(ui, "\u25b6|")) s.go_to(s.size());
+  ImGui::SameLine(0, ui.em * 0.7f);
+  if (button(ui, "\u2212##slower")) s.speed = std::max(0, s.speed - 1), s.touch();
+  ImGui::SameLine(0, gap);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  float widest = 0;
+  for (const auto& speed : Session::speeds()) widest = std::max(widest, text_size(ui, ui.fonts.text, speed.name).x);
+  const std::string name = Session::speeds()[static_cast<std::size_t>(s.speed)].name;
+  draw_text(ui, {at.x + (widest - text_size(ui, ui.fonts.text, name).x) / 2, at.y + std::round(ui.em * 0.25f)}, ui.fonts.text, ui.colors().text, name);
+  ImGui::Dummy({widest, ui.em});
+  ImGui::SameLine(0, gap);
+  if (button(ui, "+##faster")) s.speed = std::min(static_cast<int>(Session::speeds().size()) - 1, s.speed + 1), s.touch();
+}
+
+}  // namespace
+
+void draw_timeline(Ui& ui, ImVec2 size) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float strip_height = std::round(ui.em * 1.25f), gap = std::round(ui.em * 0.55f);
+  const ScanLineMarks::Stretch stretch = ui.lines.at(ui.session.trace(), ui.session.position());
+  const Strip whole{{origin.x, origin.y}, size.x, strip_height, 0, ui.session.size()};
+  const Strip polygon{{origin.x, origin.y + strip_height + gap}, size.x, strip_height, stretch.first, stretch.last};
+  scrub(ui, "whole", whole);
+  scrub(ui, "polygon", polygon);
+  draw_whole(ui, whole);
+  draw_polygon(ui, polygon, stretch);
+  ImGui::SetCursorScreenPos({origin.x, origin.y + 2 * (strip_height + gap)});
+  draw_transport(ui);
+  ImGui::SameLine(0, ui.em);
+  // What the mouse does here, else where this is; only when there is room for all of it.
+  const Session& s = ui.session;
+  const std::string percent = s.size() ? fmt::format("{:.1f} %", 100.0 * static_cast<double>(s.position()) / static_cast<double>(s.size())) : "0 %";
+  const float room = origin.x + size.x - ImGui::GetCursorScreenPos().x;
+  const float right = text_size(ui, ui.fonts.mono, percent).x;
+  const float y = ImGui::GetCursorScreenPos().y + std::round(ui.em * 0.3f);
+  draw_text(ui, {origin.x + size.x - right, y}, ui.fonts.mono, ui.colors().text, percent);
+  if (!ui.mouse_help.empty() && text_size(ui, ui.fonts.text, ui.mouse_help).x + right + ui.em < room)
+    draw_text(ui, {ImGui::GetCursorScreenPos().x, y}, ui.fonts.text, ui.colors().muted, ui.mouse_help);
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,94 @@
+#include "sim/viewer/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include <fmt/format.h>
+
+namespace zstep::viewer {
+namespace {
+
+constexpr std::size_t places_kept = 200;
+
+float share_or(float given, float otherwise) { return std::isfinite(given) ? std::clamp(given, 0.05f, 0.95f) : otherwise; }
+
+}  // namespace
+
+std::optional<std::int64_t> Settings::place(const std::string& key) const {
+  for (const auto& [name, position] : places)
+    if (name == key) return position;
+  return std::nullopt;
+}
+
+void Settings::remember(const std::string& key, std::int64_t position) {
+  places.erase(std::remove_if(places.begin(), places.end(), [&](const auto& place) { return place.first == key; }), places.end());
+  places.emplace_back(key, position);
+  if (places.size() > places_kept) places.erase(places.begin(), places.end() - static_cast<std::ptrdiff_t>(places_kept));
+}
+
+std::filesystem::path settings_path() {
+  const auto from = [](const char* variable) -> std::filesystem::path {
+    const char* value = std::getenv(variable);
+    return value && *value ? std::filesystem::path(value) : std::filesystem::path();
+  };
+  std::filesystem::path folder = from("XDG_CONFIG_HOME");
+#ifdef _WIN32
+  if (folder.empty()) folder = from("APPDATA");
+#endif
+  if (folder.empty()) {
+    folder = from("HOME");
+    if (folder.empty()) return {};
+    folder /= ".config";
+  }
+  return folder / "zstep" / "viewer.ini";
+}
+
+Settings load_settings(const std::filesystem::path& path) {
+  Settings s;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t equals = line.find(" = ");
+    if (equals == std::string::npos || equals > 400) continue;
+    const std::string key = line.substr(0, equals), value = line.substr(equals + 3);
+    const float real = std::strtof(value.c_str(), nullptr);
+    const long whole = std::strtol(value.c_str(), nullptr, 10);
+    if (key == "dark") s.dark = whole == 1;
+    else if (key == "presenter") s.presenter = whole == 1;
+    else if (key == "text_scale") s.text_scale = std::isfinite(real) ? std::clamp(real, 0.5f, 3.0f) : 1;
+    else if (key == "width") s.width = static_cast<int>(std::clamp(whole, 0L, 16384L));
+    else if (key == "height") s.height = static_cast<int>(std::clamp(whole, 0L, 16384L));
+    else if (key == "speed") s.speed = static_cast<int>(std::clamp(whole, 0L, 9L));
+    else if (key == "left") s.layout.left = share_or(real, s.layout.left);
+    else if (key == "right") s.layout.right = share_or(real, s.layout.right);
+    else if (key == "code") s.layout.code = share_or(real, s.layout.code);
+    else if (key == "buffers") s.layout.buffers = share_or(real, s.layout.buffers);
+    else if (key == "frame") s.layout.frame = share_or(real, s.layout.frame);
+    else if (key.rfind("structure ", 0) == 0) s.layout.structures[key.substr(10)] = share_or(real, 0.3f);
+    else if (key.rfind("place ", 0) == 0) s.remember(key.substr(6), std::max<std::int64_t>(0, std::strtoll(value.c_str(), nullptr, 10)));
+  }
+  return s;
+}
+
+bool save_settings(const std::filesystem::path& path, const Settings& s) {
+  if (path.empty()) return false;
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
+  const std::filesystem::path fresh = path.string() + ".new";
+  {
+    std::ofstream file(fresh);
+    file << fmt::format("dark = {:d}\npresenter = {:d}\ntext_scale = {}\nwidth = {}\nheight = {}\nspeed = {}\n", s.dark, s.presenter, s.text_scale,
+                        s.width, s.height, s.speed)
+         << fmt::format("left = {}\nright = {}\ncode = {}\nbuffers = {}\nframe = {}\n", s.layout.left, s.layout.right, s.layout.code,
+                        s.layout.buffers, s.layout.frame);
+    for (const auto& [id, weight] : s.layout.structures) file << fmt::format("structure {} = {}\n", id, weight);
+    for (const auto& [key, position] : s.places) file << fmt::format("place {} = {}\n", key, position);
+    file.flush();
+    if (!file) return false;
+  }
+  std::filesystem::rename(fresh, path, error);
+  return !error;
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,43 @@
+// What stays from run to run: theme, text size, where the borders are, and the place in each trace.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace zstep::viewer {
+
+/// Where the borders between panes are, as shares of the window or of the row they divide.
+struct Layout {
+  float left = 0.27f;        ///< width of pseudo-code and explanation
+  float right = 0.235f;      ///< width of the lesson
+  float code = 0.62f;        ///< height of the pseudo-code in its column
+  float buffers = 0.62f;     ///< height of the buffers above the structures
+  float frame = 0.5f;        ///< width of the framebuffer beside the depth buffer
+  std::map<std::string, float> structures;  ///< weights by pane id
+};
+
+struct Settings {
+  bool dark = false, presenter = false;
+  float text_scale = 1;
+  int width = 0, height = 0;                ///< of the window; 0: never set
+  int speed = 2;
+  Layout layout;
+  std::vector<std::pair<std::string, std::int64_t>> places;  ///< by trace, newest last
+
+  std::optional<std::int64_t> place(const std::string& key) const;
+  void remember(const std::string& key, std::int64_t position);
+};
+
+/// $XDG_CONFIG_HOME/zstep/viewer.ini, or the platform's likeness of it; empty when there is no home.
+std::filesystem::path settings_path();
+
+/// What cannot be read is left at its default: a damaged file must not keep the viewer from opening.
+Settings load_settings(const std::filesystem::path& path);
+/// False when it could not be written.
+bool save_settings(const std::filesystem::path& path, const Settings& settings);
+
+}  // namespace zstep::viewer
