@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ App::Context::Context() : context(ImGui::CreateContext()) {
 App::Context::~Context() { ImGui::DestroyContext(context); }
 
 App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale)
-    : settings_(settings), renderer_(width, height), session_(trace, lesson), ui_{session_, renderer_, {}}, dpi_scale_(dpi_scale) {
+    : settings_(settings), renderer_(width, height), session_(trace, lesson), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
   ui_.depth_range = depth_range(trace);
   session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
   structures_ = structure_panes(trace.header());

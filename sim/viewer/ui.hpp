@@ -27,6 +27,7 @@ struct RasterContent {
 };
 
 struct Ui {
+  Ui(Session& session_, Renderer& renderer_) : session(session_), renderer(renderer_) {}
   Session& session;
   Renderer& renderer;
   Fonts fonts;

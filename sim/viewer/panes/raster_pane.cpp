@@ -32,7 +32,7 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
     const std::string text = std::to_string(x);
     const float at = static_cast<float>(map.px(x)) - text_size(ui, font, text).x / 2;
     if (map.px(x) < 0 || map.px(x) > map.box_width) continue;
-    const float y = origin.y + static_cast<float>(std::min<double>(map.box_height, map.top + map.height * map.cell)) + 1;
+    const float y = origin.y + static_cast<float>(std::min<double>(map.box_height, map.top + map.height * map.cell)) + 1.0f;
     draw_text(ui, {std::max(origin.x - rulers.left, origin.x + at), y}, font, c.muted, text);
   }
   const auto line = ui.session.state().machine.scan_line;
