@@ -79,9 +79,12 @@ std::string App::link() const {
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || std::string_view("/._-:+@%").find(static_cast<char>(c)) != std::string_view::npos; });
   std::string quoted = name;
   if (!plain) {
-    quoted = "'";
-    for (const char c : name) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    quoted += "'";
+    quoted.assign(1, '\'');
+    for (const char c : name) {
+      if (c == '\'') quoted.append("'\\'");
+      quoted.push_back(c);
+    }
+    quoted.push_back('\'');
   }
   return fmt::format("zstep view {} --at {}", quoted, session_.position());
 }

@@ -128,6 +128,8 @@ const std::vector<Command>& table() {
       {"pan-right", "Look", "Pan right", {{SDLK_d}}, pan<1, 0>},
       {"pan-up", "Look", "Pan up", {{SDLK_w}}, pan<0, -1>},
       {"pan-down", "Look", "Pan down", {{SDLK_s}}, pan<0, 1>},
+      {"vertices", "Look", "The way of the vertices, always or where it fits", {{SDLK_v}},
+       [](App& a) { a.ui().vertices_always = !a.ui().vertices_always; a.session().touch(); }},
       {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},
       {"previous-stop", "Lesson", "Previous stop", {{SDLK_n, S}}, [](App& a) { a.session().next_stop(-1); }},
       {"answer-1", "Lesson", "First answer", {{SDLK_1}}, answer<0>},

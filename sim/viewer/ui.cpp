@@ -166,6 +166,15 @@ void say_empty(Ui& ui, const std::string& why) {
   flow(ui, why, how);
 }
 
+void follow(Ui& ui, float top, float height) {
+  if (!ui.scroll_now) return;
+  const float view = ImGui::GetWindowHeight(), at = top - ImGui::GetWindowPos().y + ImGui::GetScrollY(), page = view / 2;
+  if (page < 1) return;
+  // In steps of half a view: the line lies between a tenth and six tenths of it, and the page rarely moves.
+  const float target = std::max(0.0f, std::floor((at - view * 0.1f) / page) * page);
+  ImGui::SetScrollY(at + height < view * 0.92f ? 0 : std::round(target));
+}
+
 bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
   const std::string shown = label.substr(0, label.find("##"));
   const ImVec2 size = text_size(ui, ui.fonts.text, shown), at = ImGui::GetCursorScreenPos();

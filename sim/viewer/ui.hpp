@@ -43,6 +43,7 @@ struct Ui {
   int depth_decimals = 2;                        ///< what the depth buffer's numbers need
   float em = 16;            ///< body text in pixels
   bool presenter = false;
+  bool vertices_always = false;      ///< the way of the vertices is shown even where room is scarce
   std::optional<Cell> pointed;       ///< cell under the mouse, in either buffer
   std::optional<Cell> pointed_next;  ///< collected while this frame is drawn
   std::optional<std::int32_t> hovered_edge_next;
@@ -78,6 +79,10 @@ float flow_height(Ui& ui, const std::string& text, const Flow& how);
 void flow_markdown(Ui& ui, const std::string& markdown);
 /// A sentence in muted colour: why a pane is empty.
 void say_empty(Ui& ui, const std::string& why);
+
+/// Scrolls the pane so that the line at `top` (on screen) can be read with what follows it. Where it scrolls to depends on the
+/// line alone, never on where the pane was: the same step always looks the same.
+void follow(Ui& ui, float top, float height);
 
 /// A button with a label that fits; true when clicked.
 bool button(Ui& ui, const std::string& label, bool lit = false, bool enabled = true);

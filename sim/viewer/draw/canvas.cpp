@@ -46,7 +46,7 @@ bool cut_to(double left, double top, double right, double bottom, double& x0, do
 
 }  // namespace
 
-void Canvas::line(double x0, double y0, double x1, double y1, double thickness, Pixel32 color) {
+void Canvas::line(double x0, double y0, double x1, double y1, double thickness, Pixel32 color, unsigned share) {
   if (!std::isfinite(x0) || !std::isfinite(y0) || !std::isfinite(x1) || !std::isfinite(y1)) return;
   if (!cut_to(-4, -4, width_ + 4.0, height_ + 4.0, x0, y0, x1, y1)) return;
   const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
@@ -70,7 +70,7 @@ void Canvas::line(double x0, double y0, double x1, double y1, double thickness, 
       const double covered = std::min(v + 1.0, middle + half) - std::max<double>(v, middle - half);
       if (covered <= 0) continue;
       Pixel32& pixel = steep ? row(u)[v] : row(v)[u];
-      pixel = mixed(pixel, color, static_cast<unsigned>(std::lround(std::min(covered, 1.0) * 255)));
+      pixel = mixed(pixel, color, static_cast<unsigned>(std::lround(std::min(covered, 1.0) * share)));
     }
   }
 }

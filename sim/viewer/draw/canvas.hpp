@@ -34,8 +34,9 @@ class Canvas {
 
   /// Clipped to the canvas; right and bottom are exclusive.
   void rectangle(int left, int top, int right, int bottom, Pixel32 color);
-  /// An antialiased line, one to a few pixels wide, by distance to the segment; coverage is mixed over what is there.
-  void line(double x0, double y0, double x1, double y1, double thickness, Pixel32 color);
+  /// An antialiased line, one to a few pixels wide, by distance to the segment; coverage is mixed over what is there,
+  /// at most `share` of 255.
+  void line(double x0, double y0, double x1, double y1, double thickness, Pixel32 color, unsigned share = 255);
 
  private:
   int width_ = 0, height_ = 0;

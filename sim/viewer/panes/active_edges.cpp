@@ -81,6 +81,6 @@ bool serves(const Header& header) { return has_step_of<EdgeEnter>(header); }
 
 }  // namespace
 
-const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw, note, serves, 0.27f, true};
+const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw, note, serves, 0.26f, true};
 
 }  // namespace zstep::viewer

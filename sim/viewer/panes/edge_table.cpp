@@ -85,6 +85,6 @@ bool serves(const Header& header) { return has_step_of<EdgeTableInsert>(header);
 
 }  // namespace
 
-const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw, note, serves, 0.42f, true};
+const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw, note, serves, 0.41f, true};
 
 }  // namespace zstep::viewer

@@ -102,12 +102,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       if (k < row.cells.size() && row.cells[k].value) exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
       x += columns[k].width + gap;
     }
-    if (row.look == TableRow::Look::gone)
-      list->AddRectFilled({at.x + gap / 2, at.y + height / 2}, {x - gap, at.y + height / 2 + 1}, c.muted);
-    if (row.look == TableRow::Look::now && ui.scroll_now) {
-      const float y = at.y - ImGui::GetWindowPos().y;
-      if (y < 0 || y + height > ImGui::GetWindowHeight()) ImGui::SetScrollHereY(0.5f);
-    }
+    if (row.look == TableRow::Look::now) follow(ui, at.y, height);
     if (hovered && !exact_values.empty()) tooltip(ui, exact_values);
   }
   ImGui::PopStyleVar();

@@ -45,11 +45,7 @@ void draw_line(Ui& ui, const StepInfo& step, bool now) {
   ImGui::SetCursorScreenPos(after);
   if (!hits.empty()) draw_text(ui, {end.x - hits_width + ui.em * 0.2f, at.y + 3}, ui.fonts.small, c.muted, hits);
 
-  if (now && ui.scroll_now) {
-    // Keep the lit line in the middle third, so that what comes next can be read.
-    const float y = at.y - ImGui::GetWindowPos().y, view = ImGui::GetWindowHeight();
-    if (y < view * 0.2f || y + height > view * 0.8f) ImGui::SetScrollHereY(0.5f);
-  }
+  if (now) follow(ui, at.y, height);
   if (hovered) ui.mouse_help = "Click: on to the next time this line runs. Shift+click: back to the last time.";
   if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
 }
@@ -60,6 +56,7 @@ void draw(Ui& ui) {
   ui.hits.follow(ui.session.trace(), ui.session.position());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const RecordedEvent* event = ui.session.event();
+  if (!event && ui.scroll_now) ImGui::SetScrollY(0);
   for (const StepInfo& step : page) draw_line(ui, step, event && event->step == step.id);
   ImGui::PopStyleVar();
 }

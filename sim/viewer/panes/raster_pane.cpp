@@ -38,7 +38,7 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
   const auto line = ui.session.state().machine.scan_line;
   const float edge = origin.x + static_cast<float>(std::max(0.0, map.left));
   for (int y = 0, step = label_step(map.cell, font->FontSize + 2.0); y < map.height; y += step) {
-    if (map.py(y) < font->FontSize / 2 || map.py(y) > map.box_height - font->FontSize / 2) continue;
+    if (map.py(y) < font->FontSize / 2 || map.py(y) > static_cast<float>(map.box_height) - font->FontSize / 2) continue;
     if (line && y != *line && std::abs(map.py(y) - map.py(*line)) < font->FontSize) continue;
     const std::string text = std::to_string(y);
     draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + static_cast<float>(map.py(y)) - font->FontSize / 2}, font,
@@ -60,15 +60,15 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
 void draw_geometry(Ui& ui, Canvas& canvas, const RasterMap& map) {
   const Session& s = ui.session;
   const Machine& m = s.state().machine;
-  const auto line = [&](std::int32_t a, std::int32_t b, double thickness, ImU32 color) {
+  const auto line = [&](std::int32_t a, std::int32_t b, double thickness, ImU32 color, unsigned share) {
     const auto from = on_raster(s.scene(), s.state(), a), to = on_raster(s.scene(), s.state(), b);
-    if (from && to) canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness, to_pixel(color));
+    if (from && to) canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness, to_pixel(color), share);
   };
   if (map.cell >= 3 && m.outline.size() > 1)
-    for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, ui.colors().text);
+    for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, ui.colors().outline, map.cell >= 16 ? 150 : 210);
   if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)].entry;
-    line(e.vertex_0, e.vertex_1, 4, ui.colors().selected);
+    line(e.vertex_0, e.vertex_1, 4, ui.colors().selected, 220);
   }
 }
 
@@ -216,7 +216,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const std::functio
                                              ui.view.center_x, ui.view.center_y, static_cast<double>(s.lit_edge().value_or(-1))});
   if (content.canvas_version != version) {
     content.canvas.resize(width, height);
-    paint_raster(content.canvas, map, content.cells, {to_pixel(c.window), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
+    paint_raster(content.canvas, map, content.cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
     draw_geometry(ui, content.canvas, map);
     content.canvas_version = version;
   }

@@ -169,7 +169,7 @@ void draw_way(Ui& ui, std::int32_t vertex, bool now) {
   }
   ImGui::Dummy({std::max(1.0f, std::min(ImGui::GetContentRegionAvail().x, name + 3 * column + ui.em)), block});
   if (ImGui::IsItemHovered()) tooltip(ui, tips);
-  if (now && ui.scroll_now) ImGui::SetScrollHereY(0.3f);
+  if (now) follow(ui, top.y, block);
 }
 
 void draw_vertices(Ui& ui) {
@@ -182,10 +182,12 @@ void draw_vertices(Ui& ui) {
 void draw(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
-  const float way_height = std::min(avail.y * 0.5f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
+  // Where room is scarce the picture has it, but for the steps that move a vertex.
+  const bool scarce = avail.y < ui.em * 15 && !ui.vertices_always && vertex_now(s) < 0;
+  const float way_height = scarce ? 0 : std::min(avail.y * 0.6f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
   // Side by side when there is more width than height, else the way below the picture.
-  const bool beside = avail.x > avail.y * 1.9f && avail.x > ui.em * 32;
-  const int width = static_cast<int>(beside ? avail.x * 0.5f : avail.x), height = static_cast<int>(beside ? avail.y : avail.y - way_height);
+  const bool beside = avail.x > avail.y * 1.9f && avail.x > ui.em * 30;
+  const int width = static_cast<int>(beside ? avail.x - ui.em * 18 : avail.x), height = static_cast<int>(beside ? avail.y : avail.y - way_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map = [&] {
     // Not in whole pixels: a wireframe may use all the room.
@@ -214,6 +216,7 @@ void draw(Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(ui.renderer.image("scene", shown, version), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  if (scarce && !beside) return;
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.5f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
   ImGui::BeginChild("way", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_None);
@@ -229,6 +232,6 @@ std::string note(Ui& ui) {
 
 }  // namespace
 
-const Pane scene_pane{"scene", "SCENE", draw, note, nullptr, 0.31f, false};
+const Pane scene_pane{"scene", "SCENE", draw, note, nullptr, 0.33f, false};
 
 }  // namespace zstep::viewer
