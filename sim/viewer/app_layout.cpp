@@ -90,7 +90,7 @@ void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
   const float y = at.y + std::round((head - font->FontSize) / 2) - 1;
   const float title_width = text_size(ui_, font, pane.title).x;
   if (title_width + 2 * pad <= size.x) draw_text(ui_, {at.x + pad, y}, font, c.text, pane.title);
-  const std::string note = pane.note ? pane.note(ui_) : "";
+  const std::string note = pane.note && (!ui_.presenter || session_.looking_back || pane.id == lesson_pane.id) ? pane.note(ui_) : "";
   const float note_width = text_size(ui_, font, note).x;
   if (!note.empty() && title_width + note_width + 3 * pad + ui_.em <= size.x)
     draw_text(ui_, {at.x + size.x - pad - note_width, y}, font, session_.looking_back ? c.now : c.muted, note);
@@ -102,7 +102,7 @@ void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
     if (ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) pane.draw(ui_);
     ImGui::EndChild();
   }
-  list->AddRect(at, {at.x + size.x, at.y + size.y}, c.rule);
+  frame_box(list, at, {at.x + size.x, at.y + size.y}, c.rule);
 }
 
 bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole) {
@@ -133,6 +133,13 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
   // What does not get a readable width waits until there is one; the last pane (the scene) stays.
   std::vector<Pane> shown = structures_;
   const auto narrowest = [&] { return ui_.em * 11; };
+  if (ui_.presenter) {
+    // A class needs one of the two: the table while it fills, the active edges once scan lines are drawn.
+    const bool scanning = session_.state().machine.scan_line.has_value();
+    shown.erase(std::remove_if(shown.begin(), shown.end(),
+                               [&](const Pane& pane) { return pane.id == (scanning ? edge_table_pane.id : active_edges_pane.id); }),
+                shown.end());
+  }
   while (shown.size() > 1 && size.x / static_cast<float>(shown.size()) < narrowest()) shown.erase(shown.end() - 2);
   if (shown.empty()) return;
   const float room = size.x - gap * static_cast<float>(shown.size() - 1);

@@ -106,7 +106,7 @@ void field(Ui& ui, const std::string& text, const std::string& hint) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(ui.em * 1.7f)};
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(at, end, c.head);
-  list->AddRect(at, end, c.now);
+  frame_box(list, at, end, c.now);
   ImGui::PushClipRect(at, end, true);
   const float x = at.x + ui.em * 0.4f, y = at.y + ui.em * 0.3f;
   draw_text(ui, {x, y}, ui.fonts.text, text.empty() ? c.muted : c.text, text.empty() ? hint : text);

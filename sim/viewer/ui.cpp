@@ -175,6 +175,13 @@ void follow(Ui& ui, float top, float height) {
   ImGui::SetScrollY(at + height < view * 0.92f ? 0 : std::round(target));
 }
 
+void frame_box(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
+  list->AddRectFilled(a, {b.x, a.y + thickness}, color);
+  list->AddRectFilled({a.x, b.y - thickness}, b, color);
+  list->AddRectFilled({a.x, a.y + thickness}, {a.x + thickness, b.y - thickness}, color);
+  list->AddRectFilled({b.x - thickness, a.y + thickness}, {b.x, b.y - thickness}, color);
+}
+
 bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
   const std::string shown = label.substr(0, label.find("##"));
   const ImVec2 size = text_size(ui, ui.fonts.text, shown), at = ImGui::GetCursorScreenPos();
@@ -185,7 +192,7 @@ bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(at, end, lit ? c.now_soft : hovered ? c.button_hovered : c.button);
-  list->AddRect(at, end, lit ? c.now : c.rule);
+  frame_box(list, at, end, lit ? c.now : c.rule);
   draw_text(ui, {at.x + pad_x, at.y + pad_y}, ui.fonts.text, enabled ? c.text : c.muted, shown);
   return clicked;
 }

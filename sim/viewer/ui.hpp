@@ -84,6 +84,9 @@ void say_empty(Ui& ui, const std::string& why);
 /// line alone, never on where the pane was: the same step always looks the same.
 void follow(Ui& ui, float top, float height);
 
+/// A frame of whole pixels, inside these corners.
+void frame_box(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 1);
+
 /// A button with a label that fits; true when clicked.
 bool button(Ui& ui, const std::string& label, bool lit = false, bool enabled = true);
 /// A small window beside the mouse with these lines.

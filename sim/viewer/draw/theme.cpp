@@ -15,7 +15,6 @@ constexpr Theme light{
     rgb(0x00664a), rgb(0xa83a00),
     rgb(0xe4e4e0), rgb(0xd3d9e2),
     rgb(0xb4b4b0),
-    rgb(0x4a4a4a),
     rgb(0xececea), rgb(0xd6d6d2),
 };
 constexpr Theme dark{
@@ -26,7 +25,6 @@ constexpr Theme dark{
     rgb(0x4fcfa5), rgb(0xff9a6b),
     rgb(0x2d3238), rgb(0x3d4650),
     rgb(0x4a4f55),
-    rgb(0xd8d8d8),
     rgb(0x25292e), rgb(0x353a40),
 };
 

@@ -16,7 +16,6 @@ struct Theme {
   ImU32 good, bad;                              ///< replies to answers
   ImU32 button, button_hovered;
   ImU32 grid;                                   ///< between a raster's cells
-  ImU32 outline;                                ///< of the polygon at work, over the cells
   ImU32 empty, empty_hatch;                     ///< a depth of infinity
 };
 

@@ -91,7 +91,7 @@ void draw_legend(Ui& ui, float top) {
   const ImVec2 box_at{bar_right + far_width + 2 * gap, at.y + 1}, box_end{box_at.x + box, box_at.y + box};
   list->AddRectFilled(box_at, box_end, c.empty);
   for (float d = 3; d < box; d += 4) list->AddRectFilled({box_at.x + d, box_at.y}, {box_at.x + d + 1, box_end.y}, c.empty_hatch);
-  list->AddRect(box_at, box_end, c.rule);
+  frame_box(list, box_at, box_end, c.rule);
   draw_text(ui, {box_end.x + 3, at.y}, font, c.muted, none);
 }
 

@@ -20,7 +20,7 @@ void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImU32 edge = given ? (answer.right ? c.good : c.bad) : c.rule;
   list->AddRectFilled(at, end, hovered ? c.button_hovered : c.button);
-  list->AddRect(at, end, edge, 0, 0, given ? 2.0f : 1.0f);
+  frame_box(list, at, end, edge, given ? 2.0f : 1.0f);
   draw_text(ui, {at.x + pad, at.y + pad * 0.6f}, ui.fonts.bold, given ? edge : c.muted, given ? (answer.right ? "\u2713" : "\u2717") : fmt::format("{}", index + 1));
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({at.x + pad + key, at.y + pad * 0.6f});

@@ -15,7 +15,7 @@ struct Column {
   bool numeric = false;
 };
 
-std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, const std::vector<TableRow>& rows, int at_most) {
+std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, const std::vector<TableRow>& rows, const ImFont* font, int at_most) {
   std::vector<Column> columns(headings.size());
   for (std::size_t k = 0; k < columns.size(); ++k) {
     Column& column = columns[k];
@@ -28,7 +28,7 @@ std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, co
     for (const TableRow& row : rows) {
       std::string text;
       if (k < row.cells.size()) text = row.cells[k].value ? number(*row.cells[k].value, column.decimals) : row.cells[k].text;
-      float width = text_size(ui, ui.fonts.mono, text).x;
+      float width = text_size(ui, font, text).x;
       if (k < row.cells.size() && row.cells[k].chip) width += ui.em * 0.75f;
       column.width = std::max(column.width, width);
       column.shown.push_back(std::move(text));
@@ -49,15 +49,22 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   TableResult result;
   const Theme& c = ui.colors();
   const float room = ImGui::GetContentRegionAvail().x;
+  // When it does not fit: smaller gaps, then smaller type, then fewer decimals; and at last the pane scrolls.
   float gap = std::round(ui.em * 0.85f);
+  const ImFont* font = ui.fonts.mono;
   int at_most = usual_decimals;
-  std::vector<Column> columns = lay_out(ui, headings, rows, at_most);
-  while (total(columns, gap) > room && (gap > ui.em * 0.45f || at_most > 1)) {
-    if (gap > ui.em * 0.45f) gap = std::max(ui.em * 0.45f, gap - 2);
-    else columns = lay_out(ui, headings, rows, --at_most);
+  std::vector<Column> columns = lay_out(ui, headings, rows, font, at_most);
+  const auto fits = [&] { return total(columns, gap) <= room; };
+  while (!fits() && gap > ui.em * 0.5f) gap -= 1;
+  while (!fits() && at_most > 2) columns = lay_out(ui, headings, rows, font, --at_most);
+  if (!fits()) {
+    font = ui.fonts.small;
+    columns = lay_out(ui, headings, rows, font, at_most);
+    while (!fits() && at_most > 1) columns = lay_out(ui, headings, rows, font, --at_most);
+    while (!fits() && gap > ui.em * 0.3f) gap -= 1;
   }
   const float width = std::max(room, total(columns, gap));
-  const float height = std::round(ui.fonts.mono->FontSize * 1.35f);
+  const float height = std::round(ui.fonts.mono->FontSize * 1.35f), text_top = std::round((height - font->FontSize) / 2) - 1;
   ImGui::PushID(id);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -83,7 +90,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     if (row.look == TableRow::Look::now) list->AddRectFilled(at, end, c.now_soft);
     if (row.lit) list->AddRectFilled(at, end, c.selected_soft);
     if (row.look == TableRow::Look::now) list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
-    if (row.lit) list->AddRect(at, end, c.selected);
+    if (row.lit) frame_box(list, at, end, c.selected);
     if (hovered && row.key >= 0) result.hovered = row.key;
     if (clicked && row.key >= 0) result.clicked = row.key;
     const ImU32 color = row.look == TableRow::Look::gone ? c.muted : c.text;
@@ -94,11 +101,11 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       if (k < row.cells.size() && row.cells[k].chip) {
         const float side = std::round(ui.em * 0.55f), y = at.y + std::round((height - side) / 2);
         list->AddRectFilled({left, y}, {left + side, y + side}, row.cells[k].chip);
-        list->AddRect({left, y}, {left + side, y + side}, c.text);
+        frame_box(list, {left, y}, {left + side, y + side}, c.text);
         left += ui.em * 0.75f;
       }
-      if (columns[k].numeric) left = x + columns[k].width - text_size(ui, ui.fonts.mono, columns[k].shown[r]).x;
-      draw_text(ui, {left, at.y + 2}, ui.fonts.mono, color, columns[k].shown[r]);
+      if (columns[k].numeric) left = x + columns[k].width - text_size(ui, font, columns[k].shown[r]).x;
+      draw_text(ui, {left, at.y + text_top}, font, color, columns[k].shown[r]);
       if (k < row.cells.size() && row.cells[k].value) exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
       x += columns[k].width + gap;
     }

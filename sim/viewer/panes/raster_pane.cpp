@@ -64,8 +64,11 @@ void draw_geometry(Ui& ui, Canvas& canvas, const RasterMap& map) {
     const auto from = on_raster(s.scene(), s.state(), a), to = on_raster(s.scene(), s.state(), b);
     if (from && to) canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness, to_pixel(color), share);
   };
-  if (map.cell >= 3 && m.outline.size() > 1)
-    for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, ui.colors().outline, map.cell >= 16 ? 150 : 210);
+  // Dark on a light border: visible on every colour a cell can have.
+  if (map.cell >= 3 && m.outline.size() > 1) {
+    for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 3, IM_COL32(255, 255, 255, 255), 130);
+    for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, IM_COL32(40, 40, 40, 255), 200);
+  }
   if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)].entry;
     line(e.vertex_0, e.vertex_1, 4, ui.colors().selected, 220);
@@ -137,10 +140,7 @@ void draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const RasterConte
 void frame_cell(ImDrawList* list, const RasterMap& map, ImVec2 origin, Cell cell, float out, float thickness, ImU32 color) {
   const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)) - out, origin.y + static_cast<float>(map.row_begin(cell.y)) - out};
   const ImVec2 b{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) + out - 1, origin.y + static_cast<float>(map.row_end(cell.y)) + out - 1};
-  list->AddRectFilled(a, {b.x, a.y + thickness}, color);
-  list->AddRectFilled({a.x, b.y - thickness}, b, color);
-  list->AddRectFilled({a.x, a.y + thickness}, {a.x + thickness, b.y - thickness}, color);
-  list->AddRectFilled({b.x - thickness, a.y + thickness}, {b.x, b.y - thickness}, color);
+  frame_box(list, a, b, color, thickness);
 }
 
 }  // namespace

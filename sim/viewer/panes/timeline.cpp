@@ -77,7 +77,7 @@ void draw_whole(Ui& ui, const Strip& strip) {
       const float x = std::floor(strip.x(stop.position)), y = strip.at.y + 4;
       list->AddQuadFilled({x, y - 4}, {x + 4, y}, {x, y + 4}, {x - 4, y}, stop.question ? c.selected : c.changed);
     }
-  list->AddRect(strip.at, end, c.rule);
+  frame_box(list, strip.at, end, c.rule);
   draw_place(ui, strip);
 }
 
@@ -109,7 +109,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stre
   if (stretch.polygon == no_polygon) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
   else if (!stretch.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
   else if (stretch.lines.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), stretch.polygon)));
-  list->AddRect(strip.at, end, c.rule);
+  frame_box(list, strip.at, end, c.rule);
   draw_place(ui, strip);
 }
 

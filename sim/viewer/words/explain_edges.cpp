@@ -101,8 +101,12 @@ void tell(Telling& t, const EdgeEnter& e) {
 
 void tell(Telling& t, const EdgeRetire& e) {
   t.say(with_capital(fmt::format("{} ends here and leaves the active edge list.", named(t, e.edge))));
-  if (const EdgeTableInsert* entry = entry_of(t, e.edge); entry && t.machine.scan_line)
-    t.formula(fmt::format("y = {} \u2265 y_max = {}", *t.machine.scan_line, entry->end_row));
+  const EdgeTableInsert* entry = entry_of(t, e.edge);
+  if (!entry || !t.machine.scan_line) return;
+  const std::int32_t y = *t.machine.scan_line;
+  if (y >= entry->end_row) return t.formula(fmt::format("y = {}, y_max = {}", y, entry->end_row));
+  t.say(with_capital(fmt::format("Scan line {} was the last of {}: {} leaves the active edge list.", y, t.here(), named(t, e.edge))));
+  t.formula(fmt::format("y + 1 = {}, y_max = {}", y + 1, entry->end_row));
 }
 
 void tell(Telling& t, const EdgeStep& e) {

@@ -6,7 +6,7 @@ namespace {
 
 std::string pixel(std::int32_t x, std::int32_t y) { return fmt::format("({}, {})", x, y); }
 
-/// The depth the increment was added to: that of the pixel before, or of the span's first pixel's left end.
+/// The depth the increment was added to: that of the pixel before.
 std::optional<double> depth_before(const Telling& t, const DepthInterpolate& e) {
   for (std::int64_t p = t.after.position - 1; p >= 1 && p > t.after.position - 16; --p) {
     const Event& event = t.trace.event(p).event;
@@ -32,10 +32,7 @@ void tell(Telling& t, const DepthInterpolate& e) {
       t.hold_against(t.z, e.z, *before + s.dz_dx);
       return;
     }
-    t.formula(fmt::format("{} = z_L + (x \u2212 x_L)\u00b7dz/dx = {} + ({} \u2212 {})\u00b7{} = {}", t.z, number(s.z_left), e.x,
-                          operand(s.x_left), operand(s.dz_dx), number(e.z)));
-    t.hold_against(t.z, e.z, s.z_left + (e.x - s.x_left) * s.dz_dx);
-    return;
+    // The first pixel of a span has nothing to add to: its depth is computed directly.
   }
   if (s.x_right == s.x_left) {
     t.formula(fmt::format("x_L = x_R: {} = z_L = {}", t.z, number(e.z)));

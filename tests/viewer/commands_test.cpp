@@ -1,0 +1,163 @@
+// Keys, palette, mouse: everything a reader can do goes through one table.
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "drive.hpp"
+#include "sim/viewer/commands.hpp"
+#include "words/some_runs.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+TEST_CASE("every command has a key, and no key has two commands") {
+  std::set<std::tuple<SDL_Keycode, unsigned, char>> taken;
+  std::set<std::string> ids;
+  for (const Command& command : commands()) {
+    CAPTURE(command.id);
+    CHECK_FALSE(command.keys.empty());
+    CHECK_FALSE(key_names(command).empty());
+    CHECK(ids.insert(command.id).second);
+    for (const Chord& chord : command.keys) CHECK(taken.insert({chord.key, chord.modifiers, chord.character}).second);
+  }
+}
+
+TEST_CASE("the keys of the sheet move as they say") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 640, 480);
+  Session& s = app.session();
+  const auto kind_here = [&] { return s.event() ? s.event()->event.index() : std::size_t{99}; };
+  test::press(app, SDLK_RIGHT);
+  CHECK(s.position() == 1);
+  test::press(app, SDLK_RIGHT, KMOD_LSHIFT);
+  CHECK(kind_here() == kind_of<DepthInterpolate>);
+  test::press(app, SDLK_RIGHT, KMOD_LCTRL);
+  CHECK(kind_here() == kind_of<ScanLineBegin>);
+  const std::int64_t line = s.position();
+  test::press(app, SDLK_RIGHT, KMOD_LCTRL);
+  test::press(app, SDLK_LEFT, KMOD_RCTRL);
+  CHECK(s.position() == line);
+  test::press(app, SDLK_PAGEDOWN);
+  CHECK(kind_here() == kind_of<PolygonBegin>);
+  test::press(app, SDLK_END);
+  CHECK(s.position() == trace.size());
+  test::press(app, SDLK_RIGHT);
+  CHECK(s.message.find("end") != std::string::npos);
+  test::press(app, SDLK_HOME);
+  CHECK(s.position() == 0);
+  test::press(app, SDLK_SPACE);
+  CHECK(s.playing);
+  test::press(app, SDLK_SPACE);
+  CHECK_FALSE(s.playing);
+  const int speed = s.speed;
+  test::type(app, "+");
+  CHECK(s.speed == speed + 1);
+  test::type(app, "-");
+  CHECK(s.speed == speed);
+}
+
+TEST_CASE("G goes to a step, a share, a polygon or selects a pixel; nonsense says what may be typed") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 640, 480);
+  const auto go = [&](const std::string& text) {
+    test::press(app, SDLK_g);
+    test::type(app, "g" + text);  // the key that opens it types its letter too
+    test::press(app, SDLK_RETURN);
+  };
+  go("100");
+  CHECK(app.session().position() == 100);
+  go("1 0 1");
+  CHECK(app.session().position() == 101);
+  go("50%");
+  CHECK(app.session().position() == trace.size() / 2);
+  go("p 1");
+  CHECK(app.session().position() == trace.polygons()[1].position);
+  go("3, 2");
+  CHECK(app.session().selected == Cell{3, 2});
+  const std::int64_t here = app.session().position();
+  go("99, 99");
+  CHECK(app.session().selected == Cell{3, 2});
+  go("what");
+  CHECK(app.session().position() == here);
+  CHECK_FALSE(app.session().message.empty());
+  go("999999999999999999999999");
+  CHECK(app.session().position() == trace.size());
+}
+
+TEST_CASE("F runs through everything that touches the selected pixel and nothing else") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 640, 480);
+  Session& s = app.session();
+  test::press(app, SDLK_f);
+  CHECK(s.position() == 0);
+  CHECK_FALSE(s.message.empty());
+  s.select(Cell{1, 2});
+  std::int64_t expected = 0, found = 0;
+  for (std::int64_t p = 1; p <= trace.size(); ++p)
+    if (const auto pixel = pixel_of(trace.event(p).event); pixel && pixel->x == 1 && pixel->y == 2) ++expected;
+  for (std::int64_t before = -1; s.position() != before && found < 100;) {
+    before = s.position();
+    test::press(app, SDLK_f);
+    if (s.position() == before) break;
+    ++found;
+  }
+  CHECK(expected > 3);
+  CHECK(found == expected);
+  test::press(app, SDLK_f, KMOD_LSHIFT);
+  CHECK(pixel_of(s.event()->event)->x == 1);
+}
+
+TEST_CASE("the palette finds commands by words of their name and runs them") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 640, 480);
+  CHECK(matching("scan line").size() == 2);
+  CHECK(matching("").size() == commands().size());
+  CHECK(matching("no such thing").empty());
+  test::press(app, SDLK_p, KMOD_LCTRL);
+  REQUIRE(app.overlay() == Overlay::palette);
+  test::type(app, "to the end");
+  app.settle();
+  test::press(app, SDLK_RETURN);
+  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.session().position() == trace.size());
+  test::press(app, SDLK_p, KMOD_LCTRL);
+  test::press(app, SDLK_ESCAPE);
+  CHECK(app.overlay() == Overlay::none);
+}
+
+TEST_CASE("every command runs at every end of a trace without harm") {
+  const Trace trace = test::record_run("delhi");
+  for (const std::int64_t at : {std::int64_t{0}, std::int64_t{60}, trace.size()})
+    for (const Command& command : commands()) {
+      App app(trace, nullptr, {}, 800, 600);
+      app.session().go_to(at);
+      command.run(app);
+      app.settle();
+      if (command.release) command.release(app);
+      app.settle();
+    }
+}
+
+TEST_CASE("a click selects the pixel under the mouse, in either buffer") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().go_to(trace.size());
+  app.settle();
+  // The middle of the framebuffer pane, and the same cell in the depth buffer beside it.
+  test::click(app, 592, 208);
+  REQUIRE(app.session().selected);
+  const Cell cell = *app.session().selected;
+  test::click(app, 592, 208);
+  CHECK_FALSE(app.session().selected);
+  test::click(app, 592 + 463, 208);
+  CHECK(app.session().selected == cell);
+}
+
+TEST_CASE("the copied link names trace and step, and quotes what a shell would split") {
+  const Trace plain = test::record_run("delhi");
+  App app(plain, nullptr, {}, 640, 480);
+  app.session().go_to(42);
+  CHECK(app.link() == "zstep view delhi --at 42");
+  test::press(app, SDLK_c, KMOD_LCTRL);
+  CHECK(app.requests.clipboard == app.link());
+}

@@ -1,0 +1,80 @@
+// Drives the viewer without a window: events in, pixels out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <SDL.h>
+
+#include "sim/viewer/app.hpp"
+
+namespace zstep::test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+inline Bytes picture(viewer::App& app) {
+  app.settle();
+  return app.renderer().rgb();
+}
+
+inline void press(viewer::App& app, SDL_Keycode key, std::uint16_t modifiers = KMOD_NONE) {
+  SDL_Event event{};
+  event.type = SDL_KEYDOWN;
+  event.key.keysym.sym = key;
+  event.key.keysym.mod = modifiers;
+  app.handle(event);
+}
+
+inline void release(viewer::App& app, SDL_Keycode key) {
+  SDL_Event event{};
+  event.type = SDL_KEYUP;
+  event.key.keysym.sym = key;
+  app.handle(event);
+}
+
+inline void type(viewer::App& app, const std::string& text) {
+  for (const char c : text) {
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    event.text.text[0] = c;
+    app.handle(event);
+  }
+}
+
+inline void move_mouse(viewer::App& app, int x, int y) {
+  SDL_Event event{};
+  event.type = SDL_MOUSEMOTION;
+  event.motion.x = x;
+  event.motion.y = y;
+  app.handle(event);
+  app.frame();
+  app.frame();
+}
+
+inline void mouse_button(viewer::App& app, int x, int y, bool down) {
+  SDL_Event event{};
+  event.type = down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
+  event.button.button = SDL_BUTTON_LEFT;
+  event.button.x = x;
+  event.button.y = y;
+  app.handle(event);
+  app.frame();
+}
+
+inline void click(viewer::App& app, int x, int y) {
+  move_mouse(app, x, y);
+  mouse_button(app, x, y, true);
+  mouse_button(app, x, y, false);
+  app.frame();
+}
+
+/// How many pixels of a picture have this colour (0xRRGGBB).
+inline int count_of(const Bytes& rgb, std::uint32_t color) {
+  int count = 0;
+  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3)
+    count += rgb[i] == (color >> 16 & 255u) && rgb[i + 1] == (color >> 8 & 255u) && rgb[i + 2] == (color & 255u);
+  return count;
+}
+
+}  // namespace zstep::test

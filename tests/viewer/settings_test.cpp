@@ -1,0 +1,58 @@
+// What stays from run to run.
+#include <fstream>
+
+#include <doctest/doctest.h>
+
+#include "sim/viewer/settings.hpp"
+
+using namespace zstep::viewer;
+
+namespace {
+const std::filesystem::path path = std::filesystem::temp_directory_path() / "zstep_settings_test" / "viewer.ini";
+}
+
+TEST_CASE("settings come back as they were saved") {
+  Settings s;
+  s.dark = true;
+  s.text_scale = 1.25f;
+  s.width = 1000;
+  s.height = 600;
+  s.layout.left = 0.33f;
+  s.layout.structures["scene"] = 0.5f;
+  s.remember("a run.ztrace|100|5", 42);
+  s.remember("other", 7);
+  s.remember("a run.ztrace|100|5", 43);
+  REQUIRE(save_settings(path, s));
+  const Settings back = load_settings(path);
+  CHECK(back.dark);
+  CHECK_FALSE(back.presenter);
+  CHECK(back.text_scale == 1.25f);
+  CHECK(back.width == 1000);
+  CHECK(back.layout.left == doctest::Approx(0.33f));
+  CHECK(back.layout.structures.at("scene") == doctest::Approx(0.5f));
+  CHECK(back.place("a run.ztrace|100|5") == 43);
+  CHECK(back.place("other") == 7);
+  CHECK_FALSE(back.place("never seen"));
+  std::filesystem::remove_all(path.parent_path());
+}
+
+TEST_CASE("a damaged file of settings leaves the defaults") {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream(path) << "left = nan\nright = 1e99\nwidth = -5\ntext_scale = 1000\nspeed = 99\ngarbage\n = \nplace x = -4\n\xff\xfe";
+  const Settings s = load_settings(path);
+  CHECK(s.layout.left == Layout{}.left);
+  CHECK(s.layout.right <= 0.95f);
+  CHECK(s.width == 0);
+  CHECK(s.text_scale == 3.0f);
+  CHECK(s.speed == 9);
+  CHECK(s.place("x") == 0);
+  std::filesystem::remove_all(path.parent_path());
+}
+
+TEST_CASE("only the latest places are kept") {
+  Settings s;
+  for (int i = 0; i < 500; ++i) s.remember("trace " + std::to_string(i), i);
+  CHECK(s.places.size() <= 200);
+  CHECK(s.place("trace 499") == 499);
+  CHECK_FALSE(s.place("trace 0"));
+}
