@@ -52,8 +52,13 @@ TEST_CASE("two numbers that differ look different, however little they differ") 
 
 TEST_CASE("the exact value reads back to the same bits") {
   for (const double value : {0.1, -1.0 / 3, 1e300, 4.25, 5e-324}) {
-    std::string text = exact(value);
-    for (std::size_t at; (at = text.find("\u2212")) != std::string::npos;) text.replace(at, std::string("\u2212").size(), "-");
+    const std::string minus = "\u2212";
+    std::string text, shown = exact(value);
+    for (std::size_t at = 0; at < shown.size();) {
+      const bool is_minus = shown.compare(at, minus.size(), minus) == 0;
+      text.push_back(is_minus ? '-' : shown[at]);
+      at += is_minus ? minus.size() : 1;
+    }
     CHECK(std::strtod(text.c_str(), nullptr) == value);
     CHECK(std::strtod(text.c_str() + text.find('(') + 1, nullptr) == value);
   }
