@@ -10,11 +10,13 @@
 namespace zstep::classroom {
 namespace {
 
-constexpr std::string_view form = "write {at: step}, {at: step where condition} or {before: step where condition, first}";
+constexpr std::string_view form =
+    "write {at: step}, {at: step where condition} or {before: step where condition, first}";
 
 void parse_which(Anchor& anchor, std::string_view text, std::string_view where) {
   const auto unknown = [&] {
-    return InputError(where, fmt::format("`{}` does not say which one", text), "write `first`, `next`, `last` or `nth 3`");
+    return InputError(where, fmt::format("`{}` does not say which one", text),
+                      "write `first`, `next`, `last` or `nth 3`");
   };
   if (text == "next") anchor.which = Anchor::Which::next;
   else if (text == "first") anchor.which = Anchor::Which::first;
@@ -45,17 +47,20 @@ void for_each_fit(const Anchor& anchor, std::uint8_t step, std::int64_t from, Re
 [[noreturn]] void never_happens(const Anchor& anchor, std::uint8_t step, std::int64_t fits, Replay& replay,
                                 std::string_view where) {
   if (fits > 0) {
-    throw InputError(where, fmt::format("`{}` happens as described {} times, but not {}", anchor.step, fits,
-                                        anchor.which == Anchor::Which::nth ? fmt::format("{} times", anchor.n)
-                                                                           : std::string("after the stop before this one")),
-                     anchor.which == Anchor::Which::nth ? "ask for an earlier one" : "move the stop up, or loosen its condition");
+    throw InputError(
+        where,
+        fmt::format("`{}` happens as described {} times, but not {}", anchor.step, fits,
+                    anchor.which == Anchor::Which::nth ? fmt::format("{} times", anchor.n)
+                                                       : std::string("after the stop before this one")),
+        anchor.which == Anchor::Which::nth ? "ask for an earlier one" : "move the stop up, or loosen its condition");
   }
   std::int64_t happens = 0;
   Anchor any = anchor;
   any.condition.reset();
   for_each_fit(any, step, 1, replay, where, [&](std::int64_t) { return ++happens, true; });
   if (happens == 0) {
-    throw InputError(where, fmt::format("`{}` never happens in this run", anchor.step), "choose another step, or a scene in which it does");
+    throw InputError(where, fmt::format("`{}` never happens in this run", anchor.step),
+                     "choose another step, or a scene in which it does");
   }
   throw InputError(where, fmt::format("`{}` happens {} times, but its condition never holds", anchor.step, happens),
                    "loosen the condition, or choose a scene in which it holds");
@@ -77,13 +82,18 @@ Anchor parse_anchor(std::string_view text, std::string_view where) {
   text = trim(text.substr(anchor.step.size()));
 
   if (anchor.step == "start" || anchor.step == "end" || anchor.step == "here") {
-    if (!text.empty() || anchor.before) throw InputError(where, fmt::format("`{}` stands alone", anchor.step), fmt::format("write {{at: {}}}", anchor.step));
-    anchor.kind = anchor.step == "start" ? Anchor::Kind::start : anchor.step == "end" ? Anchor::Kind::end : Anchor::Kind::here;
+    if (!text.empty() || anchor.before)
+      throw InputError(where, fmt::format("`{}` stands alone", anchor.step),
+                       fmt::format("write {{at: {}}}", anchor.step));
+    anchor.kind = anchor.step == "start" ? Anchor::Kind::start
+                  : anchor.step == "end" ? Anchor::Kind::end
+                                         : Anchor::Kind::here;
     return anchor;
   }
-  if (text.substr(0, 6) == "where " ) anchor.condition = parse_expression(text.substr(6), text, where);
+  if (text.substr(0, 6) == "where ") anchor.condition = parse_expression(text.substr(6), text, where);
   if (text.empty()) return anchor;
-  if (text.front() != ',') throw InputError(where, fmt::format("`{}` is left over in the anchor", text.substr(0, 24)), form);
+  if (text.front() != ',')
+    throw InputError(where, fmt::format("`{}` is left over in the anchor", text.substr(0, 24)), form);
   parse_which(anchor, trim(text.substr(1)), where);
   return anchor;
 }
@@ -98,17 +108,22 @@ void check_anchor(const Anchor& anchor, const Page& page, std::string_view where
 
 Spot resolve_anchor(const Anchor& anchor, const Spot& previous, Replay& replay, std::string_view where) {
   switch (anchor.kind) {
-    case Anchor::Kind::here: return previous;
-    case Anchor::Kind::end: return {replay.trace().size(), 0};
+    case Anchor::Kind::here:
+      return previous;
+    case Anchor::Kind::end:
+      return {replay.trace().size(), 0};
     case Anchor::Kind::start:
       if (previous.position > 0) throw InputError(where, "`start` comes after another stop", "make it the first stop");
       return {};
-    case Anchor::Kind::step: break;
+    case Anchor::Kind::step:
+      break;
   }
   const std::uint8_t step = require_step(replay.trace().header().page, anchor.step, where).id;
   const bool next = anchor.which == Anchor::Which::next;
   // Two stops in a row before the same kind of step mean two steps; `before` and then `at` mean the same one.
-  const std::int64_t from = !next ? 1 : anchor.before ? std::max(previous.position, previous.event) + 1 : previous.position + 1;
+  const std::int64_t from = !next           ? 1
+                            : anchor.before ? std::max(previous.position, previous.event) + 1
+                                            : previous.position + 1;
   std::int64_t fits = 0, found = 0;
   for_each_fit(anchor, step, from, replay, where, [&](std::int64_t position) {
     ++fits;
@@ -122,7 +137,9 @@ Spot resolve_anchor(const Anchor& anchor, const Spot& previous, Replay& replay, 
   }
   const Spot spot{anchor.before ? found - 1 : found, found};
   if (spot.position < previous.position) {
-    throw InputError(where, fmt::format("this stop's step comes before that of the stop before it (step {}, after {})", found, previous.position),
+    throw InputError(where,
+                     fmt::format("this stop's step comes before that of the stop before it (step {}, after {})", found,
+                                 previous.position),
                      "move the stop up, or ask for the `next` one");
   }
   return spot;

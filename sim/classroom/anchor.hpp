@@ -1,4 +1,5 @@
-// Where a stop attaches: `at: z_buffer.compare where not nearer, first`, `before: retire_edge where edge == 2`, `at: end`.
+// Where a stop attaches: `at: z_buffer.compare where not nearer, first`, `before: retire_edge where edge == 2`, `at:
+// end`.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,8 @@ Anchor parse_anchor(std::string_view text, std::string_view where);
 /// Checks the step's name and the condition's names against a method's page. Throws InputError.
 void check_anchor(const Anchor& anchor, const Page& page, std::string_view where);
 
-/// Where an anchor was found: the trace's position while it speaks, and the position that its step leads to (0: no step).
+/// Where an anchor was found: the trace's position while it speaks, and the position that its step leads to (0: no
+/// step).
 struct Spot {
   std::int64_t position = 0;
   std::int64_t event = 0;

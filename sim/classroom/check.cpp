@@ -54,8 +54,9 @@ struct Checker {
       at = comma + 2;
     }
     throw InputError(where, fmt::format("nothing is called `{}`{}", name, did_you_mean(name, candidates)),
-                     kind == no_kind ? "see the list of names in docs/writing-a-lesson.md"
-                                     : fmt::format("this step has {}; see docs/writing-a-lesson.md for the rest", fields));
+                     kind == no_kind
+                         ? "see the list of names in docs/writing-a-lesson.md"
+                         : fmt::format("this step has {}; see docs/writing-a-lesson.md for the rest", fields));
   }
 
   Type of_name(const Expression& expression) const {
@@ -72,8 +73,9 @@ struct Checker {
     if (!known) {
       std::vector<std::string_view> candidates;
       for (const KnownFunction& function : known_functions()) candidates.push_back(function.name);
-      throw InputError(where, fmt::format("nothing is called `{}(…)`{}", expression.text, did_you_mean(expression.text, candidates)),
-                       "see the list of names in docs/writing-a-lesson.md");
+      throw InputError(
+          where, fmt::format("nothing is called `{}(…)`{}", expression.text, did_you_mean(expression.text, candidates)),
+          "see the list of names in docs/writing-a-lesson.md");
     }
     if (known->arguments != expression.parts.size()) {
       throw InputError(where, fmt::format("`{}` is given {} arguments", known->name, expression.parts.size()),
@@ -86,12 +88,14 @@ struct Checker {
   void number(const Expression& expression) const {
     const Type type = of(expression);
     if (type == Type::truth || type == Type::word) {
-      throw InputError(where, "a number is needed where a truth or a word stands", "compare it first: `facing == back`");
+      throw InputError(where, "a number is needed where a truth or a word stands",
+                       "compare it first: `facing == back`");
     }
   }
   void truth(const Expression& expression) const {
     if (of(expression) != Type::truth) {
-      throw InputError(where, "`and`, `or`, `not` and `where` need a truth", "compare the number with something: `x == 3`");
+      throw InputError(where, "`and`, `or`, `not` and `where` need a truth",
+                       "compare the number with something: `x == 3`");
     }
   }
 
@@ -102,8 +106,9 @@ struct Checker {
       if (other.kind == Kind::name && std::find(known.begin(), known.end(), other.text) != known.end()) return;
       std::string list;
       for (const std::string_view word : known) list += (list.empty() ? "" : ", ") + std::string(word);
-      throw InputError(where, fmt::format("`{}` is never `{}`", expression.parts[0].text,
-                                          other.kind == Kind::name ? other.text : std::string("that")),
+      throw InputError(where,
+                       fmt::format("`{}` is never `{}`", expression.parts[0].text,
+                                   other.kind == Kind::name ? other.text : std::string("that")),
                        "it is one of " + list);
     }
     const Type first = of(expression.parts[0]), second = of(expression.parts[1]);
@@ -115,17 +120,23 @@ struct Checker {
 
   Type of(const Expression& expression) const {
     switch (expression.kind) {
-      case Kind::number: return Type::number;
-      case Kind::quoted: return Type::polygon;
-      case Kind::name: return of_name(expression);
-      case Kind::call: return of_call(expression);
+      case Kind::number:
+        return Type::number;
+      case Kind::quoted:
+        return Type::polygon;
+      case Kind::name:
+        return of_name(expression);
+      case Kind::call:
+        return of_call(expression);
       case Kind::count: {
         const StepInfo& step = require_step(page, expression.text, where);
         if (!expression.parts.empty()) Checker{step.kind, page, where}.truth(expression.parts[0]);
         return Type::number;
       }
       case Kind::equal:
-      case Kind::unequal: equality(expression); return Type::truth;
+      case Kind::unequal:
+        equality(expression);
+        return Type::truth;
       case Kind::not_:
       case Kind::and_:
       case Kind::or_:
@@ -162,8 +173,9 @@ const StepInfo& require_step(const Page& page, std::string_view name, std::strin
     list += (list.empty() ? "" : ", ") + step.name;
   }
   const std::size_t dot = name.rfind('.');
-  throw InputError(where, fmt::format("the method has no step named `{}`{}", name,
-                                      did_you_mean(dot == std::string_view::npos ? name : name.substr(dot + 1), names)),
+  throw InputError(where,
+                   fmt::format("the method has no step named `{}`{}", name,
+                               did_you_mean(dot == std::string_view::npos ? name : name.substr(dot + 1), names)),
                    "its steps are " + list);
 }
 

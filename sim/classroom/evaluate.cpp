@@ -56,7 +56,8 @@ double counted(const Expression& expression, const Moment& moment) {
   for (std::int64_t position = 1; position <= trace.size(); ++position) {
     const RecordedEvent& event = trace.event(position);
     if (event.step != step) continue;
-    if (expression.parts.empty() || holds(expression.parts[0], Moment(moment.replay(), &event, position, moment.where))) {
+    if (expression.parts.empty() ||
+        holds(expression.parts[0], Moment(moment.replay(), &event, position, moment.where))) {
       ++total;
     }
   }
@@ -75,30 +76,49 @@ bool holds(const Expression& condition, const Moment& moment) { return evaluate(
 Quantity evaluate(const Expression& expression, const Moment& moment) {
   const auto number = [&](std::size_t part) { return evaluate(expression.parts[part], moment).number; };
   switch (expression.kind) {
-    case Kind::number: return Quantity::of(expression.number);
-    case Kind::quoted: return {Quantity::Type::polygon, polygon_named(moment, expression.text), {}};
-    case Kind::name: return name_value(expression, moment);
+    case Kind::number:
+      return Quantity::of(expression.number);
+    case Kind::quoted:
+      return {Quantity::Type::polygon, polygon_named(moment, expression.text), {}};
+    case Kind::name:
+      return name_value(expression, moment);
     case Kind::call: {
       std::vector<double> arguments;
       for (const Expression& part : expression.parts) arguments.push_back(evaluate(part, moment).number);
       return find_known_function(expression.text)->value(moment, arguments);
     }
-    case Kind::count: return Quantity::of(counted(expression, moment));
-    case Kind::negate: return Quantity::of(-number(0));
-    case Kind::root: return Quantity::of(std::sqrt(number(0)));
-    case Kind::not_: return Quantity::of_truth(number(0) == 0);
-    case Kind::add: return Quantity::of(number(0) + number(1));
-    case Kind::subtract: return Quantity::of(number(0) - number(1));
-    case Kind::multiply: return Quantity::of(number(0) * number(1));
-    case Kind::divide: return Quantity::of(number(0) / number(1));
-    case Kind::equal: return Quantity::of_truth(equal(expression, moment));
-    case Kind::unequal: return Quantity::of_truth(!equal(expression, moment));
-    case Kind::less: return Quantity::of_truth(number(0) < number(1));
-    case Kind::less_equal: return Quantity::of_truth(number(0) <= number(1));
-    case Kind::greater: return Quantity::of_truth(number(0) > number(1));
-    case Kind::greater_equal: return Quantity::of_truth(number(0) >= number(1));
-    case Kind::and_: return Quantity::of_truth(number(0) != 0 && number(1) != 0);
-    case Kind::or_: return Quantity::of_truth(number(0) != 0 || number(1) != 0);
+    case Kind::count:
+      return Quantity::of(counted(expression, moment));
+    case Kind::negate:
+      return Quantity::of(-number(0));
+    case Kind::root:
+      return Quantity::of(std::sqrt(number(0)));
+    case Kind::not_:
+      return Quantity::of_truth(number(0) == 0);
+    case Kind::add:
+      return Quantity::of(number(0) + number(1));
+    case Kind::subtract:
+      return Quantity::of(number(0) - number(1));
+    case Kind::multiply:
+      return Quantity::of(number(0) * number(1));
+    case Kind::divide:
+      return Quantity::of(number(0) / number(1));
+    case Kind::equal:
+      return Quantity::of_truth(equal(expression, moment));
+    case Kind::unequal:
+      return Quantity::of_truth(!equal(expression, moment));
+    case Kind::less:
+      return Quantity::of_truth(number(0) < number(1));
+    case Kind::less_equal:
+      return Quantity::of_truth(number(0) <= number(1));
+    case Kind::greater:
+      return Quantity::of_truth(number(0) > number(1));
+    case Kind::greater_equal:
+      return Quantity::of_truth(number(0) >= number(1));
+    case Kind::and_:
+      return Quantity::of_truth(number(0) != 0 && number(1) != 0);
+    case Kind::or_:
+      return Quantity::of_truth(number(0) != 0 || number(1) != 0);
   }
   return {};
 }

@@ -11,8 +11,9 @@
 
 namespace zstep::classroom {
 
-/// Checks every name of an expression against the vocabulary and returns its type. `kind` is the event's kind, or no_kind
-/// where no step is spoken of. Throws InputError: an unknown name, a word that the field never takes, a number used as a truth.
+/// Checks every name of an expression against the vocabulary and returns its type. `kind` is the event's kind, or
+/// no_kind where no step is spoken of. Throws InputError: an unknown name, a word that the field never takes, a number
+/// used as a truth.
 inline constexpr std::uint8_t no_kind = 255;
 Quantity::Type check(const Expression& expression, std::uint8_t kind, const Page& page, std::string_view where);
 

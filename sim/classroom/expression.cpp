@@ -31,7 +31,8 @@ struct Parser {
   }
 
   void skip_space() {
-    while (!left.empty() && (left.front() == ' ' || left.front() == '\t' || left.front() == '\n')) left.remove_prefix(1);
+    while (!left.empty() && (left.front() == ' ' || left.front() == '\t' || left.front() == '\n'))
+      left.remove_prefix(1);
   }
   bool take(std::string_view sign) {
     skip_space();
@@ -89,14 +90,14 @@ struct Parser {
 
   Expression comparison() {
     static constexpr std::array<std::pair<std::string_view, Kind>, 9> signs{{{"==", Kind::equal},
-                                                                           {"!=", Kind::unequal},
-                                                                           {"≠", Kind::unequal},
-                                                                           {"<=", Kind::less_equal},
-                                                                           {"≤", Kind::less_equal},
-                                                                           {">=", Kind::greater_equal},
-                                                                           {"≥", Kind::greater_equal},
-                                                                           {"<", Kind::less},
-                                                                           {">", Kind::greater}}};
+                                                                             {"!=", Kind::unequal},
+                                                                             {"≠", Kind::unequal},
+                                                                             {"<=", Kind::less_equal},
+                                                                             {"≤", Kind::less_equal},
+                                                                             {">=", Kind::greater_equal},
+                                                                             {"≥", Kind::greater_equal},
+                                                                             {"<", Kind::less},
+                                                                             {">", Kind::greater}}};
     Expression first = sum();
     for (const auto& [sign, kind] : signs) {
       if (take(sign)) return of(kind, std::move(first), sum());
@@ -220,7 +221,8 @@ std::string_view trim(std::string_view text) {
 
 std::string_view leading_step_name(std::string_view text) {
   std::size_t size = 0;
-  while (size < text.size() && (is_letter(text[size]) || (size > 0 && (is_digit(text[size]) || text[size] == '.')))) ++size;
+  while (size < text.size() && (is_letter(text[size]) || (size > 0 && (is_digit(text[size]) || text[size] == '.'))))
+    ++size;
   return text.substr(0, size);
 }
 

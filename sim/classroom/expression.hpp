@@ -1,4 +1,5 @@
-// The small language of lessons: `nearer and stored < infinity`, `x_left + (x - x_left)/2`, `count(compare where not nearer)`.
+// The small language of lessons: `nearer and stored < infinity`, `x_left + (x - x_left)/2`, `count(compare where not
+// nearer)`.
 //
 // One grammar serves the conditions of anchors and the numbers in the text:
 //
@@ -24,15 +25,26 @@ namespace zstep::classroom {
 
 struct Expression {
   enum class Kind : std::uint8_t {
-    number,    ///< `number`
-    quoted,    ///< `text`, a polygon's name
-    name,      ///< `text`: a field, something the run knows, or a word of an enumeration
-    call,      ///< `text` of `parts`
-    count,     ///< how often the step `text` happens, where parts[0] holds if there is one
-    negate, root, not_,
-    add, subtract, multiply, divide,
-    equal, unequal, less, less_equal, greater, greater_equal,
-    and_, or_,
+    number,  ///< `number`
+    quoted,  ///< `text`, a polygon's name
+    name,    ///< `text`: a field, something the run knows, or a word of an enumeration
+    call,    ///< `text` of `parts`
+    count,   ///< how often the step `text` happens, where parts[0] holds if there is one
+    negate,
+    root,
+    not_,
+    add,
+    subtract,
+    multiply,
+    divide,
+    equal,
+    unequal,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    and_,
+    or_,
   };
   Kind kind = Kind::number;
   double number = 0;

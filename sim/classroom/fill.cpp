@@ -69,7 +69,8 @@ void split(std::string_view all, const Place& place, Text&& text, Inside&& insid
     }
     if (c == '}') throw InputError(place.str(line), "a `}` without its `{`", "a brace itself is }}");
     const std::size_t end = all.find_first_of("{}\n", at + 1);
-    if (end == std::string_view::npos || all[end] != '}') throw InputError(place.str(line), "a `{` is not closed on its line", form);
+    if (end == std::string_view::npos || all[end] != '}')
+      throw InputError(place.str(line), "a `{` is not closed on its line", form);
     inside(all.substr(at + 1, end - at - 1), line);
     at = end + 1;
   }
@@ -82,7 +83,8 @@ std::string with_signs(std::string text) {  // as the lectures print them
 }
 
 [[noreturn]] void differs(std::string_view slot, const std::string& truth, std::string_view where) {
-  throw InputError(where, fmt::format("`{{{}}}` does not hold: it is {} here", slot, truth), "write what the run gives, or attach the stop elsewhere");
+  throw InputError(where, fmt::format("`{{{}}}` does not hold: it is {} here", slot, truth),
+                   "write what the run gives, or attach the stop elsewhere");
 }
 
 /// Whether the decimal that is written is the number, rounded to as many places.
@@ -90,7 +92,8 @@ bool rounds_to(double number, const std::string& written, std::string_view where
   const double value = [&] {
     const Expression literal = parse_expression(written, where);
     const Expression& digits = literal.kind == Expression::Kind::negate ? literal.parts[0] : literal;
-    if (digits.kind != Expression::Kind::number) throw InputError(where, fmt::format("`~ {}` is no decimal", written), "write {z ~ 0.333}");
+    if (digits.kind != Expression::Kind::number)
+      throw InputError(where, fmt::format("`~ {}` is no decimal", written), "write {z ~ 0.333}");
     return &digits == &literal ? digits.number : -digits.number;
   }();
   const std::size_t point = written.find('.');
@@ -108,8 +111,9 @@ void verify(const Slot& slot, std::string_view text, const Quantity& value, cons
       good = slot.mark == '=' && slot.written == show(value, scene);
       break;
     case Quantity::Type::number:
-      good = slot.mark == '~' ? rounds_to(value.number, slot.written, moment.where)
-                              : same_number(value.number, evaluate(parse_expression(slot.written, moment.where), moment).number);
+      good = slot.mark == '~'
+                 ? rounds_to(value.number, slot.written, moment.where)
+                 : same_number(value.number, evaluate(parse_expression(slot.written, moment.where), moment).number);
       break;
   }
   if (!good) differs(text, show(value, scene, slot.mark == '~' ? 9 : -1), moment.where);
@@ -119,15 +123,18 @@ void verify(const Slot& slot, std::string_view text, const Quantity& value, cons
 
 std::string show(const Quantity& value, const Scene& scene, int decimals) {
   switch (value.type) {
-    case Quantity::Type::truth: return value.number != 0 ? "true" : "false";
-    case Quantity::Type::word: return value.word;
+    case Quantity::Type::truth:
+      return value.number != 0 ? "true" : "false";
+    case Quantity::Type::word:
+      return value.word;
     case Quantity::Type::polygon: {
       const auto index = static_cast<std::int64_t>(value.number);
       if (index < 0 || index >= static_cast<std::int64_t>(scene.polygons.size())) return "background";
       const std::string& name = scene.polygons[static_cast<std::size_t>(index)].name;
       return name.empty() ? std::to_string(index) : name;
     }
-    case Quantity::Type::number: break;
+    case Quantity::Type::number:
+      break;
   }
   const double number = value.number;
   if (std::isinf(number)) return number > 0 ? "∞" : "−∞";
@@ -141,7 +148,8 @@ std::string show(const Quantity& value, const Scene& scene, int decimals) {
   return with_signs(text);
 }
 
-std::string fill(std::string_view text, const Place& place, Replay& replay, const RecordedEvent* event, std::int64_t position) {
+std::string fill(std::string_view text, const Place& place, Replay& replay, const RecordedEvent* event,
+                 std::int64_t position) {
   std::string filled;
   split(
       text, place, [&](std::string_view piece) { filled += piece; },
@@ -168,7 +176,8 @@ void check_fill(std::string_view text, const Place& place, std::uint8_t kind, co
         const Quantity::Type type = check(slot.expression, kind, page, where);
         if (type == Quantity::Type::number && (slot.mark == '=' || slot.mark == '~')) {
           if (!is_written_number(parse_expression(slot.written, where))) {
-            throw InputError(where, fmt::format("`{}` is no number that a reader can be shown", slot.written), "write 4.25, −1/3 or √3/2");
+            throw InputError(where, fmt::format("`{}` is no number that a reader can be shown", slot.written),
+                             "write 4.25, −1/3 or √3/2");
           }
         }
       });

@@ -1,8 +1,8 @@
 // The numbers in a lesson's text: `{z}`, `{z:2}`, `{z = 4.25}`, `{z ~ 0.333}`.
 //
-// What stands between braces is an expression. Plain, it is replaced by its value; after `:` comes the number of decimals.
-// After `=` or `~` the author writes what the reader will see, and it is checked: `=` wants the number itself (√3/2 and
-// 1/3 will do), `~` a decimal rounded as written. So a lesson cannot say what its trace does not show.
+// What stands between braces is an expression. Plain, it is replaced by its value; after `:` comes the number of
+// decimals. After `=` or `~` the author writes what the reader will see, and it is checked: `=` wants the number itself
+// (√3/2 and 1/3 will do), `~` a decimal rounded as written. So a lesson cannot say what its trace does not show.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,8 @@ struct Place {
 };
 
 /// The text with its braces filled. Doubled braces are braces. Throws InputError with the line.
-std::string fill(std::string_view text, const Place& place, Replay& replay, const RecordedEvent* event, std::int64_t position);
+std::string fill(std::string_view text, const Place& place, Replay& replay, const RecordedEvent* event,
+                 std::int64_t position);
 
 /// Checks all of it that can be checked without a run.
 void check_fill(std::string_view text, const Place& place, std::uint8_t kind, const Page& page);

@@ -16,8 +16,9 @@ using Type = Quantity::Type;
 
 std::size_t index(const Moment& moment, double value, std::size_t size, std::string_view what) {
   if (!(value >= 0 && value < static_cast<double>(size)) || value != std::floor(value)) {
-    throw InputError(moment.where, fmt::format("there is no {} {}", what, value),
-                     size == 0 ? fmt::format("there are none at this step") : fmt::format("they run from 0 to {}", size - 1));
+    throw InputError(
+        moment.where, fmt::format("there is no {} {}", what, value),
+        size == 0 ? fmt::format("there are none at this step") : fmt::format("they run from 0 to {}", size - 1));
   }
   return static_cast<std::size_t>(value);
 }
@@ -69,7 +70,8 @@ std::size_t matrix_place(const Moment& moment, double value) {
 std::size_t corner(const Moment& moment, double which) {
   const Scene& scene = moment.trace().scene();
   const std::int32_t facet = moment.state().machine.facet;
-  if (facet < 0) throw InputError(moment.where, "there is no polygon at work at this step", "attach the stop to a later step");
+  if (facet < 0)
+    throw InputError(moment.where, "there is no polygon at work at this step", "attach the stop to a later step");
   const Facet& at_work = scene.facets[static_cast<std::size_t>(facet)];
   const std::size_t place = index(moment, which, static_cast<std::size_t>(at_work.corner_count), "corner");
   return static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(at_work.first_corner) + place]);
@@ -77,17 +79,28 @@ std::size_t corner(const Moment& moment, double which) {
 
 double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
 
-#define OF_VERTEX(name, stage, part, meaning) \
-  KnownFunction { name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(way(m, a[0], VertexWay::stage).part); }, meaning }
-#define OF_POINT(name, part, meaning) \
-  KnownFunction { name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(point(m, a[0]).part); }, meaning }
-#define OF_EDGE(member, meaning) \
-  KnownFunction { #member, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(edge_row(m, a[0]).entry.member); }, meaning }
-#define ARITHMETIC(name, count, value, meaning) \
-  KnownFunction { name, count, Type::number, [](const Moment&, Args a) { return Quantity::of(value); }, meaning }
+#define OF_VERTEX(name, stage, part, meaning)                                                                         \
+  KnownFunction {                                                                                                     \
+    name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(way(m, a[0], VertexWay::stage).part); }, \
+        meaning                                                                                                       \
+  }
+#define OF_POINT(name, part, meaning)                                                                         \
+  KnownFunction {                                                                                             \
+    name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(point(m, a[0]).part); }, meaning \
+  }
+#define OF_EDGE(member, meaning)                                                                      \
+  KnownFunction {                                                                                     \
+#member, 1, Type::number,                                                                         \
+        [](const Moment& m, Args a) { return Quantity::of(edge_row(m, a[0]).entry.member); }, meaning \
+  }
+#define ARITHMETIC(name, count, value, meaning)                                                   \
+  KnownFunction {                                                                                 \
+    name, count, Type::number, [](const Moment&, Args a) { return Quantity::of(value); }, meaning \
+  }
 
 const std::array<KnownFunction, 35> functions{{
-    {"depth", 2, Type::number, [](const Moment& m, Args a) { return Quantity::of(m.state().picture.depth[pixel(m, a)]); },
+    {"depth", 2, Type::number,
+     [](const Moment& m, Args a) { return Quantity::of(m.state().picture.depth[pixel(m, a)]); },
      "depth(x, y): the depth buffer there"},
     {"frame", 2, Type::polygon,
      [](const Moment& m, Args a) { return Quantity::of_polygon(m.state().picture.polygon[pixel(m, a)]); },
@@ -119,7 +132,8 @@ const std::array<KnownFunction, 35> functions{{
        return Quantity::of(active[index(m, a[0], active.size(), "place in the active edge list")].edge);
      },
      "active_edge(place): the edge at this place of the active edge list, from 0"},
-    {"corner", 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(static_cast<double>(corner(m, a[0]))); },
+    {"corner", 1, Type::number,
+     [](const Moment& m, Args a) { return Quantity::of(static_cast<double>(corner(m, a[0]))); },
      "corner(i): the i-th vertex of the polygon at work, from 0"},
     {"T_v", 2, Type::number,
      [](const Moment& m, Args a) {

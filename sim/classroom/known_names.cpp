@@ -58,12 +58,18 @@ Quantity stored_polygon(const Moment& moment) {
 double count(std::size_t size) { return static_cast<double>(size); }
 
 using Type = Quantity::Type;
-#define OF_SPAN(member, meaning) \
-  KnownName { #member, Type::number, [](const Moment& m) { return Quantity::of(span_at(m).member); }, meaning }
-#define OF_FACING(member, meaning) \
-  KnownName { #member, Type::number, [](const Moment& m) { return Quantity::of(facing_at(m).member); }, meaning }
-#define OF_CAMERA(member, meaning) \
-  KnownName { #member, Type::number, [](const Moment& m) { return Quantity::of(camera_at(m).member); }, meaning }
+#define OF_SPAN(member, meaning)                                                                    \
+  KnownName {                                                                                       \
+#member, Type::number, [](const Moment& m) { return Quantity::of(span_at(m).member); }, meaning \
+  }
+#define OF_FACING(member, meaning)                                                                    \
+  KnownName {                                                                                         \
+#member, Type::number, [](const Moment& m) { return Quantity::of(facing_at(m).member); }, meaning \
+  }
+#define OF_CAMERA(member, meaning)                                                                    \
+  KnownName {                                                                                         \
+#member, Type::number, [](const Moment& m) { return Quantity::of(camera_at(m).member); }, meaning \
+  }
 
 const std::array<KnownName, 37> names{{
     {"polygon", Type::polygon, [](const Moment& m) { return Quantity::of_polygon(m.state().machine.polygon); },
@@ -84,7 +90,8 @@ const std::array<KnownName, 37> names{{
     {"stored_polygon", Type::polygon, stored_polygon, "the polygon seen at the pixel, before this fragment"},
     {"x", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).x); }, "column of the pixel at work"},
     {"y", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).y); }, "row of the pixel at work"},
-    {"z", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).z); }, "the polygon's depth at that pixel"},
+    {"z", Type::number, [](const Moment& m) { return Quantity::of(fragment_at(m).z); },
+     "the polygon's depth at that pixel"},
     {"nearer", Type::truth,
      [](const Moment& m) {
        const Fragment& fragment = fragment_at(m);

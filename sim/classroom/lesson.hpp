@@ -1,7 +1,7 @@
 // Lessons: a scene, a method, and narration that attaches to steps by name and condition, never by number.
 //
-// A lesson is one Markdown file with a TOML head (docs/writing-a-lesson.md). Its stops are resolved against the trace of its
-// own run, so a change in the algorithm that adds steps moves the narration along with it.
+// A lesson is one Markdown file with a TOML head (docs/writing-a-lesson.md). Its stops are resolved against the trace
+// of its own run, so a change in the algorithm that adds steps moves the narration along with it.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace zstep {
 struct Answer {
   std::string text;
   bool right = false;
-  std::string reply;      ///< why it is so, or what would have to be true for it to be; never "try again"
+  std::string reply;  ///< why it is so, or what would have to be true for it to be; never "try again"
   std::int32_t line = 0, reply_line = 0;  ///< of the lesson's file
 };
 struct Question {
@@ -32,11 +32,11 @@ struct Question {
 /// One stop of the narration.
 struct Stop {
   std::string heading;
-  std::string text;                  ///< Markdown; its {…} are filled with the trace's numbers when resolved
-  std::optional<Question> question;  ///< asked here, answered by the steps that follow
-  std::string anchor;                ///< as written in the file: step name and condition
+  std::string text;                      ///< Markdown; its {…} are filled with the trace's numbers when resolved
+  std::optional<Question> question;      ///< asked here, answered by the steps that follow
+  std::string anchor;                    ///< as written in the file: step name and condition
   std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
-  std::int64_t position = 0;         ///< where the trace is when it speaks; set by resolve()
+  std::int64_t position = 0;             ///< where the trace is when it speaks; set by resolve()
 };
 
 /// What a lesson may change about its scene's conventions. Unset: as the scene has them.
@@ -48,12 +48,12 @@ struct ConventionOptions {
 };
 
 struct Lesson {
-  std::string id;       ///< "z-buffer", from the file's name: "4-z-buffer.md"
+  std::string id;  ///< "z-buffer", from the file's name: "4-z-buffer.md"
   std::string title;
   std::string summary;  ///< one line for `zstep list`
   std::filesystem::path path;
-  std::string scene;    ///< a name or a path, as load_scene takes it (relative to the lesson's folder)
-  std::string method;   ///< a method's id
+  std::string scene;   ///< a name or a path, as load_scene takes it (relative to the lesson's folder)
+  std::string method;  ///< a method's id
   ViewOptions view;
   ConventionOptions conventions;
   std::vector<Stop> stops;
@@ -63,7 +63,8 @@ struct Lesson {
 Lesson load_lesson(const std::filesystem::path& path);
 
 /// Runs the lesson's method on its scene and returns the trace, its stops resolved against it, in order of position.
-/// To be called once for a loaded lesson: it fills the text's braces. Throws InputError with the lesson's FILE:LINE when a stop names a step that does not exist or never happens.
+/// To be called once for a loaded lesson: it fills the text's braces. Throws InputError with the lesson's FILE:LINE
+/// when a stop names a step that does not exist or never happens.
 Trace run_lesson(Lesson& lesson);
 /// Resolves a loaded lesson against a trace that exists already (a student's, say). run_lesson does it against its own.
 void resolve_lesson(Lesson& lesson, const Trace& trace);

@@ -52,22 +52,27 @@ std::string id_of(const std::filesystem::path& path) {
 
 class Reader {
  public:
-  Reader(Lesson& lesson, const std::string& file, const std::vector<Line>& lines) : lesson_(lesson), file_(file), lines_(lines) {}
+  Reader(Lesson& lesson, const std::string& file, const std::vector<Line>& lines)
+      : lesson_(lesson), file_(file), lines_(lines) {}
 
   void read(std::size_t first) {
     for (at_ = first; at_ < lines_.size(); ++at_) {
       const std::string_view text = lines_[at_].text;
       if (starts_with(text, "## ")) begin_stop();
-      else if (starts_with(text, "# ")) fail("a heading with one #", "the title stands in the head; a stop's heading has ##");
+      else if (starts_with(text, "# "))
+        fail("a heading with one #", "the title stands in the head; a stop's heading has ##");
       else if (starts_with(text, ":::")) question();
       else narration();
     }
-    if (lesson_.stops.empty()) throw InputError(file_, "the lesson has no stop", "write `## Heading {at: start}` and its text");
+    if (lesson_.stops.empty())
+      throw InputError(file_, "the lesson has no stop", "write `## Heading {at: start}` and its text");
     for (Stop& stop : lesson_.stops) finish(stop);
   }
 
  private:
-  [[noreturn]] void fail(std::string_view what, std::string_view mend) const { throw InputError(where(at_), what, mend); }
+  [[noreturn]] void fail(std::string_view what, std::string_view mend) const {
+    throw InputError(where(at_), what, mend);
+  }
   std::string where(std::size_t line) const { return fmt::format("{}:{}", file_, lines_[line].number); }
 
   void begin_stop() {
@@ -75,7 +80,8 @@ class Reader {
     std::size_t open = text.rfind("{at:");
     if (open == std::string_view::npos) open = text.rfind("{before:");
     if (open == std::string_view::npos || text.back() != '}') {
-      fail(fmt::format("the stop `{}` has no anchor", text), "end its heading with {at: step}, {before: step where condition}, {at: here}, {at: start} or {at: end}");
+      fail(fmt::format("the stop `{}` has no anchor", text),
+           "end its heading with {at: step}, {before: step where condition}, {at: here}, {at: start} or {at: end}");
     }
     Stop stop;
     stop.heading = trim(text.substr(0, open));
@@ -121,7 +127,8 @@ class Reader {
     if (name.empty()) fail("`:::` closes nothing", "remove it, or open a question with `::: question`");
     if (name != "question") fail(fmt::format("a block of the unknown kind `{}`", name), "write `::: question`");
     if (lesson_.stops.empty()) fail("a question before the first stop", "write `## Heading {at: start}` above it");
-    if (lesson_.stops.back().question) fail("a second question at one stop", "give it a stop of its own; {at: here} stays at the same place");
+    if (lesson_.stops.back().question)
+      fail("a second question at one stop", "give it a stop of its own; {at: here} stays at the same place");
     Question asked;
     asked.line = lines_[opened].number + 1;
     while (true) {
@@ -163,14 +170,21 @@ class Reader {
 
   void finish(Question& asked, std::size_t opened) const {
     asked.text = strip(asked.text, asked.line);
-    if (asked.text.empty()) throw InputError(where(opened), "the question asks nothing", "write it under `::: question`");
-    if (asked.answers.size() < 2) throw InputError(where(opened), "the question has fewer than two answers", "write `- [ ] wrong` and `- [x] right`");
-    const auto right = std::count_if(asked.answers.begin(), asked.answers.end(), [](const Answer& answer) { return answer.right; });
-    if (right != 1) throw InputError(where(opened), fmt::format("the question has {} right answers", right), "mark exactly one with [x]");
+    if (asked.text.empty())
+      throw InputError(where(opened), "the question asks nothing", "write it under `::: question`");
+    if (asked.answers.size() < 2)
+      throw InputError(where(opened), "the question has fewer than two answers",
+                       "write `- [ ] wrong` and `- [x] right`");
+    const auto right =
+        std::count_if(asked.answers.begin(), asked.answers.end(), [](const Answer& answer) { return answer.right; });
+    if (right != 1)
+      throw InputError(where(opened), fmt::format("the question has {} right answers", right),
+                       "mark exactly one with [x]");
     for (Answer& answer : asked.answers) {
       const std::string line = fmt::format("{}:{}", file_, answer.line);
       if (answer.text.empty()) throw InputError(line, "the answer is empty", "write it after its box");
-      if (trim(answer.reply).empty()) throw InputError(line, "the answer has no reply", "say under it, after `  > `, why it is so or is not");
+      if (trim(answer.reply).empty())
+        throw InputError(line, "the answer has no reply", "say under it, after `  > `, why it is so or is not");
       answer.reply = strip(answer.reply, answer.reply_line);
     }
   }
@@ -186,7 +200,8 @@ class Reader {
   void finish(Stop& stop) const {
     stop.text = strip(stop.text, stop.text_line);
     if (stop.text.empty() && !stop.question) {
-      throw InputError(fmt::format("{}:{}", file_, stop.line), "the stop says nothing", "write a sentence or a question under it");
+      throw InputError(fmt::format("{}:{}", file_, stop.line), "the stop says nothing",
+                       "write a sentence or a question under it");
     }
   }
 
@@ -199,12 +214,16 @@ class Reader {
 std::string read_file(const std::filesystem::path& path) {
   std::error_code error;
   std::ifstream in;
-  if (std::filesystem::is_regular_file(path, error)) in.open(path, std::ios::binary);  // opening a pipe could wait for ever
-  if (!in.is_open()) throw InputError(path.string(), "the lesson cannot be read", "name a Markdown file, or a lesson that `zstep list` shows");
+  if (std::filesystem::is_regular_file(path, error))
+    in.open(path, std::ios::binary);  // opening a pipe could wait for ever
+  if (!in.is_open())
+    throw InputError(path.string(), "the lesson cannot be read",
+                     "name a Markdown file, or a lesson that `zstep list` shows");
   std::string text(largest_file + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > largest_file) throw InputError(path.string(), "the file is larger than any lesson", "lessons have at most 1 MiB");
+  if (text.size() > largest_file)
+    throw InputError(path.string(), "the file is larger than any lesson", "lessons have at most 1 MiB");
   return text;
 }
 
@@ -216,7 +235,8 @@ std::vector<Line> split_lines(std::string_view text, const std::string& file) {
     std::string_view line = text.substr(0, end);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     lines.push_back({line, static_cast<std::int32_t>(lines.size()) + 1});
-    if (!is_utf8(line)) throw InputError(fmt::format("{}:{}", file, lines.size()), "the line is not UTF-8", "save the file as UTF-8");
+    if (!is_utf8(line))
+      throw InputError(fmt::format("{}:{}", file, lines.size()), "the line is not UTF-8", "save the file as UTF-8");
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;
@@ -253,7 +273,8 @@ Lesson load_lesson(const std::filesystem::path& path) {
   const std::string text = read_file(path);
   const std::vector<Line> lines = split_lines(text, file);
 
-  if (lines.empty() || trim(lines[0].text) != "+++") throw InputError(file + ":1", "the lesson has no head", "begin with a line +++, then title = \"…\"");
+  if (lines.empty() || trim(lines[0].text) != "+++")
+    throw InputError(file + ":1", "the lesson has no head", "begin with a line +++, then title = \"…\"");
   std::size_t close = 1;
   std::string head;
   while (close < lines.size() && trim(lines[close].text) != "+++") {

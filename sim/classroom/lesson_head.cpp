@@ -31,7 +31,8 @@ struct Head {
         list += (list.empty() ? "" : ", ") + std::string(candidate);
       }
       if (!known) {
-        throw InputError(at(key.source()), fmt::format("{} has no `{}`{}", what, name, did_you_mean(name, keys)), "it may have " + list);
+        throw InputError(at(key.source()), fmt::format("{} has no `{}`{}", what, name, did_you_mean(name, keys)),
+                         "it may have " + list);
       }
     }
   }
@@ -58,14 +59,17 @@ struct Head {
     if (!node) return;
     const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
     if (!value || *value < 1 || *value > 4096) {
-      throw InputError(at(node->source()), fmt::format("`{}` is no number of pixels", key), fmt::format("write {} = 16; at most 4096", key));
+      throw InputError(at(node->source()), fmt::format("`{}` is no number of pixels", key),
+                       fmt::format("write {} = 16; at most 4096", key));
     }
     into = static_cast<std::int32_t>(*value);
   }
   std::optional<bool> truth(const toml::table& table, std::string_view key) const {
     const toml::node* node = table.get(key);
     if (!node) return std::nullopt;
-    if (!node->is_boolean()) throw InputError(at(node->source()), fmt::format("`{}` is no truth", key), fmt::format("write {} = true or false", key));
+    if (!node->is_boolean())
+      throw InputError(at(node->source()), fmt::format("`{}` is no truth", key),
+                       fmt::format("write {} = true or false", key));
     return node->as_boolean()->get();
   }
   template <class E, std::size_t N>
@@ -78,13 +82,17 @@ struct Head {
       if (node->is_string() && node->as_string()->get() == name) into = value;
       list += fmt::format("{}\"{}\"", list.empty() ? "" : " or ", name);
     }
-    if (!into) throw InputError(at(node->source()), fmt::format("`{}` has a value it does not know", key), fmt::format("write {} = {}", key, list));
+    if (!into)
+      throw InputError(at(node->source()), fmt::format("`{}` has a value it does not know", key),
+                       fmt::format("write {} = {}", key, list));
   }
   const toml::table& table(const toml::table& all, std::string_view key) const {
     static const toml::table none;
     const toml::node* node = all.get(key);
     if (!node) return none;
-    if (!node->is_table()) throw InputError(at(node->source()), fmt::format("`{}` is no table", key), fmt::format("write [{}] on a line of its own", key));
+    if (!node->is_table())
+      throw InputError(at(node->source()), fmt::format("`{}` is no table", key),
+                       fmt::format("write [{}] on a line of its own", key));
     return *node->as_table();
   }
 };
@@ -97,7 +105,8 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
   try {
     all = toml::parse(head);
   } catch (const toml::parse_error& error) {
-    throw InputError(read.at(error.source()), fmt::format("the head is no TOML: {}", error.description()), "write key = value lines");
+    throw InputError(read.at(error.source()), fmt::format("the head is no TOML: {}", error.description()),
+                     "write key = value lines");
   }
   read.known_keys(all, "a lesson's head", {"title", "summary", "scene", "method", "camera", "raster", "conventions"});
   read.text(all, "title", lesson.title);
@@ -126,13 +135,17 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
   using C = Conventions;
   const toml::table& conventions = read.table(all, "conventions");
   read.known_keys(conventions, "[conventions]", {"depth", "interpolation", "coverage", "cull"});
-  read.word(conventions, "depth", std::array<std::pair<std::string_view, C::Depth>, 2>{{{"pseudodepth", C::Depth::pseudodepth}, {"view", C::Depth::view}}},
+  read.word(conventions, "depth",
+            std::array<std::pair<std::string_view, C::Depth>, 2>{
+                {{"pseudodepth", C::Depth::pseudodepth}, {"view", C::Depth::view}}},
             lesson.conventions.depth);
   read.word(conventions, "interpolation",
-            std::array<std::pair<std::string_view, C::Interpolation>, 2>{{{"direct", C::Interpolation::direct}, {"increments", C::Interpolation::increments}}},
+            std::array<std::pair<std::string_view, C::Interpolation>, 2>{
+                {{"direct", C::Interpolation::direct}, {"increments", C::Interpolation::increments}}},
             lesson.conventions.interpolation);
   read.word(conventions, "coverage",
-            std::array<std::pair<std::string_view, C::Coverage>, 2>{{{"top_left", C::Coverage::top_left}, {"inclusive", C::Coverage::inclusive}}},
+            std::array<std::pair<std::string_view, C::Coverage>, 2>{
+                {{"top_left", C::Coverage::top_left}, {"inclusive", C::Coverage::inclusive}}},
             lesson.conventions.coverage);
   lesson.conventions.cull = read.truth(conventions, "cull");
 }

@@ -36,7 +36,8 @@ std::vector<fs::path> lesson_files() {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
       const std::string name = entry.path().filename().string();
-      if (entry.path().extension() == ".md" && name.front() >= '0' && name.front() <= '9') files.push_back(entry.path());
+      if (entry.path().extension() == ".md" && name.front() >= '0' && name.front() <= '9')
+        files.push_back(entry.path());
     }
     const auto number = [](const fs::path& path) { return std::atoi(path.filename().c_str()); };
     std::sort(files.begin(), files.end(), [&](const fs::path& a, const fs::path& b) {

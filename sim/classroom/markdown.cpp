@@ -31,7 +31,9 @@ struct Builder {
 
   void enter_block(MD_BLOCKTYPE type, void* detail) {
     switch (type) {
-      case MD_BLOCK_UL: lists.push_back({}); break;
+      case MD_BLOCK_UL:
+        lists.push_back({});
+        break;
       case MD_BLOCK_OL:
         lists.push_back({true, static_cast<std::int32_t>(static_cast<MD_BLOCK_OL_DETAIL*>(detail)->start)});
         break;
@@ -41,7 +43,8 @@ struct Builder {
         item_is_fresh = true;
         break;
       case MD_BLOCK_H:
-        begin(TextBlock::Kind::heading).level = static_cast<std::int32_t>(static_cast<MD_BLOCK_H_DETAIL*>(detail)->level);
+        begin(TextBlock::Kind::heading).level =
+            static_cast<std::int32_t>(static_cast<MD_BLOCK_H_DETAIL*>(detail)->level);
         break;
       case MD_BLOCK_P:
         if (!item_is_fresh) begin(quotes > 0 ? TextBlock::Kind::quote : TextBlock::Kind::paragraph);
@@ -51,24 +54,36 @@ struct Builder {
         begin(TextBlock::Kind::code);
         item_is_fresh = false;
         break;
-      case MD_BLOCK_HR: begin(TextBlock::Kind::rule); break;
-      case MD_BLOCK_QUOTE: ++quotes; break;
-      default: break;
+      case MD_BLOCK_HR:
+        begin(TextBlock::Kind::rule);
+        break;
+      case MD_BLOCK_QUOTE:
+        ++quotes;
+        break;
+      default:
+        break;
     }
   }
 
   void leave_block(MD_BLOCKTYPE type) {
     switch (type) {
       case MD_BLOCK_UL:
-      case MD_BLOCK_OL: lists.pop_back(); break;
-      case MD_BLOCK_LI: item_is_fresh = false; break;
-      case MD_BLOCK_QUOTE: --quotes; break;
+      case MD_BLOCK_OL:
+        lists.pop_back();
+        break;
+      case MD_BLOCK_LI:
+        item_is_fresh = false;
+        break;
+      case MD_BLOCK_QUOTE:
+        --quotes;
+        break;
       case MD_BLOCK_CODE:
         if (!blocks.back().runs.empty() && !blocks.back().runs.front().text.empty()) {
           blocks.back().runs.front().text.pop_back();  // md4c ends the last line too
         }
         break;
-      default: break;
+      default:
+        break;
     }
   }
 
@@ -115,10 +130,11 @@ void append_utf8(std::string& out, unsigned long code) {
   }
 }
 
-/// "&lt;" as "<". md4c hands entities on verbatim; the few that lesson writers use are known here, others stay as written.
+/// "&lt;" as "<". md4c hands entities on verbatim; the few that lesson writers use are known here, others stay as
+/// written.
 std::string entity(std::string_view written) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> known{{
-      {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&nbsp;", "\u00A0"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> known{
+      {{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&nbsp;", "\u00A0"}}};
   for (const auto& [name, text] : known) {
     if (written == name) return std::string(text);
   }
@@ -153,11 +169,21 @@ int on_leave_span(MD_SPANTYPE type, void*, void* user) {
 int on_text(MD_TEXTTYPE type, const MD_CHAR* text, MD_SIZE size, void* user) {
   const std::string_view written(text, size);
   switch (type) {
-    case MD_TEXT_SOFTBR: builder(user).add(" "); break;
-    case MD_TEXT_BR: builder(user).add("\n"); break;
-    case MD_TEXT_NULLCHAR: builder(user).add("\uFFFD"); break;
-    case MD_TEXT_ENTITY: builder(user).add(entity(written)); break;
-    default: builder(user).add(written); break;
+    case MD_TEXT_SOFTBR:
+      builder(user).add(" ");
+      break;
+    case MD_TEXT_BR:
+      builder(user).add("\n");
+      break;
+    case MD_TEXT_NULLCHAR:
+      builder(user).add("\uFFFD");
+      break;
+    case MD_TEXT_ENTITY:
+      builder(user).add(entity(written));
+      break;
+    default:
+      builder(user).add(written);
+      break;
   }
   return 0;
 }

@@ -33,7 +33,8 @@ struct TextBlock {
   bool operator==(const TextBlock&) const = default;
 };
 
-/// Reads CommonMark. Never fails: what is not Markdown is text. Raw HTML is text too, links and pictures are their text.
+/// Reads CommonMark. Never fails: what is not Markdown is text. Raw HTML is text too, links and pictures are their
+/// text.
 std::vector<TextBlock> parse_markdown(std::string_view text);
 
 /// The words alone, without any marks: for a terminal, a caption, a test.

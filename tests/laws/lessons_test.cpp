@@ -30,7 +30,9 @@ const Course& course() {
   return all;
 }
 
-std::string place(const Lesson& lesson, const Stop& stop) { return lesson.path.filename().string() + ":" + std::to_string(stop.line); }
+std::string place(const Lesson& lesson, const Stop& stop) {
+  return lesson.path.filename().string() + ":" + std::to_string(stop.line);
+}
 
 /// The text without what braces and code spans vouch for; each leaves a space.
 std::string without_braces(const std::string& text) {
@@ -47,15 +49,17 @@ std::string without_braces(const std::string& text) {
   return left;
 }
 
-/// Numerals that no brace vouches for and that name nothing ("edge 2", "rows 4 and 5", z_1, 3-4-5): claims left unchecked.
+/// Numerals that no brace vouches for and that name nothing ("edge 2", "rows 4 and 5", z_1, 3-4-5): claims left
+/// unchecked.
 std::string bare_numerals(const std::string& text) {
   static const std::set<std::string> labels{"edge", "edges", "corner", "corners", "row", "rows", "pixel", "cell"};
   std::istringstream words(without_braces(text));
   std::string word, bare;
   bool label = false;
   while (words >> word) {
-    const bool numeral = std::isdigit(static_cast<unsigned char>(word[word.find_first_not_of("([−-") == std::string::npos ? 0 : word.find_first_not_of("([−-")])) &&
-                         word.find_first_of("_-", 1) == std::string::npos;
+    const std::size_t begin = std::min(word.find_first_not_of("([\xE2\x88\x92-"), word.size() - 1);  // ( [ − -
+    const bool digit = std::isdigit(static_cast<unsigned char>(word[begin])) != 0;
+    const bool numeral = digit && word.find_first_of("_-", begin) == std::string::npos;
     if (numeral && !label) bare += word + " ";
     if (numeral || word == "and" || word == "to") continue;
     std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -71,7 +75,8 @@ int sentences(const std::string& text) {
     if (block.kind != TextBlock::Kind::paragraph) continue;
     const std::string words = plain_text({block});
     for (std::size_t i = 0; i < words.size(); ++i) {
-      const bool ends = words[i] == '.' || words[i] == '?' || words[i] == '!' || (words[i] == ':' && i + 1 == words.size());
+      const bool ends =
+          words[i] == '.' || words[i] == '?' || words[i] == '!' || (words[i] == ':' && i + 1 == words.size());
       if (ends && (i + 1 == words.size() || words[i + 1] == ' ')) ++count;
     }
   }
@@ -171,7 +176,8 @@ TEST_CASE("a question is asked before the step that answers it") {
     for (const Stop& stop : lesson.stops) {
       CAPTURE(place(lesson, stop));
       if (stop.heading.substr(0, 8) == "Predict:") CHECK(stop.question.has_value());
-      if (stop.anchor.substr(0, 7) == "before:" && stop.question) CHECK(stop.position < course().traces[static_cast<std::size_t>(&lesson - course().told.data())].size());
+      if (stop.anchor.substr(0, 7) == "before:" && stop.question)
+        CHECK(stop.position < course().traces[static_cast<std::size_t>(&lesson - course().told.data())].size());
     }
   }
 }
@@ -252,7 +258,8 @@ int happens(const std::string& id, Fits&& fits) {
 
 TEST_CASE("each scene takes every branch of its method's idea") {
   const auto facing = [](Facing wanted) {
-    return happens<FacingTest>("back-faces", [&](const FacingTest& test, const Machine&) { return test.facing == wanted; });
+    return happens<FacingTest>("back-faces",
+                               [&](const FacingTest& test, const Machine&) { return test.facing == wanted; });
   };
   CHECK(facing(Facing::front) > 0);
   CHECK(facing(Facing::back) > 0);
@@ -261,7 +268,8 @@ TEST_CASE("each scene takes every branch of its method's idea") {
   for (const char* id : {"back-faces", "z-buffer", "worked-example"}) {
     CAPTURE(id);
     const auto compares = [&](auto&& fits) {
-      return happens<DepthCompare>(id, [&](const DepthCompare& compare, const Machine& machine) { return fits(compare, *machine.fragment); });
+      return happens<DepthCompare>(
+          id, [&](const DepthCompare& compare, const Machine& machine) { return fits(compare, *machine.fragment); });
     };
     CHECK(compares([](const DepthCompare& c, const Fragment& f) { return c.nearer && f.stored == no_depth; }) > 0);
     CHECK(compares([](const DepthCompare& c, const Fragment& f) { return c.nearer && f.stored != no_depth; }) > 0);
@@ -270,12 +278,20 @@ TEST_CASE("each scene takes every branch of its method's idea") {
     CHECK(ties == (std::string(id) == "worked-example" ? 2 : 0));
   }
 
-  const auto spans = [](auto&& fits) { return happens<SpanBegin>("edge-table", [&](const SpanBegin& span, const Machine& machine) { return fits(span, machine); }); };
-  CHECK(spans([](const SpanBegin& s, const Machine&) { return s.last < s.first; }) > 0);                  // empty, at a corner
-  CHECK(spans([](const SpanBegin& s, const Machine&) { return s.x_left != static_cast<double>(s.first) && s.first <= s.last; }) > 0);  // between pixels
-  CHECK(spans([](const SpanBegin&, const Machine& m) { return m.active.size() == 4; }) > 0);              // two pairs
-  CHECK(happens<EdgeRetire>("edge-table", [](const EdgeRetire&, const Machine& m) { return m.active.size() == 2; }) > 0);
-  CHECK(happens<EdgeTableSkip>("worked-example", [](const EdgeTableSkip& skip, const Machine&) { return skip.why == EdgeSkip::horizontal; }) == 2);
+  const auto spans = [](auto&& fits) {
+    return happens<SpanBegin>("edge-table",
+                              [&](const SpanBegin& span, const Machine& machine) { return fits(span, machine); });
+  };
+  CHECK(spans([](const SpanBegin& s, const Machine&) { return s.last < s.first; }) > 0);  // empty, at a corner
+  CHECK(spans([](const SpanBegin& s, const Machine&) {
+          return s.x_left != static_cast<double>(s.first) && s.first <= s.last;
+        }) > 0);                                                                              // between pixels
+  CHECK(spans([](const SpanBegin&, const Machine& m) { return m.active.size() == 4; }) > 0);  // two pairs
+  CHECK(happens<EdgeRetire>("edge-table", [](const EdgeRetire&, const Machine& m) { return m.active.size() == 2; }) >
+        0);
+  CHECK(happens<EdgeTableSkip>("worked-example", [](const EdgeTableSkip& skip, const Machine&) {
+          return skip.why == EdgeSkip::horizontal;
+        }) == 2);
 }
 
 }  // namespace

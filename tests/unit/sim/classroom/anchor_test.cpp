@@ -51,17 +51,21 @@ TEST_CASE("before and then at mean the same step; before and again before mean t
 
 TEST_CASE("what never happens is told, with how often it nearly did") {
   Small small;
-  CHECK(small.error("at: retire_edge") == "t.md:9: `retire_edge` never happens in this run; choose another step, or a scene in which it does");
+  CHECK(small.error("at: retire_edge") ==
+        "t.md:9: `retire_edge` never happens in this run; choose another step, or a scene in which it does");
   CHECK(contains(small.error("at: compare where x == 3"), "`compare` happens 5 times, but its condition never holds"));
-  CHECK(contains(small.error("at: compare", {19, 19}), "happens as described 5 times, but not after the stop before this one"));
+  CHECK(contains(small.error("at: compare", {19, 19}),
+                 "happens as described 5 times, but not after the stop before this one"));
   CHECK(contains(small.error("at: compare where nearer, nth 4"), "happens as described 3 times, but not 4 times"));
-  CHECK(contains(small.error("at: compare, first", {9, 9}), "comes before that of the stop before it (step 4, after 9)"));
+  CHECK(
+      contains(small.error("at: compare, first", {9, 9}), "comes before that of the stop before it (step 4, after 9)"));
   CHECK(contains(small.error("at: start", {9, 9}), "`start` comes after another stop"));
 }
 
 TEST_CASE("anchors that cannot be read") {
   Small small;
-  CHECK(contains(small.error("at: comparr"), "no step named `comparr` (did you mean `compare`?); its steps are clear, "));
+  CHECK(
+      contains(small.error("at: comparr"), "no step named `comparr` (did you mean `compare`?); its steps are clear, "));
   CHECK(contains(small.error("at: warnock.split"), "no step named `warnock.split`"));
   CHECK(contains(small.error("compare"), "is no anchor"));
   CHECK(contains(small.error("at:"), "names no step"));

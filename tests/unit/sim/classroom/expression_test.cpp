@@ -1,6 +1,8 @@
 #include "sim/classroom/evaluate.hpp"
 
+#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "tests/unit/sim/classroom/small_run.hpp"
 
@@ -83,7 +85,8 @@ TEST_CASE("counts go over the whole run, from wherever they are asked") {
 
 TEST_CASE("slips are told with the line and the mend") {
   Small small;
-  CHECK(small.error(1, "1 +") == "t.md:7: a number or a name is missing at the end in `1 +`; write `x == 3`, `not nearer`, `z < stored` …");
+  CHECK(small.error(1, "1 +") ==
+        "t.md:7: a number or a name is missing at the end in `1 +`; write `x == 3`, `not nearer`, `z < stored` …");
   CHECK(contains(small.error(4, "(z < 4"), "`(` is not closed"));
   CHECK(contains(small.error(4, "z = 4"), "`= 4` is left over"));
   CHECK(contains(small.error(4, "neerer"), "did you mean `nearer`?"));
@@ -116,8 +119,23 @@ TEST_CASE("a word of an enumeration is known by the field it is compared with") 
   CHECK(error("facing == back", kind_of<FacingTest>).empty());
   CHECK(error("plane == near and inside", kind_of<ClipVertex>).empty());
   CHECK(error("reason != back_facing", kind_of<PolygonReject>).empty());
-  CHECK(contains(error("facing == bakc", kind_of<FacingTest>), "`facing` is never `bakc`; it is one of front, back, edge_on"));
+  CHECK(contains(error("facing == bakc", kind_of<FacingTest>),
+                 "`facing` is never `bakc`; it is one of front, back, edge_on"));
   CHECK(contains(error("facing == 1", kind_of<FacingTest>), "`facing` is never `that`"));
+}
+
+TEST_CASE("docs/writing-a-lesson.md knows every name") {
+  std::ifstream file(std::string(ZSTEP_SOURCE_DIR) + "/docs/writing-a-lesson.md");
+  std::stringstream docs;
+  docs << file.rdbuf();
+  const auto listed = [&](std::string_view name) {
+    for (const char after : {'`', '(', ' '}) {
+      if (contains(docs.str(), std::string(name) + after)) return true;
+    }
+    return false;
+  };
+  for (const KnownName& known : known_names()) CHECK_MESSAGE(listed(known.name), known.name);
+  for (const KnownFunction& known : known_functions()) CHECK_MESSAGE(listed(known.name), known.name);
 }
 
 }  // namespace

@@ -30,10 +30,12 @@ TEST_CASE("braces are filled with what the trace has") {
 
 TEST_CASE("what the author writes after = or ~ is shown as written, and must hold") {
   Small small;
-  CHECK(small.at(13, "{z = 5} {z = 5.0} {z/3 = 5/3} {z ~ 5.00} {z/3 ~ 1.667} {z/3 ≈ 1.7}") == "5 5.0 5/3 5.00 1.667 1.7");
+  CHECK(small.at(13, "{z = 5} {z = 5.0} {z/3 = 5/3} {z ~ 5.00} {z/3 ~ 1.667} {z/3 ≈ 1.7}") ==
+        "5 5.0 5/3 5.00 1.667 1.7");
   CHECK(small.at(4, "{stored = ∞} {stored = infinity} {-z = -5}") == "∞ ∞ −5");
   CHECK(small.at(13, "{polygon = B} {nearer = false} {√(z + 4)/2 = 3/2}") == "B false 3/2");
-  CHECK(small.error(13, "fine\n{z = 6}") == "t.md:21: `{z = 6}` does not hold: it is 5 here; write what the run gives, or attach the stop elsewhere");
+  CHECK(small.error(13, "fine\n{z = 6}") ==
+        "t.md:21: `{z = 6}` does not hold: it is 5 here; write what the run gives, or attach the stop elsewhere");
   CHECK(contains(small.error(13, "{z/3 ~ 1.66}"), "it is 1.666666667 here"));
   CHECK(contains(small.error(13, "{polygon = A}"), "it is B here"));
   CHECK(contains(small.error(13, "{nearer = true}"), "it is false here"));

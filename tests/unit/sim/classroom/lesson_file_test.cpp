@@ -13,7 +13,8 @@ namespace {
 using classroom::complaint;
 using classroom::contains;
 
-const std::string head = "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"delhi\"\nmethod = \"z-buffer\"\n+++\n";  // six lines
+const std::string head =
+    "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"delhi\"\nmethod = \"z-buffer\"\n+++\n";  // six lines
 const std::string question =
     "::: question\nWhich?\n\n- [ ] one\n  more of one\n  > No,\n  > not one.\n- [x] {z}\n  > Yes.\n:::\n";
 
@@ -21,7 +22,8 @@ const std::string question =
 class LessonFile {
  public:
   explicit LessonFile(const std::string& text, const std::string& name = "7-made-up.md") {
-    folder_ = std::filesystem::temp_directory_path() / ("zstep_lesson_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+    folder_ = std::filesystem::temp_directory_path() /
+              ("zstep_lesson_" + std::to_string(getpid()) + "_" + std::to_string(count++));
     std::filesystem::create_directories(folder_);
     path = folder_ / name;
     std::ofstream(path, std::ios::binary) << text;
@@ -55,7 +57,9 @@ std::string run_error(const std::string& text) {
 }
 
 TEST_CASE("a lesson is a head and stops") {
-  const LessonFile file(head + "\n## First {at: start}\n\nHello,\n**you**.\n\n## A tie at {x} {before: compare where not nearer}\n\n" + question + "\n");
+  const LessonFile file(
+      head + "\n## First {at: start}\n\nHello,\n**you**.\n\n## A tie at {x} {before: compare where not nearer}\n\n" +
+      question + "\n");
   Lesson lesson = load_lesson(file.path);
   CHECK(lesson.id == "made-up");
   CHECK(lesson.title == "T");
@@ -86,8 +90,10 @@ TEST_CASE("a lesson is a head and stops") {
 
 TEST_CASE("the head sets view and conventions") {
   const LessonFile file(
-      "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"pyramid\"\nmethod = \"z-buffer\"\n[camera]\nrho = 6\ntheta = 10.5\northographic = true\n"
-      "[raster]\nwidth = 16\nheight = 12\n[conventions]\ndepth = \"view\"\ninterpolation = \"increments\"\ncoverage = \"inclusive\"\ncull = false\n"
+      "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"pyramid\"\nmethod = \"z-buffer\"\n[camera]\nrho = 6\ntheta = "
+      "10.5\northographic = true\n"
+      "[raster]\nwidth = 16\nheight = 12\n[conventions]\ndepth = \"view\"\ninterpolation = \"increments\"\ncoverage = "
+      "\"inclusive\"\ncull = false\n"
       "+++\n## Here {at: start}\nText.\n");
   Lesson lesson = load_lesson(file.path);
   const Trace trace = run_lesson(lesson);
@@ -96,7 +102,8 @@ TEST_CASE("the head sets view and conventions") {
   CHECK(trace.scene().camera.kind == Camera::Kind::orthographic);
   CHECK(trace.scene().raster.width == 16);
   CHECK(trace.scene().raster.height == 12);
-  CHECK(trace.header().conventions == Conventions{Conventions::Depth::view, Conventions::Interpolation::increments, Conventions::Coverage::inclusive, false});
+  CHECK(trace.header().conventions == Conventions{Conventions::Depth::view, Conventions::Interpolation::increments,
+                                                  Conventions::Coverage::inclusive, false});
 }
 
 TEST_CASE("unset conventions stay the scene's own") {
@@ -106,10 +113,14 @@ TEST_CASE("unset conventions stay the scene's own") {
 }
 
 TEST_CASE("a scene file is looked for beside the lesson") {
-  const LessonFile file("+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"own.toml\"\nmethod = \"z-buffer\"\n+++\n## Here {at: end}\n{count(compare)}\n");
+  const LessonFile file(
+      "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"own.toml\"\nmethod = \"z-buffer\"\n+++\n## Here {at: "
+      "end}\n{count(compare)}\n");
   Lesson lesson = load_lesson(file.path);
   CHECK(contains(complaint([&] { run_lesson(lesson); }), "own.toml"));
-  std::ofstream(file.path.parent_path() / "own.toml") << "coordinates = \"screen\"\n[raster]\nwidth = 4\nheight = 4\n[[polygon]]\npoints = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]]\n";
+  std::ofstream(file.path.parent_path() / "own.toml")
+      << "coordinates = \"screen\"\n[raster]\nwidth = 4\nheight = 4\n[[polygon]]\npoints = [[0, 0, 1], [2, 0, 1], [2, "
+         "2, 1], [0, 2, 1]]\n";
   run_lesson(lesson);
   CHECK(lesson.stops[0].text == "4");
 }
@@ -134,55 +145,75 @@ TEST_CASE("slips in the head") {
   CHECK(contains(load_error("## Here {at: start}\n"), ":1: the lesson has no head"));
   CHECK(contains(load_error("+++\ntitle = \"T\"\n"), ":1: the head is not closed; add a second line +++"));
   CHECK(contains(load_error("+++\ntitle = \"T\"\nsummary = \n+++\n"), ":3: the head is no TOML"));
-  CHECK(contains(load_error("+++\nsummary = \"S\"\n+++\n"), ":2: the head needs a text for `title`; write title = \"…\""));
+  CHECK(contains(load_error("+++\nsummary = \"S\"\n+++\n"),
+                 ":2: the head needs a text for `title`; write title = \"…\""));
   CHECK(contains(load_error("+++\ntitle = 3\n+++\n"), ":2: the head needs a text for `title`"));
-  CHECK(contains(load_error("+++\ntitle = \"T\"\nsumary = \"S\"\n+++\n"), ":3: a lesson's head has no `sumary` (did you mean `summary`?)"));
-  const auto with = [](const std::string& more) { return head.substr(0, head.size() - 4) + more + "+++\n## Here {at: start}\nText.\n"; };
+  CHECK(contains(load_error("+++\ntitle = \"T\"\nsumary = \"S\"\n+++\n"),
+                 ":3: a lesson's head has no `sumary` (did you mean `summary`?)"));
+  const auto with = [](const std::string& more) {
+    return head.substr(0, head.size() - 4) + more + "+++\n## Here {at: start}\nText.\n";
+  };
   CHECK(load_error(with("")) == "");
   CHECK(contains(load_error(with("[camera]\nrh = 3\n")), ":7: [camera] has no `rh`"));
   CHECK(contains(load_error(with("[camera]\nrho = \"far\"\n")), ":7: `rho` is no number"));
   CHECK(contains(load_error(with("[camera]\nrho = inf\n")), ":7: `rho` is no number"));
   CHECK(contains(load_error(with("[raster]\nwidth = 0\n")), ":7: `width` is no number of pixels"));
   CHECK(contains(load_error(with("[raster]\nwidth = 2.5\n")), ":7: `width` is no number of pixels"));
-  CHECK(contains(load_error(with("[conventions]\ndepth = \"w\"\n")), ":7: `depth` has a value it does not know; write depth = \"pseudodepth\" or \"view\""));
+  CHECK(contains(load_error(with("[conventions]\ndepth = \"w\"\n")),
+                 ":7: `depth` has a value it does not know; write depth = \"pseudodepth\" or \"view\""));
   CHECK(contains(load_error(with("[conventions]\ncull = 1\n")), ":7: `cull` is no truth"));
   CHECK(contains(load_error(with("camera = 3\n")), ":6: `camera` is no table"));
-  CHECK(contains(load_error("+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"delhi\"\nmethod = \"warnok\"\n+++\n## Here {at: start}\nText.\n"), "warnok"));
+  CHECK(contains(load_error("+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"delhi\"\nmethod = \"warnok\"\n+++\n## Here "
+                            "{at: start}\nText.\n"),
+                 "warnok"));
 }
 
 TEST_CASE("slips in the stops") {
   CHECK(contains(load_error(head), "the lesson has no stop"));
   CHECK(contains(load_error(head + "Hello.\n"), ":7: text before the first stop"));
   CHECK(contains(load_error(head + "# Title\n"), ":7: a heading with one #"));
-  CHECK(contains(load_error(head + "## Here\nText.\n"), ":7: the stop `Here` has no anchor; end its heading with {at: step}"));
+  CHECK(contains(load_error(head + "## Here\nText.\n"),
+                 ":7: the stop `Here` has no anchor; end its heading with {at: step}"));
   CHECK(contains(load_error(head + "## {at: start}\nText.\n"), ":7: the stop has no heading"));
   CHECK(contains(load_error(head + "## Here {at: start}\n\n## There {at: end}\nText.\n"), ":7: the stop says nothing"));
-  CHECK(contains(load_error(head + "## Here {at: cmpare}\nText.\n"), ":7: the method has no step named `cmpare` (did you mean `compare`?)"));
+  CHECK(contains(load_error(head + "## Here {at: cmpare}\nText.\n"),
+                 ":7: the method has no step named `cmpare` (did you mean `compare`?)"));
   CHECK(contains(load_error(head + "## Here {at: compare where w < 3}\nText.\n"), ":7: nothing is called `w`"));
   CHECK(contains(load_error(head + "## Here {at: compare}\n\nText {z} and\n{zz}.\n"), ":10: nothing is called `zz`"));
   CHECK(contains(load_error(head + "## Here {at: compare}\nText {z.\n"), ":8: a `{` is not closed on its line"));
   CHECK(contains(load_error(head + "## Here {at: start}\n```\ncode\n"), ":8: a code block is not closed"));
   CHECK(contains(load_error(head + "## Here {at: start}\nText \xFF.\n"), ":8: the line is not UTF-8"));
   CHECK(contains(run_error(head + "## Here {at: clip_cross}\nText.\n"), ":7: `clip_cross` never happens in this run"));
-  CHECK(contains(run_error(head + "## Here {at: end}\nText.\n## There {at: compare}\nText.\n"), ":9: `compare` happens as described 49 times, but not after the stop before this one"));
-  CHECK(contains(run_error(head + "## Here {at: compare}\nText.\n\n{z = 4}\n"), ":10: `{z = 4}` does not hold: it is 5 here"));
+  CHECK(contains(run_error(head + "## Here {at: end}\nText.\n## There {at: compare}\nText.\n"),
+                 ":9: `compare` happens as described 49 times, but not after the stop before this one"));
+  CHECK(contains(run_error(head + "## Here {at: compare}\nText.\n\n{z = 4}\n"),
+                 ":10: `{z = 4}` does not hold: it is 5 here"));
 }
 
 TEST_CASE("slips in questions") {
   const std::string stop = head + "## Here {at: compare}\n";  // line 7
   CHECK(load_error(stop + question) == "");
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n"), ":8: the question is not closed; add a line `:::`"));
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n## Next {at: end}\nText.\n"), ":8: the question is not closed"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n"),
+                 ":8: the question is not closed; add a line `:::`"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n## Next {at: end}\nText.\n"),
+                 ":8: the question is not closed"));
   CHECK(contains(load_error(stop + ":::\n"), ":8: `:::` closes nothing"));
   CHECK(contains(load_error(stop + "::: quiz\n:::\n"), ":8: a block of the unknown kind `quiz`"));
   CHECK(contains(load_error(stop + "::: question\n- [x] a\n  > b\n:::\n"), ":8: the question asks nothing"));
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n:::\n"), ":8: the question has fewer than two answers"));
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [ ] a\n  > b\n- [ ] c\n  > d\n:::\n"), ":8: the question has 0 right answers; mark exactly one"));
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n- [x] c\n  > d\n:::\n"), ":8: the question has 2 right answers"));
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n- [ ] c\n  > d\n:::\n"), ":10: the answer has no reply; say under it, after `  > `"));
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n- c\n:::\n"), ":12: an answer without its box"));
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\nmore\n:::\n"), ":12: a line that is neither answer nor reply"));
-  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b {q}\n- [ ] c\n  > d\n:::\n"), ":11: nothing is called `q`"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n:::\n"),
+                 ":8: the question has fewer than two answers"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [ ] a\n  > b\n- [ ] c\n  > d\n:::\n"),
+                 ":8: the question has 0 right answers; mark exactly one"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n- [x] c\n  > d\n:::\n"),
+                 ":8: the question has 2 right answers"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n- [ ] c\n  > d\n:::\n"),
+                 ":10: the answer has no reply; say under it, after `  > `"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\n- c\n:::\n"),
+                 ":12: an answer without its box"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b\nmore\n:::\n"),
+                 ":12: a line that is neither answer nor reply"));
+  CHECK(contains(load_error(stop + "::: question\nWhich?\n- [x] a\n  > b {q}\n- [ ] c\n  > d\n:::\n"),
+                 ":11: nothing is called `q`"));
   CHECK(contains(load_error(stop + question + question), ":18: a second question at one stop"));
   CHECK(contains(load_error(stop + question + "More.\n"), ":18: text after a question"));
   CHECK(contains(load_error(head + question), ":7: a question before the first stop"));
@@ -192,11 +223,13 @@ TEST_CASE("what is no lesson file is told so") {
   CHECK(contains(complaint([] { load_lesson("/nowhere/at-all.md"); }), "the lesson cannot be read"));
   CHECK(contains(complaint([] { load_lesson("/tmp"); }), "the lesson cannot be read"));
   CHECK(contains(load_error(std::string((1 << 20) + 1, 'x')), "larger than any lesson"));
-  CHECK(contains(complaint([] { find_lesson("zbuffer"); }), "there is no lesson of this name (did you mean `z-buffer`?); the lessons are viewing, back-faces"));
+  CHECK(contains(complaint([] { find_lesson("zbuffer"); }),
+                 "there is no lesson of this name (did you mean `z-buffer`?); the lessons are viewing, back-faces"));
 }
 
 TEST_CASE("a lesson cut off anywhere is a lesson or one clear complaint") {
-  const std::string whole = head + "\n## First {at: compare where not nearer, first}\n\nHello {z = 5}.\n\n" + question + "\n## Last {at: end}\nEnd.\n";
+  const std::string whole = head + "\n## First {at: compare where not nearer, first}\n\nHello {z = 5}.\n\n" + question +
+                            "\n## Last {at: end}\nEnd.\n";
   int good = 0;
   for (std::size_t size = 0; size <= whole.size(); ++size) {
     const std::string error = load_error(whole.substr(0, size));

@@ -11,12 +11,9 @@ TEST_CASE("a paragraph is a row of runs, soft breaks are spaces") {
   const auto blocks = parse_markdown("The **depth buffer** holds\n`zbuffer[x,y]` and *no* colour.");
   REQUIRE(blocks.size() == 1);
   CHECK(blocks[0].kind == Kind::paragraph);
-  const std::vector<TextRun> expected{{"The ", false, false, false},
-                                      {"depth buffer", true, false, false},
-                                      {" holds ", false, false, false},
-                                      {"zbuffer[x,y]", false, false, true},
-                                      {" and ", false, false, false},
-                                      {"no", false, true, false},
+  const std::vector<TextRun> expected{{"The ", false, false, false},    {"depth buffer", true, false, false},
+                                      {" holds ", false, false, false}, {"zbuffer[x,y]", false, false, true},
+                                      {" and ", false, false, false},   {"no", false, true, false},
                                       {" colour.", false, false, false}};
   CHECK(blocks[0].runs == expected);
 }
@@ -52,7 +49,8 @@ TEST_CASE("the notation of the lectures is no markup") {
 }
 
 TEST_CASE("headings, quotes, rules, entities, HTML and links") {
-  const auto blocks = parse_markdown("## Ties\n\n> said\n\n---\n\na &lt; b &#955; &#x3c6; <b>[text](http://x.y)\nnext\\\nline");
+  const auto blocks =
+      parse_markdown("## Ties\n\n> said\n\n---\n\na &lt; b &#955; &#x3c6; <b>[text](http://x.y)\nnext\\\nline");
   REQUIRE(blocks.size() == 4);
   CHECK(blocks[0].kind == Kind::heading);
   CHECK(blocks[0].level == 2);

@@ -1,7 +1,8 @@
 // A run small enough to count by hand: two polygons on four pixels of one row.
 //
 //     1 clear · 2 polygon A · 3–6 pixel 0: 5 < ∞, written · 7–10 pixel 1: 5 < ∞, written
-//     11 polygon B · 12–13 pixel 1: 5 against 5, a tie · 14–17 pixel 2: 7 < ∞, written · 18–19 pixel 0: 6 against 5, loses
+//     11 polygon B · 12–13 pixel 1: 5 against 5, a tie · 14–17 pixel 2: 7 < ∞, written · 18–19 pixel 0: 6 against 5,
+//     loses
 #pragma once
 
 #include <string>
