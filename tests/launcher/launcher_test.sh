@@ -300,6 +300,20 @@ case_the_table_has_what_cmake_looks_for() {
   for name in $wanted; do expect "has a row for $name" "$listed" "^$name$"; done
 }
 
+# Windows and macOS get the same libraries, under their own names.
+case_vcpkg_and_homebrew_have_the_same_libraries() {
+  local plain='s/.*/\L&/; s/[^a-z0-9\n]//g; s/^lib//; s/^google//' need how name
+  local vcpkg brew
+  vcpkg=$(tr ',{}[]' '\n' <"$source_dir/vcpkg.json" | grep -oE '"[a-z0-9-]+" *$' | sed -E "$plain")
+  brew=$(sed -nE 's/^brew "(.*)"/\1/p' "$source_dir/Brewfile" | sed -E "$plain")
+  while read -r need how _; do
+    case $need/$how in *\?/* | *program:* | *font:* | *runtime:*) continue ;; esac
+    name=$(sed -E "$plain" <<<"${how#*:}")
+    expect "vcpkg.json has $how" "$vcpkg" "^$name$"
+    expect "Brewfile has $how" "$brew" "^$name$"
+  done < <(zstep packages)
+}
+
 if [ $# -gt 1 ]; then
   fresh
   "case_$2"
