@@ -43,7 +43,7 @@ fresh() {
   : >"$calls"
   : >"$dpkg_list"
   local tool
-  for tool in bash env sed cat cut tr wc grep find dirname id mkdir rm mv df awk paste flock cp chmod nproc head true; do
+  for tool in bash env sed cat cut tr wc grep find dirname id mkdir rm mv df awk paste flock cp chmod nproc head true sleep; do
     ln -s "$(type -P "$tool")" "$box/tools/"
   done
   stand_in id <<<'[ "${1-}" = -u ] && echo "${as_id:-0}"'
@@ -234,6 +234,20 @@ case_goes_on_after_a_build_that_failed() {
   start
   same status "$status" 0
   refuse "does not configure again" "$(cat "$calls")" 'preset'
+}
+
+case_says_how_it_goes_on_after_an_interruption() {
+  tools_there
+  stand_in cmake <<<'case " $* " in *" --build "*) sleep 5 ;; *) : >"$folder/build.ninja" ;; esac'
+  export folder=$clone/build/release
+  output=$({
+    until grep -q -- --build "$calls"; do sleep 0.1; done
+    printf '\003'
+    sleep 1
+  } | script -qec "PATH='$box/bin:$box/tools' '$clone/zstep'; echo status \$?" /dev/null 2>&1)
+  expect "says so" "$output" 'stopped; run it again'
+  refuse "no other alarm" "$output" 'failed'
+  expect "the usual status" "$output" 'status 130'
 }
 
 case_shows_why_configuring_failed() {
