@@ -198,7 +198,8 @@ TEST_SUITE("mesa") {
                                                          centre + random.in_box(0.9)});
       }
       const auto kind = run % 2 == 0 ? Camera::Kind::perspective : Camera::Kind::orthographic;
-      test::look(scene, kind, random.in_box(0.5), random.in_box(1), 0.1, 2);
+      const glm::dvec3 target = random.in_box(1), eye = random.in_box(0.5);
+      test::look(scene, kind, eye, target, 0.1, 2);
       CAPTURE(run);
       const Count count = hold_against_mesa(scene, false);
       CHECK(count.at_edges < count.drawn / 1000);

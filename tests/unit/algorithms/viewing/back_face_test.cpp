@@ -72,8 +72,11 @@ TEST_SUITE("viewing/back_face") {
     for (int run = 0; run < 10000; ++run) {
       const bool perspective = run % 2 == 0;
       Scene scene;
-      test::add_polygon(scene, test::random_star(random, random.in_box(2), random.between(0.05, 1), 3 + run % 7));
-      const glm::dvec3 eye = glm::normalize(random.in_box(1)) * random.between(6, 20);
+      const double radius = random.between(0.05, 1);
+      const glm::dvec3 centre = random.in_box(2);
+      test::add_polygon(scene, test::random_star(random, centre, radius, 3 + run % 7));
+      const double distance = random.between(6, 20);
+      const glm::dvec3 eye = glm::normalize(random.in_box(1)) * distance;
       test::look(scene, perspective ? Camera::Kind::perspective : Camera::Kind::orthographic, eye, random.in_box(1),
                  0.5, 40);
 

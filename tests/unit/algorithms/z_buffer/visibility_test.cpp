@@ -106,7 +106,8 @@ TEST_SUITE("z_buffer/visibility") {
     for (int run = 0; run < 30; ++run) {
       Scene scene = test::cube(1);
       scene.raster = {48, 32, false};
-      test::look(scene, Camera::Kind::perspective, random.in_box(0.8), random.in_box(0.1), 0.01, 10);
+      const glm::dvec3 target = random.in_box(0.1), eye = random.in_box(0.8);
+      test::look(scene, Camera::Kind::perspective, eye, target, 0.01, 10);
       Conventions conventions;
       conventions.cull = false;
       CollectRecorder record;
@@ -136,11 +137,15 @@ TEST_SUITE("z_buffer/visibility") {
       Scene scene;
       scene.raster = {40, 30, false};
       for (int i = 0; i < 12; ++i) {
-        test::add_polygon(scene, test::random_star(random, random.in_box(2.5), random.between(0.5, 3), 3 + i % 5));
+        // One after the other, since compilers disagree on the order of arguments.
+        const double radius = random.between(0.5, 3);
+        const glm::dvec3 centre = random.in_box(2.5);
+        test::add_polygon(scene, test::random_star(random, centre, radius, 3 + i % 5));
       }
       const auto kind = run % 2 == 0 ? Camera::Kind::perspective : Camera::Kind::orthographic;
       scene.camera.window = random.between(0.4, 2);
-      test::look(scene, kind, random.in_box(3), random.in_box(1), 0.3, 5);
+      const glm::dvec3 target = random.in_box(1), eye = random.in_box(3);
+      test::look(scene, kind, eye, target, 0.3, 5);
       const Agreement agreement = hold_against_rays(scene);
       sum.agreed += agreement.agreed, sum.doubtful += agreement.doubtful, sum.drawn += agreement.drawn;
     }
