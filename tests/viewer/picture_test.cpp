@@ -1,9 +1,9 @@
 // Laws of the picture: it is a function of the place in the trace, and nothing in it is cut.
 #include <doctest/doctest.h>
 
-#include "drive.hpp"
+#include "tests/viewer/drive.hpp"
 #include "sim/image/png.hpp"
-#include "words/some_runs.hpp"
+#include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;

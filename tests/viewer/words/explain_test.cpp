@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "some_runs.hpp"
+#include "tests/viewer/words/some_runs.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
