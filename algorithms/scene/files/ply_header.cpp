@@ -88,6 +88,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
     } else if (word == "element") {
       if (header.elements.size() == most_parts) file.fail("there are too many elements", "keep vertex and face");
       PlyElement element;
+      element.line = file.line();
       element.name = std::string(file.next_in_line());
       element.count = file.count(file.next_in_line(), fmt::format("the number of {}", in_quotes(element.name)), INT64_MAX);
       for (const PlyElement& other : header.elements)
@@ -116,7 +117,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
   for (const PlyElement& element : header.elements) {
     const std::size_t least = least_size(element, header.encoding);
     if (least > 0 && element.count > static_cast<std::int64_t>((left + 1) / least))
-      throw InputError(name, fmt::format("{} of element {} are declared, which {} bytes cannot hold", element.count,
+      throw InputError(fmt::format("{}:{}", name, element.line), fmt::format("{} of element {} are declared, which {} bytes cannot hold", element.count,
                                          in_quotes(element.name), left),
                        "correct the count, or get the file again if it was cut short");
   }

@@ -19,6 +19,7 @@ struct PlyProperty {
 struct PlyElement {
   std::string name;
   std::int64_t count = 0;  ///< as declared: at most what the rest of the file could hold
+  std::int32_t line = 0;   ///< where it is declared
   std::vector<PlyProperty> properties;
 };
 

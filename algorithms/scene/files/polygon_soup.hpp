@@ -15,9 +15,9 @@
 namespace zstep::scene {
 
 /// What one scene may hold. With these, the largest file that is accepted needs less than 1 GiB to load.
-inline constexpr std::int64_t most_points = 3'000'000;
-inline constexpr std::int64_t most_polygons = 2'000'000;
-inline constexpr std::int64_t most_corners = 8'000'000;
+inline constexpr std::int64_t most_points = 2'000'000;
+inline constexpr std::int64_t most_polygons = 1'500'000;
+inline constexpr std::int64_t most_corners = 6'000'000;
 
 /// Every corner is an index into `points`, every coordinate is finite, and nothing is beyond the limits.
 struct PolygonSoup {

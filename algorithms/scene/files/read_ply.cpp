@@ -209,9 +209,9 @@ PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
   const PlyHeader header = read_ply_header(bytes, name);
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex" && element.count > 0 && !(has(element, Use::x) && has(element, Use::y) && has(element, Use::z)))
-      throw InputError(name, "the vertices lack x, y or z", "give all three as properties of element vertex");
+      throw InputError(fmt::format("{}:{}", name, element.line), "the vertices lack x, y or z", "give all three as properties of element vertex");
     if (element.name == "face" && element.count > 0 && !has(element, Use::corners))
-      throw InputError(name, "the faces have no list vertex_indices", "add: property list uchar int vertex_indices");
+      throw InputError(fmt::format("{}:{}", name, element.line), "the faces have no list vertex_indices", "add: property list uchar int vertex_indices");
   }
   if (header.encoding == PlyHeader::Encoding::ascii) return Reader(header, AsciiValues(bytes, name, header)).read();
   return Reader(header, BinaryValues(bytes, name, header)).read();
