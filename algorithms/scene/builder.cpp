@@ -37,10 +37,10 @@ void note_topology(const PolygonSoup& soup, const std::string& where, std::int64
   if (mesh.boundary_edges > 0)
     notes.push_back(fmt::format("{}: the surface is open at {} edges: with back faces dropped its inside cannot be seen",
                                 where, mesh.boundary_edges));
-  else if (mesh.loose_faces == 0) {
+  else if (mesh.loose_faces == without_corners) {
     double volume = 0;  // six times the signed volume: negative when the outside is inside
     for (const Facet& outline : soup.outlines)
-      volume += glm::dot(soup.points[static_cast<std::size_t>(soup.corners_of(outline)[0])],
+      if (outline.corner_count >= 3) volume += glm::dot(soup.points[static_cast<std::size_t>(soup.corners_of(outline)[0])],
                          newell_normal(soup.points, soup.corners_of(outline)));
     if (volume < 0)
       notes.push_back(fmt::format("{}: the polygons run clockwise seen from outside: all of them count as back faces", where));

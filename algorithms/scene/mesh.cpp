@@ -35,6 +35,8 @@ class Builder {
       const auto p = static_cast<std::size_t>(point);
       repeats = repeats || mark_[p] == face_number;
       mark_[p] = face_number;
+      // Where faces stand all round the point already, another surface touches it: that one has a vertex of its own there.
+      if (!mesh_.half_edges.is_boundary(vertex_of_point_[p])) vertex_of_point_[p] = add_vertex(point);
       face_.push_back(vertex_of_point_[p]);
     }
     if (!repeats && corners.size() >= 3 && affordable(corners) && mesh_.half_edges.add_face(face_).is_valid()) return;

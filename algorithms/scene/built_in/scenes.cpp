@@ -23,7 +23,7 @@ height = 32
 rho = 5
 theta = 30
 phi = 60
-d = 3
+d = 2.5
 
 [[polygon]]
 name = "A"
@@ -63,7 +63,7 @@ height = 32
 rho = 6
 theta = 30
 phi = 60
-d = 3
+d = 2.5
 
 [[polygon]]
 name = "F"

@@ -30,7 +30,7 @@ glm::dvec3 point_of(const Patch& patch, double u, double v) {
       sum += in_u[i] * in_v[j] * glm::dvec3(control[0], control[1], control[2]);
     }
   // Millionths to units, the middle of the pot's extent to the origin, its length to 2.
-  constexpr double middle_x = 565625, middle_z = 675049, half_length = 815625;
+  constexpr double middle_x = 554258, middle_z = 675049, half_length = 804258;
   const glm::dvec3 placed = (sum - glm::dvec3(middle_x, 0, middle_z)) / half_length;
   // Neighbouring patches have the same border, but reach its points by different roundings. On a grid of 2^-30 they agree.
   constexpr double grid = 1 << 30;

@@ -1,0 +1,117 @@
+// Scenes by path.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "algorithms/scene/colors.hpp"
+#include "algorithms/scene/load.hpp"
+#include "tests/unit/algorithms/scene/input_error.hpp"
+
+using namespace zstep;
+using namespace zstep::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string meshes = std::string(ZSTEP_SOURCE_DIR) + "/tests/data/meshes/";
+
+/// A folder of its own, gone at the end.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("zstep_load_test_" + std::to_string(std::hash<std::string>{}(fs::current_path().string())));
+  Folder() { fs::remove_all(path); fs::create_directories(path / "inner"); }
+  ~Folder() { fs::remove_all(path); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+    return (path / name).string();
+  }
+};
+
+}  // namespace
+
+TEST_SUITE("load a scene") {
+  TEST_CASE("a mesh file: colours of its own, open below") {
+    const SceneFile file = load_scene(meshes + "house.off");
+    CHECK(file.scene.name == "house");
+    CHECK(file.scene.source == meshes + "house.off");
+    CHECK(file.scene.raster == Raster{640, 480, false});
+    CHECK(file.scene.polygons.size() == 6);
+    CHECK(file.scene.facets.size() == 6);
+    CHECK(file.scene.facets[0].corner_count == 5);
+    CHECK(file.scene.polygons[2].color == Color{86, 180, 233});
+    CHECK(file.scene.polygons[0] == Polygon{"A", {230, 159, 0}, 14});
+    CHECK(file.scene.point_lines[0] == 4);
+  }
+
+  TEST_CASE("an OBJ file with its materials and concave polygons") {
+    const Scene scene = load_scene(meshes + "arrow.obj").scene;
+    CHECK(scene.facets.size() == 9);
+    CHECK(scene.facets[0].corner_count == 7);
+    CHECK(scene.polygons[0].color == Color{230, 153, 0});
+    CHECK(scene.polygons[1].color == Color{0, 115, 179});
+    CHECK(scene.polygons[8].color == Color{153, 153, 153});
+  }
+
+  TEST_CASE("colours where a file has none: the palette for a few polygons, shaded clay for many") {
+    const Folder folder;
+    std::string off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    const Scene few = load_scene(folder.write("few.OFF", off)).scene;
+    CHECK(few.polygons[3].color == scene::palette[3]);
+    std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < 5; ++i) obj += "f 1 2 3\nf 3 2 1\n";
+    const SceneFile many = load_scene(folder.write("many.obj", obj));
+    CHECK(many.scene.polygons[0].color == scene::shaded(scene::clay, {0, 0, 1}));
+    CHECK(many.scene.polygons[1].color == scene::shaded(scene::clay, {0, 0, -1}));
+    CHECK(many.scene.polygons[0].color.red > many.scene.polygons[1].color.red);
+    CHECK(many.notes.empty());  // each pair closes
+  }
+
+  TEST_CASE("notes: open, inside out, cut loose") {
+    const Folder folder;
+    const std::string solid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    const std::string twice = solid + "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\n";
+    const auto notes = [&](const std::string& text) { return load_scene(folder.write("m.obj", text)).notes; };
+    const std::string outwards = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\nf 1 1 1\n";
+    const std::string inwards = "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\nf 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\nf 1 1 1\n";
+    REQUIRE(notes(twice + outwards).size() == 1);
+    CHECK(contains(notes(twice + outwards)[0], "1 polygon is not drawn, having fewer than three different corners"));
+    REQUIRE(notes(twice + inwards).size() == 2);
+    CHECK(contains(notes(twice + inwards)[1], "clockwise seen from outside"));
+    CHECK(notes(twice + outwards.substr(8)).size() == 1);  // open, but of eight polygons only: nobody needs to be told
+    const auto loose = notes(twice + outwards + "f 1 2 7\nf 1 2 8\nf 1 2 7\n");
+    REQUIRE(loose.size() == 3);
+    CHECK(contains(loose[1], "2 polygons are cut loose"));
+    CHECK(contains(loose[2], "open at 3 edges"));
+  }
+
+  TEST_CASE("a scene file and meshes relative to it") {
+    const Folder folder;
+    folder.write("inner/m.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const std::string path = folder.write("s.toml", "[[mesh]]\nfile = \"inner/m.off\"\n[[mesh]]\nfile = \"inner/../inner/m.off\"\n");
+    CHECK(load_scene(path).scene.polygons.size() == 2);
+    const std::string bad = folder.write("bad.toml", "[[mesh]]\nfile = \"inner/bad.off\"\n");
+    folder.write("inner/bad.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
+    CHECK(contains(input_error([&] { load_scene(bad); }), "bad.off:5: there is no vertex 3"));
+  }
+
+  TEST_CASE("no file, a folder, a device, an unknown kind, no polygons") {
+    const Folder folder;
+    const auto error_of = [](const std::string& path) { return input_error([&] { load_scene(path); }); };
+    CHECK(contains(error_of(folder.path.string() + "/none.obj"), "none.obj: there is no such file"));
+    fs::create_directories(folder.path / "folder.obj");
+    CHECK(contains(error_of((folder.path / "folder.obj").string()), "it is not a file that can be read whole"));
+    CHECK(contains(error_of("mesh.3ds"), "there is no such scene; name a .toml, .obj, .off, .ply or .stl file"));
+    CHECK(contains(error_of(folder.write("empty.obj", "v 0 0 0\n")), "the mesh has no polygons"));
+    CHECK(contains(error_of(folder.write("empty.toml", "")), "the scene has no polygons"));
+    const std::string device = folder.write("device.toml", "[[mesh]]\nfile = \"zero.obj\"\n");
+    std::error_code error;
+    fs::create_symlink("/dev/zero", folder.path / "zero.obj", error);
+    if (!error) CHECK(contains(error_of(device), "it is not a file that can be read whole"));
+    // A material file elsewhere is never opened.
+    folder.write("secret.mtl", "newmtl a\nKd 1 0 0\n");
+    const SceneFile file = load_scene(folder.write("inner/m.obj", "mtllib ../secret.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    CHECK(file.scene.polygons[0].color == scene::palette[0]);
+    CHECK(contains(file.notes.at(0), "is not in the mesh's folder"));
+  }
+}
