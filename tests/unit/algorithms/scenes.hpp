@@ -60,7 +60,7 @@ inline void look(Scene& scene, Camera::Kind kind, glm::dvec3 eye, glm::dvec3 tar
   camera.eye = kind == Camera::Kind::orthographic ? glm::normalize(eye - target) : eye;
 }
 
-/// Random numbers that are the same with every library.
+/// Random numbers that are the same with every library. Draw two in one call's arguments and compilers may swap them.
 struct Numbers {
   std::mt19937_64 engine;
   explicit Numbers(std::uint64_t seed) : engine(seed) {}

@@ -64,6 +64,29 @@ TEST_SUITE("z_buffer/recorders") {
     }
   }
 
+  TEST_CASE("the same bits with every compiler") {
+    test::Numbers random(2026);  // and nothing of the mathematics library but square roots
+    Scene scene;
+    scene.raster = {64, 48, false};
+    for (int i = 0; i < 20; ++i) {
+      test::add_polygon(scene, std::vector<glm::dvec3>{random.in_box(2), random.in_box(2), random.in_box(2)});
+    }
+    test::look(scene, Camera::Kind::perspective, {0.3, -2.5, 0.7}, {0.1, 0.2, 0}, 0.4, 5);
+    std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+    for (int option = 0; option < 4; ++option) {
+      Conventions conventions;
+      conventions.cull = false;
+      conventions.depth = static_cast<Conventions::Depth>(option & 1);
+      conventions.interpolation = static_cast<Conventions::Interpolation>(option >> 1);
+      NullRecorder record;
+      const Picture picture = z_buffer::run(scene, conventions, record);
+      std::vector<unsigned char> bytes(picture.depth.size() * sizeof(double));
+      std::memcpy(bytes.data(), picture.depth.data(), bytes.size());
+      for (const unsigned char byte : bytes) hash = (hash ^ byte) * 1099511628211u;
+    }
+    CHECK(hash == 1554539946843021559u);
+  }
+
   TEST_CASE("the depth along a span is the formula's, to the bit") {
     const Scene scene = crowd(Camera::Kind::perspective);
     CollectRecorder record;
