@@ -40,6 +40,12 @@ int put(const fs::path& path, std::span<const std::uint8_t> bytes, const char* m
   return written ? 0 : (error != 0 ? error : EIO);
 }
 
+/// Where a link leads, so that the file is replaced and not the link.
+fs::path target_of(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+}
+
 std::string unlikely_name() {
   std::random_device device;
   return fmt::format(".{:08x}{:08x}.part", device(), device());
@@ -47,22 +53,25 @@ std::string unlikely_name() {
 
 }  // namespace
 
-void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+void check_writable(const fs::path& path) {
   std::error_code ignored;
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  const fs::path target = target_of(path);
   if (path.filename().empty() || fs::is_directory(target, ignored))
     throw InputError(path.string(), "is a folder", "name a file in it");
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
     throw InputError(path.string(), fmt::format("there is no folder {}", folder.string()), "make it first, or write to another place");
+  // Renaming over a file asks only the folder; a file that its owner protected stays as it is.
+  if (fs::is_regular_file(target, ignored) && !File(std::fopen(target.string().c_str(), "r+b"))) fail(path, errno);
+}
 
-  if (fs::exists(target, ignored)) {
-    if (!fs::is_regular_file(target, ignored)) {
-      if (const int error = put(target, bytes, "wb")) fail(path, error);
-      return;
-    }
-    // Renaming over a file asks only the folder; a file that its owner protected stays as it is.
-    if (!File(std::fopen(target.string().c_str(), "r+b"))) fail(path, errno);
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  check_writable(path);
+  std::error_code ignored;
+  const fs::path target = target_of(path);
+  if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored)) {
+    if (const int error = put(target, bytes, "wb")) fail(path, error);
+    return;
   }
 
   fs::path part = target;

@@ -13,6 +13,9 @@ namespace zstep {
 /// pipe) is written directly. Throws InputError when the folder is missing, not writable, or the disk is full.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
+/// Throws the InputError that write_file would throw for a missing folder or a protected file, without writing.
+void check_writable(const std::filesystem::path& path);
+
 /// All bytes of `path`. Throws InputError when there is no such file, it cannot be read, or has more than `limit` bytes.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{1} << 30);
 

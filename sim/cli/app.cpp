@@ -1,0 +1,139 @@
+#include "sim/cli/app.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "sim/cli/commands.hpp"
+#include "sim/cli/watch.hpp"
+#include "sim/cli/words.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+constexpr std::size_t help_column = 32;
+
+void declare(CLI::App& app, Action& action) {
+  app.get_formatter()->column_width(help_column);
+  app.set_version_flag("--version", "zstep " ZSTEP_VERSION, "Print the version");
+  app.require_subcommand(0, 1);
+  add_list(app, action);
+  add_lesson(app, action);
+  add_view(app, action);
+  add_render(app, action);
+  add_record(app, action);
+  add_info(app, action);
+  add_dump(app, action);
+  add_import(app, action);
+  add_completion(app, action);
+  app.footer(
+      "Without a command the first Z-buffer lesson opens.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep\n"
+      "  zstep view pyramid\n"
+      "  zstep record teapot --size 640x480 -o teapot.ztrace\n"
+      "  zstep record --help");
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+/// Says what is wrong with a mistyped command or option before CLI11 does, because it knows what was probably meant.
+void check_words(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = &app;
+  std::string name = "zstep";
+  if (!words.empty() && !words[0].starts_with("-")) {
+    const std::vector<std::string> commands = command_names(app);
+    if (std::find(commands.begin(), commands.end(), words[0]) == commands.end()) {
+      const bool file = words[0].find('.') != std::string::npos;
+      throw InputError("zstep", fmt::format("there is no command '{}'", words[0]),
+                       file ? fmt::format("to open it: zstep view {}", words[0])
+                            : did_you_mean(words[0], commands, fmt::format("the commands are {}", enumerate(commands, "and"))));
+    }
+    command = app.get_subcommand(words[0]);
+    name += " " + words[0];
+  }
+  const std::vector<std::string> options = option_names(*command);
+  for (const std::string& word : words) {
+    if (word == "--") return;
+    const bool number = word.size() > 1 && word[0] == '-' && (word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));
+    if (word.size() < 2 || word[0] != '-' || number) continue;
+    const bool is_long = word.starts_with("--");
+    const std::string option = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
+    if (std::find(options.begin(), options.end(), option) != options.end()) continue;
+    throw InputError(name, fmt::format("there is no option {}", is_long ? option : word),
+                     did_you_mean(is_long ? option : word, options, fmt::format("'{} --help' names them", name)));
+  }
+}
+
+const CLI::App& chosen(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return commands.empty() ? app : *commands.front();
+}
+
+int parse_and_run(const std::vector<std::string>& words) {
+  Action action = start;
+  CLI::App app("zstep shows how a computer decides what is visible: every step of a method, recorded and replayed.", "zstep");
+  declare(app, action);
+  try {
+    check_words(app, words);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", chosen(app).help());
+    return exit_code::done;
+  } catch (const CLI::CallForVersion&) {
+    fmt::print("zstep {}\n", ZSTEP_VERSION);
+    return exit_code::done;
+  } catch (const CLI::ParseError& error) {
+    const CLI::App& command = chosen(app);
+    const std::string name = &command == &app ? "zstep" : "zstep " + command.get_name();
+    std::string what = error.what();
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    throw InputError(name, what, fmt::format("see '{} --help'", name));
+  }
+  return action();
+}
+
+void complain(const std::string& line) {
+  std::fflush(stdout);
+  fmt::print(stderr, "{}\n", line);
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& words) {
+  try {
+    return parse_and_run(words);
+  } catch (const InputError& error) {
+    complain(error.what());
+    return exit_code::bad_input;
+  } catch (const Interrupted&) {
+    complain("stopped by Ctrl-C");
+    return exit_code::interrupted;
+  } catch (const std::bad_alloc&) {
+    complain("zstep: there is not enough memory; try a smaller --size");
+  } catch (const std::exception& error) {
+    complain(fmt::format("zstep: this is a mistake in zstep itself, please report it: {}", error.what()));
+  }
+  return exit_code::failed;
+}
+
+}  // namespace zstep::cli

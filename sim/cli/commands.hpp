@@ -1,0 +1,33 @@
+// The commands of zstep, a file each. Every add_… declares one command; parsing a command line chooses its action.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace zstep::cli {
+
+/// What the parsed command line asks for; returns the exit code. Throws InputError.
+using Action = std::function<int()>;
+
+void add_list(CLI::App& app, Action& action);
+void add_render(CLI::App& app, Action& action);
+void add_record(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_dump(CLI::App& app, Action& action);
+void add_import(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
+void add_lesson(CLI::App& app, Action& action);
+void add_completion(CLI::App& app, Action& action);
+
+/// `zstep` alone: the first Z-buffer lesson in the viewer, or its first picture where there is no display.
+int start();
+
+namespace exit_code {
+inline constexpr int done = 0;
+inline constexpr int failed = 1;       ///< a mistake of zstep's own
+inline constexpr int bad_input = 2;
+inline constexpr int interrupted = 130;
+}  // namespace exit_code
+
+}  // namespace zstep::cli

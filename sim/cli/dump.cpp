@@ -1,0 +1,137 @@
+// zstep dump: the steps of a trace as text or JSON Lines.
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/cli/commands.hpp"
+#include "sim/cli/describe.hpp"
+#include "sim/cli/run_options.hpp"
+#include "sim/cli/traces.hpp"
+#include "sim/cli/words.hpp"
+#include "traces/error.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/file/visit.hpp"
+
+namespace zstep::cli {
+namespace {
+
+struct DumpOptions {
+  std::string trace;
+  std::optional<std::int64_t> from, to;
+  std::vector<std::string> kinds, steps;
+  bool jsonl = false;
+  bool whole() const { return !from && !to && kinds.empty() && steps.empty(); }
+};
+
+/// Which step ids to show, from the names asked for.
+class Filter {
+ public:
+  Filter(const DumpOptions& options, const Page& page) {
+    if (!options.kinds.empty()) by_kind(options.kinds, page);
+    if (!options.steps.empty()) by_step(options.steps, page);
+  }
+  bool shows(std::uint8_t step) const { return shown_[step]; }
+
+ private:
+  using Ids = std::array<bool, 256>;
+  static Ids all() {
+    Ids ids{};
+    ids.fill(true);
+    return ids;
+  }
+  void narrow(const Ids& to) {
+    for (std::size_t id = 0; id < shown_.size(); ++id) shown_[id] = shown_[id] && to[id];
+  }
+
+  void by_kind(const std::vector<std::string>& names, const Page& page) {
+    std::vector<std::string> known;
+    for_each_kind([&]<class E>() { known.emplace_back(kind_text<E>.name); });
+    Ids wanted{};
+    for (const std::string& name : names) {
+      const auto found = std::find(known.begin(), known.end(), name);
+      if (found == known.end())
+        throw InputError("--kind", fmt::format("'{}' is not a kind of event", name), did_you_mean(name, known, "'zstep info' names those of a trace"));
+      for (const StepInfo& step : page)
+        if (step.kind == found - known.begin()) wanted[step.id] = true;
+    }
+    narrow(wanted);
+  }
+
+  void by_step(const std::vector<std::string>& names, const Page& page) {
+    Ids wanted{};
+    std::vector<std::string> known;
+    for (const StepInfo& step : page) known.push_back(step.name);
+    for (const std::string& name : names) {
+      bool found = false;
+      for (const StepInfo& step : page) {
+        if (name != step.name && name != step.module + "." + step.name) continue;
+        wanted[step.id] = found = true;
+      }
+      if (!found)
+        throw InputError("--step", fmt::format("'{}' is not a step of this trace", name), did_you_mean(name, known, "'zstep info' names them"));
+    }
+    narrow(wanted);
+  }
+
+  Ids shown_ = all();
+};
+
+int dump(const DumpOptions& options) {
+  const Trace trace = open_trace(options.trace);
+  const Page& page = trace.header().page;
+  const Filter filter(options, page);
+  std::ios::sync_with_stdio(false);
+  if (options.jsonl && options.whole()) {
+    write_jsonl(trace, std::cout);
+  } else {
+    const std::int64_t from = options.from.value_or(1), to = options.to.value_or(trace.size());
+    if (from > to) throw InputError("--from", fmt::format("{} is after --to {}", from, to), "give a smaller one");
+    if (from > trace.size())
+      throw InputError("--from", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+    std::size_t widest = 0;
+    for (const StepInfo& step : page)
+      if (filter.shows(step.id)) widest = std::max(widest, step.name.size());
+    const std::size_t digits = fmt::format("{}", std::min(to, trace.size())).size();
+    trace.visit(from - 1, to, [&](std::int64_t position, std::uint8_t step, const auto& event) {
+      if (!filter.shows(step)) return true;
+      if (options.jsonl) {
+        std::cout << jsonl_event(page, RecordedEvent{step, Event(event)}) << '\n';
+      } else {
+        const StepInfo* info = find_step(page, step);
+        std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest, fields_text(event));
+      }
+      return static_cast<bool>(std::cout);
+    });
+  }
+  std::cout.flush();
+  if (!std::cout) throw InputError("standard output", "cannot be written", "make room on the disk");
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_dump(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<DumpOptions>();
+  CLI::App* command = app.add_subcommand("dump", "Print the steps of a trace, one a line");
+  command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_whole(*command, "--from", options->from, 1, "The first step to print (steps count from 1)");
+  add_whole(*command, "--to", options->to, 1, "The last step to print");
+  command->add_option("--kind", options->kinds, "Only events of this kind, as depth_compare; may be given more than once")->type_name("KIND")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--step", options->steps, "Only this line of the pseudo-code, as compare; may be given more than once")->type_name("NAME")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--jsonl", options->jsonl, "As JSON Lines; the whole trace so can be read back by zstep import");
+  command->footer(
+      "With --jsonl and without a filter the first line is the trace's header; with a filter there are only events.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep dump run.ztrace --from 1 --to 40\n"
+      "  zstep dump run.ztrace --kind depth_compare --kind pixel_write\n"
+      "  zstep dump run.ztrace --jsonl > run.jsonl");
+  command->callback([options, &action] { action = [options] { return dump(*options); }; });
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,43 @@
+// zstep import: JSON Lines, as students' programs write them, into a trace.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "sim/cli/commands.hpp"
+#include "sim/cli/outputs.hpp"
+#include "sim/cli/words.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/file/trace.hpp"
+
+namespace zstep::cli {
+namespace {
+
+struct ImportOptions {
+  std::string from, to;
+};
+
+int import_trace(const ImportOptions& options) {
+  const std::string from = options.from == "-" ? "/dev/stdin" : options.from;
+  check_outputs({}, {from}, {options.to});
+  import_jsonl(from, options.to);
+  fmt::print("wrote {}: {}\n", options.to, counted(Trace::open(options.to).size(), "step", "steps"));
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ImportOptions>();
+  CLI::App* command = app.add_subcommand("import", "Turn JSON Lines into a trace");
+  command->add_option("jsonl", options->from, "The JSON Lines file, or - for standard input")->type_name("FILE.jsonl")->required();
+  command->add_option("-o,--output", options->to, "The trace to write")->type_name("FILE.ztrace")->required()->group("Output");
+  command->footer(
+      "An existing file is replaced; nothing is written when the input has a mistake.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep import homework.jsonl -o homework.ztrace\n"
+      "  python3 my_zbuffer.py | zstep import - -o homework.ztrace");
+  command->callback([options, &action] { action = [options] { return import_trace(*options); }; });
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,84 @@
+// zstep lesson, and zstep alone.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/classroom/lesson.hpp"
+#include "sim/cli/commands.hpp"
+#include "sim/cli/show.hpp"
+#include "sim/cli/words.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+struct LessonOptions {
+  std::string name;
+  ShowOptions show;
+};
+
+Lesson lesson_named(const std::string& name) {
+  std::vector<Lesson> lessons = all_lessons();
+  if (name.empty()) {
+    if (lessons.empty()) throw InputError("zstep lesson", "no lessons were found", "set ZSTEP_LESSONS to the folder that holds them");
+    return lessons.front();
+  }
+  if (name.find_first_of("./\\") != std::string::npos) return find_lesson(name);
+  std::vector<std::string> ids;
+  for (Lesson& lesson : lessons) {
+    if (lesson.id == name) return lesson;
+    ids.push_back(lesson.id);
+  }
+  throw InputError(name, "there is no such lesson", did_you_mean(name, ids, fmt::format("the lessons are {}", enumerate(ids, "and"))));
+}
+
+int open(Lesson lesson, const ShowOptions& options) {
+  check_can_show(options);
+  const Trace trace = run_lesson(lesson);
+  return show(trace, options, &lesson);
+}
+
+/// The lesson about the Z-buffer that comes first in teaching order.
+Lesson first_z_buffer_lesson() {
+  const std::string id = "z-buffer";
+  const std::vector<Lesson> lessons = all_lessons();
+  for (const Lesson& lesson : lessons)
+    if (lesson.id.starts_with(id)) return lesson;
+  for (const Lesson& lesson : lessons)
+    if (lesson.method == id) return lesson;
+  return lesson_named("");
+}
+
+}  // namespace
+
+int start() {
+  Lesson lesson = first_z_buffer_lesson();
+  ShowOptions options;
+#if ZSTEP_HAS_VIEWER
+  if (!display_available()) {
+    options.screenshot = "zstep.png";
+    fmt::print("There is no display here, so the first picture of the lesson \"{}\" goes to a file.\n", lesson.title);
+    const int code = open(std::move(lesson), options);
+    fmt::print("No window can be opened; {}.\n", without_display());
+    return code;
+  }
+#endif
+  return open(std::move(lesson), options);
+}
+
+void add_lesson(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<LessonOptions>();
+  CLI::App* command = app.add_subcommand("lesson", "Open a lesson in the viewer; without a name, the first");
+  command->add_option("name", options->name, "One of 'zstep list lessons', or the path of a lesson's .md")->type_name("NAME");
+  add_show_options(*command, options->show);
+  command->footer(
+      "Examples:\n"
+      "  zstep lesson\n"
+      "  zstep lesson z-buffer --presenter\n"
+      "  zstep lesson my-lesson.md --at 40 --screenshot lesson.png");
+  command->callback([options, &action] { action = [options] { return open(lesson_named(options->name), options->show); }; });
+}
+
+}  // namespace zstep::cli

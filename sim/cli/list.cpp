@@ -1,0 +1,63 @@
+// zstep list: what there is.
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
+#include "sim/classroom/lesson.hpp"
+#include "sim/cli/commands.hpp"
+#include "sim/cli/table.hpp"
+#include "sim/cli/words.hpp"
+
+namespace zstep::cli {
+namespace {
+
+constexpr auto left = Table::Align::left;
+
+std::string methods_text() {
+  Table table({left, left, left});
+  for (const Method& m : methods()) table.row({std::string(m.id), std::string(m.title), std::string(m.paper)});
+  return table.text();
+}
+
+std::string lessons_text() {
+  Table table({left, left, left});
+  for (const Lesson& lesson : all_lessons()) table.row({lesson.id, lesson.title, lesson.summary});
+  const std::string text = table.text();
+  return text.empty() ? "  none were found; set ZSTEP_LESSONS to the folder that holds them\n" : text;
+}
+
+std::string scenes_text() {
+  Table table({left, left});
+  for (const BuiltIn& scene : built_in_scenes()) table.row({std::string(scene.name), std::string(scene.description)});
+  return table.text();
+}
+
+int list(const std::string& what) {
+  const bool all = what.empty();
+  if (all || what == "methods") fmt::print("{}{}", all ? "Methods (--algorithm NAME)\n" : "", methods_text());
+  if (all || what == "lessons") fmt::print("{}{}", all ? "\nLessons (zstep lesson NAME)\n" : "", lessons_text());
+  if (all || what == "scenes") {
+    fmt::print("{}{}", all ? "\nScenes (zstep render NAME, record NAME, view NAME)\n" : "", scenes_text());
+    if (all) fmt::print("  Any .toml scene and any .obj, .off, .ply or .stl mesh works in place of a name.\n");
+  }
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Action& action) {
+  const auto what = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("list", "Name the methods, lessons and scenes there are");
+  const auto take = [what](const std::string& text) {
+    const std::vector<std::string> words{"methods", "lessons", "scenes"};
+    *what = words.at(parse_choice("zstep list", text, words));
+  };
+  command->add_option_function<std::string>("what", take, "Only these")->type_name("methods|lessons|scenes");
+  command->footer("Examples:\n  zstep list\n  zstep list lessons");
+  command->callback([what, &action] { action = [what] { return list(*what); }; });
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,110 @@
+#include "sim/cli/outputs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "sim/cli/words.hpp"
+#include "sim/image/file.hpp"
+#include "sim/image/npy.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t longest_side = 32768;  // what a PNG viewer still opens
+
+/// The values from the top row to the bottom one.
+template <class Out, class In, class Function>
+std::vector<Out> top_row_first(const std::vector<In>& values, const Picture& picture, bool y_up, Function&& convert) {
+  std::vector<Out> result;
+  result.reserve(values.size());
+  for (std::int32_t row = 0; row < picture.height; ++row) {
+    const std::int32_t y = y_up ? picture.height - 1 - row : row;
+    for (std::int32_t x = 0; x < picture.width; ++x) result.push_back(convert(values[picture.at(x, y)]));
+  }
+  return result;
+}
+
+void wrote(const std::string& path, const std::string& what) { fmt::print("wrote {}: {}\n", path, what); }
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error) return fs::is_regular_file(a, error);
+  return !fs::exists(a, error) && fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
+}
+
+}  // namespace
+
+void add_outputs(CLI::App& command, Outputs& outputs) {
+  const auto add = [&](const char* name, std::string& path, const char* type, const char* help) {
+    command.add_option(name, path, help)->type_name(type)->group("Output");
+  };
+  add("--save", outputs.image, "FILE.png", "Write the picture");
+  add("--save-ids", outputs.ids, "FILE.npy", "Write the polygon seen at each pixel: int32 [H,W], top row first, -1 where none is");
+  add("--save-depth", outputs.depth, "FILE.npy", "Write the distance z_v seen at each pixel: float32 [H,W], +inf where nothing is");
+  add("--save-depth-raw", outputs.raw_depth, "FILE.npy", "Write the depth buffer's own numbers: float64 [H,W]");
+  const auto take = [&outputs](const std::string& text) { outputs.enlarge = parse_whole("--enlarge", text, 1); };
+  command.add_option_function<std::string>("--enlarge", take, "Draw each pixel as N x N pixels of the PNG (default 1)")->type_name("N")->group("Output");
+}
+
+void check_outputs(const Outputs& outputs, const std::vector<std::string>& inputs, const std::vector<std::string>& others) {
+  std::vector<std::string> files;
+  for (const std::string& path : {outputs.image, outputs.ids, outputs.depth, outputs.raw_depth})
+    if (!path.empty()) files.push_back(path);
+  files.insert(files.end(), others.begin(), others.end());
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    check_writable(files[k]);
+    for (const std::string& input : inputs)
+      if (same_file(files[k], input)) throw InputError(files[k], "would overwrite the input", "write to another file");
+    for (std::size_t other = 0; other < k; ++other)
+      if (same_file(files[k], files[other])) throw InputError(files[k], "is asked for twice", "give each output a file of its own");
+  }
+}
+
+Image image_of(const Picture& picture, const Scene& scene, int enlarge) {
+  const auto width = static_cast<std::size_t>(picture.width), height = static_cast<std::size_t>(picture.height);
+  const auto times = static_cast<std::size_t>(enlarge);
+  Image image{picture.width * enlarge, picture.height * enlarge, {}};
+  image.rgb.reserve(width * height * times * times * 3);
+  for (std::size_t row = 0; row < height * times; ++row) {
+    const std::size_t y = scene.raster.y_up ? height - 1 - row / times : row / times;
+    for (std::size_t column = 0; column < width * times; ++column) {
+      const std::int32_t polygon = picture.polygon[y * width + column / times];
+      const Color c = polygon == no_polygon ? scene.background : scene.polygons.at(static_cast<std::size_t>(polygon)).color;
+      image.rgb.insert(image.rgb.end(), {c.red, c.green, c.blue});
+    }
+  }
+  return image;
+}
+
+void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& scene, const Conventions& conventions) {
+  const bool y_up = scene.raster.y_up;
+  const int height = picture.height, width = picture.width;
+  if (!outputs.image.empty()) {
+    if (std::max<std::int64_t>(width, height) * outputs.enlarge > longest_side)
+      throw InputError("--enlarge", fmt::format("{} makes the picture more than {} pixels wide or high", outputs.enlarge, longest_side), "give a smaller number");
+    const Image image = image_of(picture, scene, static_cast<int>(outputs.enlarge));
+    write_png(outputs.image, image.width, image.height, image.rgb);
+    wrote(outputs.image, fmt::format("picture, {}x{} pixels", image.width, image.height));
+  }
+  if (!outputs.ids.empty()) {
+    write_npy(outputs.ids, top_row_first<std::int32_t>(picture.polygon, picture, y_up, [](std::int32_t id) { return id; }), height, width);
+    wrote(outputs.ids, fmt::format("polygon indices, int32 [{},{}]", height, width));
+  }
+  if (!outputs.depth.empty()) {
+    const auto distance = [&](double depth) { return static_cast<float>(view_depth(scene.camera, conventions, depth)); };
+    write_npy(outputs.depth, top_row_first<float>(picture.depth, picture, y_up, distance), height, width);
+    wrote(outputs.depth, fmt::format("distances z_v, float32 [{},{}]", height, width));
+  }
+  if (!outputs.raw_depth.empty()) {
+    write_npy(outputs.raw_depth, top_row_first<double>(picture.depth, picture, y_up, [](double depth) { return depth; }), height, width);
+    wrote(outputs.raw_depth, fmt::format("depth buffer, float64 [{},{}]", height, width));
+  }
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,34 @@
+// The files that a run can leave: its picture, its polygon indices, its depths.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/image/png.hpp"
+#include "traces/scene.hpp"
+
+namespace zstep::cli {
+
+struct Outputs {
+  std::string image, ids, depth, raw_depth;  ///< paths; empty ones are not written
+  std::int64_t enlarge = 1;                  ///< each pixel becomes enlarge x enlarge pixels of the PNG
+  bool any() const { return !(image.empty() && ids.empty() && depth.empty() && raw_depth.empty()); }
+};
+
+/// Adds --save, --save-ids, --save-depth, --save-depth-raw and --enlarge.
+void add_outputs(CLI::App& command, Outputs& outputs);
+
+/// Throws InputError when one of the files cannot be written, two of them are one, or one of them is an input:
+/// before the work, not after it.
+void check_outputs(const Outputs& outputs, const std::vector<std::string>& inputs, const std::vector<std::string>& others = {});
+
+/// Writes what was asked for and prints a line for each file.
+void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& scene, const Conventions& conventions);
+
+/// The picture in its polygons' colours, the top row first whichever way the raster counts.
+Image image_of(const Picture& picture, const Scene& scene, int enlarge);
+
+}  // namespace zstep::cli

@@ -1,0 +1,82 @@
+// zstep record: the run, step by step, into a file.
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "sim/cli/commands.hpp"
+#include "sim/cli/outputs.hpp"
+#include "sim/cli/run_options.hpp"
+#include "sim/cli/watch.hpp"
+#include "sim/cli/words.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+namespace zstep::cli {
+namespace {
+
+struct RecordOptions {
+  RunOptions run;
+  Outputs outputs;
+  std::string trace;
+};
+
+std::string megabytes(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (error) return "";
+  return bytes < 100000 ? fmt::format(", {} bytes", grouped(static_cast<std::int64_t>(bytes)))
+                        : fmt::format(", {:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+int record(const RecordOptions& options) {
+  const std::vector<std::string> inputs{options.run.scene};
+  std::string path = options.trace;
+  if (!path.empty()) check_outputs(options.outputs, inputs, {path});
+  const Run run = prepare(options.run);
+  if (path.empty()) {
+    path = file_stem(run.scene) + ".ztrace";
+    check_outputs(options.outputs, inputs, {path});
+  }
+
+  TraceRecorder recorder(path, header_for(*run.method, run.conventions), run.scene);
+  std::optional<Picture> picture;
+  try {
+    Watch watch;
+    watch.attach(recorder);
+    picture = run.method->record(run.scene, run.conventions, recorder);
+  } catch (const Interrupted&) {
+    // What was recorded so far is kept: the file ends as every trace does.
+  }
+  recorder.on_block(nullptr);
+  recorder.finish();
+  if (!picture) {
+    fmt::print(stderr, "{}: stopped by Ctrl-C after {}; the file holds them and can be opened\n", path, counted(recorder.size(), "step", "steps"));
+    return exit_code::interrupted;
+  }
+  fmt::print("wrote {}: {} of {} on {}{}\n", path, counted(recorder.size(), "step", "steps"), run.method->title, run.scene.name, megabytes(path));
+  write_outputs(options.outputs, *picture, run.scene, run.conventions);
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_record(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<RecordOptions>();
+  CLI::App* command = app.add_subcommand("record", "Run a method on a scene or a mesh and record every step as a trace");
+  command->add_option("scene", options->run.scene, "A built-in scene's name, a .toml scene, or a .obj, .off, .ply or .stl mesh")->type_name("SCENE|MESH")->required();
+  command->add_option("-o,--output", options->trace, "The trace to write (default: NAME.ztrace in the current folder)")->type_name("FILE.ztrace")->group("Output");
+  add_outputs(*command, options->outputs);
+  add_run_options(*command, options->run);
+  command->footer(
+      "Existing files are replaced. Ctrl-C ends the recording early and keeps what was recorded so far.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep record pyramid -o run.ztrace\n"
+      "  zstep record teapot --size 640x480 -o teapot.ztrace --save teapot.png\n"
+      "  zstep record bunny.obj --fit --interpolation increments -o bunny.ztrace\n"
+      "  zstep view run.ztrace");
+  command->callback([options, &action] { action = [options] { return record(*options); }; });
+}
+
+}  // namespace zstep::cli

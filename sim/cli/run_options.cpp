@@ -1,0 +1,118 @@
+#include "sim/cli/run_options.hpp"
+
+#include <filesystem>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "sim/cli/words.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One of some words; the words are the help's type name too, and what a shell offers to complete.
+template <class Enumeration>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, std::optional<Enumeration>& value,
+                        const std::vector<std::string>& words, const std::string& help) {
+  std::string type;
+  for (const std::string& word : words) type += (type.empty() ? "" : "|") + word;
+  const auto take = [name, words, &value](const std::string& text) {
+    value = static_cast<Enumeration>(parse_choice(name, text, words));
+  };
+  return command.add_option_function<std::string>(name, take, help)->type_name(type);
+}
+
+std::vector<std::string> method_ids() {
+  std::vector<std::string> ids;
+  for (const Method& m : methods()) ids.emplace_back(m.id);
+  return ids;
+}
+
+/// A name that is neither built in nor a file gets an answer that knows both.
+void check_scene_exists(const std::string& name) {
+  std::vector<std::string> known;
+  for (const BuiltIn& scene : built_in_scenes()) known.emplace_back(scene.name);
+  const std::string stem = name.substr(0, name.find(':'));
+  for (const std::string& scene : known)
+    if (scene == stem) return;
+  std::error_code ignored;
+  if (fs::exists(name, ignored)) return;
+  throw InputError(name, "there is no such file and no built-in scene of this name",
+                   did_you_mean(stem, known, "'zstep list scenes' names the scenes, or give the path of a .toml, .obj, .off, .ply or .stl"));
+}
+
+}  // namespace
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value, const std::string& help) {
+  const auto take = [name, &value](const std::string& text) { value = parse_number(name, text); };
+  return command.add_option_function<std::string>(name, take, help)->type_name("NUMBER");
+}
+
+CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& value, std::int64_t least, const std::string& help) {
+  const auto take = [name, least, &value](const std::string& text) { value = parse_whole(name, text, least); };
+  return command.add_option_function<std::string>(name, take, help)->type_name("STEP");
+}
+
+std::string RunOptions::given() const {
+  for (const CLI::Option* option : declared)
+    if (option->count() > 0) return option->get_name();
+  return "";
+}
+
+void add_run_options(CLI::App& command, RunOptions& options) {
+  std::vector<CLI::Option*>& all = options.declared;
+  const auto in = [&](const std::string& group, CLI::Option* option) { all.push_back(option->group(group)); };
+  ViewOptions& view = options.view;
+
+  const auto take_algorithm = [&options](const std::string& id) {
+    const std::vector<std::string> ids = method_ids();
+    options.algorithm = ids.at(parse_choice("--algorithm", id, ids));
+  };
+  in("Method", command.add_option_function<std::string>("--algorithm", take_algorithm, "The method, one of 'zstep list methods' (default z-buffer)")->type_name("METHOD"));
+  const auto take_size = [&view](const std::string& text) {
+    const auto [width, height] = parse_size("--size", text);
+    view.width = width;
+    view.height = height;
+  };
+  in("Method", command.add_option_function<std::string>("--size", take_size, "Pixels of the raster, as 640x480 (default: the scene's)")->type_name("WxH"));
+  in("Method", command.add_flag("--no-cull", options.no_cull, "Draw back faces too"));
+  in("Method", add_choice(command, "--depth", options.depth, {"pseudodepth", "view"}, "What the depth buffer holds: pseudodepth, linear on the picture (default), or z_v, as it stands"));
+  in("Method", add_choice(command, "--interpolation", options.interpolation, {"direct", "increments"}, "How x and z go along edges and spans: by the formula each time (default), or by adding slopes"));
+  in("Method", add_choice(command, "--coverage", options.coverage, {"top-left", "inclusive"}, "Which pixels a polygon owns: centres inside, top-left rule (default), or the textbook's x_L to x_R"));
+
+  in("Camera", add_number(command, "--rho", view.rho, "Distance of the eye from the origin"));
+  in("Camera", add_number(command, "--theta", view.theta, "Angle of the eye around the z axis, from the x axis, in degrees"));
+  in("Camera", add_number(command, "--phi", view.phi, "Angle of the eye from the z axis, in degrees"));
+  in("Camera", add_number(command, "--d", view.d, "Distance of the projection plane from the eye"));
+  in("Camera", add_number(command, "--window", view.window, "Half the height of the window on the projection plane (default 1)"));
+  in("Camera", add_number(command, "--near", view.near, "z_v of the near clipping plane (default: from the scene's extent)"));
+  in("Camera", add_number(command, "--far", view.far, "z_v of the far clipping plane (default: from the scene's extent)"));
+  const auto take_ortho = [&view](std::int64_t count) { view.orthographic = count > 0; };
+  in("Camera", command.add_flag_function("--ortho", take_ortho, "Parallel projection instead of perspective"));
+  in("Camera", command.add_flag("--fit", view.fit, "Move the scene's centre to the origin and scale its farthest vertex to distance 1"));
+}
+
+Run prepare(const RunOptions& options) {
+  check_scene_exists(options.scene);
+  SceneFile file = load_scene(options.scene);
+  Run run{look_at_scene(std::move(file.scene), options.view), file.conventions, &method(options.algorithm)};
+  if (options.depth) run.conventions.depth = *options.depth;
+  if (options.interpolation) run.conventions.interpolation = *options.interpolation;
+  if (options.coverage) run.conventions.coverage = *options.coverage;
+  if (options.no_cull) run.conventions.cull = false;
+  return run;
+}
+
+std::string file_stem(const Scene& scene) {
+  std::string stem = scene.name.empty() ? "scene" : scene.name;
+  for (char& c : stem) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    if (!plain) c = '-';
+  }
+  return stem.front() == '.' || stem.front() == '-' ? "scene" + stem : stem;
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,49 @@
+// What render, record and view have in common: a scene, how it is looked at, and under which conventions it is drawn.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
+#include "traces/scene.hpp"
+
+namespace zstep::cli {
+
+struct RunOptions {
+  std::string scene;  ///< a built-in scene's name, a scene file or a mesh
+  std::string algorithm = "z-buffer";
+  ViewOptions view;
+  std::optional<Conventions::Depth> depth;
+  std::optional<Conventions::Interpolation> interpolation;
+  std::optional<Conventions::Coverage> coverage;
+  bool no_cull = false;
+  std::vector<CLI::Option*> declared;  ///< all of the options below
+
+  /// The first of these options that the command line gives, or "".
+  std::string given() const;
+};
+
+/// Adds --algorithm, --size, the camera's and the conventions' options to a command; they fill `options` when parsed.
+void add_run_options(CLI::App& command, RunOptions& options);
+
+/// A scene that a method may run on.
+struct Run {
+  Scene scene;
+  Conventions conventions;
+  const Method* method;
+};
+/// Loads the scene and applies the options. Throws InputError.
+Run prepare(const RunOptions& options);
+
+/// What to call a file made from this scene, without extension: "teapot", "bunny" for meshes/bunny.obj.
+std::string file_stem(const Scene& scene);
+
+/// Adds an option that takes a number, a size, or one of some words, with errors that say what was expected.
+CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value, const std::string& help);
+CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& value, std::int64_t least, const std::string& help);
+
+}  // namespace zstep::cli

@@ -1,0 +1,64 @@
+#include "sim/cli/show.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/cli/commands.hpp"
+#include "sim/cli/run_options.hpp"
+#include "sim/cli/words.hpp"
+#include "sim/image/file.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+
+void add_show_options(CLI::App& command, ShowOptions& options) {
+  add_whole(command, "--at", options.at, 0, "Open at this step; 0 is before the first")->group("Viewer");
+  command.add_option("--screenshot", options.screenshot, "Write the window as a picture instead of opening it; needs no display")->type_name("FILE.png")->group("Viewer");
+  const auto take_size = [&options](const std::string& text) {
+    const auto [width, height] = parse_size("--size-window", text);
+    if (width > 16384 || height > 16384) throw InputError("--size-window", fmt::format("{} is larger than any screen", text), "give at most 16384x16384");
+    options.width = width;
+    options.height = height;
+  };
+  command.add_option_function<std::string>("--size-window", take_size, "Size of the window (default 1280x720)")->type_name("WxH")->group("Viewer");
+  command.add_flag("--dark", options.dark, "Dark colours")->group("Viewer");
+  command.add_flag("--presenter", options.presenter, "Large text, for a lecture hall")->group("Viewer");
+}
+
+std::string without_display() {
+  return "these work without one: zstep list, render, record, info, dump, import, and view or lesson with --screenshot FILE.png";
+}
+
+void check_can_show(const ShowOptions& options) {
+#if ZSTEP_HAS_VIEWER
+  if (!options.screenshot.empty()) return check_writable(options.screenshot);
+  if (!display_available())
+    throw InputError("zstep", "no window can be opened here: there is no display", without_display());
+#else
+  (void)options;
+  throw InputError("zstep", "this zstep was built without the viewer", "install SDL2 and Dear ImGui and build again with -DZSTEP_VIEWER=ON");
+#endif
+}
+
+int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
+  check_can_show(options);
+  if (options.at && *options.at > trace.size())
+    throw InputError("--at", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+#if ZSTEP_HAS_VIEWER
+  ViewerOptions viewer;
+  if (options.at) viewer.at = *options.at;
+  if (!options.screenshot.empty()) viewer.screenshot = options.screenshot;
+  viewer.width = options.width;
+  viewer.height = options.height;
+  viewer.dark = options.dark;
+  viewer.presenter = options.presenter;
+  viewer.lesson = lesson;
+  const int code = run_viewer(trace, viewer);
+  if (code == exit_code::done && viewer.screenshot) fmt::print("wrote {}: the viewer, {}x{} pixels\n", options.screenshot, options.width, options.height);
+  return code;
+#else
+  (void)lesson;
+  return exit_code::failed;
+#endif
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,34 @@
+// The viewer's side of view, lesson and zstep alone.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/viewer/viewer.hpp"
+#include "traces/file/trace.hpp"
+
+namespace zstep::cli {
+
+struct ShowOptions {
+  std::optional<std::int64_t> at;
+  std::string screenshot;
+  std::int32_t width = 1280, height = 720;
+  bool dark = false, presenter = false;
+};
+
+/// Adds --at, --screenshot, --size-window, --dark and --presenter.
+void add_show_options(CLI::App& command, ShowOptions& options);
+
+/// Opens the viewer, or writes the screenshot and says so. Throws InputError when a window is wanted and there is no
+/// display, when the step is not in the trace, and when this zstep was built without the viewer.
+int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson);
+
+/// Before any work: throws what show() would throw for want of a display or a folder.
+void check_can_show(const ShowOptions& options);
+
+/// The commands that need no display, for those who have none.
+std::string without_display();
+
+}  // namespace zstep::cli

@@ -1,0 +1,38 @@
+#include "sim/cli/table.hpp"
+
+#include <algorithm>
+
+namespace zstep::cli {
+namespace {
+
+/// Characters, not bytes: the continuation bytes of UTF-8 take no room.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+void Table::row(std::vector<std::string> cells) {
+  cells.resize(columns_.size());
+  rows_.push_back(std::move(cells));
+}
+
+std::string Table::text(std::size_t indent) const {
+  std::vector<std::size_t> widths(columns_.size(), 0);
+  for (const auto& row : rows_)
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], width_of(row[k]));
+  std::string text;
+  for (const auto& row : rows_) {
+    std::string line(indent, ' ');
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string padding(widths[k] - width_of(row[k]), ' ');
+      line += columns_[k] == Align::right ? padding + row[k] : row[k] + padding;
+      if (k + 1 < row.size()) line += "  ";
+    }
+    while (!line.empty() && line.back() == ' ') line.pop_back();
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,47 @@
+// zstep view: a trace in the viewer.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "sim/cli/commands.hpp"
+#include "sim/cli/run_options.hpp"
+#include "sim/cli/show.hpp"
+#include "sim/cli/traces.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+struct ViewOptionsOfCommand {
+  RunOptions run;
+  ShowOptions show;
+};
+
+int view(const ViewOptionsOfCommand& options) {
+  check_can_show(options.show);
+  const std::string& what = options.run.scene;
+  if (!is_trace(what)) return show(record_to_memory(prepare(options.run)), options.show, nullptr);
+  const std::string given = options.run.given();
+  if (!given.empty())
+    throw InputError(given, fmt::format("{} was recorded already, with options of its own", what), "record the scene again with other ones");
+  return show(open_trace(what), options.show, nullptr);
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ViewOptionsOfCommand>();
+  CLI::App* command = app.add_subcommand("view", "Step through a trace, or through a scene that is recorded on the spot");
+  command->add_option("what", options->run.scene, "A .ztrace or .jsonl file, or a scene or mesh as record takes them")->type_name("FILE.ztrace|SCENE|MESH")->required();
+  add_show_options(*command, options->show);
+  add_run_options(*command, options->run);
+  command->footer(
+      "Examples:\n"
+      "  zstep view run.ztrace\n"
+      "  zstep view run.ztrace --at 12041\n"
+      "  zstep view teapot --size 64x48\n"
+      "  zstep view pyramid --at 300 --screenshot pyramid.png --size-window 1920x1080");
+  command->callback([options, &action] { action = [options] { return view(*options); }; });
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,72 @@
+#include "sim/cli/watch.hpp"
+
+#include <csignal>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#if defined(_WIN32)
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+#include "sim/cli/words.hpp"
+
+namespace zstep::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void note_interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+bool stderr_is_terminal() {
+#if defined(_WIN32)
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+constexpr std::chrono::milliseconds quiet_at_first{500};
+constexpr std::chrono::milliseconds between_updates{100};
+
+}  // namespace
+
+Watch::Watch() : terminal_(stderr_is_terminal()) {
+  interrupted = 0;
+  std::signal(SIGINT, note_interrupt);
+}
+
+Watch::~Watch() {
+  std::signal(SIGINT, SIG_DFL);
+  clear_line();
+}
+
+void Watch::attach(TraceRecorder& recorder) {
+  recorder.on_block([this](std::int64_t events) { tick(events); });
+}
+
+void Watch::tick(std::int64_t events) {
+  if (interrupted != 0) throw Interrupted{events};
+  if (!terminal_) return;
+  const Clock::time_point now = Clock::now();
+  if (now - start_ < quiet_at_first || now - last_shown_ < between_updates) return;
+  last_shown_ = now;
+  shown_ = true;
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  fmt::print(stderr, "\rrecording: {} events, {:.1f} s (Ctrl-C stops and keeps them)", grouped(events), seconds);
+  std::fflush(stderr);
+}
+
+void Watch::clear_line() {
+  if (!shown_) return;
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,139 @@
+#include "sim/cli/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+/// Insertions, deletions, substitutions and swaps of neighbours that lead from one word to the other.
+std::size_t distance(std::string_view a, std::string_view b) {
+  const std::size_t columns = b.size() + 1;
+  std::vector<std::size_t> table((a.size() + 1) * columns);
+  const auto at = [&](std::size_t i, std::size_t j) -> std::size_t& { return table[i * columns + j]; };
+  for (std::size_t i = 0; i <= a.size(); ++i) at(i, 0) = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) at(0, j) = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t other = a[i - 1] == b[j - 1] ? 0 : 1;
+      at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + other});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+    }
+  }
+  return table.back();
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+std::string bare(std::string_view option) {
+  while (!option.empty() && option.front() == '-') option.remove_prefix(1);
+  return lower(option);
+}
+
+constexpr std::size_t longest_word = 64;  // nobody mistypes a word of a kilobyte
+
+std::optional<std::int64_t> whole(const std::string& text) {
+  if (text.empty() || text.size() > 18) return std::nullopt;
+  std::int64_t value = 0;
+  for (const char c : text) {
+    if (c < '0' || c > '9') return std::nullopt;
+    value = value * 10 + (c - '0');
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string nearest(std::string_view word, std::span<const std::string> known) {
+  const std::string typed = bare(word);
+  if (typed.empty() || typed.size() > longest_word) return "";
+  std::string best;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const std::string& candidate : known) {
+    const std::string name = bare(candidate);
+    std::size_t d = distance(typed, name);
+    const std::size_t limit = std::max<std::size_t>(1, std::max(typed.size(), name.size()) / 3);
+    const bool beginning = typed.size() >= 2 && name.size() >= 2 && (name.starts_with(typed) || typed.starts_with(name));
+    if (d > limit && !beginning) continue;
+    if (beginning) d = std::min<std::size_t>(d, 2);
+    if (d < least) {
+      least = d;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> known, std::string_view otherwise) {
+  const std::string near = nearest(word, known);
+  return near.empty() ? std::string(otherwise) : fmt::format("did you mean {}?", near);
+}
+
+double parse_number(std::string_view where, const std::string& text) {
+  const char* begin = text.c_str();
+  char* end = nullptr;
+  const bool starts_well = !text.empty() && (text[0] == '-' || text[0] == '+' || text[0] == '.' || (text[0] >= '0' && text[0] <= '9'));
+  const double value = starts_well ? std::strtod(begin, &end) : 0;
+  if (!starts_well || end != begin + text.size())
+    throw InputError(where, fmt::format("'{}' is not a number", text), fmt::format("write for example {} 2.5", where));
+  if (!std::isfinite(value)) throw InputError(where, fmt::format("'{}' is not a finite number", text), "write a smaller one");
+  return value;
+}
+
+std::int64_t parse_whole(std::string_view where, const std::string& text, std::int64_t least) {
+  const std::optional<std::int64_t> value = whole(text);
+  if (!value || *value < least)
+    throw InputError(where, fmt::format("'{}' is not a whole number of at least {}", text, least), fmt::format("write for example {} {}", where, least));
+  return *value;
+}
+
+std::array<std::int32_t, 2> parse_size(std::string_view where, const std::string& text) {
+  const std::size_t cross = text.find_first_of("xX");
+  const std::optional<std::int64_t> width = whole(text.substr(0, cross));
+  const std::optional<std::int64_t> height = cross == std::string::npos ? std::nullopt : whole(text.substr(cross + 1));
+  const auto fits = [](std::optional<std::int64_t> length) { return length && *length >= 1 && *length <= std::numeric_limits<std::int32_t>::max(); };
+  if (!fits(width) || !fits(height))
+    throw InputError(where, fmt::format("'{}' is not WIDTHxHEIGHT in pixels", text), fmt::format("write for example {} 640x480", where));
+  return {static_cast<std::int32_t>(*width), static_cast<std::int32_t>(*height)};
+}
+
+std::size_t parse_choice(std::string_view where, const std::string& text, std::span<const std::string> choices) {
+  for (std::size_t k = 0; k < choices.size(); ++k)
+    if (choices[k] == text) return k;
+  throw InputError(where, fmt::format("'{}' is not {}", text, enumerate(choices)),
+                   did_you_mean(text, choices, fmt::format("write for example {} {}", where, choices.empty() ? "" : choices[0])));
+}
+
+std::string enumerate(std::span<const std::string> words, std::string_view last_link) {
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (k > 0) text += k + 1 == words.size() ? fmt::format(" {} ", last_link) : ", ";
+    text += words[k];
+  }
+  return text;
+}
+
+std::string grouped(std::int64_t number) {
+  std::string text = fmt::format("{}", number);
+  const std::size_t sign = number < 0 ? 1 : 0;
+  for (std::size_t at = text.size(); at > sign + 3;) text.insert(at -= 3, 1, ' ');
+  return text;
+}
+
+std::string counted(std::int64_t number, std::string_view singular, std::string_view plural) {
+  return fmt::format("{} {}", grouped(number), number == 1 ? singular : plural);
+}
+
+}  // namespace zstep::cli
