@@ -86,7 +86,7 @@ std::vector<CommandWords> all_commands(const CLI::App& app) {
 std::string joined(const std::vector<std::string>& words, std::string_view between = " ") { return fmt::format("{}", fmt::join(words, between)); }
 
 /// For a shell's single quotes.
-std::string quoted(std::string_view text) {
+std::string shell_quoted(std::string_view text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
@@ -102,10 +102,10 @@ std::string bash_script(const std::vector<CommandWords>& commands) {
       if (!option.takes_value) continue;
       std::vector<std::string> patterns;
       for (const std::string& name : option.names) patterns.push_back(command.name + ":" + name);
-      const std::string what = option.takes_file ? "files=1" : fmt::format("words={}", quoted(joined(option.values)));
+      const std::string what = option.takes_file ? "files=1" : fmt::format("words={}", shell_quoted(joined(option.values)));
       values += fmt::format("    {}) {} ;;\n", joined(patterns, "|"), what);
     }
-    arguments += fmt::format("        {}) options={}; words={};{} ;;\n", command.name, quoted(joined(options)), quoted(joined(command.places)),
+    arguments += fmt::format("        {}) options={}; words={};{} ;;\n", command.name, shell_quoted(joined(options)), shell_quoted(joined(command.places)),
                              command.takes_file ? " files=1" : "");
   }
   return fmt::format(R"(# bash completion for zstep. To use it now:   source <(zstep completion bash)
@@ -152,12 +152,12 @@ std::string zsh_values(bool file, const std::vector<std::string>& words) {
 std::string zsh_script(const std::vector<CommandWords>& commands) {
   std::string names, cases;
   for (const CommandWords& command : commands) {
-    names += fmt::format("    {}\n", quoted(command.name + ":" + command.help));
+    names += fmt::format("    {}\n", shell_quoted(command.name + ":" + command.help));
     cases += fmt::format("    {})\n      _arguments \\\n", command.name);
     for (const OptionWords& option : command.options)
       for (const std::string& name : option.names)
-        cases += fmt::format("        {} \\\n", quoted(name + "[" + zsh_text(option.help) + "]" + (option.takes_value ? ":value:" + zsh_values(option.takes_file, option.values) : "")));
-    cases += fmt::format("        {} ;;\n", quoted("*:argument:" + zsh_values(command.takes_file, command.places)));
+        cases += fmt::format("        {} \\\n", shell_quoted(name + "[" + zsh_text(option.help) + "]" + (option.takes_value ? ":value:" + zsh_values(option.takes_file, option.values) : "")));
+    cases += fmt::format("        {} ;;\n", shell_quoted("*:argument:" + zsh_values(command.takes_file, command.places)));
   }
   return fmt::format(R"(#compdef zstep
 # zsh completion for zstep. To use it now:   source <(zstep completion zsh)
@@ -189,15 +189,15 @@ std::string fish_script(const std::vector<CommandWords>& commands) {
       "complete -c zstep -n __fish_use_subcommand -l version -d 'Print the version'\n";
   for (const CommandWords& command : commands) {
     const std::string condition = fmt::format("complete -c zstep -n '__fish_seen_subcommand_from {}'", command.name);
-    text += fmt::format("complete -c zstep -n __fish_use_subcommand -a {} -d {}\n", command.name, quoted(command.help));
+    text += fmt::format("complete -c zstep -n __fish_use_subcommand -a {} -d {}\n", command.name, shell_quoted(command.help));
     if (!command.takes_file) text += condition + " -f\n";
-    if (!command.places.empty()) text += fmt::format("{} -a {}\n", condition, quoted(joined(command.places)));
+    if (!command.places.empty()) text += fmt::format("{} -a {}\n", condition, shell_quoted(joined(command.places)));
     for (const OptionWords& option : command.options) {
       text += condition;
       for (const std::string& name : option.names) text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (option.takes_file) text += " -r -F";
-      else if (option.takes_value) text += option.values.empty() ? " -x" : " -x -a " + quoted(joined(option.values));
-      text += " -d " + quoted(option.help) + "\n";
+      else if (option.takes_value) text += option.values.empty() ? " -x" : " -x -a " + shell_quoted(joined(option.values));
+      text += " -d " + shell_quoted(option.help) + "\n";
     }
   }
   return text;
