@@ -38,11 +38,12 @@ constexpr std::chrono::milliseconds between_updates{100};
 
 Watch::Watch() : terminal_(stderr_is_terminal()) {
   interrupted = 0;
-  std::signal(SIGINT, note_interrupt);
+  before_ = std::signal(SIGINT, note_interrupt);
+  if (before_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // a background job is not to be stopped by Ctrl-C
 }
 
 Watch::~Watch() {
-  std::signal(SIGINT, SIG_DFL);
+  if (before_ != SIG_ERR) std::signal(SIGINT, before_);
   clear_line();
 }
 

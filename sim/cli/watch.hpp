@@ -29,6 +29,7 @@ class Watch {
   void tick(std::int64_t events);
   void clear_line();
 
+  void (*before_)(int) = nullptr;  ///< what Ctrl-C did until now
   const bool terminal_;
   const Clock::time_point start_ = Clock::now();
   Clock::time_point last_shown_ = start_;

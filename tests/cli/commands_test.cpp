@@ -1,0 +1,237 @@
+// Every command on real scenes: what it prints and what it writes.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/image/npy.hpp"
+#include "sim/image/png.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace zstep::test;
+using zstep::Image;
+using zstep::Npy;
+using zstep::read_npy;
+using zstep::read_png;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+Outcome must(const Folder& folder, const std::string& arguments) {
+  const Outcome outcome = zstep(folder, arguments);
+  CAPTURE(arguments);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("list names methods, lessons and scenes") {
+  const Folder folder;
+  const std::string all = must(folder, "list").out;
+  for (const char* name : {"z-buffer", "pyramid", "teapot", "foley", "delhi", "Catmull"}) {
+    CAPTURE(name);
+    CHECK(has(all, name));
+  }
+  const std::string methods = must(folder, "list methods").out, scenes = must(folder, "list scenes").out, lessons = must(folder, "list lessons").out;
+  CHECK(has(methods, "z-buffer"));
+  CHECK_FALSE(has(methods, "teapot"));
+  CHECK(has(scenes, "teapot"));
+  CHECK_FALSE(has(scenes, "Catmull"));
+  CHECK(times(lessons, "\n") >= 5);
+  CHECK(has(all, methods));
+  CHECK(has(all, scenes));
+  CHECK(has(all, lessons));
+}
+
+TEST_CASE("render alone writes NAME.png and says so") {
+  const Folder folder;
+  const Outcome outcome = must(folder, "render pyramid --size 48x32");
+  CHECK(has(outcome.out, "wrote pyramid.png: picture, 48x32 pixels"));
+  CHECK(folder.names() == std::vector<std::string>{"pyramid.png"});
+  const Image image = read_png(folder / "pyramid.png");
+  CHECK(image.width == 48);
+  CHECK(image.height == 32);
+  std::set<std::vector<std::uint8_t>> colors;
+  for (std::size_t k = 0; k < image.rgb.size(); k += 3) colors.insert({image.rgb[k], image.rgb[k + 1], image.rgb[k + 2]});
+  CHECK(colors.size() >= 3);
+}
+
+TEST_CASE("the saved files agree with each other") {
+  const Folder folder;
+  must(folder, "render teapot --size 40x30 --save a.png --save-ids ids.npy --save-depth depth.npy --save-depth-raw raw.npy");
+  CHECK(folder.names() == std::vector<std::string>{"a.png", "depth.npy", "ids.npy", "raw.npy"});
+  const Image image = read_png(folder / "a.png");
+  const Npy ids = read_npy(folder / "ids.npy"), depth = read_npy(folder / "depth.npy"), raw = read_npy(folder / "raw.npy");
+  for (const Npy* table : {&ids, &depth, &raw}) {
+    CHECK(table->height == 30);
+    CHECK(table->width == 40);
+  }
+  const auto& id = std::get<std::vector<std::int32_t>>(ids.values);
+  const auto& z = std::get<std::vector<float>>(depth.values);
+  const auto& buffer = std::get<std::vector<double>>(raw.values);
+  int seen = 0;
+  for (std::size_t k = 0; k < id.size(); ++k) {
+    CHECK((id[k] == -1) == std::isinf(z[k]));
+    CHECK((id[k] == -1) == std::isinf(buffer[k]));
+    if (id[k] == -1) continue;
+    ++seen;
+    CHECK(z[k] > 0);
+    CHECK(buffer[k] < 1.0 + 1e-12);
+  }
+  CHECK(seen > 50);
+  CHECK(seen < 1200);
+
+  must(folder, "render teapot --size 40x30 --save b.png --enlarge 3 --depth view --save-depth view.npy --save-depth-raw view_raw.npy");
+  const Image large = read_png(folder / "b.png");
+  CHECK(large.width == 120);
+  for (std::size_t y = 0; y < 90; ++y)
+    for (std::size_t x = 0; x < 120; ++x)
+      REQUIRE(large.rgb[(y * 120 + x) * 3] == image.rgb[(y / 3 * 40 + x / 3) * 3]);
+  const auto& own = std::get<std::vector<float>>(read_npy(folder / "view.npy").values);
+  const auto& own_raw = std::get<std::vector<double>>(read_npy(folder / "view_raw.npy").values);
+  for (std::size_t k = 0; k < own.size(); ++k) CHECK(own[k] == static_cast<float>(own_raw[k]));
+}
+
+TEST_CASE("outputs put the top row first, also where a scene counts its rows from the bottom") {
+  const Folder folder;
+  // Foley's polygon is lowest at (7, 1): the top row first means that this pixel comes last.
+  must(folder, "render foley --save-ids ids.npy");
+  const Npy ids = read_npy(folder / "ids.npy");
+  const auto& id = std::get<std::vector<std::int32_t>>(ids.values);
+  int first = -1, last = -1;
+  for (int row = 0; row < ids.height; ++row)
+    for (int x = 0; x < ids.width; ++x)
+      if (id[static_cast<std::size_t>(row * ids.width + x)] != -1) {
+        if (first < 0) first = row;
+        last = row;
+      }
+  REQUIRE(first >= 0);
+  const auto drawn_in = [&](int row) {
+    int count = 0;
+    for (int x = 0; x < ids.width; ++x) count += id[static_cast<std::size_t>(row * ids.width + x)] != -1;
+    return count;
+  };
+  // The tip at the bottom is narrow, the two horns at the top are wide.
+  CHECK(ids.height - 1 - last <= 2);
+  CHECK(drawn_in(last) < drawn_in((first + last) / 2));
+}
+
+TEST_CASE("record, info, dump, import: the same steps all the way round") {
+  const Folder folder;
+  const Outcome recorded = must(folder, "record pyramid --size 16x16 -o run.ztrace --save a.png");
+  CHECK(has(recorded.out, "wrote run.ztrace: "));
+  CHECK(has(recorded.out, "wrote a.png"));
+  CHECK(folder.names() == std::vector<std::string>{"a.png", "run.ztrace"});
+  must(folder, "render pyramid --size 16x16 --save b.png");
+  CHECK(text_of(folder / "a.png") == text_of(folder / "b.png"));
+
+  const std::string info = must(folder, "info run.ztrace").out;
+  for (const char* part : {"method", "Z-buffer (z-buffer)", "16x16", "perspective", "pseudodepth", "z_buffer.compare", "depth_compare", "if z < zbuffer[x,y]"}) {
+    CAPTURE(part);
+    CHECK(has(info, part));
+  }
+  const std::string dump = must(folder, "dump run.ztrace").out;
+  const std::string compares = must(folder, "dump run.ztrace --step compare").out;
+  CHECK(compares == must(folder, "dump run.ztrace --kind depth_compare").out);
+  CHECK(compares == must(folder, "dump run.ztrace --step z_buffer.compare").out);
+  CHECK(times(compares, "\n") == times(dump, "compare "));
+  CHECK(times(compares, "nearer=") == times(compares, "\n"));
+  CHECK(has(info, " " + std::to_string(times(compares, "\n")) + " "));
+  CHECK(times(must(folder, "dump run.ztrace --from 3 --to 7").out, "\n") == 5);
+  CHECK(times(must(folder, "dump run.ztrace --from 3 --to 7 --jsonl").out, "{\"step\":") == 5);
+  CHECK(times(must(folder, "dump run.ztrace --step compare --step write_pixel").out, "\n") > times(compares, "\n"));
+
+  CHECK(shell(folder, "\"$zstep\" dump run.ztrace --jsonl > run.jsonl").code == 0);
+  CHECK(times(text_of(folder / "run.jsonl"), "\n") == times(dump, "\n") + 1);
+  must(folder, "import run.jsonl -o back.ztrace");
+  CHECK(must(folder, "dump back.ztrace --jsonl").out == text_of(folder / "run.jsonl"));
+  CHECK(must(folder, "dump run.jsonl").out == dump);
+  CHECK(shell(folder, "\"$zstep\" dump run.ztrace --jsonl | \"$zstep\" import - -o pipe.ztrace").code == 0);
+  CHECK(must(folder, "dump pipe.ztrace").out == dump);
+}
+
+TEST_CASE("the default names of outputs come from the scene") {
+  const Folder folder;
+  write_text(folder / "my triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  must(folder, "render 'my triangle.obj' --size 8x8 --no-cull");
+  must(folder, "record 'my triangle.obj' --size 8x8 --no-cull");
+  CHECK(folder.names() == std::vector<std::string>{"my triangle.obj", "my-triangle.png", "my-triangle.ztrace"});
+}
+
+TEST_CASE("options change what they say they change") {
+  const Folder folder;
+  must(folder, "render teapot --size 64x48 --save plain.png");
+  const std::string plain = text_of(folder / "plain.png");
+  const auto differs = [&](const std::string& option) {
+    CAPTURE(option);
+    must(folder, "render teapot --size 64x48 --save other.png " + option);
+    CHECK(text_of(folder / "other.png") != plain);
+  };
+  for (const std::string option : {"--rho 9", "--theta 100", "--phi 20", "--d 3", "--window 2", "--ortho", "--fit", "--coverage inclusive"}) differs(option);
+  const auto states = [&](const std::string& option, const std::string& stated) {
+    CAPTURE(option);
+    must(folder, "record pyramid --size 8x8 -o o.ztrace " + option);
+    CHECK(has(must(folder, "info o.ztrace").out, stated));
+  };
+  states("--depth view", "view (z_v)");
+  states("--interpolation increments", "increments");
+  states("--coverage inclusive", "inclusive");
+  states("--no-cull", "drawn");
+  states("--ortho", "orthographic");
+  states("--near 2 --far 9", "near 2, far 9");
+  states("--algorithm z-buffer", "Z-buffer");
+}
+
+TEST_CASE("dump refuses what the trace does not have") {
+  const Folder folder;
+  must(folder, "record pyramid --size 8x8 -o run.ztrace");
+  const auto refused = [&](const std::string& options, const std::string& part) {
+    CAPTURE(options);
+    const Outcome outcome = zstep(folder, "dump run.ztrace " + options);
+    CHECK(outcome.code == 2);
+    CHECK(has(outcome.err, part));
+    CHECK(times(outcome.err, "\n") == 1);
+  };
+  refused("--kind depth_compar", "did you mean depth_compare?");
+  refused("--step comprae", "did you mean compare?");
+  refused("--from 9 --to 4", "--from");
+  refused("--from 99999999", "ends at step");
+  refused("--from 0", "--from: '0'");
+  if (std::filesystem::exists("/dev/full")) {
+    const Outcome full = shell(folder, "\"$zstep\" dump run.ztrace > /dev/full");
+    CHECK(full.code == 2);
+    CHECK(has(full.err, "standard output: cannot be written"));
+  }
+}
+
+TEST_CASE("bad JSON Lines leave nothing behind") {
+  const Folder folder;
+  must(folder, "record foley -o run.ztrace");
+  shell(folder, "\"$zstep\" dump run.ztrace --jsonl > run.jsonl");
+  std::string text = text_of(folder / "run.jsonl");
+  text += "{\"step\":\"compare\",\"x\":1}\n";
+  write_text(folder / "bad.jsonl", text);
+  const Outcome outcome = zstep(folder, "import bad.jsonl -o bad.ztrace");
+  CHECK(outcome.code == 2);
+  CHECK(has(outcome.err, "bad.jsonl:" + std::to_string(times(text, "\n"))));
+  CHECK(folder.names() == std::vector<std::string>{"bad.jsonl", "run.jsonl", "run.ztrace"});
+}
+
+TEST_CASE("a trace that is cut off or damaged is opened as far as it goes, or refused in one line") {
+  const Folder folder;
+  must(folder, "record pyramid --size 16x16 -o run.ztrace");
+  const std::string whole = text_of(folder / "run.ztrace");
+  for (std::size_t size = 0; size < whole.size(); size += whole.size() / 16 + 1) {
+    CAPTURE(size);
+    write_text(folder / "cut.ztrace", whole.substr(0, size));
+    const Outcome outcome = zstep(folder, "info cut.ztrace");
+    CHECK((outcome.code == 0 || outcome.code == 2));
+    CHECK(times(outcome.err, "\n") == 1);
+  }
+}

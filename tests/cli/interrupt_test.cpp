@@ -1,0 +1,87 @@
+// Recordings that end before their run does: Ctrl-C and a full disk. What is left can be opened.
+#include <doctest/doctest.h>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/cli/program.hpp"
+
+using namespace zstep::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Starts zstep with Ctrl-C at its default, as a terminal does (a shell's background jobs ignore it).
+pid_t start(const Folder& folder, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{ZSTEP_EXECUTABLE};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGINT, SIG_DFL);
+    const int err = open((folder / "err").c_str(), O_CREAT | O_WRONLY, 0600);
+    if (chdir(folder.path().c_str()) != 0 || err < 0) _exit(99);
+    dup2(err, STDERR_FILENO);
+    execv(argv[0], argv.data());
+    _exit(99);
+  }
+  return child;
+}
+
+}  // namespace
+
+TEST_CASE("Ctrl-C ends a recording with exit code 130 and a trace that can be read") {
+  const Folder folder;
+  // Some hundred million steps if nobody stopped it.
+  const pid_t child = start(folder, {"record", "teapot", "--size", "12000x9000", "-o", "big.ztrace"});
+  REQUIRE(child > 0);
+  std::error_code ignored;
+  int status = 0;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto size = [&] {
+    const std::uintmax_t bytes = fs::file_size(folder / "big.ztrace", ignored);
+    return ignored ? 0 : bytes;
+  };
+  while (size() < 200000 && waitpid(child, &status, WNOHANG) == 0 && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  REQUIRE(size() >= 200000);
+  kill(child, SIGINT);
+  REQUIRE(waitpid(child, &status, 0) == child);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 130);
+  const std::string err = text_of(folder / "err");
+  CHECK(err.find("big.ztrace: stopped by Ctrl-C after ") != std::string::npos);
+
+  // "… after 1 234 steps; …": info counts as many, and has nothing to complain about.
+  const std::size_t after = err.find("after ") + 6;
+  const std::string steps = err.substr(after, err.find(" steps") - after);
+  const Outcome info = zstep(folder, "info big.ztrace");
+  CHECK(info.code == 0);
+  CHECK(info.err.empty());
+  CHECK(info.out.find(steps + " steps") != std::string::npos);
+}
+
+TEST_CASE("a disk that fills up ends a recording in one line, and what is there can be read") {
+  const Folder folder;
+  // A limit on the size of files stands for the disk; its signal ignored, writing fails like on a full one.
+  const Outcome outcome = shell(folder, "trap '' XFSZ; ulimit -f 256; \"$zstep\" record teapot --size 2000x1500 -o big.ztrace");
+  CHECK(outcome.code == 2);
+  CHECK(times(outcome.err, "\n") == 1);
+  CHECK(outcome.err.find("big.ztrace: ") == 0);
+  CHECK(outcome.out.empty());
+  if (fs::exists(folder / "big.ztrace")) {
+    const Outcome info = zstep(folder, "info big.ztrace");
+    CHECK(info.code == 0);
+    CHECK(info.out.find(" steps") != std::string::npos);
+  }
+}

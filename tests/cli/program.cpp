@@ -1,0 +1,63 @@
+#include "tests/cli/program.hpp"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+namespace zstep::test {
+
+namespace fs = std::filesystem;
+
+Folder::Folder() {
+  std::random_device device;
+  path_ = fs::temp_directory_path() / ("zstep-cli-" + std::to_string(device()) + std::to_string(device()));
+  fs::create_directories(path_);
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> Folder::names() const {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Outcome shell(const Folder& folder, const std::string& line) {
+  const Folder captured;
+  const std::string command = "cd '" + folder.path().string() + "' && unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER && zstep='" ZSTEP_EXECUTABLE
+                              "' && { " + line + "\n} > '" + (captured / "out").string() + "' 2> '" + (captured / "err").string() + "' < /dev/null";
+  const int status = std::system(command.c_str());
+  Outcome outcome;
+  if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
+  else if (WIFSIGNALED(status)) outcome.code = 128 + WTERMSIG(status);
+  outcome.out = text_of(captured / "out");
+  outcome.err = text_of(captured / "err");
+  return outcome;
+}
+
+Outcome zstep(const Folder& folder, const std::string& arguments) { return shell(folder, "\"$zstep\" " + arguments); }
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void write_text(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+int times(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+}  // namespace zstep::test

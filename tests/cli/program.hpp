@@ -1,0 +1,41 @@
+// Running zstep as a person does: a command line in, exit code and text out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace zstep::test {
+
+/// A folder of its own for each test, gone afterwards.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+  std::vector<std::string> names() const;  ///< of the files in it, sorted
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct Outcome {
+  int code = -1;  ///< 128 + signal when it was killed
+  std::string out, err;
+};
+
+/// Runs `zstep ARGUMENTS` in `folder`, without a display. The arguments are a shell's: pipes and quotes work.
+Outcome zstep(const Folder& folder, const std::string& arguments);
+/// Runs any shell line there; $zstep is the program.
+Outcome shell(const Folder& folder, const std::string& line);
+
+std::string text_of(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, const std::string& text);
+/// How often `part` stands in `text`.
+int times(const std::string& text, const std::string& part);
+
+}  // namespace zstep::test

@@ -1,0 +1,86 @@
+// view, lesson and zstep alone, on a machine without a display.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "sim/image/png.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace zstep::test;
+using zstep::Image;
+using zstep::read_png;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+void must(const Folder& folder, const std::string& arguments) {
+  const Outcome outcome = zstep(folder, arguments);
+  CAPTURE(arguments);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+}
+
+}  // namespace
+
+TEST_CASE("zstep alone without a display says so, writes the first picture and names what works") {
+  const Folder folder;
+  const Outcome outcome = zstep(folder, "");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(has(outcome.out, "no display"));
+  CHECK(has(outcome.out, "wrote zstep.png"));
+  CHECK(has(outcome.out, "zstep list, render, record, info, dump, import"));
+  CHECK(folder.names() == std::vector<std::string>{"zstep.png"});
+  const Image image = read_png(folder / "zstep.png");
+  CHECK(image.width == 1280);
+  CHECK(image.height == 720);
+  must(folder, "lesson z-buffer --screenshot lesson.png");
+  CHECK(text_of(folder / "zstep.png") == text_of(folder / "lesson.png"));
+}
+
+TEST_CASE("without a display a window is refused in one line, before any work") {
+  const Folder folder;
+  for (const std::string arguments : {"view teapot --size 4000x4000", "lesson", "view nothing.ztrace"}) {
+    const Outcome outcome = zstep(folder, arguments);
+    CHECK(outcome.code == 2);
+    CHECK(times(outcome.err, "\n") == 1);
+    CHECK(has(outcome.err, "there is no display"));
+    CHECK(has(outcome.err, "--screenshot"));
+  }
+}
+
+TEST_CASE("a trace, its JSON Lines and its scene give the same picture of the viewer") {
+  const Folder folder;
+  must(folder, "record pyramid --size 16x16 -o run.ztrace");
+  CHECK(shell(folder, "\"$zstep\" dump run.ztrace --jsonl > run.jsonl").code == 0);
+  must(folder, "view run.ztrace --at 100 --screenshot a.png --size-window 1024x640");
+  const Image a = read_png(folder / "a.png");
+  CHECK(a.width == 1024);
+  CHECK(a.height == 640);
+  must(folder, "view run.ztrace --at 101 --screenshot b.png --size-window 1024x640");
+  CHECK(text_of(folder / "a.png") != text_of(folder / "b.png"));
+  must(folder, "view run.ztrace --at 100 --screenshot dark.png --size-window 1024x640 --dark");
+  CHECK(text_of(folder / "a.png") != text_of(folder / "dark.png"));
+}
+
+TEST_CASE("view and lesson refuse what cannot be") {
+  const Folder folder;
+  must(folder, "record pyramid --size 8x8 -o run.ztrace");
+  const auto refused = [&](const std::string& arguments, const std::string& part) {
+    CAPTURE(arguments);
+    const Outcome outcome = zstep(folder, arguments);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(has(outcome.err, part));
+    CHECK(times(outcome.err, "\n") == 1);
+  };
+  refused("view run.ztrace --size 9x9 --screenshot a.png", "--size: run.ztrace was recorded already");
+  refused("view run.ztrace --at 99999999 --screenshot a.png", "--at: the trace ends at step");
+  refused("view run.ztrace --at x --screenshot a.png", "--at: 'x'");
+  refused("view run.ztrace --screenshot none/a.png", "there is no folder none");
+  refused("view run.ztrace --screenshot a.png --size-window 5", "--size-window: '5'");
+  refused("lesson nothing.md --screenshot a.png", "nothing.md");
+  CHECK(folder.names() == std::vector<std::string>{"run.ztrace"});
+}
