@@ -56,6 +56,22 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+bool is_option(const std::string& word) {
+  const bool number = word.size() > 1 && (word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));
+  return word.size() > 1 && word[0] == '-' && !number;
+}
+
+/// An option must have its value (after it, or joined to it), and stand once.
+void check_option(const std::string& command, const CLI::Option& option, const std::string& name, bool value_follows, const std::string& next,
+                  std::vector<const CLI::Option*>& given) {
+  const bool takes_value = option.get_items_expected_min() > 0;
+  if (takes_value && value_follows && (next.empty() || next.starts_with("--")))
+    throw InputError(command, fmt::format("{} needs a value", name), fmt::format("write {} {}", name, option.get_type_name()));
+  if (takes_value && option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw && std::find(given.begin(), given.end(), &option) != given.end())
+    throw InputError(command, fmt::format("{} is given twice", name), "keep one of them");
+  given.push_back(&option);
+}
+
 /// Says what is wrong with a mistyped command or option before CLI11 does, because it knows what was probably meant.
 void check_words(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* command = &app;
@@ -71,16 +87,17 @@ void check_words(const CLI::App& app, const std::vector<std::string>& words) {
     command = app.get_subcommand(words[0]);
     name += " " + words[0];
   }
-  const std::vector<std::string> options = option_names(*command);
-  for (const std::string& word : words) {
-    if (word == "--") return;
-    const bool number = word.size() > 1 && word[0] == '-' && (word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));
-    if (word.size() < 2 || word[0] != '-' || number) continue;
-    const bool is_long = word.starts_with("--");
-    const std::string option = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
-    if (std::find(options.begin(), options.end(), option) != options.end()) continue;
-    throw InputError(name, fmt::format("there is no option {}", is_long ? option : word),
-                     did_you_mean(is_long ? option : word, options, fmt::format("'{} --help' names them", name)));
+  const std::vector<std::string> known = option_names(*command);
+  std::vector<const CLI::Option*> given;
+  for (std::size_t k = 0; k < words.size() && words[k] != "--"; ++k) {
+    if (!is_option(words[k])) continue;
+    const bool is_long = words[k].starts_with("--");
+    const std::string option = words[k].substr(0, is_long ? words[k].find('=') : 2);
+    if (std::find(known.begin(), known.end(), option) == known.end()) {
+      const std::string typed = is_long ? option : words[k];
+      throw InputError(name, fmt::format("there is no option {}", typed), did_you_mean(typed, known, fmt::format("'{} --help' names them", name)));
+    }
+    check_option(name, *command->get_option(option), option, words[k] == option, k + 1 < words.size() ? words[k + 1] : "", given);
   }
 }
 
@@ -97,7 +114,7 @@ int parse_and_run(const std::vector<std::string>& words) {
     check_words(app, words);
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", chosen(app).help());
+    fmt::print("{}", chosen(app).help(&chosen(app) == &app ? "" : "zstep"));
     return exit_code::done;
   } catch (const CLI::CallForVersion&) {
     fmt::print("zstep {}\n", ZSTEP_VERSION);
@@ -107,6 +124,8 @@ int parse_and_run(const std::vector<std::string>& words) {
     const std::string name = &command == &app ? "zstep" : "zstep " + command.get_name();
     std::string what = error.what();
     std::replace(what.begin(), what.end(), '\n', ' ');
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !command.remaining().empty())
+      what = fmt::format("does not know what to do with '{}'", command.remaining().front());
     throw InputError(name, what, fmt::format("see '{} --help'", name));
   }
   return action();

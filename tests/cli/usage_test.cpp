@@ -110,7 +110,9 @@ TEST_CASE("numbers that are none, and impossible ones, are said to be so") {
 TEST_CASE("what is missing is named, with the way to the help") {
   const Folder folder;
   check_complaint(folder, "record", {"zstep record", "required", "'zstep record --help'"});
-  check_complaint(folder, "record teapot -o", {"zstep record", "-o"});
+  check_complaint(folder, "record teapot -o", {"zstep record: -o needs a value", "write -o FILE.ztrace"});
+  check_complaint(folder, "render teapot --save --size 8x8", {"--save needs a value"});
+  check_complaint(folder, "render teapot --rho 1 --rho=2", {"--rho is given twice"});
   check_complaint(folder, "info", {"zstep info", "required"});
   check_complaint(folder, "import run.jsonl", {"zstep import", "-o", "required"});
   check_complaint(folder, "render teapot pyramid", {"zstep render", "pyramid"});
