@@ -90,9 +90,9 @@ int dump(const DumpOptions& options) {
     write_jsonl(trace, std::cout);
   } else {
     const std::int64_t from = options.from.value_or(1), to = options.to.value_or(trace.size());
-    if (from > to) throw InputError("--from", fmt::format("{} is after --to {}", from, to), "give a smaller one");
-    if (from > trace.size())
+    if (options.from && from > trace.size())
       throw InputError("--from", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+    if (options.to && from > to) throw InputError("--from", fmt::format("{} is after --to {}", from, to), "give a smaller one");
     std::size_t widest = 0;
     for (const StepInfo& step : page)
       if (filter.shows(step.id)) widest = std::max(widest, step.name.size());

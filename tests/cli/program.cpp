@@ -43,7 +43,7 @@ Outcome shell(const Folder& folder, const std::string& line) {
   return outcome;
 }
 
-Outcome zstep(const Folder& folder, const std::string& arguments) { return shell(folder, "\"$zstep\" " + arguments); }
+Outcome run(const Folder& folder, const std::string& arguments) { return shell(folder, "\"$zstep\" " + arguments); }
 
 std::string text_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

@@ -29,7 +29,7 @@ struct Outcome {
 };
 
 /// Runs `zstep ARGUMENTS` in `folder`, without a display. The arguments are a shell's: pipes and quotes work.
-Outcome zstep(const Folder& folder, const std::string& arguments);
+Outcome run(const Folder& folder, const std::string& arguments);
 /// Runs any shell line there; $zstep is the program.
 Outcome shell(const Folder& folder, const std::string& line);
 

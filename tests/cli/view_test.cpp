@@ -16,7 +16,7 @@ namespace {
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 void must(const Folder& folder, const std::string& arguments) {
-  const Outcome outcome = zstep(folder, arguments);
+  const Outcome outcome = run(folder, arguments);
   CAPTURE(arguments);
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
@@ -26,7 +26,7 @@ void must(const Folder& folder, const std::string& arguments) {
 
 TEST_CASE("zstep alone without a display says so, writes the first picture and names what works") {
   const Folder folder;
-  const Outcome outcome = zstep(folder, "");
+  const Outcome outcome = run(folder, "");
   CHECK(outcome.code == 0);
   CHECK(outcome.err.empty());
   CHECK(has(outcome.out, "no display"));
@@ -43,7 +43,7 @@ TEST_CASE("zstep alone without a display says so, writes the first picture and n
 TEST_CASE("without a display a window is refused in one line, before any work") {
   const Folder folder;
   for (const std::string arguments : {"view teapot --size 4000x4000", "lesson", "view nothing.ztrace"}) {
-    const Outcome outcome = zstep(folder, arguments);
+    const Outcome outcome = run(folder, arguments);
     CHECK(outcome.code == 2);
     CHECK(times(outcome.err, "\n") == 1);
     CHECK(has(outcome.err, "there is no display"));
@@ -70,12 +70,13 @@ TEST_CASE("view and lesson refuse what cannot be") {
   must(folder, "record pyramid --size 8x8 -o run.ztrace");
   const auto refused = [&](const std::string& arguments, const std::string& part) {
     CAPTURE(arguments);
-    const Outcome outcome = zstep(folder, arguments);
+    const Outcome outcome = run(folder, arguments);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 2);
     CHECK(has(outcome.err, part));
     CHECK(times(outcome.err, "\n") == 1);
   };
+  refused("view none.ztrace --screenshot a.png", "none.ztrace: there is no such file");
   refused("view run.ztrace --size 9x9 --screenshot a.png", "--size: run.ztrace was recorded already");
   refused("view run.ztrace --at 99999999 --screenshot a.png", "--at: the trace ends at step");
   refused("view run.ztrace --at x --screenshot a.png", "--at: 'x'");
