@@ -303,7 +303,7 @@ case_clean_removes_the_build() {
   same "nothing is left" "$([ -e "$clone/build" ] && echo there)" ''
 }
 
-# Whatever CMake looks for is in the table of packages.
+# Whatever CMake looks for is in the table of packages, and nothing else.
 case_the_table_has_what_cmake_looks_for() {
   local wanted listed name
   listed=$(zstep packages | while read -r _ how _; do printf '%s\n' "${how#*:}"; done)
@@ -312,11 +312,13 @@ case_the_table_has_what_cmake_looks_for() {
     grep -vxE 'REQUIRED|QUIET|IMPORTED_TARGET|GLOBAL|PkgConfig|Threads|')
   [ "$(wc -l <<<"$wanted")" -gt 8 ] || same "libraries found in the tree" few many
   for name in $wanted; do expect "has a row for $name" "$listed" "^$name$"; done
+  listed=$(zstep packages | sed -nE 's/.* (package|module):([^ ]*) .*/\2/p')
+  for name in $listed; do expect "$name is used" "$wanted" "^$name$"; done
 }
 
 # Windows and macOS get the same libraries, under their own names.
 case_vcpkg_and_homebrew_have_the_same_libraries() {
-  local plain='s/.*/\L&/; s/[^a-z0-9\n]//g; s/^lib//; s/^google//' need how name
+  local plain='s/.*/\L&/; s/[^a-z0-9\n]//g; s/^lib//' need how name
   local vcpkg brew
   vcpkg=$(tr ',{}[]' '\n' <"$source_dir/vcpkg.json" | grep -oE '"[a-z0-9-]+" *$' | sed -E "$plain")
   brew=$(sed -nE 's/^brew "(.*)"/\1/p' "$source_dir/Brewfile" | sed -E "$plain")
