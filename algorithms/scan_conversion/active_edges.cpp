@@ -15,11 +15,10 @@ bool left_of(const Edge& one, const Edge& other) {
 }
 
 template <Recorder R>
-void step_edges(const ActiveEdges& active, EdgeTable& table, std::int32_t y, Conventions::Interpolation interpolation,
-                R& record) {
+void step_edges(const ActiveEdges& active, EdgeTable& table, std::int32_t y, bool direct, R& record) {
   for (const std::int32_t number : active.edges) {
     Edge& edge = edge_at(table, number);
-    if (interpolation == Conventions::Interpolation::direct) {
+    if (direct) {
       edge.x = edge.x_at(y);
       edge.z = edge.z_at(y);
     } else {
@@ -73,10 +72,9 @@ void sort_edges(ActiveEdges& active, EdgeTable& table, R& record) {
 }  // namespace
 
 template <Recorder R>
-void begin_scan_line(ActiveEdges& active, EdgeTable& table, std::int32_t y, Conventions::Interpolation interpolation,
-                     R& record) {
+void begin_scan_line(ActiveEdges& active, EdgeTable& table, std::int32_t y, bool direct, R& record) {
   record(step::scan_line, ScanLineBegin{y});
-  step_edges(active, table, y, interpolation, record);
+  step_edges(active, table, y, direct, record);
   enter_edges(active, table, y, record);
   retire_edges(active, table, y, record);
   sort_edges(active, table, record);
@@ -90,8 +88,8 @@ void end_polygon(ActiveEdges& active, R& record) {
   active.clear();
 }
 
-#define INSTANTIATE(R)                                                                                      \
-  template void begin_scan_line<R>(ActiveEdges&, EdgeTable&, std::int32_t, Conventions::Interpolation, R&); \
+#define INSTANTIATE(R)                                                                \
+  template void begin_scan_line<R>(ActiveEdges&, EdgeTable&, std::int32_t, bool, R&); \
   template void end_polygon<R>(ActiveEdges&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
 

@@ -19,11 +19,12 @@ struct ActiveEdges {
 /// Moves the list to scan line y, in the order of Foley et al.: active edges step to y, those that begin at y enter,
 /// those that end at y leave, and the rest is put in order again. Calls must go through the table's rows one by one.
 ///
+/// `direct` says how edges step: by the formulas of x–y and z–y interpolation, or by adding dx_dy and dz_dy.
+///
 /// Stepping comes before leaving, so that the list can be read as the book prints it; an edge may thus be stepped to
 /// the scan line just beyond its end, once, before it leaves.
 template <Recorder R>
-void begin_scan_line(ActiveEdges& active, EdgeTable& table, std::int32_t y, Conventions::Interpolation interpolation,
-                     R& record);
+void begin_scan_line(ActiveEdges& active, EdgeTable& table, std::int32_t y, bool direct, R& record);
 
 /// After the last scan line: the edges that are still active leave.
 template <Recorder R>

@@ -105,14 +105,14 @@ bool cull_and_clip(const Scene& scene, const Facet& facet, bool cull, const Lens
 }  // namespace
 
 template <Recorder R>
-bool find_outline(const Scene& scene, const Facet& facet, const Conventions& conventions, const Lens& lens,
-                  Vertices& vertices, Outline& outline, R& record) {
+bool find_outline(const Scene& scene, const Facet& facet, bool cull, const Lens& lens, Vertices& vertices,
+                  Outline& outline, R& record) {
   const auto corners = scene.corners.begin() + facet.first_corner;
   outline.assign(corners, corners + facet.corner_count);
   vertices.resize(scene.points.size());
 
   if (scene.camera.kind != Camera::Kind::screen) {
-    if (!cull_and_clip(scene, facet, conventions.cull, lens, vertices, outline, record)) return false;
+    if (!cull_and_clip(scene, facet, cull, lens, vertices, outline, record)) return false;
   }
   if (!on_raster(vertices, outline)) return reject(facet, Reject::degenerate, record);
 
@@ -122,9 +122,8 @@ bool find_outline(const Scene& scene, const Facet& facet, const Conventions& con
   return true;
 }
 
-#define INSTANTIATE(R)                                                                                           \
-  template bool find_outline<R>(const Scene&, const Facet&, const Conventions&, const viewing::Lens&, Vertices&, \
-                                Outline&, R&);
+#define INSTANTIATE(R) \
+  template bool find_outline<R>(const Scene&, const Facet&, bool, const viewing::Lens&, Vertices&, Outline&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
 
 }  // namespace zstep::clipping

@@ -24,7 +24,7 @@ using Outline = std::vector<std::int32_t>;
 ///
 /// Screen scenes are neither culled nor clipped: scan conversion keeps to the raster by itself.
 template <Recorder R>
-bool find_outline(const Scene& scene, const Facet& facet, const Conventions& conventions, const viewing::Lens& lens,
+bool find_outline(const Scene& scene, const Facet& facet, bool cull, const viewing::Lens& lens,
                   viewing::Vertices& vertices, Outline& outline, R& record);
 
 }  // namespace zstep::clipping

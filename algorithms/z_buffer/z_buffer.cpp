@@ -8,26 +8,30 @@ namespace zstep::z_buffer {
 
 namespace {
 
+using clipping::find_outline;
+using scan_conversion::begin_scan_line;
+using scan_conversion::begin_span;
+using scan_conversion::build_edge_table;
+using scan_conversion::depth_on;
+using scan_conversion::end_polygon;
 using scan_conversion::Span;
 
 template <Recorder R>
-void fill_span(const Span& span, std::int32_t polygon, Conventions::Interpolation interpolation, Picture& picture,
-               R& record) {
-  const bool direct = interpolation == Conventions::Interpolation::direct;
+void fill_span(const Span& span, std::int32_t polygon, bool direct, Picture& picture, R& record) {
   double z = 0;
   for (std::int32_t x = span.first, y = span.y; x <= span.last; ++x) {
-    z = direct || x == span.first ? scan_conversion::depth_on(span, x) : z + span.dz_dx;
+    z = direct || x == span.first ? depth_on(span, x) : z + span.dz_dx;  // 000, "Speeding up the Algorithm"
     record(step::interpolate_z, DepthInterpolate{x, y, z});
 
-    double& depth = picture.depth[picture.at(x, y)];
-    const bool nearer = z < depth;
+    const std::size_t pixel = picture.at(x, y);
+    const bool nearer = z < picture.depth[pixel];
     record(step::compare, DepthCompare{x, y, z, nearer});
     if (!nearer) continue;
 
-    depth = z;
+    picture.depth[pixel] = z;
     record(step::write_depth, DepthWrite{x, y, z});
 
-    picture.polygon[picture.at(x, y)] = polygon;
+    picture.polygon[pixel] = polygon;
     record(step::write_pixel, PixelWrite{x, y, polygon});
   }
 }
@@ -36,10 +40,13 @@ void fill_span(const Span& span, std::int32_t polygon, Conventions::Interpolatio
 
 template <Recorder R>
 Picture run(const Scene& scene, const Conventions& conventions, R& record) {
-  Picture picture(scene.raster.width, scene.raster.height);
+  const Raster& raster = scene.raster;
+  const bool direct = conventions.interpolation == Conventions::Interpolation::direct;
+
+  Picture picture(raster.width, raster.height);
   record(step::clear, BuffersClear{no_depth});
 
-  const viewing::Lens lens(scene.camera, scene.raster, conventions.depth);
+  const viewing::Lens lens(scene.camera, raster, conventions.depth);
   viewing::Vertices vertices = viewing::view_vertices(scene, lens, record);
 
   clipping::Outline outline;
@@ -47,23 +54,24 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
   scan_conversion::ActiveEdges active;
   std::int32_t number = 0;
   for (const Facet& facet : scene.facets) {
-    record(step::polygon, PolygonBegin{facet.polygon, number});
+    const std::int32_t polygon = facet.polygon;
+    record(step::polygon, PolygonBegin{polygon, number});
     ++number;
-    if (!clipping::find_outline(scene, facet, conventions, lens, vertices, outline, record)) continue;
 
-    scan_conversion::build_edge_table(edges, facet.polygon, outline, vertices, scene.raster, conventions.coverage,
-                                      record);
+    const bool visible = find_outline(scene, facet, conventions.cull, lens, vertices, outline, record);
+    if (!visible) continue;
+
+    build_edge_table(edges, polygon, outline, vertices, raster, conventions.coverage, record);
     for (std::int32_t y = edges.first_row; y < edges.end_row; ++y) {
-      scan_conversion::begin_scan_line(active, edges, y, conventions.interpolation, record);
+      begin_scan_line(active, edges, y, direct, record);
 
-      for (std::size_t i = 0; i + 1 < active.edges.size(); i += 2) {
+      for (std::size_t i = 0; i + 1 < active.edges.size(); i += 2) {  // even-odd: inside between each pair
         const std::int32_t left = active.edges[i], right = active.edges[i + 1];
-        const Span span =
-            scan_conversion::begin_span(edges, left, right, y, scene.raster, conventions.coverage, record);
-        fill_span(span, facet.polygon, conventions.interpolation, picture, record);
+        const Span span = begin_span(edges, left, right, y, raster, conventions.coverage, record);
+        fill_span(span, polygon, direct, picture, record);
       }
     }
-    scan_conversion::end_polygon(active, record);
+    end_polygon(active, record);
   }
   return picture;
 }

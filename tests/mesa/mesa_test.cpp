@@ -38,14 +38,12 @@ struct Segment {
 // The edges of all facets on the raster, those facing away included.
 std::vector<Segment> edges_on_raster(const Scene& scene) {
   NullRecorder record;
-  Conventions conventions;
-  conventions.cull = false;
-  const viewing::Lens lens(scene.camera, scene.raster, conventions.depth);
+  const viewing::Lens lens(scene.camera, scene.raster, Conventions::Depth::pseudodepth);
   viewing::Vertices vertices = viewing::view_vertices(scene, lens, record);
   std::vector<Segment> segments;
   clipping::Outline outline;
   for (const Facet& facet : scene.facets) {
-    if (!clipping::find_outline(scene, facet, conventions, lens, vertices, outline, record)) continue;
+    if (!clipping::find_outline(scene, facet, false, lens, vertices, outline, record)) continue;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const auto at = [&](std::size_t n) { return glm::dvec2(vertices[static_cast<std::size_t>(outline[n])].raster); };
       segments.push_back({at(i), at(i + 1 < outline.size() ? i + 1 : 0)});

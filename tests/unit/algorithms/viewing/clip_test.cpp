@@ -25,10 +25,8 @@ Clipped clip(const Scene& scene, std::size_t facet = 0) {
   Clipped result;
   const viewing::Lens lens(scene.camera, scene.raster, Conventions::Depth::pseudodepth);
   result.vertices = viewing::view_vertices(scene, lens, result.record);
-  Conventions conventions;
-  conventions.cull = false;
-  result.drawn = clipping::find_outline(scene, scene.facets[facet], conventions, lens, result.vertices, result.outline,
-                                        result.record);
+  result.drawn =
+      clipping::find_outline(scene, scene.facets[facet], false, lens, result.vertices, result.outline, result.record);
   return result;
 }
 
