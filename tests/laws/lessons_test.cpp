@@ -59,7 +59,9 @@ std::string bare_numerals(const std::string& text) {
   while (words >> word) {
     const std::size_t begin = std::min(word.find_first_not_of("([\xE2\x88\x92-"), word.size() - 1);  // ( [ − -
     const bool digit = std::isdigit(static_cast<unsigned char>(word[begin])) != 0;
-    const bool numeral = digit && word.find_first_of("_-", begin) == std::string::npos;
+    const std::size_t after = std::min(word.find_first_not_of("0123456789.", begin), word.size() - 1);
+    const bool coefficient = std::isalpha(static_cast<unsigned char>(word[after])) != 0;  // 2F
+    const bool numeral = digit && !coefficient && word.find_first_of("_-", begin) == std::string::npos;
     if (numeral && !label) bare += word + " ";
     if (numeral || word == "and" || word == "to") continue;
     std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
