@@ -52,7 +52,7 @@ class Builder {
 
  private:
   HalfEdgeMesh::VertexHandle add_vertex(std::int32_t point) {
-    const glm::dvec3& p = points_[static_cast<std::size_t>(point)];
+    const glm::dvec3 p = point < 0 ? glm::dvec3(0) : points_[static_cast<std::size_t>(point)];
     const auto vertex = mesh_.half_edges.add_vertex(HalfEdgeMesh::Point(p.x, p.y, p.z));
     mesh_.half_edges.data(vertex).point = point;
     return vertex;
@@ -61,7 +61,7 @@ class Builder {
   void add_loose(std::span<const std::int32_t> corners) {
     face_.clear();
     for (const std::int32_t point : corners) face_.push_back(add_vertex(point));
-    while (face_.size() < 3) face_.push_back(add_vertex(corners.empty() ? 0 : corners.front()));
+    while (face_.size() < 3) face_.push_back(add_vertex(corners.empty() ? -1 : corners.front()));
     mesh_.half_edges.add_face(face_);
     ++mesh_.loose_faces;
     loose_edges_ += static_cast<std::int64_t>(face_.size());

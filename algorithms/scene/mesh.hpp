@@ -14,7 +14,7 @@ namespace zstep {
 struct MeshTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
-  VertexTraits { std::int32_t point = 0; };  ///< index into Scene::points: several vertices may stand at one point
+  VertexTraits { std::int32_t point = 0; };  ///< index into Scene::points; several vertices may stand at one point
 };
 using HalfEdgeMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
 
@@ -23,7 +23,7 @@ using HalfEdgeMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
 ///   round, a repeated vertex) gets vertices of its own, so it is cut loose from its neighbours;
 /// - where two surfaces touch at a point, each has a vertex of its own there;
 /// - a face with fewer than three different corners cannot be a face at all: it is a triangle on its own with all vertices at
-///   its first point.
+///   its first point (at the origin and with point -1 if it has no corner at all).
 struct Mesh {
   HalfEdgeMesh half_edges;
   std::int64_t loose_faces = 0;     ///< faces that got vertices of their own

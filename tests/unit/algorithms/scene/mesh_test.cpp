@@ -64,6 +64,13 @@ TEST_SUITE("half-edge mesh") {
     CHECK(has_ring(repeated, 0, {0, 1, 2, 0, 3}));
   }
 
+  TEST_CASE("faces without corners, even where there are no points") {
+    const Mesh mesh = mesh_of_rings({}, {{}, {}});
+    CHECK(mesh.half_edges.n_faces() == 2);
+    CHECK(mesh.loose_faces == 2);
+    CHECK(mesh.boundary_edges == 0);
+  }
+
   TEST_CASE("two cones that touch at their tips keep all their faces") {
     const Mesh mesh = mesh_of_rings({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {1, 0, -1}, {0, 1, -1}}, {{0, 1, 2}, {0, 3, 4}});
     CHECK(mesh.half_edges.n_faces() == 2);
