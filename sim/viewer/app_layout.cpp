@@ -197,19 +197,22 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
     return;
   }
   const float left = std::round(size.x * l.left);
+  // Presenter mode gives the buffers a larger share of what is left of the height.
+  float presented = std::max(l.buffers, 0.66f);
+  float& buffers = ui_.presenter ? presented : l.buffers;
   const float right = session_.lesson() ? std::round(size.x * l.right) : 0;
   const float middle = size.x - left - gap - (right > 0 ? right + gap : 0);
   const float x = at.x + left + gap;
   draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, l.code, "code");
 
-  const float upper = structures_.empty() ? size.y : std::round((size.y - gap) * l.buffers);
+  const float upper = structures_.empty() ? size.y : std::round((size.y - gap) * buffers);
   const float frame = std::round((middle - gap) * l.frame);
   draw_pane(frame_pane, {x, at.y}, {frame, upper});
   draw_pane(depth_pane, {x + frame + gap, at.y}, {middle - frame - gap, upper});
   splitter("frame", {x + frame, at.y}, {gap, upper}, true, l.frame, middle - gap);
   if (!structures_.empty()) {
     draw_structures({x, at.y + upper + gap}, {middle, size.y - upper - gap});
-    splitter("buffers", {x, at.y + upper}, {middle, gap}, false, l.buffers, size.y - gap);
+    splitter("buffers", {x, at.y + upper}, {middle, gap}, false, buffers, size.y - gap);
   }
   splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
   if (right > 0) {
@@ -249,7 +252,7 @@ void App::frame() {
   ImGui::PopStyleVar();
   const float pad = std::round(ui_.em * 0.4f);
   const float title = std::round(ui_.em * 1.9f);
-  const float timeline = std::round(2 * (std::round(ui_.em * 1.25f) + std::round(ui_.em * 0.55f)) + ui_.em * 1.75f);
+  const float timeline = timeline_height(ui_);
   const ImVec2 at{pad, 0};
   const float width = size.x - 2 * pad, height = size.y - title - timeline - 2 * pad;
   draw_title(at, {width, title});

@@ -36,10 +36,11 @@ struct RasterMap {
 inline RasterMap::RasterMap(const Raster& raster, const RasterView& view, int box_width_, int box_height_)
     : width(std::max(1, raster.width)), height(std::max(1, raster.height)), y_up(raster.y_up),
       box_width(std::max(1, box_width_)), box_height(std::max(1, box_height_)) {
-  double fit = std::min(static_cast<double>(box_width) / width, static_cast<double>(box_height) / height);
-  if (fit > 2) fit = std::floor(fit);  // whole pixels make an even grid
+  const double fit = std::min(static_cast<double>(box_width) / width, static_cast<double>(box_height) / height);
   cell = fit * view.zoom;
-  if (cell > 2) cell = std::floor(cell);
+  // Whole pixels make an even grid; where they would waste much room, quarters.
+  if (cell > 12) cell = std::floor(cell);
+  else if (cell > 2) cell = std::floor(cell * 4) / 4;
   left = std::floor((box_width - width * cell) / 2 - view.center_x * cell);
   top = std::floor((box_height - height * cell) / 2 - view.center_y * cell);
 }

@@ -37,9 +37,7 @@ DepthRange depth_range(const Trace& trace) {
     });
   }
   if (!(near <= far)) return range;
-  range = {near, far, true};
-  if (near == far) range = {near - 0.5, far + 0.5, true};
-  return range;
+  return {near, far, true};
 }
 
 const ScanLineMarks::Stretch& ScanLineMarks::at(const Trace& trace, std::int64_t position) {

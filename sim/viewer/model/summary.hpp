@@ -15,6 +15,7 @@ namespace zstep::viewer {
 struct DepthRange {
   double near = 0, far = 1;
   bool known = false;
+  bool flat() const { return !(near < far); }
   double share(double depth) const { return far > near ? (depth - near) / (far - near) : 0.5; }
 };
 DepthRange depth_range(const Trace& trace);

@@ -71,6 +71,11 @@ void draw_legend(Ui& ui, float top) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const DepthRange& range = ui.depth_range;
+  if (range.flat()) {
+    const std::string all = range.known ? fmt::format("every depth is {}", number(range.near)) : "no depth is known yet";
+    if (text_size(ui, font, all).x <= width) draw_text(ui, at, font, c.muted, all);
+    return;
+  }
   const double ends[] = {range.near, range.far};
   const int decimals = std::min(2, decimals_needed(ends, 2));
   const std::string near = "near " + number(range.near, decimals), far = number(range.far, decimals) + " far", none = "\u221e";
@@ -111,10 +116,9 @@ void draw_depth(Ui& ui) {
         const Picture& picture = s.picture();
         ui.depth_decimals = picture.depth.size() <= 16384 ? decimals_in(picture) : 2;
         const DepthRange range = ui.depth_range;
-        const double scale = range.far > range.near ? 1 / (range.far - range.near) : 0;
         cells.resize(picture.depth.size());
         for (std::size_t i = 0; i < cells.size(); ++i)
-          cells[i] = std::isfinite(picture.depth[i]) ? ui.depth_scale.at((picture.depth[i] - range.near) * scale) : hatched_cell;
+          cells[i] = std::isfinite(picture.depth[i]) ? ui.depth_scale.at(range.share(picture.depth[i])) : hatched_cell;
       },
       [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, ui.depth_decimals,
       [&](Cell cell) { return about_cell(ui, cell); });

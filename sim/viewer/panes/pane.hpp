@@ -27,8 +27,9 @@ extern const Pane pseudo_code_pane, happened_pane, frame_pane, depth_pane, lesso
 std::vector<Pane> structure_panes(const Header& header);
 extern const Pane edge_table_pane, active_edges_pane, scene_pane;
 
-/// Across the window, above and below the panes.
+/// Across the window, below the panes.
 void draw_timeline(Ui& ui, ImVec2 size);
+float timeline_height(const Ui& ui);  ///< presenter mode shows the strip alone
 
 /// Does this trace's pseudo-code have a step that records this event?
 template <class E>

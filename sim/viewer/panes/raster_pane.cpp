@@ -218,6 +218,12 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const std::functio
     content.canvas.resize(width, height);
     paint_raster(content.canvas, map, content.cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
     draw_geometry(ui, content.canvas, map);
+    const int x0 = map.column_begin(0) - 1, x1 = map.column_begin(map.width);
+    const int y0 = static_cast<int>(std::lround(map.top)) - 1, y1 = static_cast<int>(std::lround(map.top + map.height * map.cell));
+    content.canvas.rectangle(x0, y0, x1, y0 + 1, to_pixel(c.grid));
+    content.canvas.rectangle(x0, y1 - 1, x1, y1, to_pixel(c.grid));
+    content.canvas.rectangle(x0, y0, x0 + 1, y1, to_pixel(c.grid));
+    content.canvas.rectangle(x1 - 1, y0, x1, y1, to_pixel(c.grid));
     content.canvas_version = version;
   }
   const ImVec2 end{origin.x + static_cast<float>(width), origin.y + static_cast<float>(height)};

@@ -74,7 +74,7 @@ void draw_whole(Ui& ui, const Strip& strip) {
   if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
-      const float x = std::floor(strip.x(stop.position)), y = strip.at.y + 4;
+      const float x = std::floor(strip.x(stop.position)), y = end.y - 4;
       list->AddQuadFilled({x, y - 4}, {x + 4, y}, {x, y + 4}, {x - 4, y}, stop.question ? c.selected : c.changed);
     }
   frame_box(list, strip.at, end, c.rule);
@@ -143,6 +143,11 @@ void draw_transport(Ui& ui) {
 
 }  // namespace
 
+float timeline_height(const Ui& ui) {
+  const float strip = std::round(ui.em * 1.25f), gap = std::round(ui.em * 0.55f);
+  return ui.presenter ? strip : std::round(2 * (strip + gap) + ui.em * 1.75f);
+}
+
 void draw_timeline(Ui& ui, ImVec2 size) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float strip_height = std::round(ui.em * 1.25f), gap = std::round(ui.em * 0.55f);
@@ -150,8 +155,9 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   const Strip whole{{origin.x, origin.y}, size.x, strip_height, 0, ui.session.size()};
   const Strip polygon{{origin.x, origin.y + strip_height + gap}, size.x, strip_height, stretch.first, stretch.last};
   scrub(ui, "whole", whole);
-  scrub(ui, "polygon", polygon);
   draw_whole(ui, whole);
+  if (ui.presenter) return;
+  scrub(ui, "polygon", polygon);
   draw_polygon(ui, polygon, stretch);
   ImGui::SetCursorScreenPos({origin.x, origin.y + 2 * (strip_height + gap)});
   draw_transport(ui);
