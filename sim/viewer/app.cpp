@@ -98,7 +98,7 @@ void App::update_fonts() {
   if (pixels == built_for_) return;
   built_for_ = ui_.em = pixels;
   ui_.fonts.load(pixels);
-  renderer_.upload_fonts();
+  renderer_.take_fonts();
 }
 
 bool App::key(const SDL_KeyboardEvent& event) {

@@ -1,4 +1,4 @@
-// The viewer without its window: takes SDL's events, draws one frame on a surface. Never blocks.
+// The viewer without its window: takes SDL's events, draws one frame into a picture. Never blocks.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ enum class Overlay { none, keys, palette, go_to, menu };
 
 class App {
  public:
-  /// `dpi_scale`: pixels of this surface per pixel of a common screen.
+  /// `dpi_scale`: pixels of this picture per pixel of a common screen.
   App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale = 1);
   ~App();
   App(const App&) = delete;
@@ -36,7 +36,7 @@ class App {
   void resize(int width, int height);
   void set_dpi_scale(float scale);
 
-  /// Draws what is to be seen now on renderer().surface().
+  /// Draws what is to be seen now into renderer().picture().
   void frame();
   /// Frames until nothing moves any more: hovering, scrolling and sizes need more than one.
   void settle();

@@ -196,7 +196,8 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
     }
     return;
   }
-  const float left = std::round(size.x * l.left);
+  // With a lesson there is a column more, and the code gives way a little.
+  const float left = std::round(size.x * (session_.lesson() ? l.left * 0.94f : l.left));
   // Presenter mode gives the buffers a larger share of what is left of the height.
   float presented = std::max(l.buffers, 0.66f);
   float& buffers = ui_.presenter ? presented : l.buffers;

@@ -13,7 +13,7 @@ namespace zstep::viewer {
 /// Where the borders between panes are, as shares of the window or of the row they divide.
 struct Layout {
   float left = 0.27f;        ///< width of pseudo-code and explanation
-  float right = 0.235f;      ///< width of the lesson
+  float right = 0.225f;      ///< width of the lesson
   float code = 0.62f;        ///< height of the pseudo-code in its column
   float buffers = 0.62f;     ///< height of the buffers above the structures
   float frame = 0.5f;        ///< width of the framebuffer beside the depth buffer

@@ -1,6 +1,7 @@
 // What every pane is given, and how panes draw text. A pane is a function of this; panes/pane.hpp lists them.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>

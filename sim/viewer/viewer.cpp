@@ -50,6 +50,10 @@ float dpi_scale(SDL_Window* window, float pixels_per_point) {
   return std::round(dots / 96 * 4) / 4;
 }
 
+struct WindowDeleter {
+  void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+};
+
 class Window {
  public:
   explicit Window(const Settings& settings, const ViewerOptions& options) {
@@ -83,14 +87,15 @@ class Window {
     SDL_GetWindowSize(window_.get(), &width, &height);
     return static_cast<float>(surface()->w) / static_cast<float>(std::max(1, width));
   }
-  void show(SDL_Surface* picture) const {
-    SDL_SetSurfaceBlendMode(picture, SDL_BLENDMODE_NONE);
-    SDL_BlitSurface(picture, nullptr, surface(), nullptr);
+  void show(const Canvas& picture) const {
+    SDL_Surface* target = surface();
+    SDL_ConvertPixels(std::min(picture.width(), target->w), std::min(picture.height(), target->h), SDL_PIXELFORMAT_ARGB8888, picture.row(0),
+                      picture.width() * 4, target->format->format, target->pixels, target->pitch);
     SDL_UpdateWindowSurface(window_.get());
   }
 
  private:
-  std::unique_ptr<SDL_Window, SdlDeleter> window_;
+  std::unique_ptr<SDL_Window, WindowDeleter> window_;
 };
 
 void serve(App& app, const Window& window) {
@@ -139,7 +144,7 @@ void loop(App& app, const Window& window) {
     if (frames_due <= 0 && app.session().revision() == drawn) continue;
     drawn = app.session().revision();
     app.frame();
-    window.show(app.renderer().surface());
+    window.show(app.renderer().picture());
     --frames_due;
   }
 }

@@ -124,6 +124,24 @@ TEST_CASE("no letter is cut at the side, at any step of the lessons' scenes") {
   }
 }
 
+TEST_CASE("no letter is cut beside a lesson, at any of its stops") {
+  for (Lesson& lesson : all_lessons()) {
+    const Trace trace = run_lesson(lesson);
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
+      App app(trace, &lesson, {}, width, height);
+      for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); ++stop) {
+        app.session().to_stop(stop);
+        for (int steps = 0; steps < 2; ++steps, app.session().move(Unit::event, 1)) {
+          CAPTURE(lesson.id);
+          CAPTURE(stop);
+          CAPTURE(width);
+          CHECK(letters_cut(app) == 0);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("windows of every size draw, and tiny ones say what they lack") {
   const Trace trace = test::record_run("pyramid", test::of_size(16, 16));
   for (const auto& [width, height] : {std::pair{1, 1}, {40, 30}, {200, 120}, {320, 240}, {640, 360}, {800, 600}, {1366, 768}, {2560, 1440}}) {

@@ -101,8 +101,8 @@ void Fonts::load(float pixels) {
   ImGui::GetIO().Fonts->Build();
 
   lacking.clear();
-  if (text_path.empty()) lacking = "No system font was found, so text is drawn in a small built-in one: install fonts-dejavu-core.";
-  else if (mono_path.empty()) lacking = "No monospaced system font was found, so numbers may not line up: install fonts-dejavu-core.";
+  if (text_path.empty()) lacking = "No system font was found: install fonts-dejavu-core for readable text.";
+  else if (mono_path.empty()) lacking = "No monospaced font was found: install fonts-dejavu-core for aligned numbers.";
   replace_.clear();
   for (const Substitute& s : substitutes)
     for (const ImFont* font : {text, bold, mono, small})

@@ -1,60 +1,54 @@
-// Puts Dear ImGui's draw lists on a surface with SDL's software renderer.
+// Puts Dear ImGui's draw lists on a picture in memory.
 //
-// The surface is the viewer's own: a window only shows a copy of it. So a picture drawn without any display is the same,
-// byte for byte, as what the window shows.
+// The picture is the viewer's own: a window only shows a copy of it. So a picture drawn without any display is the same, byte
+// for byte, as what the window shows. What a frame is made of (opaque rectangles, letters, canvases) is drawn by plain loops;
+// SDL's software renderer blends what is opaque too and took 8.4 ms for a
+// frame of 1600x900 that takes 0.8 ms here.
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
-#include <span>
-#include <string>
 #include <vector>
 
-#include <SDL.h>
 #include <imgui.h>
 
 #include "sim/viewer/draw/canvas.hpp"
 
 namespace zstep::viewer {
 
-struct SdlDeleter {
-  void operator()(SDL_Surface* p) const { SDL_FreeSurface(p); }
-  void operator()(SDL_Renderer* p) const { SDL_DestroyRenderer(p); }
-  void operator()(SDL_Texture* p) const { SDL_DestroyTexture(p); }
-  void operator()(SDL_Window* p) const { SDL_DestroyWindow(p); }
-};
-
 class Renderer {
  public:
-  Renderer(int width, int height);
+  Renderer(int width, int height) { resize(width, height); }
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
   void resize(int width, int height);
-  int width() const { return surface_->w; }
-  int height() const { return surface_->h; }
+  int width() const { return picture_.width(); }
+  int height() const { return picture_.height(); }
 
-  /// Builds the texture of ImGui's font atlas; again whenever the fonts change.
-  void upload_fonts();
-  /// The texture called `slot`, with the canvas's pixels; uploaded only when `version` is new.
-  ImTextureID image(const std::string& slot, const Canvas& canvas, std::uint64_t version);
+  /// Takes ImGui's font atlas as it is now; again whenever the fonts change.
+  void take_fonts();
+  /// For ImDrawList::AddImage, at the canvas's own size. The canvas must stay as it is until draw().
+  static ImTextureID image(const Canvas& canvas) { return (ImTextureID)&canvas; }
 
   void draw(const ImDrawData& data, Pixel32 clear);
 
-  SDL_Surface* surface() const { return surface_.get(); }
+  const Canvas& picture() const { return picture_; }
   std::vector<std::uint8_t> rgb() const;  ///< [height*width*3], row 0 on top
 
  private:
-  struct Image {
-    std::unique_ptr<SDL_Texture, SdlDeleter> texture;
+  struct Box { int left, top, right, bottom; };
+  struct Atlas {
+    const unsigned char* alpha = nullptr;
     int width = 0, height = 0;
-    std::uint64_t version = 0;
   };
-  std::unique_ptr<SDL_Surface, SdlDeleter> surface_;
-  std::unique_ptr<SDL_Renderer, SdlDeleter> renderer_;
-  std::unique_ptr<SDL_Texture, SdlDeleter> font_;
-  std::map<std::string, Image> images_;
+  void draw_quad(const ImDrawVert& first, const ImDrawVert& opposite, const void* texture, Box clip);
+  void draw_triangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c, Box clip);
+  void fill(Box box, ImU32 color);
+  void draw_letter(const ImDrawVert& first, const ImDrawVert& opposite, Box box, Box clip);
+  static void draw_canvas(Canvas& out, const Canvas& canvas, Box box, Box clip);
+
+  Canvas picture_;
+  Atlas font_;
 };
 
 }  // namespace zstep::viewer

@@ -37,6 +37,7 @@ TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   if (entry) row.cells.emplace_back(static_cast<double>(entry->end_row));
   else row.cells.emplace_back(std::string());
   row.cells.emplace_back(mark.word);
+  row.cells.back().brief = mark.word == "left" ? "L" : mark.word == "right" ? "R" : mark.word.substr(0, mark.word.find(' '));
   row.look = mark.now ? TableRow::Look::now : TableRow::Look::plain;
   row.lit = s.lit_edge() == active.edge;
   row.key = active.edge;
@@ -54,6 +55,7 @@ void draw(Ui& ui) {
       // Gone from the list already; shown once more so that one sees it go.
       TableRow row;
       row.cells = {fmt::format("e{}", left->edge), std::string(), std::string(), std::string(), std::string("\u2717 leaves")};
+      row.cells.back().brief = "\u2717";
       row.look = TableRow::Look::now;
       row.lit = s.lit_edge() == left->edge;
       row.key = left->edge;
@@ -81,6 +83,6 @@ bool serves(const Header& header) { return has_step_of<EdgeEnter>(header); }
 
 }  // namespace
 
-const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw, note, serves, 0.26f, true};
+const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw, note, serves, 0.27f, true};
 
 }  // namespace zstep::viewer

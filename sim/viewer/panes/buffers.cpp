@@ -90,7 +90,7 @@ void draw_legend(Ui& ui, float top) {
   for (int y = 0; y < bar_height; ++y)
     for (int x = 0; x < bar_width; ++x) bar.row(y)[x] = ui.depth_scale.at((x + 0.5) / bar_width);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddImage(ui.renderer.image("legend", bar, fingerprint({bar_right - bar_left, box})), {bar_left, at.y + 1},
+  list->AddImage(Renderer::image(bar), {bar_left, at.y + 1},
                  {bar_left + static_cast<float>(bar_width), at.y + 1 + box});
   draw_text(ui, {bar_right + gap, at.y}, font, c.muted, far);
   const ImVec2 box_at{bar_right + far_width + 2 * gap, at.y + 1}, box_end{box_at.x + box, box_at.y + box};

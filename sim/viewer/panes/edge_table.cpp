@@ -32,6 +32,15 @@ std::string state_word(const EdgeRow& row, bool now, const RecordedEvent* event)
   return "";
 }
 
+/// The same in one character.
+std::string state_sign(const EdgeRow& row, bool now, const RecordedEvent* event) {
+  const std::string word = state_word(row, now, event);
+  if (word == "waits") return "\u00b7";
+  if (word == "active") return "\u25b6";
+  if (word == "done") return "\u2713";
+  return word.substr(0, word.find(' '));
+}
+
 void draw(Ui& ui) {
   const Session& s = ui.session;
   const Machine& machine = s.state().machine;
@@ -59,6 +68,7 @@ void draw(Ui& ui) {
                                ? to_im(opaque(s.scene().polygons[static_cast<std::size_t>(e.polygon)].color)) : 0),
                  state_word(*row, is_now, s.event())};
     bucket = e.first_row;
+    out.cells.back().brief = state_sign(*row, is_now, s.event());
     out.look = is_now ? TableRow::Look::now : row->where == EdgeRow::Where::retired ? TableRow::Look::gone : TableRow::Look::plain;
     out.lit = s.lit_edge() == e.edge;
     out.key = e.edge;
@@ -85,6 +95,6 @@ bool serves(const Header& header) { return has_step_of<EdgeTableInsert>(header);
 
 }  // namespace
 
-const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw, note, serves, 0.41f, true};
+const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw, note, serves, 0.42f, true};
 
 }  // namespace zstep::viewer

@@ -19,10 +19,12 @@ void draw(Ui& ui) {
   if (!event) {
     if (ui.session.size() == 0) return say_empty(ui, "This trace has no events: the run recorded nothing.");
     flow(ui, "Nothing has happened yet. \u2192 takes the first step, Space plays, ? shows every key.", {});
-    for (const std::string& warning : ui.session.trace().warnings()) {
+    std::vector<std::string> lacks = ui.session.trace().warnings();
+    if (!ui.fonts.lacking.empty()) lacks.push_back(ui.fonts.lacking);
+    for (const std::string& lack : lacks) {
       Flow how;
       how.color = c.bad;
-      flow(ui, warning, how);
+      flow(ui, lack, how);
     }
     return;
   }

@@ -15,7 +15,7 @@ struct Column {
   bool numeric = false;
 };
 
-std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, const std::vector<TableRow>& rows, const ImFont* font, int at_most) {
+std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, const std::vector<TableRow>& rows, const ImFont* font, int at_most, bool brief) {
   std::vector<Column> columns(headings.size());
   for (std::size_t k = 0; k < columns.size(); ++k) {
     Column& column = columns[k];
@@ -27,7 +27,10 @@ std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, co
     column.width = text_size(ui, ui.fonts.small, headings[k]).x;
     for (const TableRow& row : rows) {
       std::string text;
-      if (k < row.cells.size()) text = row.cells[k].value ? number(*row.cells[k].value, column.decimals) : row.cells[k].text;
+      if (k < row.cells.size()) {
+        const TableCell& cell = row.cells[k];
+        text = cell.value ? number(*cell.value, column.decimals) : brief && !cell.brief.empty() ? cell.brief : cell.text;
+      }
       float width = text_size(ui, font, text).x;
       if (k < row.cells.size() && row.cells[k].chip) width += ui.em * 0.75f;
       column.width = std::max(column.width, width);
@@ -49,20 +52,20 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   TableResult result;
   const Theme& c = ui.colors();
   const float room = ImGui::GetContentRegionAvail().x;
-  // When it does not fit: smaller gaps, then smaller type, then fewer decimals; and at last the pane scrolls.
+  // When it does not fit: smaller gaps, fewer decimals, smaller type, signs for words; and at last the pane scrolls.
   float gap = std::round(ui.em * 0.85f);
   const ImFont* font = ui.fonts.mono;
   int at_most = usual_decimals;
-  std::vector<Column> columns = lay_out(ui, headings, rows, font, at_most);
+  bool brief = false;
+  std::vector<Column> columns = lay_out(ui, headings, rows, font, at_most, brief);
   const auto fits = [&] { return total(columns, gap) <= room; };
+  const auto again = [&] { columns = lay_out(ui, headings, rows, font, at_most, brief); };
   while (!fits() && gap > ui.em * 0.5f) gap -= 1;
-  while (!fits() && at_most > 2) columns = lay_out(ui, headings, rows, font, --at_most);
-  if (!fits()) {
-    font = ui.fonts.small;
-    columns = lay_out(ui, headings, rows, font, at_most);
-    while (!fits() && at_most > 1) columns = lay_out(ui, headings, rows, font, --at_most);
-    while (!fits() && gap > ui.em * 0.3f) gap -= 1;
-  }
+  while (!fits() && at_most > 2) --at_most, again();
+  if (!fits()) font = ui.fonts.small, again();
+  if (!fits()) brief = true, again();
+  while (!fits() && gap > ui.em * 0.35f) gap -= 1;
+  while (!fits() && at_most > 1) --at_most, again();
   const float width = std::max(room, total(columns, gap));
   const float height = std::round(ui.fonts.mono->FontSize * 1.35f), text_top = std::round((height - font->FontSize) / 2) - 1;
   ImGui::PushID(id);

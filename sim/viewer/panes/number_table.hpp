@@ -13,6 +13,7 @@ struct TableCell {
   std::string text;
   std::optional<double> value;  ///< drawn with its column's decimals; exact on hover
   ImU32 chip = 0;               ///< a swatch of this colour before the text
+  std::string brief;            ///< instead of the text where room is scarce; a sign
   TableCell(std::string t = {}) : text(std::move(t)) {}
   TableCell(double v) : value(v) {}
   TableCell(std::string t, ImU32 color) : text(std::move(t)), chip(color) {}

@@ -227,7 +227,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const std::functio
     content.canvas_version = version;
   }
   const ImVec2 end{origin.x + static_cast<float>(width), origin.y + static_cast<float>(height)};
-  ImGui::GetWindowDrawList()->AddImage(ui.renderer.image(id, content.canvas, version), origin, end);
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(content.canvas), origin, end);
 
   ImGui::SetCursorScreenPos(origin);
   ImGui::InvisibleButton(id, {static_cast<float>(width), static_cast<float>(height)},

@@ -214,7 +214,7 @@ void draw(Ui& ui) {
     ui.painted["scene"] = version;
   }
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(ui.renderer.image("scene", shown, version), at,
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
   if (scarce && !beside) return;
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.5f, at.y});
@@ -232,6 +232,6 @@ std::string note(Ui& ui) {
 
 }  // namespace
 
-const Pane scene_pane{"scene", "SCENE", draw, note, nullptr, 0.33f, false};
+const Pane scene_pane{"scene", "SCENE", draw, note, nullptr, 0.31f, false};
 
 }  // namespace zstep::viewer
