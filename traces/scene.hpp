@@ -1,5 +1,5 @@
-// What a run was given: polygons, camera, raster and conventions. A trace carries all of it, so it can be read without the
-// files it came from. algorithms/scene fills it from files; the algorithms run on it; the viewer draws it.
+// What a run was given: polygons, camera, raster and conventions. A trace carries all of it, so it can be read without
+// the files it came from. algorithms/scene fills it from files; the algorithms run on it; the viewer draws it.
 #pragma once
 
 #include <array>
@@ -21,14 +21,15 @@ struct Color {
 
 /// One polygon as the file has it. Its index in Scene::polygons is the id that every buffer and event uses.
 struct Polygon {
-  std::string name;             ///< a short label ("A"); empty for most meshes
+  std::string name;  ///< a short label ("A"); empty for most meshes
   Color color;
-  std::int32_t source_line = 0; ///< line of the file it stands at, 0 if there is none
+  std::int32_t source_line = 0;  ///< line of the file it stands at, 0 if there is none
   bool operator==(const Polygon&) const = default;
 };
 
-/// A planar piece of a polygon: what the algorithms loop over. A planar polygon, concave or not, is one facet; a polygon
-/// that is not planar is cut into triangles, each a facet of the same polygon (docs/architecture.md, "Degenerate input").
+/// A planar piece of a polygon: what the algorithms loop over. A planar polygon, concave or not, is one facet; a
+/// polygon that is not planar is cut into triangles, each a facet of the same polygon (docs/architecture.md,
+/// "Degenerate input").
 struct Facet {
   std::int32_t polygon = 0;
   std::int32_t first_corner = 0;  ///< its vertices are corners[first_corner .. first_corner + corner_count)
@@ -44,13 +45,13 @@ struct Camera {
     orthographic,  ///< x_p = x_v
   };
   Kind kind = Kind::perspective;
-  bool polar = true;                          ///< rho, theta, phi say where the eye is (Eckert); else `view` alone does
-  double rho = 4, theta = 30, phi = 60;       ///< distance; angles in degrees, phi from the z axis
-  double d = 1;                               ///< distance of the projection plane from the eye
-  double window = 1;                          ///< half the height of the window on the projection plane
-  double near = 0, far = 0;                   ///< z_v of the clipping planes
-  glm::dmat4 view{1};                         ///< world to view: v = view * w, column vectors (T_v of the notes)
-  glm::dvec3 eye{0};                          ///< world; for orthographic the direction towards the eye, unit length
+  bool polar = true;                     ///< rho, theta, phi say where the eye is (Eckert); else `view` alone does
+  double rho = 4, theta = 30, phi = 60;  ///< distance; angles in degrees, phi from the z axis
+  double d = 1;                          ///< distance of the projection plane from the eye
+  double window = 1;                     ///< half the height of the window on the projection plane
+  double near = 0, far = 0;              ///< z_v of the clipping planes
+  glm::dmat4 view{1};                    ///< world to view: v = view * w, column vectors (T_v of the notes)
+  glm::dvec3 eye{0};                     ///< world; for orthographic the direction towards the eye, unit length
   bool operator==(const Camera&) const = default;
 };
 
@@ -61,13 +62,13 @@ struct Raster {
 };
 
 struct Scene {
-  std::string name;                  ///< "pyramid"
-  std::string source;                ///< the file or "built-in"
-  std::vector<glm::dvec3> points;    ///< world; for Camera::Kind::screen (x_s, y_s, z)
+  std::string name;                       ///< "pyramid"
+  std::string source;                     ///< the file or "built-in"
+  std::vector<glm::dvec3> points;         ///< world; for Camera::Kind::screen (x_s, y_s, z)
   std::vector<std::int32_t> point_lines;  ///< line of the file each point stands at; empty if there is none
   std::vector<Polygon> polygons;
   std::vector<Facet> facets;
-  std::vector<std::int32_t> corners; ///< indices into points
+  std::vector<std::int32_t> corners;  ///< indices into points
   Color background{255, 255, 255};
   Camera camera;
   Raster raster;
@@ -76,13 +77,16 @@ struct Scene {
 
 /// What was interpolated and how. Every trace states them; see docs/trace-format.md.
 struct Conventions {
-  enum class Depth : std::uint8_t { pseudodepth, view };        ///< what the buffer holds: z* of the notes (003), or z_v (000)
+  enum class Depth : std::uint8_t {
+    pseudodepth,
+    view
+  };  ///< what the buffer holds: z* of the notes (003), or z_v (000)
   enum class Interpolation : std::uint8_t { direct, increments };
-  enum class Coverage : std::uint8_t { top_left, inclusive };   ///< inclusive: the textbook's `for x = x_L to x_R`
+  enum class Coverage : std::uint8_t { top_left, inclusive };  ///< inclusive: the textbook's `for x = x_L to x_R`
   Depth depth = Depth::pseudodepth;
   Interpolation interpolation = Interpolation::direct;
   Coverage coverage = Coverage::top_left;
-  bool cull = true;                                             ///< back faces are dropped
+  bool cull = true;  ///< back faces are dropped
   bool operator==(const Conventions&) const = default;
 };
 
@@ -97,7 +101,8 @@ struct Picture {
 
   Picture() = default;
   Picture(std::int32_t width_, std::int32_t height_)
-      : width(width_), height(height_),
+      : width(width_),
+        height(height_),
         polygon(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), no_polygon),
         depth(polygon.size(), no_depth) {}
 
@@ -107,8 +112,8 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
-/// z_v at a pixel from the number in the buffer (equation z* = f(a z + b)/z of 003, inverted; linear when orthographic).
-/// Infinity stays infinity; a screen scene's z is returned as it is.
+/// z_v at a pixel from the number in the buffer (equation z* = f(a z + b)/z of 003, inverted; linear when
+/// orthographic). Infinity stays infinity; a screen scene's z is returned as it is.
 double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth);
 
 }  // namespace zstep

@@ -71,10 +71,12 @@ int main(int argc, char** argv) {
   }
   const Trace trace = Trace::open(path);
   const auto events = static_cast<double>(trace.size());
-  fmt::print("{} at {}x{}: {} polygons, {} events\n", scene.name, scene.raster.width, scene.raster.height, scene.polygons.size(), trace.size());
+  fmt::print("{} at {}x{}: {} polygons, {} events\n", scene.name, scene.raster.width, scene.raster.height,
+             scene.polygons.size(), trace.size());
   fmt::print("  untraced run                   {:8.2f} ms\n", 1e3 * quantile(untraced, 0.5));
   fmt::print("  recording to a file / untraced {:8.2f}\n", quantile(traced, 0.5) / quantile(untraced, 0.5));
-  fmt::print("  bytes an event on disk         {:8.3f}\n", static_cast<double>(std::filesystem::file_size(path)) / events);
+  fmt::print("  bytes an event on disk         {:8.3f}\n",
+             static_cast<double>(std::filesystem::file_size(path)) / events);
   fmt::print("  decode, unpacking included     {:8.2f} ns an event\n", 1e9 * quantile(decoding, 0.5) / events);
   fmt::print("  open                           {:8.2f} ms\n", 1e3 * quantile(opening, 0.5));
 
@@ -90,7 +92,9 @@ int main(int argc, char** argv) {
   fmt::print("  random seek, p99               {:8.2f} ms\n", 1e3 * quantile(seeks, 0.99));
   replay.go_to(trace.size() / 2);
   constexpr int steps = 10000;
-  const double all = seconds_of([&] { for (int i = 0; i < steps; ++i) replay.step_back(); });
+  const double all = seconds_of([&] {
+    for (int i = 0; i < steps; ++i) replay.step_back();
+  });
   fmt::print("  a step back, mean of {}     {:8.2f} us\n", steps, 1e6 * all / steps);
   std::filesystem::remove(path);
 }

@@ -1,5 +1,6 @@
-// libFuzzer target: traces. The first byte chooses how the rest reaches the reader: as a file, as JSON Lines behind a good
-// header, or as the packed columns of a block inside a file that is otherwise whole (checksums would stop it earlier).
+// libFuzzer target: traces. The first byte chooses how the rest reaches the reader: as a file, as JSON Lines behind a
+// good header, or as the packed columns of a block inside a file that is otherwise whole (checksums would stop it
+// earlier).
 #include <cstdint>
 #include <memory>
 #include <sstream>
@@ -76,10 +77,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::span<const std::uint8_t> rest(data + 1, size - 1);
   try {
     switch (data[0] % 4) {
-      case 0: read_everything(Trace::from_bytes(Bytes(rest.begin(), rest.end()), "fuzz")); break;
-      case 1: read_lines(std::string(rest.begin(), rest.end())); break;
-      case 2: read_lines(jsonl_header(some_header(), some_scene()) + "\n" + std::string(rest.begin(), rest.end())); break;
-      default: read_block(rest); break;
+      case 0:
+        read_everything(Trace::from_bytes(Bytes(rest.begin(), rest.end()), "fuzz"));
+        break;
+      case 1:
+        read_lines(std::string(rest.begin(), rest.end()));
+        break;
+      case 2:
+        read_lines(jsonl_header(some_header(), some_scene()) + "\n" + std::string(rest.begin(), rest.end()));
+        break;
+      default:
+        read_block(rest);
+        break;
     }
   } catch (const InputError&) {
   } catch (const MalformedBytes&) {  // read_block's own first byte

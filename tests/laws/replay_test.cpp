@@ -1,5 +1,5 @@
-// The law of replay, on a run long enough to cross check-points, undo windows, blocks and key frames: a state is the same
-// however it was reached. (tests/golden holds every step of the small traces to it.)
+// The law of replay, on a run long enough to cross check-points, undo windows, blocks and key frames: a state is the
+// same however it was reached. (tests/golden holds every step of the small traces to it.)
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -85,7 +85,8 @@ TEST_CASE("replay: a long run, sought and stepped at random, agrees with a plain
   CHECK(wanderer.state().picture == picture);
   std::mt19937 random(9);
   std::vector<std::int64_t> places;
-  for (int i = 0; i < 40; ++i) places.push_back(static_cast<std::int64_t>(random() % static_cast<unsigned>(trace.size())));
+  for (int i = 0; i < 40; ++i)
+    places.push_back(static_cast<std::int64_t>(random() % static_cast<unsigned>(trace.size())));
   std::sort(places.begin(), places.end());
   std::vector<State> plain;
   {
@@ -98,9 +99,14 @@ TEST_CASE("replay: a long run, sought and stepped at random, agrees with a plain
   for (int i = 0; i < 60; ++i) {
     const std::size_t which = random() % places.size();
     switch (random() % 3) {
-      case 0: wanderer.go_to(places[which] + 1 + static_cast<std::int64_t>(random() % 3000)); break;   // arrive from above
-      case 1: wanderer.go_to(places[which] - 1 - static_cast<std::int64_t>(random() % 3000)); break;   // or from below
-      default: break;                                                                                  // or from anywhere
+      case 0:
+        wanderer.go_to(places[which] + 1 + static_cast<std::int64_t>(random() % 3000));
+        break;  // arrive from above
+      case 1:
+        wanderer.go_to(places[which] - 1 - static_cast<std::int64_t>(random() % 3000));
+        break;  // or from below
+      default:
+        break;  // or from anywhere
     }
     wanderer.go_to(places[which]);
     REQUIRE(wanderer.state() == plain[which]);
@@ -140,7 +146,10 @@ TEST_CASE("replay: a step that cannot be is refused, and the state before it sta
   recorder.finish();
   const Trace bad = Trace::from_bytes(recorder.take_bytes(), "bad.ztrace");
   Replay replay(bad);
-  CHECK_THROWS_WITH_AS(replay.go_to(2), "bad.ztrace: step 2 cannot be: edge 7 is not in the active edge list; correct the program that wrote the trace, or open it at an earlier step", InputError);
+  CHECK_THROWS_WITH_AS(replay.go_to(2),
+                       "bad.ztrace: step 2 cannot be: edge 7 is not in the active edge list; correct the program that "
+                       "wrote the trace, or open it at an earlier step",
+                       InputError);
   CHECK(replay.position() == 1);
   CHECK(replay.state().machine.polygon == 0);
 }

@@ -12,9 +12,12 @@ namespace {
 
 std::string_view guess_text(Guess guess) {
   switch (guess) {
-    case Guess::next: return "one more";
-    case Guess::on_span: return "on the span";
-    default: return "the same";
+    case Guess::next:
+      return "one more";
+    case Guess::on_span:
+      return "on the span";
+    default:
+      return "the same";
   }
 }
 
@@ -31,10 +34,12 @@ std::string type_text() {
 std::string vocabulary_markdown() {
   std::string out;
   for_each_kind([&]<class E>() {
-    out += fmt::format("\n### {}\n{}.\n\n| field | type | unit | guess | meaning |\n|---|---|---|---|---|\n", kind_text<E>.name, kind_text<E>.meaning);
+    out += fmt::format("\n### {}\n{}.\n\n| field | type | unit | guess | meaning |\n|---|---|---|---|---|\n",
+                       kind_text<E>.name, kind_text<E>.meaning);
     for_each_index<E>([&]<std::size_t I>() {
       constexpr auto field = field_at<E, I>;
-      out += fmt::format("| {} | {} | {} | {} | {} |\n", field.name, type_text<FieldValue<E, I>>(), field.unit, guess_text(field.guess), field.meaning);
+      out += fmt::format("| {} | {} | {} | {} | {} |\n", field.name, type_text<FieldValue<E, I>>(), field.unit,
+                         guess_text(field.guess), field.meaning);
     });
   });
   return out;

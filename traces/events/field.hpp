@@ -15,7 +15,8 @@ namespace zstep {
 enum class Guess : std::uint8_t {
   same,     ///< the register of the same name, unchanged
   next,     ///< that register plus one (integers only)
-  on_span,  ///< z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), or z + dz_dx when the run interpolates by increments
+  on_span,  ///< z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), or z + dz_dx when the run interpolates by
+            ///< increments
 };
 
 template <class Event, class Value>

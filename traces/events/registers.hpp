@@ -1,8 +1,9 @@
 // Registers and guesses: how an event is foretold from the ones before it.
 //
-// There is one register per field name, so that a `y` told by a scan line is already known to the span, the interpolation
-// and the compare that follow. Encoder and decoder walk an event's fields in order; each field is guessed from the
-// registers, and the value then becomes its register. What is guessed right is not stored (docs/trace-format.md).
+// There is one register per field name, so that a `y` told by a scan line is already known to the span, the
+// interpolation and the compare that follow. Encoder and decoder walk an event's fields in order; each field is guessed
+// from the registers, and the value then becomes its register. What is guessed right is not stored
+// (docs/trace-format.md).
 #pragma once
 
 #include <array>
@@ -101,13 +102,16 @@ class Registers {
       if constexpr (field.guess == Guess::on_span) return increments_ ? stepped(slot) : on_span();
       else return real_[slot];
     } else {
-      if constexpr (field.guess == Guess::next) return static_cast<std::int32_t>(static_cast<std::uint32_t>(whole_[slot]) + 1u);
+      if constexpr (field.guess == Guess::next)
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(whole_[slot]) + 1u);
       else return whole_[slot];
     }
   }
 
   template <class E, std::size_t I>
-  void set(double value) { real_[slot_of(field_at<E, I>.name)] = value; }
+  void set(double value) {
+    real_[slot_of(field_at<E, I>.name)] = value;
+  }
   template <class E, std::size_t I>
   void set(std::int32_t value) {
     whole_[slot_of(field_at<E, I>.name)] = value;

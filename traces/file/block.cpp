@@ -50,13 +50,15 @@ BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t c
 void put_block_info(Bytes& out, const BlockInfo& info) {
   put_u64(out, static_cast<std::uint64_t>(info.first_position));
   put_u32(out, info.count);
-  for (const std::int32_t bound : {info.x_min, info.x_max, info.y_min, info.y_max}) put_u32(out, static_cast<std::uint32_t>(bound));
+  for (const std::int32_t bound : {info.x_min, info.x_max, info.y_min, info.y_max})
+    put_u32(out, static_cast<std::uint32_t>(bound));
   put_varint(out, info.marks.size());
   std::uint32_t last_offset = 0;
   std::int32_t last_polygon = 0;
   for (const BlockInfo::Mark& mark : info.marks) {
     put_varint(out, mark.offset - last_offset);
-    put_varint(out, zigzag(static_cast<std::int32_t>(static_cast<std::uint32_t>(mark.polygon) - static_cast<std::uint32_t>(last_polygon))));
+    put_varint(out, zigzag(static_cast<std::int32_t>(static_cast<std::uint32_t>(mark.polygon) -
+                                                     static_cast<std::uint32_t>(last_polygon))));
     last_offset = mark.offset;
     last_polygon = mark.polygon;
   }
@@ -67,7 +69,8 @@ BlockInfo take_block_info(ByteReader& in) {
   info.first_position = static_cast<std::int64_t>(in.u64());
   info.count = in.u32();
   if (info.count > block_events) throw MalformedBytes("a block of more than 65 536 events");
-  for (std::int32_t* bound : {&info.x_min, &info.x_max, &info.y_min, &info.y_max}) *bound = static_cast<std::int32_t>(in.u32());
+  for (std::int32_t* bound : {&info.x_min, &info.x_max, &info.y_min, &info.y_max})
+    *bound = static_cast<std::int32_t>(in.u32());
   const std::size_t marks = in.count(2);
   std::uint32_t offset = 0, polygon = 0;
   for (std::size_t i = 0; i < marks; ++i) {

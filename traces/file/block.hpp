@@ -1,8 +1,8 @@
 // A block: up to 65 536 events, packed by column, readable without any other block.
 //
-// Every event costs one token byte, its step id. When a field was not what the registers foretold, the token's top bit is
-// set and the column `misses` holds which fields; each such value goes to the column of its register. A span's pixels are
-// foretold whole, so they become a repeating pattern of tokens that compresses to a few bits.
+// Every event costs one token byte, its step id. When a field was not what the registers foretold, the token's top bit
+// is set and the column `misses` holds which fields; each such value goes to the column of its register. A span's
+// pixels are foretold whole, so they become a repeating pattern of tokens that compresses to a few bits.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +30,11 @@ struct BlockInfo {
   std::uint32_t count = 0;          ///< its events
   std::int32_t x_min = std::numeric_limits<std::int32_t>::max(), x_max = std::numeric_limits<std::int32_t>::min();
   std::int32_t y_min = std::numeric_limits<std::int32_t>::max(), y_max = std::numeric_limits<std::int32_t>::min();
-  struct Mark { std::uint32_t offset; std::int32_t polygon; };  ///< event number in the block, polygon
-  std::vector<Mark> marks;                                      ///< where work on polygons begins
+  struct Mark {
+    std::uint32_t offset;
+    std::int32_t polygon;
+  };                        ///< event number in the block, polygon
+  std::vector<Mark> marks;  ///< where work on polygons begins
 
   bool may_touch(std::int32_t x, std::int32_t y) const { return x_min <= x && x <= x_max && y_min <= y && y <= y_max; }
 };
@@ -85,7 +88,10 @@ class BlockEncoder {
   /// What the index keeps.
   template <class E>
   void note(const E& event) {
-    if constexpr (requires { event.x; event.y; }) {
+    if constexpr (requires {
+                    event.x;
+                    event.y;
+                  }) {
       info_.x_min = std::min(info_.x_min, event.x);
       info_.x_max = std::max(info_.x_max, event.x);
       info_.y_min = std::min(info_.y_min, event.y);
@@ -117,10 +123,12 @@ class BlockDecoder {
   bool visit_all(Visit&& visit) {
     using Take = bool (*)(BlockDecoder&, std::uint8_t, bool, Visit&);
     static constexpr auto take = []<std::size_t... K>(std::index_sequence<K...>) {
-      return std::array<Take, kind_count>{[](BlockDecoder& self, std::uint8_t step, bool missed, Visit& function) -> bool {
-        return function(step, self.take<std::variant_alternative_t<K, Event>>(missed));
-      }...};
-    }(std::make_index_sequence<kind_count>{});
+      return std::array<Take, kind_count>{
+          [](BlockDecoder& self, std::uint8_t step, bool missed, Visit& function) -> bool {
+            return function(step, self.take<std::variant_alternative_t<K, Event>>(missed));
+          }...};
+    }
+    (std::make_index_sequence<kind_count>{});
     for (const std::uint8_t token : tokens_) {
       const std::uint8_t step = token & static_cast<std::uint8_t>(~missed_bit);
       const std::uint8_t kind = kinds_[step];
@@ -144,7 +152,8 @@ class BlockDecoder {
         if constexpr (std::is_same_v<Value, double>) {
           value = double_of(bits_of(value) ^ columns_[slot].u64());
         } else {
-          const auto residual = static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(columns_[slot].varint())));
+          const auto residual =
+              static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(columns_[slot].varint())));
           value = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) + residual);
         }
       }
@@ -160,7 +169,8 @@ class BlockDecoder {
       if (value != 0 && value != 1) throw MalformedBytes("a truth value that is neither 0 nor 1");
       return value != 0;
     } else if constexpr (std::is_enum_v<Value>) {
-      if (value < 0 || static_cast<std::size_t>(value) >= words_of<Value>.size()) throw MalformedBytes("an unknown word");
+      if (value < 0 || static_cast<std::size_t>(value) >= words_of<Value>.size())
+        throw MalformedBytes("an unknown word");
       return static_cast<Value>(value);
     } else {
       return value;

@@ -39,7 +39,9 @@ inline void put_varint(Bytes& out, std::uint64_t value) {
 inline std::uint32_t zigzag(std::int32_t value) {
   return (static_cast<std::uint32_t>(value) << 1) ^ static_cast<std::uint32_t>(value >> 31);
 }
-inline std::int32_t unzigzag(std::uint32_t value) { return static_cast<std::int32_t>((value >> 1) ^ (0u - (value & 1u))); }
+inline std::int32_t unzigzag(std::uint32_t value) {
+  return static_cast<std::int32_t>((value >> 1) ^ (0u - (value & 1u)));
+}
 
 inline void put_text(Bytes& out, const std::string& text) {
   put_varint(out, text.size());
@@ -96,7 +98,8 @@ class ByteReader {
   Unsigned fixed() {
     need(sizeof(Unsigned));
     Unsigned value = 0;
-    for (std::size_t i = 0; i < sizeof value; ++i) value |= static_cast<Unsigned>(static_cast<Unsigned>(at_[i]) << (8 * i));
+    for (std::size_t i = 0; i < sizeof value; ++i)
+      value |= static_cast<Unsigned>(static_cast<Unsigned>(at_[i]) << (8 * i));
     at_ += sizeof value;
     return value;
   }

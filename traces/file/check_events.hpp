@@ -9,8 +9,8 @@
 
 namespace zstep {
 
-/// The most vertices that clipping one facet can make and the most edges a table can hold are bounded by the scene's size;
-/// what lies beyond these bounds cannot come from a run on this scene.
+/// The most vertices that clipping one facet can make and the most edges a table can hold are bounded by the scene's
+/// size; what lies beyond these bounds cannot come from a run on this scene.
 class EventCheck {
  public:
   explicit EventCheck(const Scene& scene);

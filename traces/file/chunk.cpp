@@ -93,7 +93,8 @@ Bytes compress(std::span<const std::uint8_t> bytes) {
 
 Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit) {
   const unsigned long long stated = ZSTD_getFrameContentSize(frame.data(), frame.size());
-  if (stated == ZSTD_CONTENTSIZE_ERROR || stated == ZSTD_CONTENTSIZE_UNKNOWN) throw MalformedBytes("a part that is not compressed as it should be");
+  if (stated == ZSTD_CONTENTSIZE_ERROR || stated == ZSTD_CONTENTSIZE_UNKNOWN)
+    throw MalformedBytes("a part that is not compressed as it should be");
   if (stated > limit) throw MalformedBytes("a part that would unpack to " + std::to_string(stated) + " bytes");
   Bytes out(static_cast<std::size_t>(stated));
   const std::size_t size = ZSTD_decompress(out.data(), out.size(), frame.data(), frame.size());

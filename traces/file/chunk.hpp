@@ -1,5 +1,5 @@
-// The container: a signature, then chunks, each with its length and checksum, so that a file that was cut off or damaged
-// is noticed and read as far as it is whole.
+// The container: a signature, then chunks, each with its length and checksum, so that a file that was cut off or
+// damaged is noticed and read as far as it is whole.
 //
 //     "ztrace\r\n" version:u32
 //     chunk*:  tag[4] size:u64 checksum:u64 bytes[size]       checksum = XXH3-64 of tag and bytes
@@ -60,7 +60,8 @@ std::optional<std::uint64_t> index_offset(const ByteSource& source);
 
 /// zstd at level 1, the level that recording can afford.
 Bytes compress(std::span<const std::uint8_t> bytes);
-/// One zstd frame that states its size, at most `limit`; throws MalformedBytes otherwise (a bomb states its size, or lies).
+/// One zstd frame that states its size, at most `limit`; throws MalformedBytes otherwise (a bomb states its size, or
+/// lies).
 Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit);
 
 }  // namespace zstep

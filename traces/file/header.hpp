@@ -10,11 +10,11 @@
 namespace zstep {
 
 struct Header {
-  std::string writer;       ///< who wrote it: "zstep 0.1.0", or a student's program
-  std::string algorithm;    ///< the method's id: "z-buffer"
-  std::string title;        ///< the method's title: "Z-buffer"
+  std::string writer;     ///< who wrote it: "zstep 0.1.0", or a student's program
+  std::string algorithm;  ///< the method's id: "z-buffer"
+  std::string title;      ///< the method's title: "Z-buffer"
   Conventions conventions;
-  Page page;                ///< the step table, in the order in which the pseudo-code is read
+  Page page;  ///< the step table, in the order in which the pseudo-code is read
   bool operator==(const Header&) const = default;
 };
 

@@ -47,7 +47,8 @@ bool next_line(std::istream& in, std::string& line) {
 
 /// The step's name, with its module where another module has a step of that name.
 std::string step_label(const Page& page, const StepInfo& step) {
-  const auto same_name = std::count_if(page.begin(), page.end(), [&](const StepInfo& other) { return other.name == step.name; });
+  const auto same_name =
+      std::count_if(page.begin(), page.end(), [&](const StepInfo& other) { return other.name == step.name; });
   return same_name > 1 ? step.module + "." + step.name : step.name;
 }
 
@@ -85,7 +86,9 @@ Value value_from(const json& in, std::string_view name) {
     // Programs in languages with one kind of number write 5.0 for 5.
     if (in.is_number()) {
       const double value = in.get<double>();
-      if (value == static_cast<double>(static_cast<std::int64_t>(std::clamp(value, -3e9, 3e9))) && value >= INT32_MIN && value <= INT32_MAX) return static_cast<Value>(value);
+      if (value == static_cast<double>(static_cast<std::int64_t>(std::clamp(value, -3e9, 3e9))) && value >= INT32_MIN &&
+          value <= INT32_MAX)
+        return static_cast<Value>(value);
     }
     throw MalformedJson(fmt::format("\"{}\" is not a whole number", name));
   }
@@ -131,16 +134,20 @@ void write_jsonl(const Trace& trace, std::ostream& out) {
   });
 }
 
-void read_jsonl(std::istream& in, const std::string& name, const std::function<TraceRecorder&(const Header&, const Scene&)>& begin) {
+void read_jsonl(std::istream& in, const std::string& name,
+                const std::function<TraceRecorder&(const Header&, const Scene&)>& begin) {
   std::int64_t number = 0;
-  const auto fail = [&](const std::string& what, const std::string& mend) { throw InputError(fmt::format("{}:{}", name, number), what, mend); };
+  const auto fail = [&](const std::string& what, const std::string& mend) {
+    throw InputError(fmt::format("{}:{}", name, number), what, mend);
+  };
   std::string line;
   TraceRecorder* recorder = nullptr;
   Header header;
   while (next_line(in, line)) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    if (line.size() > line_limit) fail("the line is longer than 24 MiB", "write one event a line; large scenes are recorded straight to a .ztrace");
+    if (line.size() > line_limit)
+      fail("the line is longer than 24 MiB", "write one event a line; large scenes are recorded straight to a .ztrace");
     json document;
     try {
       document = parse_line(line);
@@ -166,18 +173,21 @@ void read_jsonl(std::istream& in, const std::string& name, const std::function<T
         if (kind_of<E> == step->kind) (*recorder)(Step<E>{step->id}, event_from<E>(document));
       });
     } catch (const MalformedJson& error) {
-      fail(error.what(), recorder == nullptr ? "the first line must be a trace's header, as docs/trace-format.md shows it"
-                                             : "see the fields of each event in docs/trace-format.md");
+      fail(error.what(), recorder == nullptr
+                             ? "the first line must be a trace's header, as docs/trace-format.md shows it"
+                             : "see the fields of each event in docs/trace-format.md");
     }
   }
-  if (recorder == nullptr) fail("there is no header line", "the first line must be a trace's header, as docs/trace-format.md shows it");
+  if (recorder == nullptr)
+    fail("there is no header line", "the first line must be a trace's header, as docs/trace-format.md shows it");
 }
 
 namespace {
 
 std::ifstream opened(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path)) throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
+  if (!in || std::filesystem::is_directory(path))
+    throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
   return in;
 }
 
@@ -188,7 +198,9 @@ void import_jsonl(const std::filesystem::path& from, const std::filesystem::path
   const std::filesystem::path partial = to.string() + ".part";
   std::optional<TraceRecorder> recorder;
   try {
-    read_jsonl(in, from.string(), [&](const Header& header, const Scene& scene) -> TraceRecorder& { return recorder.emplace(partial, header, scene); });
+    read_jsonl(in, from.string(), [&](const Header& header, const Scene& scene) -> TraceRecorder& {
+      return recorder.emplace(partial, header, scene);
+    });
     recorder->finish();
     // Numbers outside the scene are found when the events are read, so read them before anyone relies on them.
     const Trace trace = Trace::open(partial);
@@ -206,7 +218,9 @@ void import_jsonl(const std::filesystem::path& from, const std::filesystem::path
 Trace open_jsonl(const std::filesystem::path& path) {
   std::ifstream in = opened(path);
   std::optional<TraceRecorder> recorder;
-  read_jsonl(in, path.string(), [&](const Header& header, const Scene& scene) -> TraceRecorder& { return recorder.emplace(header, scene); });
+  read_jsonl(in, path.string(), [&](const Header& header, const Scene& scene) -> TraceRecorder& {
+    return recorder.emplace(header, scene);
+  });
   recorder->finish();
   return Trace::from_bytes(recorder->take_bytes(), path.string());
 }

@@ -82,7 +82,8 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
     facet.polygon = whole();
     facet.first_corner = static_cast<std::int32_t>(scene.corners.size());
     facet.corner_count = whole();
-    if (facet.corner_count < 0 || static_cast<std::size_t>(facet.corner_count) > in.left()) throw MalformedBytes("a facet with more corners than the data");
+    if (facet.corner_count < 0 || static_cast<std::size_t>(facet.corner_count) > in.left())
+      throw MalformedBytes("a facet with more corners than the data");
     for (std::int32_t i = 0; i < facet.corner_count; ++i) scene.corners.push_back(whole());
   }
   check_scene(scene);

@@ -1,15 +1,11 @@
 #include "traces/file/trace.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "traces/error.hpp"
 #include "traces/file/check_events.hpp"
-#include "traces/file/header_json.hpp"
-#include "traces/file/scene_bytes.hpp"
 #include "traces/file/visit.hpp"
 
 namespace zstep {
@@ -19,162 +15,12 @@ namespace {
 constexpr std::size_t packed_kept = 8, events_kept = 6;
 // What a block can unpack to: every field of every event missed, and some.
 constexpr std::uint64_t block_limit = std::uint64_t{block_events} * 128;
-constexpr std::uint64_t head_limit = std::uint64_t{4} << 20;
-constexpr std::uint64_t scene_limit = std::uint64_t{256} << 20;
-constexpr std::uint64_t index_limit = std::uint64_t{256} << 20;
-constexpr const char* mend_trace = "record it again with `zstep record`, or import its JSONL form with `zstep import`";
-
-class FileSource : public ByteSource {
- public:
-  explicit FileSource(const std::filesystem::path& path) : file_(path, std::ios::binary) {
-    if (!file_ || std::filesystem::is_directory(path)) throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
-    file_.seekg(0, std::ios::end);
-    size_ = static_cast<std::uint64_t>(file_.tellg());
-  }
-  std::uint64_t size() const override { return size_; }
-  Bytes read(std::uint64_t offset, std::uint64_t size) const override {
-    if (offset > size_ || size > size_ - offset) throw MalformedBytes("it ends too early");
-    Bytes bytes(static_cast<std::size_t>(size));
-    file_.clear();
-    file_.seekg(static_cast<std::streamoff>(offset));
-    file_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (static_cast<std::uint64_t>(file_.gcount()) != size) throw MalformedBytes("it ends too early");
-    return bytes;
-  }
-
- private:
-  mutable std::ifstream file_;
-  std::uint64_t size_ = 0;
-};
-
-class MemorySource : public ByteSource {
- public:
-  explicit MemorySource(Bytes bytes) : bytes_(std::move(bytes)) {}
-  std::uint64_t size() const override { return bytes_.size(); }
-  Bytes read(std::uint64_t offset, std::uint64_t size) const override {
-    if (offset > bytes_.size() || size > bytes_.size() - offset) throw MalformedBytes("it ends too early");
-    const auto begin = bytes_.begin() + static_cast<std::ptrdiff_t>(offset);
-    return {begin, begin + static_cast<std::ptrdiff_t>(size)};
-  }
-
- private:
-  Bytes bytes_;
-};
-
-/// Reads signature, header and scene; returns the offset after them.
-std::uint64_t read_head(Trace::Impl& trace) {
-  const ByteSource& source = *trace.source;
-  const std::uint64_t signature_size = trace_signature.size() + 4;
-  const Bytes signature = source.read(0, std::min<std::uint64_t>(signature_size, source.size()));
-  if (signature.size() < signature_size || !std::equal(trace_signature.begin(), trace_signature.end(), signature.begin())) {
-    throw InputError(trace.name, "is not a zstep trace", "give a .ztrace file; a scene or mesh is recorded with `zstep record`");
-  }
-  ByteReader version_in(std::span<const std::uint8_t>(signature).subspan(trace_signature.size()));
-  const std::uint32_t version = version_in.u32();
-  if (version != trace_version) {
-    throw InputError(trace.name, fmt::format("is a trace of version {}; this zstep {} reads version {}", version, ZSTEP_VERSION, trace_version),
-                     "open it with the zstep that wrote it");
-  }
-  const auto head = chunk_at(source, signature_size);
-  if (!head || head->tag != head_tag) throw MalformedBytes("its header is missing");
-  const Bytes json = decompress(read_chunk(source, *head), head_limit);
-  trace.header = header_from_json(nlohmann::json::parse(json.begin(), json.end()));
-  const auto scene = chunk_at(source, head->end());
-  if (!scene || scene->tag != scene_tag) throw MalformedBytes("its scene is missing");
-  trace.scene = scene_from_bytes(decompress(read_chunk(source, *scene), scene_limit));
-  trace.kinds = kinds_of(trace.header.page);
-  trace.increments = trace.header.conventions.interpolation == Conventions::Interpolation::increments;
-  return scene->end();
-}
-
-void add_block(Trace::Impl& trace, const ChunkPlace& place, BlockInfo info, std::uint64_t frame_offset) {
-  if (info.first_position != trace.size || info.count == 0) throw MalformedBytes("its blocks do not follow one another");
-  for (const BlockInfo::Mark& mark : info.marks) trace.polygons.push_back({info.first_position + mark.offset + 1, mark.polygon});
-  trace.size += info.count;
-  trace.blocks.push_back({std::move(info), place, frame_offset});
-}
-
-/// True when the file has an index and it is intact.
-bool read_index(Trace::Impl& trace) {
-  const auto offset = index_offset(*trace.source);
-  if (!offset) return false;
-  const auto place = chunk_at(*trace.source, *offset);
-  if (!place || place->tag != index_tag) return false;
-  try {
-    const Bytes bytes = decompress(read_chunk(*trace.source, *place), index_limit);
-    ByteReader in(bytes);
-    const std::size_t count = in.count();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint64_t block_offset = in.varint();
-      const std::size_t info_size = in.count();
-      ByteReader info(in.take(info_size));
-      const auto block = chunk_at(*trace.source, block_offset);
-      if (!block || block->tag != events_tag) return false;
-      Bytes length;
-      put_varint(length, info_size);
-      add_block(trace, *block, take_block_info(info), length.size() + info_size);
-    }
-    return true;
-  } catch (const MalformedBytes&) {
-    return false;
-  }
-}
-
-/// Walks the chunks as far as they are whole.
-void rebuild_index(Trace::Impl& trace, std::uint64_t offset) {
-  trace.blocks.clear();
-  trace.polygons.clear();
-  trace.size = 0;
-  bool damaged = false;
-  while (const auto place = chunk_at(*trace.source, offset)) {
-    if (place->tag != events_tag) break;
-    try {
-      const Bytes bytes = read_chunk(*trace.source, *place);
-      ByteReader in(bytes);
-      ByteReader info(in.take(in.count()));
-      add_block(trace, *place, take_block_info(info), bytes.size() - in.left());
-    } catch (const MalformedBytes&) {
-      damaged = true;
-      break;
-    }
-    offset = place->end();
-  }
-  trace.warnings.push_back(fmt::format("{}: the recording {}; {} events could be read", trace.name,
-                                       damaged ? "is damaged" : "was cut off before its end", trace.size));
-}
 
 }  // namespace
-
-Trace::Trace(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {
-  try {
-    const std::uint64_t offset = read_head(*impl_);
-    if (!read_index(*impl_)) rebuild_index(*impl_, offset);
-  } catch (const MalformedBytes& error) {
-    throw InputError(impl_->name, fmt::format("is damaged: {}", error.what()), mend_trace);
-  } catch (const MalformedJson& error) {
-    throw InputError(impl_->name, fmt::format("has a header that cannot be used: {}", error.what()), mend_trace);
-  } catch (const nlohmann::json::exception&) {
-    throw InputError(impl_->name, "is damaged: its header is not JSON", mend_trace);
-  }
-}
 
 Trace::Trace(Trace&&) noexcept = default;
 Trace& Trace::operator=(Trace&&) noexcept = default;
 Trace::~Trace() = default;
-
-Trace Trace::open(const std::filesystem::path& path) {
-  auto impl = std::make_unique<Impl>();
-  impl->name = path.string();
-  impl->source = std::make_unique<FileSource>(path);
-  return Trace(std::move(impl));
-}
-
-Trace Trace::from_bytes(std::vector<std::uint8_t> bytes, const std::string& name) {
-  auto impl = std::make_unique<Impl>();
-  impl->name = name;
-  impl->source = std::make_unique<MemorySource>(std::move(bytes));
-  return Trace(std::move(impl));
-}
 
 const Header& Trace::header() const { return impl_->header; }
 const Scene& Trace::scene() const { return impl_->scene; }
@@ -184,14 +30,18 @@ const std::vector<std::string>& Trace::warnings() const { return impl_->warnings
 std::span<const PolygonMark> Trace::polygons() const { return impl_->polygons; }
 
 std::size_t Trace::Impl::block_of(std::int64_t position) const {
-  const auto after = std::upper_bound(blocks.begin(), blocks.end(), position - 1,
-                                      [](std::int64_t before, const Block& block) { return before < block.info.first_position; });
+  const auto after =
+      std::upper_bound(blocks.begin(), blocks.end(), position - 1,
+                       [](std::int64_t before, const Block& block) { return before < block.info.first_position; });
   return static_cast<std::size_t>(after - blocks.begin()) - 1;
 }
 
 void Trace::Impl::damaged(std::size_t block, const std::string& what) const {
   const BlockInfo& info = blocks[block].info;
-  throw InputError(name, fmt::format("is damaged in steps {} to {}: {}", info.first_position + 1, info.first_position + info.count, what), mend_trace);
+  throw InputError(
+      name,
+      fmt::format("is damaged in steps {} to {}: {}", info.first_position + 1, info.first_position + info.count, what),
+      mend_trace);
 }
 
 const Bytes& Trace::Impl::packed(std::size_t block) const {
@@ -211,7 +61,8 @@ const Bytes& Trace::Impl::packed(std::size_t block) const {
       BlockDecoder decoder(unpacked, place.info.count, kinds, increments);
       decoder.visit_all([&](std::uint8_t, const auto& event) {
         ++position;
-        if (std::string fault = check(event); !fault.empty()) throw MalformedBytes(fmt::format("step {}: {}", position, fault));
+        if (std::string fault = check(event); !fault.empty())
+          throw MalformedBytes(fmt::format("step {}: {}", position, fault));
         return true;
       });
       place.checked = true;
@@ -253,7 +104,8 @@ const RecordedEvent& Trace::event(std::int64_t position) const {
   return impl_->events(block)[static_cast<std::size_t>(position - 1 - impl_->blocks[block].info.first_position)];
 }
 
-std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate, std::optional<Pixel> pixel) const {
+std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate,
+                                        std::optional<Pixel> pixel) const {
   for (std::int64_t position = std::max<std::int64_t>(from, 0) + 1; position <= size();) {
     const std::size_t index = impl_->block_of(position);
     const BlockInfo& info = impl_->blocks[index].info;
@@ -269,7 +121,8 @@ std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& pred
   return std::nullopt;
 }
 
-std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& predicate, std::optional<Pixel> pixel) const {
+std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& predicate,
+                                            std::optional<Pixel> pixel) const {
   for (std::int64_t position = std::min(from - 1, size()); position >= 1;) {
     const std::size_t index = impl_->block_of(position);
     const BlockInfo& info = impl_->blocks[index].info;
@@ -285,10 +138,16 @@ std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& 
 }
 
 std::optional<Trace::Pixel> pixel_of(const Event& event) {
-  return std::visit([]<class E>(const E& known) -> std::optional<Trace::Pixel> {
-    if constexpr (requires { known.x; known.y; }) return Trace::Pixel{known.x, known.y};
-    else return std::nullopt;
-  }, event);
+  return std::visit(
+      []<class E>(const E& known) -> std::optional<Trace::Pixel> {
+        if constexpr (requires {
+                        known.x;
+                        known.y;
+                      })
+          return Trace::Pixel{known.x, known.y};
+        else return std::nullopt;
+      },
+      event);
 }
 
 }  // namespace zstep

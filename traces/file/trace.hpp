@@ -44,8 +44,8 @@ class Trace {
 
   const Header& header() const;
   const Scene& scene() const;
-  const std::string& name() const;            ///< the path it was opened from, or the name given
-  std::int64_t size() const;                  ///< number of events
+  const std::string& name() const;                   ///< the path it was opened from, or the name given
+  std::int64_t size() const;                         ///< number of events
   const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
   std::span<const PolygonMark> polygons() const;     ///< all of them, by position
 
@@ -57,12 +57,16 @@ class Trace {
   template <class Visit>
   void visit(std::int64_t first, std::int64_t last, Visit&& visit) const;
 
-  /// The first position > `from` (or the last < `from`) whose event satisfies the predicate, if any. `pixel`, when given,
-  /// lets whole blocks that never touch that pixel be skipped.
+  /// The first position > `from` (or the last < `from`) whose event satisfies the predicate, if any. `pixel`, when
+  /// given, lets whole blocks that never touch that pixel be skipped.
   using Predicate = std::function<bool(const RecordedEvent&)>;
-  struct Pixel { std::int32_t x, y; };
-  std::optional<std::int64_t> next(std::int64_t from, const Predicate& predicate, std::optional<Pixel> pixel = {}) const;
-  std::optional<std::int64_t> previous(std::int64_t from, const Predicate& predicate, std::optional<Pixel> pixel = {}) const;
+  struct Pixel {
+    std::int32_t x, y;
+  };
+  std::optional<std::int64_t> next(std::int64_t from, const Predicate& predicate,
+                                   std::optional<Pixel> pixel = {}) const;
+  std::optional<std::int64_t> previous(std::int64_t from, const Predicate& predicate,
+                                       std::optional<Pixel> pixel = {}) const;
 
   struct Impl;
   const Impl& impl() const { return *impl_; }

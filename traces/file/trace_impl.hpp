@@ -12,6 +12,10 @@
 
 namespace zstep {
 
+/// What to do about a trace that cannot be used.
+inline constexpr const char* mend_trace =
+    "record it again with `zstep record`, or import its JSONL form with `zstep import`";
+
 struct Trace::Impl {
   struct Block {
     BlockInfo info;

@@ -11,7 +11,9 @@ namespace zstep {
 
 /// A Recorder is called once per elementary step: record(step::compare, DepthCompare{x, y, z, nearer}).
 template <class R>
-concept Recorder = requires(R& record, Step<PixelWrite> step, const PixelWrite& event) { record(step, event); };
+concept Recorder = requires(R& record, Step<PixelWrite> step, const PixelWrite& event) {
+  record(step, event);
+};
 
 /// Records nothing and compiles to nothing (tests/bench measures that).
 struct NullRecorder {
@@ -24,7 +26,9 @@ struct CountRecorder {
   std::array<std::int64_t, step_limit> count{};
 
   template <class E>
-  void operator()(Step<E> step, const E&) noexcept { ++count[step.id]; }
+  void operator()(Step<E> step, const E&) noexcept {
+    ++count[step.id];
+  }
 };
 
 }  // namespace zstep

@@ -20,12 +20,12 @@ struct Step {
 
 /// A step as a trace's header carries it.
 struct StepInfo {
-  std::uint8_t id = 0;        ///< unique in its trace, below step_limit
-  std::uint8_t kind = 0;      ///< which event it records: an index of Event
-  std::uint8_t indent = 0;    ///< depth of nesting in the pseudo-code
-  std::string module;         ///< "viewing", "scan_conversion", "z_buffer"
-  std::string name;           ///< "compare"
-  std::string text;           ///< "if z < zbuffer[x,y]"
+  std::uint8_t id = 0;      ///< unique in its trace, below step_limit
+  std::uint8_t kind = 0;    ///< which event it records: an index of Event
+  std::uint8_t indent = 0;  ///< depth of nesting in the pseudo-code
+  std::string module;       ///< "viewing", "scan_conversion", "z_buffer"
+  std::string name;         ///< "compare"
+  std::string text;         ///< "if z < zbuffer[x,y]"
 
   bool operator==(const StepInfo&) const = default;
 };

@@ -38,15 +38,18 @@ struct TraceRecorder::Sink {
 };
 
 TraceRecorder::TraceRecorder(const std::filesystem::path& path, const Header& header, const Scene& scene)
-    : sink_(std::make_unique<Sink>()), encoder_(header.conventions.interpolation == Conventions::Interpolation::increments) {
+    : sink_(std::make_unique<Sink>()),
+      encoder_(header.conventions.interpolation == Conventions::Interpolation::increments) {
   sink_->path = path;
   sink_->file = std::fopen(path.string().c_str(), "wb");
-  if (sink_->file == nullptr) throw InputError(path.string(), "cannot be written", "name a file in a folder that exists and is yours");
+  if (sink_->file == nullptr)
+    throw InputError(path.string(), "cannot be written", "name a file in a folder that exists and is yours");
   begin(header, scene);
 }
 
 TraceRecorder::TraceRecorder(const Header& header, const Scene& scene)
-    : sink_(std::make_unique<Sink>()), encoder_(header.conventions.interpolation == Conventions::Interpolation::increments) {
+    : sink_(std::make_unique<Sink>()),
+      encoder_(header.conventions.interpolation == Conventions::Interpolation::increments) {
   begin(header, scene);
 }
 
@@ -86,7 +89,8 @@ void TraceRecorder::finish() {
   sink_->write(make_trailer(offset));
   if (sink_->file != nullptr) {
     std::FILE* file = std::exchange(sink_->file, nullptr);
-    if (std::fclose(file) != 0) throw InputError(sink_->path.string(), "the end of the trace could not be written", "is the disk full?");
+    if (std::fclose(file) != 0)
+      throw InputError(sink_->path.string(), "the end of the trace could not be written", "is the disk full?");
   }
 }
 

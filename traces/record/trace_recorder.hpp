@@ -28,7 +28,8 @@ class TraceRecorder {
   template <class E>
   void operator()(Step<E> step, const E& event) {
     encoder_.put(step.id, event);
-    if (encoder_.full()) [[unlikely]] write_block();
+    if (encoder_.full()) [[unlikely]]
+      write_block();
   }
 
   /// Events recorded so far.
@@ -38,7 +39,8 @@ class TraceRecorder {
   /// may still be called after that.
   void on_block(std::function<void(std::int64_t)> callback) { on_block_ = std::move(callback); }
 
-  /// Writes the last block and the index. Call it when the run is over: without it the file is as a killed run leaves it.
+  /// Writes the last block and the index. Call it when the run is over: without it the file is as a killed run leaves
+  /// it.
   void finish();
 
   /// After finish(), of a recording to memory: the file's bytes.

@@ -1,9 +1,9 @@
 // What each kind of event does to a state.
 //
-// Two halves. apply_machine changes what is small and can be re-applied from a copy; it never looks at buffers or vertices.
-// apply_stores changes buffers, vertices and the pixel at work, and tells a log the old value of whatever it changes.
-// A trace from elsewhere may say impossible things (retire an edge that is not active): apply_machine then throws
-// Impossible and has changed nothing.
+// Two halves. apply_machine changes what is small and can be re-applied from a copy; it never looks at buffers or
+// vertices. apply_stores changes buffers, vertices and the pixel at work, and tells a log the old value of whatever it
+// changes. A trace from elsewhere may say impossible things (retire an edge that is not active): apply_machine then
+// throws Impossible and has changed nothing.
 #pragma once
 
 #include <stdexcept>
@@ -40,13 +40,14 @@ inline std::size_t place_of(const Machine& machine, std::int32_t edge) {
 }
 
 inline EdgeRow& edge_row(Machine& machine, std::int32_t edge) {
-  if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size()) throw Impossible(fmt::format("edge {} is not in the edge table", edge));
+  if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size())
+    throw Impossible(fmt::format("edge {} is not in the edge table", edge));
   return machine.edge_table[static_cast<std::size_t>(edge)];
 }
 
 }  // namespace detail
 
-// --- Small ------------------------------------------------------------------------------------------------------------
+// --- Small
 
 template <class E>
 void apply_machine(const E&, Machine&) {}  // most kinds of event change nothing small
@@ -65,7 +66,8 @@ inline void apply_machine(const OutlineVertex& event, Machine& machine) { machin
 
 inline void apply_machine(const EdgeTableInsert& event, Machine& machine) {
   if (event.edge != static_cast<std::int32_t>(machine.edge_table.size())) {
-    throw Impossible(fmt::format("edge {} enters the edge table where edge {} is due", event.edge, machine.edge_table.size()));
+    throw Impossible(
+        fmt::format("edge {} enters the edge table where edge {} is due", event.edge, machine.edge_table.size()));
   }
   machine.edge_table.push_back({event, EdgeRow::Where::waiting});
 }
@@ -75,10 +77,13 @@ inline void apply_machine(const ScanLineBegin& event, Machine& machine) {
 }
 inline void apply_machine(const EdgeEnter& event, Machine& machine) {
   EdgeRow& row = detail::edge_row(machine, event.edge);
-  if (row.where == EdgeRow::Where::active) throw Impossible(fmt::format("edge {} enters the active edge list twice", event.edge));
-  if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.active.size()) throw Impossible(fmt::format("the active edge list has no place {}", event.place));
+  if (row.where == EdgeRow::Where::active)
+    throw Impossible(fmt::format("edge {} enters the active edge list twice", event.edge));
+  if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.active.size())
+    throw Impossible(fmt::format("the active edge list has no place {}", event.place));
   row.where = EdgeRow::Where::active;
-  machine.active.insert(machine.active.begin() + event.place, ActiveEdge{event.edge, row.entry.x_edge, row.entry.z_edge});
+  machine.active.insert(machine.active.begin() + event.place,
+                        ActiveEdge{event.edge, row.entry.x_edge, row.entry.z_edge});
 }
 inline void apply_machine(const EdgeRetire& event, Machine& machine) {
   const std::size_t place = detail::place_of(machine, event.edge);
@@ -91,8 +96,10 @@ inline void apply_machine(const EdgeStep& event, Machine& machine) {
   active.z = event.z_edge;
 }
 inline void apply_machine(const EdgeSwap& event, Machine& machine) {
-  if (event.place < 0 || static_cast<std::size_t>(event.place) + 1 >= machine.active.size()) throw Impossible(fmt::format("the active edge list has no places {} and {}", event.place, event.place + 1));
-  std::swap(machine.active[static_cast<std::size_t>(event.place)], machine.active[static_cast<std::size_t>(event.place) + 1]);
+  if (event.place < 0 || static_cast<std::size_t>(event.place) + 1 >= machine.active.size())
+    throw Impossible(fmt::format("the active edge list has no places {} and {}", event.place, event.place + 1));
+  std::swap(machine.active[static_cast<std::size_t>(event.place)],
+            machine.active[static_cast<std::size_t>(event.place) + 1]);
 }
 inline void apply_machine(const SpanBegin& event, Machine& machine) {
   detail::edge_row(machine, event.left_edge);
@@ -100,13 +107,14 @@ inline void apply_machine(const SpanBegin& event, Machine& machine) {
   machine.span = event;
 }
 
-// --- Large ------------------------------------------------------------------------------------------------------------
+// --- Large
 
 /// `points`: the number of the scene's points; vertices beyond them belong to the polygon at work.
 template <class E, class Log>
 void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
   const auto vertex = [&](std::int32_t index) -> VertexWay& {
-    if (index < 0 || static_cast<std::size_t>(index) >= state.vertices.size()) throw Impossible(fmt::format("there is no vertex {}", index));
+    if (index < 0 || static_cast<std::size_t>(index) >= state.vertices.size())
+      throw Impossible(fmt::format("there is no vertex {}", index));
     log.vertex(static_cast<std::size_t>(index), state.vertices[static_cast<std::size_t>(index)]);
     return state.vertices[static_cast<std::size_t>(index)];
   };
@@ -136,14 +144,16 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     way.raster = {event.x_s, event.y_s};
     way.stage = VertexWay::on_raster;
   } else if constexpr (std::is_same_v<E, ClipCross>) {
-    if (event.vertex < 0 || static_cast<std::size_t>(event.vertex) != state.vertices.size()) throw Impossible(fmt::format("vertex {} is made where vertex {} is due", event.vertex, state.vertices.size()));
+    if (event.vertex < 0 || static_cast<std::size_t>(event.vertex) != state.vertices.size())
+      throw Impossible(fmt::format("vertex {} is made where vertex {} is due", event.vertex, state.vertices.size()));
     log.vertex_added();
     VertexWay way;
     way.stage = VertexWay::viewed;
     way.view = {event.x_v, event.y_v, event.z_v};
     state.vertices.push_back(way);
   } else if constexpr (std::is_same_v<E, OutlineVertex>) {
-    if (event.vertex < 0 || static_cast<std::size_t>(event.vertex) >= state.vertices.size()) throw Impossible(fmt::format("there is no vertex {}", event.vertex));
+    if (event.vertex < 0 || static_cast<std::size_t>(event.vertex) >= state.vertices.size())
+      throw Impossible(fmt::format("there is no vertex {}", event.vertex));
   } else if constexpr (std::is_same_v<E, PolygonBegin>) {
     if (state.vertices.size() > points) {
       log.vertices_dropped(state.vertices, points);

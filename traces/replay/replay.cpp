@@ -14,9 +14,10 @@ namespace zstep {
 
 namespace {
 
-constexpr std::int64_t undo_window = 32768;      // events that can be undone without a seek
-constexpr std::int64_t check_point_every = 1024; // events re-applied at most for a step back
-constexpr std::int64_t lead_in = 16384;          // events before a seek's target that are logged, so that stepping back is at hand
+constexpr std::int64_t undo_window = 32768;       // events that can be undone without a seek
+constexpr std::int64_t check_point_every = 1024;  // events re-applied at most for a step back
+constexpr std::int64_t lead_in =
+    16384;  // events before a seek's target that are logged, so that stepping back is at hand
 constexpr std::int64_t key_frame_at_least = 65536;
 constexpr std::size_t key_frame_budget = std::size_t{64} << 20;  // bytes
 
@@ -42,14 +43,15 @@ struct Replay::Impl {
   }
 
   [[noreturn]] void impossible(std::int64_t position, const Impossible& error) const {
-    throw InputError(trace->name(), fmt::format("step {} cannot be: {}", position, error.what()), "correct the program that wrote the trace, or open it at an earlier step");
+    throw InputError(trace->name(), fmt::format("step {} cannot be: {}", position, error.what()),
+                     "correct the program that wrote the trace, or open it at an earlier step");
   }
 
   template <class E, class Log>
   void apply(std::int64_t position, const E& event, Log& old_values) {
     try {
-      // The stores first: they refuse before they change anything, and what they changed when the machine then refuses is
-      // taken back by the callers.
+      // The stores first: they refuse before they change anything, and what they changed when the machine then refuses
+      // is taken back by the callers.
       apply_stores(event, state, points, old_values);
       apply_machine(event, state.machine);
     } catch (const Impossible& error) {
@@ -71,7 +73,8 @@ struct Replay::Impl {
         log.undo_to(state.position, state);
         throw;
       }
-      if (state.position - check_points.back().first >= check_point_every) check_points.emplace_back(state.position, state.machine);
+      if (state.position - check_points.back().first >= check_point_every)
+        check_points.emplace_back(state.position, state.machine);
       if (state.position - check_points.front().first > undo_window + check_point_every) {
         check_points.pop_front();
         log.forget_to(check_points.front().first);
@@ -167,8 +170,6 @@ void Replay::go_to(std::int64_t position) {
   else impl_->seek(position);
 }
 
-const RecordedEvent* Replay::current() const {
-  return position() == 0 ? nullptr : &impl_->trace->event(position());
-}
+const RecordedEvent* Replay::current() const { return position() == 0 ? nullptr : &impl_->trace->event(position()); }
 
 }  // namespace zstep

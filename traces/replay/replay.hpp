@@ -1,8 +1,9 @@
 // Replay: the state at any position of a trace, forwards, backwards and by seek.
 //
-// Forwards, an event is applied. What is large (buffers, vertices) leaves its old value in an undo log; what is small (Machine)
-// is copied at check-points. Backwards, the large is undone and the small re-applied from the last check-point, so a step
-// back costs the same wherever it is. A seek starts at the nearest key frame, and leaves key frames where it passes.
+// Forwards, an event is applied. What is large (buffers, vertices) leaves its old value in an undo log; what is small
+// (Machine) is copied at check-points. Backwards, the large is undone and the small re-applied from the last
+// check-point, so a step back costs the same wherever it is. A seek starts at the nearest key frame, and leaves key
+// frames where it passes.
 #pragma once
 
 #include <memory>
@@ -37,7 +38,8 @@ class Replay {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Where a reader may want to go from here. `from` itself is never the answer; without one the end that way is returned.
+/// Where a reader may want to go from here. `from` itself is never the answer; without one the end that way is
+/// returned.
 enum class Unit : std::uint8_t { event, pixel, span, scan_line, polygon };
 std::int64_t next_unit(const Trace& trace, std::int64_t from, Unit unit);
 std::int64_t previous_unit(const Trace& trace, std::int64_t from, Unit unit);

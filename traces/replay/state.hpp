@@ -41,11 +41,11 @@ struct ActiveEdge {
 /// The pixel at work.
 struct Fragment {
   std::int32_t x = 0, y = 0;
-  double z = 0;                    ///< the polygon's depth there
-  double stored = 0;               ///< the depth buffer's before this fragment
+  double z = 0;                              ///< the polygon's depth there
+  double stored = 0;                         ///< the depth buffer's before this fragment
   std::int32_t stored_polygon = no_polygon;  ///< the frame's before this fragment
-  std::optional<bool> nearer;      ///< the compare's outcome, once it was made
-  bool operator==(const Fragment&) const;  ///< to the bit
+  std::optional<bool> nearer;                ///< the compare's outcome, once it was made
+  bool operator==(const Fragment&) const;    ///< to the bit
 };
 
 /// What a method has at hand: everything a pane shows besides buffers and vertices.
@@ -54,9 +54,9 @@ struct Machine {
   std::optional<FacingTest> facing;               ///< of that facet, once tested
   std::optional<ClipTest> clip_test;
   std::optional<Reject> rejected;
-  std::vector<std::int32_t> outline;              ///< its vertices as drawn (indices into vertices)
-  std::vector<EdgeRow> edge_table;                ///< by edge number; buckets by entry.first_row
-  std::vector<ActiveEdge> active;                 ///< left to right
+  std::vector<std::int32_t> outline;  ///< its vertices as drawn (indices into vertices)
+  std::vector<EdgeRow> edge_table;    ///< by edge number; buckets by entry.first_row
+  std::vector<ActiveEdge> active;     ///< left to right
   std::optional<std::int32_t> scan_line;
   std::optional<SpanBegin> span;
   std::optional<Fragment> fragment;
@@ -66,8 +66,9 @@ struct Machine {
 struct State {
   std::int64_t position = 0;
   Machine machine;
-  Picture picture;                   ///< frame (polygon indices) and depth
-  std::vector<VertexWay> vertices;   ///< scene points first, then the vertices that clipping made for the current polygon
+  Picture picture;  ///< frame (polygon indices) and depth
+  std::vector<VertexWay>
+      vertices;  ///< scene points first, then the vertices that clipping made for the current polygon
   bool operator==(const State&) const;
 };
 

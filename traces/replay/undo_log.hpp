@@ -22,7 +22,8 @@ class UndoLog {
   void vertex(std::size_t index, const VertexWay& old) { add(Vertex{index, old}); }
   void vertex_added() { add(VertexAdded{}); }
   void vertices_dropped(const std::vector<VertexWay>& vertices, std::size_t kept) {
-    add(VerticesDropped{std::make_shared<const std::vector<VertexWay>>(vertices.begin() + static_cast<std::ptrdiff_t>(kept), vertices.end())});
+    add(VerticesDropped{std::make_shared<const std::vector<VertexWay>>(
+        vertices.begin() + static_cast<std::ptrdiff_t>(kept), vertices.end())});
   }
   void fragment(const std::optional<Fragment>& old) { add(Pixel{old}); }
   void picture(const Picture& old) { add(Whole{std::make_shared<const Picture>(old)}); }
@@ -41,15 +42,33 @@ class UndoLog {
   void clear() { entries_.clear(); }
 
  private:
-  struct Depth { std::size_t pixel; double old; };
-  struct Owner { std::size_t pixel; std::int32_t old; };
-  struct Vertex { std::size_t index; VertexWay old; };
+  struct Depth {
+    std::size_t pixel;
+    double old;
+  };
+  struct Owner {
+    std::size_t pixel;
+    std::int32_t old;
+  };
+  struct Vertex {
+    std::size_t index;
+    VertexWay old;
+  };
   struct VertexAdded {};
-  struct VerticesDropped { std::shared_ptr<const std::vector<VertexWay>> old; };
-  struct Pixel { std::optional<Fragment> old; };
-  struct Whole { std::shared_ptr<const Picture> old; };
+  struct VerticesDropped {
+    std::shared_ptr<const std::vector<VertexWay>> old;
+  };
+  struct Pixel {
+    std::optional<Fragment> old;
+  };
+  struct Whole {
+    std::shared_ptr<const Picture> old;
+  };
   using Old = std::variant<Depth, Owner, Vertex, VertexAdded, VerticesDropped, Pixel, Whole>;
-  struct Entry { std::int64_t position; Old old; };
+  struct Entry {
+    std::int64_t position;
+    Old old;
+  };
 
   void add(Old old) { entries_.push_back(Entry{position_, std::move(old)}); }
 
@@ -57,7 +76,9 @@ class UndoLog {
   static void restore(const Owner& entry, State& state) { state.picture.polygon[entry.pixel] = entry.old; }
   static void restore(const Vertex& entry, State& state) { state.vertices[entry.index] = entry.old; }
   static void restore(const VertexAdded&, State& state) { state.vertices.pop_back(); }
-  static void restore(const VerticesDropped& entry, State& state) { state.vertices.insert(state.vertices.end(), entry.old->begin(), entry.old->end()); }
+  static void restore(const VerticesDropped& entry, State& state) {
+    state.vertices.insert(state.vertices.end(), entry.old->begin(), entry.old->end());
+  }
   static void restore(const Pixel& entry, State& state) { state.machine.fragment = entry.old; }
   static void restore(const Whole& entry, State& state) { state.picture = *entry.old; }
 

@@ -19,7 +19,8 @@ TEST_CASE("codec: random events of every kind come back to the bit") {
   std::size_t i = 0;
   bool same = true;
   trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t step, const auto& event) {
-    same = same && position == static_cast<std::int64_t>(i + 1) && step == events[i].step && same_bits(Event(event), events[i].event);
+    same = same && position == static_cast<std::int64_t>(i + 1) && step == events[i].step &&
+           same_bits(Event(event), events[i].event);
     ++i;
     return same;
   });
@@ -41,8 +42,13 @@ TEST_CASE("codec: one event at a time equals a visit, in any order") {
 TEST_CASE("codec: next and previous find what a plain loop finds, with and without the pixel index") {
   const auto events = random_events(140000, 5);
   const Trace trace = record_events(events);
-  const auto failed = [](const RecordedEvent& e) { return std::holds_alternative<DepthCompare>(e.event) && !std::get<DepthCompare>(e.event).nearer; };
-  const auto touches = [](const RecordedEvent& e) { const auto pixel = pixel_of(e.event); return pixel && pixel->x == 5 && pixel->y == 6; };
+  const auto failed = [](const RecordedEvent& e) {
+    return std::holds_alternative<DepthCompare>(e.event) && !std::get<DepthCompare>(e.event).nearer;
+  };
+  const auto touches = [](const RecordedEvent& e) {
+    const auto pixel = pixel_of(e.event);
+    return pixel && pixel->x == 5 && pixel->y == 6;
+  };
   std::mt19937 random(4);
   for (int i = 0; i < 50; ++i) {
     const auto from = static_cast<std::int64_t>(random() % (events.size() + 1));
@@ -61,10 +67,20 @@ TEST_CASE("codec: next and previous find what a plain loop finds, with and witho
 
 TEST_CASE("codec: a span's pixels cost less than half a byte each") {
   std::vector<RecordedEvent> events;
-  const std::uint8_t span = step_of(kind_of<SpanBegin>), interpolate = step_of(kind_of<DepthInterpolate>), compare = step_of(kind_of<DepthCompare>);
+  const std::uint8_t span = step_of(kind_of<SpanBegin>), interpolate = step_of(kind_of<DepthInterpolate>),
+                     compare = step_of(kind_of<DepthCompare>);
   for (int y = 0; y < 64; ++y) {
     const double x_left = 0.25 * y, x_right = 63 - 0.125 * y, z_left = 1 + y * 0.01, z_right = 2 - y * 0.003;
-    const SpanBegin s{0, 1, y, static_cast<std::int32_t>(std::ceil(x_left)), static_cast<std::int32_t>(std::ceil(x_right)) - 1, x_left, z_left, x_right, z_right, (z_right - z_left) / (x_right - x_left)};
+    const SpanBegin s{0,
+                      1,
+                      y,
+                      static_cast<std::int32_t>(std::ceil(x_left)),
+                      static_cast<std::int32_t>(std::ceil(x_right)) - 1,
+                      x_left,
+                      z_left,
+                      x_right,
+                      z_right,
+                      (z_right - z_left) / (x_right - x_left)};
     events.push_back({span, s});
     for (int x = s.first; x <= s.last; ++x) {
       const double z = z_left + (z_right - z_left) * (x - x_left) / (x_right - x_left);
@@ -74,7 +90,8 @@ TEST_CASE("codec: a span's pixels cost less than half a byte each") {
   }
   const auto bytes = recorded_bytes(events);
   const Trace empty = record_events({});
-  const double per_event = static_cast<double>(bytes.size() - recorded_bytes({}).size()) / static_cast<double>(events.size());
+  const double per_event =
+      static_cast<double>(bytes.size() - recorded_bytes({}).size()) / static_cast<double>(events.size());
   CHECK(per_event < 0.5);
 }
 
@@ -124,7 +141,10 @@ TEST_CASE("jsonl: what is wrong is said with its line") {
   says("{\"step\":\"depth_write\",\"x\":1.5,\"y\":2,\"z\":1}", "\"x\" is not a whole number");
   says("{\"step\":\"depth_write\",\"x\":1e99,\"y\":2,\"z\":1}", "\"x\" is not a whole number");
   says("{\"step\":\"depth_write\",\"x\":1,\"y\":2,\"z\":1,\"w\":0}", "\"w\" is no field of depth_write");
-  says("{\"step\":\"facing_test\",\"determinant\":1,\"plane_at_eye\":1,\"view_dot_normal\":1,\"projected_normal_z\":1,\"facing\":\"sideways\"}", "front, back, edge_on");
+  says(
+      "{\"step\":\"facing_test\",\"determinant\":1,\"plane_at_eye\":1,\"view_dot_normal\":1,\"projected_normal_z\":1,"
+      "\"facing\":\"sideways\"}",
+      "front, back, edge_on");
   says("{\"step\":\"paint\"}", "no step \"paint\"");
   says("[1]", "not a JSON object");
   says("{", "not JSON");

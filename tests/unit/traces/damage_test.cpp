@@ -88,7 +88,8 @@ TEST_CASE("damage: no flipped byte goes unnoticed") {
 TEST_CASE("damage: another version says so") {
   Bytes bytes = recorded_bytes({});
   bytes[8] = 9;
-  CHECK(read_all(bytes).find("is a trace of version 9; this zstep " ZSTEP_VERSION " reads version 1") != std::string::npos);
+  CHECK(read_all(bytes).find("is a trace of version 9; this zstep " ZSTEP_VERSION " reads version 1") !=
+        std::string::npos);
   CHECK(read_all({'P', 'K', 3, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0}).find("is not a zstep trace") != std::string::npos);
   CHECK(read_all({}).find("is not a zstep trace") != std::string::npos);
 }
@@ -116,7 +117,8 @@ TEST_CASE("damage: random rubbish behind valid checksums is an error, not a cras
     Bytes packed;
     const auto count = static_cast<std::uint32_t>(1 + random() % 40);
     put_varint(packed, count);
-    for (std::uint32_t i = 0; i < count; ++i) packed.push_back(static_cast<std::uint8_t>((1 + random() % kind_count) | (random() % 3 == 0 ? 0x80 : 0)));
+    for (std::uint32_t i = 0; i < count; ++i)
+      packed.push_back(static_cast<std::uint8_t>((1 + random() % kind_count) | (random() % 3 == 0 ? 0x80 : 0)));
     put_text(packed, "*");
     Bytes misses;
     for (int i = 0; i < 40; ++i) put_varint(misses, random() % 16);

@@ -22,7 +22,8 @@ inline Header some_header() {
   header.algorithm = "z-buffer";
   header.title = "Z-buffer";
   for_each_kind([&]<class E>() {
-    header.page.push_back({step_of(kind_of<E>), kind_of<E>, 1, "tests", std::string(kind_text<E>.name), "a line of pseudo-code: ∞ ≤ φ"});
+    header.page.push_back(
+        {step_of(kind_of<E>), kind_of<E>, 1, "tests", std::string(kind_text<E>.name), "a line of pseudo-code: ∞ ≤ φ"});
   });
   return header;
 }
@@ -43,23 +44,37 @@ inline Scene some_scene() {
 
 inline bool same_bits(const Event& a, const Event& b) {
   if (a.index() != b.index()) return false;
-  return std::visit([&]<class E>(const E& left) {
-    const E& right = std::get<E>(b);
-    bool same = true;
-    for_each_field<E>([&](const auto& field) {
-      if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, double>) same = same && bits_of(left.*field.member) == bits_of(right.*field.member);
-      else same = same && left.*field.member == right.*field.member;
-    });
-    return same;
-  }, a);
+  return std::visit(
+      [&]<class E>(const E& left) {
+        const E& right = std::get<E>(b);
+        bool same = true;
+        for_each_field<E>([&](const auto& field) {
+          if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, double>)
+            same = same && bits_of(left.*field.member) == bits_of(right.*field.member);
+          else same = same && left.*field.member == right.*field.member;
+        });
+        return same;
+      },
+      a);
 }
 
 /// Events of every kind with numbers that stay within some_scene(), in no sensible order.
 inline std::vector<RecordedEvent> random_events(std::size_t count, unsigned seed) {
   std::mt19937_64 random(seed);
-  const double special[] = {0.0, -0.0, 1.0, no_depth, -no_depth, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::denorm_min(),
-                            std::numeric_limits<double>::max(), 0.1, -1.0 / 3};
-  const auto real = [&] { return random() % 4 == 0 ? special[random() % 10] : static_cast<double>(static_cast<std::int64_t>(random())) * 1e-15; };
+  const double special[] = {0.0,
+                            -0.0,
+                            1.0,
+                            no_depth,
+                            -no_depth,
+                            std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::denorm_min(),
+                            std::numeric_limits<double>::max(),
+                            0.1,
+                            -1.0 / 3};
+  const auto real = [&] {
+    return random() % 4 == 0 ? special[random() % 10]
+                             : static_cast<double>(static_cast<std::int64_t>(random())) * 1e-15;
+  };
   std::vector<RecordedEvent> events;
   while (events.size() < count) {
     const auto wanted = static_cast<std::uint8_t>(random() % kind_count);
@@ -76,7 +91,9 @@ inline std::vector<RecordedEvent> random_events(std::size_t count, unsigned seed
         else if constexpr (name == "x") value = static_cast<std::int32_t>(random() % 16);
         else if constexpr (name == "y") value = static_cast<std::int32_t>(random() % 12);
         else if constexpr (name == "polygon" || name == "facet") value = static_cast<std::int32_t>(random() % 2);
-        else if constexpr (name == "first_row" || name == "end_row" || name == "first" || name == "last" || name.substr(0, 7) == "outside") value = static_cast<std::int32_t>(static_cast<std::uint32_t>(random()));
+        else if constexpr (name == "first_row" || name == "end_row" || name == "first" || name == "last" ||
+                           name.substr(0, 7) == "outside")
+          value = static_cast<std::int32_t>(static_cast<std::uint32_t>(random()));
         else value = static_cast<std::int32_t>(random() % 50);
       });
       events.push_back({step_of(kind_of<E>), event});
@@ -92,6 +109,8 @@ inline std::vector<std::uint8_t> recorded_bytes(const std::vector<RecordedEvent>
   return recorder.take_bytes();
 }
 
-inline Trace record_events(const std::vector<RecordedEvent>& events) { return Trace::from_bytes(recorded_bytes(events), "in memory"); }
+inline Trace record_events(const std::vector<RecordedEvent>& events) {
+  return Trace::from_bytes(recorded_bytes(events), "in memory");
+}
 
 }  // namespace zstep
