@@ -8,6 +8,7 @@
 #include "sim/classroom/lesson.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/show.hpp"
+#include "sim/cli/table.hpp"
 #include "sim/cli/words.hpp"
 #include "traces/error.hpp"
 
@@ -51,6 +52,19 @@ Lesson first_z_buffer_lesson() {
   return lesson_named("");
 }
 
+std::string first_steps_without_display(const std::string& lesson) {
+  Table table({Table::Align::left, Table::Align::left});
+  table.row({"zstep list", "name the methods, lessons and scenes"});
+  table.row({fmt::format("zstep lesson {} --at 600 --screenshot later.png", lesson), "a later step of the same lesson"});
+  table.row({"zstep view pyramid --at 100 --screenshot step.png", "a step of another scene"});
+  table.row({"zstep render teapot", "draw a picture"});
+  table.row({"zstep record pyramid -o run.ztrace", "record every step"});
+  table.row({"zstep info run.ztrace", "count them"});
+  table.row({"zstep dump run.ztrace --to 40", "read them"});
+  table.row({"zstep import run.jsonl -o run.ztrace", "bring in a trace of your own program"});
+  return "These commands work without a display:\n" + table.text();
+}
+
 }  // namespace
 
 int start() {
@@ -59,9 +73,10 @@ int start() {
 #if ZSTEP_HAS_VIEWER
   if (!display_available()) {
     options.screenshot = "zstep.png";
+    const std::string id = lesson.id;
     fmt::print("There is no display here, so the first picture of the lesson \"{}\" goes to a file.\n", lesson.title);
     const int code = open(std::move(lesson), options);
-    fmt::print("No window can be opened; {}.\n", without_display());
+    fmt::print("{}", first_steps_without_display(id));
     return code;
   }
 #endif

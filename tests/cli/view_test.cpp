@@ -31,7 +31,10 @@ TEST_CASE("zstep alone without a display says so, writes the first picture and n
   CHECK(outcome.err.empty());
   CHECK(has(outcome.out, "no display"));
   CHECK(has(outcome.out, "wrote zstep.png"));
-  CHECK(has(outcome.out, "zstep list, render, record, info, dump, import"));
+  for (const std::string command : {"list", "lesson z-buffer", "view", "render", "record", "info", "dump", "import"}) {
+    CAPTURE(command);
+    CHECK(has(outcome.out, "\n  zstep " + command));
+  }
   CHECK(folder.names() == std::vector<std::string>{"zstep.png"});
   const Image image = read_png(folder / "zstep.png");
   CHECK(image.width == 1280);
@@ -84,4 +87,22 @@ TEST_CASE("view and lesson refuse what cannot be") {
   refused("view run.ztrace --screenshot a.png --size-window 5", "--size-window: '5'");
   refused("lesson nothing.md --screenshot a.png", "nothing.md");
   CHECK(folder.names() == std::vector<std::string>{"run.ztrace"});
+}
+
+TEST_CASE("the commands that zstep alone names do work without a display") {
+  const Folder folder;
+  const std::string said = run(folder, "").out;
+  // import needs a trace of one's own: zstep's serves.
+  REQUIRE(shell(folder, "\"$zstep\" record foley -o own.ztrace && \"$zstep\" dump own.ztrace --jsonl > run.jsonl").code == 0);
+  int tried = 0;
+  for (std::size_t at = said.find("\n  zstep "); at != std::string::npos; at = said.find("\n  zstep ", at + 1)) {
+    const std::size_t begin = at + 9;
+    const std::string line = said.substr(begin, said.find("  ", begin) - begin);
+    CAPTURE(line);
+    const Outcome outcome = run(folder, line);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    ++tried;
+  }
+  CHECK(tried == 8);
 }
