@@ -17,7 +17,8 @@ std::string raster_text(const Raster& raster) {
   return fmt::format("{}x{}, row 0 {}", raster.width, raster.height, raster.y_up ? "at the bottom" : "on top");
 }
 
-std::string depth_text(Conventions::Depth depth) {
+std::string depth_text(const Camera& camera, Conventions::Depth depth) {
+  if (camera.kind == Camera::Kind::screen) return "the points' own z";
   return depth == Conventions::Depth::pseudodepth ? "pseudodepth (linear on the picture)" : "view (z_v)";
 }
 

@@ -37,7 +37,7 @@ std::string head_text(const Trace& trace, const std::string& path) {
                                   counted(static_cast<std::int64_t>(scene.points.size()), "point", "points"))});
   table.row({"raster", raster_text(scene.raster)});
   table.row({"camera", camera_text(scene.camera)});
-  table.row({"depth", depth_text(header.conventions.depth)});
+  table.row({"depth", depth_text(scene.camera, header.conventions.depth)});
   table.row({"interpolation", interpolation_text(header.conventions.interpolation)});
   table.row({"coverage", coverage_text(header.conventions.coverage)});
   table.row({"back faces", header.conventions.cull ? "culled" : "drawn"});

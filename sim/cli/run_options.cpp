@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "traces/error.hpp"
 
@@ -39,7 +40,10 @@ void check_scene_exists(const std::string& name) {
   for (const std::string& scene : known)
     if (scene == stem) return;
   std::error_code ignored;
-  if (fs::exists(name, ignored)) return;
+  if (fs::exists(name, ignored)) {
+    if (is_trace(name)) throw InputError(name, "is a recorded trace, not a scene", fmt::format("to open it: zstep view {}", name));
+    return;
+  }
   throw InputError(name, "there is no such file and no built-in scene of this name",
                    did_you_mean(stem, known, "'zstep list scenes' names the scenes, or give the path of a .toml, .obj, .off, .ply or .stl"));
 }

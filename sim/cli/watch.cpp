@@ -59,7 +59,7 @@ void Watch::tick(std::int64_t events) {
   last_shown_ = now;
   shown_ = true;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "\rrecording: {} events, {:.1f} s (Ctrl-C stops and keeps them)", grouped(events), seconds);
+  fmt::print(stderr, "\rrecording: {} steps, {:.1f} s (Ctrl-C stops and keeps them)", grouped(events), seconds);
   std::fflush(stderr);
 }
 

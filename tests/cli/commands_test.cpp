@@ -215,6 +215,22 @@ TEST_CASE("dump refuses what the trace does not have") {
   }
 }
 
+TEST_CASE("a trace in a scene's place, and a scene in a trace's, are told apart") {
+  const Folder folder;
+  must(folder, "record foley -o run.ztrace");
+  for (const std::string arguments : {"render run.ztrace", "record run.ztrace -o other.ztrace"}) {
+    const Outcome outcome = run(folder, arguments);
+    CHECK(outcome.code == 2);
+    CHECK(has(outcome.err, "run.ztrace: is a recorded trace, not a scene; to open it: zstep view run.ztrace"));
+  }
+  write_text(folder / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome outcome = run(folder, "info a.obj");
+  CHECK(outcome.code == 2);
+  CHECK(times(outcome.err, "\n") == 1);
+  CHECK(has(outcome.err, "a.obj"));
+  CHECK(folder.names() == std::vector<std::string>{"a.obj", "run.ztrace"});
+}
+
 TEST_CASE("bad JSON Lines leave nothing behind") {
   const Folder folder;
   must(folder, "record foley -o run.ztrace");

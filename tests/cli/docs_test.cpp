@@ -1,0 +1,63 @@
+// docs/command-line.md shows commands and what they print. It is true: every `$` line is run, in order, in one folder.
+#include <doctest/doctest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.hpp"
+
+using namespace zstep::test;
+
+namespace {
+
+struct Example {
+  std::string command;
+  std::vector<std::string> lines;  ///< what it prints; "…" stands for any number of lines, at a line's end for its rest
+};
+
+std::vector<Example> examples_of(const std::string& page) {
+  std::vector<Example> examples;
+  std::istringstream in(page);
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("```")) inside = line == "```console";
+    else if (inside && line.starts_with("$ ")) examples.push_back({line.substr(2), {}});
+    else if (inside) examples.back().lines.push_back(line);
+  }
+  return examples;
+}
+
+bool match_line(const std::string& pattern, const std::string& text) {
+  const std::string rest = "…";
+  if (!pattern.ends_with(rest)) return pattern == text;
+  return text.starts_with(pattern.substr(0, pattern.size() - rest.size()));
+}
+
+bool match(const std::vector<std::string>& pattern, const std::vector<std::string>& text, std::size_t p = 0, std::size_t t = 0) {
+  if (p == pattern.size()) return t == text.size();
+  if (pattern[p] == "…") {
+    for (std::size_t skip = t; skip <= text.size(); ++skip)
+      if (match(pattern, text, p + 1, skip)) return true;
+    return false;
+  }
+  return t < text.size() && match_line(pattern[p], text[t]) && match(pattern, text, p + 1, t + 1);
+}
+
+}  // namespace
+
+TEST_CASE("docs/command-line.md: every command prints what the page says") {
+  const Folder folder;
+  const std::vector<Example> examples = examples_of(text_of(ZSTEP_SOURCE_DIR "/docs/command-line.md"));
+  CHECK(examples.size() >= 15);
+  for (const Example& example : examples) {
+    CAPTURE(example.command);
+    const Outcome outcome = shell(folder, "zstep() { '" ZSTEP_EXECUTABLE "' \"$@\"; }; " + example.command);
+    CAPTURE(outcome.out);
+    CAPTURE(outcome.err);
+    std::vector<std::string> lines;
+    std::istringstream printed(outcome.out + outcome.err);
+    for (std::string line; std::getline(printed, line);) lines.push_back(line);
+    CHECK(match(example.lines, lines));
+  }
+}
