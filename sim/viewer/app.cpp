@@ -74,19 +74,41 @@ void App::open(Overlay overlay) {
   session_.touch();
 }
 
-std::string App::link() const {
-  const std::string& name = session_.trace().name();
-  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || std::string_view("/._-:+@%").find(static_cast<char>(c)) != std::string_view::npos; });
-  std::string quoted = name;
-  if (!plain) {
-    quoted.assign(1, '\'');
-    for (const char c : name) {
-      if (c == '\'') quoted.append("'\\'");
-      quoted.push_back(c);
-    }
-    quoted.push_back('\'');
+namespace {
+
+/// As one word of a shell.
+std::string quoted(const std::string& name) {
+  const std::string_view harmless = "/._-:+@%";
+  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [&](unsigned char c) {
+    return std::isalnum(c) != 0 || harmless.find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain) return name;
+  std::string out(1, '\'');
+  for (const char c : name) {
+    if (c == '\'') out.append("'\\'");
+    out.push_back(c);
   }
-  return fmt::format("zstep view {} --at {}", quoted, session_.position());
+  out.push_back('\'');
+  return out;
+}
+
+}  // namespace
+
+std::string App::link() const {
+  if (session_.lesson()) return fmt::format("zstep lesson {} --at {}", quoted(session_.lesson()->id), session_.position());
+  const std::string& name = session_.trace().name();
+  std::error_code error;
+  if (std::filesystem::is_regular_file(name, error)) return fmt::format("zstep view {} --at {}", quoted(name), session_.position());
+  // Recorded on the spot: the scene, and the options that it was recorded with.
+  const Scene& scene = session_.scene();
+  std::string text = "zstep view " + quoted(std::filesystem::is_regular_file(scene.source, error) ? scene.source : name);
+  if (scene.camera.kind != Camera::Kind::screen) {
+    text += fmt::format(" --size {}x{}", scene.raster.width, scene.raster.height);
+    if (scene.camera.polar)
+      text += fmt::format(" --rho {} --theta {} --phi {} --d {} --window {}", scene.camera.rho, scene.camera.theta, scene.camera.phi, scene.camera.d, scene.camera.window);
+    if (scene.camera.kind == Camera::Kind::orthographic) text += " --ortho";
+  }
+  return fmt::format("{} --at {}", text, session_.position());
 }
 
 /// Body text: 16 px in a window of 1280 x 720. Half of what a window is larger goes into the text, the other half into room;

@@ -56,7 +56,7 @@ TEST_CASE("the keys of the sheet move as they say") {
   CHECK(s.speed == speed);
 }
 
-TEST_CASE("G goes to a step, a share, a polygon or selects a pixel; nonsense says what may be typed") {
+TEST_CASE("G goes to a step, a share, a polygon or selects a pixel, and nonsense says what may be typed") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 640, 480);
   const auto go = [&](const std::string& text) {
@@ -158,6 +158,11 @@ TEST_CASE("the copied link names trace and step, and quotes what a shell would s
   App app(plain, nullptr, {}, 640, 480);
   app.session().go_to(42);
   CHECK(app.link() == "zstep view delhi --at 42");
+  Lesson lesson;
+  lesson.id = "worked-example";
+  App in_lesson(plain, &lesson, {}, 640, 480);
+  in_lesson.session().go_to(7);
+  CHECK(in_lesson.link() == "zstep lesson worked-example --at 7");
   test::press(app, SDLK_c, KMOD_LCTRL);
   CHECK(app.requests.clipboard == app.link());
 }

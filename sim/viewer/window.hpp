@@ -1,0 +1,34 @@
+// A window of the system's, and what it knows of its screen.
+#pragma once
+
+#include <memory>
+
+#include <SDL.h>
+
+#include "sim/viewer/draw/canvas.hpp"
+
+namespace zstep::viewer {
+
+class Window {
+ public:
+  /// Not larger than the screen. Throws std::runtime_error where no window can be opened.
+  Window(int width, int height);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  SDL_Window* get() const { return window_.get(); }
+  SDL_Surface* surface() const;
+  float pixels_per_point() const;  ///< of the surface, per unit of the mouse's coordinates
+  float dpi_scale() const;         ///< pixels of the surface per pixel of a common screen
+  bool full_screen() const { return (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0; }
+  void show(const Canvas& picture) const;
+
+ private:
+  struct Deleter {
+    void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+  };
+  std::unique_ptr<SDL_Window, Deleter> window_;
+};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,127 @@
+// Where a reader is: moving, before and after, the lesson's stops and questions, playing.
+#include <doctest/doctest.h>
+
+#include "sim/viewer/model/session.hpp"
+#include "words/some_runs.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+namespace {
+
+Lesson two_stops(const Trace& trace) {
+  Lesson lesson;
+  Stop plain, asking;
+  plain.text = "Look.";
+  plain.position = 10;
+  asking.text = "Guess.";
+  asking.position = 20;
+  asking.question = Question{"Which?", {{"wrong", false, "because"}, {"right", true, "yes"}}};
+  Stop same = plain;
+  same.position = 20;
+  lesson.stops = {plain, asking, same};
+  REQUIRE(trace.size() > 40);
+  return lesson;
+}
+
+}  // namespace
+
+TEST_CASE("what changed is what the last move's unit wrote") {
+  const Trace trace = test::record_run("delhi");
+  Session s(trace, nullptr);
+  s.go_to(trace.size());
+  s.move(Unit::polygon, -1);
+  const std::int64_t polygon = s.position();
+  s.go_to(polygon, Unit::polygon);
+  std::size_t written = 0;
+  for (std::int64_t p = s.before() + 1; p <= polygon; ++p) written += std::holds_alternative<PixelWrite>(trace.event(p).event);
+  CHECK(written == 28);  // the first polygon of the worked example
+  CHECK(s.changed().size() == written);
+  s.go_to(0);
+  CHECK(s.changed().empty());
+  CHECK(s.before() == 0);
+}
+
+TEST_CASE("the buffers of before are those of the place before") {
+  const Trace trace = test::record_run("delhi");
+  Session s(trace, nullptr);
+  Replay replay(trace);
+  for (std::int64_t at = 1; at <= trace.size(); at += 7) {
+    s.go_to(at);
+    replay.go_to(at - 1);
+    s.looking_back = true;
+    CHECK(s.picture() == replay.state().picture);
+    s.looking_back = false;
+    replay.go_to(at);
+    CHECK(s.picture() == replay.state().picture);
+  }
+}
+
+TEST_CASE("a stop speaks from its position on, and several at one place speak in turn") {
+  const Trace trace = test::record_run("delhi");
+  const Lesson lesson = two_stops(trace);
+  Session s(trace, &lesson);
+  CHECK(s.stop() == -1);
+  s.next_stop(1);
+  CHECK(s.position() == 10);
+  CHECK(s.stop() == 0);
+  s.move(Unit::event, 1);
+  CHECK(s.stop() == 0);
+  s.next_stop(-1);  // from between two stops back to the one that speaks
+  CHECK(s.position() == 10);
+  s.next_stop(1);
+  CHECK(s.stop() == 1);
+  s.next_stop(1);
+  CHECK(s.stop() == 2);
+  CHECK(s.position() == 20);
+  s.next_stop(1);
+  CHECK(s.stop() == 2);
+  CHECK_FALSE(s.message.empty());
+  s.go_to(0);
+  s.go_to(20);
+  CHECK(s.stop() == 1);
+}
+
+TEST_CASE("stepping into an unanswered question's answer is allowed, and nudged") {
+  const Trace trace = test::record_run("delhi");
+  Lesson lesson = two_stops(trace);
+  lesson.stops.pop_back();
+  Session s(trace, &lesson);
+  s.to_stop(1);
+  CHECK(s.question_open());
+  CHECK_FALSE(s.nudged);
+  s.move(Unit::event, 1);
+  CHECK(s.position() == 21);
+  CHECK(s.nudged);
+  s.answer(0);
+  CHECK(s.question_open());
+  CHECK_FALSE(s.nudged);
+  s.answer(1);
+  CHECK_FALSE(s.question_open());
+  s.answer(7);
+  CHECK(s.chosen(1) == 1);
+}
+
+TEST_CASE("playing keeps its pace, halts where the lesson asks, and ends at the end") {
+  const Trace trace = test::record_run("delhi");
+  const Lesson lesson = two_stops(trace);
+  Session s(trace, &lesson);
+  s.speed = 2;  // 5 steps a second
+  s.playing = true;
+  double now = 100;
+  s.play(now);
+  for (int i = 0; i < 21; ++i) s.play(now += 0.05);
+  CHECK(s.position() == 5);
+  for (int i = 0; i < 300 && s.playing; ++i) s.play(now += 0.1);
+  CHECK(s.position() == 20);  // it asks
+  CHECK_FALSE(s.playing);
+
+  Session alone(trace, nullptr);
+  alone.speed = static_cast<int>(Session::speeds().size()) - 1;
+  alone.playing = true;
+  int frames = 0;
+  for (; alone.playing && frames < 100; ++frames) alone.play(now += 0.016);
+  CHECK(alone.position() == trace.size());
+  CHECK(frames <= 4);  // two polygons: one a frame
+  CHECK(alone.play(now) > 1);  // and then nothing is due
+}
