@@ -113,7 +113,8 @@ bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float&
     ui_.mouse_help = "Drag: move this border. Ctrl+L puts all borders back.";
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, ui_.colors().button_hovered);
   }
-  if (!ImGui::IsItemActive() || whole <= 0) return false;
+  // The frame in which it is taken hold of may still hold the way of the mouse to it.
+  if (!ImGui::IsItemActive() || ImGui::IsItemActivated() || whole <= 0) return false;
   const float moved = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
   if (moved == 0) return false;
   share = std::clamp(share + moved / whole, 0.08f, 0.92f);

@@ -153,6 +153,44 @@ TEST_CASE("a click selects the pixel under the mouse, in either buffer") {
   CHECK(app.session().selected == cell);
 }
 
+TEST_CASE("a border follows the mouse that drags it, from where it is taken hold of") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.settle();
+  const float before = app.settings().layout.left;
+  test::move_mouse(app, 900, 500);
+  // Straight onto the border between code and framebuffer, without a frame on the way.
+  test::mouse_button(app, 351, 300, true);
+  test::move_mouse(app, 371, 300);
+  test::move_mouse(app, 391, 300);
+  test::mouse_button(app, 391, 300, false);
+  app.settle();
+  CHECK(app.settings().layout.left == doctest::Approx(before + 40.0 / 1268).epsilon(0.01));
+  test::press(app, SDLK_l, KMOD_LCTRL);
+  CHECK(app.settings().layout.left == before);
+}
+
+TEST_CASE("the wheel zooms about the cell under the mouse, in both buffers alike") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().go_to(trace.size());
+  app.settle();
+  test::move_mouse(app, 600, 210);
+  const auto cell = app.ui().pointed;
+  REQUIRE(cell);
+  for (int i = 0; i < 4; ++i) {
+    SDL_Event event{};
+    event.type = SDL_MOUSEWHEEL;
+    event.wheel.y = 1;
+    app.handle(event);
+    app.settle();
+    CHECK(app.ui().pointed == cell);
+  }
+  CHECK(app.ui().view.zoom > 2);
+  test::press(app, SDLK_0);
+  CHECK(app.ui().view.zoom == 1);
+}
+
 TEST_CASE("the copied link names trace and step, and quotes what a shell would split") {
   const Trace plain = test::record_run("delhi");
   App app(plain, nullptr, {}, 640, 480);

@@ -1,4 +1,6 @@
 // What the step did: a sentence, and the formula with its numbers.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "sim/viewer/panes/pane.hpp"
@@ -6,6 +8,21 @@
 
 namespace zstep::viewer {
 namespace {
+
+/// Lines break before "=" rather than inside a term: what lies between is kept together where it fits a line.
+std::string keep_terms(const Ui& ui, const std::string& formula, float width) {
+  std::string out;
+  for (std::size_t from = 0; from <= formula.size();) {
+    const std::size_t equals = std::min(formula.find(" = ", from == 0 ? 0 : from + 3), formula.size());
+    std::string term = formula.substr(from, equals - from);
+    if (text_size(ui, ui.fonts.mono, term).x < width)
+      for (std::size_t at = term.find(' ', 1); at != std::string::npos; at = term.find(' ', at)) term.replace(at, 1, "\u00a0");
+    out += term;
+    if (equals == formula.size()) break;
+    from = equals;
+  }
+  return out;
+}
 
 void draw(Ui& ui) {
   const Theme& c = ui.colors();
@@ -35,7 +52,8 @@ void draw(Ui& ui) {
   how.font = ui.fonts.mono;
   how.indent = ui.em;
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  for (const std::string& formula : told.formulas) flow(ui, formula, how);
+  const float width = ImGui::GetContentRegionAvail().x - how.indent;
+  for (const std::string& formula : told.formulas) flow(ui, keep_terms(ui, formula, width), how);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   if (told.doubt) {
     Flow doubt;

@@ -128,6 +128,8 @@ void draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const RasterConte
           const std::string text = cell_text(at, decimals);
           if (text.empty()) continue;
           const ImVec2 size = text_size(ui, font, text);
+          // Cells that the pane's border cuts go without.
+          if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 || map.py(y) + size.y / 2 > map.box_height) continue;
           const Pixel32 back = content.cells[at] == hatched_cell ? to_pixel(ui.colors().empty) : content.cells[at];
           draw_text(ui, {origin.x + static_cast<float>(map.px(x)) - size.x / 2, origin.y + static_cast<float>(map.py(y)) - size.y / 2}, font,
                     wants_dark_text(back) ? IM_COL32(20, 20, 20, 255) : IM_COL32(250, 250, 250, 255), text);
