@@ -127,8 +127,8 @@ TEST_CASE("no letter is cut at the side, at any step of the lessons' scenes") {
 TEST_CASE("no letter is cut beside a lesson, at any of its stops") {
   for (Lesson& lesson : all_lessons()) {
     const Trace trace = run_lesson(lesson);
-    for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
-      App app(trace, &lesson, {}, width, height);
+    for (const int width : {1280, 1920}) {
+      App app(trace, &lesson, {}, width, width * 9 / 16);
       for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); ++stop) {
         app.session().to_stop(stop);
         for (int steps = 0; steps < 2; ++steps, app.session().move(Unit::event, 1)) {
@@ -149,6 +149,38 @@ TEST_CASE("windows of every size draw, and tiny ones say what they lack") {
     app.session().go_to(trace.size() / 2);
     CHECK(test::picture(app).size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
   }
+}
+
+TEST_CASE("a foreign trace without most kinds of events opens, and its panes say what they lack") {
+  Scene scene;
+  scene.camera.kind = Camera::Kind::screen;
+  scene.raster = {4, 4, false};
+  scene.polygons.push_back({"", {200, 0, 0}, 0});
+  Header header{"somebody's homework", "mine", "", {}, {}};
+  header.page.push_back({1, kind_of<PixelWrite>, 0, "mine", "write", "write the pixel"});
+  TraceRecorder record(header, scene);
+  const Step<PixelWrite> write{1};
+  for (std::int32_t x = 0; x < 3; ++x) record(write, PixelWrite{x, 1, 0});
+  record.finish();
+  const Trace trace = Trace::from_bytes(record.take_bytes(), "homework.jsonl");
+  CHECK(structure_panes(trace.header()).size() == 1);
+  App app(trace, nullptr, {}, 1280, 720);
+  for (const Unit unit : {Unit::event, Unit::pixel, Unit::span, Unit::scan_line, Unit::polygon})
+    for (const int direction : {1, -1}) {
+      app.session().move(unit, direction);
+      CHECK(letters_cut(app) == 0);
+    }
+  app.session().go_to(2);
+  (void)test::picture(app);
+  CHECK(app.session().changed().size() == 1);
+
+  TraceRecorder nothing(Header{}, scene);
+  nothing.finish();
+  const Trace empty = Trace::from_bytes(nothing.take_bytes(), "empty");
+  App of_nothing(empty, nullptr, {}, 1280, 720);
+  CHECK(letters_cut(of_nothing) == 0);
+  of_nothing.session().move(Unit::event, 1);
+  CHECK(of_nothing.session().position() == 0);
 }
 
 TEST_CASE("a screenshot is written without a display, and is the picture at that step") {
