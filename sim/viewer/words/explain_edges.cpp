@@ -153,7 +153,8 @@ void tell(Telling& t, const SpanBegin& e) {
   t.formula(inclusive ? fmt::format("drawn: {} to {}, both ends included", e.first, e.last)
                       : fmt::format("drawn: the x with {} \u2264 x < {}", number(e.x_left), number(e.x_right)));
   if (e.x_right != e.x_left) {
-    t.formula(fmt::format("dz/dx = (z_R \u2212 z_L)/(x_R \u2212 x_L) = ({} \u2212 {})/({} \u2212 {}) = {}", number(e.z_right), operand(e.z_left),
+    const auto [z_left, z_right] = tell_apart(e.z_left, e.z_right);
+    t.formula(fmt::format("dz/dx = (z_R \u2212 z_L)/(x_R \u2212 x_L) = ({} \u2212 {})/({} \u2212 {}) = {}", z_right, operand(e.z_left, z_left),
                           number(e.x_right), operand(e.x_left), number(e.dz_dx)));
     t.hold_against("dz/dx", e.dz_dx, (e.z_right - e.z_left) / (e.x_right - e.x_left));
   }

@@ -41,18 +41,20 @@ struct Telling {
 };
 
 /// In parentheses when negative, so that "3 − (−2)" reads right.
-inline std::string operand(double value) {
-  std::string text = number(value);
+inline std::string operand(double value, std::string text) {
   return value < 0 && text.find("\u2212") == 0 ? "(" + text + ")" : text;
 }
+
+inline std::string operand(double value) { return operand(value, number(value)); }
 
 inline std::string vertex_label(std::int32_t vertex) { return fmt::format("vertex {}", vertex); }
 inline std::string edge_label(std::int32_t edge) { return fmt::format("e{}", edge); }
 
-/// "p_0 + (p_1 − p_0)(t − t_0)/(t_1 − t_0)" with numbers.
+/// "p_0 + (p_1 − p_0)(t − t_0)/(t_1 − t_0)" with numbers; both ends with the digits that tell them apart.
 inline std::string line_through(double p0, double p1, double t, double t0, double t1) {
-  return fmt::format("{} + ({} \u2212 {})({} \u2212 {})/({} \u2212 {})", number(p0), number(p1), operand(p0), number(t),
-                     operand(t0), number(t1), operand(t0));
+  const auto [from, to] = tell_apart(p0, p1);
+  return fmt::format("{} + ({} \u2212 {})({} \u2212 {})/({} \u2212 {})", from, to, operand(p0, from), number(t), operand(t0), number(t1),
+                     operand(t0));
 }
 inline double on_line(double p0, double p1, double t, double t0, double t1) {
   return p0 + (p1 - p0) * (t - t0) / (t1 - t0);
