@@ -32,18 +32,21 @@ void note_topology(const PolygonSoup& soup, const std::string& where, std::int64
                    std::vector<std::string>& notes) {
   const Mesh mesh = build_mesh(soup.points, soup.outlines, soup.corners);
   if (const std::int64_t loose = mesh.loose_faces - without_corners; loose > 0)
-    notes.push_back(fmt::format("{}: {} cut loose: more than two meet at an edge, or neighbours run against each other", where,
-                                polygons_are(loose)));
+    notes.push_back(fmt::format("{}: {} cut loose: more than two meet at an edge, or neighbours run against each other",
+                                where, polygons_are(loose)));
   if (mesh.boundary_edges > 0)
-    notes.push_back(fmt::format("{}: the surface is open at {} edges: with back faces dropped its inside cannot be seen",
-                                where, mesh.boundary_edges));
+    notes.push_back(
+        fmt::format("{}: the surface is open at {} edges: with back faces dropped its inside cannot be seen", where,
+                    mesh.boundary_edges));
   else if (mesh.loose_faces == without_corners) {
     double volume = 0;  // six times the signed volume: negative when the outside is inside
     for (const Facet& outline : soup.outlines)
-      if (outline.corner_count >= 3) volume += glm::dot(soup.points[static_cast<std::size_t>(soup.corners_of(outline)[0])],
-                         newell_normal(soup.points, soup.corners_of(outline)));
+      if (outline.corner_count >= 3)
+        volume += glm::dot(soup.points[static_cast<std::size_t>(soup.corners_of(outline)[0])],
+                           newell_normal(soup.points, soup.corners_of(outline)));
     if (volume < 0)
-      notes.push_back(fmt::format("{}: the polygons run clockwise seen from outside: all of them count as back faces", where));
+      notes.push_back(
+          fmt::format("{}: the polygons run clockwise seen from outside: all of them count as back faces", where));
   }
 }
 
@@ -114,11 +117,13 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
     scene.polygons.push_back(std::move(polygon));
   }
 
-  if (cut_ > 0) file_.notes.push_back(fmt::format("{}: {} not planar and cut into triangles", where, polygons_are(cut_)));
+  if (cut_ > 0)
+    file_.notes.push_back(fmt::format("{}: {} not planar and cut into triangles", where, polygons_are(cut_)));
   if (too_few_corners_ > 0)
     file_.notes.push_back(fmt::format("{}: {} not drawn, having fewer than three different corners", where,
                                       polygons_are(too_few_corners_)));
-  if (no_area_ > 0) file_.notes.push_back(fmt::format("{}: {} not drawn, enclosing no area", where, polygons_are(no_area_)));
+  if (no_area_ > 0)
+    file_.notes.push_back(fmt::format("{}: {} not drawn, enclosing no area", where, polygons_are(no_area_)));
   if (style.bare == Bare::shaded) note_topology(soup, where, too_few_corners_, file_.notes);
 }
 
@@ -132,14 +137,16 @@ void SceneBuilder::add_facets(std::span<const std::int32_t> corners, std::int32_
   const auto append = [&](std::span<const std::int32_t> piece) {
     if (static_cast<std::int64_t>(scene.corners.size() + piece.size()) > most_corners)
       PolygonSoup::too_much(at_line(where, line), "corners", most_corners);
-    scene.facets.push_back({polygon, static_cast<std::int32_t>(scene.corners.size()), static_cast<std::int32_t>(piece.size())});
+    scene.facets.push_back(
+        {polygon, static_cast<std::int32_t>(scene.corners.size()), static_cast<std::int32_t>(piece.size())});
     scene.corners.insert(scene.corners.end(), piece.begin(), piece.end());
   };
   if (is_planar(scene.points, corners)) return append(corners);
   ++cut_;
   triangles_.clear();
   if (!clipper_.cut(scene.points, corners, triangles_))
-    throw InputError(at_line(where, line), "polygons that are not planar have too many corners to cut them into triangles",
+    throw InputError(at_line(where, line),
+                     "polygons that are not planar have too many corners to cut them into triangles",
                      "triangulate the mesh in a modelling program");
   for (std::size_t i = 0; i < triangles_.size(); i += 3) append(std::span(triangles_).subspan(i, 3));
 }

@@ -12,7 +12,8 @@
 
 namespace zstep::scene {
 
-/// Where a mesh goes: p becomes linear * p + offset. A mirroring turns the polygons round, so that outside stays outside.
+/// Where a mesh goes: p becomes linear * p + offset. A mirroring turns the polygons round, so that outside stays
+/// outside.
 struct Placement {
   glm::dmat3 linear{1};
   glm::dvec3 offset{0};
@@ -43,7 +44,8 @@ class SceneBuilder {
  private:
   void check_limits(const PolygonSoup& soup, const std::string& where) const;
   void add_points(PolygonSoup& soup, const std::string& where, const Style& style);
-  void add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where, std::int32_t line);
+  void add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,
+                  std::int32_t line);
 
   SceneFile file_;
   EarClipper clipper_;

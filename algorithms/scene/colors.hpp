@@ -27,15 +27,18 @@ inline constexpr std::array<Color, 8> palette{{{230, 159, 0},
 /// A colour as scene files write it: "#rrggbb", "#rgb" or a name. Nothing if it is neither.
 std::optional<Color> color_from_text(std::string_view text);
 
-struct NamedColor { std::string_view name; Color color; };
+struct NamedColor {
+  std::string_view name;
+  Color color;
+};
 std::span<const NamedColor> named_colors();
 
 /// What a surface without colours is made of.
 inline constexpr Color clay{176, 196, 214};
 
-/// The colour of a flat surface under a light that is fixed in the world, so that turning the camera does not change it:
-/// brightness (1 + n·l)/2 (Valve's "half Lambert"), so that sides in the shade still differ. `normal` need not be of unit
-/// length; of length zero, the surface counts as seen sideways.
+/// The colour of a flat surface under a light that is fixed in the world, so that turning the camera does not change
+/// it: brightness (1 + n·l)/2 (Valve's "half Lambert"), so that sides in the shade still differ. `normal` need not be
+/// of unit length; of length zero, the surface counts as seen sideways.
 Color shaded(Color base, glm::dvec3 normal);
 
 }  // namespace zstep::scene

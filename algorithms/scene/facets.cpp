@@ -30,7 +30,8 @@ glm::dvec2 flatten(glm::dvec3 p, glm::dvec3 normal) {
 glm::dvec3 newell_normal(std::span<const glm::dvec3> points, std::span<const std::int32_t> corners) {
   glm::dvec3 sum(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    sum += glm::cross(at(points, corners[i]) - at(points, corners[0]), at(points, corners[i + 1]) - at(points, corners[0]));
+    sum += glm::cross(at(points, corners[i]) - at(points, corners[0]),
+                      at(points, corners[i + 1]) - at(points, corners[0]));
   return sum;
 }
 
@@ -81,7 +82,10 @@ bool EarClipper::cut(std::span<const glm::dvec3> points, std::span<const std::in
       const std::size_t i = (start + k) % n, previous = (i + n - 1) % n, next = (i + 1) % n;
       const glm::dvec2 a = p(previous), b = p(i), c = p(next);
       const double turn = cross(b - a, c - b);
-      if (turn > sharpest_turn) { sharpest_turn = turn; sharpest = i; }
+      if (turn > sharpest_turn) {
+        sharpest_turn = turn;
+        sharpest = i;
+      }
       ++steps_;
       if (turn <= 0) continue;
       bool empty = true;

@@ -11,7 +11,8 @@
 
 namespace zstep {
 
-/// What a command line (or a lesson) may change about a scene's camera and raster. Unset: the scene's own, or the default.
+/// What a command line (or a lesson) may change about a scene's camera and raster. Unset: the scene's own, or the
+/// default.
 struct ViewOptions {
   std::optional<double> rho, theta, phi, d, window, near, far;
   std::optional<bool> orthographic;
@@ -19,15 +20,16 @@ struct ViewOptions {
   bool fit = false;  ///< bounding box's centre to the origin, farthest vertex at distance 1
 };
 
-/// A scene as its file says, before it is looked at: camera.rho, camera.near and camera.far may be 0, which means "from the
-/// extent".
+/// A scene as its file says, before it is looked at: camera.rho, camera.near and camera.far may be 0, which means "from
+/// the extent".
 struct SceneFile {
   Scene scene;
-  Conventions conventions;  ///< the scene's own, where it states any
+  Conventions conventions;         ///< the scene's own, where it states any
   std::vector<std::string> notes;  ///< what a user should know about it, a sentence each: holes, polygons not drawn, …
 };
 
-/// Loads a scene: the name of a built-in one ("pyramid", "teapot", "teapot:8" for a level of tessellation), a scene file
+/// Loads a scene: the name of a built-in one ("pyramid", "teapot", "teapot:8" for a level of tessellation), a scene
+/// file
 /// (.toml), or a mesh (.obj .off .ply .stl). Throws InputError with FILE:LINE on anything wrong with it.
 SceneFile load_scene(const std::string& name_or_path);
 
@@ -36,7 +38,9 @@ SceneFile load_scene(const std::string& name_or_path);
 Scene look_at_scene(Scene scene, const ViewOptions& options);
 
 /// Built-in scenes, for `zstep list`.
-struct BuiltIn { std::string_view name, description; };
+struct BuiltIn {
+  std::string_view name, description;
+};
 std::vector<BuiltIn> built_in_scenes();
 
 }  // namespace zstep

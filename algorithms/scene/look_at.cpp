@@ -22,17 +22,19 @@ double checked(double value, std::string_view option) {
 }
 
 double positive(double value, std::string_view option) {
-  if (!(checked(value, option) > 0)) throw InputError(option, fmt::format("it is {}", value), "it must be greater than 0");
+  if (!(checked(value, option) > 0))
+    throw InputError(option, fmt::format("it is {}", value), "it must be greater than 0");
   return value;
 }
 
 void apply_raster(Raster& raster, const ViewOptions& options) {
   raster.width = options.width.value_or(raster.width);
   raster.height = options.height.value_or(raster.height);
-  if (raster.width < 1 || raster.height < 1 || raster.width > scene::largest_side || raster.height > scene::largest_side ||
-      std::int64_t{raster.width} * raster.height > scene::most_pixels)
-    throw InputError("size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
-                     fmt::format("each side is 1 to {}, and there are at most {} pixels", scene::largest_side, scene::most_pixels));
+  if (raster.width < 1 || raster.height < 1 || raster.width > scene::largest_side ||
+      raster.height > scene::largest_side || std::int64_t{raster.width} * raster.height > scene::most_pixels)
+    throw InputError(
+        "size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
+        fmt::format("each side is 1 to {}, and there are at most {} pixels", scene::largest_side, scene::most_pixels));
 }
 
 /// The bounding box's centre to the origin, the farthest vertex at distance 1.
@@ -50,7 +52,8 @@ void fit(std::vector<glm::dvec3>& points) {
   for (glm::dvec3& point : points) point = (point - centre) / radius;
 }
 
-/// The distance from which a ball round the origin that holds the whole scene just fits into the window, plus a twentieth.
+/// The distance from which a ball round the origin that holds the whole scene just fits into the window, plus a
+/// twentieth.
 double distance_for_all(const Scene& scene) {
   double radius = 0;
   for (const glm::dvec3& point : scene.points) radius = std::max(radius, glm::length(point));
@@ -77,8 +80,8 @@ void place_eye(Scene& scene, const ViewOptions& options) {
     camera.eye = glm::normalize(-glm::dvec3(camera.view[0][2], camera.view[1][2], camera.view[2][2])) + 0.0;
 }
 
-/// Near and far, where they are not given: the extent of z_v widened by a hundredth on both sides; in perspective the near
-/// plane stays in front of the eye, at a thousandth of far at least, so that the eye may stand inside the scene.
+/// Near and far, where they are not given: the extent of z_v widened by a hundredth on both sides; in perspective the
+/// near plane stays in front of the eye, at a thousandth of far at least, so that the eye may stand inside the scene.
 void choose_depths(Scene& scene, const ViewOptions& options) {
   Camera& camera = scene.camera;
   if (options.near) camera.near = checked(*options.near, "near");
@@ -110,7 +113,8 @@ void choose_depths(Scene& scene, const ViewOptions& options) {
   if (perspective && !(camera.near > 0))
     throw InputError("near", fmt::format("it is {}", camera.near), "in perspective it must be greater than 0");
   if (!(camera.far > camera.near))
-    throw InputError("far", fmt::format("it is {}, but near is {}", camera.far, camera.near), "give the greater distance to far");
+    throw InputError("far", fmt::format("it is {}, but near is {}", camera.far, camera.near),
+                     "give the greater distance to far");
 }
 
 }  // namespace

@@ -11,7 +11,9 @@ namespace {
 class SilentOpenMesh {
  public:
   SilentOpenMesh() : was_enabled_(omerr().is_enabled()) { omerr().disable(); }
-  ~SilentOpenMesh() { if (was_enabled_) omerr().enable(); }
+  ~SilentOpenMesh() {
+    if (was_enabled_) omerr().enable();
+  }
   SilentOpenMesh(const SilentOpenMesh&) = delete;
   SilentOpenMesh& operator=(const SilentOpenMesh&) = delete;
 
@@ -35,7 +37,8 @@ class Builder {
       const auto p = static_cast<std::size_t>(point);
       repeats = repeats || mark_[p] == face_number;
       mark_[p] = face_number;
-      // Where faces stand all round the point already, another surface touches it: that one has a vertex of its own there.
+      // Where faces stand all round the point already, another surface touches it: that one has a vertex of its own
+      // there.
       if (!mesh_.half_edges.is_boundary(vertex_of_point_[p])) vertex_of_point_[p] = add_vertex(point);
       face_.push_back(vertex_of_point_[p]);
     }
@@ -93,11 +96,13 @@ class Builder {
 
 }  // namespace
 
-Mesh build_mesh(std::span<const glm::dvec3> points, std::span<const Facet> faces, std::span<const std::int32_t> corners) {
+Mesh build_mesh(std::span<const glm::dvec3> points, std::span<const Facet> faces,
+                std::span<const std::int32_t> corners) {
   const SilentOpenMesh silent;
   Builder builder(points, faces.size(), corners.size());
   for (const Facet& face : faces)
-    builder.add(corners.subspan(static_cast<std::size_t>(face.first_corner), static_cast<std::size_t>(face.corner_count)));
+    builder.add(
+        corners.subspan(static_cast<std::size_t>(face.first_corner), static_cast<std::size_t>(face.corner_count)));
   return builder.finish();
 }
 

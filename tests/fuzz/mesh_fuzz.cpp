@@ -1,5 +1,5 @@
-// libFuzzer target: meshes. The first byte chooses the reader (o, f, p, s: OBJ, OFF, PLY, STL), the rest is the file. What is
-// read goes all the way to a scene that could be drawn, and to its half-edge mesh.
+// libFuzzer target: meshes. The first byte chooses the reader (o, f, p, s: OBJ, OFF, PLY, STL), the rest is the file.
+// What is read goes all the way to a scene that could be drawn, and to its half-edge mesh.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -19,11 +19,16 @@ namespace {
 
 MeshFormat format_of(std::uint8_t byte) {
   switch (byte) {
-    case 'o': return MeshFormat::obj;
-    case 'f': return MeshFormat::off;
-    case 'p': return MeshFormat::ply;
-    case 's': return MeshFormat::stl;
-    default: return static_cast<MeshFormat>(byte % 4);
+    case 'o':
+      return MeshFormat::obj;
+    case 'f':
+      return MeshFormat::off;
+    case 'p':
+      return MeshFormat::ply;
+    case 's':
+      return MeshFormat::stl;
+    default:
+      return static_cast<MeshFormat>(byte % 4);
   }
 }
 
@@ -47,7 +52,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   try {
     PolygonSoup soup = read(format_of(data[0]), bytes);
-    for (const std::int32_t corner : soup.corners) check(corner >= 0 && static_cast<std::size_t>(corner) < soup.points.size());
+    for (const std::int32_t corner : soup.corners)
+      check(corner >= 0 && static_cast<std::size_t>(corner) < soup.points.size());
     check(soup.point_lines.empty() || soup.point_lines.size() == soup.points.size());
     check(soup.colors.empty() || soup.colors.size() == soup.outlines.size());
     const std::size_t polygons = soup.outlines.size();

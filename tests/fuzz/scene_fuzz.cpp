@@ -12,9 +12,10 @@ using namespace zstep;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const SceneFile file = scene::read_scene(text, "fuzz.toml", "fuzz", [](const std::string& path) -> scene::PolygonSoup {
-      throw InputError(path, "there are no files", "use a built-in mesh");
-    });
+    const SceneFile file =
+        scene::read_scene(text, "fuzz.toml", "fuzz", [](const std::string& path) -> scene::PolygonSoup {
+          throw InputError(path, "there are no files", "use a built-in mesh");
+        });
     const Scene scene = look_at_scene(file.scene, {});
     if (scene.polygons.empty()) std::abort();
     if (scene.camera.kind != Camera::Kind::screen && !(scene.camera.near < scene.camera.far)) std::abort();

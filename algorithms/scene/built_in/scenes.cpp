@@ -9,7 +9,8 @@ namespace zstep::scene {
 
 namespace {
 
-constexpr std::string_view pyramid = R"(# A pyramid with a square base: five corners, five polygons, counter-clockwise seen from
+constexpr std::string_view pyramid =
+    R"(# A pyramid with a square base: five corners, five polygons, counter-clockwise seen from
 # outside. The program skeleton of Eckert's lecture 21 (Binghamton University, 2001) draws one; these are its arrays
 # w_pts and polys with numbers filled in.
 name = "pyramid"
@@ -46,7 +47,8 @@ name = "E"
 corners = [3, 2, 1, 0]
 )";
 
-constexpr std::string_view pyramid_behind = R"(# The pyramid, and behind it a card that is drawn twice: F before the pyramid, G after it,
+constexpr std::string_view pyramid_behind =
+    R"(# The pyramid, and behind it a card that is drawn twice: F before the pyramid, G after it,
 # at exactly the same place. Every outcome of the compare happens: F wins against nothing, the pyramid wins against F,
 # G fails behind the pyramid, and beside it G ties with F, so that F stays.
 name = "pyramid-behind"
@@ -101,7 +103,8 @@ color = "vermillion"
 corners = [5, 6, 7]
 )";
 
-constexpr std::string_view foley = R"(# The polygon on which Foley, van Dam, Feiner and Hughes explain edge table and active edges
+constexpr std::string_view foley =
+    R"(# The polygon on which Foley, van Dam, Feiner and Hughes explain edge table and active edges
 # ("Computer Graphics: Principles and Practice", 2nd edition, 1990, section 3.6).
 name = "foley"
 coordinates = "screen"
@@ -116,7 +119,8 @@ name = "A"
 points = [[2, 3], [7, 1], [13, 5], [13, 11], [7, 7], [2, 9]]
 )";
 
-constexpr std::string_view delhi = R"(# The worked example of lecture 28 of Kalra's course (Indian Institute of Technology, Delhi): two
+constexpr std::string_view delhi =
+    R"(# The worked example of lecture 28 of Kalra's course (Indian Institute of Technology, Delhi): two
 # triangles in a buffer of 8 x 8. The lecture gives the corners of the second; those of the first, all of depth 5, are
 # reconstructed from the depth buffer that it shows. The second lies in the plane z = x + y + 1; where it is 5 as well, the
 # first stays. The lecture's cells are the textbook's inclusive loop, x from the left edge to the right one.
@@ -140,7 +144,8 @@ name = "B"
 points = [[0, 6, 7], [5, 1, 7], [0, 1, 2]]
 )";
 
-constexpr std::string_view cyclic = R"(# Three triangles, each in front of the next and the last in front of the first: no order of drawing
+constexpr std::string_view cyclic =
+    R"(# Three triangles, each in front of the next and the last in front of the first: no order of drawing
 # is right, but the Z-buffer needs none. With this camera x is to the right, y upwards and z towards the eye.
 name = "cyclic"
 
@@ -167,7 +172,8 @@ name = "C"
 points = [[1.5, 2, 1], [-0.5, 3, 1], [-2.5, -2, -1]]
 )";
 
-constexpr std::string_view intersecting = R"(# Two triangles that run through each other: A is nearer on the left, B on the right. With this
+constexpr std::string_view intersecting =
+    R"(# Two triangles that run through each other: A is nearer on the left, B on the right. With this
 # camera x is to the right, y upwards and z towards the eye.
 name = "intersecting"
 
@@ -225,7 +231,8 @@ builtin = "dodecahedron"
 )";
 
 // {0}: the name, with its level where one is given
-constexpr std::string_view teapot_at_level = R"(# Martin Newell's teapot (University of Utah, 1975). A level N after the name, as in teapot:12, cuts each of
+constexpr std::string_view teapot_at_level =
+    R"(# Martin Newell's teapot (University of Utah, 1975). A level N after the name, as in teapot:12, cuts each of
 # its 28 patches into N x N pieces.
 name = "{0}"
 
@@ -243,7 +250,10 @@ d = 3.6
 builtin = "{0}"
 )";
 
-struct Entry { BuiltIn about; std::string_view text; };
+struct Entry {
+  BuiltIn about;
+  std::string_view text;
+};
 
 constexpr std::array<Entry, 9> entries{{
     {{"pyramid", "a pyramid of five polygons, as in Eckert's lecture (32x32)"}, pyramid},
@@ -260,7 +270,7 @@ constexpr std::array<Entry, 9> entries{{
 }  // namespace
 
 std::optional<std::string> built_in_scene(const std::string& name) {
-  if (teapot_level(name)) return fmt::format(fmt::runtime(teapot_at_level), name);
+  if (teapot_level(name, name.substr(0, 40))) return fmt::format(fmt::runtime(teapot_at_level), name);
   for (const Entry& entry : entries)
     if (entry.about.name == name) return std::string(entry.text);
   return std::nullopt;

@@ -13,7 +13,8 @@ namespace {
 
 std::string no_place() { return "built-in mesh"; }
 
-PolygonSoup solid(std::initializer_list<glm::dvec3> points, std::initializer_list<std::initializer_list<int>> outlines) {
+PolygonSoup solid(std::initializer_list<glm::dvec3> points,
+                  std::initializer_list<std::initializer_list<int>> outlines) {
   PolygonSoup soup;
   soup.points = points;
   for (const auto& outline : outlines) {
@@ -73,11 +74,11 @@ PolygonSoup dodecahedron() {
 
 std::vector<std::string_view> built_in_meshes() { return {"cube", "pyramid", "dodecahedron", "teapot"}; }
 
-std::optional<PolygonSoup> built_in_mesh(const std::string& name) {
+std::optional<PolygonSoup> built_in_mesh(const std::string& name, const std::string& where) {
   if (name == "cube") return cube();
   if (name == "pyramid") return pyramid();
   if (name == "dodecahedron") return dodecahedron();
-  if (const auto level = teapot_level(name)) return teapot(*level);
+  if (const auto level = teapot_level(name, where)) return teapot(*level);
   return std::nullopt;
 }
 

@@ -32,7 +32,8 @@ glm::dvec3 point_of(const Patch& patch, double u, double v) {
   // Millionths to units, the middle of the pot's extent to the origin, its length to 2.
   constexpr double middle_x = 554258, middle_z = 675049, half_length = 804258;
   const glm::dvec3 placed = (sum - glm::dvec3(middle_x, 0, middle_z)) / half_length;
-  // Neighbouring patches have the same border, but reach its points by different roundings. On a grid of 2^-30 they agree.
+  // Neighbouring patches have the same border, but reach its points by different roundings. On a grid of 2^-30 they
+  // agree.
   constexpr double grid = 1 << 30;
   return {std::round(placed.x * grid) / grid, std::round(placed.y * grid) / grid, std::round(placed.z * grid) / grid};
 }
@@ -48,7 +49,8 @@ PolygonSoup teapot(int level) {
   for (const Patch& patch : teapot_patches) {
     for (int i = 0; i <= level; ++i)
       for (int j = 0; j <= level; ++j)
-        at(i, j) = merger.add(soup, point_of(patch, static_cast<double>(i) / level, static_cast<double>(j) / level), 0, where);
+        at(i, j) =
+            merger.add(soup, point_of(patch, static_cast<double>(i) / level, static_cast<double>(j) / level), 0, where);
     for (int i = 0; i < level; ++i)
       for (int j = 0; j < level; ++j) {
         const std::array<std::int64_t, 4> around{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
@@ -60,12 +62,12 @@ PolygonSoup teapot(int level) {
   return soup;
 }
 
-std::optional<int> teapot_level(const std::string& name) {
+std::optional<int> teapot_level(const std::string& name, const std::string& where) {
   if (name == "teapot") return default_teapot_level;
   if (name.substr(0, 7) != "teapot:") return std::nullopt;
   const auto level = parse_integer(std::string_view(name).substr(7));
   if (!level || *level < 1 || *level > highest_teapot_level)
-    throw InputError(name.substr(0, 40), fmt::format("the level is not a whole number from 1 to {}", highest_teapot_level),
+    throw InputError(where, fmt::format("the level is not a whole number from 1 to {}", highest_teapot_level),
                      "write teapot:8");
   return static_cast<int>(*level);
 }

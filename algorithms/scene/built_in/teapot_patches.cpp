@@ -1,6 +1,7 @@
-// The control points of Martin Newell's teapot: 28 bicubic Bezier patches. M. E. Newell, "The Utilization of Procedure Models
-// in Digital Image Synthesis", dissertation, University of Utah, 1975. z is up, the spout points along x, the pot stands at
-// (0.5, 0, 0.3). Coordinates in millionths. There is no bottom, and the lid does not touch the rim: the original has it so.
+// The control points of Martin Newell's teapot: 28 bicubic Bezier patches. M. E. Newell, "The Utilization of Procedure
+// Models in Digital Image Synthesis", dissertation, University of Utah, 1975. z is up, the spout points along x, the
+// pot stands at (0.5, 0, 0.3). Coordinates in millionths. There is no bottom, and the lid does not touch the rim: the
+// original has it so.
 #include "algorithms/scene/built_in/teapot_patches.hpp"
 
 namespace zstep::scene {

@@ -46,7 +46,10 @@ std::optional<double> parse_number(std::string_view token) {
   bool any = false, fraction = false;
   for (; at < token.size(); ++at) {
     const char c = token[at];
-    if (c == '.' && !fraction) { fraction = true; continue; }
+    if (c == '.' && !fraction) {
+      fraction = true;
+      continue;
+    }
     if (!is_digit(c)) break;
     any = true;
     if (fraction) --exponent;
@@ -71,7 +74,8 @@ std::optional<double> parse_number(std::string_view token) {
   }
 
   double value = 0;
-  constexpr std::uint64_t exact = 1ULL << 53;  // up to here both operands are exact, so one operation rounds once (Clinger 1990)
+  constexpr std::uint64_t exact =
+      1ULL << 53;  // up to here both operands are exact, so one operation rounds once (Clinger 1990)
   if (mantissa == 0) {
     value = 0;
   } else if (significant <= 19 && mantissa <= exact && exponent >= -22 && exponent <= 22) {

@@ -8,8 +8,8 @@
 
 namespace zstep::scene {
 
-/// A decimal number ("-1.5", "2e3", ".5"), correctly rounded. "nan" and "inf" in any spelling give themselves; the caller
-/// decides whether it wants them. Nothing if the token is anything else.
+/// A decimal number ("-1.5", "2e3", ".5"), correctly rounded. "nan" and "inf" in any spelling give themselves; the
+/// caller decides whether it wants them. Nothing if the token is anything else.
 std::optional<double> parse_number(std::string_view token);
 
 /// A decimal integer with an optional sign; nothing if it is anything else or does not fit.

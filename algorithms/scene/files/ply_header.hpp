@@ -27,8 +27,8 @@ struct PlyHeader {
   enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
   Encoding encoding = Encoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;         ///< bytes of the head: the data begin here
-  std::int32_t lines = 0;       ///< lines of the head
+  std::size_t size = 0;    ///< bytes of the head: the data begin here
+  std::int32_t lines = 0;  ///< lines of the head
 };
 
 /// Bytes that a value of this type takes in a binary file.

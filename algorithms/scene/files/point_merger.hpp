@@ -13,8 +13,8 @@ namespace zstep::scene {
 /// A hash table of the points of one soup.
 class PointMerger {
  public:
-  /// The index of `point` in the soup, which gets it if it is new; always the same soup. Equal means equal in every bit, but
-  /// -0 is 0.
+  /// The index of `point` in the soup, which gets it if it is new; always the same soup. Equal means equal in every
+  /// bit, but -0 is 0.
   template <class Where>
   std::int64_t add(PolygonSoup& soup, glm::dvec3 point, std::int32_t line, Where&& where) {
     point += 0.0;
@@ -40,7 +40,8 @@ class PointMerger {
     }
     const std::size_t mask = slots_.size() - 1;
     std::size_t place = static_cast<std::size_t>(hash) & mask;
-    while (slots_[place] >= 0 && soup.points[static_cast<std::size_t>(slots_[place])] != point) place = (place + 1) & mask;
+    while (slots_[place] >= 0 && soup.points[static_cast<std::size_t>(slots_[place])] != point)
+      place = (place + 1) & mask;
     return place;
   }
 

@@ -22,13 +22,13 @@ inline constexpr std::int64_t most_corners = 6'000'000;
 /// Every corner is an index into `points`, every coordinate is finite, and nothing is beyond the limits.
 struct PolygonSoup {
   std::vector<glm::dvec3> points;
-  std::vector<std::int32_t> point_lines;            ///< one a point; empty for a binary file
-  std::vector<Facet> outlines;                      ///< the k-th is polygon k, with its corners as the file has them
-  std::vector<std::int32_t> outline_lines;          ///< one a polygon; empty for a binary file
+  std::vector<std::int32_t> point_lines;    ///< one a point; empty for a binary file
+  std::vector<Facet> outlines;              ///< the k-th is polygon k, with its corners as the file has them
+  std::vector<std::int32_t> outline_lines;  ///< one a polygon; empty for a binary file
   std::vector<std::int32_t> corners;
-  std::vector<std::optional<Color>> colors;         ///< one a polygon, or none at all
-  std::vector<std::string> names;                   ///< one a polygon, or none at all
-  std::vector<std::string> notes;                   ///< what was passed over, one sentence each
+  std::vector<std::optional<Color>> colors;  ///< one a polygon, or none at all
+  std::vector<std::string> names;            ///< one a polygon, or none at all
+  std::vector<std::string> notes;            ///< what was passed over, one sentence each
 
   /// Adds a point; throws InputError at `where()` beyond the limit. `line` 0: the file has no lines.
   template <class Where>

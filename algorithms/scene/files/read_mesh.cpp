@@ -21,10 +21,14 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
 
 PolygonSoup read_mesh_bytes(MeshFormat format, std::string_view bytes, const std::string& name) {
   switch (format) {
-    case MeshFormat::obj: return read_obj(bytes, name, [](const std::string&) { return std::nullopt; });
-    case MeshFormat::off: return read_off(bytes, name);
-    case MeshFormat::ply: return read_ply(bytes, name);
-    case MeshFormat::stl: return read_stl(bytes, name);
+    case MeshFormat::obj:
+      return read_obj(bytes, name, [](const std::string&) { return std::nullopt; });
+    case MeshFormat::off:
+      return read_off(bytes, name);
+    case MeshFormat::ply:
+      return read_ply(bytes, name);
+    case MeshFormat::stl:
+      return read_stl(bytes, name);
   }
   throw InputError(name, "unknown mesh format", "use .obj, .off, .ply or .stl");
 }

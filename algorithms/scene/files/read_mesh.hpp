@@ -1,4 +1,5 @@
-// Meshes from files: OBJ, OFF, PLY and STL, read by zstep's own checked readers (docs/architecture.md, "Reading meshes").
+// Meshes from files: OBJ, OFF, PLY and STL, read by zstep's own checked readers (docs/architecture.md, "Reading
+// meshes").
 #pragma once
 
 #include <filesystem>
@@ -19,12 +20,12 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path);
 /// Gives the text of a material file that an OBJ names, or nothing where there is none.
 using MaterialFiles = std::function<std::optional<std::string>(const std::string& file_name)>;
 
-// The readers. `name` is what errors call the file. All throw InputError, and nothing else, on anything wrong in `bytes`:
-// at FILE:LINE in text, at FILE:byte N in binary. Time and memory are bounded by the number of bytes, never by a count
-// that the file declares.
+// The readers. `name` is what errors call the file. All throw InputError, and nothing else, on anything wrong in
+// `bytes`: at FILE:LINE in text, at FILE:byte N in binary. Time and memory are bounded by the number of bytes, never by
+// a count that the file declares.
 
-/// OBJ: v, f with negative indices and with texture and normal indices (which are passed over), usemtl with the Kd of its
-/// mtllib. Points and lines (p, l) are passed over; free-form surfaces are an error.
+/// OBJ: v, f with negative indices and with texture and normal indices (which are passed over), usemtl with the Kd of
+/// its mtllib. Points and lines (p, l) are passed over; free-form surfaces are an error.
 PolygonSoup read_obj(std::string_view bytes, const std::string& name, const MaterialFiles& materials);
 /// OFF with the prefixes C, N, ST (whose extra numbers are passed over) and colours of faces.
 PolygonSoup read_off(std::string_view bytes, const std::string& name);
@@ -35,7 +36,8 @@ PolygonSoup read_stl(std::string_view bytes, const std::string& name);
 
 /// The readers by format; an OBJ without materials.
 PolygonSoup read_mesh_bytes(MeshFormat format, std::string_view bytes, const std::string& name);
-/// Reads a mesh file, an OBJ with the material files of its own folder. Throws InputError, also for a mesh without polygons.
+/// Reads a mesh file, an OBJ with the material files of its own folder. Throws InputError, also for a mesh without
+/// polygons.
 PolygonSoup read_mesh(const std::filesystem::path& path);
 
 }  // namespace zstep::scene

@@ -1,4 +1,5 @@
-// Wavefront OBJ, as in appendix B1 of the Advanced Visualizer manual (Wavefront Technologies, 1989–1995), polygons only.
+// Wavefront OBJ, as in appendix B1 of the Advanced Visualizer manual (Wavefront Technologies, 1989–1995), polygons
+// only.
 #include <array>
 #include <cmath>
 #include <map>
@@ -18,9 +19,9 @@ namespace {
 using Materials = std::map<std::string, Color, std::less<>>;
 
 constexpr std::array<std::string_view, 24> passed_over{
-    "vt",    "vn",       "vp",       "g",         "o",         "s",          "mg",     "bevel",
-    "c_interp", "d_interp", "lod",   "maplib",    "usemap",    "shadow_obj", "trace_obj", "deg",
-    "bmat",  "step",     "cstype",   "ctech",     "stech",     "call",       "csh",    "con"};
+    "vt",       "vn",       "vp",     "g",      "o",      "s",          "mg",        "bevel",
+    "c_interp", "d_interp", "lod",    "maplib", "usemap", "shadow_obj", "trace_obj", "deg",
+    "bmat",     "step",     "cstype", "ctech",  "stech",  "call",       "csh",       "con"};
 
 template <std::size_t N>
 bool one_of(const std::array<std::string_view, N>& words, std::string_view word) {
@@ -68,7 +69,8 @@ class Reader {
       else if (word == "curv" || word == "curv2" || word == "surf")
         file_.fail("free-form curves and surfaces are not read", "export the mesh as polygons");
       else if (!one_of(passed_over, word) && !one_of(free_form_, word))
-        file_.fail(fmt::format("{} is no statement of an OBJ file", in_quotes(word)), "is this an OBJ file, and is it whole?");
+        file_.fail(fmt::format("{} is no statement of an OBJ file", in_quotes(word)),
+                   "is this an OBJ file, and is it whole?");
     } while (file_.next_line());
     check_forward_references();
     if (elements_passed_over_ > 0)
@@ -93,14 +95,18 @@ class Reader {
     for (std::string_view token = file_.next_in_line(); !token.empty(); token = file_.next_in_line()) {
       const std::string_view digits = token.substr(0, token.find('/'));
       const auto index = parse_integer(digits);
-      if (!index) file_.fail(fmt::format("the corner {} is not an index", in_quotes(token)), "write i, i/t, i//n or i/t/n");
+      if (!index)
+        file_.fail(fmt::format("the corner {} is not an index", in_quotes(token)), "write i, i/t, i//n or i/t/n");
       if (*index == 0) file_.fail("a corner has the index 0", "indices count from 1");
       if (*index < -count)
         file_.fail(fmt::format("the index {} goes back beyond the first of {} vertices", *index, count),
                    "negative indices count back from the last vertex, which is -1");
       if (*index > most_points)
         file_.fail(fmt::format("there is no vertex {}", *index), "indices count from 1 to the number of vertices");
-      if (*index > count && *index > furthest_) { furthest_ = *index; furthest_where_ = where(); }
+      if (*index > count && *index > furthest_) {
+        furthest_ = *index;
+        furthest_where_ = where();
+      }
       soup_.add_corner(*index > 0 ? *index - 1 : count + *index, [&] { return where(); });
     }
     std::optional<Color> color;
@@ -117,8 +123,8 @@ class Reader {
     for (std::string_view word = words.next_in_line(); !word.empty(); word = words.next_in_line())
       found = (word != rest && add_library(std::string(word))) || found;
     if (!found && soup_.notes.size() < 8)
-      soup_.notes.push_back(fmt::format("{}: the material file {} is not in the mesh's folder; its colours are not known",
-                                        where(), in_quotes(rest)));
+      soup_.notes.push_back(fmt::format(
+          "{}: the material file {} is not in the mesh's folder; its colours are not known", where(), in_quotes(rest)));
   }
   bool add_library(const std::string& file_name) {
     if (library_bytes_ > most_library_bytes) file_.fail("the material files are too large", "remove unused ones");

@@ -14,7 +14,8 @@ namespace zstep::scene {
 namespace {
 
 struct Kind {
-  bool extra_numbers = false;  ///< colours, normals or texture coordinates follow the coordinates, to the end of the line
+  bool extra_numbers =
+      false;  ///< colours, normals or texture coordinates follow the coordinates, to the end of the line
 };
 
 bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
@@ -31,8 +32,8 @@ std::optional<Kind> kind_of_keyword(std::string_view word) {
   return kind;
 }
 
-/// The colour that may stand after a face's corners: nothing, an index into a colour map (which is passed over), or three or
-/// four numbers, of 0 … 255 when all are whole and of 0 … 1 otherwise.
+/// The colour that may stand after a face's corners: nothing, an index into a colour map (which is passed over), or
+/// three or four numbers, of 0 … 255 when all are whole and of 0 … 1 otherwise.
 std::optional<Color> face_color(Tokens& file) {
   double values[4] = {};
   int count = 0;
@@ -71,7 +72,8 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     if (token == "BINARY") file.fail("binary OFF is not read", "save it as ascii OFF, or as PLY");
   } else if (!parse_integer(token)) {  // the keyword may be missing altogether
     if (token.find("OFF") != std::string_view::npos)
-      file.fail(fmt::format("{} is not read", in_quotes(token)), "only OFF in three dimensions is, with the prefixes ST, C and N");
+      file.fail(fmt::format("{} is not read", in_quotes(token)),
+                "only OFF in three dimensions is, with the prefixes ST, C and N");
     file.fail(fmt::format("{} is not the beginning of an OFF file", in_quotes(token)), "begin with OFF");
   }
 
@@ -98,21 +100,25 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
   for (std::int64_t i = 0; i < declared_faces; ++i) {
     const std::string_view first = file.next();
     const std::int32_t line = file.line();
-    const std::int64_t corners = file.count(first, "the number of corners", static_cast<std::int64_t>(file.bytes_left() / 2));
+    const std::int64_t corners =
+        file.count(first, "the number of corners", static_cast<std::int64_t>(file.bytes_left() / 2));
     for (std::int64_t k = 0; k < corners; ++k) {
       const std::string_view corner = file.next();
       const auto index = parse_integer(corner);
       if (!index)
-        file.fail(corner.empty() ? "the file ends within a face" : fmt::format("the corner {} is not an index", in_quotes(corner)),
+        file.fail(corner.empty() ? "the file ends within a face"
+                                 : fmt::format("the corner {} is not an index", in_quotes(corner)),
                   "a face is: number of corners, then that many indices from 0");
       if (*index < 0 || *index >= declared_points)
-        file.fail(fmt::format("there is no vertex {}", *index), fmt::format("the indices are 0 to {}", declared_points - 1));
+        file.fail(fmt::format("there is no vertex {}", *index),
+                  fmt::format("the indices are 0 to {}", declared_points - 1));
       soup.add_corner(*index, where);
     }
     soup.close_outline(line, face_color(file), where);
   }
   if (const std::string_view more = file.next(); !more.empty())
-    file.fail(fmt::format("{} follows after the last face", in_quotes(more)), "correct the counts in the head of the file");
+    file.fail(fmt::format("{} follows after the last face", in_quotes(more)),
+              "correct the counts in the head of the file");
   return soup;
 }
 

@@ -52,14 +52,22 @@ class BinaryValues {
 
   double next(Type type) {
     switch (type) {
-      case Type::int8: return take<std::int8_t>();
-      case Type::uint8: return take<std::uint8_t>();
-      case Type::int16: return take<std::int16_t>();
-      case Type::uint16: return take<std::uint16_t>();
-      case Type::int32: return take<std::int32_t>();
-      case Type::uint32: return take<std::uint32_t>();
-      case Type::float32: return static_cast<double>(take<float>());
-      case Type::float64: return take<double>();
+      case Type::int8:
+        return take<std::int8_t>();
+      case Type::uint8:
+        return take<std::uint8_t>();
+      case Type::int16:
+        return take<std::int16_t>();
+      case Type::uint16:
+        return take<std::uint16_t>();
+      case Type::int32:
+        return take<std::int32_t>();
+      case Type::uint32:
+        return take<std::uint32_t>();
+      case Type::float32:
+        return static_cast<double>(take<float>());
+      case Type::float64:
+        return take<double>();
     }
     return 0;
   }
@@ -81,9 +89,18 @@ class BinaryValues {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < sizeof(T); ++i) bits |= std::uint64_t{raw[big_ ? sizeof(T) - 1 - i : i]} << (8 * i);
     T value{};
-    if constexpr (sizeof(T) == 1) { const auto b = static_cast<std::uint8_t>(bits); std::memcpy(&value, &b, 1); }
-    if constexpr (sizeof(T) == 2) { const auto b = static_cast<std::uint16_t>(bits); std::memcpy(&value, &b, 2); }
-    if constexpr (sizeof(T) == 4) { const auto b = static_cast<std::uint32_t>(bits); std::memcpy(&value, &b, 4); }
+    if constexpr (sizeof(T) == 1) {
+      const auto b = static_cast<std::uint8_t>(bits);
+      std::memcpy(&value, &b, 1);
+    }
+    if constexpr (sizeof(T) == 2) {
+      const auto b = static_cast<std::uint16_t>(bits);
+      std::memcpy(&value, &b, 2);
+    }
+    if constexpr (sizeof(T) == 4) {
+      const auto b = static_cast<std::uint32_t>(bits);
+      std::memcpy(&value, &b, 4);
+    }
     if constexpr (sizeof(T) == 8) std::memcpy(&value, &bits, 8);
     return value;
   }
@@ -146,7 +163,9 @@ class Reader {
           if (k == 0) line = values_.line();
         }
         if (vertex) soup_.add_point(point, line, [&] { return values_.where(); });
-        if (face) soup_.close_outline(line, colored ? std::optional(color_of(color)) : std::nullopt, [&] { return values_.where(); });
+        if (face)
+          soup_.close_outline(line, colored ? std::optional(color_of(color)) : std::nullopt,
+                              [&] { return values_.where(); });
       }
     }
     values_.finish();
@@ -158,15 +177,20 @@ class Reader {
     const double value = values_.next(property.type);
     const bool fraction = property.type == Type::float32 || property.type == Type::float64;
     switch (use) {
-      case Use::x: case Use::y: case Use::z:
+      case Use::x:
+      case Use::y:
+      case Use::z:
         if (!(std::abs(value) <= largest_coordinate))
           checked_coordinate(value, values_.where(), fmt::format("{} of a vertex", property.name));
         point[static_cast<int>(use) - static_cast<int>(Use::x)] = value;
         break;
-      case Use::red: case Use::green: case Use::blue:
+      case Use::red:
+      case Use::green:
+      case Use::blue:
         color[static_cast<int>(use) - static_cast<int>(Use::red)] = fraction ? 255 * value : value;
         break;
-      default: break;
+      default:
+        break;
     }
   }
 
@@ -174,8 +198,9 @@ class Reader {
     const double count = values_.next(property.count_type);
     const auto most = static_cast<double>((values_.bytes_left() + 1) / values_.least_bytes(property.type));
     if (!(count >= 0 && count <= most) || count != std::floor(count))
-      throw InputError(values_.where(), fmt::format("a list of {} {} is declared, but the rest of the file holds at most {}",
-                                                    count, in_quotes(property.name), most),
+      throw InputError(values_.where(),
+                       fmt::format("a list of {} {} is declared, but the rest of the file holds at most {}", count,
+                                   in_quotes(property.name), most),
                        "correct the count, or get the file again if it was cut short");
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) {
       const double index = values_.next(property.type);
@@ -208,10 +233,13 @@ class Reader {
 PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
   const PlyHeader header = read_ply_header(bytes, name);
   for (const PlyElement& element : header.elements) {
-    if (element.name == "vertex" && element.count > 0 && !(has(element, Use::x) && has(element, Use::y) && has(element, Use::z)))
-      throw InputError(fmt::format("{}:{}", name, element.line), "the vertices lack x, y or z", "give all three as properties of element vertex");
+    if (element.name == "vertex" && element.count > 0 &&
+        !(has(element, Use::x) && has(element, Use::y) && has(element, Use::z)))
+      throw InputError(fmt::format("{}:{}", name, element.line), "the vertices lack x, y or z",
+                       "give all three as properties of element vertex");
     if (element.name == "face" && element.count > 0 && !has(element, Use::corners))
-      throw InputError(fmt::format("{}:{}", name, element.line), "the faces have no list vertex_indices", "add: property list uchar int vertex_indices");
+      throw InputError(fmt::format("{}:{}", name, element.line), "the faces have no list vertex_indices",
+                       "add: property list uchar int vertex_indices");
   }
   if (header.encoding == PlyHeader::Encoding::ascii) return Reader(header, AsciiValues(bytes, name, header)).read();
   return Reader(header, BinaryValues(bytes, name, header)).read();

@@ -29,9 +29,11 @@ double float_at(std::string_view bytes, std::size_t at) {
   return static_cast<double>(value);
 }
 
-/// Binary files may begin with "solid" too. One whose size fits its count is binary; else text is what holds no zero byte.
+/// Binary files may begin with "solid" too. One whose size fits its count is binary; else text is what holds no zero
+/// byte.
 bool is_binary(std::string_view bytes) {
-  if (bytes.size() >= binary_head && bytes.size() == binary_head + binary_triangle * std::size_t{u32_at(bytes, 80)}) return true;
+  if (bytes.size() >= binary_head && bytes.size() == binary_head + binary_triangle * std::size_t{u32_at(bytes, 80)})
+    return true;
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos) return false;
   const std::string_view word = bytes.substr(start, 5);
@@ -58,7 +60,8 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       glm::dvec3 point;
       for (int axis = 0; axis < 3; ++axis) {
-        at = start + 12 + 12 * corner + 4 * static_cast<std::size_t>(axis);  // the normal comes first: the corners say it better
+        at = start + 12 + 12 * corner +
+             4 * static_cast<std::size_t>(axis);  // the normal comes first: the corners say it better
         const double value = float_at(bytes, at);
         if (!(std::abs(value) <= largest_coordinate)) checked_coordinate(value, where(), "a coordinate");
         point[axis] = value;
@@ -99,7 +102,8 @@ class AsciiReader {
     expect("normal");
     for (int axis = 0; axis < 3; ++axis) {
       // Many exporters write nan for the normal of a thin triangle; it is not used.
-      if (const std::string_view token = file_.next(); !parse_number(token)) unexpected(token, "a number of the normal");
+      if (const std::string_view token = file_.next(); !parse_number(token))
+        unexpected(token, "a number of the normal");
     }
     expect("outer");
     expect("loop");
@@ -121,8 +125,10 @@ class AsciiReader {
     if (const std::string_view token = file_.next(); !is_word(token, word)) unexpected(token, word);
   }
   [[noreturn]] void unexpected(std::string_view token, std::string_view wanted) const {
-    if (token.empty()) file_.fail(fmt::format("the file ends where {} should stand", wanted), "get the file again: it was cut short");
-    file_.fail(fmt::format("{} stands where {} should", in_quotes(token), wanted), "is this an STL file, and is it whole?");
+    if (token.empty())
+      file_.fail(fmt::format("the file ends where {} should stand", wanted), "get the file again: it was cut short");
+    file_.fail(fmt::format("{} stands where {} should", in_quotes(token), wanted),
+               "is this an STL file, and is it whole?");
   }
 
   Tokens file_;

@@ -13,7 +13,10 @@ inline constexpr double largest_coordinate = 1e30;
 class Tokens {
  public:
   enum class Comments : std::uint8_t { none, hash };  ///< hash: from # to the end of the line
-  enum class Joining : std::uint8_t { none, backslash };  ///< backslash: at the end of a line it joins the next one to it
+  enum class Joining : std::uint8_t {
+    none,
+    backslash
+  };  ///< backslash: at the end of a line it joins the next one to it
 
   /// `name` is what errors call the file. `text` must outlive this. `first_line` numbers the first line.
   Tokens(std::string_view text, std::string name, Comments comments, Joining joining = Joining::none,

@@ -24,7 +24,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     next[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) next[j] = std::min(next[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        next[j] = std::min(next[j], before[j - 2] + 1);
     }
     before = row;
     row = next;
@@ -34,13 +35,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view kind_of(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "a list";
-    case toml::node_type::string: return "a text";
-    case toml::node_type::integer: return "a whole number";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "true or false";
-    default: return "a date or time";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
   }
 }
 
@@ -65,7 +73,8 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates) {
-  if (const std::string_view best = nearest(word, candidates); !best.empty()) return fmt::format("did you mean '{}'?", best);
+  if (const std::string_view best = nearest(word, candidates); !best.empty())
+    return fmt::format("did you mean '{}'?", best);
   return fmt::format("known are: {}", fmt::join(candidates, ", "));
 }
 
@@ -73,7 +82,8 @@ double number_in(const toml::node& node, const std::string& file, std::string_vi
   const auto value = node.is_number() ? node.value<double>() : std::nullopt;
   if (!value) fail_at(node, file, fmt::format("{} is {}", what, kind_of(node)), "write a number");
   if (!(std::abs(*value) <= largest_coordinate))
-    fail_at(node, file, fmt::format("{} is {}", what, *value), fmt::format("write a number up to {}", largest_coordinate));
+    fail_at(node, file, fmt::format("{} is {}", what, *value),
+            fmt::format("write a number up to {}", largest_coordinate));
   return *value;
 }
 
@@ -103,7 +113,8 @@ std::optional<double> Keys::number(std::string_view key) {
 
 std::optional<double> Keys::positive(std::string_view key) {
   const auto value = number(key);
-  if (value && !(*value > 0)) fail_at(*table_.get(key), file_, fmt::format("{} is {}", key, *value), "it must be greater than 0");
+  if (value && !(*value > 0))
+    fail_at(*table_.get(key), file_, fmt::format("{} is {}", key, *value), "it must be greater than 0");
   return value;
 }
 
@@ -126,7 +137,8 @@ std::optional<bool> Keys::boolean(std::string_view key) {
 std::optional<std::string> Keys::text(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_string()) fail_at(*node, file_, fmt::format("{} is {}", key, kind_of(*node)), "write a text in \"quotes\"");
+  if (!node->is_string())
+    fail_at(*node, file_, fmt::format("{} is {}", key, kind_of(*node)), "write a text in \"quotes\"");
   return node->value<std::string>();
 }
 
@@ -172,7 +184,8 @@ void Keys::finish() const {
     for (const std::string_view k : known_)
       if (std::find(candidates.begin(), candidates.end(), k) == candidates.end()) candidates.push_back(k);
     throw InputError(fmt::format("{}:{}", file_, key.source().begin.line),
-                     fmt::format("unknown key {} in {}", in_quotes(key.str()), title_), suggestion(key.str(), candidates));
+                     fmt::format("unknown key {} in {}", in_quotes(key.str()), title_),
+                     suggestion(key.str(), candidates));
   }
 }
 

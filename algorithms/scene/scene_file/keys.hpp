@@ -12,7 +12,8 @@
 namespace zstep::scene {
 
 /// Throws InputError at the line of `node`.
-[[noreturn]] void fail_at(const toml::node& node, const std::string& file, std::string_view what, std::string_view mend);
+[[noreturn]] void fail_at(const toml::node& node, const std::string& file, std::string_view what,
+                          std::string_view mend);
 
 /// The line of `node`.
 std::int32_t line_of(const toml::node& node);

@@ -32,8 +32,10 @@ glm::dmat3 rotation(int axis, double degrees) {
 Placement read_placement(Keys& keys, const std::string& file) {
   Placement placement;
   if (const toml::node* node = keys.find("scale")) {
-    const glm::dvec3 scale = node->is_number() ? glm::dvec3(number_in(*node, file, "scale")) : point_in(*node, file, "scale");
-    if (scale.x == 0 || scale.y == 0 || scale.z == 0) fail_at(*node, file, "a scale of 0 makes the mesh flat", "use another");
+    const glm::dvec3 scale =
+        node->is_number() ? glm::dvec3(number_in(*node, file, "scale")) : point_in(*node, file, "scale");
+    if (scale.x == 0 || scale.y == 0 || scale.z == 0)
+      fail_at(*node, file, "a scale of 0 makes the mesh flat", "use another");
     for (int axis = 0; axis < 3; ++axis) placement.linear[axis][axis] = scale[axis];
   }
   if (const auto angles = keys.point("rotate"))

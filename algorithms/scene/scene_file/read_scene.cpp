@@ -1,25 +1,22 @@
 #include "algorithms/scene/scene_file/read_scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "algorithms/scene/builder.hpp"
 #include "algorithms/scene/built_in/built_in.hpp"
 #include "algorithms/scene/colors.hpp"
 #include "algorithms/scene/files/number.hpp"
 #include "algorithms/scene/files/point_merger.hpp"
-#include "algorithms/scene/limits.hpp"
 #include "algorithms/scene/scene_file/keys.hpp"
 #include "algorithms/scene/scene_file/placement.hpp"
+#include "algorithms/scene/scene_file/read_view.hpp"
 #include "algorithms/scene/scene_file/toml_depth.hpp"
-#include "algorithms/viewing/camera.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::scene {
@@ -38,9 +35,9 @@ class Reader {
     scene.source = file_;
     scene.background = color(top_, "background").value_or(scene.background);
     screen_ = top_.choice("coordinates", {"world", "screen"}) == 1;
-    read_raster(scene.raster);
-    read_camera(scene.camera);
-    read_options(result.conventions);
+    read_raster(top_, file_, screen_, scene.raster);
+    read_camera(top_, file_, screen_, scene.camera);
+    read_options(top_, file_, screen_, result.conventions);
     const toml::array* points = top_.array("points");
     const toml::array* polygons = top_.array("polygon");
     const toml::array* meshes = top_.array("mesh");
@@ -49,8 +46,7 @@ class Reader {
     SceneBuilder builder(std::move(result));
     if (points != nullptr) read_points(*points);
     read_in_file_order(polygons, meshes, builder);
-    if (builder.size() == 0)
-      throw InputError(file_, "the scene has no polygons", "add a [[polygon]] or a [[mesh]]");
+    if (builder.size() == 0) throw InputError(file_, "the scene has no polygons", "add a [[polygon]] or a [[mesh]]");
     return builder.finish();
   }
 
@@ -68,97 +64,22 @@ class Reader {
     return found;
   }
 
-  void read_raster(Raster& raster) {
-    const toml::table* table = top_.table("raster");
-    if (table == nullptr) return;
-    Keys keys(*table, file_, "[raster]");
-    raster.width = keys.whole("width", 1, largest_side).value_or(raster.width);
-    raster.height = keys.whole("height", 1, largest_side).value_or(raster.height);
-    if (const auto axis = keys.choice("y_axis", {"down", "up"})) raster.y_up = *axis == 1;
-    keys.finish();
-    if (std::int64_t{raster.width} * raster.height > most_pixels)
-      fail_at(*table, file_, fmt::format("the raster has more than {} pixels", most_pixels), "make it smaller");
-    if (raster.y_up && !screen_)
-      fail_at(*table->get("y_axis"), file_, "y_axis is for scenes in screen coordinates",
-              "remove it, or put coordinates = \"screen\" at the top");
-  }
-
-  void read_camera(Camera& camera) {
-    const toml::table* table = top_.table("camera");
-    camera.rho = 0;  // from the scene's extent
-    camera.d = default_d;
-    if (screen_) {
-      if (table != nullptr)
-        fail_at(*table, file_, "a scene in screen coordinates has no camera", "remove [camera], or use world coordinates");
-      camera = Camera{};
-      camera.kind = Camera::Kind::screen;
-      camera.polar = false;
-      return;
-    }
-    if (table == nullptr) return;
-    Keys keys(*table, file_, "[camera]");
-    if (keys.boolean("orthographic").value_or(false)) camera.kind = Camera::Kind::orthographic;
-    for (const std::string_view angle : {"rho", "theta", "phi"})
-      keys.not_both(angle, "eye", "say where the eye is in one way: rho, theta, phi or eye, target, up");
-    camera.rho = keys.positive("rho").value_or(camera.rho);
-    camera.theta = keys.number("theta").value_or(camera.theta);
-    camera.phi = keys.number("phi").value_or(camera.phi);
-    camera.d = keys.positive("d").value_or(camera.d);
-    keys.not_both("window", "field_of_view", "both say how much is seen: keep one");
-    camera.window = keys.positive("window").value_or(camera.window);
-    if (const auto degrees = keys.positive("field_of_view")) {
-      if (!(*degrees < 180)) fail_at(*keys.find("field_of_view"), file_, "field_of_view is not below 180", "try 40");
-      camera.window = viewing::window_for_field_of_view(*degrees, camera.d);
-    }
-    read_eye(keys, camera);
-    if (const auto near = keys.number("near")) camera.near = *near;
-    if (const auto far = keys.number("far")) camera.far = *far;
-    keys.finish();
-    if (keys.has("near") && !(camera.near > 0)) fail_at(*keys.find("near"), file_, "near is not greater than 0", "try 0.1");
-    if (keys.has("far") && !(camera.far > camera.near))
-      fail_at(*keys.find("far"), file_, "far is not greater than near", "give the greater distance to far");
-  }
-
-  void read_eye(Keys& keys, Camera& camera) {
-    const auto eye = keys.point("eye"), target = keys.point("target"), up = keys.point("up");
-    if (!eye) {
-      for (const std::string_view key : {"target", "up"})
-        if (keys.has(key)) fail_at(*keys.find(key), file_, fmt::format("'{}' stands without 'eye'", key), "add eye = [x, y, z]");
-      return;
-    }
-    const glm::dvec3 at = target.value_or(glm::dvec3(0));
-    if (!(glm::length(at - *eye) > 1e-12 * (glm::length(at) + glm::length(*eye))))
-      fail_at(*keys.find("eye"), file_, "the eye stands at its target", "move one of them");
-    camera.polar = false;
-    camera.view = viewing::look_at_view(*eye, at, up.value_or(glm::dvec3(0, 0, 1)));
-    camera.eye = *eye;
-  }
-
-  void read_options(Conventions& conventions) {
-    // In screen coordinates there is no inside and outside: textbooks give outlines either way round.
-    if (screen_) conventions.cull = false;
-    const toml::table* table = top_.table("options");
-    if (table == nullptr) return;
-    Keys keys(*table, file_, "[options]");
-    if (const auto k = keys.choice("depth", {"pseudodepth", "view"})) conventions.depth = static_cast<Conventions::Depth>(*k);
-    if (const auto k = keys.choice("interpolation", {"direct", "increments"}))
-      conventions.interpolation = static_cast<Conventions::Interpolation>(*k);
-    if (const auto k = keys.choice("coverage", {"top_left", "inclusive"}))
-      conventions.coverage = static_cast<Conventions::Coverage>(*k);
-    conventions.cull = keys.boolean("cull").value_or(conventions.cull);
-    keys.finish();
-  }
-
   void read_points(const toml::array& list) {
-    for (const toml::node& node : list) shared_points_.push_back({point_in(node, file_, "a point", screen_), line_of(node)});
+    for (const toml::node& node : list)
+      shared_points_.push_back({point_in(node, file_, "a point", screen_), line_of(node)});
   }
 
   // The polygons' indices follow the file, whichever way [[polygon]] and [[mesh]] alternate.
   void read_in_file_order(const toml::array* polygons, const toml::array* meshes, SceneBuilder& builder) {
-    struct Part { const toml::node* node; bool mesh; };
+    struct Part {
+      const toml::node* node;
+      bool mesh;
+    };
     std::vector<Part> parts;
-    if (polygons != nullptr) for (const toml::node& node : *polygons) parts.push_back({&node, false});
-    if (meshes != nullptr) for (const toml::node& node : *meshes) parts.push_back({&node, true});
+    if (polygons != nullptr)
+      for (const toml::node& node : *polygons) parts.push_back({&node, false});
+    if (meshes != nullptr)
+      for (const toml::node& node : *meshes) parts.push_back({&node, true});
     std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
       const auto& p = a.node->source().begin;
       const auto& q = b.node->source().begin;
@@ -192,7 +113,8 @@ class Reader {
     if (!name.empty()) {
       const auto [other, is_new] = lines_of_names_.try_emplace(name, line);
       if (!is_new)
-        fail_at(*keys.find("name"), file_, fmt::format("a polygon named {} stands at line {} already", in_quotes(name), other->second),
+        fail_at(*keys.find("name"), file_,
+                fmt::format("a polygon named {} stands at line {} already", in_quotes(name), other->second),
                 "give it another name");
     }
     const auto polygon_color = color(keys, "color");
@@ -230,23 +152,29 @@ class Reader {
     const auto base = color(keys, "color");
     const Placement placement = read_placement(keys, file_);
     keys.finish();
-    if (!path && !built_in) fail_at(table, file_, "the mesh has neither 'file' nor 'builtin'", "add file = \"mesh.obj\"");
+    if (!path && !built_in)
+      fail_at(table, file_, "the mesh has neither 'file' nor 'builtin'", "add file = \"mesh.obj\"");
     PolygonSoup soup;
     if (path) {
       soup = meshes_(*path);
     } else {
-      auto found = built_in_mesh(*built_in);
-      if (!found) fail_at(*keys.find("builtin"), file_, fmt::format("there is no built-in mesh {}", in_quotes(*built_in)),
-                          suggestion(*built_in, built_in_meshes()));
+      auto found = built_in_mesh(*built_in, fmt::format("{}:{}", file_, line_of(table)));
+      if (!found)
+        fail_at(*keys.find("builtin"), file_, fmt::format("there is no built-in mesh {}", in_quotes(*built_in)),
+                suggestion(*built_in, built_in_meshes()));
       soup = std::move(*found);
     }
     const bool few = soup.outlines.size() <= palette.size() && !base;
     // A scene has lines of one file, its own: everything in a mesh stands at its [[mesh]].
     builder.add(std::move(soup), path ? *path : *built_in,
-                {placement, few ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded, base.value_or(clay), line_of(table)});
+                {placement, few ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded, base.value_or(clay),
+                 line_of(table)});
   }
 
-  struct SharedPoint { glm::dvec3 position; std::int32_t line; };
+  struct SharedPoint {
+    glm::dvec3 position;
+    std::int32_t line;
+  };
 
   Keys top_;
   const std::string& file_;
@@ -258,7 +186,8 @@ class Reader {
 
 }  // namespace
 
-SceneFile read_scene(std::string_view text, const std::string& name, const std::string& title, const MeshFiles& meshes) {
+SceneFile read_scene(std::string_view text, const std::string& name, const std::string& title,
+                     const MeshFiles& meshes) {
   if (text.size() > largest_scene_file)
     throw InputError(name, fmt::format("a scene file is at most {} bytes long", largest_scene_file),
                      "put the polygons into a mesh file and name it in a [[mesh]]");

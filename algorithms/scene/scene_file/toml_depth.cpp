@@ -35,16 +35,32 @@ void check_toml_depth(std::string_view text, const std::string& name, int first_
   int line = first_line, dots = 0;
   for (std::size_t at = 0; at < text.size();) {
     switch (text[at]) {
-      case '"': case '\'': at = skip_string(text, at, line); continue;
-      case '#': while (at < text.size() && text[at] != '\n') ++at; continue;
-      case '\n': ++line; dots = 0; break;
-      case '=': case ',': case '{': case '}': case '[': case ']': dots = 0; break;
+      case '"':
+      case '\'':
+        at = skip_string(text, at, line);
+        continue;
+      case '#':
+        while (at < text.size() && text[at] != '\n') ++at;
+        continue;
+      case '\n':
+        ++line;
+        dots = 0;
+        break;
+      case '=':
+      case ',':
+      case '{':
+      case '}':
+      case '[':
+      case ']':
+        dots = 0;
+        break;
       case '.':
         if (++dots >= most_parts)
           throw InputError(fmt::format("{}:{}", name, line), fmt::format("a key has more than {} parts", most_parts),
                            "a key of a scene has one part, as in: rho = 4");
         break;
-      default: break;
+      default:
+        break;
     }
     ++at;
   }

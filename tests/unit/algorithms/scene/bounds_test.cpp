@@ -35,7 +35,9 @@ class File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
   template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) { fmt::print(stream_, format, std::forward<Args>(args)...); }
+  void put(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::print(stream_, format, std::forward<Args>(args)...);
+  }
   void put_bytes(const std::string& bytes) { std::fwrite(bytes.data(), 1, bytes.size(), stream_); }
   const std::string& close() {
     std::fclose(stream_);
@@ -117,7 +119,8 @@ TEST_SUITE("bounds of time and memory") {
 
   TEST_CASE("200 million faces without corners, and as many values of an element that means nothing") {
     const std::string zeros(1 << 20, '\0');
-    for (const char* element : {"element face 209715200\nproperty list uchar int vertex_indices\n", "element junk 209715200\nproperty uchar a\n"}) {
+    for (const char* element : {"element face 209715200\nproperty list uchar int vertex_indices\n",
+                                "element junk 209715200\nproperty uchar a\n"}) {
       File file("zeros.ply");
       file.put("ply\nformat binary_little_endian 1.0\n{}end_header\n", element);
       for (int i = 0; i < 200; ++i) file.put_bytes(zeros);

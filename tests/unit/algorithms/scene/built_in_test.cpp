@@ -134,7 +134,8 @@ TEST_SUITE("built-in scenes") {
       std::map<std::tuple<long, long, long>, int> cells;
       const auto cell = [](double v) { return std::lround(v * 1e7); };
       for (const glm::dvec3& p : soup.points) CHECK(++cells[{cell(p.x), cell(p.y), cell(p.z)}] == 1);
-      // Open at the rim and the bottom of the pot, at the lid's edge, at both ends of handle and spout, and nowhere else.
+      // Open at the rim and the bottom of the pot, at the lid's edge, at both ends of handle and spout, and nowhere
+      // else.
       const Mesh mesh = build_mesh(soup.points, soup.outlines, soup.corners);
       CHECK(mesh.loose_faces == 0);
       // At level 1 both halves of the handle are the same flat strip.
@@ -145,7 +146,10 @@ TEST_SUITE("built-in scenes") {
     }
     const PolygonSoup soup = teapot(16);
     glm::dvec3 low(9), high(-9);
-    for (const glm::dvec3& p : soup.points) { low = glm::min(low, p); high = glm::max(high, p); }
+    for (const glm::dvec3& p : soup.points) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
     CHECK(low.x == doctest::Approx(-1).epsilon(0.001));
     CHECK(high.x == doctest::Approx(1).epsilon(0.001));
     CHECK(low.z == doctest::Approx(-high.z));
@@ -163,7 +167,8 @@ TEST_SUITE("built-in scenes") {
     CHECK(load_scene("teapot:2").scene.polygons.size() == 112);
     CHECK(load_scene("teapot:2").scene.name == "teapot:2");
     CHECK(load_scene("teapot").scene.polygons.size() == 1792);
-    for (const char* name : {"teapot:", "teapot:0", "teapot:65", "teapot:x", "teapot:-1", "teapot:99999999999999999999"})
+    for (const char* name :
+         {"teapot:", "teapot:0", "teapot:65", "teapot:x", "teapot:-1", "teapot:99999999999999999999"})
       CHECK(contains(input_error([&] { load_scene(name); }), "the level is not a whole number from 1 to 64"));
     CHECK(contains(input_error([&] { load_scene("teapots"); }), "name a .toml, .obj"));
     CHECK(contains(input_error([&] { load_scene(""); }), "there is no such scene"));

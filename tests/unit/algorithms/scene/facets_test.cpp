@@ -120,7 +120,8 @@ TEST_SUITE("facets") {
   }
 
   TEST_CASE("a polygon that is not planar becomes facets of one polygon, a planar one stays whole") {
-    const SceneFile file = load(MeshFormat::obj, "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nv -1 2 0\nv -1 0 0\nf 1 2 3 4\nf 1 4 5 6\nf 1 6 2\n");
+    const SceneFile file = load(
+        MeshFormat::obj, "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nv -1 2 0\nv -1 0 0\nf 1 2 3 4\nf 1 4 5 6\nf 1 6 2\n");
     const Scene& scene = file.scene;
     REQUIRE(scene.polygons.size() == 3);
     REQUIRE(scene.facets.size() == 4);
@@ -133,7 +134,8 @@ TEST_SUITE("facets") {
   }
 
   TEST_CASE("repeated corners go; what has fewer than three left keeps its index but is not drawn") {
-    const Scene scene = load(MeshFormat::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 2 3 3 1\nf 1 2\nf 3\nf 1 2 1\nf 3 2 1\n").scene;
+    const Scene scene =
+        load(MeshFormat::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 2 3 3 1\nf 1 2\nf 3\nf 1 2 1\nf 3 2 1\n").scene;
     REQUIRE(scene.polygons.size() == 5);
     REQUIRE(scene.facets.size() == 2);
     CHECK(scene.facets[0] == Facet{0, 0, 3});

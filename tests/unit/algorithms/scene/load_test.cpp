@@ -19,8 +19,12 @@ const std::string meshes = std::string(ZSTEP_SOURCE_DIR) + "/tests/data/meshes/"
 
 /// A folder of its own, gone at the end.
 struct Folder {
-  fs::path path = fs::temp_directory_path() / ("zstep_load_test_" + std::to_string(std::hash<std::string>{}(fs::current_path().string())));
-  Folder() { fs::remove_all(path); fs::create_directories(path / "inner"); }
+  fs::path path = fs::temp_directory_path() /
+                  ("zstep_load_test_" + std::to_string(std::hash<std::string>{}(fs::current_path().string())));
+  Folder() {
+    fs::remove_all(path);
+    fs::create_directories(path / "inner");
+  }
   ~Folder() { fs::remove_all(path); }
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(path / name, std::ios::binary) << text;
@@ -88,7 +92,8 @@ TEST_SUITE("load a scene") {
   TEST_CASE("a scene file and meshes relative to it") {
     const Folder folder;
     folder.write("inner/m.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    const std::string path = folder.write("s.toml", "[[mesh]]\nfile = \"inner/m.off\"\n[[mesh]]\nfile = \"inner/../inner/m.off\"\n");
+    const std::string path =
+        folder.write("s.toml", "[[mesh]]\nfile = \"inner/m.off\"\n[[mesh]]\nfile = \"inner/../inner/m.off\"\n");
     CHECK(load_scene(path).scene.polygons.size() == 2);
     const std::string bad = folder.write("bad.toml", "[[mesh]]\nfile = \"inner/bad.off\"\n");
     folder.write("inner/bad.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
@@ -110,7 +115,8 @@ TEST_SUITE("load a scene") {
     if (!error) CHECK(contains(error_of(device), "it is not a file that can be read whole"));
     // A material file elsewhere is never opened.
     folder.write("secret.mtl", "newmtl a\nKd 1 0 0\n");
-    const SceneFile file = load_scene(folder.write("inner/m.obj", "mtllib ../secret.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    const SceneFile file =
+        load_scene(folder.write("inner/m.obj", "mtllib ../secret.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
     CHECK(file.scene.polygons[0].color == scene::palette[0]);
     CHECK(contains(file.notes.at(0), "is not in the mesh's folder"));
   }

@@ -92,7 +92,8 @@ TEST_SUITE("look at a scene") {
     CHECK(look_at_scene(pyramid, options).camera.kind == Camera::Kind::perspective);
   }
 
-  TEST_CASE("without a distance the whole scene is in the picture, however large it is and whatever the raster's shape") {
+  TEST_CASE(
+      "without a distance the whole scene is in the picture, however large it is and whatever the raster's shape") {
     NullRecorder record;
     for (const double size : {1e-6, 1.0, 1e9})
       for (const auto& [width, height] : {std::pair{40, 20}, std::pair{20, 40}}) {

@@ -27,7 +27,8 @@ const std::vector<glm::dvec3> five{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {
 /// The points of face k, in its order, beginning anywhere.
 bool has_ring(const Mesh& mesh, int face, std::vector<std::int32_t> ring) {
   std::vector<std::int32_t> own;
-  for (const auto vertex : mesh.half_edges.fv_range(OpenMesh::FaceHandle(face))) own.push_back(mesh.half_edges.data(vertex).point);
+  for (const auto vertex : mesh.half_edges.fv_range(OpenMesh::FaceHandle(face)))
+    own.push_back(mesh.half_edges.data(vertex).point);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (own == ring) return true;
     std::rotate(ring.begin(), ring.begin() + 1, ring.end());
@@ -79,8 +80,9 @@ TEST_SUITE("half-edge mesh") {
   }
 
   TEST_CASE("two closed surfaces that touch at a point stay whole") {
-    const Mesh mesh = mesh_of_rings({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
-                                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 5}, {0, 6, 4}, {0, 5, 6}, {4, 6, 5}});
+    const Mesh mesh =
+        mesh_of_rings({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 5}, {0, 6, 4}, {0, 5, 6}, {4, 6, 5}});
     CHECK(mesh.loose_faces == 0);
     CHECK(mesh.boundary_edges == 0);
     CHECK(mesh.half_edges.n_vertices() == 8);

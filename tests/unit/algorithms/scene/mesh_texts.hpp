@@ -119,10 +119,10 @@ void put(std::string& bytes, T value, bool big = false) {
 /// The square of square_ply in a binary file.
 inline std::string binary_square_ply(bool big, const std::string& line_end = "\n") {
   std::string bytes;
-  for (const char* line : {"ply", big ? "format binary_big_endian 1.0" : "format binary_little_endian 1.0", "element vertex 4",
-                           "property double x", "property float y", "property short z", "element face 2",
-                           "property list uint8 uint32 vertex_index", "property float32 red", "property float32 green",
-                           "property float32 blue", "end_header"})
+  for (const char* line : {"ply", big ? "format binary_big_endian 1.0" : "format binary_little_endian 1.0",
+                           "element vertex 4", "property double x", "property float y", "property short z",
+                           "element face 2", "property list uint8 uint32 vertex_index", "property float32 red",
+                           "property float32 green", "property float32 blue", "end_header"})
     bytes += line + line_end;
   for (int i = 0; i < 4; ++i) {
     put(bytes, static_cast<double>(i == 1 || i == 2), big);

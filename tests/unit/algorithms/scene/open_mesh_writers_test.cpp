@@ -32,7 +32,8 @@ ColoredMesh colored(const PolygonSoup& soup) {
   for (const glm::dvec3& p : soup.points) vertices.push_back(mesh.add_vertex({p.x, p.y, p.z}));
   for (const Facet& outline : soup.outlines) {
     face.clear();
-    for (const std::int32_t corner : soup.corners_of(outline)) face.push_back(vertices[static_cast<std::size_t>(corner)]);
+    for (const std::int32_t corner : soup.corners_of(outline))
+      face.push_back(vertices[static_cast<std::size_t>(corner)]);
     const auto k = static_cast<unsigned char>(outline.polygon);
     mesh.set_color(mesh.add_face(face), {static_cast<unsigned char>(k * 5), 200, static_cast<unsigned char>(255 - k)});
   }
@@ -66,15 +67,16 @@ TEST_SUITE("mesh readers against OpenMesh's writers") {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "zstep_open_mesh_writers";
     std::filesystem::create_directories(folder);
     omlog().disable();  // its writers announce themselves
-    struct Way { const char* file; Options::Flag flags; bool polygons; bool colors; };
-    const Way ways[] = {{"m.obj", Options::Default, true, false},
-                        {"c.off", Options::FaceColor, true, true},
-                        {"m.off", Options::Default, true, false},
-                        {"m.ply", Options::Default, true, false},
-                        {"c.ply", Options::FaceColor, true, true},
-                        {"b.ply", Options::Binary, true, false},
-                        {"m.stl", Options::Default, false, false},
-                        {"b.stl", Options::Binary, false, false}};
+    struct Way {
+      const char* file;
+      Options::Flag flags;
+      bool polygons;
+      bool colors;
+    };
+    const Way ways[] = {{"m.obj", Options::Default, true, false},  {"c.off", Options::FaceColor, true, true},
+                        {"m.off", Options::Default, true, false},  {"m.ply", Options::Default, true, false},
+                        {"c.ply", Options::FaceColor, true, true}, {"b.ply", Options::Binary, true, false},
+                        {"m.stl", Options::Default, false, false}, {"b.stl", Options::Binary, false, false}};
     for (const char* name : {"cube", "dodecahedron", "pyramid", "tetrahedra"}) {
       PolygonSoup original;
       if (std::string(name) == "tetrahedra") {  // triangles only, for STL

@@ -38,11 +38,13 @@ TEST_SUITE("mesh readers") {
     CHECK(parse_number("5e-324") == 5e-324);
     CHECK(std::isnan(*parse_number("NaN")));
     CHECK(parse_number("-inf") == -std::numeric_limits<double>::infinity());
-    for (const char* token : {"", "-", ".", "e5", "1e", "1e+", "0x10", "1.2.3", "1,5", "1.0f", "--1", "infinit", "nan1"})
+    for (const char* token :
+         {"", "-", ".", "e5", "1e", "1e+", "0x10", "1.2.3", "1,5", "1.0f", "--1", "infinit", "nan1"})
       CHECK_MESSAGE(!parse_number(token), token);
     CHECK(parse_integer("-12") == -12);
     CHECK(parse_integer("9223372036854775807") == 9223372036854775807LL);
-    for (const char* token : {"", "-", "1.0", "1e3", "9223372036854775808", "12a"}) CHECK_MESSAGE(!parse_integer(token), token);
+    for (const char* token : {"", "-", "1.0", "1e3", "9223372036854775808", "12a"})
+      CHECK_MESSAGE(!parse_integer(token), token);
   }
 
   TEST_CASE("OFF: polygons, colours and lines, whatever ends the lines") {
@@ -72,7 +74,8 @@ TEST_SUITE("mesh readers") {
       CHECK(corners(soup, 0) == Ring{0, 1, 2});
       CHECK(soup.colors.empty());
     }
-    const PolygonSoup colored = read_off("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n", "t.off");
+    const PolygonSoup colored =
+        read_off("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n", "t.off");
     CHECK(colored.points[2] == glm::dvec3(0, 1, 0));
     const PolygonSoup all = read_off("STCNOFF\n1 0 0\n0 0 5 9 9 9 9 9 9 9 9 9\n", "t.off");
     CHECK(all.points[0] == glm::dvec3(0, 0, 5));
@@ -107,7 +110,8 @@ TEST_SUITE("mesh readers") {
   }
 
   TEST_CASE("OBJ: a face may stand before its vertices; points and lines are passed over") {
-    const PolygonSoup soup = read_mesh_bytes(MeshFormat::obj, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\np 1\n", "t.obj");
+    const PolygonSoup soup =
+        read_mesh_bytes(MeshFormat::obj, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\np 1\n", "t.obj");
     CHECK(corners(soup, 0) == Ring{0, 1, 2});
     CHECK(soup.notes.size() == 1);
   }
@@ -140,7 +144,9 @@ TEST_SUITE("mesh readers") {
         CHECK(soup.outline_lines.empty());
       }
     // After CR alone, a byte 0x0A is the first of the data.
-    std::string bytes = "ply\rformat binary_little_endian 1.0\relement vertex 1\rproperty uchar x\rproperty uchar y\rproperty uchar z\rend_header\r";
+    std::string bytes =
+        "ply\rformat binary_little_endian 1.0\relement vertex 1\rproperty uchar x\rproperty uchar y\rproperty uchar "
+        "z\rend_header\r";
     bytes += "\n\r\n";
     CHECK(read_ply(bytes, "t.ply").points[0] == glm::dvec3(10, 13, 10));
   }

@@ -35,8 +35,10 @@ std::vector<std::string> examples(const std::string& path) {
   std::vector<std::string> blocks;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {
-    if (line == "```toml") { inside = true; blocks.emplace_back(); }
-    else if (line == "```") inside = false;
+    if (line == "```toml") {
+      inside = true;
+      blocks.emplace_back();
+    } else if (line == "```") inside = false;
     else if (inside) blocks.back() += line + "\n";
   }
   return blocks;
@@ -83,7 +85,9 @@ TEST_SUITE("scene files") {
   }
 
   TEST_CASE("polygons and meshes keep the order of the file; unnamed ones take free letters") {
-    const Scene scene = read("[[mesh]]\nbuiltin = \"cube\"\n" + triangle + "name = \"C\"\n[[mesh]]\nbuiltin = \"pyramid\"\n" + triangle).scene;
+    const Scene scene =
+        read("[[mesh]]\nbuiltin = \"cube\"\n" + triangle + "name = \"C\"\n[[mesh]]\nbuiltin = \"pyramid\"\n" + triangle)
+            .scene;
     REQUIRE(scene.polygons.size() == 6 + 1 + 5 + 1);
     CHECK(scene.polygons[6].name == "C");
     CHECK(scene.polygons[6].source_line == 3);
@@ -91,7 +95,9 @@ TEST_SUITE("scene files") {
     CHECK(scene.polygons[2].name == "D");
     CHECK(scene.polygons[7].source_line == 6);
     CHECK(scene.facets[7].polygon == 7);
-    CHECK(scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(scene.facets[7].first_corner)])] == glm::dvec3(1, 1, -1));
+    CHECK(
+        scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(scene.facets[7].first_corner)])] ==
+        glm::dvec3(1, 1, -1));
   }
 
   TEST_CASE("polygons share the points they have in common") {
@@ -101,7 +107,8 @@ TEST_SUITE("scene files") {
   }
 
   TEST_CASE("a mirrored mesh is turned round") {
-    const Scene plain = read("[[mesh]]\nbuiltin = \"cube\"\n").scene, mirrored = read("[[mesh]]\nbuiltin = \"cube\"\nscale = [-1, 2, 1]\n").scene;
+    const Scene plain = read("[[mesh]]\nbuiltin = \"cube\"\n").scene,
+                mirrored = read("[[mesh]]\nbuiltin = \"cube\"\nscale = [-1, 2, 1]\n").scene;
     const auto ring = [](const Scene& scene) {
       return std::vector<std::int32_t>(scene.corners.begin() + 4, scene.corners.begin() + 8);
     };
@@ -111,7 +118,8 @@ TEST_SUITE("scene files") {
   }
 
   TEST_CASE("screen coordinates") {
-    const SceneFile file = read("coordinates = \"screen\"\n[raster]\ny_axis = \"up\"\n[[polygon]]\npoints = [[0, 1], [2, 3, 4], [5, 6]]\n");
+    const SceneFile file = read(
+        "coordinates = \"screen\"\n[raster]\ny_axis = \"up\"\n[[polygon]]\npoints = [[0, 1], [2, 3, 4], [5, 6]]\n");
     CHECK(file.scene.camera.kind == Camera::Kind::screen);
     CHECK(file.scene.raster.y_up);
     CHECK(file.scene.points == std::vector<glm::dvec3>{{0, 1, 0}, {2, 3, 4}, {5, 6, 0}});
@@ -119,8 +127,10 @@ TEST_SUITE("scene files") {
   }
 
   TEST_CASE("options and cameras") {
-    const SceneFile file = read("[options]\ndepth = \"view\"\ninterpolation = \"increments\"\ncoverage = \"inclusive\"\ncull = false\n"
-                                "[camera]\northographic = true\neye = [5, 0, 0]\nfield_of_view = 90\nd = 3\n" + triangle);
+    const SceneFile file = read(
+        "[options]\ndepth = \"view\"\ninterpolation = \"increments\"\ncoverage = \"inclusive\"\ncull = false\n"
+        "[camera]\northographic = true\neye = [5, 0, 0]\nfield_of_view = 90\nd = 3\n" +
+        triangle);
     CHECK(file.conventions.depth == Conventions::Depth::view);
     CHECK(file.conventions.interpolation == Conventions::Interpolation::increments);
     CHECK(file.conventions.coverage == Conventions::Coverage::inclusive);
@@ -132,38 +142,51 @@ TEST_SUITE("scene files") {
   }
 
   TEST_CASE("what is not known is an error that names the line and the nearest word") {
-    CHECK(error_of("bakground = \"white\"\n" + triangle) == "s.toml:1: unknown key 'bakground' in the scene; did you mean 'background'?");
-    CHECK(error_of(triangle + "colour = \"red\"\n") == "s.toml:3: unknown key 'colour' in [[polygon]]; did you mean 'color'?");
-    CHECK(error_of(triangle + "\n[camera]\nrho = 4\npih = 60\n") == "s.toml:6: unknown key 'pih' in [camera]; did you mean 'phi'?");
+    CHECK(error_of("bakground = \"white\"\n" + triangle) ==
+          "s.toml:1: unknown key 'bakground' in the scene; did you mean 'background'?");
+    CHECK(error_of(triangle + "colour = \"red\"\n") ==
+          "s.toml:3: unknown key 'colour' in [[polygon]]; did you mean 'color'?");
+    CHECK(error_of(triangle + "\n[camera]\nrho = 4\npih = 60\n") ==
+          "s.toml:6: unknown key 'pih' in [camera]; did you mean 'phi'?");
     CHECK(contains(error_of(triangle + "[raster]\nsomething = 4\n"), "known are: width, height, y_axis"));
-    CHECK(error_of(triangle + "color = \"vermilion\"\n") == "s.toml:3: 'vermilion' is no colour; did you mean 'vermillion'?");
+    CHECK(error_of(triangle + "color = \"vermilion\"\n") ==
+          "s.toml:3: 'vermilion' is no colour; did you mean 'vermillion'?");
     CHECK(error_of(triangle + "color = \"#12345\"\n") == "s.toml:3: '#12345' is no colour; write #rrggbb");
-    CHECK(error_of(triangle + "[options]\ndepth = \"pseudo\"\n") == "s.toml:4: depth is 'pseudo'; known are: pseudodepth, view");
-    CHECK(error_of("[[mesh]]\nbuiltin = \"teapod\"\n") == "s.toml:2: there is no built-in mesh 'teapod'; did you mean 'teapot'?");
-    CHECK(contains(error_of("[[mesh]]\nbuiltin = \"teapot:65\"\n"), "the level is not a whole number from 1 to 64"));
+    CHECK(error_of(triangle + "[options]\ndepth = \"pseudo\"\n") ==
+          "s.toml:4: depth is 'pseudo'; known are: pseudodepth, view");
+    CHECK(error_of("[[mesh]]\nbuiltin = \"teapod\"\n") ==
+          "s.toml:2: there is no built-in mesh 'teapod'; did you mean 'teapot'?");
+    CHECK(contains(error_of("[[mesh]]\nbuiltin = \"teapot:65\"\n"), "s.toml:1: the level is not a whole number from 1 to 64; write teapot:8"));
   }
 
   TEST_CASE("errors of meaning") {
     CHECK(contains(error_of(""), "s.toml: the scene has no polygons"));
     CHECK(contains(error_of("x = [1\n"), "s.toml:"));
     CHECK(contains(error_of("[[polygon]]\nname = \"A\"\n"), "s.toml:1: the polygon has no points"));
-    CHECK(contains(error_of("[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0]]\n"), "s.toml:1: the polygon has fewer than three corners"));
-    CHECK(contains(error_of("[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0], [1, 0]]\n"), "s.toml:2: a point is not a point; write [x, y, z]"));
-    CHECK(contains(error_of("[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0],\n[1, nan, 0]]\n"), "s.toml:3: y of a point is nan"));
-    CHECK(contains(error_of("[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0],\n[1, \"a\", 0]]\n"), "s.toml:3: y of a point is a text; write a number"));
+    CHECK(contains(error_of("[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0]]\n"),
+                   "s.toml:1: the polygon has fewer than three corners"));
+    CHECK(contains(error_of("[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0], [1, 0]]\n"),
+                   "s.toml:2: a point is not a point; write [x, y, z]"));
+    CHECK(contains(error_of("[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0],\n[1, nan, 0]]\n"),
+                   "s.toml:3: y of a point is nan"));
+    CHECK(contains(error_of("[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0],\n[1, \"a\", 0]]\n"),
+                   "s.toml:3: y of a point is a text; write a number"));
     CHECK(contains(error_of("[[polygon]]\ncorners = [0, 1, 2]\n"), "put points = "));
     CHECK(contains(error_of("points = [[0, 0, 0]]\n[[polygon]]\ncorners = [0, 0, 1]\n"), "the indices are 0 to 0"));
     CHECK(contains(error_of("polygon = 3\n"), "s.toml:1: polygon is a whole number"));
     CHECK(contains(error_of("polygon = [3]\n"), "s.toml:1: polygon is not a table"));
-    CHECK(contains(error_of(triangle + "name = \"A\"\n" + triangle + "name = \"A\"\n"), "s.toml:6: a polygon named 'A' stands at line 1 already"));
+    CHECK(contains(error_of(triangle + "name = \"A\"\n" + triangle + "name = \"A\"\n"),
+                   "s.toml:6: a polygon named 'A' stands at line 1 already"));
     CHECK(contains(error_of(triangle + "[camera]\nrho = -1\n"), "s.toml:4: rho is -1; it must be greater than 0"));
     CHECK(contains(error_of(triangle + "[camera]\nrho = 1\neye = [1, 0, 0]\n"), "both 'rho' and 'eye'"));
     CHECK(contains(error_of(triangle + "[camera]\ntarget = [1, 0, 0]\n"), "'target' stands without 'eye'"));
-    CHECK(contains(error_of(triangle + "[camera]\neye = [1, 0, 0]\ntarget = [1, 0, 0]\n"), "the eye stands at its target"));
+    CHECK(contains(error_of(triangle + "[camera]\neye = [1, 0, 0]\ntarget = [1, 0, 0]\n"),
+                   "the eye stands at its target"));
     CHECK(contains(error_of(triangle + "[camera]\nwindow = 1\nfield_of_view = 30\n"), "keep one"));
     CHECK(contains(error_of(triangle + "[camera]\nfield_of_view = 180\n"), "not below 180"));
     CHECK(contains(error_of(triangle + "[camera]\nnear = 2\nfar = 1\n"), "s.toml:5: far is not greater than near"));
-    CHECK(contains(error_of(triangle + "[raster]\nwidth = 0\n"), "s.toml:4: width is not a whole number from 1 to 16384"));
+    CHECK(contains(error_of(triangle + "[raster]\nwidth = 0\n"),
+                   "s.toml:4: width is not a whole number from 1 to 16384"));
     CHECK(contains(error_of(triangle + "[raster]\nwidth = 16384\nheight = 16384\n"), "more than 33554432 pixels"));
     CHECK(contains(error_of(triangle + "[raster]\ny_axis = \"up\"\n"), "y_axis is for scenes in screen coordinates"));
     CHECK(contains(error_of("coordinates = \"screen\"\n" + triangle + "[camera]\nrho = 3\n"), "has no camera"));
@@ -177,7 +200,10 @@ TEST_SUITE("scene files") {
 
   TEST_CASE("deep keys, long files, endless meshes") {
     std::string deep, header = "[";
-    for (int i = 0; i < 200000; ++i) { deep += "a."; header += "\"a\" . "; }
+    for (int i = 0; i < 200000; ++i) {
+      deep += "a.";
+      header += "\"a\" . ";
+    }
     CHECK(contains(error_of("x = 1\n" + deep + "a = 1\n"), "s.toml:2: a key has more than 32 parts"));
     CHECK(contains(error_of(header + "a]\n"), "s.toml:1: a key has more than 32 parts"));
     CHECK(contains(error_of("x = {" + deep + "a = 1}\n"), "a key has more than 32 parts"));
@@ -185,7 +211,8 @@ TEST_SUITE("scene files") {
     CHECK(contains(error_of("x = '''\n'''''\n" + deep + "a = 1\n"), "s.toml:3: a key has more than 32 parts"));
     CHECK(contains(error_of("x = \"\\\"\"\n" + deep + "a = 1\n"), "a key has more than 32 parts"));
     // Dots that part no keys: in comments, strings and numbers.
-    CHECK(error_of("# " + std::string(100, '.') + "\nname = \"" + std::string(100, '.') + "\" # " + std::string(100, '.') + "\n" + triangle) == "no error");
+    CHECK(error_of("# " + std::string(100, '.') + "\nname = \"" + std::string(100, '.') + "\" # " +
+                   std::string(100, '.') + "\n" + triangle) == "no error");
     std::string many = "[[polygon]]\npoints = [[0.5, 0.5, 0.5]";
     for (int i = 0; i < 100; ++i) many += ", [0.5, 0.25, 0.125]";
     CHECK(error_of(many + "]\n") == "no error");

@@ -1,0 +1,16 @@
+// [raster], [camera] and [options] of a scene file.
+#pragma once
+
+#include "algorithms/scene/scene_file/keys.hpp"
+#include "traces/scene.hpp"
+
+namespace zstep::scene {
+
+// `top` is the whole scene's table, `screen` whether it is in screen coordinates. All throw InputError.
+
+void read_raster(Keys& top, const std::string& file, bool screen, Raster& raster);
+/// Leaves rho, near and far at 0 where they are to come from the extent.
+void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera);
+void read_options(Keys& top, const std::string& file, bool screen, Conventions& conventions);
+
+}  // namespace zstep::scene
