@@ -119,6 +119,25 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
   return y + line;
 }
 
+/// A block of code keeps its columns. In a line that fits no space flows; in a longer one those that begin it or stand in
+/// a row do not.
+std::string keep_columns(const Ui& ui, const std::string& code, float width) {
+  std::string kept;
+  for (std::size_t at = 0; at <= code.size();) {
+    const std::size_t end = std::min(code.find('\n', at), code.size());
+    const std::string line = code.substr(at, end - at);
+    const bool fits = text_size(ui, ui.fonts.mono, line).x <= width;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool alone = i > 0 && line[i - 1] != ' ' && i + 1 < line.size() && line[i + 1] != ' ';
+      if (line[i] == ' ' && (fits || !alone)) kept += "\u00A0";
+      else kept += line[i];
+    }
+    if (end < code.size()) kept += '\n';
+    at = end + 1;
+  }
+  return kept;
+}
+
 }  // namespace
 
 void flow(Ui& ui, const std::vector<TextRun>& runs, const Flow& how) {
@@ -133,7 +152,7 @@ float flow_height(Ui& ui, const std::string& text, const Flow& how) {
 }
 
 void flow_markdown(Ui& ui, const std::string& markdown) {
-  for (const TextBlock& block : parse_markdown(markdown)) {
+  for (TextBlock& block : parse_markdown(markdown)) {
     const float indent = static_cast<float>(block.depth) * ui.em * 1.2f;
     Flow how;
     switch (block.kind) {
@@ -155,6 +174,9 @@ void flow_markdown(Ui& ui, const std::string& markdown) {
       case TextBlock::Kind::paragraph: break;
     }
     if (indent > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+    if (block.kind == TextBlock::Kind::code) {
+      for (TextRun& run : block.runs) run.text = keep_columns(ui, run.text, ImGui::GetContentRegionAvail().x);
+    }
     flow(ui, block.runs, how);
     ImGui::Dummy({1, std::round(ui.em * 0.35f)});
   }

@@ -200,7 +200,7 @@ TEST_CASE("narration is at most two sentences and fits a projector") {
           const std::size_t end = std::min(words.find('\n', at), words.size());
           std::size_t columns = 0;
           for (std::size_t i = at; i < end; ++i) columns += (static_cast<unsigned char>(words[i]) >> 6) != 2;
-          CHECK_MESSAGE(columns <= 40, words.substr(at, end - at));
+          CHECK_MESSAGE(columns <= 34, words.substr(at, end - at));
           at = end + 1;
         }
       }
