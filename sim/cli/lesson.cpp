@@ -52,7 +52,7 @@ Lesson first_z_buffer_lesson() {
   return lesson_named("");
 }
 
-std::string first_steps_without_display(const std::string& lesson) {
+[[maybe_unused]] std::string first_steps_without_display(const std::string& lesson) {
   Table table({Table::Align::left, Table::Align::left});
   table.row({"zstep list", "name the methods, lessons and scenes"});
   table.row({fmt::format("zstep lesson {} --at 600 --screenshot later.png", lesson), "a later step of the same lesson"});

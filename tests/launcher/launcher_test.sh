@@ -68,10 +68,9 @@ case " $* " in
     for word; do [ "$previous" = -B ] && folder=$word; previous=$word; done
     : >"$folder/build.ninja" ;;
   *" --build "*)
-    mkdir -p "$2/bin"
     [ -z "${fails-}" ] || exit 1
-    printf '#!/bin/bash\nprintf "program:"; printf " <%%s>" "$@"; echo; pwd\n' >"$2/bin/zstep"
-    chmod +x "$2/bin/zstep" ;;
+    printf '#!/bin/bash\nprintf "program:"; printf " <%%s>" "$@"; echo; pwd\n' >"$2/zstep"
+    chmod +x "$2/zstep" ;;
 esac
 CMAKE
   stand_in ninja <<<':'
@@ -314,6 +313,15 @@ case_the_table_has_what_cmake_looks_for() {
   for name in $wanted; do expect "has a row for $name" "$listed" "^$name$"; done
   listed=$(zstep packages | sed -nE 's/.* (package|module):([^ ]*) .*/\2/p')
   for name in $listed; do expect "$name is used" "$wanted" "^$name$"; done
+}
+
+# The stand-in for CMake puts the program where the real one does: ZSTEP_PROGRAM, when ctest runs this, is the real one.
+case_the_program_is_where_the_launcher_looks() {
+  [ -n "${ZSTEP_PROGRAM-}" ] || { tell "only ctest knows the real program"; return; }
+  local seen
+  seen=$(cd "$clone" && ZSTEP_BUILD=${ZSTEP_BINARY_DIR:?} bash -c 'exec() { printf "%s\n" "$1"; exit; }; up_to_date() { :; }
+    source <(sed "/^up_to_date()/,/^}/d" ./zstep)')
+  same "the program" "$seen" "$ZSTEP_PROGRAM"
 }
 
 # Windows and macOS get the same libraries, under their own names.
