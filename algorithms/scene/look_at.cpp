@@ -30,11 +30,10 @@ double positive(double value, std::string_view option) {
 void apply_raster(Raster& raster, const ViewOptions& options) {
   raster.width = options.width.value_or(raster.width);
   raster.height = options.height.value_or(raster.height);
-  if (raster.width < 1 || raster.height < 1 || raster.width > scene::largest_side ||
-      raster.height > scene::largest_side || std::int64_t{raster.width} * raster.height > scene::most_pixels)
-    throw InputError(
-        "size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
-        fmt::format("each side is 1 to {}, and there are at most {} pixels", scene::largest_side, scene::most_pixels));
+  if (raster.width < 1 || raster.height < 1 || raster.width > largest_side || raster.height > largest_side ||
+      std::int64_t{raster.width} * raster.height > most_pixels)
+    throw InputError("size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
+                     fmt::format("each side is 1 to {}, and there are at most {} pixels", largest_side, most_pixels));
 }
 
 /// The bounding box's centre to the origin, the farthest vertex at distance 1.

@@ -22,6 +22,9 @@ bool same_bits(const Picture& a, const Picture& b) {
          std::memcmp(a.depth.data(), b.depth.data(), a.depth.size() * sizeof(double)) == 0;
 }
 
+/// Marks so close together that a trace of a few hundred steps crosses undo windows, check-points and key frames.
+constexpr ReplayTuning close_marks{40, 8, 24, 100};
+
 /// The state at every position, reached by going forwards from the beginning.
 std::vector<State> states_of(const Trace& trace) {
   std::vector<State> states;
@@ -42,7 +45,7 @@ TEST_CASE("law: at every step the state is the same, reached forwards, backwards
     const std::vector<State> forwards = states_of(trace);
     const auto at = [&](std::int64_t position) -> const State& { return forwards[static_cast<std::size_t>(position)]; };
 
-    Replay backwards(trace);
+    Replay backwards(trace, close_marks);
     backwards.go_to(trace.size());
     for (std::int64_t position = trace.size(); position >= 0; --position) {
       if (!(backwards.state() == at(position))) FAIL("backwards differs at step ", position);
@@ -57,13 +60,13 @@ TEST_CASE("law: at every step the state is the same, reached forwards, backwards
       return a;
     };
     while (gcd(stride, count) != 1) ++stride;
-    Replay seeking(trace);
+    Replay seeking(trace, close_marks);
     for (std::int64_t k = 0, position = 0; k < count; ++k, position = (position + stride) % count) {
       seeking.go_to(position);
       if (!(seeking.state() == at(position))) FAIL("seek differs at step ", position);
     }
     for (std::int64_t position = 0; position < count; position += 97) {
-      Replay fresh(trace);
+      Replay fresh(trace, close_marks);
       fresh.go_to(position);
       if (!(fresh.state() == at(position))) FAIL("a fresh seek differs at step ", position);
     }

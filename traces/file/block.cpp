@@ -72,11 +72,13 @@ BlockInfo take_block_info(ByteReader& in) {
   for (std::int32_t* bound : {&info.x_min, &info.x_max, &info.y_min, &info.y_max})
     *bound = static_cast<std::int32_t>(in.u32());
   const std::size_t marks = in.count(2);
+  if (marks > info.count) throw MalformedBytes("more marks than events in a block");
   std::uint32_t offset = 0, polygon = 0;
   for (std::size_t i = 0; i < marks; ++i) {
-    offset += static_cast<std::uint32_t>(in.varint());
+    const std::uint64_t further = in.varint();
+    if ((i > 0 && further == 0) || further >= info.count - offset) throw MalformedBytes("a mark outside its block");
+    offset += static_cast<std::uint32_t>(further);
     polygon += static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(in.varint())));
-    if (offset >= info.count) throw MalformedBytes("a mark outside its block");
     info.marks.push_back({offset, static_cast<std::int32_t>(polygon)});
   }
   return info;

@@ -11,34 +11,40 @@ namespace zstep {
 
 namespace {
 
-// Clipping against six planes adds at most two vertices a crossing edge and plane; a generous multiple of that.
-constexpr std::int64_t spare_vertices = 1 << 16;
+// Clipping a facet of n corners against one plane makes at most n vertices, and there are six planes.
+constexpr std::int64_t clip_factor = 8, spare = 64;
 
-std::int32_t limited(std::size_t size) {
-  return static_cast<std::int32_t>(std::min<std::size_t>(size, INT32_MAX - spare_vertices));
-}
+constexpr std::int64_t clear_budget = std::int64_t{1} << 31;  // pixels a block may clear
+
+// Scenes are held to traces/limits.hpp, so these fit.
+std::int32_t count_of(std::size_t size) { return static_cast<std::int32_t>(size); }
 
 }  // namespace
 
-std::int32_t vertex_limit(const Scene& scene) {
-  const std::int64_t limit = static_cast<std::int64_t>(limited(scene.points.size())) +
-                             16 * static_cast<std::int64_t>(limited(scene.corners.size())) + spare_vertices;
-  return static_cast<std::int32_t>(std::min<std::int64_t>(limit, INT32_MAX));
-}
+std::int32_t vertex_limit(const Scene& scene) { return count_of(scene.points.size()) + edge_limit(scene); }
 
-std::int32_t edge_limit(const Scene& scene) { return vertex_limit(scene); }
+std::int32_t edge_limit(const Scene& scene) {
+  return static_cast<std::int32_t>(clip_factor * static_cast<std::int64_t>(scene.corners.size()) + spare);
+}
 
 EventCheck::EventCheck(const Scene& scene)
     : width_(scene.raster.width),
       height_(scene.raster.height),
-      polygons_(limited(scene.polygons.size())),
-      facets_(limited(scene.facets.size())),
+      polygons_(count_of(scene.polygons.size())),
+      facets_(count_of(scene.facets.size())),
       vertices_(vertex_limit(scene)),
-      edges_(edge_limit(scene)) {}
+      edges_(edge_limit(scene)),
+      clears_left_(clear_budget / (std::int64_t{width_} * height_)) {}
 
 template <class E>
-std::string EventCheck::operator()(const E& event) const {
+std::string EventCheck::operator()(const E& event) {
   std::string fault;
+  if constexpr (std::is_same_v<E, BuffersClear>) {
+    if (clears_left_-- <= 0) return "the buffers are cleared too often";
+  }
+  const auto within = [&](std::string_view what, std::int32_t value, std::int32_t least, std::int32_t most) {
+    if (value < least || value > most) fault = fmt::format("{} {} lies outside the raster", what, value);
+  };
   const auto below = [&](std::string_view what, std::int32_t value, std::int32_t limit) {
     if (value < 0 || value >= limit) fault = fmt::format("{} {} does not exist (there are {})", what, value, limit);
   };
@@ -51,23 +57,26 @@ std::string EventCheck::operator()(const E& event) const {
       else if constexpr (name.substr(0, 6) == "vertex") below("vertex", value, vertices_);
       else if constexpr (name == "edge" || name == "left_edge" || name == "right_edge") below("edge", value, edges_);
       else if constexpr (name == "place") below("place", value, edges_);
-      else if constexpr (name == "x") below("column", value, width_);
-      else if constexpr (name == "y") below("row", value, height_);
+      else if constexpr (name == "x") within("column", value, 0, width_ - 1);
+      else if constexpr (name == "y") within("row", value, 0, height_ - 1);
+      else if constexpr (name == "first" || name == "last") within("column", value, -2, width_);
+      else if constexpr (name == "first_row" || name == "end_row") within("row", value, 0, height_);
     }
   });
   return fault;
 }
 
-#define ZSTEP_INSTANTIATE(E) template std::string EventCheck::operator()<E>(const E&) const;
+#define ZSTEP_INSTANTIATE(E) template std::string EventCheck::operator()<E>(const E&);
 ZSTEP_INSTANTIATE(BuffersClear)
-ZSTEP_INSTANTIATE(ViewTransform) ZSTEP_INSTANTIATE(Projection) ZSTEP_INSTANTIATE(ViewportTransform)
-    ZSTEP_INSTANTIATE(PolygonBegin) ZSTEP_INSTANTIATE(FacingTest) ZSTEP_INSTANTIATE(PolygonReject)
-        ZSTEP_INSTANTIATE(ClipTest) ZSTEP_INSTANTIATE(ClipVertex) ZSTEP_INSTANTIATE(ClipCross)
-            ZSTEP_INSTANTIATE(OutlineVertex) ZSTEP_INSTANTIATE(EdgeTableInsert) ZSTEP_INSTANTIATE(EdgeTableSkip)
-                ZSTEP_INSTANTIATE(ScanLineBegin) ZSTEP_INSTANTIATE(EdgeEnter) ZSTEP_INSTANTIATE(EdgeRetire)
-                    ZSTEP_INSTANTIATE(EdgeStep) ZSTEP_INSTANTIATE(EdgeSwap) ZSTEP_INSTANTIATE(SpanBegin)
-                        ZSTEP_INSTANTIATE(DepthInterpolate) ZSTEP_INSTANTIATE(DepthCompare)
-                            ZSTEP_INSTANTIATE(DepthWrite) ZSTEP_INSTANTIATE(PixelWrite)
+ZSTEP_INSTANTIATE(ViewTransform)
+ZSTEP_INSTANTIATE(Projection)
+ZSTEP_INSTANTIATE(ViewportTransform) ZSTEP_INSTANTIATE(PolygonBegin) ZSTEP_INSTANTIATE(FacingTest)
+    ZSTEP_INSTANTIATE(PolygonReject) ZSTEP_INSTANTIATE(ClipTest) ZSTEP_INSTANTIATE(ClipVertex)
+        ZSTEP_INSTANTIATE(ClipCross) ZSTEP_INSTANTIATE(OutlineVertex) ZSTEP_INSTANTIATE(EdgeTableInsert)
+            ZSTEP_INSTANTIATE(EdgeTableSkip) ZSTEP_INSTANTIATE(ScanLineBegin) ZSTEP_INSTANTIATE(EdgeEnter)
+                ZSTEP_INSTANTIATE(EdgeRetire) ZSTEP_INSTANTIATE(EdgeStep) ZSTEP_INSTANTIATE(EdgeSwap)
+                    ZSTEP_INSTANTIATE(SpanBegin) ZSTEP_INSTANTIATE(DepthInterpolate) ZSTEP_INSTANTIATE(DepthCompare)
+                        ZSTEP_INSTANTIATE(DepthWrite) ZSTEP_INSTANTIATE(PixelWrite)
 #undef ZSTEP_INSTANTIATE
 
 }  // namespace zstep

@@ -15,12 +15,13 @@ class EventCheck {
  public:
   explicit EventCheck(const Scene& scene);
 
-  /// Empty when all is well; else what is wrong ("pixel (900, 3) lies outside the 64x48 raster").
+  /// Empty when all is well; else what is wrong ("column 900 lies outside the raster").
   template <class E>
-  std::string operator()(const E& event) const;
+  std::string operator()(const E& event);
 
  private:
   std::int32_t width_, height_, polygons_, facets_, vertices_, edges_;
+  std::int64_t clears_left_;  ///< a clear costs as much as the raster is large; one check is for one block
 };
 
 /// The limits of vertex and edge numbers for a scene.

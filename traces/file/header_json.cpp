@@ -18,6 +18,16 @@ constexpr std::array<std::string_view, 2> coverage_words{"top_left", "inclusive"
 
 }  // namespace
 
+json parse_bounded(const std::string& text) {
+  constexpr std::size_t short_text = 4096;
+  constexpr int nesting_limit = 8;
+  if (text.size() <= short_text) return json::parse(text);
+  return json::parse(text, [](int depth, json::parse_event_t, json&) {
+    if (depth > nesting_limit) throw MalformedJson("it is nested too deeply");
+    return true;
+  });
+}
+
 ordered_json real_to_json(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";

@@ -26,14 +26,15 @@ Camera camera_from_json(const nlohmann::json& json);
 nlohmann::ordered_json raster_to_json(const Raster& raster);
 Raster raster_from_json(const nlohmann::json& json);
 
+/// Parses JSON that may be made to fill the machine: long texts only as deep as ours are. Throws MalformedJson for
+/// that, nlohmann::json::exception for what is no JSON.
+nlohmann::json parse_bounded(const std::string& text);
+
 /// A double as JSON: a number, or "inf", "-inf", "nan", which JSON has no numbers for.
 nlohmann::ordered_json real_to_json(double value);
 double real_from_json(const nlohmann::json& json, const char* what);
 
 /// Throws MalformedJson unless every index of the scene points into it and every size is one a raster can have.
 void check_scene(const Scene& scene);
-
-/// The largest raster side that is read from a file.
-inline constexpr std::int32_t raster_limit = 16384;
 
 }  // namespace zstep

@@ -22,16 +22,6 @@ namespace {
 // The header line holds the scene. A parsed line takes up to thirty times its length in memory, more when it is nested
 // without end, so both are bounded: what comes from others may be made to fill the machine.
 constexpr std::size_t line_limit = std::size_t{24} << 20;
-constexpr std::size_t short_line = std::size_t{64} << 10;
-constexpr int nesting_limit = 8;
-
-json parse_line(const std::string& line) {
-  if (line.size() <= short_line) return json::parse(line);
-  return json::parse(line, [](int depth, json::parse_event_t, json&) {
-    if (depth > nesting_limit) throw MalformedJson("is nested too deeply");
-    return true;
-  });
-}
 
 /// The next line, of at most line_limit + 1 characters: what comes from others may have no line end at all.
 bool next_line(std::istream& in, std::string& line) {
@@ -65,7 +55,7 @@ std::string event_line(const Page& page, std::uint8_t step, const E& event) {
     else if constexpr (std::is_enum_v<Value>) out = words_of<Value>[static_cast<std::size_t>(value)];
     else out = value;
   });
-  return line.dump();
+  return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 template <class Value>
@@ -119,7 +109,7 @@ E event_from(const json& line) {
 std::string jsonl_header(const Header& header, const Scene& scene) {
   ordered_json line = header_to_json(header);
   line["scene"] = scene_to_json(scene);
-  return line.dump();
+  return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
@@ -150,7 +140,7 @@ void read_jsonl(std::istream& in, const std::string& name,
       fail("the line is longer than 24 MiB", "write one event a line; large scenes are recorded straight to a .ztrace");
     json document;
     try {
-      document = parse_line(line);
+      document = parse_bounded(line);
     } catch (const json::exception&) {
       fail("is not JSON", "write one JSON object a line");
     } catch (const MalformedJson& error) {

@@ -76,7 +76,7 @@ std::uint64_t read_head(Trace::Impl& trace) {
   const auto head = chunk_at(source, signature_size);
   if (!head || head->tag != head_tag) throw MalformedBytes("its header is missing");
   const Bytes json = decompress(read_chunk(source, *head), head_limit);
-  trace.header = header_from_json(nlohmann::json::parse(json.begin(), json.end()));
+  trace.header = header_from_json(parse_bounded({json.begin(), json.end()}));
   const auto scene = chunk_at(source, head->end());
   if (!scene || scene->tag != scene_tag) throw MalformedBytes("its scene is missing");
   trace.scene = scene_from_bytes(decompress(read_chunk(source, *scene), scene_limit));
@@ -88,8 +88,14 @@ std::uint64_t read_head(Trace::Impl& trace) {
 void add_block(Trace::Impl& trace, const ChunkPlace& place, BlockInfo info, std::uint64_t frame_offset) {
   if (info.first_position != trace.size || info.count == 0)
     throw MalformedBytes("its blocks do not follow one another");
-  for (const BlockInfo::Mark& mark : info.marks)
+  // So no more blocks than the file has room for.
+  if (!trace.blocks.empty() && place.offset < trace.blocks.back().place.end())
+    throw MalformedBytes("its blocks overlap");
+  for (const BlockInfo::Mark& mark : info.marks) {
+    if (mark.polygon < 0 || static_cast<std::size_t>(mark.polygon) >= trace.scene.polygons.size())
+      throw MalformedBytes("its index names a polygon that does not exist");
     trace.polygons.push_back({info.first_position + mark.offset + 1, mark.polygon});
+  }
   trace.size += info.count;
   trace.blocks.push_back({std::move(info), place, frame_offset});
 }

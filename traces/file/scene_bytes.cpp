@@ -2,10 +2,13 @@
 
 #include "traces/events/registers.hpp"
 #include "traces/file/header_json.hpp"
+#include "traces/limits.hpp"
 
 namespace zstep {
 
 namespace {
+
+constexpr std::size_t document_limit = 4096;
 
 void put_color(Bytes& out, Color color) {
   for (const std::uint8_t part : {color.red, color.green, color.blue}) put_u8(out, part);
@@ -53,11 +56,19 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes);
   const auto whole = [&] { return unzigzag(static_cast<std::uint32_t>(in.varint())); };
   const auto document = [&] {
+    const std::string text = in.text();
+    if (text.size() > document_limit) throw MalformedBytes("a camera or raster of more than 4 KiB");
     try {
-      return nlohmann::json::parse(in.text());
+      return nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception& error) {
       throw MalformedBytes(error.what());
     }
+  };
+  // Held to their limits before memory is asked for: an element takes more of it than the byte or two it needs here.
+  const auto count = [&](std::size_t bytes_each, std::int64_t limit) {
+    const std::size_t value = in.count(bytes_each);
+    if (value > static_cast<std::size_t>(limit)) throw MalformedBytes("more of a kind than a scene can have");
+    return value;
   };
   Scene scene;
   scene.name = in.text();
@@ -65,24 +76,25 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   scene.camera = camera_from_json(document());
   scene.raster = raster_from_json(document());
   scene.background = take_color(in);
-  scene.points.resize(in.count(24));
+  scene.points.resize(count(24, most_points));
   for (int axis = 0; axis < 3; ++axis) {
     for (glm::dvec3& point : scene.points) point[axis] = double_of(in.u64());
   }
-  scene.point_lines.resize(in.count());
+  scene.point_lines.resize(count(1, most_points));
   for (std::int32_t& line : scene.point_lines) line = whole();
-  scene.polygons.resize(in.count(5));
+  scene.polygons.resize(count(5, most_polygons));
   for (Polygon& polygon : scene.polygons) {
     polygon.color = take_color(in);
     polygon.source_line = whole();
     polygon.name = in.text();
   }
-  scene.facets.resize(in.count(2));
+  scene.facets.resize(count(2, most_facets));
   for (Facet& facet : scene.facets) {
     facet.polygon = whole();
     facet.first_corner = static_cast<std::int32_t>(scene.corners.size());
     facet.corner_count = whole();
-    if (facet.corner_count < 0 || static_cast<std::size_t>(facet.corner_count) > in.left())
+    if (facet.corner_count < 0 || static_cast<std::size_t>(facet.corner_count) > in.left() ||
+        scene.corners.size() + static_cast<std::size_t>(facet.corner_count) > static_cast<std::size_t>(most_corners))
       throw MalformedBytes("a facet with more corners than the data");
     for (std::int32_t i = 0; i < facet.corner_count; ++i) scene.corners.push_back(whole());
   }

@@ -2,6 +2,7 @@
 
 #include "traces/file/header_json.hpp"
 #include "traces/file/json_members.hpp"
+#include "traces/limits.hpp"
 
 namespace zstep {
 
@@ -162,11 +163,20 @@ Scene scene_from_json(const json& in) {
 
 void check_scene(const Scene& scene) {
   const auto fail = [](const std::string& what) { throw MalformedJson("its scene is wrong: " + what); };
-  if (scene.raster.width < 1 || scene.raster.height < 1 || scene.raster.width > raster_limit ||
-      scene.raster.height > raster_limit) {
-    fail(fmt::format("a raster of {}x{} pixels (1x1 to {}x{} can be)", scene.raster.width, scene.raster.height,
-                     raster_limit, raster_limit));
+  const auto [width, height, y_up] = scene.raster;
+  if (width < 1 || height < 1 || width > largest_side || height > largest_side ||
+      std::int64_t{width} * height > most_pixels) {
+    fail(fmt::format("a raster of {}x{} pixels (each side is 1 to {}, and there are at most {} pixels)", width, height,
+                     largest_side, most_pixels));
   }
+  const auto most = [&](const char* what, std::size_t count, std::int64_t limit) {
+    if (count > static_cast<std::size_t>(limit))
+      fail(fmt::format("{} {}, of which there can be {}", count, what, limit));
+  };
+  most("points", scene.points.size(), most_points);
+  most("polygons", scene.polygons.size(), most_polygons);
+  most("facets", scene.facets.size(), most_facets);
+  most("corners", scene.corners.size(), most_corners);
   if (!scene.point_lines.empty() && scene.point_lines.size() != scene.points.size())
     fail("as many lines as points are needed, or none");
   for (std::size_t i = 0; i < scene.facets.size(); ++i) {

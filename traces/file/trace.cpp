@@ -56,7 +56,7 @@ const Bytes& Trace::Impl::packed(std::size_t block) const {
     if (place.frame_offset > bytes.size()) throw MalformedBytes("its index does not fit it");
     Bytes unpacked = decompress(std::span(bytes).subspan(static_cast<std::size_t>(place.frame_offset)), block_limit);
     if (!place.checked) {
-      const EventCheck check(scene);
+      EventCheck check(scene);
       std::int64_t position = place.info.first_position;
       BlockDecoder decoder(unpacked, place.info.count, kinds, increments);
       decoder.visit_all([&](std::uint8_t, const auto& event) {

@@ -14,17 +14,24 @@ namespace zstep {
 
 namespace {
 
-constexpr std::int64_t undo_window = 32768;       // events that can be undone without a seek
-constexpr std::int64_t check_point_every = 1024;  // events re-applied at most for a step back
-constexpr std::int64_t lead_in =
-    16384;  // events before a seek's target that are logged, so that stepping back is at hand
-constexpr std::int64_t key_frame_at_least = 65536;
 constexpr std::size_t key_frame_budget = std::size_t{64} << 20;  // bytes
+constexpr std::size_t picture_budget = std::size_t{64} << 20;    // bytes of whole pictures in the undo log
 
 }  // namespace
 
 struct Replay::Impl {
-  explicit Impl(const Trace& trace_) : trace(&trace_), points(trace_.scene().points.size()) {
+  explicit Impl(const Trace& trace_, const ReplayTuning& tuning_)
+      : trace(&trace_), tuning(tuning_), points(trace_.scene().points.size()) {
+    state = beginning();
+    const std::size_t frame_size = state.picture.depth.size() * 12 + points * sizeof(VertexWay) + 1;
+    const auto frames = static_cast<std::int64_t>(std::clamp<std::size_t>(key_frame_budget / frame_size, 1, 32));
+    key_frame_spacing = std::max(tuning.key_frame_every, trace->size() / frames);
+    forget();
+  }
+
+  /// Position 0.
+  State beginning() const {
+    State state;
     state.picture = Picture(trace->scene().raster.width, trace->scene().raster.height);
     state.vertices.resize(points);
     if (trace->scene().camera.kind == Camera::Kind::screen) {
@@ -35,11 +42,7 @@ struct Replay::Impl {
         state.vertices[i].raster = {point.x, point.y};
       }
     }
-    const std::size_t frame_size = state.picture.depth.size() * 12 + points * sizeof(VertexWay) + 1;
-    const auto frames = static_cast<std::int64_t>(std::clamp<std::size_t>(key_frame_budget / frame_size, 4, 32));
-    key_frame_spacing = std::max(key_frame_at_least, trace->size() / frames);
-    key_frames.emplace(0, state);
-    forget();
+    return state;
   }
 
   [[noreturn]] void impossible(std::int64_t position, const Impossible& error) const {
@@ -73,9 +76,10 @@ struct Replay::Impl {
         log.undo_to(state.position, state);
         throw;
       }
-      if (state.position - check_points.back().first >= check_point_every)
+      if (log.pictures_bytes() > picture_budget) forget();
+      if (state.position - check_points.back().first >= tuning.check_point_every)
         check_points.emplace_back(state.position, state.machine);
-      if (state.position - check_points.front().first > undo_window + check_point_every) {
+      if (state.position - check_points.front().first > tuning.undo_window + tuning.check_point_every) {
         check_points.pop_front();
         log.forget_to(check_points.front().first);
       }
@@ -92,7 +96,7 @@ struct Replay::Impl {
       if (refused) {
         // The refused event may be half applied: go once more from what is known to be whole.
         const std::int64_t whole = state.position;
-        state = std::prev(key_frames.upper_bound(whole))->second;
+        restore_before(whole);
         run(whole);
       }
       forget();
@@ -103,7 +107,7 @@ struct Replay::Impl {
 
   void run(std::int64_t target) {
     NoLog none;
-    std::int64_t next_frame = std::prev(key_frames.upper_bound(state.position))->first + key_frame_spacing;
+    std::int64_t next_frame = frame_before(state.position) + key_frame_spacing;
     trace->visit(state.position, target, [&](std::int64_t position, std::uint8_t, const auto& event) {
       apply(position, event, none);
       if (position >= next_frame) {
@@ -127,14 +131,24 @@ struct Replay::Impl {
   }
 
   void seek(std::int64_t target) {
-    const auto frame = std::prev(key_frames.upper_bound(target));
-    const bool from_here = state.position <= target && state.position >= frame->first;
+    const bool from_here = state.position <= target && state.position >= frame_before(target);
     if (!from_here) {
-      state = frame->second;
+      restore_before(target);
       forget();
     }
-    run_to(target - lead_in);
+    run_to(target - tuning.lead_in);
     step_to(target);
+  }
+
+  /// The last position up to this one at which a key frame stands; the beginning always has one.
+  std::int64_t frame_before(std::int64_t position) const {
+    const auto after = key_frames.upper_bound(position);
+    return after == key_frames.begin() ? 0 : std::prev(after)->first;
+  }
+  void restore_before(std::int64_t position) {
+    const auto after = key_frames.upper_bound(position);
+    if (after == key_frames.begin()) state = beginning();
+    else state = std::prev(after)->second;
   }
 
   /// Nothing before this position can be undone.
@@ -145,16 +159,17 @@ struct Replay::Impl {
   }
 
   const Trace* trace;
+  ReplayTuning tuning;
   std::size_t points;
   State state;
   UndoLog log;
   std::deque<std::pair<std::int64_t, Machine>> check_points;  ///< never empty; the log reaches back to the first
-  std::map<std::int64_t, State> key_frames;                   ///< position 0 always
-  std::int64_t key_frame_spacing = key_frame_at_least;
+  std::map<std::int64_t, State> key_frames;                   ///< that of position 0 is beginning()
+  std::int64_t key_frame_spacing = 0;
   bool refused = false;
 };
 
-Replay::Replay(const Trace& trace) : impl_(std::make_unique<Impl>(trace)) {}
+Replay::Replay(const Trace& trace, const ReplayTuning& tuning) : impl_(std::make_unique<Impl>(trace, tuning)) {}
 Replay::~Replay() = default;
 Replay::Replay(Replay&&) noexcept = default;
 Replay& Replay::operator=(Replay&&) noexcept = default;
@@ -165,7 +180,7 @@ const State& Replay::state() const { return impl_->state; }
 void Replay::go_to(std::int64_t position) {
   position = std::clamp<std::int64_t>(position, 0, impl_->trace->size());
   const std::int64_t here = impl_->state.position;
-  if (position >= here && position - here <= undo_window) impl_->step_to(position);
+  if (position >= here && position - here <= impl_->tuning.undo_window) impl_->step_to(position);
   else if (position < here && position >= impl_->check_points.front().first) impl_->back_to(position);
   else impl_->seek(position);
 }

@@ -13,10 +13,18 @@
 
 namespace zstep {
 
+/// How far apart a replay sets its marks, in events. Tests set them close, so that short traces cross them all.
+struct ReplayTuning {
+  std::int64_t undo_window = 32768;       ///< what can be undone without a seek
+  std::int64_t check_point_every = 1024;  ///< re-applied at most for a step back
+  std::int64_t lead_in = 16384;          ///< logged before a seek's target, so that stepping back from there is at hand
+  std::int64_t key_frame_every = 65536;  ///< or more, so that there are at most 32
+};
+
 class Replay {
  public:
   /// The trace must outlive the replay. Begins at position 0.
-  explicit Replay(const Trace& trace);
+  explicit Replay(const Trace& trace, const ReplayTuning& tuning = {});
   ~Replay();
   Replay(Replay&&) noexcept;
   Replay& operator=(Replay&&) noexcept;

@@ -26,7 +26,13 @@ class UndoLog {
         vertices.begin() + static_cast<std::ptrdiff_t>(kept), vertices.end())});
   }
   void fragment(const std::optional<Fragment>& old) { add(Pixel{old}); }
-  void picture(const Picture& old) { add(Whole{std::make_shared<const Picture>(old)}); }
+  void picture(const Picture& old) {
+    pictures_bytes_ += old.depth.size() * (sizeof(double) + sizeof(std::int32_t));
+    add(Whole{std::make_shared<const Picture>(old)});
+  }
+
+  /// What the logged pictures take since the log was last cleared.
+  std::size_t pictures_bytes() const { return pictures_bytes_; }
 
   /// Undoes everything that led to positions after `position`.
   void undo_to(std::int64_t position, State& state) {
@@ -39,7 +45,10 @@ class UndoLog {
   void forget_to(std::int64_t position) {
     while (!entries_.empty() && entries_.front().position <= position) entries_.pop_front();
   }
-  void clear() { entries_.clear(); }
+  void clear() {
+    entries_.clear();
+    pictures_bytes_ = 0;
+  }
 
  private:
   struct Depth {
@@ -83,6 +92,7 @@ class UndoLog {
   static void restore(const Whole& entry, State& state) { state.picture = *entry.old; }
 
   std::int64_t position_ = 0;
+  std::size_t pictures_bytes_ = 0;
   std::deque<Entry> entries_;
 };
 

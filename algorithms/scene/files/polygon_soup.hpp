@@ -10,14 +10,12 @@
 
 #include <glm/vec3.hpp>
 
+#include "traces/limits.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::scene {
 
 /// What one scene may hold. With these, the largest file that is accepted needs less than 1 GiB to load.
-inline constexpr std::int64_t most_points = 2'000'000;
-inline constexpr std::int64_t most_polygons = 1'500'000;
-inline constexpr std::int64_t most_corners = 6'000'000;
 
 /// Every corner is an index into `points`, every coordinate is finite, and nothing is beyond the limits.
 struct PolygonSoup {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstring>
+#include <optional>
 #include <random>
 
 #include "tests/unit/traces/some_trace.hpp"
@@ -101,6 +102,85 @@ TEST_CASE("damage: a compression bomb is refused before it unpacks") {
   REQUIRE(bomb.size() < 100000);
   bytes.insert(bytes.end(), bomb.begin(), bomb.end());
   CHECK(read_all(bytes).find("would unpack to 314572800 bytes") != std::string::npos);
+}
+
+namespace {
+
+/// A trace whose parts are as given, each behind a good checksum.
+Bytes made_of(const Bytes& scene, const std::optional<Bytes>& index) {
+  const Bytes good = recorded_bytes({});
+  const auto part = [&](const char* tag) {
+    for (std::size_t at = 12; at + 20 < good.size(); ++at) {
+      if (std::memcmp(good.data() + at, tag, 4) != 0) continue;
+      ByteReader in(std::span<const std::uint8_t>(good).subspan(at + 4));
+      const std::size_t size = static_cast<std::size_t>(in.u64()) + chunk_head_size;
+      return Bytes(good.begin() + static_cast<std::ptrdiff_t>(at),
+                   good.begin() + static_cast<std::ptrdiff_t>(at + size));
+    }
+    return Bytes();
+  };
+  Bytes bytes = make_signature();
+  const auto add = [&](const Bytes& more) { bytes.insert(bytes.end(), more.begin(), more.end()); };
+  add(part("HEAD"));
+  add(scene.empty() ? part("SCEN") : make_chunk(scene_tag, compress(scene)));
+  if (index) {
+    const std::uint64_t offset = bytes.size();
+    add(make_chunk(index_tag, compress(*index)));
+    add(make_trailer(offset));
+  }
+  return bytes;
+}
+
+/// A scene's bytes up to its counts.
+Bytes scene_head(const std::string& camera) {
+  Bytes scene;
+  for (const std::string& text : {std::string("bomb"), std::string(), camera, std::string(R"({"width":8,"height":8})")})
+    put_text(scene, text);
+  scene.insert(scene.end(), {255, 255, 255});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("damage: small files that ask for gigabytes are refused") {
+  Bytes polygons = scene_head(R"({"kind":"screen"})");
+  for (const std::uint64_t count : {0u, 0u, 40'000'000u}) put_varint(polygons, count);
+  polygons.resize(polygons.size() + 200'000'000);
+  CHECK(read_all(made_of(polygons, {})).find("more of a kind than a scene can have") != std::string::npos);
+
+  CHECK(read_all(made_of(scene_head(std::string(60'000'000, '[')), {})).find("more than 4 KiB") != std::string::npos);
+
+  Bytes info, index;
+  put_u64(info, 0);
+  put_u32(info, 5);
+  info.resize(info.size() + 16);
+  put_varint(info, 30'000'000);
+  info.resize(info.size() + 60'000'000);
+  put_varint(index, 1);
+  put_varint(index, 12);
+  put_varint(index, info.size());
+  index.insert(index.end(), info.begin(), info.end());
+  std::int64_t events = -1;
+  CHECK(read_all(made_of({}, index), &events) == "");  // an index that lies is an index that is missing
+  CHECK(events == 0);
+
+  Scene large = some_scene();
+  large.raster = {16384, 16384, false};
+  TraceRecorder recorder(some_header(), large);
+  recorder.finish();
+  CHECK(read_all(recorder.take_bytes()).find("a raster of 16384x16384 pixels") != std::string::npos);
+}
+
+TEST_CASE("damage: clearing a large raster without end is refused, clearing it often costs no memory") {
+  Scene scene = some_scene();
+  scene.raster = {4096, 4096, false};
+  TraceRecorder few(some_header(), scene), many(some_header(), scene);
+  for (int i = 0; i < 30; ++i) few(Step<BuffersClear>{step_of(kind_of<BuffersClear>)}, BuffersClear{1.0 * i});
+  for (int i = 0; i < 3000; ++i) many(Step<BuffersClear>{step_of(kind_of<BuffersClear>)}, BuffersClear{1.0 * i});
+  few.finish();
+  many.finish();
+  CHECK(read_all(few.take_bytes()) == "");
+  CHECK(read_all(many.take_bytes()).find("cleared too often") != std::string::npos);
 }
 
 TEST_CASE("damage: random rubbish behind valid checksums is an error, not a crash") {
