@@ -3,8 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include "drive.hpp"
-#include "words/some_runs.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;

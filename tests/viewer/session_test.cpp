@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "sim/viewer/model/session.hpp"
-#include "words/some_runs.hpp"
+#include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;

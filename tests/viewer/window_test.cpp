@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
-#include "drive.hpp"
+#include "tests/viewer/drive.hpp"
 #include "sim/viewer/window.hpp"
-#include "words/some_runs.hpp"
+#include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;
