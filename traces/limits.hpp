@@ -12,5 +12,6 @@ inline constexpr std::int64_t most_points = 2'000'000;
 inline constexpr std::int64_t most_polygons = 1'500'000;
 inline constexpr std::int64_t most_facets = 4'000'000;
 inline constexpr std::int64_t most_corners = 6'000'000;
+inline constexpr std::int64_t most_corners_of_polygon = 20'000;  ///< the active edge list is searched from the left
 
 }  // namespace zstep

@@ -1,6 +1,7 @@
 // libFuzzer target: traces. The first byte chooses how the rest reaches the reader: as a file, as JSON Lines behind a
 // good header, or as the packed columns of a block inside a file that is otherwise whole (checksums would stop it
 // earlier).
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <sstream>
@@ -70,13 +71,32 @@ void read_block(std::span<const std::uint8_t> packed) {
   read_everything(Trace::from_bytes(std::move(bytes), "fuzz"));
 }
 
+/// A whole file but for its scene or its index.
+void read_part(const Tag& tag, std::span<const std::uint8_t> part) {
+  Bytes bytes = whole_head();
+  if (tag == scene_tag) {
+    for (std::size_t at = 0; at + 4 < bytes.size(); ++at) {
+      if (std::equal(tag.begin(), tag.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at))) {
+        bytes.resize(at);
+        break;
+      }
+    }
+  }
+  const std::uint64_t offset = bytes.size();
+  const Bytes made = make_chunk(tag, compress(part));
+  bytes.insert(bytes.end(), made.begin(), made.end());
+  const Bytes trailer = make_trailer(offset);
+  if (tag == index_tag) bytes.insert(bytes.end(), trailer.begin(), trailer.end());
+  read_everything(Trace::from_bytes(std::move(bytes), "fuzz"));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
   const std::span<const std::uint8_t> rest(data + 1, size - 1);
   try {
-    switch (data[0] % 4) {
+    switch (data[0] % 6) {
       case 0:
         read_everything(Trace::from_bytes(Bytes(rest.begin(), rest.end()), "fuzz"));
         break;
@@ -86,8 +106,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       case 2:
         read_lines(jsonl_header(some_header(), some_scene()) + "\n" + std::string(rest.begin(), rest.end()));
         break;
-      default:
+      case 3:
         read_block(rest);
+        break;
+      case 4:
+        read_part(scene_tag, rest);
+        break;
+      default:
+        read_part(index_tag, rest);
         break;
     }
   } catch (const InputError&) {

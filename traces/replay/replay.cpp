@@ -31,18 +31,18 @@ struct Replay::Impl {
 
   /// Position 0.
   State beginning() const {
-    State state;
-    state.picture = Picture(trace->scene().raster.width, trace->scene().raster.height);
-    state.vertices.resize(points);
+    State first;
+    first.picture = Picture(trace->scene().raster.width, trace->scene().raster.height);
+    first.vertices.resize(points);
     if (trace->scene().camera.kind == Camera::Kind::screen) {
       for (std::size_t i = 0; i < points; ++i) {
         const glm::dvec3& point = trace->scene().points[i];
-        state.vertices[i].stage = VertexWay::on_raster;
-        state.vertices[i].plane = point;
-        state.vertices[i].raster = {point.x, point.y};
+        first.vertices[i].stage = VertexWay::on_raster;
+        first.vertices[i].plane = point;
+        first.vertices[i].raster = {point.x, point.y};
       }
     }
-    return state;
+    return first;
   }
 
   [[noreturn]] void impossible(std::int64_t position, const Impossible& error) const {

@@ -41,6 +41,8 @@ struct PolygonSoup {
     if (static_cast<std::int64_t>(outlines.size()) == most_polygons) too_much(where(), "polygons", most_polygons);
     const std::int32_t first = outlines.empty() ? 0 : outlines.back().first_corner + outlines.back().corner_count;
     const auto polygon = static_cast<std::int32_t>(outlines.size());
+    if (static_cast<std::int64_t>(corners.size()) - first > most_corners_of_polygon)
+      too_much(where(), "corners of one polygon", most_corners_of_polygon);
     outlines.push_back({polygon, first, static_cast<std::int32_t>(corners.size()) - first});
     if (line > 0) outline_lines.push_back(line);
     if (color && colors.empty()) colors.resize(outlines.size() - 1);
