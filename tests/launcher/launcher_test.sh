@@ -239,11 +239,12 @@ case_says_how_it_goes_on_after_an_interruption() {
   tools_there
   stand_in cmake <<<'case " $* " in *" --build "*) sleep 5 ;; *) : >"$folder/build.ninja" ;; esac'
   export folder=$clone/build/release
+  # Where ctest itself was started in the background, the signal is ignored unless it is put back.
   output=$({
     until grep -q -- --build "$calls"; do sleep 0.1; done
     printf '\003'
     sleep 1
-  } | script -qec "PATH='$box/bin:$box/tools' '$clone/zstep'; echo status \$?" /dev/null 2>&1)
+  } | env --default-signal=INT script -qec "PATH='$box/bin:$box/tools' '$clone/zstep'; echo status \$?" /dev/null 2>&1)
   expect "says so" "$output" 'stopped; run it again'
   refuse "no other alarm" "$output" 'failed'
   expect "the usual status" "$output" 'status 130'
