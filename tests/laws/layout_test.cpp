@@ -54,7 +54,9 @@ std::string included(const std::string& line) {
 /// Whether a file in the folder `from` may include one in the folder `to`: traces <- algorithms <- sim <- tests.
 bool may_include(const std::string& from, const std::string& to) {
   static const std::array<std::string, 4> order{"traces", "algorithms", "sim", "tests"};
-  const auto place = [](const std::string& folder) { return std::find(order.begin(), order.end(), folder) - order.begin(); };
+  const auto place = [](const std::string& folder) {
+    return std::find(order.begin(), order.end(), folder) - order.begin();
+  };
   return place(to) < 4 && place(from) < 4 && place(to) <= place(from);
 }
 
@@ -145,4 +147,28 @@ TEST_CASE("every file lies where the house has a room for it") {
       });
       if (is_code(file)) CHECK_MESSAGE(snake, file, ": file names are snake_case");
     }
+}
+
+TEST_CASE("what a document links to in the tree is there") {
+  std::vector<fs::path> documents;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root))
+    if (entry.path().extension() == ".md") documents.push_back(entry.path());
+  for (const std::string& file : files_below("docs"))
+    if (fs::path(file).extension() == ".md") documents.push_back(root / file);
+  int links = 0;
+  for (const fs::path& document : documents) {
+    std::string text;
+    for (const std::string& line : lines_of(document)) text += line + "\n";
+    for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+      const std::string target = text.substr(at + 2, text.find_first_of(")#", at + 2) - at - 2);
+      if (target.empty() || target.find("://") != std::string::npos ||
+          target.find_first_of(" \n(") != std::string::npos)
+        continue;
+      CAPTURE(document.string());
+      CAPTURE(target);
+      CHECK(fs::exists(document.parent_path() / target));
+      ++links;
+    }
+  }
+  CHECK(links > 10);
 }
