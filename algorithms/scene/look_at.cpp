@@ -32,7 +32,7 @@ void apply_raster(Raster& raster, const ViewOptions& options) {
   raster.height = options.height.value_or(raster.height);
   if (raster.width < 1 || raster.height < 1 || raster.width > largest_side || raster.height > largest_side ||
       std::int64_t{raster.width} * raster.height > most_pixels)
-    throw InputError("size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
+    throw InputError("--size", fmt::format("{}x{} is no size of a raster", raster.width, raster.height),
                      fmt::format("each side is 1 to {}, and there are at most {} pixels", largest_side, most_pixels));
 }
 
@@ -67,9 +67,9 @@ double distance_for_all(const Scene& scene) {
 void place_eye(Scene& scene, const ViewOptions& options) {
   Camera& camera = scene.camera;
   if (options.rho || options.theta || options.phi) camera.polar = true;
-  if (options.rho) camera.rho = positive(*options.rho, "rho");
-  if (options.theta) camera.theta = checked(*options.theta, "theta");
-  if (options.phi) camera.phi = checked(*options.phi, "phi");
+  if (options.rho) camera.rho = positive(*options.rho, "--rho");
+  if (options.theta) camera.theta = checked(*options.theta, "--theta");
+  if (options.phi) camera.phi = checked(*options.phi, "--phi");
   if (camera.polar) {
     if (!(camera.rho > 0)) camera.rho = distance_for_all(scene);
     camera.view = viewing::eckert_view(camera.rho, camera.theta, camera.phi);
@@ -83,8 +83,8 @@ void place_eye(Scene& scene, const ViewOptions& options) {
 /// near plane stays in front of the eye, at a thousandth of far at least, so that the eye may stand inside the scene.
 void choose_depths(Scene& scene, const ViewOptions& options) {
   Camera& camera = scene.camera;
-  if (options.near) camera.near = checked(*options.near, "near");
-  if (options.far) camera.far = checked(*options.far, "far");
+  if (options.near) camera.near = checked(*options.near, "--near");
+  if (options.far) camera.far = checked(*options.far, "--far");
   const bool perspective = camera.kind == Camera::Kind::perspective;
   const bool near_given = options.near || camera.near != 0, far_given = options.far || camera.far != 0;
 
@@ -110,9 +110,9 @@ void choose_depths(Scene& scene, const ViewOptions& options) {
     if (far_given && !(camera.far > camera.near)) camera.near = perspective ? camera.far / 1000 : camera.far - pad;
   }
   if (perspective && !(camera.near > 0))
-    throw InputError("near", fmt::format("it is {}", camera.near), "in perspective it must be greater than 0");
+    throw InputError("--near", fmt::format("it is {}", camera.near), "in perspective it must be greater than 0");
   if (!(camera.far > camera.near))
-    throw InputError("far", fmt::format("it is {}, but near is {}", camera.far, camera.near),
+    throw InputError("--far", fmt::format("it is {}, but near is {}", camera.far, camera.near),
                      "give the greater distance to far");
 }
 

@@ -14,16 +14,28 @@ namespace {
 
 using Kind = Expression::Kind;
 
+/// Every operator and operand is a node of a tree that is walked by recursion, so there is an end to it.
+constexpr int most_nodes = 1000;
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// What of an expression fits on the line of an error; not cut within a character.
+std::string shortened(std::string_view text) {
+  constexpr std::size_t most = 200;
+  if (text.size() <= most) return std::string(text);
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
+  return std::string(text.substr(0, end)) + "…";
+}
 
 struct Parser {
   std::string_view all, left;
   std::string_view where;
-  int depth = 0;
+  int depth = 0, nodes = 0;
 
   [[noreturn]] void fail(std::string_view what, std::string_view mend) const {
-    throw InputError(where, fmt::format("{} in `{}`", what, trim(all)), mend);
+    throw InputError(where, fmt::format("{} in `{}`", what, shortened(trim(all))), mend);
   }
   std::string here() const {
     const std::string_view rest = trim(left);
@@ -55,15 +67,19 @@ struct Parser {
     if (!take(")")) fail(fmt::format("`{}` is not closed at {}", opened, here()), "add `)`");
   }
 
-  static Expression of(Kind kind, Expression first, Expression second) {
-    Expression made;
+  Expression node() {
+    if (++nodes > most_nodes) fail(fmt::format("there are more than {} numbers, names and signs", most_nodes), "write it in parts");
+    return {};
+  }
+  Expression of(Kind kind, Expression first, Expression second) {
+    Expression made = node();
     made.kind = kind;
     made.parts.push_back(std::move(first));
     made.parts.push_back(std::move(second));
     return made;
   }
-  static Expression of(Kind kind, Expression first) {
-    Expression made;
+  Expression of(Kind kind, Expression first) {
+    Expression made = node();
     made.kind = kind;
     made.parts.push_back(std::move(first));
     return made;
@@ -138,12 +154,12 @@ struct Parser {
       return inner;
     }
     if (take("\"")) return quoted();
-    Expression made;
+    Expression made = node();
     if (take("∞")) {
       made.number = std::numeric_limits<double>::infinity();
       return made;
     }
-    if (!left.empty() && (is_digit(left.front()) || left.front() == '.')) return number();
+    if (!left.empty() && (is_digit(left.front()) || left.front() == '.')) return number(std::move(made));
     const std::string_view word = peek_word();
     if (word.empty() || word == "and" || word == "or" || word == "where") {
       fail(fmt::format("a number or a name is missing at {}", here()), "write `x == 3`, `not nearer`, `z < stored` …");
@@ -156,7 +172,7 @@ struct Parser {
     made.kind = Kind::name;
     made.text = word;
     if (!take("(")) return made;
-    if (word == "count") return count();
+    if (word == "count") return count(std::move(made));
     made.kind = Kind::call;
     do made.parts.push_back(either());
     while (take(","));
@@ -164,7 +180,7 @@ struct Parser {
     return made;
   }
 
-  Expression number() {
+  Expression number(Expression made) {
     double digits = 0;
     int places = 0;
     bool any = false, point = false;
@@ -181,7 +197,6 @@ struct Parser {
     if (!any || places > 22 || digits > 9007199254740992.0) {
       fail("a number that cannot be read exactly", "write at most 15 digits");
     }
-    Expression made;
     made.number = digits / std::pow(10.0, places);
     return made;
   }
@@ -189,19 +204,18 @@ struct Parser {
   Expression quoted() {
     const std::size_t end = left.find('"');
     if (end == std::string_view::npos) fail("a quote is not closed", "add `\"`");
-    Expression made;
+    Expression made = node();
     made.kind = Kind::quoted;
     made.text = left.substr(0, end);
     left.remove_prefix(end + 1);
     return made;
   }
 
-  Expression count() {
+  Expression count(Expression made) {
     skip_space();
     const std::string_view step = leading_step_name(left);
     if (step.empty()) fail(fmt::format("`count(` needs a step's name at {}", here()), "write `count(compare)`");
     left.remove_prefix(step.size());
-    Expression made;
     made.kind = Kind::count;
     made.text = step;
     if (take_word("where")) made.parts.push_back(either());

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
+#include "algorithms/scene/scene_file/toml_depth.hpp"
 #include "sim/classroom/evaluate.hpp"
 #include "traces/error.hpp"
 
@@ -101,6 +102,7 @@ struct Head {
 
 void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view head, std::int32_t line) {
   const Head read{file, line};
+  scene::check_toml_depth(head, file, line);
   toml::table all;
   try {
     all = toml::parse(head);

@@ -32,7 +32,7 @@ void declare(CLI::App& app, Action& action) {
   add_import(app, action);
   add_completion(app, action);
   app.footer(
-      "Without a command the first Z-buffer lesson opens.\n"
+      "Without a command the Z-buffer lesson opens.\n"
       "\n"
       "Examples:\n"
       "  zstep\n"

@@ -20,7 +20,7 @@ void add_view(CLI::App& app, Action& action);
 void add_lesson(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
 
-/// `zstep` alone: the first Z-buffer lesson in the viewer, or its first picture where there is no display.
+/// `zstep` alone: the Z-buffer lesson in the viewer, or its first picture where there is no display.
 int start();
 
 namespace exit_code {

@@ -1,5 +1,6 @@
 #include "sim/cli/run_options.hpp"
 
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 
@@ -102,6 +103,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
 Run prepare(const RunOptions& options) {
   check_scene_exists(options.scene);
   SceneFile file = load_scene(options.scene);
+  for (const std::string& note : file.notes) fmt::print(stderr, "note: {}\n", note);
   Run run{look_at_scene(std::move(file.scene), options.view), file.conventions, &method(options.algorithm)};
   if (options.depth) run.conventions.depth = *options.depth;
   if (options.interpolation) run.conventions.interpolation = *options.interpolation;

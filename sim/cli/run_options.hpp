@@ -36,7 +36,7 @@ struct Run {
   Conventions conventions;
   const Method* method;
 };
-/// Loads the scene and applies the options. Throws InputError.
+/// Loads the scene, prints what there is to note about it on stderr, and applies the options. Throws InputError.
 Run prepare(const RunOptions& options);
 
 /// What to call a file made from this scene, without extension: "teapot", "bunny" for meshes/bunny.obj.

@@ -6,11 +6,13 @@
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
+#include "sim/viewer/words/shell_word.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::cli {
 
 void add_show_options(CLI::App& command, ShowOptions& options) {
+  options.command = &command;
   add_whole(command, "--at", options.at, 0, "Open at this step; 0 is before the first")->group("Viewer");
   command.add_option("--screenshot", options.screenshot, "Write the window as a picture instead of opening it; needs no display")->type_name("FILE.png")->group("Viewer");
   const auto take_size = [&options](const std::string& text) {
@@ -20,8 +22,25 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
     options.height = height;
   };
   command.add_option_function<std::string>("--size-window", take_size, "Size of the window (default 1280x720)")->type_name("WxH")->group("Viewer");
-  command.add_flag("--dark", options.dark, "Dark colours")->group("Viewer");
-  command.add_flag("--presenter", options.presenter, "Large text, for a lecture hall")->group("Viewer");
+  CLI::Option* dark = command.add_flag("--dark", options.dark, "Dark colours, this time");
+  dark->group("Viewer");
+  command.add_flag("--light", options.light, "Light colours, this time")->group("Viewer")->excludes(dark);
+  command.add_flag("--presenter", options.presenter, "Large text, for a lecture hall, this time")->group("Viewer");
+}
+
+std::string words_of(const CLI::App& command) {
+  std::string arguments, options;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->check_lname("at")) continue;
+    const bool takes_value = option->get_items_expected_max() > 0;
+    if (!takes_value) options += " " + option->get_name();
+    else
+      for (const std::string& value : option->results()) {
+        const bool named = !option->get_lnames().empty();
+        (named ? options : arguments) += (named ? " " + option->get_name() + " " : " ") + shell_word(value);
+      }
+  }
+  return "zstep " + command.get_name() + arguments + options;
 }
 
 std::string without_display() {
@@ -49,9 +68,10 @@ int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   if (!options.screenshot.empty()) viewer.screenshot = options.screenshot;
   viewer.width = options.width;
   viewer.height = options.height;
-  viewer.dark = options.dark;
+  if (options.dark || options.light) viewer.dark = options.dark;
   viewer.presenter = options.presenter;
   viewer.lesson = lesson;
+  if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
   const int code = run_viewer(trace, viewer);
   if (code == exit_code::done && viewer.screenshot) fmt::print("wrote {}: the viewer, {}x{} pixels\n", options.screenshot, options.width, options.height);
   return code;

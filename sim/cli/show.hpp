@@ -15,11 +15,15 @@ struct ShowOptions {
   std::optional<std::int64_t> at;
   std::string screenshot;
   std::int32_t width = 1280, height = 720;
-  bool dark = false, presenter = false;
+  bool dark = false, light = false, presenter = false;
+  const CLI::App* command = nullptr;  ///< whose words opened the view; lives as long as the action runs
 };
 
-/// Adds --at, --screenshot, --size-window, --dark and --presenter.
+/// Adds --at, --screenshot, --size-window, --dark, --light and --presenter.
 void add_show_options(CLI::App& command, ShowOptions& options);
+
+/// The command line that a parsed command was called by, quoted for a shell, without --at.
+std::string words_of(const CLI::App& command);
 
 /// Opens the viewer, or writes the screenshot and says so. Throws InputError when a window is wanted and there is no
 /// display, when the step is not in the trace, and when this zstep was built without the viewer.

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,9 +28,13 @@ Trace open_trace(const std::string& path) {
   if (!fs::exists(path, ignored))
     throw InputError(path, "there is no such file", is_trace(path) ? "check its name, or make one: zstep record SCENE -o run.ztrace"
                                                                    : "give a trace: zstep record SCENE -o run.ztrace makes one");
-  Trace trace = has_extension(path, ".jsonl") ? open_jsonl(path) : Trace::open(path);
-  for (const std::string& warning : trace.warnings()) fmt::print(stderr, "{}: {}\n", path, warning);
-  return trace;
+  try {
+    Trace trace = has_extension(path, ".jsonl") ? open_jsonl(path) : Trace::open(path);
+    for (const std::string& warning : trace.warnings()) fmt::print(stderr, "{}\n", warning);
+    return trace;
+  } catch (const std::bad_alloc&) {
+    throw InputError(path, "there is not enough memory to open it", "close other programs, or record with a smaller --size");
+  }
 }
 
 Trace record_to_memory(const Run& run) {

@@ -10,6 +10,7 @@
 
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/words/numbers.hpp"
+#include "sim/viewer/words/shell_word.hpp"
 
 namespace zstep::viewer {
 
@@ -74,34 +75,15 @@ void App::open(Overlay overlay) {
   session_.touch();
 }
 
-namespace {
-
-/// As one word of a shell.
-std::string quoted(const std::string& name) {
-  const std::string_view harmless = "/._-:+@%";
-  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [&](unsigned char c) {
-    return std::isalnum(c) != 0 || harmless.find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  if (plain) return name;
-  std::string out(1, '\'');
-  for (const char c : name) {
-    if (c == '\'') out.append("'\\'");
-    out.push_back(c);
-  }
-  out.push_back('\'');
-  return out;
-}
-
-}  // namespace
-
 std::string App::link() const {
-  if (session_.lesson()) return fmt::format("zstep lesson {} --at {}", quoted(session_.lesson()->id), session_.position());
+  if (!opened_by.empty()) return fmt::format("{} --at {}", opened_by, session_.position());
+  if (session_.lesson()) return fmt::format("zstep lesson {} --at {}", shell_word(session_.lesson()->id), session_.position());
   const std::string& name = session_.trace().name();
   std::error_code error;
-  if (std::filesystem::is_regular_file(name, error)) return fmt::format("zstep view {} --at {}", quoted(name), session_.position());
+  if (std::filesystem::is_regular_file(name, error)) return fmt::format("zstep view {} --at {}", shell_word(name), session_.position());
   // Recorded on the spot: the scene, and the options that it was recorded with.
   const Scene& scene = session_.scene();
-  std::string text = "zstep view " + quoted(std::filesystem::is_regular_file(scene.source, error) ? scene.source : name);
+  std::string text = "zstep view " + shell_word(std::filesystem::is_regular_file(scene.source, error) ? scene.source : name);
   if (scene.camera.kind != Camera::Kind::screen) {
     text += fmt::format(" --size {}x{}", scene.raster.width, scene.raster.height);
     if (scene.camera.polar)

@@ -55,6 +55,7 @@ class App {
   void set_presenter(bool presenter);
   void scale_text(float factor);  ///< 0: back to the usual size
   std::string link() const;       ///< the command line that opens this place
+  std::string opened_by;          ///< as in ViewerOptions; what link() begins with
   std::string typed;              ///< in palette and go-to
   int picked = 0;                 ///< in palette
   void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"

@@ -28,6 +28,12 @@ void Settings::remember(const std::string& key, std::int64_t position) {
   if (places.size() > places_kept) places.erase(places.begin(), places.end() - static_cast<std::ptrdiff_t>(places_kept));
 }
 
+Settings kept_settings(const Settings& stored, const Settings& begun, Settings ended) {
+  if (ended.dark == begun.dark) ended.dark = stored.dark;
+  if (ended.presenter == begun.presenter) ended.presenter = stored.presenter;
+  return ended;
+}
+
 std::filesystem::path settings_path() {
   const auto from = [](const char* variable) -> std::filesystem::path {
     const char* value = std::getenv(variable);

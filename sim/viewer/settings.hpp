@@ -32,6 +32,10 @@ struct Settings {
   void remember(const std::string& key, std::int64_t position);
 };
 
+/// What to save when a run ends: what options of the command line set for this run alone (dark, presenter: in `begun`, not in
+/// `stored`) is as it was before, unless it was changed meanwhile.
+Settings kept_settings(const Settings& stored, const Settings& begun, Settings ended);
+
 /// $XDG_CONFIG_HOME/zstep/viewer.ini, or the platform's likeness of it; empty when there is no home.
 std::filesystem::path settings_path();
 

@@ -29,7 +29,7 @@ void go_to_start(App& app, const Trace& trace, const ViewerOptions& options, boo
 
 int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   Settings settings;  // never the reader's own: the same command gives the same picture everywhere
-  settings.dark = options.dark;
+  settings.dark = options.dark.value_or(false);
   settings.presenter = options.presenter;
   App app(trace, options.lesson, settings, options.width, options.height);
   go_to_start(app, trace, options, false);
@@ -92,18 +92,21 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   if (options.screenshot) return write_screenshot(trace, options);
   const std::filesystem::path path = settings_path();
   Settings settings = load_settings(path);
-  if (options.dark) settings.dark = true;
-  if (options.presenter) settings.presenter = true;
+  const Settings stored = settings;
+  settings.dark = options.dark.value_or(settings.dark);
+  settings.presenter = settings.presenter || options.presenter;
+  const Settings begun = settings;
   // The size it was left at, unless another one is asked for.
   const bool as_left = settings.width > 0 && settings.height > 0 && options.width == ViewerOptions{}.width && options.height == ViewerOptions{}.height;
   const Window window(as_left ? settings.width : options.width, as_left ? settings.height : options.height);
   App app(trace, options.lesson, settings, window.surface()->w, window.surface()->h, window.dpi_scale());
+  app.opened_by = options.opened_by;
   SDL_SetWindowTitle(window.get(), fmt::format("zstep \u00b7 {} \u00b7 {}", trace.header().title, trace.scene().name).c_str());
   go_to_start(app, trace, options, true);
   loop(app, window);
 
   // Closing keeps layout and place.
-  Settings& kept = app.settings();
+  Settings kept = kept_settings(stored, begun, app.settings());
   if (!window.full_screen()) SDL_GetWindowSize(window.get(), &kept.width, &kept.height);
   kept.speed = app.session().speed;
   kept.remember(place_key(trace), app.session().position());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "sim/classroom/lesson.hpp"
 #include "traces/file/trace.hpp"
@@ -14,9 +15,10 @@ struct ViewerOptions {
   std::int64_t at = -1;                              ///< position to open at; -1: where it was left, or the lesson's first stop
   std::optional<std::filesystem::path> screenshot;   ///< write one frame as PNG and leave; needs no display
   std::int32_t width = 1280, height = 720;           ///< of the window or the screenshot
-  bool dark = false;
-  bool presenter = false;
+  std::optional<bool> dark;                          ///< for this run; unset: as it was left, light at first
+  bool presenter = false;                            ///< for this run
   const Lesson* lesson = nullptr;                    ///< narration beside the trace, already resolved
+  std::string opened_by;                             ///< command line that opens this view again, quoted for a shell, without --at
 };
 
 /// Opens the window and runs until it is closed; with `screenshot` draws one frame headless. Returns the exit code.

@@ -254,5 +254,20 @@ TEST_CASE("a trace that is cut off or damaged is opened as far as it goes, or re
     const Outcome outcome = run(folder, "info cut.ztrace");
     CHECK((outcome.code == 0 || outcome.code == 2));
     CHECK(times(outcome.err, "\n") == 1);
+    CHECK(times(outcome.err, "cut.ztrace") == 1);
+  }
+}
+
+TEST_CASE("what there is to know about a mesh is noted") {
+  const Folder folder;
+  write_text(folder / "open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 2\n");
+  for (const char* command : {"render open.obj", "record open.obj", "view open.obj --screenshot open.png"}) {
+    CAPTURE(command);
+    const Outcome outcome = run(folder, command);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(has(outcome.err, "note: "));
+    CHECK(has(outcome.err, "not drawn, having fewer than three different corners"));
+    CHECK(times(outcome.err, "\n") == times(outcome.err, "note: "));
   }
 }

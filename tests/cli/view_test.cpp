@@ -64,6 +64,8 @@ TEST_CASE("a trace, its JSON Lines and its scene give the same picture of the vi
   CHECK(a.height == 640);
   must(folder, "view run.ztrace --at 101 --screenshot b.png --size-window 1024x640");
   CHECK(text_of(folder / "a.png") != text_of(folder / "b.png"));
+  must(folder, "view run.ztrace --at 100 --screenshot light.png --size-window 1024x640 --light");
+  CHECK(text_of(folder / "a.png") == text_of(folder / "light.png"));
   must(folder, "view run.ztrace --at 100 --screenshot dark.png --size-window 1024x640 --dark");
   CHECK(text_of(folder / "a.png") != text_of(folder / "dark.png"));
 }
@@ -85,6 +87,8 @@ TEST_CASE("view and lesson refuse what cannot be") {
   refused("view run.ztrace --at x --screenshot a.png", "--at: 'x'");
   refused("view run.ztrace --screenshot none/a.png", "there is no folder none");
   refused("view run.ztrace --screenshot a.png --size-window 5", "--size-window: '5'");
+  refused("view run.ztrace --screenshot a.png --dark --light", "--dark excludes --light");
+  refused("view pyramid --screenshot a.png --near 2 --far 1", "--far: it is 1, but near is 2");
   refused("lesson nothing.md --screenshot a.png", "nothing.md");
   CHECK(folder.names() == std::vector<std::string>{"run.ztrace"});
 }

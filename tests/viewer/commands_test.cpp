@@ -196,6 +196,8 @@ TEST_CASE("the copied link names trace and step, and quotes what a shell would s
   App app(plain, nullptr, {}, 640, 480);
   app.session().go_to(42);
   CHECK(app.link() == "zstep view delhi --at 42");
+  app.opened_by = "zstep view teapot --no-cull";
+  CHECK(app.link() == "zstep view teapot --no-cull --at 42");
   Lesson lesson;
   lesson.id = "worked-example";
   App in_lesson(plain, &lesson, {}, 640, 480);

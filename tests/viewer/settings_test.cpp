@@ -49,6 +49,22 @@ TEST_CASE("a damaged file of settings leaves the defaults") {
   std::filesystem::remove_all(path.parent_path());
 }
 
+TEST_CASE("what an option sets holds for its run, what a key changes stays") {
+  Settings stored, begun;
+  begun.dark = begun.presenter = true;  // --dark --presenter
+  Settings ended = begun;
+  ended.speed = 4;
+  CHECK_FALSE(kept_settings(stored, begun, ended).dark);
+  CHECK_FALSE(kept_settings(stored, begun, ended).presenter);
+  CHECK(kept_settings(stored, begun, ended).speed == 4);
+  stored.dark = true, begun.dark = false, ended.dark = false;  // --light
+  CHECK(kept_settings(stored, begun, ended).dark);
+  stored = begun = Settings();
+  ended.dark = ended.presenter = true;  // by keys
+  CHECK(kept_settings(stored, begun, ended).dark);
+  CHECK(kept_settings(stored, begun, ended).presenter);
+}
+
 TEST_CASE("only the latest places are kept") {
   Settings s;
   for (int i = 0; i < 500; ++i) s.remember("trace " + std::to_string(i), i);

@@ -49,7 +49,8 @@ class Trace {
   const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
   std::span<const PolygonMark> polygons() const;     ///< all of them, by position
 
-  /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand. Not thread-safe.
+  /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand; the reference lives until
+  /// events of other blocks are asked for. Not thread-safe.
   const RecordedEvent& event(std::int64_t position) const;
 
   /// Calls visit(position, step id, const E& event) for the events leading to positions first+1 … last, in order, until

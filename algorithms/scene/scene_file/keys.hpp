@@ -50,8 +50,6 @@ class Keys {
   void not_both(std::string_view key, std::string_view other, std::string_view why);
   void finish() const;
 
-  const toml::table& node() const { return table_; }
-
  private:
   const toml::table& table_;
   const std::string& file_;

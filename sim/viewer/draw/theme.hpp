@@ -24,6 +24,5 @@ const Theme& dark_theme();
 
 constexpr Pixel32 to_pixel(ImU32 c) { return 0xff000000u | (c & 0xffu) << 16 | (c & 0xff00u) | (c >> 16 & 0xffu); }
 constexpr ImU32 to_im(Pixel32 c) { return 0xff000000u | (c & 0xffu) << 16 | (c & 0xff00u) | (c >> 16 & 0xffu); }
-constexpr ImU32 with_alpha(ImU32 c, unsigned alpha) { return (c & 0x00ffffffu) | alpha << 24; }
 
 }  // namespace zstep::viewer

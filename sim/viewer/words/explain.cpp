@@ -28,7 +28,7 @@ std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::i
   return OnRaster{way.raster.x, way.raster.y, way.plane.z};
 }
 
-Explanation explain(const Trace& trace, const State& after, const RecordedEvent& event) {
+Explanation explain(const Trace& trace, const State& after, const RecordedEvent event) {
   words::Telling telling(trace, after);
   std::visit([&](const auto& e) { words::tell(telling, e); }, event.event);
   return std::move(telling.out);

@@ -20,7 +20,8 @@ struct Explanation {
 
 /// What `event` did. `after` is the state it led to, at after.position; the event is trace.event(after.position).
 /// Uses the trace's conventions for names (z*, z_v or z) and for formulas (direct, or by increments).
-Explanation explain(const Trace& trace, const State& after, const RecordedEvent& event);
+/// Looks back in the trace, so `event` is a copy: what Trace::event() refers to may go away meanwhile.
+Explanation explain(const Trace& trace, const State& after, RecordedEvent event);
 
 /// The label of a polygon: its name, or "P7".
 std::string polygon_label(const Scene& scene, std::int32_t polygon);

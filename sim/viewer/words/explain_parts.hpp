@@ -47,9 +47,6 @@ inline std::string operand(double value, std::string text) {
 
 inline std::string operand(double value) { return operand(value, number(value)); }
 
-inline std::string vertex_label(std::int32_t vertex) { return fmt::format("vertex {}", vertex); }
-inline std::string edge_label(std::int32_t edge) { return fmt::format("e{}", edge); }
-
 /// "p_0 + (p_1 − p_0)(t − t_0)/(t_1 − t_0)" with numbers; both ends with the digits that tell them apart.
 inline std::string line_through(double p0, double p1, double t, double t0, double t1) {
   const auto [from, to] = tell_apart(p0, p1);

@@ -48,7 +48,12 @@ void tell(Telling& t, const DepthCompare& e) {
   const double stored = f ? f->stored : no_depth;
   const auto [z, before] = tell_apart(e.z, stored);
   const std::string who = f ? t.label(f->stored_polygon) : "what is stored";
-  if (e.nearer && std::isinf(stored))
+  const bool numbers_say = f ? e.z < stored : e.nearer;
+  if (numbers_say != e.nearer)
+    t.say(fmt::format("The trace says {} at pixel {}, although {} < {} is {}: {} {}.", e.nearer ? "nearer" : "not nearer",
+                      pixel(e.x, e.y), z, before, numbers_say ? "true" : "false", t.here(),
+                      numbers_say ? "should win over " + who : "should not win over " + who));
+  else if (e.nearer && std::isinf(stored))
     t.say(fmt::format("{} < \u221e: nothing was drawn here yet, so pixel {} becomes {}.", z, pixel(e.x, e.y), t.here()));
   else if (e.nearer)
     t.say(fmt::format("{} < {}: nearer than {}, so pixel {} becomes {}.", z, before, who, pixel(e.x, e.y), t.here()));
@@ -56,13 +61,13 @@ void tell(Telling& t, const DepthCompare& e) {
     t.say(fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, who, pixel(e.x, e.y)));
   else
     t.say(fmt::format("{} > {}: {} is hidden behind {} at pixel {}, nothing is written.", z, before, t.here(), who, pixel(e.x, e.y)));
-  t.formula(fmt::format("{} < zbuffer[x,y]:  {} < {}  is {}", t.z, z, before, e.nearer ? "true" : "false"));
+  t.formula(fmt::format("{} < zbuffer[x,y]:  {} < {}  is {}", t.z, z, before, numbers_say ? "true" : "false"));
   t.value(t.z, e.z);
   if (f) {
     t.value("zbuffer[x,y]", stored);
-    if ((e.z < stored) != e.nearer)
+    if (numbers_say != e.nearer)
       t.out.doubt = fmt::format("The trace says {}, but {} < {} is {}.", e.nearer ? "nearer" : "not nearer", z, before,
-                                e.z < stored ? "true" : "false");
+                                numbers_say ? "true" : "false");
   }
 }
 

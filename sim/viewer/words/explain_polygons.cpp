@@ -69,8 +69,8 @@ void tell(Telling& t, const PolygonReject& e) {
   switch (e.reason) {
     case Reject::back_facing: why = "it faces away, so something in front of it hides it if the object is closed"; break;
     case Reject::edge_on: why = "it is seen edge-on and covers no area"; break;
-    case Reject::outside: why = "all of it lies outside one plane of the view volume"; break;
-    case Reject::degenerate: why = "it has no area, so it has no plane and no pixels"; break;
+    case Reject::outside: why = "nothing of it lies in the view volume"; break;
+    case Reject::degenerate: why = "it has no area, or coordinates that no raster can hold"; break;
   }
   t.say(fmt::format("Polygon {} is dropped: {}.", t.label(e.polygon), why));
 }

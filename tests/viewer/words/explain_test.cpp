@@ -105,6 +105,32 @@ TEST_CASE("a recorded number that its formula does not give is doubted") {
   CHECK(told.doubt->find("gives 5") != std::string::npos);
 }
 
+TEST_CASE("a compare that its numbers contradict is told as such") {
+  const Trace trace = test::record_run("delhi");
+  const auto told_wrong = [&](auto&& fits) {
+    const auto position = trace.next(0, [&](const RecordedEvent& e) {
+      const auto* compare = std::get_if<DepthCompare>(&e.event);
+      return compare && fits(*compare);
+    });
+    REQUIRE(position);
+    Replay replay(trace);
+    replay.go_to(*position);
+    RecordedEvent wrong = *replay.current();
+    std::get<DepthCompare>(wrong.event).nearer = !std::get<DepthCompare>(wrong.event).nearer;
+    return explain(trace, replay.state(), wrong);
+  };
+  const Explanation empty = told_wrong([](const DepthCompare& e) { return e.nearer; });
+  CHECK(empty.sentence.find("The trace says not nearer") == 0);
+  CHECK(empty.sentence.find("< \u221e is true") != std::string::npos);
+  CHECK(empty.sentence.find("hidden") == std::string::npos);
+  CHECK(any_formula(empty, "is true"));
+  CHECK(empty.doubt);
+  const Explanation tie = told_wrong([](const DepthCompare& e) { return !e.nearer && e.z == 5; });
+  CHECK(tie.sentence.find("The trace says nearer") == 0);
+  CHECK(tie.sentence.find("5 < 5 is false") != std::string::npos);
+  CHECK(any_formula(tie, "is false"));
+}
+
 TEST_CASE("names: a polygon without one is told by its index, depths by the convention") {
   Scene scene;
   scene.polygons.push_back({"A", {}, 0});

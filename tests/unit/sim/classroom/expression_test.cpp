@@ -124,6 +124,25 @@ TEST_CASE("a word of an enumeration is known by the field it is compared with") 
   CHECK(contains(error("facing == 1", kind_of<FacingTest>), "`facing` is never `that`"));
 }
 
+TEST_CASE("an expression has an end") {
+  const auto error = [](const std::string& text) {
+    return complaint([&] { parse_expression(text, "t.md:1"); });
+  };
+  const auto many = [](const std::string& first, const std::string& more, int times) {
+    std::string text = first;
+    for (int i = 0; i < times; ++i) text += more;
+    return text;
+  };
+  CHECK(error(many("1", "+1", 499)).empty());
+  for (const char* more : {"+1", "*x", " and x", " or \"a\"", "-z(1)"}) {
+    CAPTURE(more);
+    const std::string said = error(many("x", more, 100000));
+    CHECK(contains(said, "t.md:1: there are more than 1000 numbers, names and signs"));
+    CHECK(said.size() < 400);
+  }
+  CHECK(contains(error(many("f(1", ",1", 100000)), "t.md:1: there are more than 1000"));
+}
+
 TEST_CASE("docs/writing-a-lesson.md knows every name") {
   std::ifstream file(std::string(ZSTEP_SOURCE_DIR) + "/docs/writing-a-lesson.md");
   std::stringstream docs;

@@ -154,6 +154,9 @@ TEST_CASE("slips in the head") {
     return head.substr(0, head.size() - 4) + more + "+++\n## Here {at: start}\nText.\n";
   };
   CHECK(load_error(with("")) == "");
+  std::string dotted = "a";
+  for (int i = 0; i < 100000; ++i) dotted += ".a";
+  CHECK(contains(load_error(with(dotted + " = 1\n")), "7-made-up.md:6: "));
   CHECK(contains(load_error(with("[camera]\nrh = 3\n")), ":7: [camera] has no `rh`"));
   CHECK(contains(load_error(with("[camera]\nrho = \"far\"\n")), ":7: `rho` is no number"));
   CHECK(contains(load_error(with("[camera]\nrho = inf\n")), ":7: `rho` is no number"));
