@@ -25,7 +25,7 @@ Outcome must(const Folder& folder, const std::string& arguments) {
   CAPTURE(arguments);
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
-  CHECK(outcome.err.empty());
+  CHECK(times("\n" + outcome.err, "\n") - 1 == times("\n" + outcome.err, "\nnote: "));  // and nothing else
   return outcome;
 }
 
