@@ -244,10 +244,11 @@ case_says_how_it_goes_on_after_an_interruption() {
     until grep -q -- --build "$calls"; do sleep 0.1; done
     printf '\003'
     sleep 1
-  } | env --default-signal=INT script -qec "PATH='$box/bin:$box/tools' '$clone/zstep'; echo status \$?" /dev/null 2>&1)
+  } | env --default-signal=INT script -qec "PATH='$box/bin:$box/tools' exec '$clone/zstep'" /dev/null 2>&1)
+  status=$?
   expect "says so" "$output" 'stopped; run it again'
   refuse "no other alarm" "$output" 'failed'
-  expect "the usual status" "$output" 'status 130'
+  same "the usual status" "$status" 130
 }
 
 case_shows_why_configuring_failed() {
