@@ -156,7 +156,8 @@ inline constexpr KindText kind_text<ClipVertex>{"clip_vertex", "a vertex is held
 template <>
 inline constexpr auto fields_of<ClipVertex> = std::tuple{
     Field{"plane", &ClipVertex::plane, "1", "the plane"}, Field{"vertex", &ClipVertex::vertex, "index", "the vertex"},
-    Field{"distance", &ClipVertex::distance, "clip", "w + x_c and so on; not negative is inside"},
+    Field{"distance", &ClipVertex::distance, "clip",
+          "z_v - near, far - z_v, w_c + x_c and so on; not negative is inside"},
     Field{"inside", &ClipVertex::inside, "1", "kept"}};
 
 template <>
