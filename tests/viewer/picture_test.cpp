@@ -1,5 +1,6 @@
 // Laws of the picture: it is a function of the place in the trace, and nothing in it is cut.
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include "tests/viewer/drive.hpp"
 #include "sim/image/png.hpp"
@@ -185,7 +186,7 @@ TEST_CASE("a foreign trace without most kinds of events opens, and its panes say
 
 TEST_CASE("a screenshot is written without a display, and is the picture at that step") {
   const Trace trace = test::record_run("delhi");
-  const auto path = std::filesystem::temp_directory_path() / "zstep_viewer_test.png";
+  const auto path = std::filesystem::temp_directory_path() / ("zstep_viewer_test_" + std::to_string(getpid()) + ".png");
   ViewerOptions options;
   options.at = 120;
   options.screenshot = path;

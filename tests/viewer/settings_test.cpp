@@ -2,13 +2,14 @@
 #include <fstream>
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include "sim/viewer/settings.hpp"
 
 using namespace zstep::viewer;
 
 namespace {
-const std::filesystem::path path = std::filesystem::temp_directory_path() / "zstep_settings_test" / "viewer.ini";
+const std::filesystem::path path = std::filesystem::temp_directory_path() / ("zstep_settings_test_" + std::to_string(getpid())) / "viewer.ini";
 }
 
 TEST_CASE("settings come back as they were saved") {

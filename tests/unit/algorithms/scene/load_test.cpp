@@ -1,5 +1,6 @@
 // Scenes by path.
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -17,10 +18,9 @@ namespace {
 
 const std::string meshes = std::string(ZSTEP_SOURCE_DIR) + "/tests/data/meshes/";
 
-/// A folder of its own, gone at the end.
+/// A folder of its own, gone at the end. Tests run side by side, each in its process.
 struct Folder {
-  fs::path path = fs::temp_directory_path() /
-                  ("zstep_load_test_" + std::to_string(std::hash<std::string>{}(fs::current_path().string())));
+  fs::path path = fs::temp_directory_path() / ("zstep_load_test_" + std::to_string(getpid()));
   Folder() {
     fs::remove_all(path);
     fs::create_directories(path / "inner");
