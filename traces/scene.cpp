@@ -13,4 +13,10 @@ double view_depth(const Camera& camera, const Conventions& conventions, double b
   return 2 * f * F / (F + f - buffer_depth * (F - f));
 }
 
+Color color_at(const Picture& picture, const Scene& scene, std::size_t pixel) {
+  if (!picture.ink.empty() && picture.ink[pixel] != no_ink) return color_of(picture.ink[pixel]);
+  const std::int32_t polygon = picture.polygon[pixel];
+  return polygon == no_polygon ? scene.background : scene.polygons.at(static_cast<std::size_t>(polygon)).color;
+}
+
 }  // namespace zstep

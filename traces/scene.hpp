@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +21,20 @@ struct Color {
   bool operator==(const Color&) const = default;
 };
 
+/// What light does at a polygon beside giving it its colour. Only methods that follow light read it.
+struct Material {
+  double opacity = 1;      ///< 0…1, the part of what lies behind that it hides; 0 is not to be seen at all
+  double reflectance = 0;  ///< 0…1, the part of the colour that comes along the mirrored ray
+  double refraction = 1;   ///< index of refraction n of what lies behind the face, against n = 1 before it
+  bool operator==(const Material&) const = default;
+};
+
 /// One polygon as the file has it. Its index in Scene::polygons is the id that every buffer and event uses.
 struct Polygon {
   std::string name;  ///< a short label ("A"); empty for most meshes
   Color color;
   std::int32_t source_line = 0;  ///< line of the file it stands at, 0 if there is none
+  Material material{};
   bool operator==(const Polygon&) const = default;
 };
 
@@ -55,6 +66,25 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// A lamp, and all that makes a camera of it: what it shines on is what that camera sees. It looks from `position` at
+/// `target` with the world's z axis upwards, in perspective, with its projection plane at distance 1.
+struct Light {
+  glm::dvec3 position{0};    ///< world
+  glm::dvec3 target{0};      ///< world
+  double window = 0;         ///< half the height and half the width of the window on its projection plane
+  double near = 0, far = 0;  ///< distances of its clipping planes along the line of sight
+  bool operator==(const Light&) const = default;
+};
+
+/// A surface y = f(x, z) as a grid of samples: sample (column, row) is Scene::points[row * columns + column], and all of
+/// a row have the same z. The height y is drawn upwards, so a sample stands at (x, z, y) in the world.
+struct Surface {
+  std::string formula;  ///< f, without "y ="
+  double x_min = 0, x_max = 0, z_min = 0, z_max = 0;
+  std::int32_t columns = 0, rows = 0;  ///< samples along x, samples along z
+  bool operator==(const Surface&) const = default;
+};
+
 struct Raster {
   std::int32_t width = 64, height = 64;
   bool y_up = false;  ///< rows are drawn with row 0 at the bottom, as textbooks do (screen scenes only)
@@ -72,6 +102,8 @@ struct Scene {
   Color background{255, 255, 255};
   Camera camera;
   Raster raster;
+  std::optional<Light> light;
+  std::optional<Surface> surface;  ///< if the scene is one; its cells are the polygons
   bool operator==(const Scene&) const = default;
 };
 
@@ -87,17 +119,31 @@ struct Conventions {
   Interpolation interpolation = Interpolation::direct;
   Coverage coverage = Coverage::top_left;
   bool cull = true;  ///< back faces are dropped
+  /// The method's own options that were given, by name ("root" -> "random"); what is not here has its standard value.
+  std::map<std::string, std::string> options;
   bool operator==(const Conventions&) const = default;
 };
 
 inline constexpr std::int32_t no_polygon = -1;
 inline constexpr double no_depth = std::numeric_limits<double>::infinity();
 
-/// The two buffers. Row-major, `width` numbers a row; row 0 first.
+/// A colour of a pixel's own as Picture::ink keeps it.
+inline constexpr std::uint32_t no_ink = 0;
+constexpr std::uint32_t ink_of(Color color) {
+  return 0xff000000u | static_cast<std::uint32_t>(color.red) << 16 | static_cast<std::uint32_t>(color.green) << 8 |
+         color.blue;
+}
+constexpr Color color_of(std::uint32_t ink) {
+  return {static_cast<std::uint8_t>(ink >> 16), static_cast<std::uint8_t>(ink >> 8), static_cast<std::uint8_t>(ink)};
+}
+
+/// The two buffers, and a third where a method writes colours that are no polygon's own. Row-major, `width` numbers a
+/// row; row 0 first.
 struct Picture {
   std::int32_t width = 0, height = 0;
   std::vector<std::int32_t> polygon;  ///< [height*width], index of the polygon seen, no_polygon where none is
   std::vector<double> depth;          ///< [height*width], the buffer's own numbers, no_depth where nothing was drawn
+  std::vector<std::uint32_t> ink;     ///< [height*width] or empty; what ink_of() made, no_ink: the polygon's own colour
 
   Picture() = default;
   Picture(std::int32_t width_, std::int32_t height_)
@@ -110,7 +156,11 @@ struct Picture {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
   bool operator==(const Picture&) const = default;
+  void use_ink() { ink.assign(polygon.size(), no_ink); }
 };
+
+/// The colour of a pixel: its ink where it has one, else its polygon's, else the background.
+Color color_at(const Picture& picture, const Scene& scene, std::size_t pixel);
 
 /// z_v at a pixel from the number in the buffer (equation z* = f(a z + b)/z of 003, inverted; linear when
 /// orthographic). Infinity stays infinity; a screen scene's z is returned as it is.

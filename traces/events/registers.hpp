@@ -24,40 +24,61 @@ constexpr std::size_t count_fields() {
   return count;
 }
 
-struct FieldNames {
-  std::array<std::string_view, count_fields()> name{};
+// Every header that records includes this, so it is reckoned once and with a table of hashes.
+struct Slots {
+  std::array<std::string_view, count_fields()> name{};  ///< of each slot
+  std::array<std::uint16_t, 1024> by_hash{};               ///< slot + 1, at or after the place its name's hash says; 0: none
+  std::array<std::uint8_t, count_fields()> of_field{};     ///< slot of each field, by kind and then by field
+  std::array<std::uint16_t, kind_count + 1> first_field{};  ///< of each kind
   std::size_t size = 0;
+
+  /// The place of a name in by_hash, or the free place where it belongs.
+  constexpr std::size_t place_of(std::string_view wanted) const {
+    std::uint32_t hash = 2166136261u;  // FNV-1a
+    for (const char c : wanted) hash = (hash ^ static_cast<std::uint8_t>(c)) * 16777619u;
+    std::size_t place = (hash ^ hash >> 16) % by_hash.size();
+    while (by_hash[place] != 0 && name[by_hash[place] - 1u] != wanted) place = (place + 1) % by_hash.size();
+    return place;
+  }
 };
 
-constexpr FieldNames unique_field_names() {
-  FieldNames names;
+constexpr Slots assign_slots() {
+  Slots slots;
+  std::size_t field_number = 0, kind = 0;
   for_each_kind([&]<class E>() {
+    slots.first_field[kind++] = static_cast<std::uint16_t>(field_number);
     for_each_field<E>([&](const auto& field) {
-      for (std::size_t i = 0; i < names.size; ++i) {
-        if (names.name[i] == field.name) return;
+      const std::size_t place = slots.place_of(field.name);
+      if (slots.by_hash[place] == 0) {
+        slots.name[slots.size++] = field.name;
+        slots.by_hash[place] = static_cast<std::uint16_t>(slots.size);
       }
-      names.name[names.size++] = field.name;
+      slots.of_field[field_number++] = static_cast<std::uint8_t>(slots.by_hash[place] - 1u);
     });
   });
-  return names;
+  return slots;
 }
 
-inline constexpr FieldNames field_names = unique_field_names();
+inline constexpr Slots slots = assign_slots();
+static_assert(slots.size <= 256, "a slot's number is one byte");
 
 }  // namespace detail
 
 /// How many registers there are.
-inline constexpr std::size_t slot_count = detail::field_names.size;
+inline constexpr std::size_t slot_count = detail::slots.size;
 
 /// The register of a field name; a compile-time error for a name no event has.
 consteval std::size_t slot_of(std::string_view name) {
-  std::size_t slot = 0;
-  while (detail::field_names.name[slot] != name) ++slot;
-  return slot;
+  const std::uint16_t found = detail::slots.by_hash[detail::slots.place_of(name)];
+  if (found == 0) throw "no event has a field of this name";
+  return found - 1u;
 }
+/// The register of the I-th field of an event.
+template <class E, std::size_t I>
+inline constexpr std::size_t slot_at = detail::slots.of_field[detail::slots.first_field[kind_of<E>] + I];
 
 /// The name of a register.
-constexpr std::string_view slot_name(std::size_t slot) { return detail::field_names.name[slot]; }
+constexpr std::string_view slot_name(std::size_t slot) { return detail::slots.name[slot]; }
 
 template <class E>
 inline constexpr std::size_t field_count = std::tuple_size_v<std::remove_const_t<decltype(fields_of<E>)>>;
@@ -97,7 +118,7 @@ class Registers {
   template <class E, std::size_t I>
   auto guess() const {
     constexpr auto field = field_at<E, I>;
-    constexpr std::size_t slot = slot_of(field.name);
+    constexpr std::size_t slot = slot_at<E, I>;
     if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
       if constexpr (field.guess == Guess::on_span) return increments_ ? stepped(slot) : on_span();
       else return real_[slot];
@@ -110,11 +131,11 @@ class Registers {
 
   template <class E, std::size_t I>
   void set(double value) {
-    real_[slot_of(field_at<E, I>.name)] = value;
+    real_[slot_at<E, I>] = value;
   }
   template <class E, std::size_t I>
   void set(std::int32_t value) {
-    whole_[slot_of(field_at<E, I>.name)] = value;
+    whole_[slot_at<E, I>] = value;
     // A span foretells where its first pixel is.
     if constexpr (std::is_same_v<E, SpanBegin> && field_at<E, I>.name == "first") {
       whole_[slot_of("x")] = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) - 1u);

@@ -79,7 +79,7 @@ class BlockEncoder {
     put_varint(columns_[misses_column], missed);
     for_each_index<E>([&]<std::size_t I>() {
       if ((missed >> I & 1u) == 0) return;
-      Bytes& column = columns_[slot_of(field_at<E, I>.name)];
+      Bytes& column = columns_[slot_at<E, I>];
       if constexpr (std::is_same_v<FieldValue<E, I>, double>) put_u64(column, residual[I]);
       else put_varint(column, zigzag(static_cast<std::int32_t>(static_cast<std::uint32_t>(residual[I]))));
     });
@@ -96,7 +96,7 @@ class BlockEncoder {
       info_.x_max = std::max(info_.x_max, event.x);
       info_.y_min = std::min(info_.y_min, event.y);
       info_.y_max = std::max(info_.y_max, event.y);
-    } else if constexpr (std::is_same_v<E, PolygonBegin>) {
+    } else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) {
       info_.marks.push_back({info_.count, event.polygon});
     }
   }
@@ -146,7 +146,7 @@ class BlockDecoder {
     E event;
     for_each_index<E>([&]<std::size_t I>() {
       using Value = FieldValue<E, I>;
-      constexpr std::size_t slot = slot_of(field_at<E, I>.name);
+      constexpr std::size_t slot = slot_at<E, I>;
       auto value = registers_.guess<E, I>();
       if ((mask >> I & 1u) != 0) {
         if constexpr (std::is_same_v<Value, double>) {

@@ -14,6 +14,9 @@ namespace {
 // Clipping a facet of n corners against one plane makes at most n vertices, and there are six planes.
 constexpr std::int64_t clip_factor = 8, spare = 64;
 
+// Cutting makes vertices, too; how many depends on the scene. A replay asks for them one by one, so this only bounds.
+constexpr std::int32_t cut_vertices = 1 << 26;
+
 constexpr std::int64_t clear_budget = std::int64_t{1} << 31;  // pixels a block may clear
 
 // Scenes are held to traces/limits.hpp, so these fit.
@@ -21,7 +24,9 @@ std::int32_t count_of(std::size_t size) { return static_cast<std::int32_t>(size)
 
 }  // namespace
 
-std::int32_t vertex_limit(const Scene& scene) { return count_of(scene.points.size()) + edge_limit(scene); }
+std::int32_t vertex_limit(const Scene& scene) {
+  return count_of(scene.points.size()) + edge_limit(scene) + cut_vertices;
+}
 
 std::int32_t edge_limit(const Scene& scene) {
   return static_cast<std::int32_t>(clip_factor * static_cast<std::int64_t>(scene.corners.size()) + spare);
@@ -48,35 +53,54 @@ std::string EventCheck::operator()(const E& event) {
   const auto below = [&](std::string_view what, std::int32_t value, std::int32_t limit) {
     if (value < 0 || value >= limit) fault = fmt::format("{} {} does not exist (there are {})", what, value, limit);
   };
+  const auto below_or_none = [&](std::string_view what, std::int32_t value, std::int32_t limit) {
+    if (value != -1) below(what, value, limit);
+  };
   for_each_index<E>([&]<std::size_t I>() {
     if constexpr (std::is_same_v<FieldValue<E, I>, std::int32_t>) {
       constexpr std::string_view name = field_at<E, I>.name;
       const std::int32_t value = event.*field_at<E, I>.member;
       if constexpr (name == "polygon") below("polygon", value, polygons_);
+      else if constexpr (name == "owner") below_or_none("polygon", value, polygons_);
       else if constexpr (name == "facet") below("facet", value, facets_);
+      else if constexpr (name == "nearest_facet" || name == "left_facet" || name == "right_facet")
+        below_or_none("facet", value, facets_);
       else if constexpr (name.substr(0, 6) == "vertex") below("vertex", value, vertices_);
       else if constexpr (name == "edge" || name == "left_edge" || name == "right_edge") below("edge", value, edges_);
-      else if constexpr (name == "place") below("place", value, edges_);
       else if constexpr (name == "x") within("column", value, 0, width_ - 1);
       else if constexpr (name == "y") within("row", value, 0, height_ - 1);
       else if constexpr (name == "first" || name == "last") within("column", value, -2, width_);
       else if constexpr (name == "first_row" || name == "end_row") within("row", value, 0, height_);
+      else if constexpr (name == "first_column" || name == "end_column") within("column", value, 0, width_);
+      else if constexpr (name == "r8" || name == "g8" || name == "b8") below("shade", value, 256);
     }
   });
   return fault;
 }
 
 #define ZSTEP_INSTANTIATE(E) template std::string EventCheck::operator()<E>(const E&);
-ZSTEP_INSTANTIATE(BuffersClear)
-ZSTEP_INSTANTIATE(ViewTransform)
-ZSTEP_INSTANTIATE(Projection)
-ZSTEP_INSTANTIATE(ViewportTransform) ZSTEP_INSTANTIATE(PolygonBegin) ZSTEP_INSTANTIATE(FacingTest)
-    ZSTEP_INSTANTIATE(PolygonReject) ZSTEP_INSTANTIATE(ClipTest) ZSTEP_INSTANTIATE(ClipVertex)
-        ZSTEP_INSTANTIATE(ClipCross) ZSTEP_INSTANTIATE(OutlineVertex) ZSTEP_INSTANTIATE(EdgeTableInsert)
-            ZSTEP_INSTANTIATE(EdgeTableSkip) ZSTEP_INSTANTIATE(ScanLineBegin) ZSTEP_INSTANTIATE(EdgeEnter)
-                ZSTEP_INSTANTIATE(EdgeRetire) ZSTEP_INSTANTIATE(EdgeStep) ZSTEP_INSTANTIATE(EdgeSwap)
-                    ZSTEP_INSTANTIATE(SpanBegin) ZSTEP_INSTANTIATE(DepthInterpolate) ZSTEP_INSTANTIATE(DepthCompare)
-                        ZSTEP_INSTANTIATE(DepthWrite) ZSTEP_INSTANTIATE(PixelWrite)
+// clang-format off
+ZSTEP_INSTANTIATE(BuffersClear) ZSTEP_INSTANTIATE(ViewTransform) ZSTEP_INSTANTIATE(Projection) ZSTEP_INSTANTIATE(ViewportTransform)
+ZSTEP_INSTANTIATE(PolygonBegin) ZSTEP_INSTANTIATE(FacingTest) ZSTEP_INSTANTIATE(PolygonReject) ZSTEP_INSTANTIATE(ClipTest)
+ZSTEP_INSTANTIATE(ClipVertex) ZSTEP_INSTANTIATE(ClipCross) ZSTEP_INSTANTIATE(OutlineVertex) ZSTEP_INSTANTIATE(EdgeTableInsert)
+ZSTEP_INSTANTIATE(EdgeTableSkip) ZSTEP_INSTANTIATE(ScanLineBegin) ZSTEP_INSTANTIATE(EdgeEnter) ZSTEP_INSTANTIATE(EdgeRetire)
+ZSTEP_INSTANTIATE(EdgeStep) ZSTEP_INSTANTIATE(EdgeSwap) ZSTEP_INSTANTIATE(SpanBegin) ZSTEP_INSTANTIATE(DepthInterpolate)
+ZSTEP_INSTANTIATE(DepthCompare) ZSTEP_INSTANTIATE(DepthWrite) ZSTEP_INSTANTIATE(PixelWrite) ZSTEP_INSTANTIATE(PixelPaint)
+ZSTEP_INSTANTIATE(ColorWrite) ZSTEP_INSTANTIATE(ColorBlend) ZSTEP_INSTANTIATE(PassBegin) ZSTEP_INSTANTIATE(ShadowCompare)
+ZSTEP_INSTANTIATE(TablesBegin) ZSTEP_INSTANTIATE(PieceMake) ZSTEP_INSTANTIATE(PlaneEquation) ZSTEP_INSTANTIATE(Extent)
+ZSTEP_INSTANTIATE(PlaneDepth) ZSTEP_INSTANTIATE(VertexSide) ZSTEP_INSTANTIATE(SideTest) ZSTEP_INSTANTIATE(ExtentTest)
+ZSTEP_INSTANTIATE(OverlapTest) ZSTEP_INSTANTIATE(SplitVertex) ZSTEP_INSTANTIATE(PieceDraw) ZSTEP_INSTANTIATE(Saved)
+ZSTEP_INSTANTIATE(ListInsert) ZSTEP_INSTANTIATE(ListRemove) ZSTEP_INSTANTIATE(ListMark) ZSTEP_INSTANTIATE(PairBegin)
+ZSTEP_INSTANTIATE(RootCandidate) ZSTEP_INSTANTIATE(NodeMake) ZSTEP_INSTANTIATE(NodeAdd) ZSTEP_INSTANTIATE(EyeSide)
+ZSTEP_INSTANTIATE(NodeSkip) ZSTEP_INSTANTIATE(FlagFlip) ZSTEP_INSTANTIATE(SpanFlags) ZSTEP_INSTANTIATE(ImpliedEdge)
+ZSTEP_INSTANTIATE(SpanWinner) ZSTEP_INSTANTIATE(CoverageAdd) ZSTEP_INSTANTIATE(AreaBegin) ZSTEP_INSTANTIATE(AreaBin)
+ZSTEP_INSTANTIATE(AreaDecide) ZSTEP_INSTANTIATE(BoxMake) ZSTEP_INSTANTIATE(BoxHold) ZSTEP_INSTANTIATE(GridMake)
+ZSTEP_INSTANTIATE(CellHold) ZSTEP_INSTANTIATE(RayBegin) ZSTEP_INSTANTIATE(CellVisit) ZSTEP_INSTANTIATE(BoxTest)
+ZSTEP_INSTANTIATE(RayPlane) ZSTEP_INSTANTIATE(RayHit) ZSTEP_INSTANTIATE(RayEnd) ZSTEP_INSTANTIATE(CurveBegin)
+ZSTEP_INSTANTIATE(CurveSegment) ZSTEP_INSTANTIATE(HorizonTest) ZSTEP_INSTANTIATE(HorizonMove) ZSTEP_INSTANTIATE(HorizonCross)
+ZSTEP_INSTANTIATE(LineBegin) ZSTEP_INSTANTIATE(LineAgainst) ZSTEP_INSTANTIATE(LineCross) ZSTEP_INSTANTIATE(LineHide)
+ZSTEP_INSTANTIATE(LinePiece)
+// clang-format on
 #undef ZSTEP_INSTANTIATE
 
 }  // namespace zstep

@@ -71,6 +71,7 @@ ordered_json header_to_json(const Header& header) {
       {"nearer", "smaller"},
       {"ties", "first"},
   };
+  for (const auto& [name, value] : header.conventions.options) out["conventions"]["options"][name] = value;
   out["steps"] = std::move(steps);
   return out;
 }
@@ -91,6 +92,14 @@ Header header_from_json(const json& in) {
       word_or(conventions, "interpolation", interpolation_words, Conventions::Interpolation::direct);
   header.conventions.coverage = word_or(conventions, "coverage", coverage_words, Conventions::Coverage::top_left);
   header.conventions.cull = truth_or(conventions, "cull", true);
+  if (conventions.contains("options")) {
+    const json& options = conventions.at("options");
+    if (!options.is_object()) throw MalformedJson("\"options\" is not an object");
+    for (const auto& [name, value] : options.items()) {
+      if (!value.is_string()) throw MalformedJson(fmt::format("the option \"{}\" is not a text", name));
+      header.conventions.options[name] = value.get<std::string>();
+    }
+  }
   std::array<bool, step_limit> taken{};
   for (const json& entry : list(in, "steps")) {
     StepInfo step;

@@ -25,6 +25,10 @@ nlohmann::ordered_json camera_to_json(const Camera& camera);
 Camera camera_from_json(const nlohmann::json& json);
 nlohmann::ordered_json raster_to_json(const Raster& raster);
 Raster raster_from_json(const nlohmann::json& json);
+nlohmann::ordered_json light_to_json(const Light& light);
+Light light_from_json(const nlohmann::json& json);
+nlohmann::ordered_json surface_to_json(const Surface& surface);
+Surface surface_from_json(const nlohmann::json& json);
 
 /// Parses JSON that may be made to fill the machine: long texts only as deep as ours are. Throws MalformedJson for
 /// that, nlohmann::json::exception for what is no JSON.
@@ -34,7 +38,8 @@ nlohmann::json parse_bounded(const std::string& text);
 nlohmann::ordered_json real_to_json(double value);
 double real_from_json(const nlohmann::json& json, const char* what);
 
-/// Throws MalformedJson unless every index of the scene points into it and every size is one a raster can have.
+/// Throws MalformedJson unless every index of the scene points into it, every size is one a raster can have, and
+/// materials, light and surface are possible.
 void check_scene(const Scene& scene);
 
 }  // namespace zstep

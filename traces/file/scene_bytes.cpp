@@ -1,5 +1,7 @@
 #include "traces/file/scene_bytes.hpp"
 
+#include <algorithm>
+
 #include "traces/events/registers.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/limits.hpp"
@@ -18,6 +20,41 @@ Color take_color(ByteReader& in) {
   Color color;
   for (std::uint8_t* part : {&color.red, &color.green, &color.blue}) *part = in.u8();
   return color;
+}
+
+/// What most scenes do not have stands at the end, and is missing where a scene has none of it: light and surface as
+/// JSON, then the materials, as runs of polygons that have the same.
+bool has_extras(const Scene& scene) {
+  return scene.light || scene.surface ||
+         std::any_of(scene.polygons.begin(), scene.polygons.end(),
+                     [](const Polygon& polygon) { return polygon.material != Material{}; });
+}
+
+void put_extras(Bytes& out, const Scene& scene) {
+  nlohmann::ordered_json document = nlohmann::ordered_json::object();
+  if (scene.light) document["light"] = light_to_json(*scene.light);
+  if (scene.surface) document["surface"] = surface_to_json(*scene.surface);
+  put_text(out, document.dump());
+  const std::vector<Polygon>& polygons = scene.polygons;
+  for (std::size_t first = 0, end = 1; first < polygons.size(); first = end++) {
+    const Material& material = polygons[first].material;
+    while (end < polygons.size() && polygons[end].material == material) ++end;
+    put_varint(out, end - first);
+    for (const double value : {material.opacity, material.reflectance, material.refraction})
+      put_u64(out, bits_of(value));
+  }
+}
+
+void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
+  if (document.contains("light")) scene.light = light_from_json(document.at("light"));
+  if (document.contains("surface")) scene.surface = surface_from_json(document.at("surface"));
+  for (std::size_t first = 0; first < scene.polygons.size();) {
+    const std::uint64_t length = in.varint();
+    if (length == 0 || length > scene.polygons.size() - first) throw MalformedBytes("a material of no polygon");
+    Material material;
+    for (double* value : {&material.opacity, &material.reflectance, &material.refraction}) *value = double_of(in.u64());
+    for (const std::size_t end = first + length; first < end; ++first) scene.polygons[first].material = material;
+  }
 }
 
 }  // namespace
@@ -49,6 +86,7 @@ Bytes scene_to_bytes(const Scene& scene) {
       put_varint(out, zigzag(scene.corners[static_cast<std::size_t>(facet.first_corner + i)]));
     }
   }
+  if (has_extras(scene)) put_extras(out, scene);
   return out;
 }
 
@@ -57,7 +95,7 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   const auto whole = [&] { return unzigzag(static_cast<std::uint32_t>(in.varint())); };
   const auto document = [&] {
     const std::string text = in.text();
-    if (text.size() > document_limit) throw MalformedBytes("a camera or raster of more than 4 KiB");
+    if (text.size() > document_limit) throw MalformedBytes("a camera, raster or light of more than 4 KiB");
     try {
       return nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception& error) {
@@ -98,6 +136,8 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
       throw MalformedBytes("a facet with more corners than the data");
     for (std::int32_t i = 0; i < facet.corner_count; ++i) scene.corners.push_back(whole());
   }
+  if (!in.empty()) take_extras(in, document(), scene);
+  if (!in.empty()) throw MalformedBytes("the scene is followed by something");
   check_scene(scene);
   return scene;
 }

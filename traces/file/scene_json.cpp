@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "traces/file/header_json.hpp"
@@ -104,6 +107,34 @@ Raster raster_from_json(const json& in) {
   return raster;
 }
 
+ordered_json light_to_json(const Light& light) {
+  return {{"position", vector_to(light.position)},
+          {"target", vector_to(light.target)},
+          {"window", real_to_json(light.window)},
+          {"near", real_to_json(light.near)},
+          {"far", real_to_json(light.far)}};
+}
+
+Light light_from_json(const json& in) {
+  return {vector_from(member(in, "position"), "position"), vector_from(member(in, "target"), "target"),
+          real(in, "window"), real(in, "near"), real(in, "far")};
+}
+
+ordered_json surface_to_json(const Surface& surface) {
+  return {{"formula", surface.formula},
+          {"x_min", real_to_json(surface.x_min)},
+          {"x_max", real_to_json(surface.x_max)},
+          {"z_min", real_to_json(surface.z_min)},
+          {"z_max", real_to_json(surface.z_max)},
+          {"columns", surface.columns},
+          {"rows", surface.rows}};
+}
+
+Surface surface_from_json(const json& in) {
+  return {text(in, "formula"), real(in, "x_min"),    real(in, "x_max"), real(in, "z_min"),
+          real(in, "z_max"),   whole(in, "columns"), whole(in, "rows")};
+}
+
 ordered_json scene_to_json(const Scene& scene) {
   ordered_json out;
   out["name"] = scene.name;
@@ -111,6 +142,8 @@ ordered_json scene_to_json(const Scene& scene) {
   out["raster"] = raster_to_json(scene.raster);
   out["camera"] = camera_to_json(scene.camera);
   out["background"] = color_text(scene.background);
+  if (scene.light) out["light"] = light_to_json(*scene.light);
+  if (scene.surface) out["surface"] = surface_to_json(*scene.surface);
   ordered_json points = ordered_json::array();
   for (const glm::dvec3& point : scene.points) points.push_back(vector_to(point));
   out["points"] = std::move(points);
@@ -121,6 +154,10 @@ ordered_json scene_to_json(const Scene& scene) {
     if (!polygon.name.empty()) entry["name"] = polygon.name;
     entry["color"] = color_text(polygon.color);
     if (polygon.source_line != 0) entry["line"] = polygon.source_line;
+    const Material& material = polygon.material;
+    if (material.opacity != 1) entry["opacity"] = real_to_json(material.opacity);
+    if (material.reflectance != 0) entry["reflectance"] = real_to_json(material.reflectance);
+    if (material.refraction != 1) entry["refraction"] = real_to_json(material.refraction);
     polygons.push_back(std::move(entry));
   }
   out["polygons"] = std::move(polygons);
@@ -143,13 +180,17 @@ Scene scene_from_json(const json& in) {
   scene.raster = raster_from_json(member(in, "raster"));
   scene.camera = camera_from_json(member(in, "camera"));
   scene.background = color_from(text_or(in, "background", "#ffffff"));
+  if (in.contains("light")) scene.light = light_from_json(in.at("light"));
+  if (in.contains("surface")) scene.surface = surface_from_json(in.at("surface"));
   for (const json& point : list(in, "points")) scene.points.push_back(vector_from(point, "points"));
   if (in.contains("point_lines")) {
     for (const json& line : list(in, "point_lines")) scene.point_lines.push_back(whole_from(line, "point_lines"));
   }
   for (const json& entry : list(in, "polygons")) {
-    scene.polygons.push_back(
-        {text_or(entry, "name", ""), color_from(text_or(entry, "color", "#999999")), whole_or(entry, "line", 0)});
+    const Material material{real_or(entry, "opacity", 1), real_or(entry, "reflectance", 0),
+                            real_or(entry, "refraction", 1)};
+    scene.polygons.push_back({text_or(entry, "name", ""), color_from(text_or(entry, "color", "#999999")),
+                              whole_or(entry, "line", 0), material});
   }
   for (const json& entry : list(in, "facets")) {
     const json& corners = list(entry, "points");
@@ -161,36 +202,80 @@ Scene scene_from_json(const json& in) {
   return scene;
 }
 
+namespace {
+
+[[noreturn]] void wrong_scene(const std::string& what) { throw MalformedJson("its scene is wrong: " + what); }
+
+void check_materials(const std::vector<Polygon>& polygons) {
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const auto [opacity, reflectance, refraction] = polygons[i].material;
+    const auto part = [](double value) { return value >= 0 && value <= 1; };
+    if (!part(opacity)) wrong_scene(fmt::format("polygon {} has an opacity of {}, not from 0 to 1", i, opacity));
+    if (!part(reflectance))
+      wrong_scene(fmt::format("polygon {} has a reflectance of {}, not from 0 to 1", i, reflectance));
+    if (!(refraction >= least_refraction && refraction <= most_refraction))
+      wrong_scene(fmt::format("polygon {} has a refraction of {}, not from {} to {}", i, refraction, least_refraction,
+                              most_refraction));
+  }
+}
+
+void check_light(const Light& light) {
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  const double distance = glm::length(light.target - light.position);
+  if (!positive(distance)) wrong_scene("the light stands at its target, or one of them nowhere");
+  if (!positive(light.window)) wrong_scene(fmt::format("the light has a window of {}", light.window));
+  if (!positive(light.near) || !positive(light.far) || !(light.near < light.far))
+    wrong_scene(fmt::format("the light has planes at {} and {}", light.near, light.far));
+}
+
+void check_surface(const Surface& surface, std::size_t points) {
+  const auto range = [](double low, double high) { return std::isfinite(low) && std::isfinite(high) && low < high; };
+  if (surface.formula.empty() || surface.formula.size() > longest_formula)
+    wrong_scene(fmt::format("the surface has a formula of {} characters", surface.formula.size()));
+  if (!range(surface.x_min, surface.x_max) || !range(surface.z_min, surface.z_max))
+    wrong_scene("the surface has a range that does not go from a smaller to a greater number");
+  const std::int64_t samples = std::int64_t{surface.columns} * surface.rows;
+  if (surface.columns < 1 || surface.rows < 1 || samples > most_surface_samples)
+    wrong_scene(fmt::format("the surface has {} x {} samples", surface.columns, surface.rows));
+  if (samples != static_cast<std::int64_t>(points))
+    wrong_scene(
+        fmt::format("the surface has {} x {} samples, but there are {} points", surface.columns, surface.rows, points));
+}
+
+}  // namespace
+
 void check_scene(const Scene& scene) {
-  const auto fail = [](const std::string& what) { throw MalformedJson("its scene is wrong: " + what); };
   const auto [width, height, y_up] = scene.raster;
   if (width < 1 || height < 1 || width > largest_side || height > largest_side ||
       std::int64_t{width} * height > most_pixels) {
-    fail(fmt::format("a raster of {}x{} pixels (each side is 1 to {}, and there are at most {} pixels)", width, height,
-                     largest_side, most_pixels));
+    wrong_scene(fmt::format("a raster of {}x{} pixels (each side is 1 to {}, and there are at most {} pixels)", width,
+                            height, largest_side, most_pixels));
   }
   const auto most = [&](const char* what, std::size_t count, std::int64_t limit) {
     if (count > static_cast<std::size_t>(limit))
-      fail(fmt::format("{} {}, of which there can be {}", count, what, limit));
+      wrong_scene(fmt::format("{} {}, of which there can be {}", count, what, limit));
   };
   most("points", scene.points.size(), most_points);
   most("polygons", scene.polygons.size(), most_polygons);
   most("facets", scene.facets.size(), most_facets);
   most("corners", scene.corners.size(), most_corners);
   if (!scene.point_lines.empty() && scene.point_lines.size() != scene.points.size())
-    fail("as many lines as points are needed, or none");
+    wrong_scene("as many lines as points are needed, or none");
   for (std::size_t i = 0; i < scene.facets.size(); ++i) {
     const Facet& facet = scene.facets[i];
     if (facet.polygon < 0 || static_cast<std::size_t>(facet.polygon) >= scene.polygons.size())
-      fail(fmt::format("facet {} is of polygon {}, which does not exist", i, facet.polygon));
+      wrong_scene(fmt::format("facet {} is of polygon {}, which does not exist", i, facet.polygon));
     const std::int64_t end = static_cast<std::int64_t>(facet.first_corner) + facet.corner_count;
     if (facet.first_corner < 0 || facet.corner_count < 0 || end > static_cast<std::int64_t>(scene.corners.size()))
-      fail(fmt::format("facet {} has corners outside the list", i));
+      wrong_scene(fmt::format("facet {} has corners outside the list", i));
   }
   for (const std::int32_t corner : scene.corners) {
     if (corner < 0 || static_cast<std::size_t>(corner) >= scene.points.size())
-      fail(fmt::format("there is no point {}", corner));
+      wrong_scene(fmt::format("there is no point {}", corner));
   }
+  check_materials(scene.polygons);
+  if (scene.light) check_light(*scene.light);
+  if (scene.surface) check_surface(*scene.surface, scene.points.size());
 }
 
 }  // namespace zstep

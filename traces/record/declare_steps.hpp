@@ -7,7 +7,9 @@
 //
 // A steps.def holds, in reading order,
 //     STEP(indent, name, Event, "the line of pseudo-code")
-//     STEPS_OF(module)    where the lines of another module stand in this page
+//     STEPS_OF(module)          where the lines of another module stand in this page
+//     STEPS_FROM(module, name)  the same, but only those from `name` on
+//     STEP_OF(indent, module, name, "text")  one line of another module, in this page's own place and words
 // and yields zstep::z_buffer::step::name (a Step<Event>) and zstep::z_buffer::page().
 
 #ifndef ZSTEP_STRINGIZE
@@ -25,9 +27,13 @@ enum : std::uint8_t {
   before_first = ZSTEP_FIRST_STEP - 1,
 #define STEP(indent, name, event, text) name,
 #define STEPS_OF(module)
+#define STEPS_FROM(module, first)
+#define STEP_OF(indent, module, name, text)
 #include ZSTEP_STEPS
 #undef STEP
 #undef STEPS_OF
+#undef STEPS_FROM
+#undef STEP_OF
   end
 };
 static_assert(end <= step_limit, "a trace has room for 128 steps");
@@ -35,9 +41,13 @@ static_assert(end <= step_limit, "a trace has room for 128 steps");
 
 #define STEP(indent, name, event, text) inline constexpr Step<event> name{id::name};
 #define STEPS_OF(module)
+#define STEPS_FROM(module, first)
+#define STEP_OF(indent, module, name, text)
 #include ZSTEP_STEPS
 #undef STEP
 #undef STEPS_OF
+#undef STEPS_FROM
+#undef STEP_OF
 }  // namespace step
 
 /// This module's lines of pseudo-code, those of the modules it builds on included where they are read.
@@ -45,11 +55,20 @@ inline Page page() {
   Page lines;
 #define STEP(indent, name, event, text) \
   lines.push_back({step::id::name, kind_of<event>, indent, ZSTEP_STRINGIZE(ZSTEP_MODULE), #name, text});
-#define STEPS_OF(module)                                \
-  for (StepInfo& line : ::zstep::module::page()) lines.push_back(line);
+#define STEPS_OF(module) \
+  for (StepInfo & line : ::zstep::module::page()) lines.push_back(line);
+#define STEPS_FROM(module, first)                                          \
+  for (StepInfo & line : ::zstep::module::page()) {                        \
+    if (line.id >= ::zstep::module::step::first.id) lines.push_back(line); \
+  }
+#define STEP_OF(indent, module, name, text)                                                                            \
+  lines.push_back({::zstep::module::step::name.id,                                                                     \
+                   []<class E>(Step<E>) { return kind_of<E>; }(::zstep::module::step::name), indent, #module, #name, text});
 #include ZSTEP_STEPS
 #undef STEP
 #undef STEPS_OF
+#undef STEPS_FROM
+#undef STEP_OF
   return lines;
 }
 

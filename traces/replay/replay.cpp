@@ -33,6 +33,12 @@ struct Replay::Impl {
   State beginning() const {
     State first;
     first.picture = Picture(trace->scene().raster.width, trace->scene().raster.height);
+    const Page& page = trace->header().page;
+    const auto records = [&](std::uint8_t kind) {
+      return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
+    };
+    if (records(kind_of<ColorWrite>) || records(kind_of<ColorBlend>)) first.picture.use_ink();
+    if (records(kind_of<PassBegin>)) first.light = Picture(first.picture.width, first.picture.height);
     first.vertices.resize(points);
     if (trace->scene().camera.kind == Camera::Kind::screen) {
       for (std::size_t i = 0; i < points; ++i) {

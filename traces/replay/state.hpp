@@ -1,26 +1,30 @@
 // The state of a run at one position, rebuilt from its trace alone.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "traces/scene.hpp"
 #include "traces/events/vocabulary.hpp"
+#include "traces/replay/structures.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
-/// How far a vertex has come on its way to the raster. Its world coordinates are the scene's.
+/// How far a vertex has come on its way to the raster. The world coordinates of the scene's points are the scene's.
 struct VertexWay {
   enum Stage : std::uint8_t { untouched = 0, viewed = 1, projected = 2, on_raster = 3 };
   Stage stage = untouched;
   glm::dvec3 view{0};    ///< (x_v, y_v, z_v)
   glm::dvec3 plane{0};   ///< (x_p, y_p, z): on the projection plane, with the depth that is interpolated
   glm::dvec2 raster{0};  ///< (x_s, y_s)
-  bool operator==(const VertexWay&) const;  ///< to the bit
+  glm::dvec3 world{0};   ///< of vertices that cutting in the world made; 0 for all others
+  auto members() const { return std::tie(stage, view, plane, raster, world); }
 };
 
 /// A row of the edge table.
@@ -28,14 +32,14 @@ struct EdgeRow {
   enum class Where : std::uint8_t { waiting, active, retired };
   EdgeTableInsert entry{};
   Where where = Where::waiting;
-  bool operator==(const EdgeRow&) const;
+  auto members() const { return std::tie(entry, where); }
 };
 
 /// An entry of the active edge list: its x and depth on the current scan line.
 struct ActiveEdge {
   std::int32_t edge = 0;  ///< index into State::edge_table
   double x = 0, z = 0;
-  bool operator==(const ActiveEdge&) const;  ///< to the bit
+  auto members() const { return std::tie(edge, x, z); }
 };
 
 /// The pixel at work.
@@ -45,31 +49,65 @@ struct Fragment {
   double stored = 0;                         ///< the depth buffer's before this fragment
   std::int32_t stored_polygon = no_polygon;  ///< the frame's before this fragment
   std::optional<bool> nearer;                ///< the compare's outcome, once it was made
-  bool operator==(const Fragment&) const;    ///< to the bit
+  auto members() const { return std::tie(x, y, z, stored, stored_polygon, nearer); }
 };
 
 /// What a method has at hand: everything a pane shows besides buffers and vertices.
 struct Machine {
-  std::int32_t polygon = no_polygon, facet = -1;  ///< at work
-  std::optional<FacingTest> facing;               ///< of that facet, once tested
+  // One polygon, or one piece, at work.
+  std::int32_t polygon = no_polygon, facet = -1, piece = -1;
+  std::optional<FacingTest> facing;  ///< of that facet, once tested
   std::optional<ClipTest> clip_test;
   std::optional<Reject> rejected;
   std::vector<std::int32_t> outline;  ///< its vertices as drawn (indices into vertices)
-  std::vector<EdgeRow> edge_table;    ///< by edge number; buckets by entry.first_row
+  SharedVector<EdgeRow> edge_table;   ///< by edge number; buckets by entry.first_row
   std::vector<ActiveEdge> active;     ///< left to right
   std::optional<std::int32_t> scan_line;
   std::optional<SpanBegin> span;
   std::optional<Fragment> fragment;
-  bool operator==(const Machine&) const;
+
+  // The whole run.
+  bool keeps_all = false;  ///< edges, vertices and pieces of all polygons are kept (tables_begin)
+  Pass pass = Pass::eye;
+  SharedVector<Piece> pieces;
+  std::int32_t pieces_drawn = 0;
+  SharedVector<ListEntry> list;   ///< depth sort's, from the front
+  std::optional<PairBegin> pair;  ///< under test
+  SharedVector<TreeNode> tree;    ///< node 0 is the root
+  std::int32_t node = -1;         ///< at work
+  Sweep sweep;                    ///< along the scan line
+  SharedVector<AreaRow> areas;    ///< by number
+  std::int32_t area = -1;         ///< at work
+  std::vector<AreaBin> bins;      ///< of that area
+  SharedVector<BoxRow> boxes;     ///< by number
+  std::optional<GridMake> grid;
+  SharedVector<CellHold> cells;  ///< what the grid's cells hold
+  RayWork rays;
+  HorizonWork horizon;
+  SharedVector<LineRow> lines;                                   ///< by number
+  std::int32_t line = -1;                                        ///< at work
+  std::optional<LineAgainst> against;                            ///< the face that line was last held against
+  std::optional<ShadowCompare> shadow;                           ///< the last one
+  std::array<std::int64_t, words_of<Coherence>.size()> saved{};  ///< tests, by coherence
+
+  auto members() const {
+    return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, active, scan_line, span,
+                    fragment, keeps_all, pass, pieces, pieces_drawn, list, pair, tree, node, sweep, areas, area, bins,
+                    boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
+  }
 };
 
 struct State {
   std::int64_t position = 0;
   Machine machine;
-  Picture picture;  ///< frame (polygon indices) and depth
-  std::vector<VertexWay>
-      vertices;  ///< scene points first, then the vertices that clipping made for the current polygon
-  bool operator==(const State&) const;
+  Picture picture;  ///< frame (polygon indices, colours of their own where the method writes such) and depth
+  Picture light;    ///< what the light sees; without pixels where the method makes no such pass
+  std::vector<VertexWay> vertices;  ///< scene points first, then the vertices that clipping and cutting made
+
+  /// The buffers that the pass at work writes to.
+  Picture& picture_of_pass() { return machine.pass == Pass::light ? light : picture; }
+  const Picture& picture_of_pass() const { return machine.pass == Pass::light ? light : picture; }
+  bool operator==(const State&) const;  ///< to the bit
 };
 
 }  // namespace zstep

@@ -17,8 +17,9 @@ class UndoLog {
   /// The position that the next entries lead to.
   void begin(std::int64_t position) { position_ = position; }
 
-  void depth(std::size_t pixel, double old) { add(Depth{pixel, old}); }
-  void polygon(std::size_t pixel, std::int32_t old) { add(Owner{pixel, old}); }
+  void depth(bool light, std::size_t pixel, double old) { add(Depth{pixel, old, light}); }
+  void polygon(bool light, std::size_t pixel, std::int32_t old) { add(Owner{pixel, old, light}); }
+  void ink(std::size_t pixel, std::uint32_t old) { add(Ink{pixel, old}); }
   void vertex(std::size_t index, const VertexWay& old) { add(Vertex{index, old}); }
   void vertex_added() { add(VertexAdded{}); }
   void vertices_dropped(const std::vector<VertexWay>& vertices, std::size_t kept) {
@@ -26,9 +27,9 @@ class UndoLog {
         vertices.begin() + static_cast<std::ptrdiff_t>(kept), vertices.end())});
   }
   void fragment(const std::optional<Fragment>& old) { add(Pixel{old}); }
-  void picture(const Picture& old) {
-    pictures_bytes_ += old.depth.size() * (sizeof(double) + sizeof(std::int32_t));
-    add(Whole{std::make_shared<const Picture>(old)});
+  void picture(bool light, const Picture& old) {
+    pictures_bytes_ += old.depth.size() * (sizeof(double) + 2 * sizeof(std::int32_t));
+    add(Whole{std::make_shared<const Picture>(old), light});
   }
 
   /// What the logged pictures take since the log was last cleared.
@@ -54,10 +55,16 @@ class UndoLog {
   struct Depth {
     std::size_t pixel;
     double old;
+    bool light;
   };
   struct Owner {
     std::size_t pixel;
     std::int32_t old;
+    bool light;
+  };
+  struct Ink {
+    std::size_t pixel;
+    std::uint32_t old;
   };
   struct Vertex {
     std::size_t index;
@@ -72,8 +79,9 @@ class UndoLog {
   };
   struct Whole {
     std::shared_ptr<const Picture> old;
+    bool light;
   };
-  using Old = std::variant<Depth, Owner, Vertex, VertexAdded, VerticesDropped, Pixel, Whole>;
+  using Old = std::variant<Depth, Owner, Ink, Vertex, VertexAdded, VerticesDropped, Pixel, Whole>;
   struct Entry {
     std::int64_t position;
     Old old;
@@ -81,15 +89,21 @@ class UndoLog {
 
   void add(Old old) { entries_.push_back(Entry{position_, std::move(old)}); }
 
-  static void restore(const Depth& entry, State& state) { state.picture.depth[entry.pixel] = entry.old; }
-  static void restore(const Owner& entry, State& state) { state.picture.polygon[entry.pixel] = entry.old; }
+  static Picture& picture_of(bool light, State& state) { return light ? state.light : state.picture; }
+  static void restore(const Depth& entry, State& state) {
+    picture_of(entry.light, state).depth[entry.pixel] = entry.old;
+  }
+  static void restore(const Owner& entry, State& state) {
+    picture_of(entry.light, state).polygon[entry.pixel] = entry.old;
+  }
+  static void restore(const Ink& entry, State& state) { state.picture.ink[entry.pixel] = entry.old; }
   static void restore(const Vertex& entry, State& state) { state.vertices[entry.index] = entry.old; }
   static void restore(const VertexAdded&, State& state) { state.vertices.pop_back(); }
   static void restore(const VerticesDropped& entry, State& state) {
     state.vertices.insert(state.vertices.end(), entry.old->begin(), entry.old->end());
   }
   static void restore(const Pixel& entry, State& state) { state.machine.fragment = entry.old; }
-  static void restore(const Whole& entry, State& state) { state.picture = *entry.old; }
+  static void restore(const Whole& entry, State& state) { picture_of(entry.light, state) = *entry.old; }
 
   std::int64_t position_ = 0;
   std::size_t pictures_bytes_ = 0;

@@ -90,9 +90,13 @@ inline std::vector<RecordedEvent> random_events(std::size_t count, unsigned seed
         else if constexpr (std::is_enum_v<Value>) value = static_cast<Value>(random() % words_of<Value>.size());
         else if constexpr (name == "x") value = static_cast<std::int32_t>(random() % 16);
         else if constexpr (name == "y") value = static_cast<std::int32_t>(random() % 12);
-        else if constexpr (name == "polygon" || name == "facet") value = static_cast<std::int32_t>(random() % 2);
+        else if constexpr (name == "polygon" || name == "facet" || name == "nearest_facet" ||
+                           name == "left_facet" || name == "right_facet" || name == "owner")
+          value = static_cast<std::int32_t>(random() % 2);
         else if constexpr (name == "first" || name == "last") value = static_cast<std::int32_t>(random() % 19) - 2;
         else if constexpr (name == "first_row" || name == "end_row") value = static_cast<std::int32_t>(random() % 13);
+        else if constexpr (name == "first_column" || name == "end_column")
+          value = static_cast<std::int32_t>(random() % 17);
         else if constexpr (name.substr(0, 7) == "outside")
           value = static_cast<std::int32_t>(static_cast<std::uint32_t>(random()));
         else value = static_cast<std::int32_t>(random() % 50);

@@ -1,0 +1,58 @@
+// Areas of the picture that are quartered.
+// Part of the vocabulary: see vocabulary.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "traces/events/field.hpp"
+
+namespace zstep {
+
+enum class Bin : std::uint8_t { disjoint, intersecting, surrounding, contained };
+enum class AreaCase : std::uint8_t { background, one_polygon, surrounded, front_surrounder, pixel, subdivide };
+
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<Bin>{"disjoint", "intersecting", "surrounding", "contained"};
+template <>
+inline constexpr std::array<std::string_view, 6> words_of<AreaCase>{"background",       "one_polygon", "surrounded",
+                                                                    "front_surrounder", "pixel",       "subdivide"};
+
+// clang-format off
+
+struct AreaBegin { std::int32_t area, parent, first_column, first_row, end_column, end_row; };
+struct AreaBin { std::int32_t piece, crossings, corners_inside; Bin bin; bool by_box; };
+struct AreaDecide { std::int32_t area; AreaCase what; std::int32_t piece; };
+
+// clang-format on
+
+template <>
+inline constexpr KindText kind_text<AreaBegin>{"area_begin", "work on an area of the picture begins"};
+template <>
+inline constexpr auto fields_of<AreaBegin> =
+    std::tuple{Field{"area", &AreaBegin::area, "index", "the area, numbered in the order of work", Guess::next},
+               Field{"parent", &AreaBegin::parent, "index", "the area it is a quarter of, -1 for the whole picture"},
+               Field{"first_column", &AreaBegin::first_column, "px", "its first column"},
+               Field{"first_row", &AreaBegin::first_row, "row", "its first row"},
+               Field{"end_column", &AreaBegin::end_column, "px", "the column just beyond it"},
+               Field{"end_row", &AreaBegin::end_row, "row", "the row just beyond it"}};
+
+template <>
+inline constexpr KindText kind_text<AreaBin>{"area_bin", "a polygon is put into one of the four bins of an area"};
+template <>
+inline constexpr auto fields_of<AreaBin> = std::tuple{
+    Field{"piece", &AreaBin::piece, "index", "the polygon's piece"},
+    Field{"crossings", &AreaBin::crossings, "1", "edges of the polygon that meet the area; -1 when the box decided"},
+    Field{"corners_inside", &AreaBin::corners_inside, "1",
+          "corners of the area inside the polygon; -1 when the box decided"},
+    Field{"bin", &AreaBin::bin, "1", "the bin"}, Field{"by_box", &AreaBin::by_box, "1", "the bounding box decided"}};
+
+template <>
+inline constexpr KindText kind_text<AreaDecide>{"area_decide", "what is done with an area"};
+template <>
+inline constexpr auto fields_of<AreaDecide> =
+    std::tuple{Field{"area", &AreaDecide::area, "index", "the area"}, Field{"what", &AreaDecide::what, "1", "the case"},
+               Field{"piece", &AreaDecide::piece, "index", "the piece that fills it, -1 if none does"}};
+
+}  // namespace zstep

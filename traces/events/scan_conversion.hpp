@@ -1,0 +1,108 @@
+// Edge table, active edges, spans. Part of the vocabulary: see vocabulary.hpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "traces/events/field.hpp"
+
+namespace zstep {
+
+enum class EdgeSkip : std::uint8_t { horizontal, between_rows };
+
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<EdgeSkip>{"horizontal", "between_rows"};
+
+// clang-format off
+
+struct EdgeTableInsert {
+  std::int32_t edge, polygon, vertex_0, vertex_1, first_row, end_row;
+  double x_edge, dx_dy, z_edge, dz_dy;
+};
+struct EdgeTableSkip { std::int32_t vertex_0, vertex_1; EdgeSkip why; };
+struct ScanLineBegin { std::int32_t y; };
+struct EdgeEnter { std::int32_t edge, place; };
+struct EdgeRetire { std::int32_t edge; };
+struct EdgeStep { std::int32_t edge; double x_edge, z_edge; };
+struct EdgeSwap { std::int32_t place; };
+struct SpanBegin {
+  std::int32_t left_edge, right_edge, y, first, last;
+  double x_left, z_left, x_right, z_right, dz_dx;
+};
+
+// clang-format on
+
+template <>
+inline constexpr KindText kind_text<EdgeTableInsert>{"edge_table_insert",
+                                                     "an edge goes into the bucket of its first scan line"};
+template <>
+inline constexpr auto fields_of<EdgeTableInsert> =
+    std::tuple{Field{"edge", &EdgeTableInsert::edge, "index", "the edge, numbered in order of insertion", Guess::next},
+               Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds"},
+               Field{"vertex_0", &EdgeTableInsert::vertex_0, "index", "its end with the smaller y"},
+               Field{"vertex_1", &EdgeTableInsert::vertex_1, "index", "its end with the larger y"},
+               Field{"first_row", &EdgeTableInsert::first_row, "row", "the first scan line it meets: its bucket"},
+               Field{"end_row", &EdgeTableInsert::end_row, "row", "the scan line at which it leaves"},
+               Field{"x_edge", &EdgeTableInsert::x_edge, "px", "x on the first scan line"},
+               Field{"dx_dy", &EdgeTableInsert::dx_dy, "px", "1/m: what x gains from line to line"},
+               Field{"z_edge", &EdgeTableInsert::z_edge, "depth", "depth on the first scan line"},
+               Field{"dz_dy", &EdgeTableInsert::dz_dy, "depth", "what depth gains from line to line"}};
+
+template <>
+inline constexpr KindText kind_text<EdgeTableSkip>{"edge_table_skip",
+                                                   "an edge meets no scan line and stays out of the table"};
+template <>
+inline constexpr auto fields_of<EdgeTableSkip> =
+    std::tuple{Field{"vertex_0", &EdgeTableSkip::vertex_0, "index", "one end"},
+               Field{"vertex_1", &EdgeTableSkip::vertex_1, "index", "the other end"},
+               Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line"}};
+
+template <>
+inline constexpr KindText kind_text<ScanLineBegin>{"scan_line_begin", "work on a scan line begins"};
+template <>
+inline constexpr auto fields_of<ScanLineBegin> =
+    std::tuple{Field{"y", &ScanLineBegin::y, "row", "the scan line", Guess::next}};
+
+template <>
+inline constexpr KindText kind_text<EdgeEnter>{"edge_enter",
+                                               "an edge moves from the edge table to the active edge list"};
+template <>
+inline constexpr auto fields_of<EdgeEnter> =
+    std::tuple{Field{"edge", &EdgeEnter::edge, "index", "the edge"},
+               Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0"}};
+
+template <>
+inline constexpr KindText kind_text<EdgeRetire>{"edge_retire", "an edge that ends leaves the active edge list"};
+template <>
+inline constexpr auto fields_of<EdgeRetire> = std::tuple{Field{"edge", &EdgeRetire::edge, "index", "the edge"}};
+
+template <>
+inline constexpr KindText kind_text<EdgeStep>{"edge_step", "an active edge moves to the next scan line"};
+template <>
+inline constexpr auto fields_of<EdgeStep> = std::tuple{Field{"edge", &EdgeStep::edge, "index", "the edge", Guess::next},
+                                                       Field{"x_edge", &EdgeStep::x_edge, "px", "its x there"},
+                                                       Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there"}};
+
+template <>
+inline constexpr KindText kind_text<EdgeSwap>{"edge_swap", "two neighbours in the active edge list change places"};
+template <>
+inline constexpr auto fields_of<EdgeSwap> =
+    std::tuple{Field{"place", &EdgeSwap::place, "index", "the left one of the two places"}};
+
+template <>
+inline constexpr KindText kind_text<SpanBegin>{"span_begin", "the pixels between two active edges"};
+template <>
+inline constexpr auto fields_of<SpanBegin> =
+    std::tuple{Field{"left_edge", &SpanBegin::left_edge, "index", "the edge on the left"},
+               Field{"right_edge", &SpanBegin::right_edge, "index", "the edge on the right"},
+               Field{"y", &SpanBegin::y, "row", "the scan line"},
+               Field{"first", &SpanBegin::first, "px", "the first pixel"},
+               Field{"last", &SpanBegin::last, "px", "the last pixel; smaller than the first when none lies between"},
+               Field{"x_left", &SpanBegin::x_left, "px", "x where the scan line meets the left edge"},
+               Field{"z_left", &SpanBegin::z_left, "depth", "depth there"},
+               Field{"x_right", &SpanBegin::x_right, "px", "x where the scan line meets the right edge"},
+               Field{"z_right", &SpanBegin::z_right, "depth", "depth there"},
+               Field{"dz_dx", &SpanBegin::dz_dx, "depth", "what depth gains from pixel to pixel"}};
+
+}  // namespace zstep

@@ -1,0 +1,97 @@
+// Equality to the bit: NaN equals itself, and -0 is not 0. States are compared so.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "traces/events/registers.hpp"
+#include "traces/replay/shared_vector.hpp"
+
+namespace zstep {
+
+/// A struct that lists its members: `auto members() const { return std::tie(…); }`
+template <class T>
+concept ListsMembers = requires(const T& value) {
+  value.members();
+};
+/// A kind of event.
+template <class T>
+concept Described = !std::is_same_v<std::remove_cv_t<decltype(fields_of<T>)>, std::nullptr_t>;
+
+inline bool same(double a, double b) { return bits_of(a) == bits_of(b); }
+template <class T>
+requires std::is_integral_v<T> || std::is_enum_v<T>
+bool same(T a, T b) { return a == b; }
+inline bool same(const glm::dvec2& a, const glm::dvec2& b) { return same(a.x, b.x) && same(a.y, b.y); }
+inline bool same(const glm::dvec3& a, const glm::dvec3& b) {
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
+template <class T>
+requires Described<T> || ListsMembers<T>
+bool same(const T& a, const T& b);
+template <class T>
+bool same(const std::optional<T>& a, const std::optional<T>& b);
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b);
+template <class T, std::size_t N>
+bool same(const std::array<T, N>& a, const std::array<T, N>& b);
+template <class T>
+bool same(const SharedVector<T>& a, const SharedVector<T>& b);
+
+template <class T>
+requires Described<T> || ListsMembers<T>
+bool same(const T& a, const T& b) {
+  if constexpr (Described<T>) {
+    bool equal = true;
+    for_each_field<T>([&](const auto& field) { equal = equal && same(a.*field.member, b.*field.member); });
+    return equal;
+  } else {
+    const auto of_a = a.members(), of_b = b.members();
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return (same(std::get<I>(of_a), std::get<I>(of_b)) && ...);
+    }
+    (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(of_a)>>>{});
+  }
+}
+
+template <class T>
+bool same(const std::optional<T>& a, const std::optional<T>& b) {
+  return a.has_value() == b.has_value() && (!a || same(*a, *b));
+}
+
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b) {
+  if (a.size() != b.size()) return false;
+  if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+    return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+  } else {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (!same(a[i], b[i])) return false;
+    }
+    return true;
+  }
+}
+
+template <class T, std::size_t N>
+bool same(const std::array<T, N>& a, const std::array<T, N>& b) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (!same(a[i], b[i])) return false;
+  }
+  return true;
+}
+
+template <class T>
+bool same(const SharedVector<T>& a, const SharedVector<T>& b) {
+  return a.shares_with(b) || same(a.all(), b.all());
+}
+
+}  // namespace zstep
