@@ -111,20 +111,21 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
     else if (style.bare == Bare::shaded) polygon.color = shaded(style.bare_color, normal);
     else polygon.color = palette[scene.polygons.size() % palette.size()];
 
+    polygon.material = style.material.over(soup.materials.empty() ? Material{} : soup.materials[k]);
     const auto id = static_cast<std::int32_t>(scene.polygons.size());
     for (std::int32_t& corner : ring_) corner += first_point;
     add_facets(ring_, id, where, line);
     scene.polygons.push_back(std::move(polygon));
   }
 
-  if (cut_ > 0)
+  if (cut_ > 0 && !style.open)
     file_.notes.push_back(fmt::format("{}: {} not planar and cut into triangles", where, polygons_are(cut_)));
   if (too_few_corners_ > 0)
     file_.notes.push_back(fmt::format("{}: {} not drawn, having fewer than three different corners", where,
                                       polygons_are(too_few_corners_)));
   if (no_area_ > 0)
     file_.notes.push_back(fmt::format("{}: {} not drawn, enclosing no area", where, polygons_are(no_area_)));
-  if (style.bare == Bare::shaded) note_topology(soup, where, too_few_corners_, file_.notes);
+  if (style.bare == Bare::shaded && !style.open) note_topology(soup, where, too_few_corners_, file_.notes);
 }
 
 void SceneBuilder::add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,

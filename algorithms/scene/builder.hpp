@@ -19,6 +19,14 @@ struct Placement {
   glm::dvec3 offset{0};
 };
 
+/// The parts of a material that a scene file states; they go before what a mesh's own file says.
+struct MaterialKeys {
+  std::optional<double> opacity, reflectance, refraction;
+  Material over(const Material& own) const {
+    return {opacity.value_or(own.opacity), reflectance.value_or(own.reflectance), refraction.value_or(own.refraction)};
+  }
+};
+
 class SceneBuilder {
  public:
   explicit SceneBuilder(SceneFile file) : file_(std::move(file)) {}
@@ -30,6 +38,8 @@ class SceneBuilder {
     Bare bare = Bare::palette;
     Color bare_color;       ///< of the shaded ones, before shading
     std::int32_t line = 0;  ///< where all of it stands in the scene's file; 0: the soup's own lines are of that file
+    MaterialKeys material{};
+    bool open = false;  ///< a surface with two sides: neither its edges nor its bent cells are worth a note
   };
 
   /// Appends the soup's polygons. `where` names the soup's file in errors and notes.

@@ -14,6 +14,8 @@
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/limits.hpp"
 #include "algorithms/scene/scene_file/read_scene.hpp"
+#include "algorithms/scene/surface/formula.hpp"
+#include "algorithms/scene/surface/surface_scene.hpp"
 #include "traces/error.hpp"
 
 namespace zstep {
@@ -60,6 +62,7 @@ SceneFile load_scene_file(const std::filesystem::path& path) {
 }  // namespace
 
 SceneFile load_scene(const std::string& name_or_path) {
+  if (is_formula(name_or_path)) return formula_scene(name_or_path);
   if (const auto text = built_in_scene(name_or_path)) {
     const auto no_files = [](const std::string& path) -> PolygonSoup {
       throw InputError(path, "a built-in scene has no files", "use a built-in mesh");
@@ -75,8 +78,10 @@ SceneFile load_scene(const std::string& name_or_path) {
   std::vector<std::string_view> names;
   for (const BuiltIn& built_in : built_in_scenes()) names.push_back(built_in.name);
   throw InputError(in_quotes(name_or_path), "there is no such scene",
-                   fmt::format("name a .toml, .obj, .off, .ply or .stl file, or one of: {}", fmt::join(names, ", ")));
+                   fmt::format("name a .toml, .obj, .off, .ply or .stl file, write y = sin(x), or one of: {}", fmt::join(names, ", ")));
 }
+
+bool names_formula(std::string_view name) { return is_formula(name); }
 
 std::vector<BuiltIn> built_in_scenes() {
   const auto list = built_in_scene_list();

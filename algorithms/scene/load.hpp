@@ -20,20 +20,24 @@ struct ViewOptions {
   bool fit = false;  ///< bounding box's centre to the origin, farthest vertex at distance 1
 };
 
-/// A scene as its file says, before it is looked at: camera.rho, camera.near and camera.far may be 0, which means "from
-/// the extent".
+/// A scene as its file says, before it is looked at: camera.rho, near and far of camera and light, and the
+/// light's window may be 0, which means "from the extent".
 struct SceneFile {
   Scene scene;
   Conventions conventions;         ///< the scene's own, where it states any
   std::vector<std::string> notes;  ///< what a user should know about it, a sentence each: holes, polygons not drawn, …
 };
 
-/// Loads a scene: the name of a built-in one ("pyramid", "teapot", "teapot:8" for a level of tessellation), a scene
-/// file
-/// (.toml), or a mesh (.obj .off .ply .stl). Throws InputError with FILE:LINE on anything wrong with it.
+/// Loads a scene: the name of a built-in one ("pyramid", "teapot", "teapot:8" for a level of tessellation), a scene file
+/// (.toml), a mesh (.obj .off .ply .stl), or a surface by its formula ("y = sin(x) * cos(z)"). Throws InputError with
+/// FILE:LINE on anything wrong with it.
 SceneFile load_scene(const std::string& name_or_path);
 
-/// Applies the options and completes the camera: view matrix, eye, near and far. What the algorithms may run on.
+/// Whether a scene's name is a formula: "y = …".
+bool names_formula(std::string_view name);
+
+/// Applies the options and completes the camera (view matrix, eye, near and far) and the light. What the algorithms may
+/// run on.
 /// Throws InputError on impossible options (near >= far, a size of 0, …).
 Scene look_at_scene(Scene scene, const ViewOptions& options);
 

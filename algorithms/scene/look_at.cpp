@@ -36,19 +36,36 @@ void apply_raster(Raster& raster, const ViewOptions& options) {
                      fmt::format("each side is 1 to {}, and there are at most {} pixels", largest_side, most_pixels));
 }
 
-/// The bounding box's centre to the origin, the farthest vertex at distance 1.
-void fit(std::vector<glm::dvec3>& points) {
-  if (points.empty()) return;
+/// A ball that holds all points: the centre of their bounding box, the distance of the farthest from it.
+struct Ball {
+  glm::dvec3 centre{0};
+  double radius = 1;
+};
+
+Ball ball_around(const std::vector<glm::dvec3>& points) {
+  if (points.empty()) return {};
   glm::dvec3 low = points.front(), high = low;
   for (const glm::dvec3& point : points) {
     low = glm::min(low, point);
     high = glm::max(high, point);
   }
-  const glm::dvec3 centre = low + (high - low) / 2.0;
-  double radius = 0;
-  for (const glm::dvec3& point : points) radius = std::max(radius, glm::length(point - centre));
-  if (!(radius > 0)) radius = 1;
-  for (glm::dvec3& point : points) point = (point - centre) / radius;
+  Ball ball{low + (high - low) / 2.0, 0};
+  for (const glm::dvec3& point : points) ball.radius = std::max(ball.radius, glm::length(point - ball.centre));
+  if (!(ball.radius > 0)) ball.radius = 1;
+  return ball;
+}
+
+/// The bounding box's centre to the origin, the farthest vertex at distance 1; the light keeps its place among them.
+void fit(Scene& scene) {
+  const Ball ball = ball_around(scene.points);
+  const auto move = [&](glm::dvec3& point) { point = (point - ball.centre) / ball.radius; };
+  for (glm::dvec3& point : scene.points) move(point);
+  if (!scene.light) return;
+  Light& light = *scene.light;
+  move(light.position);
+  move(light.target);
+  light.near /= ball.radius;
+  light.far /= ball.radius;
 }
 
 /// The distance from which a ball round the origin that holds the whole scene just fits into the window, plus a
@@ -116,6 +133,31 @@ void choose_depths(Scene& scene, const ViewOptions& options) {
                      "give the greater distance to far");
 }
 
+/// What is not given of the light: a window that a ball round the scene just fits into, plus a twentieth, but at most
+/// 80 degrees to each side (a light inside the scene does not shine backwards); planes before and behind that ball.
+void complete_light(Scene& scene) {
+  if (!scene.light) return;
+  Light& light = *scene.light;
+  const Ball ball = ball_around(scene.points);
+  const glm::dvec3 ahead = glm::normalize(light.target - light.position), to_ball = ball.centre - light.position;
+  const double distance = glm::length(to_ball), along = glm::dot(ahead, to_ball);
+  if (!(light.window > 0)) {
+    constexpr double widest = 80 * 3.14159265358979323846 / 180;
+    const double aside = std::atan2(glm::length(glm::cross(ahead, to_ball)), along);
+    const double half = distance > ball.radius ? std::asin(ball.radius / distance) : widest;
+    light.window = 1.05 * std::tan(std::min(widest, aside + half));
+  }
+  if (!(light.far > 0))
+    light.far = std::max(along + 1.01 * ball.radius, light.near > 0 ? 2 * light.near : 0.01 * ball.radius);
+  if (!(light.near > 0)) {
+    light.near = along - 1.01 * ball.radius;
+    if (!(light.near < light.far)) light.near = light.far / 2;
+    light.near = std::max(light.near, light.far / 1000);
+  }
+  if (!(light.near < light.far) || !std::isfinite(light.window) || !std::isfinite(light.far))
+    throw InputError(scene.name, "the scene and its light lie too far from each other", "move the light");
+}
+
 }  // namespace
 
 Scene look_at_scene(Scene scene, const ViewOptions& options) {
@@ -129,13 +171,14 @@ Scene look_at_scene(Scene scene, const ViewOptions& options) {
     camera.polar = false;
     return scene;
   }
-  if (options.fit) fit(scene.points);
+  if (options.fit) fit(scene);
   if (options.orthographic)
     camera.kind = *options.orthographic ? Camera::Kind::orthographic : Camera::Kind::perspective;
   if (options.d) camera.d = positive(*options.d, "d");
   if (options.window) camera.window = positive(*options.window, "window");
   place_eye(scene, options);
   choose_depths(scene, options);
+  complete_light(scene);
   return scene;
 }
 

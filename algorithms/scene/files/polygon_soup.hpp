@@ -25,6 +25,7 @@ struct PolygonSoup {
   std::vector<std::int32_t> outline_lines;  ///< one a polygon; empty for a binary file
   std::vector<std::int32_t> corners;
   std::vector<std::optional<Color>> colors;  ///< one a polygon, or none at all
+  std::vector<Material> materials;           ///< one a polygon, or none at all
   std::vector<std::string> names;            ///< one a polygon, or none at all
   std::vector<std::string> notes;            ///< what was passed over, one sentence each
 

@@ -16,7 +16,11 @@ namespace zstep::scene {
 
 namespace {
 
-using Materials = std::map<std::string, Color, std::less<>>;
+struct Look {
+  std::optional<Color> color;
+  Material material;
+};
+using Looks = std::map<std::string, Look, std::less<>>;
 
 constexpr std::array<std::string_view, 24> passed_over{
     "vt",       "vn",       "vp",     "g",      "o",      "s",          "mg",        "bevel",
@@ -34,7 +38,7 @@ std::uint8_t channel(double value) {
   return static_cast<std::uint8_t>(std::lround(255 * std::fmin(1, std::fmax(0, value))));
 }
 
-void read_materials(Tokens file, Materials& materials) {
+void read_materials(Tokens file, Looks& looks) {
   std::string current;
   do {
     const std::string_view word = file.next_in_line();
@@ -47,7 +51,15 @@ void read_materials(Tokens file, Materials& materials) {
       const std::string_view green = file.next_in_line();  // one number alone is a grey
       const double g = green.empty() ? r : file.coordinate(green, "green of Kd");
       const double b = green.empty() ? r : file.coordinate(file.next_in_line(), "blue of Kd");
-      materials[current] = {channel(r), channel(g), channel(b)};
+      looks[current].color = {channel(r), channel(g), channel(b)};
+    } else if ((word == "d" || word == "Tr") && !current.empty()) {
+      std::string_view token = file.next_in_line();
+      if (token == "-halo") token = file.next_in_line();
+      const double value = std::fmin(1, std::fmax(0, file.coordinate(token, word)));
+      looks[current].material.opacity = word == "d" ? value : 1 - value;
+    } else if (word == "Ni" && !current.empty()) {
+      const double value = file.coordinate(file.next_in_line(), "Ni");  // programs write 0 for "not set"
+      looks[current].material.refraction = value >= least_refraction && value <= most_refraction ? value : 1;
     }
   } while (file.next_line());
 }
@@ -109,9 +121,13 @@ class Reader {
       }
       soup_.add_corner(*index > 0 ? *index - 1 : count + *index, [&] { return where(); });
     }
-    std::optional<Color> color;
-    if (const auto found = materials_.find(material_); found != materials_.end()) color = found->second;
-    soup_.close_outline(line, color, [&] { return where(); });
+    Look look;
+    if (const auto found = looks_.find(material_); found != looks_.end()) look = found->second;
+    soup_.close_outline(line, look.color, [&] { return where(); });
+    if (look.material != Material{} || !soup_.materials.empty()) {
+      soup_.materials.resize(soup_.outlines.size());
+      soup_.materials.back() = look.material;
+    }
   }
 
   void library() {
@@ -131,7 +147,7 @@ class Reader {
     const auto text = files_(file_name);
     if (!text) return false;
     library_bytes_ += text->size();
-    read_materials(Tokens(*text, sibling(file_name), Tokens::Comments::hash, Tokens::Joining::backslash), materials_);
+    read_materials(Tokens(*text, sibling(file_name), Tokens::Comments::hash, Tokens::Joining::backslash), looks_);
     return true;
   }
   std::string sibling(const std::string& file_name) const {
@@ -154,7 +170,7 @@ class Reader {
   Tokens file_;
   const MaterialFiles& files_;
   PolygonSoup soup_;
-  Materials materials_;
+  Looks looks_;
   std::string material_;
   std::int64_t furthest_ = 0;
   std::string furthest_where_;

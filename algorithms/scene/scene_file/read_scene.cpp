@@ -15,7 +15,9 @@
 #include "algorithms/scene/files/point_merger.hpp"
 #include "algorithms/scene/scene_file/keys.hpp"
 #include "algorithms/scene/scene_file/placement.hpp"
+#include "algorithms/scene/scene_file/read_parts.hpp"
 #include "algorithms/scene/scene_file/read_view.hpp"
+#include "algorithms/scene/surface/surface_scene.hpp"
 #include "algorithms/scene/scene_file/toml_depth.hpp"
 #include "traces/error.hpp"
 
@@ -37,11 +39,18 @@ class Reader {
     screen_ = top_.choice("coordinates", {"world", "screen"}) == 1;
     read_raster(top_, file_, screen_, scene.raster);
     read_camera(top_, file_, screen_, scene.camera);
-    read_options(top_, file_, screen_, result.conventions);
+    const toml::table* surface = top_.table("surface");
+    // In screen coordinates there is no inside and outside, as textbooks give outlines either way round; a surface is
+    // looked at from above and from below.
+    read_options(top_, file_, screen_ || surface != nullptr, result.conventions);
+    scene.light = read_light(top_, file_, screen_);
     const toml::array* points = top_.array("points");
     const toml::array* polygons = top_.array("polygon");
     const toml::array* meshes = top_.array("mesh");
+    for (const std::string_view other : {"points", "polygon", "mesh"})
+      top_.not_both("surface", other, "a surface is a scene by itself: remove one of them");
     top_.finish();
+    if (surface != nullptr) return read_surface_scene(*surface, std::move(result));
 
     SceneBuilder builder(std::move(result));
     if (points != nullptr) read_points(*points);
@@ -118,6 +127,7 @@ class Reader {
                 "give it another name");
     }
     const auto polygon_color = color(keys, "color");
+    const MaterialKeys material = read_material(keys, file_);
     keys.not_both("points", "corners", "keep one: points are coordinates, corners are indices into the scene's points");
     const auto where = [&] { return fmt::format("{}:{}", file_, line); };
     const toml::array* points = keys.array("points");
@@ -141,6 +151,7 @@ class Reader {
         soup.add_corner(merger.add(soup, point.position, point.line, where), where);
       }
     soup.close_outline(line, polygon_color, where);
+    soup.materials.push_back(material.over({}));
     soup.names.push_back(std::move(name));
   }
 
@@ -150,6 +161,7 @@ class Reader {
     const auto path = keys.text("file"), built_in = keys.text("builtin");
     keys.not_both("file", "builtin", "keep one");
     const auto base = color(keys, "color");
+    const MaterialKeys material = read_material(keys, file_);
     const Placement placement = read_placement(keys, file_);
     keys.finish();
     if (!path && !built_in)
@@ -168,7 +180,24 @@ class Reader {
     // A scene has lines of one file, its own: everything in a mesh stands at its [[mesh]].
     builder.add(std::move(soup), path ? *path : *built_in,
                 {placement, few ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded, base.value_or(clay),
-                 line_of(table)});
+                 line_of(table), material});
+  }
+
+  SceneFile read_surface_scene(const toml::table& table, SceneFile result) {
+    if (screen_)
+      fail_at(table, file_, "a surface cannot stand in a scene in screen coordinates", "use world coordinates");
+    Keys keys(table, file_, "[surface]");
+    const Surface surface = read_surface(keys, file_);
+    const auto base = color(keys, "color");
+    const MaterialKeys material = read_material(keys, file_);
+    keys.finish();
+    const toml::node* formula = keys.find("formula");
+    if (formula == nullptr) fail_at(table, file_, "the surface has no formula", "add formula = \"sin(x) * cos(z)\"");
+    if (std::int64_t{surface.columns} * surface.rows > most_surface_samples)
+      fail_at(table, file_, fmt::format("the surface has more than {} samples", most_surface_samples),
+              "give it fewer columns or rows");
+    return surface_scene(surface, fmt::format("{}:{}", file_, line_of(*formula)), std::move(result),
+                         {{}, SceneBuilder::Bare::shaded, base.value_or(clay), line_of(table), material, true});
   }
 
   struct SharedPoint {

@@ -80,9 +80,8 @@ void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera
     fail_at(*keys.find("far"), file, "far is not greater than near", "give the greater distance to far");
 }
 
-void read_options(Keys& top, const std::string& file, bool screen, Conventions& conventions) {
-  // In screen coordinates there is no inside and outside: textbooks give outlines either way round.
-  if (screen) conventions.cull = false;
+void read_options(Keys& top, const std::string& file, bool two_sided, Conventions& conventions) {
+  if (two_sided) conventions.cull = false;
   const toml::table* table = top.table("options");
   if (table == nullptr) return;
   Keys keys(*table, file, "[options]");

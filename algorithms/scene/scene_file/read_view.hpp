@@ -11,6 +11,7 @@ namespace zstep::scene {
 void read_raster(Keys& top, const std::string& file, bool screen, Raster& raster);
 /// Leaves rho, near and far at 0 where they are to come from the extent.
 void read_camera(Keys& top, const std::string& file, bool screen, Camera& camera);
-void read_options(Keys& top, const std::string& file, bool screen, Conventions& conventions);
+/// `two_sided`: back faces are drawn unless it says otherwise.
+void read_options(Keys& top, const std::string& file, bool two_sided, Conventions& conventions);
 
 }  // namespace zstep::scene
