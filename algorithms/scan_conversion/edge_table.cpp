@@ -35,12 +35,8 @@ bool local_maximum(Outline outline, const viewing::Vertices& vertices, std::size
 }  // namespace
 
 template <Recorder R>
-void build_edge_table(EdgeTable& table, std::int32_t polygon, Outline outline, const viewing::Vertices& vertices,
-                      const Raster& raster, Conventions::Coverage coverage, R& record) {
-  table.edges.clear();
-  table.first_row = raster.height;
-  table.end_row = 0;
-
+void add_edges(EdgeTable& table, std::int32_t polygon, Outline outline, const viewing::Vertices& vertices,
+               const Raster& raster, Conventions::Coverage coverage, R& record) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     std::size_t from = i, to = i + 1 < outline.size() ? i + 1 : 0;
     const auto point = [&](std::size_t n) { return vertices[static_cast<std::size_t>(outline[n])].raster; };
@@ -70,11 +66,14 @@ void build_edge_table(EdgeTable& table, std::int32_t polygon, Outline outline, c
                               edge.end_row, edge.x,  edge.dx_dy,    edge.z,        edge.dz_dy};
     record(step::insert_edge, row);
 
+    const bool first = table.edges.empty();
+    table.first_row = first ? edge.first_row : std::min(table.first_row, edge.first_row);
+    table.end_row = first ? edge.end_row : std::max(table.end_row, edge.end_row);
     table.edges.push_back(edge);
-    table.first_row = std::min(table.first_row, edge.first_row);
-    table.end_row = std::max(table.end_row, edge.end_row);
   }
+}
 
+void fill_buckets(EdgeTable& table) {
   table.buckets.resize(table.edges.size());
   for (std::size_t i = 0; i < table.buckets.size(); ++i) table.buckets[i] = static_cast<std::int32_t>(i);
   const auto row = [&](std::int32_t number) { return table.edges[static_cast<std::size_t>(number)].first_row; };
@@ -83,7 +82,18 @@ void build_edge_table(EdgeTable& table, std::int32_t polygon, Outline outline, c
   });
 }
 
+template <Recorder R>
+void build_edge_table(EdgeTable& table, std::int32_t polygon, Outline outline, const viewing::Vertices& vertices,
+                      const Raster& raster, Conventions::Coverage coverage, R& record) {
+  table.edges.clear();
+  table.first_row = table.end_row = 0;
+  add_edges(table, polygon, outline, vertices, raster, coverage, record);
+  fill_buckets(table);
+}
+
 #define INSTANTIATE(R)                                                                                          \
+  template void add_edges<R>(EdgeTable&, std::int32_t, Outline, const viewing::Vertices&, const Raster&,        \
+                             Conventions::Coverage, R&);                                                        \
   template void build_edge_table<R>(EdgeTable&, std::int32_t, Outline, const viewing::Vertices&, const Raster&, \
                                     Conventions::Coverage, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)

@@ -1,4 +1,4 @@
-// The edge table: the edges of one polygon by the scan line on which they begin.
+// The edge table: the edges of one polygon, or of all, by the scan line on which they begin.
 //
 // Foley, van Dam, Feiner and Hughes, "Computer Graphics: Principles and Practice", 2nd edition, section 3.6; the depth
 // beside x as in 000 ("mixed coordinates": x_s, y_s and z).
@@ -30,9 +30,9 @@ struct Edge {
 };
 
 struct EdgeTable {
-  std::vector<Edge> edges;                  ///< in the order of the outline; an edge's place here is its number
-  std::vector<std::int32_t> buckets;        ///< numbers of edges by first_row, within a row in the order of the outline
-  std::int32_t first_row = 0, end_row = 0;  ///< the scan lines the polygon spans: first_row <= y < end_row
+  std::vector<Edge> edges;                  ///< in the order of the outlines; an edge's place here is its number
+  std::vector<std::int32_t> buckets;        ///< numbers of edges by first_row, within a row in the order of insertion
+  std::int32_t first_row = 0, end_row = 0;  ///< the scan lines that the edges span: first_row <= y < end_row
 };
 
 /// Fills the table with the edges of an outline (indices into vertices). Scan lines are limited to the raster.
@@ -44,5 +44,12 @@ template <Recorder R>
 void build_edge_table(EdgeTable& table, std::int32_t polygon, std::span<const std::int32_t> outline,
                       const viewing::Vertices& vertices, const Raster& raster, Conventions::Coverage coverage,
                       R& record);
+
+/// The same in two halves, for a global table: the edges of one more outline behind those that are there, and, once
+/// all are in, the buckets.
+template <Recorder R>
+void add_edges(EdgeTable& table, std::int32_t polygon, std::span<const std::int32_t> outline,
+               const viewing::Vertices& vertices, const Raster& raster, Conventions::Coverage coverage, R& record);
+void fill_buckets(EdgeTable& table);
 
 }  // namespace zstep::scan_conversion

@@ -65,6 +65,18 @@ glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up) {
   return from_rows({right, -glm::dot(right, eye)}, {upwards, -glm::dot(upwards, eye)}, {away, -glm::dot(away, eye)});
 }
 
+Camera camera_of(const Light& light) {
+  Camera camera;
+  camera.polar = false;
+  camera.d = 1;
+  camera.window = light.window;
+  camera.near = light.near;
+  camera.far = light.far;
+  camera.view = look_at_view(light.position, light.target, {0, 0, 1});
+  camera.eye = light.position;
+  return camera;
+}
+
 double window_for_field_of_view(double degrees_vertical, double d) {
   // 003, "Field of View", prints ½·tan(α) = ½(T − B)/f; the half belongs to the angle: tan(α/2) = ½(T − B)/f.
   const double half = degrees_vertical / 2;

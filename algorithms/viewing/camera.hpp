@@ -26,6 +26,9 @@ glm::dvec3 eckert_eye(double rho, double theta_degrees, double phi_degrees);
 /// in.
 glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up);
 
+/// The light as a camera that sees what it shines on, with the world's z axis upwards.
+Camera camera_of(const Light& light);
+
 /// Half the height of the window on a projection plane at distance d that is seen under this angle: d * tan(angle/2).
 double window_for_field_of_view(double degrees_vertical, double d);
 

@@ -66,38 +66,33 @@ bool on_raster(const Vertices& vertices, const Outline& outline) {
 }
 
 template <Recorder R>
-bool reject(const Facet& facet, Reject reason, R& record) {
-  record(step::reject, PolygonReject{facet.polygon, reason});
+bool reject(std::int32_t polygon, Reject reason, R& record) {
+  record(step::reject, PolygonReject{polygon, reason});
   return false;
 }
 
-// Facing, outcodes and the six planes, for a facet in space.
+// Outcodes and the six planes, for an outline in space.
 template <Recorder R>
-bool cull_and_clip(const Scene& scene, const Facet& facet, bool cull, const Lens& lens, Vertices& vertices,
-                   Outline& outline, R& record) {
-  if (degenerate(scene, outline)) return reject(facet, Reject::degenerate, record);
-  const Facing facing = test_facing(scene, outline, vertices, record);
-  if (facing == Facing::edge_on) return reject(facet, Reject::edge_on, record);
-  if (facing == Facing::back && cull) return reject(facet, Reject::back_facing, record);
-
+bool clip(std::int32_t polygon, const Lens& lens, Vertices& vertices, Outline& outline, R& record) {
   std::int32_t outside_some = 0, outside_all = (1 << plane_count) - 1;
   for (const std::int32_t corner : outline) {
     outside_some |= vertex_at(vertices, corner).outside;
     outside_all &= vertex_at(vertices, corner).outside;
   }
   record(step::clip_test, ClipTest{outside_some, outside_all});
-  if (outside_all != 0) return reject(facet, Reject::outside, record);
+  if (outside_all != 0) return reject(polygon, Reject::outside, record);
   if (outside_some == 0) return true;
 
+  const std::size_t known = vertices.size();
   for (int plane = 0; plane < plane_count; ++plane) {
     const bool crossed = (outside_some >> plane & 1) != 0;
     if (crossed) outline = clip_against(lens, static_cast<ClipPlane>(plane), outline, vertices, record);
   }
-  if (outline.size() < 3) return reject(facet, Reject::outside, record);
+  if (outline.size() < 3) return reject(polygon, Reject::outside, record);
 
-  const auto points = static_cast<std::int32_t>(scene.points.size());
   for (const std::int32_t index : outline) {
-    if (index >= points) viewing::project_vertex(lens, index, vertices[static_cast<std::size_t>(index)], record);
+    const auto i = static_cast<std::size_t>(index);
+    if (i >= known) viewing::project_vertex(lens, index, vertices[i], record);
   }
   return true;
 }
@@ -105,16 +100,10 @@ bool cull_and_clip(const Scene& scene, const Facet& facet, bool cull, const Lens
 }  // namespace
 
 template <Recorder R>
-bool find_outline(const Scene& scene, const Facet& facet, bool cull, const Lens& lens, Vertices& vertices,
-                  Outline& outline, R& record) {
-  const auto corners = scene.corners.begin() + facet.first_corner;
-  outline.assign(corners, corners + facet.corner_count);
-  vertices.resize(scene.points.size());
-
-  if (scene.camera.kind != Camera::Kind::screen) {
-    if (!cull_and_clip(scene, facet, cull, lens, vertices, outline, record)) return false;
-  }
-  if (!on_raster(vertices, outline)) return reject(facet, Reject::degenerate, record);
+bool clip_outline(std::int32_t polygon, Camera::Kind kind, const Lens& lens, Vertices& vertices, Outline& outline,
+                  R& record) {
+  if (kind != Camera::Kind::screen && !clip(polygon, lens, vertices, outline, record)) return false;
+  if (!on_raster(vertices, outline)) return reject(polygon, Reject::degenerate, record);
 
   for (const std::int32_t index : outline) {
     record(step::outline, OutlineVertex{index});
@@ -122,7 +111,23 @@ bool find_outline(const Scene& scene, const Facet& facet, bool cull, const Lens&
   return true;
 }
 
-#define INSTANTIATE(R) \
+template <Recorder R>
+bool find_outline(const Scene& scene, const Facet& facet, bool cull, const Lens& lens, Vertices& vertices,
+                  Outline& outline, R& record) {
+  const auto corners = scene.corners.begin() + facet.first_corner;
+  outline.assign(corners, corners + facet.corner_count);
+
+  if (scene.camera.kind != Camera::Kind::screen) {
+    if (degenerate(scene, outline)) return reject(facet.polygon, Reject::degenerate, record);
+    const Facing facing = test_facing(scene, outline, vertices, record);
+    if (facing == Facing::edge_on) return reject(facet.polygon, Reject::edge_on, record);
+    if (facing == Facing::back && cull) return reject(facet.polygon, Reject::back_facing, record);
+  }
+  return clip_outline(facet.polygon, scene.camera.kind, lens, vertices, outline, record);
+}
+
+#define INSTANTIATE(R)                                                                             \
+  template bool clip_outline<R>(std::int32_t, Camera::Kind, const Lens&, Vertices&, Outline&, R&); \
   template bool find_outline<R>(const Scene&, const Facet&, bool, const viewing::Lens&, Vertices&, Outline&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
 

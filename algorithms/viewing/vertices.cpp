@@ -47,26 +47,35 @@ void project_vertex(const Lens& lens, std::int32_t index, Vertex& vertex, R& rec
 }
 
 template <Recorder R>
-Vertices view_vertices(const Scene& scene, const Lens& lens, R& record) {
-  Vertices vertices(scene.points.size());
-  for (std::int32_t index = 0; index < static_cast<std::int32_t>(vertices.size()); ++index) {
-    const auto i = static_cast<std::size_t>(index);
+void view_points(const Camera& camera, std::span<const glm::dvec3> points, const Lens& lens, Vertices& vertices,
+                 R& record) {
+  const std::size_t known = vertices.size();
+  vertices.resize(points.size());
+  for (std::size_t i = known; i < points.size(); ++i) {
+    const auto index = static_cast<std::int32_t>(i);
     Vertex& vertex = vertices[i];
-    if (scene.camera.kind == Camera::Kind::screen) {
-      vertex.raster = scene.points[i];
+    if (camera.kind == Camera::Kind::screen) {
+      vertex.raster = points[i];
       continue;
     }
-    vertex.view = glm::dvec3(scene.camera.view * glm::dvec4(scene.points[i], 1));
+    vertex.view = glm::dvec3(camera.view * glm::dvec4(points[i], 1));
     record(step::view_vertex, ViewTransform{index, vertex.view.x, vertex.view.y, vertex.view.z});
 
     vertex.outside = outcode(lens, vertex.view);
     if (vertex.view.z >= lens.near) project_vertex(lens, index, vertex, record);
   }
+}
+
+template <Recorder R>
+Vertices view_vertices(const Scene& scene, const Lens& lens, R& record) {
+  Vertices vertices;
+  view_points(scene.camera, scene.points, lens, vertices, record);
   return vertices;
 }
 
-#define INSTANTIATE(R)                                                     \
-  template void project_vertex<R>(const Lens&, std::int32_t, Vertex&, R&); \
+#define INSTANTIATE(R)                                                                                  \
+  template void project_vertex<R>(const Lens&, std::int32_t, Vertex&, R&);                              \
+  template void view_points<R>(const Camera&, std::span<const glm::dvec3>, const Lens&, Vertices&, R&); \
   template Vertices view_vertices<R>(const Scene&, const Lens&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
 

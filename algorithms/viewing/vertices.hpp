@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "algorithms/viewing/camera.hpp"
@@ -28,6 +29,12 @@ double distance_inside(const Lens& lens, glm::dvec3 view, ClipPlane plane);
 /// scene's points are on the raster already: nothing happens to them and nothing is recorded.
 template <Recorder R>
 Vertices view_vertices(const Scene& scene, const Lens& lens, R& record);
+
+/// The same for those of these points of the camera's world that have no vertex yet; their vertices are put behind the
+/// others.
+template <Recorder R>
+void view_points(const Camera& camera, std::span<const glm::dvec3> points, const Lens& lens, Vertices& vertices,
+                 R& record);
 
 /// One vertex from view space to the raster. It must lie on or beyond the near plane.
 template <Recorder R>
