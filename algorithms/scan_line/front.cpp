@@ -1,0 +1,176 @@
+#include "algorithms/scan_line/front.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "traces/record/all_recorders.hpp"
+
+namespace zstep::scan_line {
+
+using pieces::Pieces;
+using pieces::Plane;
+
+namespace {
+
+// The first pixel whose centre is at or beyond x, 0 … width.
+std::int32_t first_pixel(double x, std::int32_t width) {
+  if (!(x > 0)) return 0;
+  if (x >= width) return width;
+  return static_cast<std::int32_t>(std::ceil(x));
+}
+
+// A depth, and how much of it may be rounding: a plane seen nearly edge-on gives large numbers that cancel.
+struct Depth {
+  double z, rounding;
+};
+constexpr double relative_rounding = 1e-13;
+
+Depth depth_of(const Plane& plane, double x, double y) {
+  const double size = std::abs(plane.a * x) + std::abs(plane.b * y) + std::abs(plane.d);
+  return {plane.depth(x, y), relative_rounding * size / std::abs(plane.c)};
+}
+
+bool tie(Depth one, Depth other) { return std::abs(one.z - other.z) <= one.rounding + other.rounding; }
+bool nearer(Depth one, Depth other) { return one.z < other.z && !tie(one, other); }
+
+struct Candidate {
+  std::int32_t piece;
+  Depth left, right;
+};
+
+bool before(const Candidate& one, const Candidate& other) {
+  if (!tie(one.left, other.left)) return one.left.z < other.left.z;
+  if (!tie(one.right, other.right)) return one.right.z < other.right.z;
+  return one.piece < other.piece;
+}
+
+// Where `other`, which is not in front at the left end, comes to the front of `seen`.
+double crossing(const Candidate& seen, const Candidate& other, const Stretch& stretch) {
+  const double left = std::max(0.0, other.left.z - seen.left.z), right = other.right.z - seen.right.z;
+  return stretch.x_left + left / (left - right) * (stretch.x_right - stretch.x_left);
+}
+
+// The first pixel right of an implied edge. One whose centre is on it, to rounding, stays with the left piece if that
+// was drawn first.
+std::int32_t pixel_beyond(double x, std::int32_t left_piece, std::int32_t right_piece, const Stretch& stretch) {
+  constexpr double on_centre = 1e-9;
+  const double centre = std::round(x);
+  const double from = std::abs(x - centre) > on_centre ? std::ceil(x) : left_piece < right_piece ? centre + 1 : centre;
+  return static_cast<std::int32_t>(std::clamp<double>(from, stretch.first, stretch.last + 1));
+}
+
+}  // namespace
+
+Stretch stretch_between(double y, double x_left, double x_right, std::int32_t width) {
+  const double left = std::max(x_left, -0.5), right = std::min(x_right, width - 0.5);
+  return {y, left, right, first_pixel(x_left, width), first_pixel(x_right, width) - 1};
+}
+
+template <Recorder R>
+void find_front(const Pieces& polygons, const std::vector<std::int32_t>& inside, const Stretch& stretch,
+                std::vector<Visible>& visible, R& record) {
+  visible.clear();
+  const double y = stretch.y;
+  if (inside.size() == 1) {
+    visible.push_back({inside[0], stretch});
+    return;
+  }
+
+  std::vector<Candidate> candidates;
+  for (const std::int32_t piece : inside) {
+    const Plane& plane = polygons[piece].plane;
+    const Depth left = depth_of(plane, stretch.x_left, y), right = depth_of(plane, stretch.x_right, y);
+    record(step::depth, PlaneDepth{piece, stretch.x_left, y, left.z});
+    record(step::depth, PlaneDepth{piece, stretch.x_right, y, right.z});
+    candidates.push_back({piece, left, right});
+  }
+
+  Stretch rest = stretch;
+  const Candidate* seen = &*std::min_element(candidates.begin(), candidates.end(), before);
+  while (true) {
+    // Of those that are in front of it at the right end, the one that gets there first.
+    const Candidate* next = nullptr;
+    double x_next = 0;
+    for (const Candidate& other : candidates) {
+      if (!nearer(other.right, seen->right)) continue;
+      const double x = std::clamp(crossing(*seen, other, stretch), rest.x_left, stretch.x_right);
+      if (next && (x > x_next || (x == x_next && other.right.z >= next->right.z))) continue;
+      next = &other;
+      x_next = x;
+    }
+    if (!next) break;
+
+    const double z = polygons[seen->piece].plane.depth(x_next, y);
+    record(step::implied_edge, ImpliedEdge{seen->piece, next->piece, x_next, z});
+    const std::int32_t beyond = std::max(rest.first, pixel_beyond(x_next, seen->piece, next->piece, stretch));
+    visible.push_back({seen->piece, {y, rest.x_left, x_next, rest.first, beyond - 1}});
+    rest.x_left = x_next;
+    rest.first = beyond;
+    seen = next;
+  }
+  visible.push_back({seen->piece, rest});
+}
+
+void Coherence::begin_line(const std::vector<std::int32_t>& active) {
+  if (active == active_) return;
+  active_ = active;
+  front_.assign(active.size(), -1);
+}
+
+template <Recorder R>
+std::int32_t Coherence::front_as_before(const Pieces& polygons, std::size_t place,
+                                        const std::vector<std::int32_t>& inside, R& record) {
+  const std::int32_t front = front_[place];
+  if (front == -1) return -1;
+  for (const std::int32_t other : inside) {
+    if (other != front && !lie_apart(polygons, front, other, record)) return -1;
+  }
+  record(step::saved, Saved{zstep::Coherence::scan_line, 2 * static_cast<std::int32_t>(inside.size())});
+  return front;
+}
+
+namespace {
+
+// Where a piece lies against the plane of another: in front of it is towards the eye. A corner counts where the piece's
+// own plane has it, as depths are compared there.
+template <Recorder R>
+Side side_of(const Pieces& polygons, std::int32_t piece, std::int32_t plane_of, R& record) {
+  const Plane &own = polygons[piece].plane, &plane = polygons[plane_of].plane;
+  double least = no_depth, greatest = -no_depth, size = 0;
+  for (const glm::dvec3& corner : polygons.corners(polygons[piece].outline)) {
+    const double z = own.depth(corner.x, corner.y), value = plane.value({corner.x, corner.y, z});
+    least = std::min(least, value);
+    greatest = std::max(greatest, value);
+    const double at_corner = std::abs(plane.a * corner.x) + std::abs(plane.b * corner.y) + std::abs(plane.c * z);
+    size = std::max(size, at_corner + std::abs(plane.d));
+  }
+  const double rounding = 100 * relative_rounding * size;
+  const bool positive = least > rounding, negative = greatest < -rounding;
+  const bool on = least >= -rounding && greatest <= rounding;
+  const Side side = positive || negative ? (positive == (plane.c > 0) ? Side::behind : Side::front)
+                    : on                 ? Side::on
+                                         : Side::crossing;
+  record(step::penetrate, SideTest{piece, plane_of, least, greatest, side});
+  return side;
+}
+
+bool beyond(Side side) { return side == Side::front || side == Side::behind; }
+
+}  // namespace
+
+template <Recorder R>
+bool Coherence::lie_apart(const Pieces& polygons, std::int32_t one, std::int32_t other, R& record) {
+  const auto [known, unknown] = apart_.try_emplace(std::minmax(one, other), false);
+  if (unknown) {
+    known->second = beyond(side_of(polygons, other, one, record)) || beyond(side_of(polygons, one, other, record));
+  }
+  return known->second;
+}
+
+#define INSTANTIATE(R)                                                                                                \
+  template void find_front<R>(const Pieces&, const std::vector<std::int32_t>&, const Stretch&, std::vector<Visible>&, \
+                              R&);                                                                                    \
+  template std::int32_t Coherence::front_as_before<R>(const Pieces&, std::size_t, const std::vector<std::int32_t>&, R&);
+ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+
+}  // namespace zstep::scan_line

@@ -1,0 +1,108 @@
+#include "algorithms/scan_line/scan_line.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "algorithms/scan_conversion/spans.hpp"
+#include "algorithms/scan_line/coverage.hpp"
+#include "algorithms/scan_line/line_buffer.hpp"
+#include "algorithms/scan_line/sweep.hpp"
+#include "traces/error.hpp"
+#include "traces/record/all_recorders.hpp"
+
+namespace zstep::scan_line {
+
+namespace {
+
+using scan_conversion::begin_scan_line;
+
+bool resolves(const Conventions& conventions, Resolve how) {
+  return choice_of<Resolve>(options, conventions, "resolve") == how;
+}
+
+Conventions standard_for_planes(Conventions conventions) {
+  const Conventions standard;
+  conventions.depth = standard.depth;
+  conventions.interpolation = standard.interpolation;
+  conventions.coverage = standard.coverage;
+  return conventions;
+}
+
+template <Recorder R>
+void paint(const pieces::Piece& polygon, const Visible& part, Picture& picture, R& record) {
+  const auto [y, x_left, x_right, first, last] = part.where;
+  const auto row = static_cast<std::int32_t>(y);
+  const double z_left = polygon.plane.depth(x_left, y), z_right = polygon.plane.depth(x_right, y);
+  record(step::winner, SpanWinner{part.piece, first, last});
+  for (std::int32_t x = first; x <= last; ++x) {
+    const double z = x_right == x_left ? z_left : z_left + (z_right - z_left) * (x - x_left) / (x_right - x_left);
+    picture.polygon[picture.at(x, row)] = polygon.polygon;
+    picture.depth[picture.at(x, row)] = z;
+    record(step::paint, PixelPaint{x, row, z, polygon.polygon});
+  }
+}
+
+}  // namespace
+
+void check(const Conventions& conventions, const std::string& who) {
+  if (resolves(conventions, Resolve::planes)) {
+    const Conventions standard = standard_for_planes(conventions);
+    if (!(conventions == standard))
+      throw InputError("--algorithm scan-line",
+                       "compares planes: its depths are pseudodepths, directly computed at pixel centres",
+                       "leave out --depth, --interpolation and --coverage, or add --option resolve=line-buffer");
+    return;
+  }
+  for (const char* option : {"coherence", "antialias"}) {
+    if (is_on(options, conventions, option))
+      throw InputError(who, std::string(option) + "=on needs the planes of the polygons, not a line buffer",
+                       "leave out one of the two, or use resolve=planes");
+  }
+}
+
+template <Recorder R>
+Picture run(const Scene& scene, const Conventions& given, R& record) {
+  const Raster& raster = scene.raster;
+  const bool planes = resolves(given, Resolve::planes);
+  const Conventions conventions = planes ? standard_for_planes(given) : given;
+  const bool direct = conventions.interpolation == Conventions::Interpolation::direct;
+
+  Picture picture(raster.width, raster.height);
+  record(step::clear, BuffersClear{no_depth});
+
+  Tables tables{pieces::gather(scene, conventions, record), {}, {}};
+  fill_edge_table(tables, tables.polygons.vertices, raster, conventions.coverage, record);
+  scan_conversion::ActiveEdges active;
+  std::vector<double> line(static_cast<std::size_t>(raster.width));
+  std::int32_t first_row = tables.edges.first_row, end_row = tables.edges.end_row;
+
+  Coherence memory;
+  Coherence* const coherence = is_on(options, conventions, "coherence") ? &memory : nullptr;
+  std::optional<Coverage> coverage;
+  if (planes && is_on(options, conventions, "antialias")) {
+    picture.use_ink();
+    coverage.emplace(tables.polygons, raster);
+    const bool none = first_row >= end_row;
+    first_row = none ? coverage->first_row() : std::min(first_row, coverage->first_row());
+    end_row = std::max(end_row, coverage->end_row());
+  }
+
+  for (std::int32_t y = first_row; y < end_row; ++y) {
+    begin_scan_line(active, tables.edges, y, direct, record);
+
+    if (planes) {
+      sweep(tables, active.edges, y, raster.width, Wanted::pixels, coherence, record,
+            [&](const Visible& part) { paint(tables.polygons[part.piece], part, picture, record); });
+    } else {
+      draw_line(tables, active.edges, y, raster, conventions, line, picture, record);
+    }
+    if (coverage) coverage->mix_row(scene, y, picture, record);
+  }
+  end_polygon(active, record);
+  return picture;
+}
+
+#define INSTANTIATE(R) template Picture run<R>(const Scene&, const Conventions&, R&);
+ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+
+}  // namespace zstep::scan_line

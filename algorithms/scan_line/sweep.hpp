@@ -1,0 +1,52 @@
+// The sweep along a scan line: across the active edges from left to right, with an in/out flag for each polygon.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "algorithms/scan_line/front.hpp"
+
+namespace zstep::scan_line {
+
+/// What a sweep looks for: the pixels, so that stretches without a pixel's centre need no depth, or every length of
+/// line.
+enum class Wanted : std::uint8_t { pixels, lengths };
+
+/// Finds what is seen on scan line y and calls seen(const Visible&) for each part, from left to right. `coherence` may
+/// be null. Flags are out before the first edge and after the last, as every outline is crossed an even number of
+/// times.
+template <Recorder R, class Seen>
+void sweep(const Tables& tables, const std::vector<std::int32_t>& active, double y, std::int32_t width, Wanted wanted,
+           Coherence* coherence, R& record, Seen&& seen) {
+  std::vector<std::int32_t> inside;  // the polygons whose flag is true
+  std::vector<Visible> visible;
+  if (coherence) coherence->begin_line(active);
+
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const std::int32_t piece = tables.owner_of(active[i]);
+    const auto flag = std::find(inside.begin(), inside.end(), piece);
+    const bool enters = flag == inside.end();
+    record(step::flip, FlagFlip{active[i], piece, enters});
+    if (enters) inside.push_back(piece);
+    else inside.erase(flag);
+
+    if (i + 1 == active.size()) break;
+    const Stretch stretch = stretch_between(y, tables.x_of(active[i]), tables.x_of(active[i + 1]), width);
+    if (!(stretch.x_left < stretch.x_right)) continue;  // two edges at one x, or outside the raster
+    const auto row = static_cast<std::int32_t>(y), flags = static_cast<std::int32_t>(inside.size());
+    record(step::flags, SpanFlags{row, stretch.x_left, stretch.x_right, stretch.first, stretch.last, flags});
+    if (inside.empty() || (wanted == Wanted::pixels && stretch.last < stretch.first)) continue;
+
+    std::int32_t as_before = -1;
+    if (coherence && flags > 1) as_before = coherence->front_as_before(tables.polygons, i, inside, record);
+    if (as_before != -1) {
+      visible.assign(1, {as_before, stretch});
+    } else {
+      find_front(tables.polygons, inside, stretch, visible, record);
+      if (coherence) coherence->keep(i, visible.size() == 1 ? visible[0].piece : -1);
+    }
+    for (const Visible& part : visible) seen(part);
+  }
+}
+
+}  // namespace zstep::scan_line
