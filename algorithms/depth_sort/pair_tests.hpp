@@ -1,0 +1,25 @@
+// The tests of depth sort between two pieces, as the events that they are recorded as.
+#pragma once
+
+#include "algorithms/pieces/pieces.hpp"
+#include "traces/events/vocabulary.hpp"
+
+namespace zstep::depth_sort {
+
+/// Tests 1 and 2: do the extents along an axis overlap? Extents that touch do not.
+ExtentTest extent_test(const pieces::Pieces& all, std::int32_t p, std::int32_t q, Axis axis);
+
+/// Tests 3 and 4: where does a piece lie, seen from another's plane? The plane is turned so that its C > 0: the eye, at
+/// z = -infinity, is on its negative side, and `before` the plane is where its values are negative. Values within the
+/// tolerance are on the plane.
+SideTest side_test(const pieces::Pieces& all, std::int32_t piece, std::int32_t plane_of, double tolerance);
+
+/// Test 5: do the projections on (x, y) overlap?
+OverlapTest overlap_test(const pieces::Pieces& all, std::int32_t p, std::int32_t q);
+
+/// The tolerance of side tests for these pieces: 1e-12 of the largest coordinate, about 1e-9 where a picture is
+/// 1,000 px wide. Some hundred times what rounding does to a corner, so a part never crosses the plane it was cut by;
+/// far below the 1e-5 at which depths count as equal.
+double tolerance_for(const pieces::Pieces& all);
+
+}  // namespace zstep::depth_sort
