@@ -1,0 +1,81 @@
+#include "algorithms/hidden_line/cover.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zstep::hidden_line {
+
+namespace {
+
+double snapped(double value, double tolerance) { return std::abs(value) <= tolerance ? 0 : value; }
+
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+// Where the line, endless, crosses the outline.
+std::vector<double> crossings_on_picture(const lines::Line& line, std::span<const glm::dvec3> face) {
+  const glm::dvec2 from(line.from), along = glm::dvec2(line.to) - from;
+  const double length = line.length();
+  const auto side = [&](glm::dvec3 corner) { return snapped(cross(along, glm::dvec2(corner) - from) / length, on_line); };
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const glm::dvec3 start = face[i], end = face[i + 1 < face.size() ? i + 1 : 0];
+    const double side_0 = side(start), side_1 = side(end);
+    if ((side_0 > 0) == (side_1 > 0)) continue;
+    const glm::dvec3 point = start + side_0 / (side_0 - side_1) * (end - start);
+    crossings.push_back(glm::dot(glm::dvec2(point) - from, along) / (length * length));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+}  // namespace
+
+Cover find_cover(const lines::Line& line, std::span<const glm::dvec3> face, const pieces::Plane& plane) {
+  // The eye looks along z: behind the plane is where its value has the sign of C.
+  const double away = plane.c > 0 ? 1 : -1;
+  const double d_0 = snapped(away * plane.value(line.from), on_plane);
+  const double d_1 = snapped(away * plane.value(line.to), on_plane);
+  if (d_0 <= 0 && d_1 <= 0) return {LineFace::in_front, {}, {}};
+
+  Cover cover{LineFace::behind, {}, {}};
+  Stretch behind{0, 1};
+  if (d_0 < 0 || d_1 < 0) {
+    const double t = d_0 / (d_0 - d_1);
+    (d_0 < 0 ? behind.t_0 : behind.t_1) = t;
+    cover.crossings.push_back({t, true});
+  }
+  const std::vector<double> crossings = crossings_on_picture(line, face);
+  for (const double t : crossings) {
+    if (t > 0 && t < 1) cover.crossings.push_back({t, false});
+  }
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {  // even-odd: inside between each pair
+    const Stretch both{std::max(crossings[i], behind.t_0), std::min(crossings[i + 1], behind.t_1)};
+    if ((both.t_1 - both.t_0) * line.length() > shortest) cover.hidden.push_back(both);
+  }
+  if (!cover.hidden.empty()) cover.outcome = LineFace::covered;
+  return cover;
+}
+
+std::vector<Part> cut(std::vector<Stretch> hidden, double length) {
+  const double least = shortest / length;
+  std::sort(hidden.begin(), hidden.end(), [](const Stretch& a, const Stretch& b) { return a.t_0 < b.t_0; });
+  std::vector<Part> parts;
+  double seen_to = 0;  // all before it is in a part
+  for (const Stretch& stretch : hidden) {
+    if (stretch.t_1 <= seen_to) continue;
+    if (stretch.t_0 - seen_to > least) {
+      parts.push_back({seen_to, stretch.t_0, true});
+      parts.push_back({stretch.t_0, stretch.t_1, false});
+    } else if (parts.empty()) {
+      parts.push_back({0, stretch.t_1, false});
+    } else {
+      parts.back().t_1 = stretch.t_1;
+    }
+    seen_to = stretch.t_1;
+  }
+  if (parts.empty() || 1 - seen_to > least) parts.push_back({seen_to, 1, true});
+  parts.back().t_1 = 1;
+  return parts;
+}
+
+}  // namespace zstep::hidden_line
