@@ -58,6 +58,7 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
     record(step::polygon, PolygonBegin{polygon, number});
     ++number;
 
+    vertices.resize(scene.points.size());  // without those that clipping made for the facet before
     const bool visible = find_outline(scene, facet, conventions.cull, lens, vertices, outline, record);
     if (!visible) continue;
 

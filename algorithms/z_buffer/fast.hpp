@@ -1,0 +1,23 @@
+// The Z-buffer in a hurry: the picture of z_buffer.cpp, bit for bit, for whoever wants the picture and no trace.
+//
+// z_buffer.cpp is the method, and the place to read it. Here the same formulas are evaluated in the same order, but for
+// four vertices, four scan lines or four pixels at once, and without tables:
+// - Nearly every polygon goes down on one side and up on the other. A scan line then meets two of its edges, and these
+//   are found by trying all: there is nothing to insert, sort or retire.
+// - Facing and area are decided without square roots where they are clear by a wide margin.
+// - Where spans are short, all are filled as if they were equally long; what is too much is masked out.
+// Facets that need clipping, that are nearly edge-on or nearly without area, and polygons that go up and down more than
+// once take the way of z_buffer.cpp for the part in question. So does everything with increments (each sum needs the
+// one before) or with inclusive coverage, and on compilers without vector types.
+//
+// What it costs: 520 lines beside the 100 of z_buffer.cpp, and a test that holds the two together to the bit.
+#pragma once
+
+#include "traces/scene.hpp"
+
+namespace zstep::z_buffer {
+
+/// The bits of run() with a NullRecorder.
+Picture run_fast(const Scene& scene, const Conventions& conventions);
+
+}  // namespace zstep::z_buffer
