@@ -3,6 +3,19 @@
 #include <array>
 #include <string>
 
+#include "algorithms/bsp/bsp.hpp"
+#include "algorithms/depth_sort/depth_sort.hpp"
+#include "algorithms/depth_sort/painter.hpp"
+#include "algorithms/floating_horizon/floating_horizon.hpp"
+#include "algorithms/hidden_line/hidden_line.hpp"
+#include "algorithms/hidden_line/wireframe.hpp"
+#include "algorithms/ray_casting/fast.hpp"
+#include "algorithms/ray_casting/ray_casting.hpp"
+#include "algorithms/ray_tracing/ray_tracing.hpp"
+#include "algorithms/scan_line/scan_line.hpp"
+#include "algorithms/shadow_buffer/shadow_buffer.hpp"
+#include "algorithms/warnock/warnock.hpp"
+#include "algorithms/z_buffer/fast.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "traces/error.hpp"
 
@@ -11,19 +24,74 @@ namespace zstep {
 namespace {
 
 // A method is a folder with a page of steps and a function `run`; here it gets its names and its paper.
-#define METHOD(id, title, paper, module)                                                                              \
-  Method {                                                                                                            \
-    id, title, paper, module::page, module::run<NullRecorder>, module::run<CountRecorder>, module::run<TraceRecorder> \
+// Where the picture alone can be had faster, with the same bits, METHOD_DRAWN_BY says how.
+#define METHOD_DRAWN_BY(render_, module, ...)                                                          \
+  Method {                                                                                             \
+    __VA_ARGS__, .page = module::page, .taught = module::run<NullRecorder>, .render = render_,         \
+                 .count = module::run<CountRecorder>, .record = module::run<TraceRecorder>             \
   }
+#define METHOD(module, ...) METHOD_DRAWN_BY(module::run<NullRecorder>, module, __VA_ARGS__)
+
+Picture draw_z_buffer(const Scene& scene, const Conventions& conventions, NullRecorder&) {
+  return z_buffer::run_fast(scene, conventions);
+}
+
+Picture draw_ray_casting(const Scene& scene, const Conventions& conventions, NullRecorder&) {
+  return ray_casting::cast_fast(scene, conventions);
+}
 
 constexpr std::array catalog{
-    METHOD("z-buffer", "Z-buffer",
-           "E. Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, PhD thesis, University of "
-           "Utah, 1974",
-           z_buffer),
+    METHOD_DRAWN_BY(draw_z_buffer, z_buffer, .id = "z-buffer", .title = "Z-buffer",
+           .paper =
+               "E. Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, PhD thesis, University "
+               "of Utah, 1974",
+           .interpolates = true),
+    METHOD(scan_line, .id = "scan-line", .title = "Scan line",
+           .paper = "W. J. Bouknight, A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics "
+                    "Presentations, Communications of the ACM 13(9), 1970",
+           .interpolates = true, .options = scan_line::options, .check = scan_line::check),
+    METHOD(painter, .id = "painter", .title = "Painter's algorithm",
+           .paper = "the first step, alone, of M. E. Newell, R. G. Newell, T. L. Sancha, A Solution to the Hidden Surface "
+                    "Problem, ACM National Conference, 1972",
+           .exact = false),
+    METHOD(depth_sort, .id = "depth-sort", .title = "Depth sort",
+           .paper = "M. E. Newell, R. G. Newell, T. L. Sancha, A Solution to the Hidden Surface Problem, ACM National "
+                    "Conference, 1972"),
+    METHOD(bsp, .id = "bsp", .title = "BSP tree",
+           .paper =
+               "H. Fuchs, Z. M. Kedem and B. F. Naylor, On Visible Surface Generation by A Priori Tree Structures, "
+               "SIGGRAPH 1980",
+           .options = bsp::options),
+    METHOD(warnock, .id = "warnock", .title = "Warnock",
+           .paper =
+               "J. E. Warnock, A Hidden Surface Algorithm for Computer Generated Halftone Pictures, TR 4-15, "
+               "University of Utah, 1969",
+           .options = warnock::options),
+    METHOD_DRAWN_BY(draw_ray_casting, ray_casting, .id = "ray-casting", .title = "Ray casting",
+           .paper = "A. Appel, Some Techniques for Shading Machine Renderings of Solids, AFIPS Spring Joint Computer "
+                    "Conference 32, 1968",
+           .options = ray_casting::options),
+    METHOD(ray_tracing, .id = "ray-tracing", .title = "Ray tracing",
+           .paper = "T. Whitted, An Improved Illumination Model for Shaded Display, Communications of the ACM 23(6), 1980",
+           .gives = Gives::colors, .options = ray_tracing::options),
+    METHOD(floating_horizon, .id = "floating-horizon", .title = "Floating horizon",
+           .paper =
+               "T. J. Wright, A Two-Space Solution to the Hidden Line Problem for Plotting Functions of Two Variables, "
+               "IEEE Transactions on Computers C-22(1), 1973",
+           .gives = Gives::lines, .needs = Needs::surface, .exact = false, .options = floating_horizon::options),
+    METHOD(wireframe, .id = "wireframe", .title = "Wireframe",
+           .paper = "as every line drawing; J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 1990",
+           .gives = Gives::lines, .options = wireframe::options),
+    METHOD(hidden_line, .id = "hidden-line", .title = "Hidden lines",
+           .paper = "L. G. Roberts, Machine Perception of Three-Dimensional Solids, MIT Lincoln Laboratory TR 315, 1963",
+           .gives = Gives::lines, .options = hidden_line::options),
+    METHOD(shadow_buffer, .id = "shadow-buffer", .title = "Shadow buffer",
+           .paper = "L. Williams, Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978", .gives = Gives::colors,
+           .needs = Needs::light, .interpolates = true, .options = shadow_buffer::options),
 };
 
 #undef METHOD
+#undef METHOD_DRAWN_BY
 
 }  // namespace
 
@@ -36,6 +104,28 @@ const Method& method(std::string_view id) {
     known += (known.empty() ? "" : ", ") + std::string(candidate.id);
   }
   throw InputError("--algorithm " + std::string(id), "there is no such method", "the methods are: " + known);
+}
+
+void check_run(const Method& method, const Scene& scene, const Conventions& conventions,
+               const std::string& who) {
+  const std::string id(method.id);
+  check_options(method.options, method.id, conventions, who);
+  if (method.check) method.check(conventions, who);
+  if (!method.interpolates) {
+    const Conventions standard;
+    const bool plain = conventions.depth == standard.depth && conventions.interpolation == standard.interpolation &&
+                       conventions.coverage == standard.coverage;
+    if (!plain)
+      throw InputError("--algorithm " + id,
+                       "works with planes: its depths are pseudodepths, directly computed at pixel centres",
+                       "leave out --depth, --interpolation and --coverage, or use z-buffer or scan-line");
+  }
+  const std::string name = scene.source.empty() || scene.source == "built-in" ? scene.name : scene.source;
+  if (method.needs == Needs::surface && !scene.surface)
+    throw InputError(name, id + " draws a surface y = f(x, z), and this scene has none",
+                     "give a formula in its place: \"y = sin(x)*cos(z)\"");
+  if (method.needs == Needs::light && !scene.light)
+    throw InputError(name, id + " needs a light, and this scene has none", "add a [light] to the scene's file");
 }
 
 Header header_for(const Method& method, const Conventions& conventions) {

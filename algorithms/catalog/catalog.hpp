@@ -2,27 +2,58 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
+#include "algorithms/catalog/option.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep {
 
+/// What there is at a pixel when the method is done.
+enum class Gives : std::uint8_t {
+  surfaces,  ///< a polygon and its depth
+  colors,    ///< a colour of its own (shadow, mirror image, mixture), and the polygon and depth that the eye sees first
+  lines,     ///< lines; no polygon
+};
+
+/// What a scene must have for the method to run.
+enum class Needs : std::uint8_t { polygons, surface, light };
+
 struct Method {
   std::string_view id;     ///< "z-buffer"
   std::string_view title;  ///< "Z-buffer"
   std::string_view paper;  ///< who, where, when
-  Page (*page)();          ///< its pseudo-code
-  Picture (*render)(const Scene&, const Conventions&, NullRecorder&);
-  Picture (*count)(const Scene&, const Conventions&, CountRecorder&);
-  Picture (*record)(const Scene&, const Conventions&, TraceRecorder&);
+  Gives gives = Gives::surfaces;
+  Needs needs = Needs::polygons;
+  /// At every pixel the nearest polygon is seen, but for ties and rounding. False for those known to fail.
+  bool exact = true;
+  /// It interpolates along edges and spans, so that --depth view, --interpolation increments and --coverage inclusive
+  /// mean something. The others work with planes, which only pseudodepth leaves plane.
+  bool interpolates = false;
+  std::span<const Option> options = {};
+  /// Throws InputError where conventions and options, each possible by itself, do not go together.
+  void (*check)(const Conventions&, const std::string& who) = nullptr;
+  Page (*page)() = nullptr;  ///< its pseudo-code
+  /// The page's own loops without a recording, which is what comparisons measure.
+  Picture (*taught)(const Scene&, const Conventions&, NullRecorder&) = nullptr;
+  /// The same picture, to the bit, as fast as it can be had.
+  Picture (*render)(const Scene&, const Conventions&, NullRecorder&) = nullptr;
+  Picture (*count)(const Scene&, const Conventions&, CountRecorder&) = nullptr;
+  Picture (*record)(const Scene&, const Conventions&, TraceRecorder&) = nullptr;
 };
 
 std::span<const Method> methods();
 /// The method with this id; throws InputError listing the ids if there is none.
 const Method& method(std::string_view id);
+
+/// Throws InputError where the method cannot draw this scene under these conventions: an unknown option, a convention
+/// that it does not have, a light or a surface that is missing. To be called before a run. `who`: what its options were
+/// given by.
+void check_run(const Method& method, const Scene& scene, const Conventions& conventions,
+               const std::string& who = "--option");
 
 /// The header of a trace of this method under these conventions.
 Header header_for(const Method& method, const Conventions& conventions);
