@@ -18,6 +18,7 @@ void add_dump(CLI::App& app, Action& action);
 void add_import(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
 void add_lesson(CLI::App& app, Action& action);
+void add_compare_methods(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
 
 /// `zstep` alone: the Z-buffer lesson in the viewer, or its first picture where there is no display.

@@ -22,6 +22,16 @@ std::string methods_text() {
   return table.text();
 }
 
+std::string options_text() {
+  Table table({left, left, left, left});
+  for (const Method& m : methods())
+    for (const Option& option : m.options) {
+      const std::string values = option.words.empty() ? fmt::format("{}…{}", option.least, option.most) : std::string(option.words);
+      table.row({std::string(m.id), fmt::format("{}={}", option.name, option.standard), values, std::string(option.meaning)});
+    }
+  return table.text();
+}
+
 std::string lessons_text() {
   Table table({left, left, left});
   for (const Lesson& lesson : all_lessons()) table.row({lesson.id, lesson.title, lesson.summary});
@@ -38,10 +48,11 @@ std::string scenes_text() {
 int list(const std::string& what) {
   const bool all = what.empty();
   if (all || what == "methods") fmt::print("{}{}", all ? "Methods (--algorithm NAME)\n" : "", methods_text());
+  if (what == "options") fmt::print("{}", options_text());
   if (all || what == "lessons") fmt::print("{}{}", all ? "\nLessons (zstep lesson NAME)\n" : "", lessons_text());
   if (all || what == "scenes") {
     fmt::print("{}{}", all ? "\nScenes (zstep render NAME, record NAME, view NAME)\n" : "", scenes_text());
-    if (all) fmt::print("  Any .toml scene and any .obj, .off, .ply or .stl mesh works in place of a name.\n");
+    fmt::print("In place of a name: a .toml scene, a .obj, .off, .ply or .stl mesh, or a surface by its formula, \"y = sin(x) * cos(z)\".\n");
   }
   return exit_code::done;
 }
@@ -50,12 +61,12 @@ int list(const std::string& what) {
 
 void add_list(CLI::App& app, Action& action) {
   const auto what = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("list", "Name the methods, lessons and scenes there are");
+  CLI::App* command = app.add_subcommand("list", "Name the methods and their options, the lessons and the scenes there are");
   const auto take = [what](const std::string& text) {
-    const std::vector<std::string> words{"methods", "lessons", "scenes"};
+    const std::vector<std::string> words{"methods", "options", "lessons", "scenes"};
     *what = words.at(parse_choice("zstep list", text, words));
   };
-  command->add_option_function<std::string>("what", take, "Only these")->type_name("methods|lessons|scenes");
+  command->add_option_function<std::string>("what", take, "Only these")->type_name("methods|options|lessons|scenes");
   command->footer("Examples:\n  zstep list\n  zstep list lessons");
   command->callback([what, &action] { action = [what] { return list(*what); }; });
 }

@@ -74,8 +74,7 @@ Image image_of(const Picture& picture, const Scene& scene, int enlarge) {
   for (std::size_t row = 0; row < height * times; ++row) {
     const std::size_t y = scene.raster.y_up ? height - 1 - row / times : row / times;
     for (std::size_t column = 0; column < width * times; ++column) {
-      const std::int32_t polygon = picture.polygon[y * width + column / times];
-      const Color c = polygon == no_polygon ? scene.background : scene.polygons.at(static_cast<std::size_t>(polygon)).color;
+      const Color c = color_at(picture, scene, y * width + column / times);
       image.rgb.insert(image.rgb.end(), {c.red, c.green, c.blue});
     }
   }

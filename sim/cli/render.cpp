@@ -36,6 +36,11 @@ int render(const RenderOptions& options) {
   NullRecorder nothing;
   const Picture picture = run.method->render(run.scene, run.conventions, nothing);
   write_outputs(outputs, picture, run.scene, run.conventions);
+  if (run.method->gives == Gives::lines) {
+    const auto drawn = std::count_if(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; });
+    fmt::print("{}: {} drawn by {}\n", run.scene.name, counted(drawn, "pixel", "pixels"), run.method->title);
+    return exit_code::done;
+  }
   const std::size_t polygons = run.scene.polygons.size();
   fmt::print("{}: {} of {} seen by {}\n", run.scene.name, grouped(polygons_seen(picture, polygons)),
              counted(static_cast<std::int64_t>(polygons), "polygon", "polygons"), run.method->title);
@@ -47,7 +52,7 @@ int render(const RenderOptions& options) {
 void add_render(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw a scene or a mesh and write the picture");
-  command->add_option("scene", options->run.scene, "A built-in scene's name, a .toml scene, or a .obj, .off, .ply or .stl mesh")->type_name("SCENE|MESH")->required();
+  command->add_option("scene", options->run.scene, "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")->type_name("SCENE|MESH")->required();
   add_outputs(*command, options->outputs);
   add_run_options(*command, options->run);
   command->footer(

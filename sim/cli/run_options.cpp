@@ -40,13 +40,30 @@ void check_scene_exists(const std::string& name) {
   const std::string stem = name.substr(0, name.find(':'));
   for (const std::string& scene : known)
     if (scene == stem) return;
+  if (names_formula(name)) return;
   std::error_code ignored;
   if (fs::exists(name, ignored)) {
     if (is_trace(name)) throw InputError(name, "is a recorded trace, not a scene", fmt::format("to open it: zstep view {}", name));
     return;
   }
   throw InputError(name, "there is no such file and no built-in scene of this name",
-                   did_you_mean(stem, known, "'zstep list scenes' names the scenes, or give the path of a .toml, .obj, .off, .ply or .stl"));
+                   did_you_mean(stem, known, "'zstep list scenes' names the scenes, or give the path of a .toml, .obj, .off, .ply or .stl, or a formula: \"y = sin(x)\""));
+}
+
+void add_method_options(CLI::App& command, RunOptions& options) {
+  const auto take_algorithm = [&options](const std::string& id) {
+    const std::vector<std::string> ids = method_ids();
+    options.algorithm = ids.at(parse_choice("--algorithm", id, ids));
+  };
+  options.declared.push_back(command.add_option_function<std::string>("--algorithm", take_algorithm, "The method, one of 'zstep list methods' (default z-buffer)")->type_name("METHOD")->group("Method"));
+  const auto take_option = [&options](const std::vector<std::string>& given) {
+    for (const std::string& text : given) {
+      const std::size_t equals = text.find('=');
+      if (equals == 0 || equals == text.npos) throw InputError("--option " + text, "is not NAME=VALUE", "give for example --option boxes=on");
+      options.options[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+  };
+  options.declared.push_back(command.add_option_function<std::vector<std::string>>("--option", take_option, "An option of the method, as 'zstep list options' names them; may be given more than once")->type_name("NAME=VALUE")->allow_extra_args(false)->take_all()->group("Method"));
 }
 
 }  // namespace
@@ -67,16 +84,12 @@ std::string RunOptions::given() const {
   return "";
 }
 
-void add_run_options(CLI::App& command, RunOptions& options) {
+void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method) {
   std::vector<CLI::Option*>& all = options.declared;
   const auto in = [&](const std::string& group, CLI::Option* option) { all.push_back(option->group(group)); };
   ViewOptions& view = options.view;
 
-  const auto take_algorithm = [&options](const std::string& id) {
-    const std::vector<std::string> ids = method_ids();
-    options.algorithm = ids.at(parse_choice("--algorithm", id, ids));
-  };
-  in("Method", command.add_option_function<std::string>("--algorithm", take_algorithm, "The method, one of 'zstep list methods' (default z-buffer)")->type_name("METHOD"));
+  if (of_one_method) add_method_options(command, options);
   const auto take_size = [&view](const std::string& text) {
     const auto [width, height] = parse_size("--size", text);
     view.width = width;
@@ -109,11 +122,13 @@ Run prepare(const RunOptions& options) {
   if (options.interpolation) run.conventions.interpolation = *options.interpolation;
   if (options.coverage) run.conventions.coverage = *options.coverage;
   if (options.no_cull) run.conventions.cull = false;
+  run.conventions.options = options.options;
+  check_run(*run.method, run.scene, run.conventions);
   return run;
 }
 
 std::string file_stem(const Scene& scene) {
-  std::string stem = scene.name.empty() ? "scene" : scene.name;
+  std::string stem = scene.name.empty() || names_formula(scene.name) ? scene.surface ? "surface" : "scene" : scene.name;
   for (char& c : stem) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
     if (!plain) c = '-';

@@ -1,6 +1,7 @@
 // What render, record and view have in common: a scene, how it is looked at, and under which conventions it is drawn.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,14 +22,16 @@ struct RunOptions {
   std::optional<Conventions::Interpolation> interpolation;
   std::optional<Conventions::Coverage> coverage;
   bool no_cull = false;
+  std::map<std::string, std::string> options;  ///< of the method
   std::vector<CLI::Option*> declared;  ///< all of the options below
 
   /// The first of these options that the command line gives, or "".
   std::string given() const;
 };
 
-/// Adds --algorithm, --size, the camera's and the conventions' options to a command; they fill `options` when parsed.
-void add_run_options(CLI::App& command, RunOptions& options);
+/// Adds --algorithm, --option, --size, the camera's and the conventions' options to a command; they fill `options` when
+/// parsed. Without `of_one_method` the first two are left out.
+void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method = true);
 
 /// A scene that a method may run on.
 struct Run {

@@ -4,6 +4,7 @@
 
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
+#include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "sim/viewer/words/shell_word.hpp"
@@ -71,6 +72,7 @@ int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   if (options.dark || options.light) viewer.dark = options.dark;
   viewer.presenter = options.presenter;
   viewer.lesson = lesson;
+  viewer.other_method = record_other_method;
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
   const int code = run_viewer(trace, viewer);
   if (code == exit_code::done && viewer.screenshot) fmt::print("wrote {}: the viewer, {}x{} pixels\n", options.screenshot, options.width, options.height);

@@ -49,4 +49,55 @@ Trace record_to_memory(const Run& run) {
   return Trace::from_bytes(recorder.take_bytes(), run.scene.name);
 }
 
+namespace {
+
+constexpr std::int64_t patience = 4'000'000;  // events: a second or two
+struct TooLong {};
+
+/// What stays of a run's conventions for another method: its options are not the other's.
+Conventions for_method(const Method& other, Conventions conventions) {
+  conventions.options.clear();
+  if (other.interpolates) return conventions;
+  Conventions plain;
+  plain.cull = conventions.cull;
+  return plain;
+}
+
+bool can_draw(const Method& method, const Scene& scene, const Conventions& conventions) {
+  try {
+    check_run(method, scene, conventions);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
+  const std::span<const Method> all = methods();
+  const auto count = static_cast<std::int64_t>(all.size());
+  std::int64_t place = 0;
+  while (place < count && all[static_cast<std::size_t>(place)].id != trace.header().algorithm) ++place;
+  for (std::int64_t away = 1; away < count; ++away) {
+    const Method& other = all[static_cast<std::size_t>(((place + direction * away) % count + count) % count)];
+    const Conventions conventions = for_method(other, trace.header().conventions);
+    if (!can_draw(other, trace.scene(), conventions)) continue;
+    TraceRecorder recorder(header_for(other, conventions), trace.scene());
+    recorder.on_block([](std::int64_t events) {
+      if (events > patience) throw TooLong{};
+    });
+    bool whole = true;
+    try {
+      other.record(trace.scene(), conventions, recorder);
+    } catch (const TooLong&) {
+      whole = false;
+    }
+    recorder.on_block(nullptr);
+    recorder.finish();
+    return OtherRun{Trace::from_bytes(recorder.take_bytes(), trace.scene().name), whole};
+  }
+  return std::nullopt;
+}
+
 }  // namespace zstep::cli

@@ -51,15 +51,25 @@ void Watch::attach(TraceRecorder& recorder) {
   recorder.on_block([this](std::int64_t events) { tick(events); });
 }
 
+bool Watch::due() const {
+  if (!terminal_) return false;
+  const Clock::time_point now = Clock::now();
+  return now - start_ >= quiet_at_first && now - last_shown_ >= between_updates;
+}
+
 void Watch::tick(std::int64_t events) {
   if (interrupted != 0) throw Interrupted{events};
-  if (!terminal_) return;
-  const Clock::time_point now = Clock::now();
-  if (now - start_ < quiet_at_first || now - last_shown_ < between_updates) return;
-  last_shown_ = now;
+  if (!due()) return;
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  show(fmt::format("recording: {} steps, {:.1f} s (Ctrl-C stops and keeps them)", grouped(events), seconds), events);
+}
+
+void Watch::show(const std::string& line, std::int64_t events) {
+  if (interrupted != 0) throw Interrupted{events};
+  if (!due()) return;
+  last_shown_ = Clock::now();
   shown_ = true;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "\rrecording: {} steps, {:.1f} s (Ctrl-C stops and keeps them)", grouped(events), seconds);
+  fmt::print(stderr, "\r\x1b[K{}", line);
   std::fflush(stderr);
 }
 

@@ -1,20 +1,22 @@
-// Watching a long recording: progress on a terminal, and Ctrl-C.
+// Watching long work: progress on a terminal, and Ctrl-C.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 #include "traces/record/trace_recorder.hpp"
 
 namespace zstep::cli {
 
-/// Thrown out of a recording when Ctrl-C was pressed.
+/// Thrown out of the work when Ctrl-C was pressed.
 struct Interrupted {
-  std::int64_t events;
+  std::int64_t events;  ///< of a recording
 };
 
-/// While it lives, Ctrl-C stops the recordings it is attached to at their next block; a second Ctrl-C kills as always.
-/// On a terminal it shows on stderr how far they are, once they take longer than a moment.
+/// While it lives, Ctrl-C stops the recordings it is attached to at their next block, and other work where it next shows
+/// how far it is; a second Ctrl-C kills as always. On a terminal it shows that on stderr, once it takes longer than a
+/// moment.
 class Watch {
  public:
   Watch();
@@ -23,11 +25,16 @@ class Watch {
   Watch& operator=(const Watch&) = delete;
 
   void attach(TraceRecorder& recorder);
+  /// Shows the line in place of the one before, if it is time; throws Interrupted if Ctrl-C was pressed.
+  void show(const std::string& line) { show(line, 0); }
+  /// Takes the line away, before something is printed for good.
+  void clear_line();
 
  private:
   using Clock = std::chrono::steady_clock;
   void tick(std::int64_t events);
-  void clear_line();
+  void show(const std::string& line, std::int64_t events);
+  bool due() const;
 
   void (*before_)(int) = nullptr;  ///< what Ctrl-C did until now
   const bool terminal_;

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -36,6 +38,18 @@ pid_t start(const Folder& folder, const std::vector<std::string>& arguments) {
     _exit(99);
   }
   return child;
+}
+
+// Under sanitizers a program takes its time to start. Linux tells when it has a handler for SIGINT, bit 1 of SigCgt; elsewhere
+// a second must do.
+void wait_until_it_listens(pid_t child) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(fs::exists("/proc/self/status") ? 30 : 1);
+  while (std::chrono::steady_clock::now() < deadline) {
+    std::ifstream status("/proc/" + std::to_string(child) + "/status");
+    for (std::string line; std::getline(status, line);)
+      if (line.rfind("SigCgt:", 0) == 0 && (std::stoull(line.substr(7), nullptr, 16) & 2U) != 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
 }
 
 }  // namespace
@@ -69,6 +83,22 @@ TEST_CASE("Ctrl-C ends a recording with exit code 130 and a trace that can be re
   CHECK(info.code == 0);
   CHECK(info.err.empty());
   CHECK(info.out.find(steps + " steps") != std::string::npos);
+}
+
+TEST_CASE("Ctrl-C ends a comparison at once with exit code 130") {
+  const Folder folder;
+  const pid_t child = start(folder, {"compare-methods", "teapot:64", "--size", "8192x4096", "--methods", "z-buffer"});
+  REQUIRE(child > 0);
+  wait_until_it_listens(child);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  const auto start_of_end = std::chrono::steady_clock::now();
+  kill(child, SIGINT);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(std::chrono::steady_clock::now() - start_of_end < std::chrono::seconds(10));
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 130);
+  CHECK(text_of(folder / "err").find("stopped by Ctrl-C") != std::string::npos);
 }
 
 TEST_CASE("a disk that fills up ends a recording in one line, and what is there can be read") {

@@ -10,7 +10,7 @@ using namespace zstep::test;
 
 namespace {
 
-const std::vector<std::string> commands{"list", "lesson", "view", "render", "record", "info", "dump", "import", "completion"};
+const std::vector<std::string> commands{"list", "lesson", "view", "render", "record", "info", "dump", "import", "compare-methods", "completion"};
 
 void check_complaint(const Folder& folder, const std::string& arguments, const std::vector<std::string>& parts) {
   CAPTURE(arguments);

@@ -1,0 +1,37 @@
+// What compare-methods and its table have in common.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/cli/run_options.hpp"
+#include "sim/compare/comparison.hpp"
+#include "sim/image/png.hpp"
+
+namespace zstep::cli {
+
+struct CompareOptions {
+  RunOptions run;
+  std::string methods, csv, plot;  ///< empty: not given
+  double limit = 60;               ///< seconds a method
+  bool steps = false, table = false, quick = false;
+};
+
+/// The files asked for.
+std::vector<std::string> compare_outputs(const CompareOptions& options);
+/// Writes the CSV and the chart, as far as they were asked for, and prints a line for each.
+void write_comparison(const CompareOptions& options, const std::string& csv, const std::function<Image()>& chart);
+
+/// The methods' numbers as a chart. Throws InputError where the viewer, which draws it, was not built.
+Image chart_of(const Scene& scene, const std::vector<compare::Compared>& methods, double limit);
+
+/// --table: the lecture's table and today's numbers beside it.
+int compare_table(const CompareOptions& options);
+
+/// "85.0 µs", "12.4 ms", "1.24 s": three significant digits.
+std::string seconds_text(double seconds);
+/// "16.4 KiB"; "?" where memory cannot be counted.
+std::string bytes_text(std::int64_t bytes);
+
+}  // namespace zstep::cli

@@ -1,0 +1,211 @@
+// zstep compare-methods: what each method costs on a scene, and whether their pictures agree.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/cli/commands.hpp"
+#include "sim/cli/compare.hpp"
+#include "sim/cli/outputs.hpp"
+#include "sim/cli/run_options.hpp"
+#include "sim/cli/table.hpp"
+#include "sim/cli/watch.hpp"
+#include "sim/cli/words.hpp"
+#include "sim/image/file.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+using compare::Apart;
+using compare::Compared;
+using compare::Measured;
+
+/// A method to be run, with options of its own.
+struct Entrant {
+  const Method* method;
+  Conventions conventions;
+  std::string id, title;
+};
+
+std::vector<std::string> parts_of(const std::string& text, char between) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == between) parts.emplace_back();
+    else parts.back() += c;
+  }
+  return parts;
+}
+
+/// "bsp:root=random": the method, then its options.
+Entrant entrant_of(const std::string& text, const Conventions& conventions) {
+  std::vector<std::string> ids;
+  for (const Method& m : methods()) ids.emplace_back(m.id);
+  const std::vector<std::string> parts = parts_of(text, ':');
+  const Method& method = methods()[parse_choice("--methods", parts[0], ids)];
+  Entrant entrant{&method, conventions, text, std::string(method.title)};
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const std::size_t equals = parts[k].find('=');
+    if (equals == 0 || equals == std::string::npos)
+      throw InputError("--methods " + text, fmt::format("'{}' is not NAME=VALUE", parts[k]),
+                       "write METHOD:NAME=VALUE; 'zstep list options' names them");
+    entrant.conventions.options[parts[k].substr(0, equals)] = parts[k].substr(equals + 1);
+    entrant.title += ", " + parts[k];
+  }
+  return entrant;
+}
+
+/// The methods that were named, or all that can draw the scene; of these, says which cannot.
+std::vector<Entrant> entrants_of(const CompareOptions& options, const Run& run) {
+  std::vector<Entrant> entrants;
+  if (!options.methods.empty()) {
+    std::set<std::string> seen;
+    for (const std::string& text : parts_of(options.methods, ',')) {
+      entrants.push_back(entrant_of(text, run.conventions));
+      check_run(*entrants.back().method, run.scene, entrants.back().conventions, "--methods " + text);
+      if (!seen.insert(text).second) throw InputError("--methods", fmt::format("{} is named twice", text), "name each once");
+    }
+    return entrants;
+  }
+  for (const Method& m : methods()) {
+    try {
+      check_run(m, run.scene, run.conventions);
+      entrants.push_back({&m, run.conventions, std::string(m.id), std::string(m.title)});
+    } catch (const InputError& error) {
+      fmt::print(stderr, "note: without {}: {}\n", m.title, error.what());
+    }
+  }
+  return entrants;
+}
+
+std::string end_text(const Measured& measured, double limit) {
+  if (measured.end == Apart::End::out_of_time) return fmt::format("not done within {:g} s", limit);
+  return "failed: " + measured.what;
+}
+
+void print_summary(const CompareOptions& options, const Run& run, const std::vector<Compared>& all) {
+  using enum Table::Align;
+  fmt::print("{}: {}, {}x{} pixels. Pictures are held against that of {}.\n\n", run.scene.name,
+             counted(static_cast<std::int64_t>(run.scene.polygons.size()), "polygon", "polygons"), run.scene.raster.width, run.scene.raster.height,
+             all.front().title);
+  Table table({left, right, right, right, right, right, right, right, right});
+  table.row({"METHOD", "EQUAL", "EDGES", "TIES", "WRONG", "STEPS", "MEMORY", "TIME", "RUNS"});
+  std::string ends;
+  for (const Compared& compared : all) {
+    const Measured& m = compared.measured;
+    if (!m.done()) {
+      table.row({compared.title, "-", "-", "-", "-", "-", "-", "-", "-"});
+      ends += fmt::format("{}: {}\n", compared.title, end_text(m, options.limit));
+      continue;
+    }
+    const compare::Agreement& a = compared.agreement;
+    const auto pixels = [&](std::int64_t count) { return compared.comparable ? grouped(count) : std::string("-"); };
+    table.row({compared.title, pixels(a.equal), pixels(a.at_edges), pixels(a.ties), pixels(a.unexplained), grouped(m.steps()), bytes_text(m.heap),
+               seconds_text(m.median_seconds()), fmt::format("{}", m.seconds.size())});
+  }
+  fmt::print("{}{}\n", table.text(0), ends);
+  fmt::print(
+      "EQUAL, EDGES, TIES, WRONG: pixels with the same polygon; with another one, as an edge runs within 1.5/256 of a pixel of\n"
+      "the centre, or as depths are equal to 1e-5; and those that neither explains. STEPS: what a recording would hold.\n"
+      "MEMORY: the most that a run holds at once, its picture included. TIME: of the processor, the median of\n"
+      "runs without recording.\n");
+}
+
+void print_work(const std::vector<Compared>& all) {
+  using enum Table::Align;
+  for (const Compared& compared : all) {
+    if (!compared.measured.done()) continue;
+    fmt::print("\n{}\n", compared.title);
+    Table table({right, left, left});
+    for (const StepInfo& step : compared.measured.method->page()) {
+      const std::int64_t count = compared.measured.count[step.id];
+      if (count > 0) table.row({grouped(count), step.module + "." + step.name, step.text});
+    }
+    fmt::print("{}", table.text());
+  }
+}
+
+int compare_scene(const CompareOptions& options) {
+  Watch watch;  // from the start: loading takes its time, too
+  check_outputs({}, {options.run.scene}, compare_outputs(options));
+  const Run run = prepare(options.run);
+  const std::vector<Entrant> entrants = entrants_of(options, run);
+  if (entrants.empty()) throw InputError(run.scene.name, "no method can draw it so", "'zstep list methods' says what they need");
+
+  std::vector<Compared> all;
+  bool stopped = false;
+  try {
+    for (const Entrant& entrant : entrants) {
+      compare::MeasureOptions measuring;
+      measuring.limit = options.limit;
+      const auto tick = [&](double seconds) {
+        watch.show(
+            fmt::format("{} of {}: {}, {:.1f} s (Ctrl-C stops and prints what is done)", all.size() + 1, entrants.size(), entrant.title, seconds));
+      };
+      Compared compared{entrant.id, entrant.title, compare::measure(*entrant.method, run.scene, entrant.conventions, measuring, tick), {}, false};
+      const Measured& first = all.empty() ? compared.measured : all.front().measured;
+      const bool polygons = entrant.method->gives != Gives::lines && first.method->gives != Gives::lines;
+      compared.comparable = compared.measured.done() && first.done() && polygons;
+      if (compared.comparable) compared.agreement = compare::agreement(run.scene, run.conventions, first.picture, compared.measured.picture);
+      all.push_back(std::move(compared));
+    }
+  } catch (const Interrupted&) {
+    if (all.empty()) throw;
+    stopped = true;
+  }
+  watch.clear_line();
+  print_summary(options, run, all);
+  if (options.steps) print_work(all);
+  write_comparison(options, compare::csv_of(run.scene.name, all), [&] { return chart_of(run.scene, all, options.limit); });
+  if (stopped) fmt::print(stderr, "stopped by Ctrl-C after {} of {} methods\n", all.size(), entrants.size());
+  return stopped ? exit_code::interrupted : exit_code::done;
+}
+
+}  // namespace
+
+void add_compare_methods(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand("compare-methods", "Run several methods on one scene: do their pictures agree, what does each cost");
+  command->add_option("scene", options->run.scene, "A built-in scene's name, a .toml scene, or a .obj, .off, .ply or .stl mesh")
+      ->type_name("SCENE|MESH");
+  const auto in = [&](CLI::Option* option) { option->group("Comparison"); };
+  in(command
+         ->add_option("--methods", options->methods,
+                      "Which ones, as z-buffer,bsp or with options bsp:root=random (default: all that can draw the scene)")
+         ->type_name("METHOD,…"));
+  in(command->add_flag("--steps", options->steps, "Also say how often each method does each of its steps"));
+  const auto take_limit = [options](const std::string& text) {
+    options->limit = parse_number("--limit", text);
+    if (!(options->limit > 0)) throw InputError("--limit", fmt::format("'{}' is no time to run in", text), "give seconds above 0");
+  };
+  in(command->add_option_function<std::string>("--limit", take_limit, "Seconds after which a method is stopped (default 60)")->type_name("SECONDS"));
+  in(command->add_flag("--table", options->table, "The comparison table of the lecture: random scenes of 100, 2 500 and 60 000 polygons"));
+  in(command->add_flag("--quick", options->quick, "The table from small rasters, without the largest scene"));
+  const auto file = [&](const char* name, std::string& path, const char* type, const char* help) {
+    command->add_option(name, path, help)->type_name(type)->group("Output");
+  };
+  file("--csv", options->csv, "FILE.csv", "Write the numbers, one a line: scene,method,measure,step,value");
+  file("--plot", options->plot, "FILE.png", "Write a chart");
+  add_run_options(*command, options->run, false);
+  command->footer(
+      "The first method is the one whose picture the others are held against.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep compare-methods intersecting --steps\n"
+      "  zstep compare-methods teapot --size 160x120 --methods z-buffer,scan-line --csv teapot.csv --plot teapot.png\n"
+      "  zstep compare-methods --table --plot table.png");
+  command->callback([options, &action] {
+    action = [options] {
+      if (options->table) return compare_table(*options);
+      if (options->quick) throw InputError("--quick", "goes with --table", "leave it out, or give --table");
+      if (options->run.scene.empty()) throw InputError("zstep compare-methods", "there is no scene", "name one, or give --table");
+      return compare_scene(*options);
+    };
+  });
+}
+
+}  // namespace zstep::cli

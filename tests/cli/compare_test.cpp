@@ -1,0 +1,92 @@
+// zstep compare-methods: its tables, its files, its mistakes, and Ctrl-C.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "sim/image/png.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace zstep::test;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+void check_refused(const std::string& arguments, const std::string& part) {
+  const Folder folder;
+  CAPTURE(arguments);
+  const Outcome outcome = run(folder, "compare-methods " + arguments);
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK(outcome.out.empty());
+  CHECK(times(outcome.err, "\n") == 1);
+  CHECK(has(outcome.err, part));
+  CHECK(folder.names().empty());
+}
+
+}  // namespace
+
+TEST_CASE("compare-methods: all methods that can draw the scene, with numbers and chart") {
+  const Folder folder;
+  const Outcome outcome = run(folder, "compare-methods cyclic --size 24x20 --steps --csv c.csv --plot c.png");
+  CAPTURE(outcome.out);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(has(outcome.out, "cyclic: 3 polygons, 24x20 pixels. Pictures are held against that of Z-buffer."));
+  CHECK(has(outcome.out, "z_buffer.compare"));
+  const std::string csv = text_of(folder / "c.csv");
+  CHECK(csv.starts_with("scene,method,measure,step,value\ncyclic,z-buffer,pixels,,480\n"));
+  CHECK(has(csv, "cyclic,z-buffer,equal,,480\n"));
+  CHECK(has(csv, "cyclic,z-buffer,unexplained,,0\n"));
+  if (has(outcome.out, "wrote c.png")) CHECK(zstep::read_png(folder / "c.png").width == 1280);
+}
+
+TEST_CASE("compare-methods: methods that are named, in their order") {
+  const Folder folder;
+  const Outcome outcome = run(folder, "compare-methods pyramid --size 16x16 --methods z-buffer");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(has(outcome.out, "\nZ-buffer    256      0     0      0"));
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("compare-methods: the table, quickly") {
+  const Folder folder;
+  const Outcome outcome = run(folder, "compare-methods --table --quick --csv t.csv --plot t.png");
+  CAPTURE(outcome.out);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(has(outcome.out, "128x128 pixels"));
+  CHECK(has(outcome.out, "Z-buffer"));
+  CHECK(has(outcome.out, "left out"));
+  CHECK(has(outcome.out, "(54)"));
+  const std::string csv = text_of(folder / "t.csv");
+  CHECK(csv.starts_with("method,polygons,time_s,cost,book_cost\n"));
+  CHECK(has(csv, "z-buffer,60000,,,54\n"));
+  CHECK(has(csv, "z-buffer,100,"));
+  CHECK_FALSE(has(csv, "z-buffer,100,,"));
+}
+
+TEST_CASE("compare-methods: mistakes") {
+  check_refused("", "there is no scene; name one, or give --table");
+  check_refused("cube --quick", "--quick: goes with --table");
+  check_refused("cube --methods z-bufer", "did you mean z-buffer?");
+  check_refused("cube --methods z-buffer,z-buffer", "z-buffer is named twice");
+  check_refused("cube --methods z-buffer:fast", "'fast' is not NAME=VALUE");
+  check_refused("cube --methods z-buffer:colour=red", "colour");
+  check_refused("cube --limit 0", "--limit: '0' is no time to run in");
+  check_refused("cube --csv none/a.csv", "there is no folder none");
+  check_refused("cube --csv a --plot a", "is asked for twice");
+  check_refused("cube --table", "--table: brings its own scenes");
+  check_refused("--table --rho 4", "leave out --rho");
+  check_refused("cube --algorithm z-buffer", "there is no option --algorithm");
+}
+
+TEST_CASE("compare-methods: a method that takes too long is stopped, and it is said so") {
+  const Folder folder;
+  const Outcome outcome = run(folder, "compare-methods teapot:64 --size 4096x4096 --methods z-buffer --limit 0.2 --csv a.csv");
+  CHECK(outcome.code == 0);
+  CHECK(has(outcome.out, "Z-buffer: not done within 0.2 s\n"));
+  CHECK(has(text_of(folder / "a.csv"), "z-buffer,end,,out_of_time\n"));
+}
