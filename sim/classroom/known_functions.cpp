@@ -60,6 +60,19 @@ glm::dvec2 edge_now(const Moment& moment, double edge) {
   return {entry.x_edge, entry.z_edge};
 }
 
+const Piece& piece(const Moment& moment, double number) {
+  const auto& pieces = moment.state().machine.pieces;
+  return pieces[index(moment, number, pieces.size(), "piece")];
+}
+
+const PlaneEquation& plane(const Moment& moment, double number) {
+  const Piece& found = piece(moment, number);
+  if (!found.plane)
+    throw InputError(moment.where, fmt::format("the plane of piece {} is not known at this step", number),
+                     "attach the stop to a later step");
+  return *found.plane;
+}
+
 std::size_t matrix_place(const Moment& moment, double value) {
   if (!(value >= 1 && value <= 4) || value != std::floor(value)) {
     throw InputError(moment.where, fmt::format("T_v has no row or column {}", value), "they run from 1 to 4");
@@ -75,6 +88,28 @@ std::size_t corner(const Moment& moment, double which) {
   const Facet& at_work = scene.facets[static_cast<std::size_t>(facet)];
   const std::size_t place = index(moment, which, static_cast<std::size_t>(at_work.corner_count), "corner");
   return static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(at_work.first_corner) + place]);
+}
+
+const Extent& extent(const Moment& moment, double number) {
+  const Piece& found = piece(moment, number);
+  if (!found.extent)
+    throw InputError(moment.where, fmt::format("the extents of piece {} are not known at this step", number),
+                     "attach the stop to a later step");
+  return *found.extent;
+}
+
+glm::dvec3 on_raster(const Moment& moment, double vertex) {
+  const Scene& scene = moment.trace().scene();
+  if (scene.camera.kind == Camera::Kind::screen && vertex < static_cast<double>(scene.points.size()))
+    return point(moment, vertex);
+  const VertexWay& found = way(moment, vertex, VertexWay::on_raster);
+  return {found.raster, found.plane.z};
+}
+
+double plane_value(const Moment& moment, double number, double vertex) {
+  const PlaneEquation& p = plane(moment, number);
+  const glm::dvec3 at = on_raster(moment, vertex);
+  return p.plane_a * at.x + p.plane_b * at.y + p.plane_c * at.z + p.plane_d;
 }
 
 double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
@@ -93,12 +128,16 @@ double radians(double degrees) { return degrees * (3.14159265358979323846 / 180)
 #member, 1, Type::number,                                                                         \
         [](const Moment& m, Args a) { return Quantity::of(edge_row(m, a[0]).entry.member); }, meaning \
   }
+#define OF_PLANE(name, member, meaning)                                                                         \
+  KnownFunction {                                                                                               \
+    name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(plane(m, a[0]).member); }, meaning \
+  }
 #define ARITHMETIC(name, count, value, meaning)                                                   \
   KnownFunction {                                                                                 \
     name, count, Type::number, [](const Moment&, Args a) { return Quantity::of(value); }, meaning \
   }
 
-const std::array<KnownFunction, 35> functions{{
+const KnownFunction functions[] = {
     {"depth", 2, Type::number,
      [](const Moment& m, Args a) { return Quantity::of(m.state().picture.depth[pixel(m, a)]); },
      "depth(x, y): the depth buffer there"},
@@ -122,6 +161,20 @@ const std::array<KnownFunction, 35> functions{{
     OF_EDGE(end_row, "end_row(edge): the scan line at which it retires"),
     OF_EDGE(dx_dy, "dx_dy(edge): what x gains from row to row"),
     OF_EDGE(dz_dy, "dz_dy(edge): what depth gains from row to row"),
+    OF_PLANE("plane_a", plane_a, "plane_a(piece): A of A x + B y + C z + D = 0"),
+    OF_PLANE("plane_b", plane_b, "plane_b(piece): B"),
+    OF_PLANE("plane_c", plane_c, "plane_c(piece): C"),
+    OF_PLANE("plane_d", plane_d, "plane_d(piece): D"),
+    {"node_piece", 1, Type::number,
+     [](const Moment& m, Args a) {
+       const auto& tree = m.state().machine.tree;
+       return Quantity::of(tree[index(m, a[0], tree.size(), "node")].pieces.at(0));
+     },
+     "node_piece(node): the piece whose plane divides space there"},
+    OF_PLANE("A", plane_a, "A(piece): of its plane"),
+    OF_PLANE("B", plane_b, "B(piece)"),
+    OF_PLANE("C", plane_c, "C(piece)"),
+    OF_PLANE("D", plane_d, "D(piece)"),
     {"x_edge", 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(edge_now(m, a[0]).x); },
      "x_edge(edge): its x now; before it is active, on its first row"},
     {"z_edge", 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(edge_now(m, a[0]).y); },
@@ -135,6 +188,33 @@ const std::array<KnownFunction, 35> functions{{
     {"corner", 1, Type::number,
      [](const Moment& m, Args a) { return Quantity::of(static_cast<double>(corner(m, a[0]))); },
      "corner(i): the i-th vertex of the polygon at work, from 0"},
+    {"polygon_of", 1, Type::polygon,
+     [](const Moment& m, Args a) { return Quantity::of_polygon(piece(m, a[0]).polygon); },
+     "polygon_of(piece): the polygon it is a piece of"},
+    {"near_z", 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(extent(m, a[0]).z_min); },
+     "near_z(piece): its least depth"},
+    {"far_z", 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(extent(m, a[0]).z_max); },
+     "far_z(piece): its greatest depth"},
+    {"plane_value", 2, Type::number, [](const Moment& m, Args a) { return Quantity::of(plane_value(m, a[0], a[1])); },
+     "plane_value(piece, vertex): A x + B y + C z + D of its plane, at the vertex on the raster"},
+    {"listed", 1, Type::number,
+     [](const Moment& m, Args a) {
+       const auto& list = m.state().machine.list;
+       return Quantity::of(list[index(m, a[0], list.size(), "place in the list")].piece);
+     },
+     "listed(place): the piece at this place of the drawing list, from 0"},
+    {"upper", 1, Type::number,
+     [](const Moment& m, Args a) {
+       const auto& rows = m.state().machine.horizon.upper;
+       return Quantity::of(rows[index(m, a[0], rows.size(), "column with a horizon")]);
+     },
+     "upper(x): the upper horizon of column x, a row of the raster"},
+    {"lower", 1, Type::number,
+     [](const Moment& m, Args a) {
+       const auto& rows = m.state().machine.horizon.lower;
+       return Quantity::of(rows[index(m, a[0], rows.size(), "column with a horizon")]);
+     },
+     "lower(x): the lower horizon of column x"},
     {"T_v", 2, Type::number,
      [](const Moment& m, Args a) {
        const glm::dmat4& view = m.trace().scene().camera.view;
@@ -162,7 +242,7 @@ const std::array<KnownFunction, 35> functions{{
     ARITHMETIC("sin", 1, std::sin(radians(a[0])), "sin(a), degrees"),
     ARITHMETIC("cos", 1, std::cos(radians(a[0])), "cos(a), degrees"),
     ARITHMETIC("tan", 1, std::tan(radians(a[0])), "tan(a), degrees"),
-}};
+};
 
 }  // namespace
 

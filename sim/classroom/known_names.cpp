@@ -1,5 +1,6 @@
 // The names that mean something at every step: what is at work, the fragment, the span, the camera, the sizes.
 #include <array>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -29,29 +30,34 @@ const FacingTest& facing_at(const Moment& moment) {
   if (!facing) lacking(moment, "facing test", "facing");
   return *facing;
 }
+const CurveBegin& curve_at(const Moment& moment) {
+  const auto& curve = moment.state().machine.horizon.curve;
+  if (!curve) lacking(moment, "curve at work", "floating_horizon.curve");
+  return *curve;
+}
 const Camera& camera_at(const Moment& moment) { return moment.trace().scene().camera; }
 
-/// Just before interpolate_z the state still has the last fragment; the buffer has the stored values of the coming one.
-const DepthInterpolate* coming_pixel(const Moment& moment) {
-  if (!moment.event) return nullptr;
-  const auto* coming = std::get_if<DepthInterpolate>(&moment.event->event);
-  if (!coming) return nullptr;
-  const auto& fragment = moment.state().machine.fragment;
-  const bool arrived = fragment && fragment->x == coming->x && fragment->y == coming->y && !fragment->nearer;
-  return arrived ? nullptr : coming;
+/// Just before interpolate_z, or a paint without one, the state still has the last fragment; the buffers have the stored
+/// values of the coming one. This is its pixel.
+std::optional<std::size_t> coming_pixel(const Moment& moment) {
+  if (!moment.event) return std::nullopt;
+  const auto pixel_of = [&](const auto& coming) -> std::optional<std::size_t> {
+    const auto& fragment = moment.state().machine.fragment;
+    const bool arrived = fragment && fragment->x == coming.x && fragment->y == coming.y && fragment->z == coming.z &&
+                         !fragment->nearer;
+    if (arrived) return std::nullopt;
+    return moment.state().picture.at(coming.x, coming.y);
+  };
+  if (const auto* coming = std::get_if<DepthInterpolate>(&moment.event->event)) return pixel_of(*coming);
+  if (const auto* coming = std::get_if<PixelPaint>(&moment.event->event)) return pixel_of(*coming);
+  return std::nullopt;
 }
 Quantity stored(const Moment& moment) {
-  if (const DepthInterpolate* coming = coming_pixel(moment)) {
-    const Picture& picture = moment.state().picture;
-    return Quantity::of(picture.depth[picture.at(coming->x, coming->y)]);
-  }
+  if (const auto pixel = coming_pixel(moment)) return Quantity::of(moment.state().picture.depth[*pixel]);
   return Quantity::of(fragment_at(moment).stored);
 }
 Quantity stored_polygon(const Moment& moment) {
-  if (const DepthInterpolate* coming = coming_pixel(moment)) {
-    const Picture& picture = moment.state().picture;
-    return Quantity::of_polygon(picture.polygon[picture.at(coming->x, coming->y)]);
-  }
+  if (const auto pixel = coming_pixel(moment)) return Quantity::of_polygon(moment.state().picture.polygon[*pixel]);
   return Quantity::of_polygon(fragment_at(moment).stored_polygon);
 }
 
@@ -71,7 +77,7 @@ using Type = Quantity::Type;
 #member, Type::number, [](const Moment& m) { return Quantity::of(camera_at(m).member); }, meaning \
   }
 
-const std::array<KnownName, 37> names{{
+const KnownName names[] = {
     {"polygon", Type::polygon, [](const Moment& m) { return Quantity::of_polygon(m.state().machine.polygon); },
      "the polygon at work"},
     {"facet", Type::number, [](const Moment& m) { return Quantity::of(m.state().machine.facet); }, "the facet at work"},
@@ -99,6 +105,9 @@ const std::array<KnownName, 37> names{{
        return Quantity::of_truth(*fragment.nearer);
      },
      "whether the pixel at work won its compare"},
+    {"curve", Type::number, [](const Moment& m) { return Quantity::of(curve_at(m).curve); }, "the curve at work"},
+    {"constant", Type::number, [](const Moment& m) { return Quantity::of(curve_at(m).constant); },
+     "the z that is constant on the curve at work"},
     OF_SPAN(left_edge, "the span's edge on the left"),
     OF_SPAN(right_edge, "the span's edge on the right"),
     OF_SPAN(first, "the span's first pixel"),
@@ -122,6 +131,9 @@ const std::array<KnownName, 37> names{{
     OF_CAMERA(window, "half the height of the window"),
     OF_CAMERA(near, "z_v of the near plane"),
     OF_CAMERA(far, "z_v of the far plane"),
+    {"eye_x", Type::number, [](const Moment& m) { return Quantity::of(camera_at(m).eye.x); }, "the eye in the world"},
+    {"eye_y", Type::number, [](const Moment& m) { return Quantity::of(camera_at(m).eye.y); }, "the eye in the world"},
+    {"eye_z", Type::number, [](const Moment& m) { return Quantity::of(camera_at(m).eye.z); }, "the eye in the world"},
     {"width", Type::number, [](const Moment& m) { return Quantity::of(m.trace().scene().raster.width); }, "columns"},
     {"height", Type::number, [](const Moment& m) { return Quantity::of(m.trace().scene().raster.height); }, "rows"},
     {"polygons", Type::number, [](const Moment& m) { return Quantity::of(count(m.trace().scene().polygons.size())); },
@@ -130,7 +142,7 @@ const std::array<KnownName, 37> names{{
      "how many vertices the scene has"},
     {"steps", Type::number, [](const Moment& m) { return Quantity::of(static_cast<double>(m.trace().size())); },
      "how many steps the run took"},
-}};
+};
 #undef OF_SPAN
 #undef OF_FACING
 #undef OF_CAMERA

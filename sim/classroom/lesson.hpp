@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ struct ConventionOptions {
   std::optional<Conventions::Interpolation> interpolation;
   std::optional<Conventions::Coverage> coverage;
   std::optional<bool> cull;
+  std::map<std::string, std::string> options;  ///< of the method
 };
 
 struct Lesson {

@@ -110,7 +110,7 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
     throw InputError(read.at(error.source()), fmt::format("the head is no TOML: {}", error.description()),
                      "write key = value lines");
   }
-  read.known_keys(all, "a lesson's head", {"title", "summary", "scene", "method", "camera", "raster", "conventions"});
+  read.known_keys(all, "a lesson's head", {"title", "summary", "scene", "method", "camera", "raster", "conventions", "options"});
   read.text(all, "title", lesson.title);
   read.text(all, "summary", lesson.summary);
   read.text(all, "scene", lesson.scene);
@@ -150,6 +150,13 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
                 {{"top_left", C::Coverage::top_left}, {"inclusive", C::Coverage::inclusive}}},
             lesson.conventions.coverage);
   lesson.conventions.cull = read.truth(conventions, "cull");
+
+  for (const auto& [name, value] : read.table(all, "options")) {
+    if (!value.is_string())
+      throw InputError(read.at(value.source()), fmt::format("the option `{}` is no text", name.str()),
+                       fmt::format("write {} = \"…\", with a value as 'zstep list options' names them", name.str()));
+    lesson.conventions.options[std::string(name.str())] = value.as_string()->get();
+  }
 }
 
 }  // namespace zstep::classroom

@@ -28,6 +28,7 @@ Conventions with_options(Conventions conventions, const ConventionOptions& optio
   if (options.interpolation) conventions.interpolation = *options.interpolation;
   if (options.coverage) conventions.coverage = *options.coverage;
   if (options.cull) conventions.cull = *options.cull;
+  for (const auto& [name, value] : options.options) conventions.options[name] = value;
   return conventions;
 }
 
@@ -61,6 +62,7 @@ Trace run_lesson(Lesson& lesson) {
   SceneFile file = load_scene(scene_path(lesson));
   const Scene scene = look_at_scene(std::move(file.scene), lesson.view);
   const Conventions conventions = with_options(file.conventions, lesson.conventions);
+  check_run(run, scene, conventions, lesson.path.string());
   TraceRecorder record(header_for(run, conventions), scene);
   run.record(scene, conventions, record);
   record.finish();

@@ -31,6 +31,11 @@ App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int
   ui_.depth_range = depth_range(trace);
   session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
   structures_ = structure_panes(trace.header());
+  beside_ = depth_pane;
+  if (!depth_pane.serves(trace.header()) && !structures_.empty() && structures_.front().id != scene_pane.id) {
+    beside_ = structures_.front();
+    structures_.erase(structures_.begin());
+  }
   set_dark(settings.dark);
   set_presenter(settings.presenter);
 }
@@ -84,6 +89,8 @@ std::string App::link() const {
   // Recorded on the spot: the scene, and the options that it was recorded with.
   const Scene& scene = session_.scene();
   std::string text = "zstep view " + shell_word(std::filesystem::is_regular_file(scene.source, error) ? scene.source : name);
+  if (session_.header().algorithm != "z-buffer") text += " --algorithm " + shell_word(session_.header().algorithm);
+  for (const auto& [option, value] : session_.header().conventions.options) text += " --option " + shell_word(option + "=" + value);
   if (scene.camera.kind != Camera::Kind::screen) {
     text += fmt::format(" --size {}x{}", scene.raster.width, scene.raster.height);
     if (scene.camera.polar)

@@ -19,6 +19,7 @@ struct WindowRequests {
   bool quit = false, toggle_full_screen = false;
   std::optional<std::string> clipboard;
   std::optional<std::string> save_picture;  ///< path
+  int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
 enum class Overlay { none, keys, palette, go_to, menu };
@@ -83,6 +84,7 @@ class App {
   Session session_;
   Ui ui_;
   std::vector<Pane> structures_;
+  Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;

@@ -56,6 +56,8 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   // From the right: what there is room for, the most important first.
   std::vector<std::string> parts{fmt::format("step {} of {}", grouped(session_.position()), grouped(session_.size()))};
   if (state.machine.polygon != no_polygon) parts.push_back("polygon " + polygon_label(session_.scene(), state.machine.polygon));
+  if (state.machine.horizon.curve) parts.push_back(fmt::format("curve {}", state.machine.horizon.curve->curve));
+  if (state.machine.horizon.test) parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
   if (state.machine.scan_line) parts.push_back(fmt::format("line {}", *state.machine.scan_line));
   if (const auto cell = session_.current_cell()) parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
   const Scene& scene = session_.scene();
@@ -210,7 +212,7 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   const float upper = structures_.empty() ? size.y : std::round((size.y - gap) * buffers);
   const float frame = std::round((middle - gap) * l.frame);
   draw_pane(frame_pane, {x, at.y}, {frame, upper});
-  draw_pane(depth_pane, {x + frame + gap, at.y}, {middle - frame - gap, upper});
+  draw_pane(beside_, {x + frame + gap, at.y}, {middle - frame - gap, upper});
   splitter("frame", {x + frame, at.y}, {gap, upper}, true, l.frame, middle - gap);
   if (!structures_.empty()) {
     draw_structures({x, at.y + upper + gap}, {middle, size.y - upper - gap});

@@ -116,6 +116,8 @@ const std::vector<Command>& table() {
       {"next-touch", "Pixel", "Next step that touches the selected pixel", {{SDLK_f}}, [](App& a) { a.session().to_selected_pixel(1); }},
       {"previous-touch", "Pixel", "Last step that touched the selected pixel", {{SDLK_f, S}}, [](App& a) { a.session().to_selected_pixel(-1); }},
       {"select-pixel", "Pixel", "Select the pixel at work (or click one)", {{SDLK_RETURN}}, select_current},
+      {"next-method", "Pixel", "The same pixel by the next method", {{SDLK_x}}, [](App& a) { a.requests.switch_method = 1; }},
+      {"previous-method", "Pixel", "The same pixel by the previous method", {{SDLK_x, S}}, [](App& a) { a.requests.switch_method = -1; }},
       {"next-edge", "Pixel", "Light the next edge of the table (or click one)", {{SDLK_e}}, next_edge},
       {"before", "Look", "Hold: the buffers one step ago", {{SDLK_b}},
        [](App& a) { a.session().looking_back = true; a.session().touch(); },

@@ -37,6 +37,7 @@ struct Ui {
   DepthRange depth_range;
   HitCounts hits;
   ScanLineMarks lines;
+  CurveMarks curves;
   RasterView view;
   std::map<std::string, RasterContent> rasters;  ///< by pane
   std::map<std::string, Canvas> canvases;        ///< by what is painted there

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "sim/image/png.hpp"
-#include "sim/viewer/app.hpp"
+#include "sim/viewer/stage.hpp"
 #include "sim/viewer/window.hpp"
 #include "traces/error.hpp"
 
@@ -38,7 +39,16 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   return 0;
 }
 
-void serve(App& app, const Window& window) {
+void name_window(const Window& window, const Trace& trace) {
+  SDL_SetWindowTitle(window.get(), fmt::format("zstep \u00b7 {} \u00b7 {}", trace.header().title, trace.scene().name).c_str());
+}
+
+void serve(Stage& stage, const Window& window) {
+  if (const int direction = std::exchange(stage.app().requests.switch_method, 0); direction != 0) {
+    stage.switch_method(direction);
+    name_window(window, stage.trace());
+  }
+  App& app = stage.app();
   WindowRequests& r = app.requests;
   if (r.toggle_full_screen) SDL_SetWindowFullscreen(window.get(), window.full_screen() ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
   if (r.clipboard) SDL_SetClipboardText(r.clipboard->c_str());
@@ -57,31 +67,32 @@ void serve(App& app, const Window& window) {
 
 double seconds() { return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency()); }
 
-void loop(App& app, const Window& window) {
+void loop(Stage& stage, const Window& window) {
   int frames_due = 4;  // after a change, until nothing moves any more
   std::uint64_t drawn = 0;
-  while (!app.requests.quit) {
-    const double wait = app.session().play(seconds());
-    if (app.session().revision() != drawn) frames_due = std::max(frames_due, 3);
+  while (!stage.app().requests.quit) {
+    if (stage.app().session().revision() < drawn) drawn = 0;  // another method's
+    const double wait = stage.app().session().play(seconds());
+    if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, 3);
     SDL_Event event;
     const int milliseconds = frames_due > 0 ? 0 : static_cast<int>(std::min(wait, 3600.0) * 1000);
     bool got = milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) != 0 : SDL_PollEvent(&event) != 0;
     while (got) {
       frames_due = std::max(frames_due, 3);
-      if (app.handle(event, window.pixels_per_point())) break;
+      if (stage.app().handle(event, window.pixels_per_point())) break;
       got = SDL_PollEvent(&event) != 0;
     }
-    serve(app, window);
+    serve(stage, window);
     SDL_Surface* target = window.surface();
-    if (target->w != app.renderer().width() || target->h != app.renderer().height()) {
-      app.resize(target->w, target->h);
-      app.set_dpi_scale(window.dpi_scale());
+    if (target->w != stage.app().renderer().width() || target->h != stage.app().renderer().height()) {
+      stage.app().resize(target->w, target->h);
+      stage.app().set_dpi_scale(window.dpi_scale());
       frames_due = 4;
     }
-    if (frames_due <= 0 && app.session().revision() == drawn) continue;
-    drawn = app.session().revision();
-    app.frame();
-    window.show(app.renderer().picture());
+    if (frames_due <= 0 && stage.app().session().revision() == drawn) continue;
+    drawn = stage.app().session().revision();
+    stage.app().frame();
+    window.show(stage.app().renderer().picture());
     --frames_due;
   }
 }
@@ -99,17 +110,17 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   // The size it was left at, unless another one is asked for.
   const bool as_left = settings.width > 0 && settings.height > 0 && options.width == ViewerOptions{}.width && options.height == ViewerOptions{}.height;
   const Window window(as_left ? settings.width : options.width, as_left ? settings.height : options.height);
-  App app(trace, options.lesson, settings, window.surface()->w, window.surface()->h, window.dpi_scale());
-  app.opened_by = options.opened_by;
-  SDL_SetWindowTitle(window.get(), fmt::format("zstep \u00b7 {} \u00b7 {}", trace.header().title, trace.scene().name).c_str());
-  go_to_start(app, trace, options, true);
-  loop(app, window);
+  Stage stage(trace, options, settings, window.surface()->w, window.surface()->h, window.dpi_scale());
+  name_window(window, trace);
+  go_to_start(stage.app(), trace, options, true);
+  loop(stage, window);
+  App& app = stage.app();
 
   // Closing keeps layout and place.
   Settings kept = kept_settings(stored, begun, app.settings());
   if (!window.full_screen()) SDL_GetWindowSize(window.get(), &kept.width, &kept.height);
   kept.speed = app.session().speed;
-  kept.remember(place_key(trace), app.session().position());
+  kept.remember(place_key(stage.trace()), app.session().position());
   if (!path.empty() && !save_settings(path, kept)) fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
   return 0;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,12 @@
 
 namespace zstep {
 
+/// A run of another method on the scene of a trace.
+struct OtherRun {
+  Trace trace;
+  bool whole = true;  ///< false: it was cut off, as it would take too long
+};
+
 struct ViewerOptions {
   std::int64_t at = -1;                              ///< position to open at; -1: where it was left, or the lesson's first stop
   std::optional<std::filesystem::path> screenshot;   ///< write one frame as PNG and leave; needs no display
@@ -18,6 +25,9 @@ struct ViewerOptions {
   std::optional<bool> dark;                          ///< for this run; unset: as it was left, light at first
   bool presenter = false;                            ///< for this run
   const Lesson* lesson = nullptr;                    ///< narration beside the trace, already resolved
+  /// Runs the next (1) or previous (-1) method that can draw this trace's scene; nullopt when there is none. Empty where no
+  /// method can be run. May throw InputError.
+  std::function<std::optional<OtherRun>(const Trace&, int direction)> other_method;
   std::string opened_by;                             ///< command line that opens this view again, quoted for a shell, without --at
 };
 

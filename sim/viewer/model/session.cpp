@@ -127,10 +127,10 @@ const std::vector<Cell>& Session::changed() const {
 }
 
 const Picture& Session::picture() const {
-  if (!looking_back) return state().picture;
+  if (!looking_back) return state().picture_of_pass();
   if (!replay_before_) replay_before_.emplace(trace_);
   replay_before_->go_to(before());
-  return replay_before_->state().picture;
+  return replay_before_->state().picture_of_pass();
 }
 
 std::optional<Cell> Session::current_cell() const {

@@ -40,6 +40,18 @@ DepthRange depth_range(const Trace& trace) {
   return {near, far, true};
 }
 
+std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
+  if (sweep_known_) return sweep_from_;
+  sweep_known_ = true;
+  const Page& page = trace.header().page;
+  const bool sweeps = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<FlagFlip>; });
+  if (!sweeps) return std::nullopt;
+  const std::int64_t gathered = trace.polygons().empty() ? 0 : trace.polygons().back().position;
+  const auto line = trace.next(gathered, [](const RecordedEvent& e) { return std::holds_alternative<ScanLineBegin>(e.event); });
+  if (line) sweep_from_ = *line - 1;
+  return sweep_from_;
+}
+
 const ScanLineMarks::Stretch& ScanLineMarks::at(const Trace& trace, std::int64_t position) {
   if (stretch_ && position >= stretch_->first && position < stretch_->last) return *stretch_;
   if (stretch_ && position == stretch_->last && position == trace.size()) return *stretch_;
@@ -52,14 +64,41 @@ const ScanLineMarks::Stretch& ScanLineMarks::at(const Trace& trace, std::int64_t
     s.first = (after - 1)->position;
     s.polygon = (after - 1)->polygon;
   }
+  const std::optional<std::int64_t> sweep = sweep_from(trace);
+  const bool sweeping = sweep && position > *sweep;
+  if (sweeping) {
+    s.first = *sweep;
+    s.polygon = no_polygon;
+  } else if (sweep && s.last > *sweep) {
+    s.last = *sweep;
+  }
   s.complete = s.last - s.first <= quick;
-  if (s.complete && s.polygon != no_polygon)
+  if (s.complete && (sweeping || s.polygon != no_polygon))
     trace.visit(s.first, s.last, [&](std::int64_t p, std::uint8_t, const auto& event) {
       if constexpr (std::is_same_v<std::decay_t<decltype(event)>, ScanLineBegin>) s.lines.push_back({p, event.y});
       return true;
     });
   stretch_ = std::move(s);
   return *stretch_;
+}
+
+const std::vector<CurveMarks::Mark>& CurveMarks::of(const Trace& trace) {
+  if (marks_) return *marks_;
+  marks_.emplace();
+  const Page& page = trace.header().page;
+  const bool any = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<CurveBegin>; });
+  if (!any || trace.size() > quick) return *marks_;
+  trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t, const auto& event) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(event)>, CurveBegin>) marks_->push_back({position, event});
+    return true;
+  });
+  return *marks_;
+}
+
+std::ptrdiff_t CurveMarks::at(const Trace& trace, std::int64_t position) {
+  const std::vector<Mark>& marks = of(trace);
+  const auto after = std::upper_bound(marks.begin(), marks.end(), position, [](std::int64_t p, const Mark& mark) { return p < mark.position; });
+  return after - marks.begin() - 1;
 }
 
 void HitCounts::follow(const Trace& trace, std::int64_t position) {

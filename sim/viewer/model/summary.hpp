@@ -20,7 +20,8 @@ struct DepthRange {
 };
 DepthRange depth_range(const Trace& trace);
 
-/// Scan lines of the polygon at work, for the timeline. Found again when the polygon changes.
+/// Scan lines of the polygon at work, or of all polygons where a method goes through them at once; for the timeline. Found
+/// again when the polygon changes.
 class ScanLineMarks {
  public:
   struct Mark { std::int64_t position; std::int32_t y; };
@@ -31,9 +32,26 @@ class ScanLineMarks {
     bool complete = true;              ///< false: too long to look through for marks
   };
   const Stretch& at(const Trace& trace, std::int64_t position);
+  /// The position just before the first line of all polygons at once; nullopt where each polygon has lines of its own.
+  std::optional<std::int64_t> sweep_from(const Trace& trace);
 
  private:
   std::optional<Stretch> stretch_;
+  bool sweep_known_ = false;
+  std::optional<std::int64_t> sweep_from_;
+};
+
+/// Where the curves of a floating horizon begin, for the timeline and for drawing those that were at work. Found once; none
+/// where the trace is too long to look through, or has none.
+class CurveMarks {
+ public:
+  struct Mark { std::int64_t position; CurveBegin curve; };
+  const std::vector<Mark>& of(const Trace& trace);
+  /// The one at work at a position: its place among them, −1 before the first.
+  std::ptrdiff_t at(const Trace& trace, std::int64_t position);
+
+ private:
+  std::optional<std::vector<Mark>> marks_;
 };
 
 /// How often each step ran up to a position. Follows small moves by counting, and gives up on far ones in huge traces.

@@ -1,4 +1,5 @@
-// The active edge list, left to right, with the edge that enters, steps or leaves.
+// The active edge list, left to right, with the edge that enters, steps or leaves. Where all polygons are at work at once, the
+// next edges of the global table wait below.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -28,12 +29,54 @@ Mark mark_of(const Machine& machine, const RecordedEvent* event, std::size_t pla
   return {};
 }
 
+std::string label_of(const Session& s, std::int32_t edge) {
+  const auto at = static_cast<std::size_t>(edge);
+  const auto& table = s.state().machine.edge_table;
+  return edge >= 0 && at < table.size() ? edge_label(s.scene(), table[at].entry) : fmt::format("e{}", edge);
+}
+
+/// The name of an edge; with its polygon's colour where the list holds edges of several.
+TableCell name_of(const Session& s, std::int32_t edge) {
+  const Machine& machine = s.state().machine;
+  TableCell cell(label_of(s, edge));
+  const auto at = static_cast<std::size_t>(edge);
+  if (!machine.keeps_all || edge < 0 || at >= machine.edge_table.size()) return cell;
+  const auto polygon = static_cast<std::size_t>(machine.edge_table[at].entry.polygon);
+  if (polygon < s.scene().polygons.size()) cell.chip = to_im(opaque(s.scene().polygons[polygon].color));
+  return cell;
+}
+
+/// The edges of the global table that enter next.
+std::vector<TableRow> waiting_rows(const Session& s) {
+  constexpr std::size_t enough = 24;
+  const Machine& machine = s.state().machine;
+  std::vector<const EdgeTableInsert*> waiting;
+  for (const EdgeRow& row : machine.edge_table)
+    if (row.where == EdgeRow::Where::waiting) waiting.push_back(&row.entry);
+  const auto sooner = [](const EdgeTableInsert* a, const EdgeTableInsert* b) { return std::make_pair(a->first_row, a->edge) < std::make_pair(b->first_row, b->edge); };
+  const std::size_t count = std::min(enough, waiting.size());
+  std::partial_sort(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count), waiting.end(), sooner);
+  std::vector<TableRow> rows;
+  const auto insert = s.event() ? std::get_if<EdgeTableInsert>(&s.event()->event) : nullptr;
+  for (std::size_t k = 0; k < count; ++k) {
+    const EdgeTableInsert& e = *waiting[k];
+    TableRow row;
+    row.cells = {name_of(s, e.edge), e.x_edge, e.z_edge, static_cast<double>(e.end_row), fmt::format("waits for y = {}", e.first_row)};
+    row.cells.back().brief = fmt::format("y {}", e.first_row);
+    row.look = insert && insert->edge == e.edge ? TableRow::Look::now : TableRow::Look::gone;
+    row.lit = s.lit_edge() == e.edge;
+    row.key = e.edge;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   const Machine& machine = s.state().machine;
   TableRow row;
   const auto at = static_cast<std::size_t>(active.edge);
   const EdgeTableInsert* entry = active.edge >= 0 && at < machine.edge_table.size() ? &machine.edge_table[at].entry : nullptr;
-  row.cells = {fmt::format("e{}", active.edge), active.x, active.z};
+  row.cells = {name_of(s, active.edge), active.x, active.z};
   if (entry) row.cells.emplace_back(static_cast<double>(entry->end_row));
   else row.cells.emplace_back(std::string());
   row.cells.emplace_back(mark.word);
@@ -54,13 +97,15 @@ void draw(Ui& ui) {
     if (const auto* left = std::get_if<EdgeRetire>(&s.event()->event)) {
       // Gone from the list already; shown once more so that one sees it go.
       TableRow row;
-      row.cells = {fmt::format("e{}", left->edge), std::string(), std::string(), std::string(), std::string("\u2717 leaves")};
+      row.cells = {name_of(s, left->edge), std::string(), std::string(), std::string(), std::string("\u2717 leaves")};
       row.cells.back().brief = "\u2717";
       row.look = TableRow::Look::now;
       row.lit = s.lit_edge() == left->edge;
       row.key = left->edge;
       rows.push_back(std::move(row));
     }
+  if (machine.keeps_all && machine.piece == -1)
+    for (TableRow& row : waiting_rows(s)) rows.push_back(std::move(row));
   if (rows.empty())
     return say_empty(ui, machine.scan_line ? fmt::format("Empty: no edge crosses scan line {} at this moment.", *machine.scan_line)
                          : machine.edge_table.empty() ? std::string("Empty: it fills when scan conversion reaches an edge's first scan line.")
@@ -79,7 +124,10 @@ std::string note(Ui& ui) {
   return y ? fmt::format("y = {}", *y) : "";
 }
 
-bool serves(const Header& header) { return has_step_of<EdgeEnter>(header); }
+bool serves(const Header& header) {
+  return has_step_of<EdgeEnter>(header) && !has_step_of<ShadowCompare>(header) && !has_step_of<ListInsert>(header) &&
+         !has_step_of<NodeMake>(header);
+}
 
 }  // namespace
 

@@ -36,6 +36,10 @@ void draw_frame(Ui& ui) {
         const Pixel32 background = opaque(scene.background);
         cells.resize(picture.polygon.size());
         for (std::size_t i = 0; i < cells.size(); ++i) {
+          if (!picture.ink.empty() && picture.ink[i] != no_ink) {
+            cells[i] = opaque(color_of(picture.ink[i]));
+            continue;
+          }
           const std::int32_t p = picture.polygon[i];
           cells[i] = p >= 0 && static_cast<std::size_t>(p) < colors.size() ? colors[static_cast<std::size_t>(p)] : background;
         }
@@ -50,6 +54,7 @@ void draw_frame(Ui& ui) {
 std::string frame_note(Ui& ui) {
   const Session& s = ui.session;
   if (s.looking_back) return fmt::format("BEFORE: step {}", grouped(s.before()));
+  if (s.state().machine.pass == Pass::light) return "as the light sees it";
   return fmt::format("{} \u00d7 {}{}", s.scene().raster.width, s.scene().raster.height,
                      ui.view.zoom > 1 ? fmt::format(", zoom {:.3g}", ui.view.zoom) : "");
 }
@@ -128,13 +133,19 @@ void draw_depth(Ui& ui) {
 std::string depth_note(Ui& ui) {
   const Session& s = ui.session;
   if (s.looking_back) return "BEFORE";
+  if (s.state().machine.pass == Pass::light) return "the light's: the shadow buffer";
   const std::string z = depth_symbol(s.scene(), s.header().conventions);
   return z == "z*" ? "z* pseudodepth" : z == "z_v" ? "z_v" : "z";
+}
+
+bool has_depths(const Header& header) {
+  const bool lines_only = has_step_of<HorizonTest>(header) || has_step_of<LineBegin>(header);
+  return !lines_only || has_step_of<DepthWrite>(header) || has_step_of<PixelPaint>(header);
 }
 
 }  // namespace
 
 const Pane frame_pane{"frame", "FRAMEBUFFER", draw_frame, frame_note, nullptr, 0, false};
-const Pane depth_pane{"depth", "DEPTH BUFFER", draw_depth, depth_note, nullptr, 0, false};
+const Pane depth_pane{"depth", "DEPTH BUFFER", draw_depth, depth_note, has_depths, 0, false};
 
 }  // namespace zstep::viewer

@@ -61,7 +61,7 @@ void draw(Ui& ui) {
     const EdgeTableInsert& e = row->entry;
     TableRow out;
     const bool is_now = now == e.edge;
-    out.cells = {bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row), fmt::format("e{}", e.edge),
+    out.cells = {bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row), edge_label(s.scene(), e),
                  static_cast<double>(e.end_row), e.x_edge, e.dx_dy, e.z_edge, e.dz_dy,
                  TableCell(polygon_label(s.scene(), e.polygon),
                            e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < s.scene().polygons.size()
@@ -91,7 +91,12 @@ std::string note(Ui& ui) {
   return machine.edge_table.empty() ? "" : fmt::format("{} edges", machine.edge_table.size());
 }
 
-bool serves(const Header& header) { return has_step_of<EdgeTableInsert>(header); }
+// Where there is a shadow buffer, a list of pieces, a tree or a polygon table, that is what the method lives by, and the room is
+// its. Edges of all polygons at once wait below the active ones.
+bool serves(const Header& header) {
+  return has_step_of<EdgeTableInsert>(header) && !has_step_of<ShadowCompare>(header) && !has_step_of<ListInsert>(header) &&
+         !has_step_of<FlagFlip>(header) && !has_step_of<NodeMake>(header);
+}
 
 }  // namespace
 

@@ -25,7 +25,20 @@ extern const Pane pseudo_code_pane, happened_pane, frame_pane, depth_pane, lesso
 
 /// The structures that this trace's method lives by, left to right.
 std::vector<Pane> structure_panes(const Header& header);
-extern const Pane edge_table_pane, active_edges_pane, scene_pane;
+extern const Pane edge_table_pane;
+extern const Pane sweep_pane;
+extern const Pane active_edges_pane;
+extern const Pane drawing_list_pane;
+extern const Pane tree_pane;
+extern const Pane plan_pane;
+extern const Pane areas_pane;
+extern const Pane horizons_pane;
+extern const Pane ray_plan_pane;
+extern const Pane ray_tests_pane;
+extern const Pane ray_tree_pane;
+extern const Pane lines_pane;
+extern const Pane shadow_buffer_pane;
+extern const Pane scene_pane;
 
 /// Across the window, below the panes.
 void draw_timeline(Ui& ui, ImVec2 size);

@@ -7,8 +7,10 @@
 #include <glm/vec4.hpp>
 
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/scene_pieces.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
+#include "sim/viewer/words/pieces.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -62,6 +64,19 @@ void paint_wireframe(Ui& ui, Canvas& canvas, const RasterMap& map) {
     }
 }
 
+/// The piece that the step is about, or that is being drawn; -1 if none.
+std::int32_t piece_shown(const Session& s) {
+  if (s.event()) {
+    const Event& e = s.event()->event;
+    if (const auto* side = std::get_if<SideTest>(&e)) return side->piece;
+    if (const auto* made = std::get_if<PieceMake>(&e)) return made->piece;
+    if (const auto* node = std::get_if<NodeMake>(&e)) return node->piece;
+    if (const auto* add = std::get_if<NodeAdd>(&e)) return add->piece;
+    if (const auto* candidate = std::get_if<RootCandidate>(&e)) return candidate->piece;
+  }
+  return s.state().machine.piece;
+}
+
 /// The facet at work, over the wireframe; its corners dotted and, where there are few, numbered.
 void draw_polygon(Ui& ui, Canvas& canvas, const RasterMap& map) {
   const Session& s = ui.session;
@@ -76,6 +91,17 @@ void draw_polygon(Ui& ui, Canvas& canvas, const RasterMap& map) {
       const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
       if (const auto e = lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
         canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4, to_pixel(c.now));
+    }
+  }
+  if (const std::int32_t piece = piece_shown(s); piece >= 0 && static_cast<std::size_t>(piece) < m.pieces.size()) {
+    // In the world where pieces are cut there, else on the raster.
+    const bool world = !m.tree.empty();
+    const std::vector<std::int32_t>& outline = m.pieces[static_cast<std::size_t>(piece)].outline;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const auto a = cutting_point(scene, s.state(), outline[k]), b = cutting_point(scene, s.state(), outline[(k + 1) % outline.size()]);
+      if (!a || !b) continue;
+      const auto e = world ? lens.segment(*a, *b) : std::make_pair(glm::dvec2(*a), glm::dvec2(*b));
+      if (e) canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4, to_pixel(c.now));
     }
   }
   if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
@@ -100,6 +126,8 @@ std::int32_t vertex_now(const Session& s) {
     if (const auto* v = std::get_if<ClipVertex>(&e)) return v->vertex;
     if (const auto* v = std::get_if<ClipCross>(&e)) return v->vertex;
     if (const auto* v = std::get_if<OutlineVertex>(&e)) return v->vertex;
+    if (const auto* v = std::get_if<VertexSide>(&e)) return v->vertex;
+    if (const auto* v = std::get_if<SplitVertex>(&e)) return v->vertex;
   }
   return -1;
 }
@@ -129,8 +157,10 @@ void draw_way(Ui& ui, std::int32_t vertex, bool now) {
   std::vector<WayRow> rows;
   const bool screen = s.scene().camera.kind == Camera::Kind::screen;
   if (at < s.scene().points.size()) rows.push_back({screen ? "screen" : "world", s.scene().points[at], false});
+  if (screen && way && at >= s.scene().points.size()) rows.push_back({"screen", glm::dvec3(way->raster, way->plane.z), false});
+  else if (!s.state().machine.tree.empty() && way && way->world != glm::dvec3(0)) rows.push_back({"world", way->world, false});
   if (!screen && way) {
-    if (way->stage >= VertexWay::viewed || at >= s.scene().points.size()) rows.push_back({"view", way->view, false});
+    if (way->stage >= VertexWay::viewed) rows.push_back({"view", way->view, false});
     if (way->stage >= VertexWay::projected) rows.push_back({"plane", way->plane, false});
     if (way->stage >= VertexWay::on_raster) rows.push_back({"screen", glm::dvec3(way->raster, 0), true});
   }
@@ -210,12 +240,14 @@ void draw(Ui& ui) {
   }
   if (ui.painted["scene"] != version) {
     shown = wires;
+    draw_pieces(ui, shown, map);
     draw_polygon(ui, shown, map);
     ui.painted["scene"] = version;
   }
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  label_pair(ui, map, at);
   if (scarce && !beside) return;
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.5f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});

@@ -51,6 +51,37 @@ ImU32 color_of(const Session& s, std::int32_t polygon) {
   return polygon >= 0 && at < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[at].color)) : IM_COL32(128, 128, 128, 255);
 }
 
+/// Where a method that gathers all polygons first is done with that: what comes then is no polygon's own. The end if it
+/// is none.
+std::int64_t end_of_gathering(const Session& s) {
+  const auto marks = s.trace().polygons();
+  const bool gathers = has_step_of<AreaBegin>(s.header()) || has_step_of<LineBegin>(s.header());
+  if (!gathers || marks.empty()) return s.size();
+  return s.trace().next(marks.back().position, [](const RecordedEvent& e) {
+    return std::holds_alternative<AreaBegin>(e.event) || std::holds_alternative<LineBegin>(e.event);
+  }).value_or(s.size());
+}
+
+/// A curve of the surface where its trace has those and no polygons.
+void draw_curves(Ui& ui, const Strip& strip) {
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const std::vector<CurveMarks::Mark>& marks = ui.curves.of(ui.session.trace());
+  const float end = strip.at.x + strip.width, bottom = strip.at.y + strip.height;
+  float drawn_to = -1;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const float x0 = std::floor(strip.x(marks[i].position)), x1 = std::floor(i + 1 < marks.size() ? strip.x(marks[i + 1].position) : end);
+    if (x1 <= drawn_to) continue;
+    drawn_to = x1;
+    list->AddRectFilled({x0, bottom - 5}, {std::max(x0 + 1, x1), bottom}, i % 2 == 0 ? c.muted : c.grid);
+    if (x1 - x0 < 4) continue;
+    list->AddRectFilled({x0, strip.at.y}, {x0 + 1, bottom}, c.rule);
+    const std::string number = std::to_string(marks[i].curve.curve), label = (x1 - x0 > ui.em * 6 ? "curve " : "") + number;
+    const float width = text_size(ui, ui.fonts.small, label).x;
+    if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, ui.fonts.small, c.text, label);
+  }
+}
+
 void draw_whole(Ui& ui, const Strip& strip) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
@@ -60,8 +91,16 @@ void draw_whole(Ui& ui, const Strip& strip) {
   const auto marks = s.trace().polygons();
   const ImFont* font = ui.fonts.small;
   float drawn_to = -1;
+  const auto sweep = ui.lines.sweep_from(s.trace());
+  const std::int64_t gathered = sweep ? *sweep : end_of_gathering(s);
+  if (gathered < s.size()) {
+    const char* units = sweep ? "lines of all polygons" : has_step_of<AreaBegin>(s.header()) ? "areas" : "edges";
+    const float x0 = std::floor(strip.x(gathered));
+    list->AddRectFilled({x0, strip.at.y}, {x0 + 1, end.y}, c.rule);
+    draw_text(ui, {(x0 + end.x - text_size(ui, font, units).x) / 2, strip.at.y + 1}, font, c.text, units);
+  }
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const float x0 = std::floor(strip.x(marks[i].position)), x1 = std::floor(i + 1 < marks.size() ? strip.x(marks[i + 1].position) : end.x);
+    const float x0 = std::floor(strip.x(marks[i].position)), x1 = std::floor(strip.x(i + 1 < marks.size() ? marks[i + 1].position : gathered));
     if (x1 <= drawn_to) continue;  // many polygons in one pixel: the first stands for them
     drawn_to = x1;
     list->AddRectFilled({x0, end.y - 5}, {std::max(x0 + 1, x1), end.y}, color_of(s, marks[i].polygon));
@@ -71,7 +110,8 @@ void draw_whole(Ui& ui, const Strip& strip) {
     const float width = text_size(ui, font, label).x;
     if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, font, c.text, label);
   }
-  if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this trace marks no polygons");
+  if (!ui.curves.of(s.trace()).empty()) draw_curves(ui, strip);
+  else if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
       const float x = std::floor(strip.x(stop.position)), y = end.y - 4;
@@ -106,7 +146,14 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stre
     draw_text(ui, {x0 + 3, strip.at.y + 1}, font, c.muted, fmt::format("y {}", mark.y));
     labelled_to = x0 + needed;
   }
-  if (stretch.polygon == no_polygon) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
+  if (const auto& curves = ui.curves.of(s.trace()); !curves.empty()) {
+    const std::ptrdiff_t at = ui.curves.at(s.trace(), s.position());
+    const std::string which = at < 0 ? "before the first curve: clearing and viewing"
+                                     : fmt::format("curve {}", curves[static_cast<std::size_t>(at)].curve.curve);
+    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, which);
+  } else if (stretch.polygon == no_polygon && stretch.lines.empty() && stretch.complete)
+    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
+  else if (!has_step_of<ScanLineBegin>(s.header())) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this method has no scan lines");
   else if (!stretch.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
   else if (stretch.lines.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), stretch.polygon)));
   frame_box(list, strip.at, end, c.rule);
@@ -151,7 +198,12 @@ float timeline_height(const Ui& ui) {
 void draw_timeline(Ui& ui, ImVec2 size) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float strip_height = std::round(ui.em * 1.25f), gap = std::round(ui.em * 0.55f);
-  const ScanLineMarks::Stretch stretch = ui.lines.at(ui.session.trace(), ui.session.position());
+  ScanLineMarks::Stretch stretch = ui.lines.at(ui.session.trace(), ui.session.position());
+  if (const auto& curves = ui.curves.of(ui.session.trace()); !curves.empty()) {
+    const auto at = static_cast<std::size_t>(ui.curves.at(ui.session.trace(), ui.session.position()) + 1);
+    stretch.first = at == 0 ? 0 : curves[at - 1].position;
+    stretch.last = at == curves.size() ? ui.session.size() : curves[at].position;
+  }
   const Strip whole{{origin.x, origin.y}, size.x, strip_height, 0, ui.session.size()};
   const Strip polygon{{origin.x, origin.y + strip_height + gap}, size.x, strip_height, stretch.first, stretch.last};
   scrub(ui, "whole", whole);

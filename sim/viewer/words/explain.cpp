@@ -1,5 +1,7 @@
 #include "sim/viewer/words/explain.hpp"
 
+#include <algorithm>
+
 #include "sim/viewer/words/explain_parts.hpp"
 
 namespace zstep {
@@ -11,6 +13,43 @@ std::string polygon_label(const Scene& scene, std::int32_t polygon) {
   return fmt::format("P{}", polygon);
 }
 
+std::string piece_label(const Scene& scene, const Machine& machine, std::int32_t piece) {
+  if (piece < 0 || static_cast<std::size_t>(piece) >= machine.pieces.size()) return fmt::format("piece {}", piece);
+  const auto at = static_cast<std::size_t>(piece);
+  const Piece& it = machine.pieces[at];
+  // Pieces of one polygon stand side by side as they are gathered.
+  const auto same = [&](std::size_t other) { return other < machine.pieces.size() && machine.pieces[other].polygon == it.polygon; };
+  const bool one_of_many = it.parent >= 0 || same(at + 1) || (at > 0 && same(at - 1));
+  return polygon_label(scene, it.polygon) + (one_of_many ? fmt::format("/{}", piece) : "");
+}
+
+namespace {
+
+/// 0 where the vertex has no letter.
+char letter_of(const Scene& scene, std::int32_t vertex) {
+  constexpr std::size_t few = 100;  // facets; nobody names more polygons by their corners
+  for (std::size_t k = 0; k < std::min(few, scene.facets.size()); ++k) {
+    const Facet& facet = scene.facets[k];
+    const std::string& name = scene.polygons[static_cast<std::size_t>(facet.polygon)].name;
+    if (name.size() != static_cast<std::size_t>(facet.corner_count)) continue;
+    for (std::size_t i = 0; i < name.size(); ++i)
+      if (scene.corners[static_cast<std::size_t>(facet.first_corner) + i] == vertex && name[i] >= 'A' && name[i] <= 'Z') return name[i];
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string vertex_label(const Scene& scene, std::int32_t vertex) {
+  const char letter = letter_of(scene, vertex);
+  return letter ? std::string(1, letter) : fmt::format("{}", vertex);
+}
+
+std::string edge_label(const Scene& scene, const EdgeTableInsert& edge) {
+  const char from = letter_of(scene, edge.vertex_0), to = letter_of(scene, edge.vertex_1);
+  return from && to ? std::string{from, to} : fmt::format("e{}", edge.edge);
+}
+
 std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
   if (scene.camera.kind == Camera::Kind::screen) return "z";
   return conventions.depth == Conventions::Depth::view ? "z_v" : "z*";
@@ -19,10 +58,8 @@ std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
 std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::int32_t vertex) {
   const auto at = static_cast<std::size_t>(vertex);
   if (vertex < 0) return std::nullopt;
-  if (scene.camera.kind == Camera::Kind::screen) {
-    if (at >= scene.points.size()) return std::nullopt;
+  if (scene.camera.kind == Camera::Kind::screen && at < scene.points.size())
     return OnRaster{scene.points[at].x, scene.points[at].y, scene.points[at].z};
-  }
   if (at >= state.vertices.size() || state.vertices[at].stage < VertexWay::on_raster) return std::nullopt;
   const VertexWay& way = state.vertices[at];
   return OnRaster{way.raster.x, way.raster.y, way.plane.z};

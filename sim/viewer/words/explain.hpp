@@ -25,6 +25,12 @@ Explanation explain(const Trace& trace, const State& after, RecordedEvent event)
 
 /// The label of a polygon: its name, or "P7".
 std::string polygon_label(const Scene& scene, std::int32_t polygon);
+/// The label of a piece: its polygon's; "C/8" where its polygon has come in more than one.
+std::string piece_label(const Scene& scene, const Machine& machine, std::int32_t piece);
+/// The letter of a vertex, where a polygon is named by its corners ("ABC" of three); else its index: "3".
+std::string vertex_label(const Scene& scene, std::int32_t vertex);
+/// "AB" where both its ends have letters, else "e3".
+std::string edge_label(const Scene& scene, const EdgeTableInsert& edge);
 /// What the buffer's numbers are called: "z*", "z_v" or "z".
 std::string depth_symbol(const Scene& scene, const Conventions& conventions);
 

@@ -13,8 +13,19 @@ const EdgeTableInsert* entry_of(const Telling& t, std::int32_t edge) {
 
 std::string named(const Telling& t, std::int32_t edge) {
   const EdgeTableInsert* entry = entry_of(t, edge);
-  return entry ? fmt::format("edge e{} ({}\u2013{})", edge, entry->vertex_0, entry->vertex_1) : fmt::format("edge e{}", edge);
+  if (!entry) return fmt::format("edge e{}", edge);
+  const std::string label = edge_label(t.scene, *entry);
+  return label[0] != 'e' ? "edge " + label : fmt::format("edge {} ({}\u2013{})", label, entry->vertex_0, entry->vertex_1);
 }
+
+/// The same without "edge" and without its ends.
+std::string brief(const Telling& t, std::int32_t edge) {
+  const EdgeTableInsert* entry = entry_of(t, edge);
+  return entry ? edge_label(t.scene, *entry) : fmt::format("e{}", edge);
+}
+
+/// The scan-line method at work: a line is of all polygons.
+bool all_at_once(const Telling& t) { return t.machine.keeps_all && t.machine.piece == -1; }
 
 std::string with_capital(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
@@ -40,7 +51,7 @@ std::string list_of_active(const Telling& t) {
   std::string text;
   for (const ActiveEdge& active : t.machine.active) {
     if (!text.empty()) text += ", ";
-    text += fmt::format("e{} at x = {}", active.edge, number(active.x));
+    text += fmt::format("{} at x = {}", brief(t, active.edge), number(active.x));
   }
   return text.empty() ? "none" : text;
 }
@@ -48,8 +59,9 @@ std::string list_of_active(const Telling& t) {
 }  // namespace
 
 void tell(Telling& t, const EdgeTableInsert& e) {
-  t.say(fmt::format("Edge e{} from vertex {} to vertex {} first meets scan line {}, so it goes into bucket {}; it leaves at {}.",
-                    e.edge, e.vertex_0, e.vertex_1, e.first_row, e.first_row, e.end_row));
+  t.say(fmt::format("Edge {} from vertex {} to vertex {} first meets scan line {}, so it goes into bucket {}; it leaves at {}.",
+                    edge_label(t.scene, e), vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1), e.first_row, e.first_row,
+                    e.end_row));
   const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
   if (a && b) {
     const double dx = (b->x - a->x) / (b->y - a->y), dz = (b->z - a->z) / (b->y - a->y);
@@ -74,9 +86,9 @@ void tell(Telling& t, const EdgeTableInsert& e) {
 void tell(Telling& t, const EdgeTableSkip& e) {
   t.say(e.why == EdgeSkip::horizontal
             ? fmt::format("The edge from vertex {} to vertex {} is horizontal: it meets no scan line in one point and is left out.",
-                          e.vertex_0, e.vertex_1)
+                          vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1))
             : fmt::format("The edge from vertex {} to vertex {} lies between two scan lines and meets none: it is left out.",
-                          e.vertex_0, e.vertex_1));
+                          vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1)));
   const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
   if (a && b) t.formula(fmt::format("y_0 = {}, y_1 = {}", number(a->y), number(b->y)));
 }
@@ -85,7 +97,7 @@ void tell(Telling& t, const ScanLineBegin& e) {
   const auto waiting = std::count_if(t.machine.edge_table.begin(), t.machine.edge_table.end(), [&](const EdgeRow& row) {
     return row.where == EdgeRow::Where::waiting && row.entry.first_row == e.y;
   });
-  t.say(fmt::format("Scan line y = {} of {}: {} active from the line before, {} waiting in its bucket.", e.y, t.here(),
+  t.say(fmt::format("Scan line y = {} of {}: {} active from the line before, {} waiting in its bucket.", e.y, all_at_once(t) ? "all polygons" : t.here(),
                     t.machine.active.size() == 1 ? "1 edge" : fmt::format("{} edges", t.machine.active.size()), waiting));
 }
 
@@ -105,7 +117,8 @@ void tell(Telling& t, const EdgeRetire& e) {
   if (!entry || !t.machine.scan_line) return;
   const std::int32_t y = *t.machine.scan_line;
   if (y >= entry->end_row) return t.formula(fmt::format("y = {}, y_max = {}", y, entry->end_row));
-  t.say(with_capital(fmt::format("Scan line {} was the last of {}: {} leaves the active edge list.", y, t.here(), named(t, e.edge))));
+  t.say(with_capital(fmt::format("Scan line {} was the last of {}: {} leaves the active edge list.", y, all_at_once(t) ? "all" : t.here(),
+                                 named(t, e.edge))));
   t.formula(fmt::format("y + 1 = {}, y_max = {}", y + 1, entry->end_row));
 }
 
@@ -144,9 +157,10 @@ void tell(Telling& t, const EdgeSwap& e) {
 
 void tell(Telling& t, const SpanBegin& e) {
   const std::int32_t count = std::max(0, e.last - e.first + 1);
-  t.say(count == 0 ? fmt::format("Between e{} and e{} no pixel centre lies on scan line {}: nothing to draw.", e.left_edge, e.right_edge, e.y)
-                   : fmt::format("Between e{} and e{} lie {} pixel{} of scan line {}: x = {} to {}.", e.left_edge, e.right_edge, count,
-                                 count == 1 ? "" : "s", e.y, e.first, e.last));
+  const std::string left = brief(t, e.left_edge), right = brief(t, e.right_edge);
+  t.say(count == 0 ? fmt::format("Between {} and {} no pixel centre lies on scan line {}: nothing to draw.", left, right, e.y)
+                   : fmt::format("Between {} and {} lie {} pixel{} of scan line {}: x = {} to {}.", left, right, count, count == 1 ? "" : "s", e.y,
+                                 e.first, e.last));
   const bool inclusive = t.conventions.coverage == Conventions::Coverage::inclusive;
   t.formula(fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", number(e.x_left), number(e.x_right), t.z, number(e.z_left), t.z,
                         number(e.z_right)));

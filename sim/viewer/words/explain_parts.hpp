@@ -29,6 +29,12 @@ struct Telling {
   void value(std::string name, double v) { out.values.emplace_back(std::move(name), v); }
   std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
   std::string here() const { return label(machine.polygon); }
+  std::string piece(std::int32_t number) const { return piece_label(scene, machine, number); }
+  /// The name of the step that recorded the event, "" in a trace whose page lacks it.
+  std::string step() const {
+    const StepInfo* found = find_step(trace.header().page, trace.event(after.position).step);
+    return found ? found->name : "";
+  }
 
   /// Holds the recorded number against what the shown formula gives; rounding of an honest computation passes.
   void hold_against(const std::string& name, double recorded, double computed) {
@@ -57,6 +63,31 @@ inline double on_line(double p0, double p1, double t, double t0, double t1) {
   return p0 + (p1 - p0) * (t - t0) / (t1 - t0);
 }
 
+void tell(Telling& t, const CurveBegin& e);
+void tell(Telling& t, const CurveSegment& e);
+void tell(Telling& t, const HorizonTest& e);
+void tell(Telling& t, const HorizonCross& e);
+void tell(Telling& t, const HorizonMove& e);
+
+/// Any other kind of event: what the vocabulary says of it, and its fields.
+template <class E>
+void tell(Telling& t, const E& e) {
+  std::string fields;
+  for_each_field<E>([&](const auto& field) {
+    using Value = typename std::remove_cvref_t<decltype(field)>::value_type;
+    std::string text;
+    if constexpr (std::is_same_v<Value, double>) {
+      text = number(e.*field.member);
+      t.value(std::string(field.name), e.*field.member);
+    } else if constexpr (std::is_same_v<Value, bool>) text = e.*field.member ? "yes" : "no";
+    else if constexpr (std::is_enum_v<Value>) text = words_of<Value>[static_cast<std::size_t>(e.*field.member)];
+    else text = std::to_string(e.*field.member);
+    fields += fmt::format("{}{} = {}", fields.empty() ? "" : ", ", field.name, text);
+  });
+  t.say(fmt::format("{}.", kind_text<E>.meaning));
+  t.formula(fields);
+}
+
 void tell(Telling& t, const BuffersClear& e);
 void tell(Telling& t, const ViewTransform& e);
 void tell(Telling& t, const Projection& e);
@@ -80,5 +111,53 @@ void tell(Telling& t, const DepthInterpolate& e);
 void tell(Telling& t, const DepthCompare& e);
 void tell(Telling& t, const DepthWrite& e);
 void tell(Telling& t, const PixelWrite& e);
+void tell(Telling& t, const ColorWrite& e);
+void tell(Telling& t, const PassBegin& e);
+void tell(Telling& t, const ShadowCompare& e);
+void tell(Telling& t, const AreaBegin& e);
+void tell(Telling& t, const AreaBin& e);
+void tell(Telling& t, const AreaDecide& e);
+void tell(Telling& t, const PixelPaint& e);
+void tell(Telling& t, const TablesBegin& e);
+void tell(Telling& t, const PieceMake& e);
+void tell(Telling& t, const PlaneEquation& e);
+void tell(Telling& t, const Extent& e);
+void tell(Telling& t, const SplitVertex& e);
+void tell(Telling& t, const PieceDraw& e);
+void tell(Telling& t, const PairBegin& e);
+void tell(Telling& t, const ExtentTest& e);
+void tell(Telling& t, const SideTest& e);
+void tell(Telling& t, const OverlapTest& e);
+void tell(Telling& t, const ListInsert& e);
+void tell(Telling& t, const ListRemove& e);
+void tell(Telling& t, const ListMark& e);
+void tell(Telling& t, const FlagFlip& e);
+void tell(Telling& t, const SpanFlags& e);
+void tell(Telling& t, const PlaneDepth& e);
+void tell(Telling& t, const ImpliedEdge& e);
+void tell(Telling& t, const SpanWinner& e);
+void tell(Telling& t, const CoverageAdd& e);
+void tell(Telling& t, const BoxMake& e);
+void tell(Telling& t, const BoxHold& e);
+void tell(Telling& t, const GridMake& e);
+void tell(Telling& t, const CellHold& e);
+void tell(Telling& t, const RayBegin& e);
+void tell(Telling& t, const CellVisit& e);
+void tell(Telling& t, const BoxTest& e);
+void tell(Telling& t, const RayPlane& e);
+void tell(Telling& t, const RayHit& e);
+void tell(Telling& t, const RayEnd& e);
+void tell(Telling& t, const VertexSide& e);
+void tell(Telling& t, const Saved& e);
+void tell(Telling& t, const RootCandidate& e);
+void tell(Telling& t, const NodeMake& e);
+void tell(Telling& t, const NodeAdd& e);
+void tell(Telling& t, const EyeSide& e);
+void tell(Telling& t, const NodeSkip& e);
+void tell(Telling& t, const LineBegin& e);
+void tell(Telling& t, const LineAgainst& e);
+void tell(Telling& t, const LineCross& e);
+void tell(Telling& t, const LineHide& e);
+void tell(Telling& t, const LinePiece& e);
 
 }  // namespace zstep::words

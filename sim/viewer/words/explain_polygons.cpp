@@ -111,7 +111,9 @@ void tell(Telling& t, const ClipCross& e) {
 }
 
 void tell(Telling& t, const OutlineVertex& e) {
-  t.say(fmt::format("Vertex {} is corner {} of {} as it is drawn.", e.vertex, t.machine.outline.size(), t.here()));
+  const StepInfo* step = find_step(t.trace.header().page, t.trace.event(t.after.position).step);
+  if (step && step->module == "cutting") t.say(fmt::format("Vertex {} is corner {} of the part.", e.vertex, t.machine.outline.size()));
+  else t.say(fmt::format("Vertex {} is corner {} of {} as it is drawn.", e.vertex, t.machine.outline.size(), t.here()));
   if (const auto p = on_raster(t.scene, t.after, e.vertex)) {
     t.formula(fmt::format("(x_s, y_s) = ({}, {}), {} = {}", number(p->x), number(p->y), t.z, number(p->z)));
     t.value("x_s", p->x);

@@ -22,6 +22,18 @@ inline Trace record_run(const std::string& scene_name, const ViewOptions& view =
   return Trace::from_bytes(record.take_bytes(), scene_name);
 }
 
+/// The same by any method, with its standard conventions.
+inline Trace record_run_by(const std::string& method_id, const std::string& scene_name, const ViewOptions& view = {}) {
+  const SceneFile file = load_scene(scene_name);
+  const Scene scene = look_at_scene(file.scene, view);
+  const Method& by = method(method_id);
+  const Conventions conventions;
+  TraceRecorder record(header_for(by, conventions), scene);
+  by.record(scene, conventions, record);
+  record.finish();
+  return Trace::from_bytes(record.take_bytes(), scene_name);
+}
+
 inline ViewOptions of_size(std::int32_t width, std::int32_t height) {
   ViewOptions view;
   view.width = width;

@@ -103,7 +103,7 @@ TEST_CASE("the head sets view and conventions") {
   CHECK(trace.scene().raster.width == 16);
   CHECK(trace.scene().raster.height == 12);
   CHECK(trace.header().conventions == Conventions{Conventions::Depth::view, Conventions::Interpolation::increments,
-                                                  Conventions::Coverage::inclusive, false});
+                                                  Conventions::Coverage::inclusive, false, {}});
 }
 
 TEST_CASE("unset conventions stay the scene's own") {

@@ -1,0 +1,131 @@
+#include "sim/viewer/charts/sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace zstep::viewer {
+
+Sheet::Sheet(int width, int height, float text_pixels)
+    : before_(ImGui::GetCurrentContext()), context_(ImGui::CreateContext()), renderer_(width, height) {
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
+  io.DeltaTime = 1.0f / 60;
+  fonts_.load(text_pixels);
+  renderer_.take_fonts();
+  canvas_.resize(width, height);
+  canvas_.fill(to_pixel(theme().pane));
+  ImGui::NewFrame();
+  ImGui::GetBackgroundDrawList()->AddImage(Renderer::image(canvas_), ImVec2(0, 0), io.DisplaySize);
+}
+
+Sheet::~Sheet() {
+  ImGui::DestroyContext(context_);
+  ImGui::SetCurrentContext(before_);
+}
+
+float Sheet::text_width(const std::string& text, bool bold) const {
+  const ImFont* font = bold ? fonts_.bold : fonts_.text;
+  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, fonts_.drawable(text).c_str()).x;
+}
+
+void Sheet::text(float x, float y, const std::string& text, ImU32 color, Side side, bool bold) {
+  const ImFont* font = bold ? fonts_.bold : fonts_.text;
+  const float wide = side == Side::left ? 0 : text_width(text, bold);
+  const float left = side == Side::middle ? x - wide / 2 : x - wide;
+  ImGui::GetBackgroundDrawList()->AddText(font, font->FontSize, ImVec2(std::round(left), std::round(y)), color, fonts_.drawable(text).c_str());
+}
+
+void Sheet::line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) { canvas_.line(from.x, from.y, to.x, to.y, thickness, to_pixel(color)); }
+
+void Sheet::dashed_line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
+  const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  constexpr float dash = 10, gap = 8;
+  for (float at = 0; at < length; at += dash + gap) {
+    const float begin = at / length, end = std::min(at + dash, length) / length;
+    line({from.x + begin * dx, from.y + begin * dy}, {from.x + end * dx, from.y + end * dy}, color, thickness);
+  }
+}
+
+void Sheet::rule(ImVec2 from, ImVec2 to, ImU32 color) {
+  const bool across = std::abs(to.x - from.x) > std::abs(to.y - from.y);
+  const ImVec2 end = across ? ImVec2(to.x, from.y + 1) : ImVec2(from.x + 1, to.y);
+  rectangle(from, end, color);
+}
+
+void Sheet::rectangle(ImVec2 from, ImVec2 to, ImU32 color) {
+  const auto whole = [](float value) { return static_cast<int>(std::lround(value)); };
+  canvas_.rectangle(whole(from.x), whole(from.y), whole(to.x), whole(to.y), to_pixel(color));
+}
+
+namespace {
+
+// How far (x, y) lies inside a mark around the origin, in pixels; negative outside.
+float inside_mark(int shape, float x, float y, float r) {
+  switch (shape % 4) {
+    case 0:
+      return r - std::hypot(x, y);
+    case 1:
+      return 0.9f * r - std::max(std::abs(x), std::abs(y));
+    case 2:
+      return std::min(0.75f * r - y, 0.45f * (y + 1.35f * r) - 0.9f * std::abs(x));
+    default:
+      return (1.35f * r - std::abs(x) - std::abs(y)) * 0.707f;
+  }
+}
+
+}  // namespace
+
+void Sheet::mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled) {
+  constexpr float rim = 2.5f;
+  const int reach = static_cast<int>(radius * 1.5f) + 2;
+  const int middle_x = static_cast<int>(std::lround(at.x)), middle_y = static_cast<int>(std::lround(at.y));
+  for (int y = std::max(0, middle_y - reach); y <= std::min(canvas_.height() - 1, middle_y + reach); ++y) {
+    for (int x = std::max(0, middle_x - reach); x <= std::min(canvas_.width() - 1, middle_x + reach); ++x) {
+      const float depth = inside_mark(shape, static_cast<float>(x) - at.x, static_cast<float>(y) - at.y, radius);
+      const auto share = [](float inside) { return static_cast<unsigned>(std::lround(255 * std::clamp(inside + 0.5f, 0.0f, 1.0f))); };
+      Pixel32& pixel = canvas_.row(y)[x];
+      pixel = mixed(pixel, to_pixel(color), share(depth));
+      if (!filled) pixel = mixed(pixel, to_pixel(theme().pane), share(depth - rim));
+    }
+  }
+}
+
+void Sheet::cross(ImVec2 at, float radius, ImU32 color) {
+  line({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, color, 3.5f);
+  line({at.x - radius, at.y + radius}, {at.x + radius, at.y - radius}, color, 3.5f);
+}
+
+Image Sheet::picture() {
+  ImGui::Render();
+  renderer_.draw(*ImGui::GetDrawData(), to_pixel(theme().pane));
+  return {renderer_.width(), renderer_.height(), renderer_.rgb()};
+}
+
+LogAxis::LogAxis(double least, double most, float from, float to)
+    : first_(static_cast<int>(std::floor(std::log10(least) + 1e-9))),
+      last_(std::max(first_ + 1, static_cast<int>(std::ceil(std::log10(most) - 1e-9)))),
+      from_(from),
+      to_(to) {}
+
+float LogAxis::at(double value) const {
+  const double share = (std::log10(value) - first_) / (last_ - first_);
+  return from_ + static_cast<float>(share) * (to_ - from_);
+}
+
+std::string decade_text(int n) {
+  if (n >= 0 && n <= 2) return fmt::format("{:.0f}", std::pow(10.0, n));
+  if (n < 0 && n >= -3) return fmt::format("{:.{}f}", std::pow(10.0, n), -n);
+  if (n >= 3 && n <= 5) return fmt::format("{:.0f} 000", std::pow(10.0, n - 3));
+  static const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074", "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = n < 0 ? "10\u207b" : "10";
+  for (const char c : std::to_string(std::abs(n))) text += digits[c - '0'];
+  return text;
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,68 @@
+// A sheet of paper without a window: text, lines and marks, then the picture.
+#pragma once
+
+#include <string>
+
+#include <imgui.h>
+
+#include "sim/image/png.hpp"
+#include "sim/viewer/draw/canvas.hpp"
+#include "sim/viewer/draw/fonts.hpp"
+#include "sim/viewer/draw/renderer.hpp"
+#include "sim/viewer/draw/theme.hpp"
+
+namespace zstep::viewer {
+
+class Sheet {
+ public:
+  enum class Side : unsigned char { left, middle, right };  ///< of the text lies at x
+
+  Sheet(int width, int height, float text_pixels);
+  ~Sheet();
+  Sheet(const Sheet&) = delete;
+  Sheet& operator=(const Sheet&) = delete;
+
+  const Theme& theme() const { return light_theme(); }
+  float width() const { return static_cast<float>(renderer_.width()); }
+  float height() const { return static_cast<float>(renderer_.height()); }
+  float text_height() const { return fonts_.text->FontSize; }
+  float text_width(const std::string& text, bool bold = false) const;
+  void text(float x, float y, const std::string& text, ImU32 color, Side side = Side::left, bool bold = false);
+  void line(ImVec2 from, ImVec2 to, ImU32 color, float thickness);
+  void dashed_line(ImVec2 from, ImVec2 to, ImU32 color, float thickness);
+  /// A line one pixel wide, along the raster.
+  void rule(ImVec2 from, ImVec2 to, ImU32 color);
+  void rectangle(ImVec2 from, ImVec2 to, ImU32 color);
+  /// A mark of one of four shapes: disc, square, triangle, diamond; hollow unless filled.
+  void mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled = true);
+  void cross(ImVec2 at, float radius, ImU32 color);
+
+  /// The finished sheet.
+  Image picture();
+
+ private:
+  ImGuiContext* before_;
+  ImGuiContext* context_;
+  Renderer renderer_;
+  Canvas canvas_;  ///< all but the text, which lies on it
+  Fonts fonts_;
+};
+
+/// A logarithmic axis from a to b pixels, over whole decades.
+class LogAxis {
+ public:
+  /// `least` and `most` > 0.
+  LogAxis(double least, double most, float from, float to);
+  float at(double value) const;
+  int first_decade() const { return first_; }
+  int last_decade() const { return last_; }
+
+ private:
+  int first_, last_;
+  float from_, to_;
+};
+
+/// 10^n as it is written on an axis: "0.01", "1", "1 000", "10⁶".
+std::string decade_text(int n);
+
+}  // namespace zstep::viewer

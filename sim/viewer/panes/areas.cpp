@@ -1,0 +1,185 @@
+// Warnock's areas over the frame, each settled one with the number of its case, and the bins of the area at work.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/draw/raster_canvas.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr std::size_t most_outlines = 200;
+
+struct Box { int left, top, right, bottom; };
+
+Box box_of(const RasterMap& map, const AreaBegin& a) {
+  const int top = std::min(map.row_begin(a.first_row), map.row_begin(a.end_row - 1));
+  const int bottom = std::max(map.row_end(a.first_row), map.row_end(a.end_row - 1));
+  return {map.column_begin(a.first_column), top, map.column_begin(a.end_column), bottom};
+}
+
+void frame(Canvas& canvas, const Box& b, int thickness, Pixel32 color) {
+  canvas.rectangle(b.left, b.top, b.right, b.top + thickness, color);
+  canvas.rectangle(b.left, b.bottom - thickness, b.right, b.bottom, color);
+  canvas.rectangle(b.left, b.top, b.left + thickness, b.bottom, color);
+  canvas.rectangle(b.right - thickness, b.top, b.right, b.bottom, color);
+}
+
+bool has_pixels(const AreaBegin& a) { return a.first_column < a.end_column && a.first_row < a.end_row; }
+
+void paint(Ui& ui, Canvas& canvas, const RasterMap& map) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const Theme& c = ui.colors();
+  const Picture& picture = s.state().picture;
+  std::vector<Pixel32> cells(picture.polygon.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = mixed(opaque(zstep::color_at(picture, s.scene(), i)), to_pixel(c.pane), 110);
+  paint_raster(canvas, map, cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
+  for (const AreaRow& row : m.areas)
+    if (has_pixels(row.entry)) frame(canvas, box_of(map, row.entry), 1, to_pixel(c.text));
+  if (m.pieces.size() <= most_outlines)
+    for (const Piece& piece : m.pieces)
+      for (std::size_t i = 0; i < piece.outline.size(); ++i) {
+        const auto a = on_raster(s.scene(), s.state(), piece.outline[i]);
+        const auto b = on_raster(s.scene(), s.state(), piece.outline[(i + 1) % piece.outline.size()]);
+        if (!a || !b) continue;
+        const auto polygon = static_cast<std::size_t>(piece.polygon);
+        const Pixel32 color = polygon < s.scene().polygons.size() ? opaque(s.scene().polygons[polygon].color) : to_pixel(c.muted);
+        canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 3.6, to_pixel(c.text), 200);
+        canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 2, color);
+      }
+  const auto at = static_cast<std::size_t>(m.area);
+  if (m.area >= 0 && at < m.areas.size() && has_pixels(m.areas[at].entry)) {
+    const Box b = box_of(map, m.areas[at].entry);
+    frame(canvas, {b.left - 2, b.top - 2, b.right + 2, b.bottom + 2}, 4, to_pixel(c.now));
+  }
+}
+
+/// "1" to "4" after the lecture's list; a pixel decided by itself is "px".
+const char* sign_of(AreaCase what) {
+  constexpr std::array signs{"1", "2", "3", "4", "px", ""};
+  return signs[static_cast<std::size_t>(what)];
+}
+
+void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  for (const AreaRow& row : ui.session.state().machine.areas) {
+    if (!row.decided || !has_pixels(row.entry)) continue;
+    const std::string sign = sign_of(row.decided->what);
+    const Box b = box_of(map, row.entry);
+    const auto width = static_cast<float>(b.right - b.left), height = static_cast<float>(b.bottom - b.top);
+    for (const ImFont* font : {ui.fonts.bold, ui.fonts.small}) {
+      const ImVec2 size = text_size(ui, font, sign);
+      if (size.x + 6 > width || size.y + 2 > height) continue;
+      const ImVec2 at{origin.x + static_cast<float>(b.left) + (width - size.x) / 2, origin.y + static_cast<float>(b.top) + (height - size.y) / 2};
+      if (!sign.empty()) ImGui::GetWindowDrawList()->AddRectFilled({at.x - 3, at.y - 1}, {at.x + size.x + 3, at.y + size.y + 1}, ui.colors().pane);
+      draw_text(ui, at, font, ui.colors().text, sign);
+      break;
+    }
+  }
+}
+
+/// One bin: its name, then its polygons with a swatch each, as many as there is room for.
+void draw_bin(Ui& ui, Bin bin) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const Theme& c = ui.colors();
+  const RecordedEvent* event = s.event();
+  const AreaBin* now = event ? std::get_if<AreaBin>(&event->event) : nullptr;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x, height = std::round(ui.em * 1.35f);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (now && now->bin == bin) {
+    list->AddRectFilled(at, {right, at.y + height}, c.now_soft);
+    list->AddRectFilled(at, {at.x + 3, at.y + height}, c.now);
+  }
+  const float y = at.y + std::round((height - ui.em) / 2) - 1;
+  const float side = std::round(ui.em * 0.55f);
+  draw_text(ui, {at.x + ui.em * 0.4f, y}, ui.fonts.text, c.muted, std::string(words_of<Bin>[static_cast<std::size_t>(bin)]));
+  float x = at.x + ui.em * 0.8f + text_size(ui, ui.fonts.text, "surrounding ").x;
+  std::size_t all = 0, shown = 0;
+  for (const AreaBin& row : m.bins) all += row.bin == bin;
+  const float more = text_size(ui, ui.fonts.text, fmt::format("+{}", all)).x;
+  for (const AreaBin& row : m.bins) {
+    const auto piece = static_cast<std::size_t>(row.piece);
+    if (row.bin != bin || row.piece < 0 || piece >= m.pieces.size()) continue;
+    const std::int32_t polygon = m.pieces[piece].polygon;
+    const std::string label = polygon_label(s.scene(), polygon);
+    const float width = ui.em * 0.75f + text_size(ui, ui.fonts.bold, label).x + ui.em * 0.5f;
+    if (x + width + (shown + 1 < all ? more : 0) > right) {
+      draw_text(ui, {x, y}, ui.fonts.text, c.muted, fmt::format("+{}", all - shown));
+      break;
+    }
+    const float top = at.y + std::round((height - side) / 2);
+    if (static_cast<std::size_t>(polygon) < s.scene().polygons.size())
+      list->AddRectFilled({x, top}, {x + side, top + side}, to_im(opaque(s.scene().polygons[static_cast<std::size_t>(polygon)].color)));
+    frame_box(list, {x, top}, {x + side, top + side}, c.text);
+    draw_text(ui, {x + ui.em * 0.75f, y}, now == nullptr || now->piece != row.piece ? ui.fonts.text : ui.fonts.bold, c.text, label);
+    x += width;
+    ++shown;
+  }
+  if (all == 0) draw_text(ui, {x, y}, ui.fonts.text, c.muted, "\u2013");
+  ImGui::Dummy({1, height});
+}
+
+void draw_bins(Ui& ui) {
+  const Machine& m = ui.session.state().machine;
+  if (m.area < 0 || m.areas.empty()) return say_empty(ui, "The bins of an area fill once all polygons are on the raster.");
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, fmt::format("Area {}", m.area), heading);
+  for (const Bin bin : {Bin::disjoint, Bin::intersecting, Bin::surrounding, Bin::contained}) draw_bin(ui, bin);
+  const std::size_t known = m.pieces.size() - std::min(m.pieces.size(), m.bins.size());
+  Flow quiet;
+  quiet.color = ui.colors().muted;
+  const bool settled = m.areas[static_cast<std::size_t>(m.area)].decided.has_value();
+  if (known > 0 && settled) flow(ui, fmt::format("{} more {} known to miss the area around it.", known, known == 1 ? "is" : "are"), quiet);
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const ImVec2 avail = ImGui::GetContentRegionAvail();
+  const bool beside = avail.x > avail.y * 1.3f;
+  const float bins_width = std::round(ui.em * 14), bins_height = std::round(ui.em * 8.5f);
+  const int width = static_cast<int>(beside ? std::max(avail.x - bins_width, avail.x * 0.4f) : avail.x);
+  const int height = static_cast<int>(beside ? avail.y : avail.y - bins_height);
+  if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  const RasterMap map(s.scene().raster, {}, width - 4, height - 4);
+  Canvas& canvas = ui.canvases["areas"];
+  const std::uint64_t version = fingerprint({static_cast<double>(width), static_cast<double>(height), static_cast<double>(s.position()),
+                                             ui.theme == &light_theme() ? 0.0 : 1.0});
+  if (ui.painted["areas"] != version) {
+    canvas.resize(width - 4, height - 4);
+    canvas.fill(to_pixel(ui.colors().pane));
+    paint(ui, canvas, map);
+    ui.painted["areas"] = version;
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});
+  draw_signs(ui, map, at);
+  if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
+  else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
+  ImGui::BeginChild("bins", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_None);
+  draw_bins(ui);
+  ImGui::EndChild();
+}
+
+std::string note(Ui& ui) {
+  const Machine& m = ui.session.state().machine;
+  if (m.areas.empty()) return "";
+  const auto settled = std::count_if(m.areas.begin(), m.areas.end(), [](const AreaRow& row) {
+    return row.decided && row.decided->what != AreaCase::subdivide;
+  });
+  return fmt::format("{} settled", grouped(settled));
+}
+
+bool serves(const Header& header) { return has_step_of<AreaBegin>(header); }
+
+}  // namespace
+
+const Pane areas_pane{"areas", "AREAS", draw, note, serves, 0.6f, false};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,201 @@
+// The list of pieces still to be drawn, the farthest first, their z extents as bars; above it the pair under test.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/pair_tests.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+ImU32 chip_of(const Session& s, std::int32_t polygon) {
+  const auto at = static_cast<std::size_t>(polygon);
+  return polygon >= 0 && at < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[at].color)) : 0;
+}
+
+std::int32_t polygon_of(const Machine& machine, std::int32_t piece) {
+  const auto at = static_cast<std::size_t>(piece);
+  return piece >= 0 && at < machine.pieces.size() ? machine.pieces[at].polygon : no_polygon;
+}
+
+void draw_chip(Ui& ui, ImVec2 at, float height, ImU32 color) {
+  const float side = std::round(ui.em * 0.55f), y = at.y + std::round((height - side) / 2);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({at.x, y}, {at.x + side, y + side}, color);
+  frame_box(list, {at.x, y}, {at.x + side, y + side}, ui.colors().text);
+}
+
+struct Axis3 {
+  double near = 0, far = 1;
+};
+
+/// From the nearest to the farthest z of all pieces, so that bars stay where they are while the list grows shorter.
+Axis3 axis_of(const Machine& machine) {
+  Axis3 axis{1, -1};
+  for (const Piece& piece : machine.pieces) {
+    if (!piece.extent) continue;
+    if (axis.near > axis.far) axis = {piece.extent->z_min, piece.extent->z_max};
+    axis.near = std::min(axis.near, piece.extent->z_min);
+    axis.far = std::max(axis.far, piece.extent->z_max);
+  }
+  if (!(axis.near < axis.far)) axis = {axis.near - 1, axis.near + 1};
+  return axis;
+}
+
+/// Where things stand in the rows of the list, from a row's left end.
+struct Rows {
+  Axis3 axis;
+  std::int32_t p = -1, q = -1, touched = -1;  ///< pieces
+  float height = 0, room = 0, tag = 0, name = 0, bars_left = 0, bars = 0;
+  float x_of(double z) const { return bars_left + static_cast<float>((axis.far - z) / (axis.far - axis.near)) * bars; }
+};
+
+Rows lay_out_rows(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& machine = s.state().machine;
+  Rows rows;
+  rows.axis = axis_of(machine);
+  if (machine.pair) rows.p = machine.pair->piece, rows.q = machine.pair->other;
+  if (const RecordedEvent* event = s.event()) {
+    if (const auto* e = std::get_if<ListInsert>(&event->event)) rows.touched = e->piece;
+    if (const auto* e = std::get_if<ListMark>(&event->event)) rows.touched = e->piece;
+    if (const auto* e = std::get_if<PieceDraw>(&event->event)) rows.touched = e->piece;
+  }
+  if (rows.touched < 0) rows.touched = machine.piece;  // while it is painted
+  rows.height = std::round(ui.fonts.mono->FontSize * 1.35f);
+  rows.room = ImGui::GetContentRegionAvail().x - ui.em;  // a scroll bar may come and go
+  rows.tag = text_size(ui, ui.fonts.bold, "Q").x + ui.em * 0.5f;
+  rows.name = text_size(ui, ui.fonts.mono, "C").x;
+  for (const ListEntry& entry : machine.list)
+    rows.name = std::max(rows.name, text_size(ui, ui.fonts.mono, piece_label(s.scene(), machine, entry.piece)).x);
+  const float mark = text_size(ui, ui.fonts.mono, "\u25cf").x + ui.em * 0.4f;
+  rows.bars_left = ui.em * 0.4f + rows.tag + ui.em * 0.75f + rows.name + ui.em * 0.4f + mark;
+  rows.bars = std::max(20.0f, rows.room - rows.bars_left - ui.em * 0.3f);
+  return rows;
+}
+
+void draw_axis(Ui& ui, const Rows& rows) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const ImVec2 head = ImGui::GetCursorScreenPos();
+  const std::string far = fmt::format("far {}", number(rows.axis.far, 3, true)), near = fmt::format("near {}", number(rows.axis.near, 3, true));
+  draw_text(ui, {head.x + ui.em * 0.4f, head.y}, ui.fonts.small, c.muted, depth_symbol(s.scene(), s.header().conventions));
+  draw_text(ui, {head.x + rows.bars_left, head.y}, ui.fonts.small, c.muted, far);
+  if (text_size(ui, ui.fonts.small, far + near).x + ui.em < rows.bars)
+    draw_text(ui, {head.x + rows.bars_left + rows.bars - text_size(ui, ui.fonts.small, near).x, head.y}, ui.fonts.small, c.muted, near);
+  ImGui::Dummy({rows.room, std::round(ui.fonts.small->FontSize * 1.3f)});
+  const float bottom = ImGui::GetCursorScreenPos().y;
+  ImGui::GetWindowDrawList()->AddRectFilled({head.x, bottom - 1}, {head.x + rows.room, bottom}, c.rule);
+}
+
+void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
+  const Session& s = ui.session;
+  const Machine& machine = s.state().machine;
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const auto number_of = static_cast<std::size_t>(entry.piece);
+  const Piece* piece = number_of < machine.pieces.size() ? &machine.pieces[number_of] : nullptr;
+  const bool is_p = entry.piece == rows.p, is_q = entry.piece == rows.q;
+  ImGui::Dummy({rows.room, rows.height});
+  if (ImGui::IsItemHovered() && piece && piece->extent)
+    tooltip(ui, {fmt::format("least z = {}", exact(piece->extent->z_min)), fmt::format("farthest z = {}", exact(piece->extent->z_max)),
+                 entry.marked ? "\u25cf marked: it was moved" : "not marked"});
+  if (entry.piece == rows.touched) {
+    list->AddRectFilled(at, {at.x + rows.room, at.y + rows.height}, c.now_soft);
+    list->AddRectFilled(at, {at.x + 3, at.y + rows.height}, c.now);
+  } else if (is_p || is_q) {
+    list->AddRectFilled(at, {at.x + rows.room, at.y + rows.height}, c.selected_soft);
+  }
+  if (entry.piece == rows.touched || is_q) follow(ui, at.y, rows.height);
+  float x = at.x + ui.em * 0.4f;
+  if (is_p || is_q) draw_text(ui, {x, at.y + 1}, ui.fonts.bold, c.text, is_p ? "P" : "Q");
+  x += rows.tag;
+  draw_chip(ui, {x, at.y}, rows.height, chip_of(s, polygon_of(machine, entry.piece)));
+  x += ui.em * 0.75f;
+  draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.text, piece_label(s.scene(), machine, entry.piece));
+  x += rows.name + ui.em * 0.4f;
+  if (entry.marked) draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.now, "\u25cf");
+  if (!piece || !piece->extent) return;
+  const float from = at.x + rows.x_of(piece->extent->z_max), to = std::max(from + 2, at.x + rows.x_of(piece->extent->z_min));
+  const float top = at.y + std::round(rows.height * 0.22f), bottom = at.y + std::round(rows.height * 0.8f);
+  list->AddRectFilled({from, top}, {to, bottom}, chip_of(s, piece->polygon));
+  frame_box(list, {from, top}, {to, bottom}, c.text, is_p || is_q ? 2.0f : 1.0f);
+}
+
+/// What reaches farther than P's nearest z must be held against P: a dashed line from `top` to the cursor.
+void draw_reach(Ui& ui, const Rows& rows, ImVec2 top) {
+  const auto& pieces = ui.session.state().machine.pieces;
+  const auto at = static_cast<std::size_t>(rows.p);
+  if (rows.p < 0 || at >= pieces.size() || !pieces[at].extent) return;
+  const float x = top.x + rows.x_of(pieces[at].extent->z_min), bottom = ImGui::GetCursorScreenPos().y;
+  for (float y = top.y; y < bottom; y += 8) ImGui::GetWindowDrawList()->AddRectFilled({x - 1, y}, {x + 1, std::min(y + 5, bottom)}, ui.colors().selected);
+}
+
+void draw_list(Ui& ui) {
+  const auto& entries = ui.session.state().machine.list;
+  const Rows rows = lay_out_rows(ui);
+  draw_axis(ui, rows);
+  // The first of the list is P: it stays in sight while the others scroll.
+  const bool testing = entries[0].piece == rows.p;
+  ImVec2 top = ImGui::GetCursorScreenPos();
+  draw_row(ui, rows, entries[0]);
+  if (testing) draw_reach(ui, rows, top);
+  ImGui::BeginChild("others", {0, 0}, false, ImGuiWindowFlags_None);
+  top = ImGui::GetCursorScreenPos();
+  for (std::size_t i = 1; i < entries.size(); ++i) draw_row(ui, rows, entries[i]);
+  if (testing) draw_reach(ui, rows, top);
+  ImGui::EndChild();
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& machine = s.state().machine;
+  if (machine.list.empty())
+    return say_empty(ui, machine.pieces_drawn > 0 ? "Empty: everything is drawn."
+                                                  : "Empty: when all polygons have been viewed they enter it, the farthest first.");
+  const ImVec2 avail = ImGui::GetContentRegionAvail();
+  const auto made = machine.pair && find_step(s.header().page, "test_1") ? since_pair(s) : std::nullopt;
+  const float least_list = ui.em * 14;
+  // Side by side where there is room, else the tests above the list; both keep to their place.
+  const TestTable table = lay_out_tests(ui, made.value_or(std::vector<RecordedEvent>{}), avail.x - least_list - ui.em);
+  const bool beside = find_step(s.header().page, "test_1") && table.width + least_list + ui.em <= avail.x;
+  const float row = std::round(ui.fonts.mono->FontSize * 1.35f);
+  if (!beside && made) {
+    const TestTable above = lay_out_tests(ui, *made, avail.x);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::BeginChild("tests", {avail.x, std::min(above.height + 2, std::max(2 * row, avail.y - 4 * row))}, false, ImGuiWindowFlags_None);
+    draw_tests(ui, *machine.pair, above);
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  ImGui::BeginChild("list", {beside ? avail.x - table.width - ui.em : 0, 0}, false, ImGuiWindowFlags_None);
+  draw_list(ui);
+  ImGui::EndChild();
+  if (beside && made) {
+    ImGui::SameLine(0, ui.em);
+    ImGui::BeginChild("tests", {0, 0}, false, ImGuiWindowFlags_None);
+    draw_tests(ui, *machine.pair, table);
+    ImGui::EndChild();
+  }
+  ImGui::PopStyleVar();
+}
+
+std::string note(Ui& ui) {
+  const Machine& machine = ui.session.state().machine;
+  if (machine.list.empty() && machine.pieces_drawn == 0) return "";
+  return fmt::format("{} to go, {} drawn", machine.list.size(), machine.pieces_drawn);
+}
+
+bool serves(const Header& header) { return has_step_of<ListInsert>(header); }
+
+}  // namespace
+
+const Pane drawing_list_pane{"drawing_list", "DRAWING LIST", draw, note, serves, 0.7f, false};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,146 @@
+// The two floating horizons on the raster: the curves so far, the band between the horizons where nothing more is seen,
+// the curve at work and the column at which it is held against them.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// A curve of the surface's grid, straight from sample to sample, as far as the trace has brought them to the raster.
+void draw_curve(const Session& s, Canvas& canvas, const RasterMap& map, const CurveBegin& curve, double thickness, Pixel32 color) {
+  if (!s.scene().surface || curve.across) return;
+  const std::int32_t columns = s.scene().surface->columns;
+  for (std::int32_t column = 0; column + 1 < columns; ++column) {
+    const auto a = on_raster(s.scene(), s.state(), curve.row * columns + column);
+    const auto b = on_raster(s.scene(), s.state(), curve.row * columns + column + 1);
+    if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), thickness, color);
+  }
+}
+
+/// Between the horizons whatever comes is hidden; with the upper one alone, everything below it.
+void shade_hidden(const HorizonWork& work, Canvas& canvas, const RasterMap& map, bool one, Pixel32 shade) {
+  const double bottom = map.py(map.height - 0.5);
+  for (std::size_t x = 0; x < work.upper.size() && x < work.lower.size(); ++x) {
+    if (!std::isfinite(work.upper[x])) continue;
+    const auto row = [&](double y) { return static_cast<int>(std::lround(std::clamp(map.py(y), 0.0, bottom))); };
+    const int column = static_cast<int>(x);
+    canvas.rectangle(map.column_begin(column), row(work.upper[x]), map.column_begin(column + 1),
+                     one ? static_cast<int>(bottom) : row(work.lower[x]), shade);
+  }
+}
+
+/// One horizon, from column to column; a level piece where a neighbour has none. The lower one is dashed.
+void draw_horizon(const std::vector<double>& horizon, Canvas& canvas, const RasterMap& map, bool dashed, Pixel32 color) {
+  for (std::size_t x = 0; x < horizon.size(); ++x) {
+    if (!std::isfinite(horizon[x])) continue;
+    const double at = map.px(static_cast<double>(x)), y = map.py(horizon[x]), half = map.cell / 2;
+    const bool joined = x + 1 < horizon.size() && std::isfinite(horizon[x + 1]);
+    const bool alone = !joined && (x == 0 || !std::isfinite(horizon[x - 1]));
+    if (joined && !(dashed && x % 2 == 1)) canvas.line(at, y, at + map.cell, map.py(horizon[x + 1]), 2.5, color);
+    if (alone) canvas.line(at - half, y, at + half, y, 2.5, color);
+  }
+}
+
+bool one_horizon(const Session& s) {
+  const auto& options = s.header().conventions.options;
+  const auto found = options.find("horizons");
+  return found != options.end() && found->second == "one";
+}
+
+void paint(Ui& ui, Canvas& canvas, const RasterMap& map) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const HorizonWork& work = s.state().machine.horizon;
+  const Pixel32 paper = to_pixel(c.head);
+  canvas.fill(to_pixel(c.pane));
+  canvas.rectangle(map.column_begin(0), map.row_begin(0), map.column_begin(map.width), map.row_end(map.height - 1), paper);
+  shade_hidden(work, canvas, map, one_horizon(s), mixed(paper, to_pixel(c.muted), 70));
+  for (const CurveMarks::Mark& mark : ui.curves.of(s.trace()))
+    if (mark.position <= s.position()) draw_curve(s, canvas, map, mark.curve, 1, to_pixel(c.muted));
+  draw_horizon(work.lower, canvas, map, true, to_pixel(c.text));
+  draw_horizon(work.upper, canvas, map, false, to_pixel(c.text));
+  if (work.curve) draw_curve(s, canvas, map, *work.curve, 2, to_pixel(c.now));
+  if (work.segment) {
+    const auto a = on_raster(s.scene(), s.state(), work.segment->vertex_0), b = on_raster(s.scene(), s.state(), work.segment->vertex_1);
+    if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 4, to_pixel(c.now));
+  }
+}
+
+/// The column at work: a thin line down the raster, a dot on the curve (hollow where it is hidden) and the verdict in words.
+void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const HorizonWork& work = s.state().machine.horizon;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto place = [&](double x, double y) { return ImVec2{at.x + static_cast<float>(map.px(x)), at.y + static_cast<float>(map.py(y))}; };
+  if (work.test) {
+    const HorizonTest& now = *work.test;
+    const ImVec2 top = place(now.x, -0.5), bottom = place(now.x, map.height - 0.5);
+    list->AddLine(top, bottom, c.now, 1);
+    if (now.y_curve >= -0.5 && now.y_curve <= map.height - 0.5) {
+      const ImVec2 dot = place(now.x, now.y_curve);
+      const float radius = std::max(4.0f, ui.em * 0.3f);
+      list->AddCircleFilled(dot, radius, now.where == Horizon::hidden ? c.pane : c.now);
+      list->AddCircle(dot, radius, c.now, 0, 2);
+      const std::string word = now.where == Horizon::hidden ? "hidden" : now.where == Horizon::above ? "above" : "below";
+      const ImVec2 size = text_size(ui, ui.fonts.small, word);
+      float x = dot.x + radius + 4, y = dot.y - size.y - radius;
+      if (x + size.x > at.x + static_cast<float>(map.box_width)) x = dot.x - radius - 4 - size.x;
+      y = std::clamp(y, at.y + 1, at.y + static_cast<float>(map.box_height) - size.y - 1);
+      list->AddRectFilled({x - 2, y - 1}, {x + size.x + 2, y + size.y + 1}, c.pane);
+      draw_text(ui, {x, y}, ui.fonts.small, c.now, word);
+    }
+  }
+  if (work.cross) {
+    const ImVec2 cross = place(work.cross->x_at, work.cross->y_at);
+    const float arm = std::max(5.0f, ui.em * 0.4f);
+    for (const float side : {-1.0f, 1.0f}) list->AddLine({cross.x - arm, cross.y - side * arm}, {cross.x + arm, cross.y + side * arm}, c.changed, 2.5f);
+  }
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const ImVec2 avail = ImGui::GetContentRegionAvail();
+  const ImFont* font = ui.fonts.small;
+  const float legend = std::round(font->FontSize * 1.3f);
+  const int width = static_cast<int>(avail.x), height = static_cast<int>(avail.y - legend);
+  if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  const RasterMap map(s.scene().raster, {}, width, height);
+  const double theme = ui.theme == &light_theme() ? 0 : 1;
+  const std::uint64_t version = fingerprint({static_cast<double>(width), static_cast<double>(height), theme, static_cast<double>(s.position())});
+  Canvas& canvas = ui.canvases["horizons"];
+  if (ui.painted["horizons"] != version || canvas.width() != width) {
+    canvas.resize(width, height);
+    paint(ui, canvas, map);
+    ui.painted["horizons"] = version;
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  mark_column(ui, at, map);
+  const std::string whole = one_horizon(s) ? "solid: the horizon    shaded: hidden, by this rule" : "solid: upper   dashed: lower   shaded: hidden";
+  for (const std::string& text : {whole, std::string("shaded: hidden")})
+    if (text_size(ui, font, text).x <= avail.x) {
+      draw_text(ui, {at.x, at.y + static_cast<float>(height) + 2}, font, ui.colors().muted, text);
+      break;
+    }
+}
+
+std::string note(Ui& ui) {
+  const auto& curve = ui.session.state().machine.horizon.curve;
+  if (!curve) return "";
+  return fmt::format("{} = {}", curve->across ? "x" : "z", number(curve->constant, 2, true));
+}
+
+bool serves(const Header& header) { return has_step_of<HorizonTest>(header); }
+
+}  // namespace
+
+const Pane horizons_pane{"horizons", "HORIZONS", draw, note, serves, 0.5f, false};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,165 @@
+// The edges with their visible and hidden pieces, the one at work and the face it is held against; a table of its intervals.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+struct Ends { double x0, y0, x1, y1; };
+
+std::optional<Ends> ends_of(const Session& s, const RasterMap& map, const LineBegin& line) {
+  const auto a = on_raster(s.scene(), s.state(), line.vertex_0), b = on_raster(s.scene(), s.state(), line.vertex_1);
+  if (!a || !b) return std::nullopt;
+  return Ends{map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y)};
+}
+
+Ends part_of(const Ends& e, double t_0, double t_1) {
+  const double dx = e.x1 - e.x0, dy = e.y1 - e.y0;
+  return {e.x0 + t_0 * dx, e.y0 + t_0 * dy, e.x0 + t_1 * dx, e.y0 + t_1 * dy};
+}
+
+void dashes(Canvas& canvas, const Ends& e, double thickness, Pixel32 color) {
+  const double length = std::hypot(e.x1 - e.x0, e.y1 - e.y0);
+  constexpr double on = 4, period = 8;
+  if (!(length > 0) || length > 1e5) return;
+  for (double at = 0; at < length; at += period) {
+    const Ends dash = part_of(e, at / length, std::min(1.0, (at + on) / length));
+    canvas.line(dash.x0, dash.y0, dash.x1, dash.y1, thickness, color);
+  }
+}
+
+/// The face of the last test, if that was of the edge at work.
+std::int32_t face_now(const Machine& m) { return m.against && m.against->line == m.line ? m.against->facet : -1; }
+
+void draw_face(const Session& s, Canvas& canvas, const RasterMap& map, std::int32_t facet, Pixel32 color) {
+  if (facet < 0 || static_cast<std::size_t>(facet) >= s.scene().facets.size()) return;
+  const Facet& face = s.scene().facets[static_cast<std::size_t>(facet)];
+  for (std::int32_t k = 0; k < face.corner_count; ++k) {
+    const std::int32_t a = s.scene().corners[static_cast<std::size_t>(face.first_corner + k)];
+    const std::int32_t b = s.scene().corners[static_cast<std::size_t>(face.first_corner + (k + 1) % face.corner_count)];
+    if (const auto e = ends_of(s, map, {0, a, b, -1, -1, LineKind::inner})) canvas.line(e->x0, e->y0, e->x1, e->y1, 4, color);
+  }
+}
+
+void draw_pieces(const Session& s, Canvas& canvas, const RasterMap& map, const LineRow& row, double thickness, Pixel32 visible, Pixel32 hidden) {
+  const auto ends = ends_of(s, map, row.entry);
+  if (!ends) return;
+  for (const LinePiece& piece : row.pieces) {
+    const Ends part = part_of(*ends, piece.t_0, piece.t_1);
+    if (piece.visible) canvas.line(part.x0, part.y0, part.x1, part.y1, thickness, visible);
+    else dashes(canvas, part, std::max(1.0, thickness * 0.7), hidden);
+  }
+}
+
+void paint(Ui& ui, Canvas& canvas, const RasterMap& map) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const Theme& c = ui.colors();
+  draw_face(s, canvas, map, face_now(m), to_pixel(c.selected));
+  for (const LineRow& row : m.lines) draw_pieces(s, canvas, map, row, 1.6, to_pixel(c.text), to_pixel(c.muted));
+  const auto at = static_cast<std::size_t>(m.line);
+  if (m.line < 0 || at >= m.lines.size()) return;
+  const LineRow& row = m.lines[at];
+  const auto ends = ends_of(s, map, row.entry);
+  if (!ends) return;
+  if (!row.pieces.empty()) return draw_pieces(s, canvas, map, row, 3.4, to_pixel(c.now), to_pixel(c.now));
+  canvas.line(ends->x0, ends->y0, ends->x1, ends->y1, 3.4, to_pixel(c.now));
+  for (const LineHide& hidden : row.hidden) {  // found so far
+    const Ends part = part_of(*ends, hidden.t_0, hidden.t_1);
+    canvas.line(part.x0, part.y0, part.x1, part.y1, 4, to_pixel(c.pane));
+    dashes(canvas, part, 3, to_pixel(c.now));
+  }
+}
+
+/// Which polygon a facet belongs to, by its letter.
+std::string face_label(const Scene& scene, std::int32_t facet) {
+  if (facet < 0 || static_cast<std::size_t>(facet) >= scene.facets.size()) return "\u2013";
+  return polygon_label(scene, scene.facets[static_cast<std::size_t>(facet)].polygon);
+}
+
+void draw_table(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const auto at = static_cast<std::size_t>(m.line);
+  if (m.line < 0 || at >= m.lines.size()) return say_empty(ui, "An edge's intervals stand here once it is at work.");
+  const LineRow& row = m.lines[at];
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, fmt::format("Edge {}: {}\u2013{}, {}", m.line, row.entry.vertex_0, row.entry.vertex_1,
+                       words_of<LineKind>[static_cast<std::size_t>(row.entry.kind)]), heading);
+  const RecordedEvent* event = s.event();
+  const bool hides_now = event && std::holds_alternative<LineHide>(event->event), cuts_now = event && std::holds_alternative<LinePiece>(event->event);
+  std::vector<TableRow> rows;
+  for (std::size_t i = 0; i < row.hidden.size(); ++i) {
+    const LineHide& hidden = row.hidden[i];
+    TableRow shown;
+    shown.cells = {"hidden by " + face_label(s.scene(), hidden.facet), hidden.t_0, hidden.t_1};
+    if (hides_now && i + 1 == row.hidden.size()) shown.look = TableRow::Look::now;
+    rows.push_back(std::move(shown));
+  }
+  for (std::size_t i = 0; i < row.pieces.size(); ++i) {
+    const LinePiece& piece = row.pieces[i];
+    TableRow shown;
+    shown.cells = {std::string(piece.visible ? "\u2500\u2500 visible" : "- - hidden"), piece.t_0, piece.t_1};
+    if (cuts_now && i + 1 == row.pieces.size()) shown.look = TableRow::Look::now;
+    rows.push_back(std::move(shown));
+  }
+  if (!rows.empty()) {
+    number_table(ui, "intervals", {"", "t from", "to"}, rows);
+    return;
+  }
+  const std::int32_t face = face_now(m);
+  say_empty(ui, face >= 0 ? fmt::format("Held against {}: no part of it is hidden so far.", face_label(s.scene(), face)) : std::string("No face was held against it yet."));
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const ImVec2 avail = ImGui::GetContentRegionAvail();
+  const bool beside = avail.x > avail.y * 1.3f;
+  const float table_width = std::round(ui.em * 14), table_height = std::round(ui.em * 8);
+  const int width = static_cast<int>(beside ? std::max(avail.x - table_width, avail.x * 0.4f) : avail.x);
+  const int height = static_cast<int>(beside ? avail.y : avail.y - table_height);
+  if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  RasterMap map(s.scene().raster, {}, width, height);
+  map.cell = std::min((width - 8.0) / map.width, (height - 8.0) / map.height);  // not in whole pixels: lines may use all the room
+  map.left = std::floor((width - map.width * map.cell) / 2);
+  map.top = std::floor((height - map.height * map.cell) / 2);
+  Canvas& canvas = ui.canvases["lines"];
+  const std::uint64_t version = fingerprint({static_cast<double>(width), static_cast<double>(height), static_cast<double>(s.position()),
+                                             ui.theme == &light_theme() ? 0.0 : 1.0});
+  if (ui.painted["lines"] != version) {
+    canvas.resize(width, height);
+    canvas.fill(to_pixel(ui.colors().pane));
+    paint(ui, canvas, map);
+    ui.painted["lines"] = version;
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
+  else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
+  ImGui::BeginChild("intervals", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_None);
+  draw_table(ui);
+  ImGui::EndChild();
+}
+
+std::string note(Ui& ui) {
+  const Machine& m = ui.session.state().machine;
+  if (m.lines.empty()) return "";
+  const std::int32_t face = face_now(m);
+  return face >= 0 ? fmt::format("edge {} against {}", m.line, face_label(ui.session.scene(), face)) : fmt::format("edge {}", m.line);
+}
+
+bool serves(const Header& header) { return has_step_of<LineBegin>(header); }
+
+}  // namespace
+
+const Pane lines_pane{"lines", "EDGES", draw, note, serves, 0.6f, false};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,32 @@
+// The pair under test in the drawing list's pane: which of its tests have been made, and how they ended.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/viewer/ui.hpp"
+
+namespace zstep::viewer {
+
+/// The events since the pair was taken up; none when something else has begun since then.
+std::optional<std::vector<RecordedEvent>> since_pair(const Session& s);
+
+struct TestLine {
+  std::string what, numbers, outcome;
+  bool made = false, passed = false, now = false;
+};
+
+/// The tests as lines of three columns; a small font where they would be too wide.
+struct TestTable {
+  std::vector<TestLine> lines;
+  const ImFont* font = nullptr;
+  std::array<float, 3> column{};
+  float gap = 0, width = 0, height = 0;
+};
+
+TestTable lay_out_tests(Ui& ui, const std::vector<RecordedEvent>& made, float room);
+void draw_tests(Ui& ui, const PairBegin& pair, const TestTable& table);
+
+}  // namespace zstep::viewer

@@ -1,0 +1,265 @@
+// The plane at work cutting the scene, seen along the plane: from above where it is upright. Pieces as lines or outlines,
+// the planes of the tree as far as each reaches, the eye.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/pieces.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr std::size_t most_planes = 64;    // drawn besides the one at work
+constexpr std::size_t most_names = 40;     // pieces with their names
+constexpr std::size_t most_pieces = 4000;  // drawn at all
+
+std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
+glm::dvec3 normal_of(const PlaneEquation& plane) { return {plane.plane_a, plane.plane_b, plane.plane_c}; }
+
+/// A view along a plane: two directions of the world as right and up.
+struct Section {
+  glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, along{0, 0, -1};
+  bool from_above() const { return std::abs(along.z) > 1 - 1e-9; }
+  glm::dvec2 flat(glm::dvec3 p) const { return {glm::dot(p, right), glm::dot(p, up)}; }
+};
+
+/// Along the plane, as near to straight down as it can be.
+Section section_of(const PlaneEquation* plane, Camera::Kind kind) {
+  Section section;
+  if (plane == nullptr) return section;
+  const glm::dvec3 normal = normal_of(*plane);
+  glm::dvec3 axis = kind == Camera::Kind::screen ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+  glm::dvec3 along = axis - glm::dot(axis, normal) * normal;
+  if (glm::length(along) < 0.2) axis = {0, 1, 0}, along = axis - glm::dot(axis, normal) * normal;
+  along = glm::normalize(along);
+  section.along = along;
+  if (section.from_above()) return section;
+  const glm::dvec3 up = std::abs(along.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+  section.right = glm::normalize(glm::cross(along, up));
+  section.up = glm::cross(section.right, along);
+  return section;
+}
+
+struct Frame {
+  glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+  double scale = 1;
+  ImVec2 top, size;
+
+  void take(glm::dvec2 p) { low = glm::min(low, p), high = glm::max(high, p); }
+  void fit(ImVec2 top_, ImVec2 size_) {
+    top = top_, size = size_;
+    const glm::dvec2 extent = glm::max(high - low, glm::dvec2(1e-9));
+    scale = std::min((static_cast<double>(size.x) * 0.8) / extent.x, (static_cast<double>(size.y) * 0.8) / extent.y);
+  }
+  ImVec2 place(glm::dvec2 p) const {
+    const glm::dvec2 from_middle = (p - (low + high) / 2.0) * scale;
+    return {top.x + size.x / 2 + static_cast<float>(from_middle.x), top.y + size.y / 2 - static_cast<float>(from_middle.y)};
+  }
+  double reach() const { return glm::length(glm::dvec2(static_cast<double>(size.x), static_cast<double>(size.y))) / scale; }
+};
+
+/// A plane that is seen from its edge, as a x + b y + c = 0 in the section.
+std::optional<glm::dvec3> line_of(const PlaneEquation* plane, const Section& section) {
+  if (plane == nullptr) return std::nullopt;
+  const glm::dvec3 normal = normal_of(*plane);
+  if (std::abs(glm::dot(normal, section.along)) > 1e-6) return std::nullopt;
+  const glm::dvec2 flat = section.flat(normal);
+  return glm::dvec3(flat, plane->plane_d);
+}
+
+/// The part of a node's line that lies in the node's own part of space.
+std::optional<std::array<glm::dvec2, 2>> reach_of_line(const Machine& m, std::int32_t node, const Section& section, const Frame& frame) {
+  const auto line = line_of(plane_of_node(m, node), section);
+  if (!line) return std::nullopt;
+  const glm::dvec2 normal(*line), middle = (frame.low + frame.high) / 2.0;
+  const double length = glm::length(normal);
+  const glm::dvec2 foot = middle - normal * ((glm::dot(normal, middle) + line->z) / (length * length));
+  const glm::dvec2 way = glm::dvec2(-normal.y, normal.x) / length;
+  double first = -frame.reach(), last = frame.reach();
+  for (std::int32_t child = node; m.tree[at(child)].parent >= 0; child = m.tree[at(child)].parent) {
+    const std::int32_t parent = m.tree[at(child)].parent;
+    const auto limit = line_of(plane_of_node(m, parent), section);
+    if (!limit) continue;
+    const double sign = m.tree[at(parent)].front_child == child ? 1 : -1;
+    const double value = sign * (glm::dot(glm::dvec2(*limit), foot) + limit->z), slope = sign * glm::dot(glm::dvec2(*limit), way);
+    if (slope > 1e-12) first = std::max(first, -value / slope);
+    else if (slope < -1e-12) last = std::min(last, -value / slope);
+    else if (value < 0) return std::nullopt;
+  }
+  if (first >= last) return std::nullopt;
+  return std::array{foot + first * way, foot + last * way};
+}
+
+struct View {
+  Ui& ui;
+  const Session& s;
+  const Machine& m;
+  const Theme& c;
+  Section section;
+  Frame frame;
+  std::int32_t node;
+  ImDrawList* list;
+
+  std::vector<glm::dvec2> outline(const Piece& piece) const {
+    std::vector<glm::dvec2> points;
+    for (const std::int32_t vertex : piece.outline)
+      if (const auto p = cutting_point(s.scene(), s.state(), vertex)) points.push_back(section.flat(*p));
+    return points;
+  }
+};
+
+/// The piece that the step holds against the plane, or draws; -1 if none.
+std::int32_t piece_now(const Session& s) {
+  if (!s.event()) return -1;
+  const Event& e = s.event()->event;
+  if (const auto* side = std::get_if<SideTest>(&e)) return side->piece;
+  if (const auto* add = std::get_if<NodeAdd>(&e)) return add->piece;
+  if (const auto* candidate = std::get_if<RootCandidate>(&e)) return candidate->piece;
+  if (const auto* made = std::get_if<PieceMake>(&e)) return made->piece;
+  return s.state().machine.piece;
+}
+
+/// The middle of a name beside its piece: on the side of its longest line that is away from the middle of the plan.
+ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 size) {
+  glm::dvec2 low = points[0], high = points[0], way(1, 0);
+  double longest = 0;
+  for (const glm::dvec2 p : points) {
+    low = glm::min(low, p), high = glm::max(high, p);
+    if (glm::length(p - points[0]) > longest) longest = glm::length(p - points[0]), way = (p - points[0]) / longest;
+  }
+  const glm::dvec2 middle = (low + high) / 2.0, outwards = middle - (v.frame.low + v.frame.high) / 2.0;
+  glm::dvec2 normal(-way.y, way.x);
+  if (glm::dot(normal, outwards) < -1e-9) normal = -normal;
+  const ImVec2 at_piece = v.frame.place(middle);
+  const double off = std::abs(normal.x) * static_cast<double>(size.x) / 2 + std::abs(normal.y) * static_cast<double>(size.y) / 2 + 5;
+  return {at_piece.x + static_cast<float>(normal.x * off), at_piece.y - static_cast<float>(normal.y * off)};
+}
+
+void draw_pieces(const View& v) {
+  const std::int32_t now = piece_now(v.s);
+  std::size_t shown = 0;
+  for (const Piece& piece : v.m.pieces) shown += piece.cut ? 0 : 1;
+  std::int32_t number = -1;
+  std::size_t drawn = 0;
+  for (const Piece& piece : v.m.pieces) {
+    ++number;
+    if (piece.cut || ++drawn > most_pieces) continue;
+    const std::vector<glm::dvec2> points = v.outline(piece);
+    if (points.size() < 2) continue;
+    const bool lit = number == now;
+    const auto polygon = at(piece.polygon);
+    const Pixel32 own = polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
+    const bool painted = piece.drawn >= 0;
+    if (lit)
+      for (std::size_t k = 0; k < points.size(); ++k) v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now, 9);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own), painted || shown < most_names ? 4.0f : 1.5f);
+    if (shown > most_names && !lit) continue;
+    const std::string name = part_label(v.s.scene(), v.m, number);
+    const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, name), middle = label_place(v, points, size);
+    const ImVec2 place{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
+    v.list->AddRectFilled({place.x - 1, place.y}, {place.x + size.x + 1, place.y + size.y}, v.c.pane);
+    draw_text(v.ui, place, v.ui.fonts.bold, lit ? v.c.now : v.c.text, name);
+  }
+}
+
+void draw_planes(const View& v) {
+  if (v.m.tree.size() <= most_planes)
+    for (std::size_t node = 0; node < v.m.tree.size(); ++node)
+      if (const auto ends = reach_of_line(v.m, static_cast<std::int32_t>(node), v.section, v.frame))
+        v.list->AddLine(v.frame.place((*ends)[0]), v.frame.place((*ends)[1]), v.c.muted, 1);
+  const auto ends = v.node >= 0 ? reach_of_line(v.m, v.node, v.section, v.frame) : std::nullopt;
+  const auto line = line_of(plane_of_node(v.m, v.node), v.section);
+  if (!ends || !line) return;
+  const ImVec2 a = v.frame.place((*ends)[0]), b = v.frame.place((*ends)[1]);
+  const float length = std::hypot(b.x - a.x, b.y - a.y);
+  for (float k = 0; k < length; k += 14) {  // dashed
+    const float stop = std::min(k + 9, length);
+    v.list->AddLine({a.x + (b.x - a.x) * k / length, a.y + (b.y - a.y) * k / length},
+                    {a.x + (b.x - a.x) * stop / length, a.y + (b.y - a.y) * stop / length}, v.c.now, 2.5f);
+  }
+}
+
+/// + and − beside the first piece of the node at work.
+void draw_sides(const View& v) {
+  const auto line = line_of(plane_of_node(v.m, v.node), v.section);
+  if (!line || v.m.tree[at(v.node)].pieces.empty()) return;
+  const auto first = at(v.m.tree[at(v.node)].pieces[0]);
+  const std::vector<glm::dvec2> points = v.outline(v.m.pieces[first]);
+  if (points.empty()) return;
+  glm::dvec2 low = points[0], high = points[0];
+  for (const glm::dvec2 p : points) low = glm::min(low, p), high = glm::max(high, p);
+  const glm::dvec2 normal = glm::normalize(glm::dvec2(*line));
+  const glm::dvec2 way(-normal.y, normal.x), end = (low + high) / 2.0 + way * (glm::length(high - low) * 0.32);
+  for (const double sign : {1.0, -1.0}) {
+    const ImVec2 place = v.frame.place(end + normal * (sign * static_cast<double>(v.ui.em) * 0.8 / v.frame.scale));
+    const std::string text = sign > 0 ? "+" : "\u2212";
+    const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, text);
+    draw_text(v.ui, {std::round(place.x - size.x / 2), std::round(place.y - size.y / 2)}, v.ui.fonts.bold, v.c.now, text);
+  }
+}
+
+/// The eye as a ring and a dot; at the border, with an arrow's length towards it, where it stands outside.
+void draw_the_eye(const View& v) {
+  const Camera& camera = v.s.scene().camera;
+  if (camera.kind == Camera::Kind::screen) return;
+  const glm::dvec2 middle = (v.frame.low + v.frame.high) / 2.0;
+  const bool far = camera.kind == Camera::Kind::orthographic;
+  const glm::dvec2 eye = far ? middle + v.section.flat(camera.eye) * v.frame.reach() : v.section.flat(camera.eye);
+  ImVec2 place = v.frame.place(eye);
+  const float margin = v.ui.em * 0.8f;
+  const ImVec2 centre{v.frame.top.x + v.frame.size.x / 2, v.frame.top.y + v.frame.size.y / 2};
+  const float wide = v.frame.size.x / 2 - margin, high = v.frame.size.y / 2 - margin;
+  const float beyond = std::max(std::abs(place.x - centre.x) / wide, std::abs(place.y - centre.y) / high);
+  const bool outside = beyond > 1;
+  if (outside) place = {centre.x + (place.x - centre.x) / beyond, centre.y + (place.y - centre.y) / beyond};
+  v.list->AddCircleFilled(place, margin * 0.7f, v.c.pane);
+  v.list->AddCircle(place, margin * 0.7f, v.c.text, 0, 2);
+  v.list->AddCircleFilled(place, margin * 0.3f, v.c.text);
+  const std::string text = outside ? "eye, further out" : "eye";
+  const ImVec2 size = text_size(v.ui, v.ui.fonts.small, text);
+  const float x = place.x + margin + size.x > v.frame.top.x + v.frame.size.x ? place.x - margin - size.x : place.x + margin;
+  const float y = std::clamp(place.y - size.y / 2, v.frame.top.y, v.frame.top.y + v.frame.size.y - size.y);
+  v.list->AddRectFilled({x - 1, y}, {x + size.x + 1, y + size.y}, v.c.pane);
+  draw_text(v.ui, {std::round(x), std::round(y)}, v.ui.fonts.small, v.c.text, text);
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  if (m.pieces.empty()) return say_empty(ui, "Empty: nothing is gathered yet.");
+  const std::int32_t node = node_at_work(m, s.event() ? &s.event()->event : nullptr);
+  View v{ui, s, m, ui.colors(), section_of(plane_of_node(m, node), s.scene().camera.kind), {}, node, ImGui::GetWindowDrawList()};
+  for (const Piece& piece : m.pieces)
+    for (const glm::dvec2 p : v.outline(piece)) v.frame.take(p);
+  const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  if (room.x < ui.em * 3 || room.y < ui.em * 3) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  v.frame.fit(top, room);
+  v.list->PushClipRect(top, {top.x + room.x, top.y + room.y}, true);
+  draw_planes(v);
+  draw_pieces(v);
+  draw_sides(v);
+  draw_the_eye(v);
+  v.list->PopClipRect();
+}
+
+std::string note(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const PlaneEquation* plane = plane_of_node(m, node_at_work(m, s.event() ? &s.event()->event : nullptr));
+  if (s.scene().camera.kind == Camera::Kind::screen) return plane ? "seen along the plane" : "";
+  return section_of(plane, s.scene().camera.kind).from_above() ? "from above" : "seen along the plane";
+}
+
+bool serves(const Header& header) { return has_step_of<NodeMake>(header); }
+
+}  // namespace
+
+const Pane plan_pane{"plan", "PLAN", draw, note, serves, 0.35f, false};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,114 @@
+// The rays of the pixel at work as tables: what the ray at work was held against, and the tree of rays.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+std::string facet_label(const Scene& scene, std::int32_t facet) {
+  if (facet < 0 || static_cast<std::size_t>(facet) >= scene.facets.size()) return "\u2013";
+  return polygon_label(scene, scene.facets[static_cast<std::size_t>(facet)].polygon);
+}
+
+template <class E>
+bool just(const Session& s) { return s.event() && std::holds_alternative<E>(s.event()->event); }
+
+void draw_tests(Ui& ui) {
+  const Session& s = ui.session;
+  const RayWork& rays = s.state().machine.rays;
+  if (rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
+  std::vector<TableRow> rows;
+  for (const CellVisit& visit : rays.cells) {
+    TableRow row;
+    row.cells = {fmt::format("cell {},{},{}", visit.cell_x, visit.cell_y, visit.cell_z), visit.t_enter, visit.t_leave, std::string("entered")};
+    if (just<CellVisit>(s) && &visit == &rays.cells.back()) row.look = TableRow::Look::now;
+    rows.push_back(std::move(row));
+  }
+  for (const BoxTest& test : rays.boxes) {
+    TableRow row;
+    const bool meets = test.t_enter <= test.t_leave;
+    row.cells = {fmt::format("box {}", test.box), test.t_enter, test.t_leave,
+                 std::string(test.hit ? "look inside" : meets ? "too far" : "missed")};
+    if (!test.hit) row.look = TableRow::Look::gone;
+    if (just<BoxTest>(s) && &test == &rays.boxes.back()) row.look = TableRow::Look::now;
+    rows.push_back(std::move(row));
+  }
+  for (const RayHit& hit : rays.hits) {
+    TableRow row;
+    row.cells = {facet_label(s.scene(), hit.facet), hit.t, std::string(),
+                 std::string(hit.nearest ? "nearest so far" : hit.inside ? "inside, farther" : "outside")};
+    if (!hit.nearest) row.look = TableRow::Look::gone;
+    if (just<RayHit>(s) && &hit == &rays.hits.back()) row.look = TableRow::Look::now;
+    rows.push_back(std::move(row));
+  }
+  if (rows.empty()) return say_empty(ui, "Empty: the ray met nothing yet between the near and the far plane.");
+  number_table(ui, "ray_tests", {"", "t", "t_leave", ""}, rows);
+}
+
+std::string note_tests(Ui& ui) {
+  const std::int64_t tested = ui.session.state().machine.rays.planes_tested;
+  return tested == 1 ? "1 plane met" : fmt::format("{} planes met", tested);
+}
+
+bool serves_tests(const Header& header) { return has_step_of<RayBegin>(header) && !has_step_of<ColorWrite>(header); }
+
+int depth_in(const RayWork& rays, const RayRow& row) {
+  int depth = 0;
+  std::int32_t parent = row.entry.parent;
+  for (std::size_t i = rays.tree.size(); i-- > 0 && parent >= 0;) {
+    if (rays.tree[i].entry.ray == parent) ++depth, parent = rays.tree[i].entry.parent;
+  }
+  return depth;
+}
+
+void draw_tree(Ui& ui) {
+  const Session& s = ui.session;
+  const RayWork& rays = s.state().machine.rays;
+  if (rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
+  constexpr const char* roles[] = {"eye", "mirrored", "through", "to the light"};
+  std::vector<TableRow> rows;
+  for (const RayRow& ray : rays.tree) {
+    TableRow row;
+    std::string name;
+    for (int i = depth_in(rays, ray); i > 0; --i) name += i == 1 ? "\u2514 " : "  ";
+    name += roles[static_cast<std::size_t>(ray.entry.role)];
+    row.cells = {name};
+    if (ray.end) {
+      row.cells.emplace_back(facet_label(s.scene(), ray.end->nearest_facet));
+      if (ray.end->nearest_facet >= 0) row.cells.emplace_back(ray.end->t);
+      else row.cells.emplace_back(std::string());
+      if (ray.entry.role == RayRole::shadow) {
+        row.cells.emplace_back(std::string(ray.end->nearest_facet >= 0 ? "dark" : "lit"));
+      } else {
+        const auto part = [](double v) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0))); };
+        const Color color{part(ray.end->red), part(ray.end->green), part(ray.end->blue)};
+        row.cells.emplace_back(fmt::format("{} {} {}", color.red, color.green, color.blue), to_im(opaque(color)));
+      }
+    } else {
+      row.cells.insert(row.cells.end(), {std::string("\u2026"), std::string(), std::string()});
+    }
+    if (rays.ray == ray.entry.ray) row.look = TableRow::Look::now;
+    rows.push_back(std::move(row));
+  }
+  number_table(ui, "ray_tree", {"ray", "meets", "t", "brings back"}, rows);
+}
+
+std::string note_tree(Ui& ui) {
+  const std::size_t rays = ui.session.state().machine.rays.tree.size();
+  return rays == 1 ? "1 ray" : fmt::format("{} rays", rays);
+}
+
+bool serves_tree(const Header& header) { return has_step_of<RayBegin>(header) && has_step_of<ColorWrite>(header); }
+
+}  // namespace
+
+const Pane ray_tests_pane{"ray_tests", "THIS RAY", draw_tests, note_tests, serves_tests, 0.3f, true};
+const Pane ray_tree_pane{"ray_tree", "RAY TREE", draw_tree, note_tree, serves_tree, 0.34f, true};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,182 @@
+// The scan-line method along its line: the strip of the line with its active edges, and the polygon table with flags.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr std::size_t whole_table = 40;  // rows; of longer tables those are shown whose flag is in
+
+ImU32 color_of(const Scene& scene, std::int32_t polygon, ImU32 otherwise) {
+  const auto at = static_cast<std::size_t>(polygon);
+  return polygon >= 0 && at < scene.polygons.size() ? to_im(opaque(scene.polygons[at].color)) : otherwise;
+}
+
+/// The rows of the polygon table that the event is about.
+std::vector<std::int32_t> pieces_now(const RecordedEvent* event) {
+  if (!event) return {};
+  if (const auto* e = std::get_if<PlaneEquation>(&event->event)) return {e->piece};
+  if (const auto* e = std::get_if<FlagFlip>(&event->event)) return {e->piece};
+  if (const auto* e = std::get_if<PlaneDepth>(&event->event)) return {e->piece};
+  if (const auto* e = std::get_if<SpanWinner>(&event->event)) return {e->piece};
+  if (const auto* e = std::get_if<ImpliedEdge>(&event->event)) return {e->piece, e->other};
+  if (const auto* e = std::get_if<SideTest>(&event->event)) return {e->piece, e->plane_of};
+  return {};
+}
+
+std::string names_inside(const Session& s) {
+  const Machine& m = s.state().machine;
+  std::string names;
+  for (const std::int32_t piece : m.sweep.inside) names += (names.empty() ? "" : ", ") + piece_label(s.scene(), m, piece);
+  return names.empty() ? "none" : names;
+}
+
+/// What the strip says below itself.
+std::string caption(const Session& s) {
+  const Machine& m = s.state().machine;
+  if (s.event() && std::holds_alternative<FlagFlip>(s.event()->event)) return "in: " + names_inside(s);
+  if (!m.sweep.stretch) return "";
+  const SpanFlags& stretch = *m.sweep.stretch;
+  return fmt::format("x = {} to {}, in: {}", number(stretch.x_left), number(stretch.x_right), names_inside(s));
+}
+
+struct Strip {
+  ImVec2 at, end;
+  double columns;
+  float x(double column) const {
+    const double share = (std::clamp(column, -0.5, columns - 0.5) + 0.5) / columns;
+    return std::round(at.x + (end.x - at.x) * static_cast<float>(share));
+  }
+};
+
+/// The pixels of the line as the frame has them by now.
+void draw_cells(const Session& s, ImDrawList* list, const Strip& strip, std::int32_t y, const Theme& c) {
+  const Picture& picture = s.state().picture;
+  list->AddRectFilled(strip.at, strip.end, c.head);
+  if (y < 0 || y >= picture.height) return;
+  for (std::int32_t x = 0; x < picture.width;) {
+    const auto color = [&](std::int32_t column) { return color_of(s.scene(), picture.polygon[picture.at(column, y)], c.head); };
+    std::int32_t end = x + 1;
+    while (end < picture.width && color(end) == color(x)) ++end;
+    list->AddRectFilled({strip.x(x - 0.5), strip.at.y}, {strip.x(end - 0.5), strip.end.y}, color(x));
+    x = end;
+  }
+  const float cell = (strip.end.x - strip.at.x) / static_cast<float>(strip.columns);
+  for (std::int32_t x = 1; x < picture.width && cell >= 6; ++x)
+    list->AddRectFilled({strip.x(x - 0.5), strip.at.y}, {strip.x(x - 0.5) + 1, strip.end.y}, c.grid);
+}
+
+/// Active edges as ticks with their names above; implied ones by a cross.
+void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const Theme& c = ui.colors();
+  float free_from = strip.at.x - ui.em;
+  const auto tick = [&](double column, const std::string& name, ImU32 color, float weight) {
+    if (column < -0.5 || column > strip.columns - 0.5) return;
+    const float x = strip.x(column), width = text_size(ui, ui.fonts.small, name).x;
+    list->AddRectFilled({x - weight / 2, strip.at.y - 3}, {x + (weight + 1) / 2, strip.end.y + 3}, color);
+    // A name may give way to the one before it, but not so far that it seems another edge's.
+    const float wanted = std::clamp(x - width / 2, strip.at.x, std::max(strip.at.x, strip.end.x - width)), left = std::max(wanted, free_from);
+    if (left - wanted > width * 0.75f || left + width > strip.end.x) return;
+    draw_text(ui, {left, strip.at.y - ui.fonts.small->FontSize - 5}, ui.fonts.small, color, name);
+    free_from = left + width + 4;
+  };
+  const auto flip = s.event() ? std::get_if<FlagFlip>(&s.event()->event) : nullptr;
+  for (const ActiveEdge& edge : m.active) {
+    const auto at = static_cast<std::size_t>(edge.edge);
+    if (at >= m.edge_table.size()) continue;
+    const bool now = flip && flip->edge == edge.edge, lit = s.lit_edge() == edge.edge;
+    tick(edge.x, edge_label(s.scene(), m.edge_table[at].entry), now ? c.now : lit ? c.selected : c.text, now || lit ? 3.0f : 1.0f);
+  }
+  for (const ImpliedEdge& implied : m.sweep.implied) {
+    const float x = strip.x(implied.x_at), y = (strip.at.y + strip.end.y) / 2, half = ui.em * 0.3f;
+    list->AddLine({x - half, y - half}, {x + half, y + half}, c.text, 2);
+    list->AddLine({x - half, y + half}, {x + half, y - half}, c.text, 2);
+  }
+}
+
+void draw_strip(Ui& ui, std::int32_t y) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const Machine& m = s.state().machine;
+  const float names = ui.fonts.small->FontSize + 6, bar = std::round(ui.em * 1.1f), width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const Strip strip{{top.x + 2, top.y + names}, {top.x + width - 2, top.y + names + bar}, std::max(1.0, static_cast<double>(s.scene().raster.width))};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  draw_cells(s, list, strip, y, c);
+  frame_box(list, strip.at, strip.end, c.rule);
+  draw_crossings(ui, list, strip);
+  if (m.sweep.stretch) {
+    const float left = strip.x(m.sweep.stretch->x_left), right = strip.x(m.sweep.stretch->x_right);
+    list->AddRectFilled({left, strip.end.y + 3}, {std::max(left + 2, right), strip.end.y + 6}, c.now);
+  }
+  ImGui::Dummy({width, names + bar + 8});
+  flow(ui, caption(s), {c.text, 0, ui.fonts.small, 0});
+}
+
+/// With a line buffer there are no flags; a polygon is active while edges of it are (001).
+bool with_line_buffer(const Session& s) {
+  const auto& options = s.header().conventions.options;
+  const auto resolve = options.find("resolve");
+  return resolve != options.end() && resolve->second == "line-buffer";
+}
+
+bool is_active(const Machine& m, std::int32_t polygon) {
+  return std::any_of(m.active.begin(), m.active.end(), [&](const ActiveEdge& edge) {
+    const auto at = static_cast<std::size_t>(edge.edge);
+    return at < m.edge_table.size() && m.edge_table[at].entry.polygon == polygon;
+  });
+}
+
+void draw_table(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const bool line_buffer = with_line_buffer(s);
+  const std::vector<std::int32_t> now = pieces_now(s.event());
+  const auto among = [](const std::vector<std::int32_t>& list, std::int32_t piece) { return std::find(list.begin(), list.end(), piece) != list.end(); };
+  std::vector<TableRow> rows;
+  for (std::size_t k = 0; k < m.pieces.size(); ++k) {
+    const auto piece = static_cast<std::int32_t>(k);
+    const bool in = line_buffer ? is_active(m, m.pieces[k].polygon) : among(m.sweep.inside, piece), is_now = among(now, piece);
+    if (m.pieces.size() > whole_table && !in && !is_now) continue;
+    TableRow row;
+    row.cells = {TableCell(piece_label(s.scene(), m, piece), color_of(s.scene(), m.pieces[k].polygon, 0)), std::string(line_buffer ? (in ? "\u25cf active" : "\u00b7") : in ? "\u25cf in" : "\u00b7 out")};
+    row.cells.back().brief = in ? "\u25cf" : "\u00b7";
+    if (const auto& plane = m.pieces[k].plane)
+      for (const double value : {plane->plane_a, plane->plane_b, plane->plane_c, plane->plane_d}) row.cells.emplace_back(value);
+    row.look = is_now ? TableRow::Look::now : in ? TableRow::Look::plain : TableRow::Look::gone;
+    rows.push_back(std::move(row));
+  }
+  if (rows.empty()) return say_empty(ui, fmt::format("Of {} polygons none is in here.", m.pieces.size()));
+  number_table(ui, "polygons", {"P", line_buffer ? "" : "flag", "A", "B", "C", "D"}, rows);
+}
+
+void draw(Ui& ui) {
+  const Machine& m = ui.session.state().machine;
+  if (m.pieces.empty()) return say_empty(ui, "Empty: each polygon that is in view gets a row, with its plane and a flag.");
+  if (m.scan_line) draw_strip(ui, *m.scan_line);
+  ImGui::BeginChild("table", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_HorizontalScrollbar);  // the strip stays in view
+  draw_table(ui);
+  ImGui::EndChild();
+}
+
+std::string note(Ui& ui) {
+  const Machine& m = ui.session.state().machine;
+  return m.scan_line ? fmt::format("y = {}", *m.scan_line) : m.pieces.empty() ? "" : fmt::format("{} polygons", m.pieces.size());
+}
+
+bool serves(const Header& header) { return has_step_of<FlagFlip>(header); }
+
+}  // namespace
+
+const Pane sweep_pane{"sweep", "POLYGON TABLE", draw, note, serves, 0.42f, false};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,179 @@
+// The BSP tree with each node's side of the eye: drawn whole while it is small, else as the path to the node at work.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/pieces.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr std::size_t largest_drawn = 24;  // nodes
+
+const Event* event_of(const Session& s) { return s.event() ? &s.event()->event : nullptr; }
+std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
+
+/// Nodes of each subtree. A child is made after its parent, so it has the larger number.
+std::vector<std::int32_t> subtree_sizes(const SharedVector<TreeNode>& tree) {
+  std::vector<std::int32_t> sizes(tree.size(), 1);
+  for (std::size_t node = tree.size(); node-- > 1;)
+    if (tree[node].parent >= 0) sizes[at(tree[node].parent)] += sizes[node];
+  return sizes;
+}
+
+/// A node's pieces by name, "A" or "A, D".
+std::string name_of(const Session& s, const TreeNode& node) {
+  std::string text;
+  for (const std::int32_t piece : node.pieces) text += (text.empty() ? "" : ", ") + part_label(s.scene(), s.state().machine, piece);
+  return text;
+}
+
+ImU32 color_of_node(const Session& s, const TreeNode& node) {
+  const Machine& m = s.state().machine;
+  if (node.pieces.empty() || at(node.pieces[0]) >= m.pieces.size()) return 0;
+  const auto polygon = at(m.pieces[at(node.pieces[0])].polygon);
+  return polygon < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[polygon].color)) : 0;
+}
+
+struct Place {
+  float column = 0;  ///< in nodes from the left, the order in which front comes before back
+  int row = 0;
+};
+
+/// In-order columns: front subtree, node, back subtree.
+std::vector<Place> places_of(const SharedVector<TreeNode>& tree) {
+  std::vector<Place> places(tree.size());
+  std::vector<std::pair<std::int32_t, bool>> stack;
+  float column = 0;
+  if (!tree.empty()) stack.emplace_back(0, false);
+  while (!stack.empty()) {
+    const auto [node, entered] = stack.back();
+    stack.pop_back();
+    const TreeNode& one = tree[at(node)];
+    if (one.parent >= 0) places[at(node)].row = places[at(one.parent)].row + 1;
+    if (entered) {
+      places[at(node)].column = column++;
+      continue;
+    }
+    if (one.back_child >= 0) stack.emplace_back(one.back_child, false);
+    stack.emplace_back(node, true);
+    if (one.front_child >= 0) stack.emplace_back(one.front_child, false);
+  }
+  return places;
+}
+
+/// The side that the eye is on, as a sign beside the node: an arrowhead towards the front (left) or the back child.
+void draw_eye(ImDrawList* list, ImVec2 low, ImVec2 high, bool front, ImU32 color) {
+  const float half = (high.y - low.y) / 2, reach = half * 0.9f, y = low.y + half;
+  const float x = front ? low.x - 3 : high.x + 3, tip = front ? x - reach : x + reach;
+  for (float k = 0; k <= half; k += 0.5f) {
+    const float part = 1 - k / half;
+    list->AddLine({x, y - k}, {x + (tip - x) * part, y - k}, color, 1);
+    list->AddLine({x, y + k}, {x + (tip - x) * part, y + k}, color, 1);
+  }
+}
+
+void draw_whole(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const Theme& c = ui.colors();
+  const std::vector<Place> places = places_of(m.tree);
+  const std::int32_t now = node_at_work(m, event_of(s));
+  int rows = 1;
+  for (const Place& place : places) rows = std::max(rows, place.row + 1);
+
+  const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const float legend = std::round(ui.fonts.small->FontSize * 1.3f);
+  const float wide = room.x / static_cast<float>(places.size()), high = (room.y - legend) / static_cast<float>(rows);
+  const ImFont* font = wide > ui.em * 2.4f ? ui.fonts.bold : ui.fonts.small;
+  const float half_height = std::round(std::min(high * 0.36f, font->FontSize * 0.72f));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto centre = [&](std::size_t node) {
+    return ImVec2{std::round(top.x + wide * (places[node].column + 0.5f)), std::round(top.y + high * (static_cast<float>(places[node].row) + 0.5f))};
+  };
+
+  for (std::size_t node = 0; node < places.size(); ++node) {
+    const TreeNode& one = m.tree[node];
+    for (const bool front : {true, false}) {
+      const std::int32_t child = front ? one.front_child : one.back_child;
+      if (child < 0) continue;
+      const ImVec2 from = centre(node), to = centre(at(child));
+      const bool near_side = one.eye && one.eye->front == front, skipped = front ? one.front_skipped : one.back_skipped;
+      list->AddLine(from, to, skipped ? c.rule : near_side ? c.text : c.muted, near_side ? 2.5f : 1.2f);
+      const ImVec2 middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
+      const std::string sign = skipped ? "skipped" : front ? "+" : "\u2212";
+      const ImVec2 size = text_size(ui, ui.fonts.small, sign);
+      const ImVec2 place{std::round(middle.x + (front ? -size.x - 5.0f : 5.0f)), std::round(middle.y - size.y * 0.75f)};
+      draw_text(ui, place, ui.fonts.small, c.muted, sign);
+    }
+  }
+  for (std::size_t node = 0; node < places.size(); ++node) {
+    const TreeNode& one = m.tree[node];
+    const std::string name = name_of(s, one);
+    const float half = std::max(half_height * 1.2f, text_size(ui, font, name).x / 2 + 5);
+    const ImVec2 middle = centre(node), low{middle.x - half, middle.y - half_height}, end{middle.x + half, middle.y + half_height};
+    const bool lit = static_cast<std::int32_t>(node) == now;
+    list->AddRectFilled(low, end, lit ? c.now_soft : c.pane);
+    list->AddRectFilled({low.x, end.y - 4}, end, color_of_node(s, one));
+    frame_box(list, low, end, lit ? c.now : c.text, lit ? 3 : 1);
+    draw_text(ui, {std::round(middle.x - text_size(ui, font, name).x / 2), std::round(middle.y - font->FontSize * 0.62f)}, font, c.text, name);
+    if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);
+    std::int32_t drawn = -1;
+    for (const std::int32_t piece : one.pieces)
+      if (at(piece) < m.pieces.size()) drawn = std::max(drawn, m.pieces[at(piece)].drawn);
+    if (drawn >= 0) draw_text(ui, {std::round(end.x - half * 0.6f), end.y + 1}, ui.fonts.small, c.changed, fmt::format("#{}", drawn + 1));
+  }
+  const std::string long_text = "+ in front, \u2212 behind   arrow: the eye's side   #1: drawn first";
+  for (const std::string& text : {long_text, std::string("arrow: the eye's side   #1: drawn first"), std::string("arrow: the eye's side")})
+    if (text_size(ui, ui.fonts.small, text).x <= room.x) {
+      draw_text(ui, {top.x, top.y + room.y - legend}, ui.fonts.small, c.muted, text);
+      break;
+    }
+}
+
+void draw_path(Ui& ui) {
+  const Session& s = ui.session;
+  const Machine& m = s.state().machine;
+  const std::vector<std::int32_t> sizes = subtree_sizes(m.tree);
+  const std::int32_t now = node_at_work(m, event_of(s));
+  std::vector<std::int32_t> path;
+  for (std::int32_t node = now; node >= 0 && at(node) < m.tree.size(); node = m.tree[at(node)].parent) path.push_back(node);
+  std::reverse(path.begin(), path.end());
+  const auto count = [&](std::int32_t child) { return child >= 0 && at(child) < sizes.size() ? sizes[at(child)] : 0; };
+  std::vector<TableRow> rows;
+  for (const std::int32_t node : path) {
+    const TreeNode& one = m.tree[at(node)];
+    TableRow row;
+    const char* hangs = one.parent < 0 ? "root" : m.tree[at(one.parent)].front_child == node ? "+" : "\u2212";
+    row.cells = {TableCell(std::string(hangs)), TableCell(name_of(s, one), color_of_node(s, one))};
+    row.cells.emplace_back(one.eye ? std::string(one.eye->front ? "front" : "behind") : std::string());
+    row.cells.emplace_back(static_cast<double>(count(one.front_child)));
+    row.cells.emplace_back(static_cast<double>(count(one.back_child)));
+    row.look = node == now ? TableRow::Look::now : TableRow::Look::plain;
+    rows.push_back(std::move(row));
+  }
+  number_table(ui, "path", {"side", "node", "the eye", "nodes +", "nodes \u2212"}, rows);
+}
+
+void draw(Ui& ui) {
+  const Machine& m = ui.session.state().machine;
+  if (m.tree.empty()) return say_empty(ui, "Empty: the tree grows once all polygons are gathered.");
+  if (m.tree.size() <= largest_drawn && ImGui::GetContentRegionAvail().x > ui.em * 1.1f * static_cast<float>(m.tree.size())) draw_whole(ui);
+  else draw_path(ui);
+}
+
+std::string note(Ui& ui) {
+  const Machine& m = ui.session.state().machine;
+  return m.tree.empty() ? "" : fmt::format("{} node{}", m.tree.size(), m.tree.size() == 1 ? "" : "s");
+}
+
+bool serves(const Header& header) { return has_step_of<NodeMake>(header); }
+
+}  // namespace
+
+const Pane tree_pane{"tree", "BSP TREE", draw, note, serves, 0.4f, true};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,48 @@
+// Vertices against planes, as a BSP tree asks (001, 003), and what coherence saved.
+#include "sim/viewer/words/explain_parts.hpp"
+
+#include "sim/viewer/words/pieces.hpp"
+
+namespace zstep::words {
+namespace {
+
+std::string name(const Telling& t, std::int32_t piece) { return part_label(t.scene, t.machine, piece); }
+
+const Piece* piece_at(const Telling& t, std::int32_t piece) {
+  if (piece < 0 || static_cast<std::size_t>(piece) >= t.machine.pieces.size()) return nullptr;
+  return &t.machine.pieces[static_cast<std::size_t>(piece)];
+}
+
+const char* where(Side side) {
+  switch (side) {
+    case Side::front: return "in front of";
+    case Side::behind: return "behind";
+    case Side::on: return "in";
+    default: return "on both sides of";
+  }
+}
+
+}  // namespace
+
+void tell(Telling& t, const VertexSide& e) {
+  t.say(fmt::format("Vertex {} lies {} the plane of {}.", e.vertex, where(e.side), name(t, e.plane_of)));
+  t.value("value", e.value);
+  const Piece* of = piece_at(t, e.plane_of);
+  const auto p = cutting_point(t.scene, t.after, e.vertex);
+  if (!of || !of->plane || !p) return;
+  const PlaneEquation& plane = *of->plane;
+  t.formula(fmt::format("A x + B y + C z + D = {}\u00b7{} + {}\u00b7{} + {}\u00b7{} + {} = {}", operand(plane.plane_a), operand(p->x),
+                        operand(plane.plane_b), operand(p->y), operand(plane.plane_c), operand(p->z), operand(plane.plane_d),
+                        number(e.value)));
+  const double computed = plane.plane_a * p->x + plane.plane_b * p->y + plane.plane_c * p->z + plane.plane_d;
+  const double size = std::abs(plane.plane_a * p->x) + std::abs(plane.plane_b * p->y) + std::abs(plane.plane_c * p->z) + std::abs(plane.plane_d);
+  if (std::abs(computed - e.value) > 1e-9 * size) t.hold_against("the value", e.value, computed);  // on the plane: rounding
+}
+
+void tell(Telling& t, const Saved& e) {
+  const std::string_view coherence = words_of<Coherence>[static_cast<std::size_t>(e.coherence)];
+  t.say(fmt::format("{} {} not needed, thanks to {} coherence; {} so far.", e.tests, e.tests == 1 ? "test was" : "tests were", coherence,
+                    grouped(t.machine.saved[static_cast<std::size_t>(e.coherence)])));
+}
+
+}  // namespace zstep::words

@@ -1,0 +1,133 @@
+// Rays: boxes and cells, the plane of a facet, the point on it, and what a ray brings back (002, "Simple Ray Tracing").
+#include "sim/viewer/words/explain_parts.hpp"
+
+namespace zstep::words {
+namespace {
+
+std::string point(double x, double y, double z) { return fmt::format("({}, {}, {})", number(x), number(y), number(z)); }
+
+std::string facet_name(const Telling& t, std::int32_t facet) {
+  if (facet < 0 || static_cast<std::size_t>(facet) >= t.scene.facets.size()) return "nothing";
+  return t.label(t.scene.facets[static_cast<std::size_t>(facet)].polygon);
+}
+
+const RayRow* ray_now(const Telling& t) {
+  for (const RayRow& row : t.machine.rays.tree)
+    if (t.machine.rays.ray == row.entry.ray) return &row;
+  return nullptr;
+}
+
+std::string box_name(std::int32_t box) { return fmt::format("box {}", box); }
+
+}  // namespace
+
+void tell(Telling& t, const BoxMake& e) {
+  t.say(e.parent < 0 ? fmt::format("{} is made{}.", box_name(e.box), e.box == 0 ? ": the first" : "")
+                     : fmt::format("{} is made inside {}.", box_name(e.box), box_name(e.parent)));
+  t.out.sentence[0] = 'B';
+  t.formula(fmt::format("x {} to {},  y {} to {},  z {} to {}", number(e.x_min), number(e.x_max), number(e.y_min), number(e.y_max),
+                        number(e.z_min), number(e.z_max)));
+}
+
+void tell(Telling& t, const BoxHold& e) {
+  t.say(fmt::format("A facet of {} is in {}, and in no smaller box.", facet_name(t, e.facet), box_name(e.box)));
+}
+
+void tell(Telling& t, const GridMake& e) {
+  t.say(fmt::format("Space is divided into {} \u00d7 {} \u00d7 {} cells of equal size.", e.cells_x, e.cells_y, e.cells_z));
+  t.formula(fmt::format("x {} to {},  y {} to {},  z {} to {}", number(e.x_min), number(e.x_max), number(e.y_min), number(e.y_max),
+                        number(e.z_min), number(e.z_max)));
+}
+
+void tell(Telling& t, const CellHold& e) {
+  t.say(fmt::format("The box of a facet of {} meets cell ({}, {}, {}): it goes in there.", facet_name(t, e.facet), e.cell_x, e.cell_y, e.cell_z));
+}
+
+void tell(Telling& t, const RayBegin& e) {
+  const std::string pixel = fmt::format("({}, {})", e.x, e.y);
+  switch (e.role) {
+    case RayRole::eye:
+      t.say(fmt::format("A ray is cast from the eye through the centre of pixel {}.", pixel));
+      break;
+    case RayRole::reflected:
+      t.say("What does the facet mirror? A ray goes on where a mirror would send it.");
+      break;
+    case RayRole::transmitted:
+      t.say("What lies behind the facet? A ray goes on through it, bent by refraction.");
+      break;
+    case RayRole::shadow:
+      t.say("Does the light shine here? A ray is cast to it: t = 1 is the light.");
+      break;
+  }
+  t.formula(fmt::format("X = X_0 + t dX = {} + t {}", point(e.x_0, e.y_0, e.z_0), point(e.dir_x, e.dir_y, e.dir_z)));
+}
+
+void tell(Telling& t, const CellVisit& e) {
+  t.say(fmt::format("The ray enters cell ({}, {}, {}); only what is in there is tested.", e.cell_x, e.cell_y, e.cell_z));
+  t.formula(fmt::format("from t = {} to t = {}", number(e.t_enter), number(e.t_leave)));
+  t.value("t_enter", e.t_enter);
+  t.value("t_leave", e.t_leave);
+}
+
+void tell(Telling& t, const BoxTest& e) {
+  const auto [enter, leave] = tell_apart(e.t_enter, e.t_leave);
+  if (!(e.t_enter <= e.t_leave)) {
+    t.say(fmt::format("The ray misses {}: it would enter the last of its slabs only after it has left the first.", box_name(e.box)));
+    t.formula(fmt::format("t_enter = {} > {} = t_leave", enter, leave));
+  } else if (e.hit) {
+    t.say(fmt::format("The ray meets {}: what is inside must be tested.", box_name(e.box)));
+    t.formula(fmt::format("t_enter = {} \u2264 {} = t_leave", enter, leave));
+  } else {
+    t.say(fmt::format("The ray meets {}, but something nearer is known already: nothing inside can be seen.", box_name(e.box)));
+    t.formula(fmt::format("t_enter = {} lies beyond the t that is kept", enter));
+  }
+  t.value("t_enter", e.t_enter);
+  t.value("t_leave", e.t_leave);
+}
+
+void tell(Telling& t, const RayPlane& e) {
+  const std::string who = facet_name(t, e.facet);
+  if (e.denominator == 0) {
+    t.say(fmt::format("The ray runs along the plane of {}: it never meets it.", who));
+    t.formula("A dX + B dY + C dZ = 0");
+    return;
+  }
+  if (e.t < 0) t.say(fmt::format("The plane of {} lies behind the ray's start.", who));
+  else t.say(fmt::format("The ray meets the plane of {} at t = {}.", who, number(e.t)));
+  t.formula(fmt::format("t = \u2212(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ) = {}/{} = {}", number(e.numerator),
+                        operand(e.denominator), number(e.t)));
+  t.hold_against("t", e.t, e.numerator / e.denominator);
+  t.value("numerator", e.numerator);
+  t.value("denominator", e.denominator);
+  t.value("t", e.t);
+}
+
+void tell(Telling& t, const RayHit& e) {
+  const std::string who = facet_name(t, e.facet);
+  if (!e.inside) t.say(fmt::format("The point lies outside {}.", who));
+  else if (e.nearest) t.say(fmt::format("The point lies inside {}, nearer than all before: it is kept.", who));
+  else t.say(fmt::format("The point lies inside {}, but something nearer is known.", who));
+  t.formula(fmt::format("X = X_0 + t dX = {}", point(e.x_hit, e.y_hit, e.z_hit)));
+  t.value("t", e.t);
+  const RayRow* row = ray_now(t);
+  if (!row) return;
+  t.hold_against("x_hit", e.x_hit, row->entry.x_0 + e.t * row->entry.dir_x);
+  t.hold_against("y_hit", e.y_hit, row->entry.y_0 + e.t * row->entry.dir_y);
+  t.hold_against("z_hit", e.z_hit, row->entry.z_0 + e.t * row->entry.dir_z);
+}
+
+void tell(Telling& t, const RayEnd& e) {
+  const RayRow* ended = nullptr;
+  for (const RayRow& row : t.machine.rays.tree)
+    if (row.entry.ray == e.ray) ended = &row;
+  const std::string tests = e.tests == 1 ? "1 facet was tested" : fmt::format("{} facets were tested", e.tests);
+  if (ended && ended->entry.role == RayRole::shadow)
+    t.say(e.nearest_facet < 0 ? fmt::format("Nothing is between the point and the light; {}.", tests)
+                              : fmt::format("{} is between the point and the light; {}.", facet_name(t, e.nearest_facet), tests));
+  else if (e.nearest_facet < 0) t.say(fmt::format("The ray meets nothing; {}.", tests));
+  else t.say(fmt::format("The ray meets {} first, at t = {}; {}.", facet_name(t, e.nearest_facet), number(e.t), tests));
+  if (!ended || ended->entry.role != RayRole::shadow)
+    t.formula(fmt::format("it brings back red {}, green {}, blue {}", number(e.red), number(e.green), number(e.blue)));
+}
+
+}  // namespace zstep::words

@@ -1,0 +1,28 @@
+// What pieces of polygons are called, and where their vertices lie.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "traces/replay/state.hpp"
+
+namespace zstep {
+
+/// "F" for a piece that is a whole polygon, "F1", "F2" … for the parts of one in the order in which they were made
+/// ("P7.1" where the polygon has no name of its own).
+std::string part_label(const Scene& scene, const Machine& machine, std::int32_t piece);
+
+/// Where a vertex lies in the space in which pieces are cut: the world where the run builds a tree, else the raster.
+std::optional<glm::dvec3> cutting_point(const Scene& scene, const State& state, std::int32_t vertex);
+
+/// The plane of a node of the tree; none where the trace does not tell.
+const PlaneEquation* plane_of_node(const Machine& machine, std::int32_t node);
+/// The node at which a piece lies, -1 where there is none.
+std::int32_t node_of_piece(const Machine& machine, std::int32_t piece);
+/// The node that the step is about: that of the piece being drawn, else the one tested or made last.
+std::int32_t node_at_work(const Machine& machine, const Event* event);
+
+}  // namespace zstep

@@ -1,0 +1,104 @@
+// The sentences of the floating horizon, on the run of its lesson.
+#include <map>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "traces/file/trace.hpp"
+#include "traces/record/trace_recorder.hpp"
+#include "traces/replay/replay.hpp"
+
+using namespace zstep;
+
+namespace {
+
+Trace horizon_run(const std::map<std::string, std::string>& options = {}) {
+  SceneFile file = load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/ridge-valley.toml");
+  const Scene scene = look_at_scene(std::move(file.scene), {});
+  file.conventions.options = options;
+  const Method& m = method("floating-horizon");
+  TraceRecorder record(header_for(m, file.conventions), scene);
+  m.record(scene, file.conventions, record);
+  record.finish();
+  return Trace::from_bytes(record.take_bytes(), "ridge-valley");
+}
+
+/// The explanation of the first event of a kind of which the condition holds.
+template <class E, class Condition>
+Explanation told(const Trace& trace, Condition&& condition) {
+  const auto position = trace.next(0, [&](const RecordedEvent& recorded) {
+    const E* event = std::get_if<E>(&recorded.event);
+    return event && condition(*event);
+  });
+  REQUIRE(position.has_value());
+  Replay replay(trace);
+  replay.go_to(*position);
+  return explain(trace, replay.state(), *replay.current());
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool formula(const Explanation& explanation, const std::string& part) {
+  for (const std::string& line : explanation.formulas)
+    if (has(line, part)) return true;
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("floating horizon: every event is told, and no formula disagrees with what was recorded") {
+  for (const auto& options : {std::map<std::string, std::string>{}, {{"horizons", "one"}}, {{"across", "on"}, {"sides", "off"}}}) {
+    const Trace trace = horizon_run(options);
+    Replay replay(trace);
+    while (replay.position() < trace.size()) {
+      replay.step_forward();
+      const Explanation explanation = explain(trace, replay.state(), *replay.current());
+      CAPTURE(replay.position());
+      CAPTURE(explanation.sentence);
+      REQUIRE_FALSE(explanation.sentence.empty());
+      REQUIRE(explanation.sentence.back() == '.');
+      REQUIRE_MESSAGE(!explanation.doubt, explanation.doubt.value_or(""));
+    }
+  }
+}
+
+TEST_CASE("floating horizon: the tests of the lesson, in words and numbers") {
+  const Trace trace = horizon_run();
+  const auto at = [&](std::int32_t x, Horizon where) {
+    return told<HorizonTest>(trace, [&](const HorizonTest& test) { return test.x == x && test.where == where; });
+  };
+  CHECK(at(2, Horizon::above).sentence == "No curve has passed column 2 yet: row 10.175 is visible.");
+  CHECK(at(7, Horizon::hidden).sentence == "On column 7 the curve, row 4.8, lies between the horizons, rows 4.2097 and 11.05: hidden.");
+  CHECK(formula(at(7, Horizon::hidden), "y \u2264 upper[x]:  4.8 \u2264 4.2097  is false"));
+  CHECK(formula(at(7, Horizon::hidden), "y \u2265 lower[x]:  4.8 \u2265 11.05  is false"));
+  CHECK(has(at(18, Horizon::below).sentence, "is below the lower horizon"));
+  CHECK(formula(at(18, Horizon::below), "is true"));
+  const Explanation one = told<HorizonTest>(horizon_run({{"horizons", "one"}}), [](const HorizonTest& test) { return test.x == 18 && test.where == Horizon::hidden; });
+  CHECK(has(one.sentence, "is not above the horizon"));
+}
+
+TEST_CASE("floating horizon: a crossing is told with the distances on both sides of it") {
+  const Trace trace = horizon_run();
+  const Explanation in = told<HorizonCross>(trace, [](const HorizonCross&) { return true; });
+  CHECK(in.sentence == "Between columns 6 and 7 the curve goes behind the upper horizon at (6.32, 4.681).");
+  CHECK(formula(in, "d_0 = y \u2212 upper[6] = 4.625 \u2212 4.9028 = \u22120.2778"));
+  CHECK(formula(in, "d_1 = y \u2212 upper[7] = 4.8 \u2212 4.2097 = 0.5903"));
+  CHECK(formula(in, "= 6.32"));
+  const Explanation out = told<HorizonCross>(trace, [](const HorizonCross& cross) { return cross.x_at > 10; });
+  CHECK(has(out.sentence, "comes out at the upper horizon"));
+}
+
+TEST_CASE("floating horizon: what moves a horizon, and from where") {
+  const Trace trace = horizon_run();
+  const auto move = [&](std::int32_t x, bool upper, double below) {
+    return told<HorizonMove>(trace, [&](const HorizonMove& m) { return m.x == x && m.upper == upper && m.y_curve < below && m.y_curve > -1e9; }).sentence;
+  };
+  CHECK(has(told<HorizonMove>(trace, [](const HorizonMove&) { return true; }).sentence, "Nothing is drawn yet on column 0"));
+  CHECK(move(2, true, 100) == "The upper horizon of column 2 begins at row 10.175.");
+  CHECK(has(move(9, true, 10), "The upper horizon of column 9 rises from row 11.4 to row 3.7264."));
+  CHECK(has(move(22, true, 100), "out to the side edge."));
+  const Explanation side = told<CurveSegment>(trace, [](const CurveSegment& s) { return s.vertex_1 - s.vertex_0 == 8; });
+  CHECK(has(side.sentence, "The surface goes on between its curves, here from sample 0 at"));
+}
