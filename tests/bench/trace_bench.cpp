@@ -13,6 +13,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
+#include "algorithms/z_buffer/z_buffer.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -44,17 +45,17 @@ int main(int argc, char** argv) {
     view.height = std::stoi(size.substr(size.find('x') + 1));
   }
   const Scene scene = look_at_scene(std::move(file.scene), view);
-  const Method& z_buffer = method("z-buffer");
+  const Method& taught = method("z-buffer");
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "zstep_trace_bench.ztrace";
 
   constexpr int runs = 7;
   std::vector<double> untraced, traced, decoding, opening;
   NullRecorder none;
   for (int run = 0; run < runs; ++run) {
-    untraced.push_back(seconds_of([&] { z_buffer.render(scene, file.conventions, none); }));
+    untraced.push_back(seconds_of([&] { z_buffer::run(scene, file.conventions, none); }));
     traced.push_back(seconds_of([&] {
-      TraceRecorder recorder(path, header_for(z_buffer, file.conventions), scene);
-      z_buffer.record(scene, file.conventions, recorder);
+      TraceRecorder recorder(path, header_for(taught, file.conventions), scene);
+      taught.record(scene, file.conventions, recorder);
       recorder.finish();
     }));
     opening.push_back(seconds_of([&] { Trace::open(path); }));

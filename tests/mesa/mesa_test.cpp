@@ -11,15 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "algorithms/scene/load.hpp"
-#include "algorithms/viewing/clip.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
+#include "sim/compare/explain_difference.hpp"
 #include "tests/mesa/mesa.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "traces/record/recorder.hpp"
@@ -28,80 +25,25 @@ using namespace zstep;
 
 namespace {
 
-constexpr double edge_tolerance = 1.5 / 256;  // pixels
-constexpr double depth_tolerance = 1e-5;      // of the depth
+constexpr double depth_tolerance = compare::tie_tolerance;
 
-struct Segment {
-  glm::dvec2 from, to;
-};
-
-// The edges of all facets on the raster, those facing away included.
-std::vector<Segment> edges_on_raster(const Scene& scene) {
-  NullRecorder record;
-  const viewing::Lens lens(scene.camera, scene.raster, Conventions::Depth::pseudodepth);
-  viewing::Vertices vertices = viewing::view_vertices(scene, lens, record);
-  std::vector<Segment> segments;
-  clipping::Outline outline;
-  for (const Facet& facet : scene.facets) {
-    if (!clipping::find_outline(scene, facet, false, lens, vertices, outline, record)) continue;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const auto at = [&](std::size_t n) { return glm::dvec2(vertices[static_cast<std::size_t>(outline[n])].raster); };
-      segments.push_back({at(i), at(i + 1 < outline.size() ? i + 1 : 0)});
-    }
-  }
-  return segments;
-}
-
-double distance_to_nearest(const std::vector<Segment>& segments, glm::dvec2 pixel) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Segment& segment : segments) {
-    const glm::dvec2 along = segment.to - segment.from;
-    const double length = glm::dot(along, along);
-    const double t = length > 0 ? std::clamp(glm::dot(pixel - segment.from, along) / length, 0.0, 1.0) : 0;
-    nearest = std::min(nearest, glm::length(pixel - (segment.from + t * along)));
-  }
-  return nearest;
-}
-
-// z_v of the plane of a polygon's facet nearest to z_v = `near_to`, at a place on the raster; by ray and plane alone.
-double depth_of_plane(const Scene& scene, std::int32_t polygon, glm::dvec2 place, double near_to) {
-  const Camera& camera = scene.camera;
-  const double half_x = camera.window * scene.raster.width / scene.raster.height;
-  const double x_p = ((place.x + 0.5) / scene.raster.width * 2 - 1) * half_x;
-  const double y_p = (1 - (place.y + 0.5) / scene.raster.height * 2) * camera.window;
-  const bool perspective = camera.kind == Camera::Kind::perspective;
-  const glm::dvec3 from = perspective ? glm::dvec3(0) : glm::dvec3(x_p, y_p, 0);
-  const glm::dvec3 along = perspective ? glm::dvec3(x_p / camera.d, y_p / camera.d, 1) : glm::dvec3(0, 0, 1);
-
-  double best = std::numeric_limits<double>::infinity();
-  for (const Facet& facet : scene.facets) {
-    if (facet.polygon != polygon) continue;
-    const auto corner = [&](std::int32_t i) {
-      const auto index = static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + i)]);
-      return glm::dvec3(camera.view * glm::dvec4(scene.points[index], 1));
-    };
-    glm::dvec3 normal(0);
-    for (std::int32_t i = 1; i + 1 < facet.corner_count; ++i) {
-      normal += glm::cross(corner(i) - corner(0), corner(i + 1) - corner(0));
-    }
-    const double z_v = from.z + along.z * glm::dot(corner(0) - from, normal) / glm::dot(along, normal);
-    if (std::abs(z_v - near_to) < std::abs(best - near_to)) best = z_v;
-  }
-  return best;
+// Whether an edge runs within the tolerance, be it of a polygon that is seen there or of a hidden one.
+bool at_edge(const compare::Truth& truth, std::int32_t x, std::int32_t y) {
+  const auto here = truth.at(x, y);
+  return std::any_of(here.begin(), here.end(),
+                     [](const compare::Candidate& facet) { return facet.edge <= compare::edge_tolerance; });
 }
 
 // Whether a difference of depth is what the last bits of float32 coordinates on the raster explain, with our depth
 // right.
-bool explained_by_steepness(const Scene& scene, std::int32_t polygon, glm::dvec2 pixel, double our_z, double mesas_z) {
-  const double truth = depth_of_plane(scene, polygon, pixel, our_z);
-  if (std::abs(our_z - truth) > 1e-9 * truth) return false;
-  const double shift = scene.raster.width * 0x1p-22;  // pixels: four roundings at the raster's width
-  double range = 0;
-  for (const glm::dvec2 by :
-       {glm::dvec2(shift, 0), glm::dvec2(-shift, 0), glm::dvec2(0, shift), glm::dvec2(0, -shift)}) {
-    range = std::max(range, std::abs(depth_of_plane(scene, polygon, pixel + by, our_z) - truth));
+bool explained_by_steepness(const compare::Truth& truth, std::int32_t x, std::int32_t y, std::int32_t polygon,
+                            double our_z, double mesas_z) {
+  const double shift = truth.width() * 0x1p-22;  // pixels: four roundings at the raster's width
+  for (const compare::Candidate& facet : truth.at(x, y)) {
+    const bool ours = facet.polygon == polygon && std::abs(our_z - facet.z) <= 1e-9 * facet.z + facet.z_slack;
+    if (ours && std::abs(mesas_z - facet.z) <= compare::tie_tolerance * facet.z + 2 * shift * facet.slope) return true;
   }
-  return std::abs(mesas_z - truth) <= depth_tolerance * truth + 2 * range;
+  return false;
 }
 
 struct Count {
@@ -114,7 +56,7 @@ Count hold_against_mesa(const Scene& scene, bool cull) {
   Conventions conventions;
   conventions.cull = cull;
   const Picture ours = z_buffer::run(scene, conventions, record), mesas = test::draw_with_mesa(scene, cull);
-  const std::vector<Segment> edges = edges_on_raster(scene);
+  const compare::Truth truth(scene, cull);
 
   Count count;
   for (std::int32_t y = 0; y < ours.height; ++y) {
@@ -128,15 +70,15 @@ Count hold_against_mesa(const Scene& scene, bool cull) {
       if (our_polygon == mesas_polygon && difference <= depth_tolerance) {
         count.worst_depth = std::max(count.worst_depth, difference);
         ++count.drawn;
-      } else if (distance_to_nearest(edges, {x, y}) <= edge_tolerance) {
+      } else if (at_edge(truth, x, y)) {
         ++count.at_edges;
       } else if (our_polygon != mesas_polygon && difference <= depth_tolerance) {
         ++count.ties;
-      } else if (our_polygon == mesas_polygon && explained_by_steepness(scene, our_polygon, {x, y}, our_z, mesas_z)) {
+      } else if (our_polygon == mesas_polygon && explained_by_steepness(truth, x, y, our_polygon, our_z, mesas_z)) {
         ++count.steep;
       } else if (++count.unexplained <= 5) {
         INFO("pixel (", x, ", ", y, "): polygon ", our_polygon, " at ", our_z, ", Mesa has ", mesas_polygon, " at ",
-             mesas_z, "; ", distance_to_nearest(edges, {x, y}), " px from an edge");
+             mesas_z);
         CHECK(our_polygon == mesas_polygon);
         CHECK(difference <= depth_tolerance);
       }
