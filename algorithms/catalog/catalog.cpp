@@ -14,6 +14,7 @@
 #include "algorithms/ray_tracing/ray_tracing.hpp"
 #include "algorithms/scan_line/scan_line.hpp"
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
+#include "algorithms/transparency/transparency.hpp"
 #include "algorithms/warnock/warnock.hpp"
 #include "algorithms/z_buffer/fast.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
@@ -88,6 +89,9 @@ constexpr std::array catalog{
     METHOD(shadow_buffer, .id = "shadow-buffer", .title = "Shadow buffer",
            .paper = "L. Williams, Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978", .gives = Gives::colors,
            .needs = Needs::light, .interpolates = true, .options = shadow_buffer::options),
+    METHOD(transparency, .id = "transparency", .title = "Transparency",
+           .paper = "T. Porter and T. Duff, Compositing Digital Images, SIGGRAPH 1984", .gives = Gives::colors,
+           .options = transparency::options),
 };
 
 #undef METHOD

@@ -15,7 +15,8 @@ namespace zstep {
 /// What there is at a pixel when the method is done.
 enum class Gives : std::uint8_t {
   surfaces,  ///< a polygon and its depth
-  colors,    ///< a colour of its own (shadow, mirror image, mixture), and the polygon and depth that the eye sees first
+  colors,    ///< a colour of its own (shadow, mirror image, mixture), and the polygon and depth that the eye sees first;
+             ///< where colours shine through each other, the first that is opaque
   lines,     ///< lines; no polygon
 };
 
