@@ -114,19 +114,57 @@ void find_front(const Pieces& polygons, const std::vector<std::int32_t>& inside,
 void Coherence::begin_line(const std::vector<std::int32_t>& active) {
   if (active == active_) return;
   active_ = active;
-  front_.assign(active.size(), -1);
+  seen_.assign(active.size(), {});
+}
+
+void Coherence::keep(const Pieces& polygons, std::size_t place, const std::vector<Visible>& visible) {
+  Seen& seen = seen_[place];
+  seen = {};
+  if (visible.size() > 2) return;
+  if (visible.size() == 2) {
+    // z of one minus z of the other is p x + q y + r, and zero on the implied edge.
+    const Plane &one = polygons[visible[0].piece].plane, &other = polygons[visible[1].piece].plane;
+    const double p = other.a / other.c - one.a / one.c, q = other.b / other.c - one.b / one.c;
+    const Stretch& left = visible[0].where;
+    const double rounding = depth_of(one, left.x_right, left.y).rounding + depth_of(other, left.x_right, left.y).rounding;
+    constexpr double sharp = 1e-10;  // px: what x may be off by, as it decides about pixels
+    if (!(rounding <= sharp * std::abs(p))) return;
+    seen = {-1, visible[1].piece, left.x_right, left.y, -q / p};
+  }
+  seen.left = visible[0].piece;
 }
 
 template <Recorder R>
-std::int32_t Coherence::front_as_before(const Pieces& polygons, std::size_t place,
-                                        const std::vector<std::int32_t>& inside, R& record) {
-  const std::int32_t front = front_[place];
-  if (front == -1) return -1;
+bool Coherence::as_before(const Pieces& polygons, std::size_t place, const std::vector<std::int32_t>& inside,
+                          const Stretch& stretch, std::vector<Visible>& visible, R& record) {
+  const Seen& seen = seen_[place];
+  if (seen.left == -1) return false;
+  const bool implied = seen.right != -1;
   for (const std::int32_t other : inside) {
-    if (other != front && !lie_apart(polygons, front, other, record)) return -1;
+    if (other == seen.left || other == seen.right) continue;
+    if (!lie_apart(polygons, seen.left, other, record)) return false;
+    if (implied && !lie_apart(polygons, seen.right, other, record)) return false;
   }
-  record(step::saved, Saved{zstep::Coherence::scan_line, 2 * static_cast<std::int32_t>(inside.size())});
-  return front;
+  const auto depths = 2 * static_cast<std::int32_t>(inside.size());
+  if (!implied) {
+    record(step::saved, Saved{zstep::Coherence::scan_line, depths});
+    visible.assign(1, {seen.left, stretch});
+    return true;
+  }
+
+  const double x = seen.x_at(stretch.y);
+  constexpr double clear = 1e-6;  // px: nearer to an end of the stretch than this, depths decide
+  if (std::abs(x - stretch.x_left) < clear || std::abs(x - stretch.x_right) < clear) return false;
+  record(step::saved, Saved{zstep::Coherence::implied_edge, depths});
+  if (x < stretch.x_left || x > stretch.x_right) {
+    visible.assign(1, {x < stretch.x_left ? seen.right : seen.left, stretch});
+    return true;
+  }
+  record(step::implied_edge, ImpliedEdge{seen.left, seen.right, x, polygons[seen.left].plane.depth(x, stretch.y)});
+  const std::int32_t beyond = std::max(stretch.first, pixel_beyond(x, seen.left, seen.right, stretch));
+  visible.assign(1, {seen.left, {stretch.y, stretch.x_left, x, stretch.first, beyond - 1}});
+  visible.push_back({seen.right, {stretch.y, x, stretch.x_right, beyond, stretch.last}});
+  return true;
 }
 
 namespace {
@@ -170,7 +208,8 @@ bool Coherence::lie_apart(const Pieces& polygons, std::int32_t one, std::int32_t
 #define INSTANTIATE(R)                                                                                                \
   template void find_front<R>(const Pieces&, const std::vector<std::int32_t>&, const Stretch&, std::vector<Visible>&, \
                               R&);                                                                                    \
-  template std::int32_t Coherence::front_as_before<R>(const Pieces&, std::size_t, const std::vector<std::int32_t>&, R&);
+  template bool Coherence::as_before<R>(const Pieces&, std::size_t, const std::vector<std::int32_t>&, const Stretch&, \
+                                        std::vector<Visible>&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
 
 }  // namespace zstep::scan_line

@@ -40,27 +40,39 @@ template <Recorder R>
 void find_front(const pieces::Pieces& polygons, const std::vector<std::int32_t>& inside, const Stretch& stretch,
                 std::vector<Visible>& visible, R& record);
 
-/// Depth coherence from line to line: on a stretch between the same two edges as on the line before, the polygon that
-/// was in front all along still is, if it and each other one inside lie apart: all corners of the one beyond the plane
-/// of the other, by more than rounding. The difference of two planes' depths is linear in x and y, so what is positive
-/// at a polygon's corners is positive on all of it: whichever is in front at one pixel is so at every pixel of both.
+/// Coherence from line to line, on a stretch between the same two edges as on the line before.
+///
+/// Scan-line coherence: the polygon that was in front all along still is, if it and each other one inside lie apart: all
+/// corners of the one beyond the plane of the other, by more than rounding. The difference of two planes' depths is
+/// linear in x and y, so what is positive at a polygon's corners is positive on all of it: whichever is in front at one
+/// pixel is so at every pixel of both.
+///
+/// Implied edge coherence: where two polygons penetrated each other, both apart from all others inside, they still do
+/// or no longer meet on the stretch. The line where their planes meet is straight, and known from the line before.
 class Coherence {
  public:
   /// To be called first on each line.
   void begin_line(const std::vector<std::int32_t>& active);
-  /// The piece that was seen all along the stretch right of the active edge at `place` one line before and must still
-  /// be in front; -1 if depths must be compared. What it takes to know that is tested once for each pair of pieces.
+  /// Splits the stretch right of the active edge at `place` as find_front() would, if what was seen there one line
+  /// before tells; if not, depths must be compared. What it takes to know that is tested once for each pair of pieces.
   template <Recorder R>
-  std::int32_t front_as_before(const pieces::Pieces& polygons, std::size_t place,
-                               const std::vector<std::int32_t>& inside, R& record);
-  void keep(std::size_t place, std::int32_t piece) { front_[place] = piece; }
+  bool as_before(const pieces::Pieces& polygons, std::size_t place, const std::vector<std::int32_t>& inside,
+                 const Stretch& stretch, std::vector<Visible>& visible, R& record);
+  /// What find_front() found there.
+  void keep(const pieces::Pieces& polygons, std::size_t place, const std::vector<Visible>& visible);
 
  private:
+  struct Seen {
+    std::int32_t left = -1;           // seen on the left; -1: unknown, or more than two
+    std::int32_t right = -1;          // seen beyond the implied edge, if there was one
+    double x = 0, y = 0, dx_dy = 0;   // a point of the implied edge and its slope
+    double x_at(double row) const { return x + (row - y) * dx_dy; }
+  };
   template <Recorder R>
   bool lie_apart(const pieces::Pieces& polygons, std::int32_t one, std::int32_t other, R& record);
 
   std::vector<std::int32_t> active_;  // of the line before
-  std::vector<std::int32_t> front_;   // by place: the one piece seen on the stretch, -1 if there are more or none
+  std::vector<Seen> seen_;            // by place
   std::map<std::pair<std::int32_t, std::int32_t>, bool> apart_;
 };
 

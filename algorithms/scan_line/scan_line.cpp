@@ -30,12 +30,10 @@ Conventions standard_for_planes(Conventions conventions) {
 
 template <Recorder R>
 void paint(const pieces::Piece& polygon, const Visible& part, Picture& picture, R& record) {
-  const auto [y, x_left, x_right, first, last] = part.where;
-  const auto row = static_cast<std::int32_t>(y);
-  const double z_left = polygon.plane.depth(x_left, y), z_right = polygon.plane.depth(x_right, y);
-  record(step::winner, SpanWinner{part.piece, first, last});
-  for (std::int32_t x = first; x <= last; ++x) {
-    const double z = x_right == x_left ? z_left : z_left + (z_right - z_left) * (x - x_left) / (x_right - x_left);
+  const auto row = static_cast<std::int32_t>(part.where.y);
+  record(step::winner, SpanWinner{part.piece, part.where.first, part.where.last});
+  for (std::int32_t x = part.where.first; x <= part.where.last; ++x) {
+    const double z = polygon.plane.depth(x, row);
     picture.polygon[picture.at(x, row)] = polygon.polygon;
     picture.depth[picture.at(x, row)] = z;
     record(step::paint, PixelPaint{x, row, z, polygon.polygon});

@@ -22,7 +22,7 @@ inline constexpr std::array options{
     Option{"resolve", "planes|line-buffer", "planes",
            "where several polygons overlap: compare their planes, or pixels in a depth buffer of one line"},
     Option{"coherence", "off|on", "off",
-           "planes: use the depth order of the line before again where it must still hold"},
+           "planes: use the depth order and the implied edge of the line before again where they must still hold"},
     Option{"antialias", "off|on", "off", "planes: mix colours by the share of the pixel that each polygon covers",
            false},
 };

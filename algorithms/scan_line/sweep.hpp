@@ -37,13 +37,10 @@ void sweep(const Tables& tables, const std::vector<std::int32_t>& active, double
     record(step::flags, SpanFlags{row, stretch.x_left, stretch.x_right, stretch.first, stretch.last, flags});
     if (inside.empty() || (wanted == Wanted::pixels && stretch.last < stretch.first)) continue;
 
-    std::int32_t as_before = -1;
-    if (coherence && flags > 1) as_before = coherence->front_as_before(tables.polygons, i, inside, record);
-    if (as_before != -1) {
-      visible.assign(1, {as_before, stretch});
-    } else {
+    const bool known = coherence && flags > 1 && coherence->as_before(tables.polygons, i, inside, stretch, visible, record);
+    if (!known) {
       find_front(tables.polygons, inside, stretch, visible, record);
-      if (coherence) coherence->keep(i, visible.size() == 1 ? visible[0].piece : -1);
+      if (coherence) coherence->keep(tables.polygons, i, visible);
     }
     for (const Visible& part : visible) seen(part);
   }

@@ -154,6 +154,32 @@ TEST_SUITE("scan_line/options") {
     CHECK(coherent.polygon[coherent.at(5, 11)] == 0);
   }
 
+  TEST_CASE("an implied edge goes on in a straight line: found once, then known, until it leaves the stretch") {
+    // z = x/2 against z = 5 − y/8: they meet at x = 10 − y/4, from column 10 in row 0 to column 1 in row 36; B is in from 2 to 9.
+    const Scene scene = screen_scene(
+        16, 40, {{{1, 0, 0.5}, {14, 0, 7}, {14, 39, 7}, {1, 39, 0.5}}, {{2, 0, 5}, {9, 0, 5}, {9, 39, 0.125}, {2, 39, 0.125}}});
+    CollectRecorder off, on;
+    const Picture plain = scan_line::run(scene, with({}), off);
+    const Picture coherent = scan_line::run(scene, with({{"coherence", "on"}}), on);
+    CHECK(same_bits(plain, coherent));
+    // In rows 0 to 4 A is in front all along the stretch; the two penetrate each other, so depths must be compared. In row 5 the
+    // implied edge is found, at 8.75, and in rows 6 to 38 it is known; at 9 and at 2 it is on an end, where depths decide.
+    const std::vector<ImpliedEdge> found = off.all<ImpliedEdge>(), known = on.all<ImpliedEdge>();
+    REQUIRE(found.size() == known.size());
+    REQUIRE(found.size() == 27);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      CHECK(known[k].x_at == doctest::Approx(found[k].x_at).epsilon(1e-12));
+      CHECK(found[k].x_at == doctest::Approx(10 - (5.0 + static_cast<double>(k)) / 4));
+    }
+    std::int32_t saved = 0;
+    for (const Saved& row : on.all<Saved>()) {
+      CHECK(row.coherence == zstep::Coherence::implied_edge);
+      saved += row.tests;
+    }
+    CHECK(saved > 4 * 25);
+    CHECK(static_cast<std::int64_t>(off.all<PlaneDepth>().size()) - static_cast<std::int64_t>(on.all<PlaneDepth>().size()) == saved);
+  }
+
   TEST_CASE("area coverage: upright edges to the digit") {
     // Columns 1.25 to 3.5 of row 1: pixel 1 spans 0.5 to 1.5, so a quarter of it is covered.
     const Scene scene = two_colors({{{1.25, 0.5, 1}, {3.5, 0.5, 1}, {3.5, 2.5, 1}, {1.25, 2.5, 1}}});
