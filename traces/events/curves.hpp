@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 5> words_of<LineFace>{"apart", "ow
 
 struct CurveBegin { std::int32_t curve, row; bool across; double constant; };
 struct CurveSegment { std::int32_t vertex_0, vertex_1; };
-struct HorizonTest { std::int32_t x; double y_curve; Horizon where; };
+struct HorizonTest { std::int32_t x; double y_curve; Horizon verdict; };
 struct HorizonMove { std::int32_t x; bool upper; double y_curve; };
 struct HorizonCross { bool upper; double x_at, y_at; };
 struct LineBegin { std::int32_t line, vertex_0, vertex_1, left_facet, right_facet; LineKind kind; };
@@ -60,7 +60,7 @@ template <>
 inline constexpr auto fields_of<HorizonTest> = std::tuple{
     Field{"x", &HorizonTest::x, "px", "the column", Guess::next},
     Field{"y_curve", &HorizonTest::y_curve, "px", "row of the curve there, not rounded"},
-    Field{"where", &HorizonTest::where, "1", "above the upper horizon, below the lower one, or hidden between"}};
+    Field{"verdict", &HorizonTest::verdict, "1", "above the upper horizon, below the lower one, or hidden between"}};
 
 template <>
 inline constexpr KindText kind_text<HorizonMove>{"horizon_move", "a horizon takes a new value"};

@@ -86,9 +86,9 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
     if (now.y_curve >= -0.5 && now.y_curve <= map.height - 0.5) {
       const ImVec2 dot = place(now.x, now.y_curve);
       const float radius = std::max(4.0f, ui.em * 0.3f);
-      list->AddCircleFilled(dot, radius, now.where == Horizon::hidden ? c.pane : c.now);
+      list->AddCircleFilled(dot, radius, now.verdict == Horizon::hidden ? c.pane : c.now);
       list->AddCircle(dot, radius, c.now, 0, 2);
-      const std::string word = now.where == Horizon::hidden ? "hidden" : now.where == Horizon::above ? "above" : "below";
+      const std::string word = now.verdict == Horizon::hidden ? "hidden" : now.verdict == Horizon::above ? "above" : "below";
       const ImVec2 size = text_size(ui, ui.fonts.small, word);
       float x = dot.x + radius + 4, y = dot.y - size.y - radius;
       if (x + size.x > at.x + static_cast<float>(map.box_width)) x = dot.x - radius - 4 - size.x;

@@ -67,7 +67,7 @@ TEST_CASE("floating horizon: every event is told, and no formula disagrees with 
 TEST_CASE("floating horizon: the tests of the lesson, in words and numbers") {
   const Trace trace = horizon_run();
   const auto at = [&](std::int32_t x, Horizon where) {
-    return told<HorizonTest>(trace, [&](const HorizonTest& test) { return test.x == x && test.where == where; });
+    return told<HorizonTest>(trace, [&](const HorizonTest& test) { return test.x == x && test.verdict == where; });
   };
   CHECK(at(2, Horizon::above).sentence == "No curve has passed column 2 yet: row 10.175 is visible.");
   CHECK(at(7, Horizon::hidden).sentence == "On column 7 the curve, row 4.8, lies between the horizons, rows 4.2097 and 11.05: hidden.");
@@ -75,7 +75,7 @@ TEST_CASE("floating horizon: the tests of the lesson, in words and numbers") {
   CHECK(formula(at(7, Horizon::hidden), "y \u2265 lower[x]:  4.8 \u2265 11.05  is false"));
   CHECK(has(at(18, Horizon::below).sentence, "is below the lower horizon"));
   CHECK(formula(at(18, Horizon::below), "is true"));
-  const Explanation one = told<HorizonTest>(horizon_run({{"horizons", "one"}}), [](const HorizonTest& test) { return test.x == 18 && test.where == Horizon::hidden; });
+  const Explanation one = told<HorizonTest>(horizon_run({{"horizons", "one"}}), [](const HorizonTest& test) { return test.x == 18 && test.verdict == Horizon::hidden; });
   CHECK(has(one.sentence, "is not above the horizon"));
 }
 

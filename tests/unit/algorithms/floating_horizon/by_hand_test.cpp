@@ -21,7 +21,7 @@ std::string verdicts(const CollectRecorder& record, std::int32_t curve) {
   for (const CollectedEvent& collected : record.events) {
     if (const auto* begin = std::get_if<CurveBegin>(&collected.event)) at = begin->curve;
     if (const auto* test = std::get_if<HorizonTest>(&collected.event); test && at == curve)
-      said += "abh"[static_cast<std::size_t>(test->where)];
+      said += "abh"[static_cast<std::size_t>(test->verdict)];
   }
   return said;
 }
@@ -59,7 +59,7 @@ TEST_SUITE("floating horizon by hand") {
     for (std::int32_t x = 0; x < 5; ++x) {
       CHECK(tests[static_cast<std::size_t>(x)].x == x);
       CHECK(tests[static_cast<std::size_t>(x)].y_curve == std::abs(x - 2) + 2);
-      CHECK(tests[static_cast<std::size_t>(x)].where == Horizon::above);
+      CHECK(tests[static_cast<std::size_t>(x)].verdict == Horizon::above);
     }
     const auto moves = run.record.all<HorizonMove>();
     REQUIRE(moves.size() == 16 + 10);  // first all columns are cleared

@@ -58,7 +58,7 @@ Judgement judge(const Scene& scene, const std::map<std::string, std::string>& op
         farthest = std::max(farthest, truth.depth[truth.at(x, y)]);
       }
     ++judgement.tested;
-    const bool hidden = test->where == Horizon::hidden;
+    const bool hidden = test->verdict == Horizon::hidden;
     judgement.hidden += hidden;
     if (hidden ? z >= nearest : z <= farthest) continue;
     ++judgement.wrong;
@@ -180,7 +180,7 @@ TEST_SUITE("floating horizon, degenerate") {
 
   TEST_CASE("a flat surface: all of it is seen, from above, and edge-on as one line") {
     const HorizonRun above = run_horizon(looked_at("0", -60, 60, 60, 45));
-    for (const HorizonTest& test : above.record.all<HorizonTest>()) CHECK(test.where == Horizon::above);
+    for (const HorizonTest& test : above.record.all<HorizonTest>()) CHECK(test.verdict == Horizon::above);
     const HorizonRun level = run_horizon(looked_at("0", -90, 90, 60, 45, true));
     std::int32_t row = -1;
     for (const ColorWrite& write : level.record.all<ColorWrite>()) {
