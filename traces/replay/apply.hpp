@@ -53,7 +53,8 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
   const auto fragment_at = [&](std::int32_t x, std::int32_t y, double z) {
     const std::size_t pixel = state.picture.at(x, y);
     const Picture& picture = state.picture_of_pass();
-    return Fragment{x, y, z, picture.depth[pixel], picture.polygon[pixel], std::nullopt};
+    const std::uint32_t ink = picture.ink.empty() ? no_ink : picture.ink[pixel];
+    return Fragment{x, y, z, picture.depth[pixel], picture.polygon[pixel], ink, std::nullopt};
   };
 
   if constexpr (std::is_same_v<E, BuffersClear>) {

@@ -48,8 +48,9 @@ struct Fragment {
   double z = 0;                              ///< the polygon's depth there
   double stored = 0;                         ///< the depth buffer's before this fragment
   std::int32_t stored_polygon = no_polygon;  ///< the frame's before this fragment
+  std::uint32_t stored_ink = no_ink;         ///< and the colour of the pixel's own, if the frame held one
   std::optional<bool> nearer;                ///< the compare's outcome, once it was made
-  auto members() const { return std::tie(x, y, z, stored, stored_polygon, nearer); }
+  auto members() const { return std::tie(x, y, z, stored, stored_polygon, stored_ink, nearer); }
 };
 
 /// What a method has at hand: everything a pane shows besides buffers and vertices.

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/pieces.hpp"
 
 namespace zstep::viewer {
@@ -160,7 +161,7 @@ void draw_pieces(const View& v) {
     for (std::size_t k = 0; k < points.size(); ++k)
       v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own), painted || shown < most_names ? 4.0f : 1.5f);
     if (shown > most_names && !lit) continue;
-    const std::string name = part_label(v.s.scene(), v.m, number);
+    const std::string name = piece_label(v.s.scene(), v.m, number);
     const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, name), middle = label_place(v, points, size);
     const ImVec2 place{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
     v.list->AddRectFilled({place.x - 1, place.y}, {place.x + size.x + 1, place.y + size.y}, v.c.pane);

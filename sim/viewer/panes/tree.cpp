@@ -6,6 +6,7 @@
 
 #include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/pieces.hpp"
 
 namespace zstep::viewer {
@@ -27,7 +28,7 @@ std::vector<std::int32_t> subtree_sizes(const SharedVector<TreeNode>& tree) {
 /// A node's pieces by name, "A" or "A, D".
 std::string name_of(const Session& s, const TreeNode& node) {
   std::string text;
-  for (const std::int32_t piece : node.pieces) text += (text.empty() ? "" : ", ") + part_label(s.scene(), s.state().machine, piece);
+  for (const std::int32_t piece : node.pieces) text += (text.empty() ? "" : ", ") + piece_label(s.scene(), s.state().machine, piece);
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/viewing/camera.hpp"
 #include "sim/viewer/words/explain_parts.hpp"
 
 namespace zstep {
@@ -13,14 +14,26 @@ std::string polygon_label(const Scene& scene, std::int32_t polygon) {
   return fmt::format("P{}", polygon);
 }
 
+Camera camera_at_work(const Scene& scene, const Machine& machine) {
+  return machine.pass == Pass::light && scene.light ? viewing::camera_of(*scene.light) : scene.camera;
+}
+
 std::string piece_label(const Scene& scene, const Machine& machine, std::int32_t piece) {
   if (piece < 0 || static_cast<std::size_t>(piece) >= machine.pieces.size()) return fmt::format("piece {}", piece);
+  const auto& pieces = machine.pieces;
   const auto at = static_cast<std::size_t>(piece);
-  const Piece& it = machine.pieces[at];
-  // Pieces of one polygon stand side by side as they are gathered.
-  const auto same = [&](std::size_t other) { return other < machine.pieces.size() && machine.pieces[other].polygon == it.polygon; };
-  const bool one_of_many = it.parent >= 0 || same(at + 1) || (at > 0 && same(at - 1));
-  return polygon_label(scene, it.polygon) + (one_of_many ? fmt::format("/{}", piece) : "");
+  const std::int32_t polygon = pieces[at].polygon;
+  // A part was cut from a piece, or is one of several facets: those stand side by side as they are gathered.
+  const auto same = [&](std::size_t other) {
+    return other < pieces.size() && pieces[other].polygon == polygon && pieces[other].parent < 0;
+  };
+  const auto part = [&](std::size_t one) { return pieces[one].parent >= 0 || same(one + 1) || (one > 0 && same(one - 1)); };
+  const std::string whole = polygon_label(scene, polygon);
+  if (!part(at)) return whole;
+  int number = 1;
+  for (std::size_t before = 0; before < at; ++before) number += pieces[before].polygon == polygon && part(before);
+  const bool digit = whole.back() >= '0' && whole.back() <= '9';
+  return fmt::format("{}{}{}", whole, digit ? "." : "", number);
 }
 
 namespace {

@@ -16,23 +16,10 @@ const AreaBegin* area_of(const Telling& t, std::int32_t area) {
   return area >= 0 && at < t.machine.areas.size() ? &t.machine.areas[at].entry : nullptr;
 }
 
-std::string piece_label(const Telling& t, std::int32_t piece) {
-  const auto at = static_cast<std::size_t>(piece);
-  return piece >= 0 && at < t.machine.pieces.size() ? t.label(t.machine.pieces[at].polygon) : fmt::format("piece {}", piece);
-}
-
-/// The name of the step at which the state stands.
-std::string_view step_name(const Telling& t) {
-  const std::uint8_t id = t.trace.event(t.after.position).step;
-  for (const StepInfo& step : t.trace.header().page)
-    if (step.id == id) return step.name;
-  return {};
-}
-
 std::string named(const Telling& t, Bin bin) {
   std::string text;
   for (const AreaBin& row : t.machine.bins)
-    if (row.bin == bin) text += (text.empty() ? "" : ", ") + piece_label(t, row.piece);
+    if (row.bin == bin) text += (text.empty() ? "" : ", ") + t.piece(row.piece);
   return text.empty() ? "none" : text;
 }
 
@@ -47,8 +34,8 @@ void tell(Telling& t, const AreaBegin& e) {
 }
 
 void tell(Telling& t, const AreaBin& e) {
-  const std::string who = piece_label(t, e.piece);
-  if (step_name(t) == "still_surrounding") {
+  const std::string who = t.piece(e.piece);
+  if (t.step() == "still_surrounding") {
     t.say(fmt::format("{} surrounds the area around this one, so it surrounds this one, too: no test is needed.", who));
     return t.formula("a part of what is surrounded is surrounded");
   }
@@ -83,7 +70,7 @@ void tell(Telling& t, const AreaBin& e) {
 }
 
 void tell(Telling& t, const AreaDecide& e) {
-  const std::string who = piece_label(t, e.piece);
+  const std::string who = t.piece(e.piece);
   switch (e.what) {
     case AreaCase::background:
       t.say("Case 1: all polygons are disjoint, so the area stays background.");

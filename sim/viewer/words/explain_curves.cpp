@@ -3,6 +3,8 @@
 
 #include "sim/viewer/words/explain_parts.hpp"
 
+#include <algorithm>
+
 namespace zstep::words {
 namespace {
 
@@ -50,7 +52,7 @@ std::optional<Passage> passage(const Telling& t, int back) {
     position = *found;
   }
   const auto test = std::get<HorizonTest>(t.trace.event(position).event);
-  return Passage{test.x, test.y_curve, horizon_before(t, position, test.x, true), horizon_before(t, position, test.x, false), test.where};
+  return Passage{test.x, test.y_curve, horizon_before(t, position, test.x, true), horizon_before(t, position, test.x, false), test.verdict};
 }
 
 /// Rows as they can be told apart.
@@ -61,6 +63,13 @@ void tell_y(Telling& t, const Passage& now) {
   const auto a = on_raster(t.scene, t.after, t.machine.horizon.segment->vertex_0);
   const auto b = on_raster(t.scene, t.after, t.machine.horizon.segment->vertex_1);
   if (!a || !b || a->x == b->x) return;
+  if (now.x < std::min(a->x, b->x) || now.x > std::max(a->x, b->x)) {
+    // Seen edge-on between two columns: the curve's samples stand on the nearest one.
+    const OnRaster& end = now.y == a->y ? *a : *b;
+    t.formula(fmt::format("y = {}, of the sample at x = {}: column {} is the nearest", number(end.y), number(end.x), now.x));
+    t.hold_against("y", now.y, end.y);
+    return;
+  }
   t.formula(fmt::format("y = {} = {}", line_through(a->y, b->y, now.x, a->x, b->x), number(now.y)));
   t.hold_against("y", now.y, on_line(a->y, b->y, now.x, a->x, b->x));
 }
@@ -120,8 +129,8 @@ void tell(Telling& t, const HorizonTest& e) {
   t.value("upper[x]", now.upper);
   if (!one) t.value("lower[x]", now.lower);
   const Horizon rule = above ? Horizon::above : below ? Horizon::below : Horizon::hidden;
-  if (rule != e.where)
-    t.out.doubt = fmt::format("The trace says {}, but by these numbers it is {}.", words_of<Horizon>[static_cast<std::size_t>(e.where)],
+  if (rule != e.verdict)
+    t.out.doubt = fmt::format("The trace says {}, but by these numbers it is {}.", words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
                               words_of<Horizon>[static_cast<std::size_t>(rule)]);
 }
 

@@ -16,13 +16,14 @@ struct Telling {
   const State& after;
   const Scene& scene;
   const Conventions& conventions;
+  Camera camera;  ///< by which the scene is being drawn: the light's in its pass
   const Machine& machine;
   std::string z;  ///< what depths are called
   Explanation out;
 
   Telling(const Trace& trace_, const State& after_)
       : trace(trace_), after(after_), scene(trace_.scene()), conventions(trace_.header().conventions),
-        machine(after_.machine), z(depth_symbol(trace_.scene(), trace_.header().conventions)) {}
+        camera(camera_at_work(trace_.scene(), after_.machine)), machine(after_.machine), z(depth_symbol(trace_.scene(), trace_.header().conventions)) {}
 
   void say(std::string sentence) { out.sentence = std::move(sentence); }
   void formula(std::string line) { out.formulas.push_back(std::move(line)); }
@@ -69,25 +70,6 @@ void tell(Telling& t, const HorizonTest& e);
 void tell(Telling& t, const HorizonCross& e);
 void tell(Telling& t, const HorizonMove& e);
 
-/// Any other kind of event: what the vocabulary says of it, and its fields.
-template <class E>
-void tell(Telling& t, const E& e) {
-  std::string fields;
-  for_each_field<E>([&](const auto& field) {
-    using Value = typename std::remove_cvref_t<decltype(field)>::value_type;
-    std::string text;
-    if constexpr (std::is_same_v<Value, double>) {
-      text = number(e.*field.member);
-      t.value(std::string(field.name), e.*field.member);
-    } else if constexpr (std::is_same_v<Value, bool>) text = e.*field.member ? "yes" : "no";
-    else if constexpr (std::is_enum_v<Value>) text = words_of<Value>[static_cast<std::size_t>(e.*field.member)];
-    else text = std::to_string(e.*field.member);
-    fields += fmt::format("{}{} = {}", fields.empty() ? "" : ", ", field.name, text);
-  });
-  t.say(fmt::format("{}.", kind_text<E>.meaning));
-  t.formula(fields);
-}
-
 void tell(Telling& t, const BuffersClear& e);
 void tell(Telling& t, const ViewTransform& e);
 void tell(Telling& t, const Projection& e);
@@ -112,6 +94,7 @@ void tell(Telling& t, const DepthCompare& e);
 void tell(Telling& t, const DepthWrite& e);
 void tell(Telling& t, const PixelWrite& e);
 void tell(Telling& t, const ColorWrite& e);
+void tell(Telling& t, const ColorBlend& e);
 void tell(Telling& t, const PassBegin& e);
 void tell(Telling& t, const ShadowCompare& e);
 void tell(Telling& t, const AreaBegin& e);

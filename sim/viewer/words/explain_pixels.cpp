@@ -83,8 +83,39 @@ void tell(Telling& t, const DepthWrite& e) {
   t.value(t.z, e.z);
 }
 
+void tell(Telling& t, const ColorBlend& e) {
+  const Fragment* f = t.machine.fragment && t.machine.fragment->x == e.x && t.machine.fragment->y == e.y ? &*t.machine.fragment : nullptr;
+  const Color over = t.scene.polygons.at(static_cast<std::size_t>(e.polygon)).color;
+  const Color result{static_cast<std::uint8_t>(e.r8), static_cast<std::uint8_t>(e.g8), static_cast<std::uint8_t>(e.b8)};
+  const auto text = [](Color color) { return fmt::format("({}, {}, {})", color.red, color.green, color.blue); };
+  t.value("α", e.opacity);
+  t.say(e.opacity >= 1 ? fmt::format("{} is opaque: pixel {} takes its colour.", t.label(e.polygon), pixel(e.x, e.y))
+                       : fmt::format("{} is laid over what pixel {} shows, and hides {} of it.", t.label(e.polygon), pixel(e.x, e.y), number(e.opacity)));
+  if (!f) {
+    t.formula(fmt::format("α · colour of {} + (1 − α) · frame[x,y] = {}", t.label(e.polygon), text(result)));
+    return;
+  }
+  const Color under = f->stored_ink != no_ink ? color_of(f->stored_ink)
+                      : f->stored_polygon == no_polygon
+                          ? t.scene.background
+                          : t.scene.polygons.at(static_cast<std::size_t>(f->stored_polygon)).color;
+  t.formula(fmt::format("α · colour of {} + (1 − α) · frame[x,y]:  {} · {} + {} · {} = {}", t.label(e.polygon), number(e.opacity), text(over),
+                        number(1 - e.opacity), text(under), text(result)));
+  const auto off = [&](std::uint8_t top, std::uint8_t bottom, std::uint8_t is) {
+    return std::abs(e.opacity * top + (1 - e.opacity) * bottom - is) > 0.5 + 1e-9;
+  };
+  if (off(over.red, under.red, result.red) || off(over.green, under.green, result.green) || off(over.blue, under.blue, result.blue))
+    t.out.doubt = fmt::format("The trace records {}, which is not this mixture rounded to whole numbers.", text(result));
+}
+
 void tell(Telling& t, const PixelWrite& e) {
   const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
+  const Picture& picture = t.after.picture;
+  if (!picture.ink.empty() && picture.ink[picture.at(e.x, e.y)] != no_ink) {
+    t.say(fmt::format("{} is the nearest of what hides at pixel {}.", t.label(e.polygon), pixel(e.x, e.y)));
+    t.formula(fmt::format("polygon[{},{}] = {}", e.x, e.y, t.label(e.polygon)));
+    return;
+  }
   t.say(f ? fmt::format("Pixel {} takes the colour of {}; it showed {}.", pixel(e.x, e.y), t.label(e.polygon), t.label(f->stored_polygon))
           : fmt::format("Pixel {} takes the colour of {}.", pixel(e.x, e.y), t.label(e.polygon)));
   t.formula(fmt::format("frame[{},{}] = colour of {}", e.x, e.y, t.label(e.polygon)));

@@ -6,7 +6,7 @@
 namespace zstep::words {
 namespace {
 
-std::string name(const Telling& t, std::int32_t piece) { return part_label(t.scene, t.machine, piece); }
+std::string name(const Telling& t, std::int32_t piece) { return piece_label(t.scene, t.machine, piece); }
 
 const Piece* piece_at(const Telling& t, std::int32_t piece) {
   if (piece < 0 || static_cast<std::size_t>(piece) >= t.machine.pieces.size()) return nullptr;

@@ -102,11 +102,23 @@ void tell(Telling& t, const RayPlane& e) {
   t.value("t", e.t);
 }
 
+namespace {
+
+/// Is the t of a hit that is kept the same?
+bool as_near(const Telling& t, const RayHit& e) {
+  for (const RayHit& hit : t.machine.rays.hits)
+    if (hit.nearest && hit.t == e.t) return true;
+  return false;
+}
+
+}  // namespace
+
 void tell(Telling& t, const RayHit& e) {
   const std::string who = facet_name(t, e.facet);
   if (!e.inside) t.say(fmt::format("The point lies outside {}.", who));
   else if (e.nearest) t.say(fmt::format("The point lies inside {}, nearer than all before: it is kept.", who));
-  else t.say(fmt::format("The point lies inside {}, but something nearer is known.", who));
+  else t.say(as_near(t, e) ? fmt::format("The point lies inside {}, but something just as near was met first: a tie, and the first stays.", who)
+                           : fmt::format("The point lies inside {}, but something nearer is known.", who));
   t.formula(fmt::format("X = X_0 + t dX = {}", point(e.x_hit, e.y_hit, e.z_hit)));
   t.value("t", e.t);
   const RayRow* row = ray_now(t);

@@ -6,7 +6,7 @@
 namespace zstep::words {
 namespace {
 
-std::string name(const Telling& t, std::int32_t piece) { return part_label(t.scene, t.machine, piece); }
+std::string name(const Telling& t, std::int32_t piece) { return piece_label(t.scene, t.machine, piece); }
 
 /// What a node is called: its first piece.
 std::string node_name(const Telling& t, std::int32_t node) {

@@ -27,7 +27,7 @@ std::string row_times_point(const glm::dmat4& m, int row, const glm::dvec3& p) {
 }
 
 void tell_depth(Telling& t, const Projection& e, const glm::dvec3& v) {
-  const Camera& c = t.scene.camera;
+  const Camera& c = t.camera;
   if (t.conventions.depth == Conventions::Depth::view) {
     t.formula(fmt::format("z_v stays: {}", number(e.z)));
     t.hold_against("z_v", e.z, v.z);
@@ -62,14 +62,14 @@ void tell(Telling& t, const BuffersClear& e) {
 }
 
 void tell(Telling& t, const ViewTransform& e) {
-  t.say(fmt::format("Vertex {} goes from world to viewing coordinates: seen from the eye, x_v is to the right, y_v up, z_v away.",
-                    e.vertex));
+  t.say(fmt::format("Vertex {} goes from world to viewing coordinates: seen from the {}, x_v is to the right, y_v up, z_v away.",
+                    e.vertex, t.machine.pass == Pass::light ? "light" : "eye"));
   const double out[3] = {e.x_v, e.y_v, e.z_v};
   const char* names[3] = {"x_v", "y_v", "z_v"};
   const glm::dvec3* p = world(t, e.vertex);
   if (p) t.formula(fmt::format("T_v \u00b7 ({}, {}, {})", number(p->x), number(p->y), number(p->z)));
   for (int row = 0; row < 3; ++row) {
-    const glm::dmat4& m = t.scene.camera.view;
+    const glm::dmat4& m = t.camera.view;
     if (p) {
       t.formula(fmt::format("{} = {} = {}", names[row], row_times_point(m, row, *p), number(out[row])));
       t.hold_against(names[row], out[row], m[0][row] * p->x + m[1][row] * p->y + m[2][row] * p->z + m[3][row]);
@@ -81,7 +81,7 @@ void tell(Telling& t, const ViewTransform& e) {
 }
 
 void tell(Telling& t, const Projection& e) {
-  const Camera& c = t.scene.camera;
+  const Camera& c = t.camera;
   const VertexWay* w = way(t, e.vertex);
   const bool perspective = c.kind == Camera::Kind::perspective;
   t.say(perspective ? fmt::format("Vertex {} is projected: divided by its distance z_v, so what is far becomes small.", e.vertex)
@@ -102,7 +102,7 @@ void tell(Telling& t, const Projection& e) {
 }
 
 void tell(Telling& t, const ViewportTransform& e) {
-  const Camera& c = t.scene.camera;
+  const Camera& c = t.camera;
   const Raster& r = t.scene.raster;
   t.say(fmt::format("Vertex {} lands on the raster at column {}, row {}; pixel centres are at whole numbers.", e.vertex,
                     number(e.x_s), number(e.y_s)));

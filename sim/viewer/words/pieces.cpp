@@ -1,22 +1,6 @@
 #include "sim/viewer/words/pieces.hpp"
 
-#include <fmt/format.h>
-
-#include "sim/viewer/words/explain.hpp"
-
 namespace zstep {
-
-std::string part_label(const Scene& scene, const Machine& machine, std::int32_t piece) {
-  if (piece < 0 || static_cast<std::size_t>(piece) >= machine.pieces.size()) return fmt::format("piece {}", piece);
-  const Piece& one = machine.pieces[static_cast<std::size_t>(piece)];
-  const std::string polygon = polygon_label(scene, one.polygon);
-  if (one.parent < 0) return polygon;
-  int part = 1;
-  for (std::size_t before = 0; before < static_cast<std::size_t>(piece); ++before)
-    if (machine.pieces[before].polygon == one.polygon && machine.pieces[before].parent >= 0) ++part;
-  const bool digit = polygon.back() >= '0' && polygon.back() <= '9';
-  return fmt::format("{}{}{}", polygon, digit ? "." : "", part);
-}
 
 std::optional<glm::dvec3> cutting_point(const Scene& scene, const State& state, std::int32_t vertex) {
   const auto at = static_cast<std::size_t>(vertex);

@@ -1,19 +1,14 @@
-// What pieces of polygons are called, and where their vertices lie.
+// Where the vertices of pieces lie, and the nodes of the tree that they belong to.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include <glm/vec3.hpp>
 
 #include "traces/replay/state.hpp"
 
 namespace zstep {
-
-/// "F" for a piece that is a whole polygon, "F1", "F2" … for the parts of one in the order in which they were made
-/// ("P7.1" where the polygon has no name of its own).
-std::string part_label(const Scene& scene, const Machine& machine, std::int32_t piece);
 
 /// Where a vertex lies in the space in which pieces are cut: the world where the run builds a tree, else the raster.
 std::optional<glm::dvec3> cutting_point(const Scene& scene, const State& state, std::int32_t vertex);

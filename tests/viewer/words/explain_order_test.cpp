@@ -95,8 +95,8 @@ TEST_CASE("depth sort: the list") {
   CHECK(says(told_of(five_tests(), "mark").sentence, "G is marked"));
   CHECK(says(told_of(five_tests(), "take_out").sentence, "G leaves its place"));
   CHECK(says(told_of(five_tests(), "remove").sentence, "C leaves the list: its parts take over"));
-  CHECK(says(told_of(five_tests(), "part").sentence, "One part of C becomes a piece of its own, C/8: 4 corners"));
-  CHECK(says(told_of(five_tests(), "insert_part").sentence, "C/8 goes to the first place"));
+  CHECK(says(told_of(five_tests(), "part").sentence, "One part of C becomes a piece of its own, C1: 4 corners"));
+  CHECK(says(told_of(five_tests(), "insert_part").sentence, "C1 goes to the first place"));
   CHECK(says(told_of(five_tests(), "drawn").sentence, "A is drawn and leaves the list; 7 to go."));
 }
 

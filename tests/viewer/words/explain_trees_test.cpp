@@ -81,8 +81,8 @@ TEST_CASE("words: parts of a polygon are called by its name and a number") {
   const Machine& machine = replay.state().machine;
   std::string names;
   for (std::int32_t piece = 0; piece < static_cast<std::int32_t>(machine.pieces.size()); ++piece)
-    names += part_label(trace.scene(), machine, piece) + " ";
+    names += piece_label(trace.scene(), machine, piece) + " ";
   CHECK(names == "A B C D E F F1 F2 E1 E2 ");
   CHECK(node_of_piece(machine, 6) == 3);
-  CHECK(part_label(trace.scene(), machine, 99) == "piece 99");
+  CHECK(piece_label(trace.scene(), machine, 99) == "piece 99");
 }

@@ -1,0 +1,30 @@
+// The law of words: each event of each method has a sentence, a formula, and no doubt about an honest run.
+#include <set>
+
+#include <doctest/doctest.h>
+
+#include "sim/viewer/words/explain.hpp"
+#include "tests/golden/golden.hpp"
+#include "traces/replay/replay.hpp"
+
+using namespace zstep;
+
+TEST_CASE("law: every event of every golden trace is told, and its formula gives the recorded number") {
+  std::set<std::size_t> kinds;
+  test::for_each_golden([&](const std::string& name, const Trace& trace) {
+    CAPTURE(name);
+    Replay replay(trace);
+    while (replay.position() < trace.size()) {
+      replay.step_forward();
+      const Explanation told = explain(trace, replay.state(), *replay.current());
+      const auto position = replay.position();
+      CAPTURE(position);
+      CAPTURE(told.sentence);
+      REQUIRE_FALSE(told.sentence.empty());
+      REQUIRE(told.sentence.back() == '.');
+      REQUIRE_MESSAGE(!told.doubt, told.doubt.value_or(""), "; ", told.formulas.empty() ? "" : told.formulas.front());
+      kinds.insert(replay.current()->event.index());
+    }
+  });
+  CHECK_MESSAGE(kinds.size() == std::variant_size_v<Event>, "some kind of event is recorded by no golden trace");
+}
