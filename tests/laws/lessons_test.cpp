@@ -308,7 +308,26 @@ TEST_CASE("each scene takes every branch of its method's idea") {
   CHECK(stretches(2) > 0);
   CHECK(happens<EdgeSwap>("scan-line", [](const EdgeSwap&, const Machine&) { return true; }) > 0);
   CHECK(happens<ImpliedEdge>("scan-line", [](const ImpliedEdge&, const Machine&) { return true; }) > 0);
-  CHECK(happens<Saved>("scan-line", [](const Saved&, const Machine&) { return true; }) == 1);
+  const auto saved = [](Coherence thanks_to) {
+    return happens<Saved>("scan-line", [&](const Saved& s, const Machine&) { return s.coherence == thanks_to; });
+  };
+  CHECK(saved(Coherence::scan_line) == 1);
+  CHECK(saved(Coherence::implied_edge) == 2);
+
+  const auto rays = [](RayRole role) {
+    return happens<RayBegin>("ray-tracing", [&](const RayBegin& ray, const Machine&) { return ray.role == role; });
+  };
+  CHECK(rays(RayRole::eye) > 0);
+  CHECK(rays(RayRole::reflected) > 0);
+  CHECK(rays(RayRole::transmitted) > 0);
+
+  CHECK(happens<SideTest>("transparency", [](const SideTest& t, const Machine&) { return t.side == Side::crossing; }) == 1);
+  const auto blended = [](auto&& fits) {
+    return happens<ColorBlend>("transparency", [&](const ColorBlend& b, const Machine& m) { return fits(b, *m.fragment); });
+  };
+  CHECK(blended([](const ColorBlend& b, const Fragment&) { return b.opacity == 1; }) > 0);
+  CHECK(blended([](const ColorBlend& b, const Fragment& f) { return b.opacity < 1 && f.stored == no_depth; }) > 0);
+  CHECK(blended([](const ColorBlend& b, const Fragment& f) { return b.opacity < 1 && f.stored != no_depth; }) > 0);
 }
 
 }  // namespace
