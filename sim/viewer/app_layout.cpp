@@ -133,7 +133,7 @@ void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& low
 
 void App::draw_structures(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
-  // What does not get a readable width waits until there is one; the last pane (the scene) stays.
+  // What does not get a readable width waits until there is one; the last pane (the scene) stays, unless a plan of it does.
   std::vector<Pane> shown = structures_;
   const auto narrowest = [&] { return ui_.em * 11; };
   if (ui_.presenter) {
@@ -143,7 +143,10 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
                                [&](const Pane& pane) { return pane.id == (scanning ? edge_table_pane.id : active_edges_pane.id); }),
                 shown.end());
   }
-  while (shown.size() > 1 && size.x / static_cast<float>(shown.size()) < narrowest()) shown.erase(shown.end() - 2);
+  const bool planned = std::any_of(shown.begin(), shown.end(), [](const Pane& pane) { return pane.id == ray_plan_pane.id || pane.id == plan_pane.id; });
+  const auto too_many = [&] { return shown.size() > 1 && size.x / static_cast<float>(shown.size()) < narrowest(); };
+  if (planned && too_many()) shown.pop_back();
+  while (too_many()) shown.erase(shown.end() - 2);
   if (shown.empty()) return;
   const float room = size.x - gap * static_cast<float>(shown.size() - 1);
   const auto weight = [&](const Pane& pane) {

@@ -161,6 +161,13 @@ void draw_names(const Ui& ui, const Plan& plan) {
   }
 }
 
+/// Where a ray that is still waiting met something: its first child begins there.
+const RayBegin* first_child(const RayWork& rays, std::int32_t ray) {
+  for (const RayRow& row : rays.tree)
+    if (row.entry.parent == ray) return &row.entry;
+  return nullptr;
+}
+
 void draw_rays(const Ui& ui, const Plan& plan) {
   const Machine& machine = ui.session.state().machine;
   const Theme& c = ui.colors();
@@ -172,11 +179,12 @@ void draw_rays(const Ui& ui, const Plan& plan) {
     const bool met = row.end && row.end->nearest_facet >= 0;
     const double speed = std::max(1e-12, glm::length(along));
     const double t_end = met ? row.end->t : ray.role == RayRole::shadow ? 1 : plan.farthest() / speed;
-    const ImVec2 a = plan.place(from), b = plan.place(from + t_end * along);
+    const RayBegin* child = row.end ? nullptr : first_child(machine.rays, ray.ray);
+    const ImVec2 a = plan.place(from), b = plan.place(child ? glm::dvec3(child->x_0, child->y_0, child->z_0) : from + t_end * along);
     const ImU32 color = now ? c.now : c.text;
-    if (ray.role == RayRole::shadow || !met) dash(a, b, color, now ? 2.0f : 1.2f);
+    if (ray.role == RayRole::shadow || (!met && !child)) dash(a, b, color, now ? 2.0f : 1.2f);
     else list->AddLine(a, b, color, now ? 2.5f : 1.5f);
-    if (met) list->AddCircleFilled(b, 4, color, 12);
+    if (met || child) list->AddCircleFilled(b, 4, color, 12);
   }
   for (const RayHit& hit : machine.rays.hits) {
     const ImVec2 p = plan.place({hit.x_hit, hit.y_hit, hit.z_hit});

@@ -1,6 +1,7 @@
 // The rays of the pixel at work as tables: what the ray at work was held against, and the tree of rays.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -34,15 +35,18 @@ void draw_tests(Ui& ui) {
     TableRow row;
     const bool meets = test.t_enter <= test.t_leave;
     row.cells = {fmt::format("box {}", test.box), test.t_enter, test.t_leave,
-                 std::string(test.hit ? "look inside" : meets ? "too far" : "missed")};
+                 std::string(test.hit ? "met" : meets ? "too far" : "missed")};
     if (!test.hit) row.look = TableRow::Look::gone;
     if (just<BoxTest>(s) && &test == &rays.boxes.back()) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
   }
+  double kept = std::numeric_limits<double>::quiet_NaN();  // the smallest t so far
   for (const RayHit& hit : rays.hits) {
     TableRow row;
     row.cells = {facet_label(s.scene(), hit.facet), hit.t, std::string(),
-                 std::string(hit.nearest ? "nearest so far" : hit.inside ? "inside, farther" : "outside")};
+                 std::string(hit.nearest ? "nearest so far" : !hit.inside ? "outside" : hit.t == kept ? "inside, as near" : "inside, farther")};
+    row.cells.back().brief = hit.nearest ? "nearest" : !hit.inside ? "outside" : hit.t == kept ? "as near" : "farther";
+    if (hit.nearest) kept = hit.t;
     if (!hit.nearest) row.look = TableRow::Look::gone;
     if (just<RayHit>(s) && &hit == &rays.hits.back()) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
@@ -72,13 +76,15 @@ void draw_tree(Ui& ui) {
   const RayWork& rays = s.state().machine.rays;
   if (rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
   constexpr const char* roles[] = {"eye", "mirrored", "through", "to the light"};
+  constexpr const char* brief_roles[] = {"eye", "mirror", "through", "light"};
   std::vector<TableRow> rows;
   for (const RayRow& ray : rays.tree) {
     TableRow row;
-    std::string name;
-    for (int i = depth_in(rays, ray); i > 0; --i) name += i == 1 ? "\u2514 " : "  ";
-    name += roles[static_cast<std::size_t>(ray.entry.role)];
-    row.cells = {name};
+    std::string branch;
+    for (int i = depth_in(rays, ray); i > 0; --i) branch += i == 1 ? "\u2514 " : "  ";
+    const auto role = static_cast<std::size_t>(ray.entry.role);
+    row.cells = {branch + roles[role]};
+    row.cells.back().brief = branch + brief_roles[role];
     if (ray.end) {
       row.cells.emplace_back(facet_label(s.scene(), ray.end->nearest_facet));
       if (ray.end->nearest_facet >= 0) row.cells.emplace_back(ray.end->t);
@@ -89,6 +95,7 @@ void draw_tree(Ui& ui) {
         const auto part = [](double v) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0))); };
         const Color color{part(ray.end->red), part(ray.end->green), part(ray.end->blue)};
         row.cells.emplace_back(fmt::format("{} {} {}", color.red, color.green, color.blue), to_im(opaque(color)));
+        row.cells.back().brief = fmt::format("{:02x}{:02x}{:02x}", color.red, color.green, color.blue);
       }
     } else {
       row.cells.insert(row.cells.end(), {std::string("\u2026"), std::string(), std::string()});
@@ -96,7 +103,7 @@ void draw_tree(Ui& ui) {
     if (rays.ray == ray.entry.ray) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
   }
-  number_table(ui, "ray_tree", {"ray", "meets", "t", "brings back"}, rows);
+  number_table(ui, "ray_tree", {"ray", "meets", "t", "colour"}, rows);
 }
 
 std::string note_tree(Ui& ui) {
