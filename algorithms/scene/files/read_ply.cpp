@@ -145,7 +145,7 @@ class Reader {
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex") declared_points_ = element.count;
       if (element.name == "tristrips" && element.count > 0)
-        soup_.notes.push_back("triangle strips are not read; export the mesh with faces");
+        soup_.notes.emplace_back("triangle strips are not read; export the mesh with faces");
     }
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;  // it takes no bytes, whatever its count
