@@ -6,8 +6,11 @@
 #if ZSTEP_HAS_LANES
 
 #include <algorithm>
+#include <atomic>
+#include <barrier>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <vector>
 
 #include "algorithms/scan_conversion/spans.hpp"
@@ -19,10 +22,12 @@ namespace {
 
 using namespace lanes;
 
+// What one thread draws: all outlines, on the rows of its band. It touches no memory of other rows.
 struct Fill {
-  const Scene& scene;
   const Outlines& all;
   Picture& picture;
+  std::int32_t first_row, end_row;
+  bool clear_first;
 };
 
 // An edge, from its end with the smaller y to its end with the larger.
@@ -51,16 +56,16 @@ ZSTEP_INLINE void fill_pixels(double x, double z, double dx, double dz, double f
 
 // One span of any length.
 ZSTEP_INLINE void fill_span(double x_left, double z_left, double dx, double dz, std::int32_t first, std::int32_t end,
-                            std::int32_t row, std::int32_t polygon, Picture& picture) {
+                            std::int32_t row, std::int32_t polygon, std::int32_t band_end, Picture& picture) {
   const std::size_t start = picture.at(0, row);
   double* const depth = picture.depth.data() + start;
   std::int32_t* const frame = picture.polygon.data() + start;
-  const auto room = static_cast<std::ptrdiff_t>(picture.depth.size() - start);
+  const auto room = static_cast<std::ptrdiff_t>(picture.at(0, band_end) - start);
   std::int32_t x = first;
   for (; x < end && x + four <= room; x += four) {
     fill_pixels(x_left, z_left, dx, dz, x, end, depth + x, frame + x, polygon);
   }
-  for (; x < end; ++x) {  // the last pixels of the raster
+  for (; x < end; ++x) {  // the last pixels of the band
     const double z = z_left + dz * (x - x_left) / dx;
     if (z < depth[x]) depth[x] = z, frame[x] = polygon;
   }
@@ -118,36 +123,28 @@ ZSTEP_INLINE bool find_spans(const FastEdge* edges, int count, std::int32_t row,
 
 // False if a scan line meets more than two edges; what was drawn of the rows above it may be drawn again.
 ZSTEP_INLINE bool fill_rows(const FastEdge* edges, int count, std::int32_t row, std::int32_t end_row,
-                            std::int32_t polygon, Picture& picture) {
+                            std::int32_t polygon, std::int32_t band_end, Picture& picture) {
   for (; row < end_row; row += four) {
     FourSpans spans;
     if (!find_spans(edges, count, row, picture.width, spans)) return false;
-    // Eight pixels from any of four rows on are in the picture.
-    const bool room = row + four < picture.height && picture.width >= 2 * four;
+    // Eight pixels from any of four rows on are in the band.
+    const bool room = row + four < band_end && picture.width >= 2 * four;
     if (room && !any(spans.end - spans.first > four)) {
       fill_short_spans(spans, four, polygon, picture);
     } else if (room && !any(spans.end - spans.first > 2 * four)) {
       fill_short_spans(spans, 2 * four, polygon, picture);
     } else {
-      for (int k = 0; k < std::min<int>(four, picture.height - row); ++k) {
+      for (int k = 0; k < std::min<int>(four, band_end - row); ++k) {
         fill_span(spans.x[k], spans.z[k], spans.dx[k], spans.dz[k], static_cast<std::int32_t>(spans.first[k]),
-                  static_cast<std::int32_t>(spans.end[k]), row + k, polygon, picture);
+                  static_cast<std::int32_t>(spans.end[k]), row + k, polygon, band_end, picture);
       }
     }
   }
   return true;
 }
 
-// The first row at or below y, limited to the raster.
-ZSTEP_INLINE std::int32_t row_from(double y, std::int32_t height) {
-  if (!(y > 0)) return 0;
-  if (y >= height) return height;
-  const auto row = static_cast<std::int32_t>(y);
-  return row + (row < y);
-}
-
 ZSTEP_INLINE const std::int32_t* corners_of(const Fill& fill, const FastOutline& outline) {
-  return (outline.clipped ? fill.all.made : fill.scene.corners).data() + outline.first;
+  return (outline.clipped ? fill.all.made : fill.all.scene.corners).data() + outline.first;
 }
 
 ZSTEP_INLINE bool fill_without_tables(Fill& fill, const FastOutline& outline) {
@@ -156,18 +153,16 @@ ZSTEP_INLINE bool fill_without_tables(Fill& fill, const FastOutline& outline) {
   const RasterPoint* const points = fill.all.points.data();
   const RasterPoint* from = points + corners[outline.count - 1];
   FastEdge edges[most_edges];
-  double top = from->y, low = from->y;
   for (std::int32_t i = 0; i < outline.count; ++i) {
     const RasterPoint* const to = points + corners[i];
     const RasterPoint* const ends[2] = {from, to};
     const bool upwards = from->y > to->y;  // a place in `ends` rather than a branch
     const RasterPoint *const start = ends[upwards], *const end = ends[!upwards];
     edges[i] = {start->x, start->y, start->z, end->x - start->x, end->y - start->y, end->z - start->z, end->y};
-    top = std::min(top, to->y), low = std::max(low, to->y);
     from = to;
   }
-  const std::int32_t row = row_from(top, fill.picture.height), end_row = row_from(low, fill.picture.height);
-  return fill_rows(edges, outline.count, row, end_row, outline.polygon, fill.picture);
+  const std::int32_t row = std::max(outline.row, fill.first_row), end_row = std::min(outline.end_row, fill.end_row);
+  return fill_rows(edges, outline.count, row, end_row, outline.polygon, fill.end_row, fill.picture);
 }
 
 // The way of z_buffer.cpp, for an outline that goes up and down more than once.
@@ -182,49 +177,100 @@ void fill_with_tables(Fill& fill, const FastOutline& outline) {
   }
   scan_conversion::EdgeTable edges;
   scan_conversion::ActiveEdges active;
-  const Raster& raster = fill.scene.raster;
+  const Raster& raster = fill.all.scene.raster;
   constexpr auto top_left = Conventions::Coverage::top_left;
   build_edge_table(edges, outline.polygon, numbers, vertices, raster, top_left, record);
   for (std::int32_t y = edges.first_row; y < edges.end_row; ++y) {
     begin_scan_line(active, edges, y, true, record);
+    if (y < fill.first_row || y >= fill.end_row) continue;
     for (std::size_t i = 0; i + 1 < active.edges.size(); i += 2) {
       const auto span = begin_span(edges, active.edges[i], active.edges[i + 1], y, raster, top_left, record);
       fill_span(span.x_left, span.z_left, span.x_right - span.x_left, span.z_right - span.z_left, span.first,
-                span.last + 1, y, outline.polygon, fill.picture);
+                span.last + 1, y, outline.polygon, fill.end_row, fill.picture);
     }
   }
 }
 
-ZSTEP_INLINE void fill_all(Fill& fill) {
-  for (const FastOutline& outline : fill.all.outlines) {
-    if (!fill_without_tables(fill, outline)) fill_with_tables(fill, outline);
+ZSTEP_INLINE void fill_band(Fill& fill) {
+  if (fill.clear_first) {
+    const std::size_t first = fill.picture.at(0, fill.first_row), end = fill.picture.at(0, fill.end_row);
+    std::fill(fill.picture.depth.data() + first, fill.picture.depth.data() + end, no_depth);
+    std::fill(fill.picture.polygon.data() + first, fill.picture.polygon.data() + end, no_polygon);
+  }
+  for (const std::vector<FastOutline>& part : fill.all.parts) {
+    for (const FastOutline& outline : part) {
+      if (outline.row >= fill.end_row || outline.end_row <= fill.first_row) continue;
+      if (!fill_without_tables(fill, outline)) fill_with_tables(fill, outline);
+    }
   }
 }
-ZSTEP_FOR_THIS_PROCESSOR(fill_all, Fill)
+ZSTEP_FOR_THIS_PROCESSOR(fill_band, Fill)
+
+int threads_for(const Raster& raster, int wanted) {
+  constexpr int most = 16, rows_worth_it = 64;
+  if (wanted > 0) return std::clamp(wanted, 1, std::max(1, raster.height));
+  const int there = static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(std::min(there, raster.height / rows_worth_it), 1, most);
+}
+
+// More than threads, as some have more to draw; and each small enough to stay near the processor while it is drawn.
+std::int32_t bands_for(const Raster& raster, int threads) {
+  constexpr std::int64_t near_by = 1 << 20;  // bytes
+  const std::int64_t bytes = std::int64_t{raster.width} * raster.height * (sizeof(double) + sizeof(std::int32_t));
+  const std::int64_t shared = threads == 1 ? 1 : 4 * threads;
+  return static_cast<std::int32_t>(std::min<std::int64_t>(std::max(shared, bytes / near_by), std::max(1, raster.height / 8)));
+}
 
 }  // namespace
 
-Picture run_fast(const Scene& scene, const Conventions& conventions) {
+void run_fast(const Scene& scene, const Conventions& conventions, Picture& picture, int wanted) {
+  const Raster& raster = scene.raster;
   const bool one_order = conventions.interpolation == Conventions::Interpolation::increments ||
                          conventions.coverage == Conventions::Coverage::inclusive;
   if (one_order) {
     NullRecorder record;
-    return run(scene, conventions, record);
+    picture = run(scene, conventions, record);
+    return;
   }
-  const Outlines all = find_outlines(scene, conventions);
-  Picture picture(scene.raster.width, scene.raster.height);
-  Fill fill{scene, all, picture};
-  fill_all_on_this_processor(fill);
-  return picture;
+  const bool kept = picture.width == raster.width && picture.height == raster.height;
+  if (kept) picture.ink.clear();
+  else picture = Picture(raster.width, raster.height);
+
+  const int threads = threads_for(raster, wanted);
+  const std::int32_t bands = bands_for(raster, threads);
+  Outlines all(scene, conventions, static_cast<std::size_t>(threads));
+  std::atomic<std::int32_t> next_band = 0;
+  std::barrier viewed(threads);
+  std::barrier found(threads, [&]() noexcept { all.finish(); });
+  const auto work = [&](std::size_t thread) {
+    all.view(thread);
+    viewed.arrive_and_wait();
+    all.find(thread);
+    found.arrive_and_wait();
+    for (std::int32_t band = next_band++; band < bands; band = next_band++) {
+      const auto row_of = [&](std::int32_t k) { return static_cast<std::int32_t>(std::int64_t{raster.height} * k / bands); };
+      Fill fill{all, picture, row_of(band), row_of(band + 1), kept};
+      fill_band_on_this_processor(fill);
+    }
+  };
+  std::vector<std::jthread> others;
+  for (int thread = 1; thread < threads; ++thread) others.emplace_back(work, static_cast<std::size_t>(thread));
+  work(0);
 }
 
 }  // namespace zstep::z_buffer
 
 #else
 
-zstep::Picture zstep::z_buffer::run_fast(const Scene& scene, const Conventions& conventions) {
+void zstep::z_buffer::run_fast(const Scene& scene, const Conventions& conventions, Picture& picture, int) {
   NullRecorder record;
-  return run(scene, conventions, record);
+  picture = run(scene, conventions, record);
 }
 
 #endif
+
+zstep::Picture zstep::z_buffer::run_fast(const Scene& scene, const Conventions& conventions) {
+  Picture picture;
+  run_fast(scene, conventions, picture);
+  return picture;
+}

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -21,14 +22,15 @@ using namespace lanes;
 constexpr std::int32_t unsound = 1 << 6;
 
 struct Stage {
-  const Scene& scene;
-  const Conventions& conventions;
-  viewing::Lens lens;
-  bool orthographic;
-  Outlines result;
-  viewing::Vertices vertices;  // for the facets that find_outline looks at
-  clipping::Outline outline;
+  Outlines& all;
+  std::size_t part;
+  const Scene& scene = all.scene;
+  viewing::Lens lens{scene.camera, scene.raster, all.conventions.depth};
+  bool orthographic = scene.camera.kind == Camera::Kind::orthographic;
 };
+
+// Of an outline that finish() is to look at: its facet's number stands in `first`.
+constexpr std::int32_t wants_a_look = -1;
 
 ZSTEP_INLINE std::int32_t soundness(double x, double y, double z) {
   constexpr double limit = 1e9;  // as clip.cpp has it
@@ -39,10 +41,11 @@ ZSTEP_INLINE std::int32_t soundness(double x, double y, double z) {
 // viewing/vertices.cpp with viewing/camera.cpp, for four points at a time.
 ZSTEP_INLINE void view_points(Stage& stage) {
   const auto& from = stage.scene.points;
+  const Range range = part_of(from.size(), stage.part, stage.all.parts.size(), four);
   const viewing::Lens lens = stage.lens;
   const glm::dmat4 view = stage.scene.camera.view;
   const bool view_z = lens.depth == Conventions::Depth::view;
-  for (std::size_t first = 0; first < from.size(); first += four) {
+  for (std::size_t first = range.first; first < range.end; first += four) {
     double xyz[3][four];
     for (std::size_t k = 0; k < four; ++k) {
       const glm::dvec3& point = from[std::min(first + k, from.size() - 1)];
@@ -67,9 +70,9 @@ ZSTEP_INLINE void view_points(Stage& stage) {
     const Doubles y_s = (lens.window_y - y_p) / (2 * lens.window_y) * lens.height - 0.5;
     const Mask outside = (~(z_v - lens.near >= 0) & 1) | (~(lens.far - z_v >= 0) & 2) | (~(w_c + x_c >= 0) & 4) |
                          (~(w_c - x_c >= 0) & 8) | (~(w_c + y_c >= 0) & 16) | (~(w_c - y_c >= 0) & 32);
-    for (std::size_t k = 0; k < four && first + k < from.size(); ++k) {
+    for (std::size_t k = 0; k < four && first + k < range.end; ++k) {
       const auto code = static_cast<std::int32_t>(outside[k]);
-      stage.result.points[first + k] = {x_s[k], y_s[k], depth[k], code | soundness(x_s[k], y_s[k], depth[k])};
+      stage.all.points[first + k] = {x_s[k], y_s[k], depth[k], code | soundness(x_s[k], y_s[k], depth[k])};
     }
   }
 }
@@ -94,82 +97,126 @@ ZSTEP_INLINE Seen test_facet(const Stage& stage, clipping::Corners corners) {
   const bool clear = away * away > 1e-20 * glm::dot(sight, sight) * area && area > 1e-20 * extent * extent &&
                      area > 1e-290 && area < 1e290;
   if (!clear) return Seen::unclear;
-  return away > 0 && stage.conventions.cull ? Seen::no : Seen::yes;
+  return away > 0 && stage.all.conventions.cull ? Seen::no : Seen::yes;
 }
 
-// The taught way, for one facet.
-void find_slowly(Stage& stage, const Facet& facet) {
-  NullRecorder record;
-  const std::size_t points = stage.scene.points.size();
-  stage.vertices.resize(points);
-  for (std::int32_t i = 0; i < facet.corner_count; ++i) {
-    const auto n = static_cast<std::size_t>(stage.scene.corners[static_cast<std::size_t>(facet.first_corner + i)]);
-    const RasterPoint& point = stage.result.points[n];
-    const glm::dvec3 view(stage.scene.camera.view * glm::dvec4(stage.scene.points[n], 1));
-    stage.vertices[n] = {view, {point.x, point.y, point.z}, point.outside & ~unsound};
-  }
-  const bool cull = stage.conventions.cull;
-  if (!clipping::find_outline(stage.scene, facet, cull, stage.lens, stage.vertices, stage.outline, record)) return;
+// The first row at or below y, limited to the raster.
+ZSTEP_INLINE std::int32_t row_from(double y, std::int32_t height) {
+  if (!(y > 0)) return 0;
+  if (y >= height) return height;
+  const auto row = static_cast<std::int32_t>(y);
+  return row + (row < y);
+}
 
-  auto& [all, made, outlines] = stage.result;
-  const auto first = static_cast<std::int32_t>(made.size()), before = static_cast<std::int32_t>(all.size() - points);
-  outlines.push_back({facet.polygon, first, static_cast<std::int32_t>(stage.outline.size()), true});
-  for (const std::int32_t index : stage.outline) {
-    made.push_back(static_cast<std::size_t>(index) < points ? index : index + before);
-  }
-  for (std::size_t i = points; i < stage.vertices.size(); ++i) {
-    const glm::dvec3 raster = stage.vertices[i].raster;
-    all.push_back({raster.x, raster.y, raster.z, 0});
+void view_screen_points(Stage& stage) {
+  const auto& from = stage.scene.points;
+  const Range range = part_of(from.size(), stage.part, stage.all.parts.size(), four);
+  for (std::size_t i = range.first; i < range.end; ++i) {
+    const glm::dvec3& p = from[i];
+    stage.all.points[i] = {p.x, p.y, p.z, soundness(p.x, p.y, p.z)};
   }
 }
 
-ZSTEP_INLINE void find(Stage& stage) {
+ZSTEP_INLINE void find_facets(Stage& stage) {
   const Scene& scene = stage.scene;
   const bool screen = scene.camera.kind == Camera::Kind::screen;
-  Outlines& result = stage.result;
-  if (screen) {
-    std::transform(scene.points.begin(), scene.points.end(), result.points.begin(), [](const glm::dvec3& p) {
-      return RasterPoint{p.x, p.y, p.z, soundness(p.x, p.y, p.z)};
-    });
-  } else {
-    view_points(stage);
-  }
-  for (const Facet& facet : scene.facets) {
+  const RasterPoint* const points = stage.all.points.data();
+  std::vector<FastOutline>& found = stage.all.parts[stage.part];
+  const Range range = part_of(scene.facets.size(), stage.part, stage.all.parts.size(), 1);
+  found.reserve(range.end - range.first);
+  for (std::size_t number = range.first; number < range.end; ++number) {
+    const Facet& facet = scene.facets[number];
     if (facet.corner_count < 3) continue;
     const clipping::Corners corners(scene.corners.data() + facet.first_corner,
                                     static_cast<std::size_t>(facet.corner_count));
     std::int32_t outside_some = 0, outside_all = unsound - 1;
+    double top = points[corners[0]].y, low = top;
     for (const std::int32_t corner : corners) {
-      const std::int32_t outside = result.points[static_cast<std::size_t>(corner)].outside;
-      outside_some |= outside, outside_all &= outside;
+      const RasterPoint& point = points[corner];
+      outside_some |= point.outside, outside_all &= point.outside;
+      top = std::min(top, point.y), low = std::max(low, point.y);
     }
     if (outside_all != 0) continue;
     const Seen seen = screen ? Seen::yes : test_facet(stage, corners);
     if (seen == Seen::no) continue;
     if (seen == Seen::unclear || outside_some != 0) {
-      find_slowly(stage, facet);
+      found.push_back({facet.polygon, static_cast<std::int32_t>(number), wants_a_look, false, 0, 0});
     } else {
-      result.outlines.push_back({facet.polygon, facet.first_corner, facet.corner_count, false});
+      const std::int32_t row = row_from(top, scene.raster.height), end_row = row_from(low, scene.raster.height);
+      if (row < end_row) found.push_back({facet.polygon, facet.first_corner, facet.corner_count, false, row, end_row});
     }
   }
 }
 
-ZSTEP_FOR_THIS_PROCESSOR(find, Stage)
+ZSTEP_FOR_THIS_PROCESSOR(view_points, Stage)
+ZSTEP_FOR_THIS_PROCESSOR(find_facets, Stage)
+
+// The taught way, for one facet. False if it is not to be drawn.
+bool look_closely(Outlines& all, const viewing::Lens& lens, viewing::Vertices& vertices, FastOutline& outline) {
+  const Scene& scene = all.scene;
+  const Facet& facet = scene.facets[static_cast<std::size_t>(outline.first)];
+  NullRecorder record;
+  const std::size_t points = scene.points.size();
+  vertices.resize(points);
+  for (std::int32_t i = 0; i < facet.corner_count; ++i) {
+    const auto n = static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + i)]);
+    const RasterPoint& point = all.points[n];
+    const glm::dvec3 view(scene.camera.view * glm::dvec4(scene.points[n], 1));
+    vertices[n] = {view, {point.x, point.y, point.z}, point.outside & ~unsound};
+  }
+  clipping::Outline clipped;
+  if (!clipping::find_outline(scene, facet, all.conventions.cull, lens, vertices, clipped, record)) return false;
+
+  const auto before = static_cast<std::int32_t>(all.points.size() - points);
+  outline.first = static_cast<std::int32_t>(all.made.size());
+  outline.count = static_cast<std::int32_t>(clipped.size());
+  outline.clipped = true;
+  double top = std::numeric_limits<double>::infinity(), low = -top;
+  for (const std::int32_t index : clipped) {
+    all.made.push_back(static_cast<std::size_t>(index) < points ? index : index + before);
+    const double y = vertices[static_cast<std::size_t>(index)].raster.y;
+    top = std::min(top, y), low = std::max(low, y);
+  }
+  for (std::size_t i = points; i < vertices.size(); ++i) {
+    const glm::dvec3 raster = vertices[i].raster;
+    all.points.push_back({raster.x, raster.y, raster.z, 0});
+  }
+  outline.row = row_from(top, scene.raster.height), outline.end_row = row_from(low, scene.raster.height);
+  return true;
+}
 
 }  // namespace
 
-Outlines find_outlines(const Scene& scene, const Conventions& conventions) {
-  Stage stage{scene,
-              conventions,
-              viewing::Lens(scene.camera, scene.raster, conventions.depth),
-              scene.camera.kind == Camera::Kind::orthographic,
-              {},
-              {},
-              {}};
-  stage.result.points.resize(scene.points.size());
-  stage.result.outlines.reserve(scene.facets.size());
-  find_on_this_processor(stage);
-  return std::move(stage.result);
+Range part_of(std::size_t count, std::size_t k, std::size_t parts, std::size_t step) {
+  const std::size_t each = (count / step + parts) / parts * step;
+  return {std::min(count, k * each), std::min(count, (k + 1) * each)};
+}
+
+Outlines::Outlines(const Scene& scene_, const Conventions& conventions_, std::size_t parts_)
+    : scene(scene_), conventions(conventions_), points(scene_.points.size()), parts(parts_) {}
+
+void Outlines::view(std::size_t part) {
+  Stage stage{*this, part};
+  if (scene.camera.kind == Camera::Kind::screen) view_screen_points(stage);
+  else view_points_on_this_processor(stage);
+}
+
+void Outlines::find(std::size_t part) {
+  Stage stage{*this, part};
+  find_facets_on_this_processor(stage);
+}
+
+void Outlines::finish() {
+  const viewing::Lens lens(scene.camera, scene.raster, conventions.depth);
+  viewing::Vertices vertices;
+  for (std::vector<FastOutline>& part : parts) {
+    std::size_t kept = 0;
+    for (FastOutline outline : part) {
+      const bool drawn = outline.count != wants_a_look || look_closely(*this, lens, vertices, outline);
+      if (drawn) part[kept++] = outline;
+    }
+    part.resize(kept);
+  }
 }
 
 }  // namespace zstep::z_buffer

@@ -5,20 +5,20 @@
 // - llvmpipe runs in this one thread, too (LP_NUM_THREADS=0), and is built with LLVM, here for AVX2 or AVX-512 as it
 //   sees fit. It gets what suits it: positions and colours in its own memory, one call with shared vertices, flat
 //   colours (a triangle's last vertex says which), no texture and no light. Polygons come to it as triangles.
-// - llvmpipe keeps colours of 4 bytes and depths of 24 bits beside 8 unused; zstep polygon numbers of 4 bytes and
-// depths
+// - llvmpipe keeps colours of 4 bytes and depths of 24 bits beside 8 unused; zstep polygon numbers of 4 bytes and depths
 //   of 8. llvmpipe computes in float32 and puts vertices on a grid of 1/256 pixel; zstep computes in float64, and
 //   run_fast must give every bit of the taught loop, which is checked.
-// - zstep makes a new Picture each frame and decides facing in space; llvmpipe keeps its buffers, decides by the sign
-// of
-//   the triangle's area, and copies the colours to the caller's memory at the end.
-// The three take turns; medians of processor time, and of the ratios within a turn.
+// - Both keep their buffers from frame to frame; the taught loop makes a new Picture. zstep decides facing in space,
+//   llvmpipe by the sign of the triangle's area, and it copies the colours to the caller's memory at the end.
+// - run_fast draws in one thread, and in as many as the processor runs at once.
+// All take turns; medians of the time on the wall, and of the ratios within a turn.
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
@@ -36,9 +36,9 @@ namespace {
 
 template <class Frame>
 double milliseconds(int frames, Frame frame) {
-  const std::clock_t begin = std::clock();
+  const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < frames; ++i) frame();
-  return 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / frames;
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() / frames;
 }
 
 int drawn(const Picture& picture) {
@@ -62,15 +62,15 @@ void compare(const std::string& name, const Scene& scene, bool cull) {
   Conventions conventions;
   conventions.cull = cull;
   NullRecorder record;
-  Picture picture;
-  std::vector<double> taught, fast, clear, mesa, over_taught, over_mesa;
+  Picture picture, kept;
+  std::vector<double> taught, one, all, mesa, one_over_taught, all_over_taught, one_over_mesa, all_over_mesa;
   const auto run = [&] { picture = {}, picture = z_buffer::run(scene, conventions, record); };
-  const auto run_fast = [&] { picture = {}, picture = z_buffer::run_fast(scene, conventions); };
-  const auto run_clear = [&] { picture = {}, picture = Picture(scene.raster.width, scene.raster.height); };
+  const auto run_one = [&] { z_buffer::run_fast(scene, conventions, kept, 1); };
+  const auto run_all = [&] { z_buffer::run_fast(scene, conventions, kept); };
   run();
   const Picture expected = picture;
-  run_fast();
-  if (!(picture == expected)) {
+  run_one();
+  if (!(kept == expected)) {
     fmt::print(stderr, "{}: run_fast draws another picture\n", name);
     std::exit(1);
   }
@@ -83,31 +83,35 @@ void compare(const std::string& name, const Scene& scene, bool cull) {
     std::exit(1);
   }
 #endif
-  const int frames = 1 + static_cast<int>(4 / milliseconds(3, run_fast));
+  const int frames = 1 + static_cast<int>(4 / milliseconds(3, run_one));
   for (int round = 0; round < rounds; ++round) {
     taught.push_back(milliseconds(std::max(1, frames / 3), run));
-    fast.push_back(milliseconds(frames, run_fast));
-    clear.push_back(milliseconds(frames, run_clear));
-    over_taught.push_back(taught.back() / fast.back());
+    one.push_back(milliseconds(frames, run_one));
+    all.push_back(milliseconds(frames, run_all));
+    one_over_taught.push_back(taught.back() / one.back());
+    all_over_taught.push_back(taught.back() / all.back());
 #if ZSTEP_BENCH_LLVMPIPE
     mesa.push_back(milliseconds(std::max(1, frames / 3), [&] { llvmpipe.draw_frame(); }));
-    over_mesa.push_back(mesa.back() / fast.back());
+    one_over_mesa.push_back(mesa.back() / one.back());
+    all_over_mesa.push_back(mesa.back() / all.back());
 #endif
   }
-  fmt::print("{:26} {:>8} {:>8} {:>9.3f} {:>9.3f} {:>9.3f}", name, scene.facets.size(), drawn(expected), median(taught),
-             median(fast), median(clear));
+  fmt::print("{:24} {:>7} {:>7} {:>8.3f} {:>8.3f} {:>8.3f}", name, scene.facets.size(), drawn(expected), median(taught), median(one), median(all));
   if (mesa.empty()) {
-    fmt::print(" {:>9} {:>9.2f} {:>11}\n", "-", median(over_taught), "-");
+    fmt::print(" {:>8}   {:>5.2f} {:>5.2f}   {:>5} {:>5}\n", "-", median(one_over_taught), median(all_over_taught), "-", "-");
   } else {
-    fmt::print(" {:>9.3f} {:>9.2f} {:>11.2f}\n", median(mesa), median(over_taught), median(over_mesa));
+    fmt::print(" {:>8.3f}   {:>5.2f} {:>5.2f}   {:>5.2f} {:>5.2f}\n", median(mesa), median(one_over_taught), median(all_over_taught),
+               median(one_over_mesa), median(all_over_mesa));
   }
 }
 
 }  // namespace
 
 int main() {
-  fmt::print("{:26} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>11}\n", "ms a frame of 1024x768", "facets", "pixels",
-             "taught", "run_fast", "(clear)", "llvmpipe", "x taught", "x llvmpipe");
+  fmt::print("{:24} {:>7} {:>7} {:>8} {:>17} {:>8}   {:>11}   {:>11}\n", "ms a frame of 1024x768", "facets", "pixels", "taught",
+             "run_fast", "llvmpipe", "x taught", "x llvmpipe");
+  fmt::print("{:24} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8}   {:>5} {:>5}   {:>5} {:>5}\n", "", "", "", "", "1 thread",
+             fmt::format("{} thr.", std::thread::hardware_concurrency()), "1 thread", "1", "all", "1", "all");
   for (const std::string name : {"teapot:4", "teapot:8", "teapot:16", "teapot:32", "teapot:64"}) {
     compare(name, teapot(name), true);
   }

@@ -44,10 +44,15 @@ std::vector<Conventions> all_conventions() {
 // How many pixels are drawn under those conventions that draw most.
 int check_same(const Scene& scene, const std::vector<Conventions>& all) {
   NullRecorder record;
+  static Picture kept;
   int count = 0;
   for (const Conventions& conventions : all) {
     const Picture taught = z_buffer::run(scene, conventions, record);
     CHECK(same_bits(z_buffer::run_fast(scene, conventions), taught));
+    for (const int threads : {1, 2, 3, 7}) {  // into what the run before has left
+      z_buffer::run_fast(scene, conventions, kept, threads);
+      CHECK(same_bits(kept, taught));
+    }
     count = std::max(count, drawn(taught));
   }
   return count;
