@@ -216,8 +216,9 @@ int threads_for(const Raster& raster, int wanted) {
 // More than threads, as some have more to draw; and each small enough to stay near the processor while it is drawn.
 std::int32_t bands_for(const Raster& raster, int threads) {
   constexpr std::int64_t near_by = 1 << 20;  // bytes
-  const std::int64_t bytes = std::int64_t{raster.width} * raster.height * (sizeof(double) + sizeof(std::int32_t));
-  const std::int64_t shared = threads == 1 ? 1 : 4 * threads;
+  constexpr std::int64_t of_pixel = sizeof(double) + sizeof(std::int32_t);
+  const std::int64_t bytes = of_pixel * raster.width * raster.height;
+  const std::int64_t shared = threads == 1 ? 1 : 4 * std::int64_t{threads};
   return static_cast<std::int32_t>(std::min<std::int64_t>(std::max(shared, bytes / near_by), std::max(1, raster.height / 8)));
 }
 
