@@ -142,7 +142,7 @@ TEST_SUITE("transparency") {
   }
 
   TEST_CASE("each pixel of a soup that cuts through itself is its layers, mixed one by one; the other orders differ") {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : std::vector<std::uint64_t>{1, 2, 3}) {
       const Scene scene = soup(seed, 24, 0.2);
       const auto layers = layers_of(scene);
       const auto wrong = [&](const char* order) {
@@ -184,7 +184,7 @@ TEST_SUITE("transparency") {
       return all;
     };
     bool once_apart = false;
-    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    for (const std::uint64_t seed : std::vector<std::uint64_t>{1, 2, 3, 4}) {
       CHECK(colors(shuffled(seed), "back-to-front") == colors(scene, "back-to-front"));
       once_apart = once_apart || colors(shuffled(seed), "file") != colors(scene, "file");
     }
