@@ -38,6 +38,7 @@ struct Ui {
   HitCounts hits;
   ScanLineMarks lines;
   CurveMarks curves;
+  RowMarks rows;
   RasterView view;
   std::map<std::string, RasterContent> rasters;  ///< by pane
   std::map<std::string, Canvas> canvases;        ///< by what is painted there

@@ -82,24 +82,48 @@ const ScanLineMarks::Stretch& ScanLineMarks::at(const Trace& trace, std::int64_t
   return *stretch_;
 }
 
+namespace {
+
+/// Calls visit(position, event) for each event of kind E; for none where the trace is too long to look through.
+template <class E, class Visit>
+void visit_each(const Trace& trace, Visit&& visit) {
+  const Page& page = trace.header().page;
+  const bool any = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<E>; });
+  if (!any || trace.size() > quick) return;
+  trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t, const auto& event) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(event)>, E>) visit(position, event);
+    return true;
+  });
+}
+
+/// The last mark at or before a position: its place, −1 before the first.
+template <class Mark>
+std::ptrdiff_t last_before(const std::vector<Mark>& marks, std::int64_t position) {
+  const auto after = std::upper_bound(marks.begin(), marks.end(), position, [](std::int64_t p, const Mark& mark) { return p < mark.position; });
+  return after - marks.begin() - 1;
+}
+
+}  // namespace
+
 const std::vector<CurveMarks::Mark>& CurveMarks::of(const Trace& trace) {
   if (marks_) return *marks_;
   marks_.emplace();
-  const Page& page = trace.header().page;
-  const bool any = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<CurveBegin>; });
-  if (!any || trace.size() > quick) return *marks_;
-  trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t, const auto& event) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(event)>, CurveBegin>) marks_->push_back({position, event});
-    return true;
+  visit_each<CurveBegin>(trace, [&](std::int64_t position, const CurveBegin& curve) { marks_->push_back({position, curve}); });
+  return *marks_;
+}
+
+std::ptrdiff_t CurveMarks::at(const Trace& trace, std::int64_t position) { return last_before(of(trace), position); }
+
+const std::vector<RowMarks::Mark>& RowMarks::of(const Trace& trace) {
+  if (marks_) return *marks_;
+  marks_.emplace();
+  visit_each<RayBegin>(trace, [&](std::int64_t position, const RayBegin& ray) {
+    if (marks_->empty() || marks_->back().y != ray.y) marks_->push_back({position, ray.y});
   });
   return *marks_;
 }
 
-std::ptrdiff_t CurveMarks::at(const Trace& trace, std::int64_t position) {
-  const std::vector<Mark>& marks = of(trace);
-  const auto after = std::upper_bound(marks.begin(), marks.end(), position, [](std::int64_t p, const Mark& mark) { return p < mark.position; });
-  return after - marks.begin() - 1;
-}
+std::ptrdiff_t RowMarks::at(const Trace& trace, std::int64_t position) { return last_before(of(trace), position); }
 
 void HitCounts::follow(const Trace& trace, std::int64_t position) {
   if (known_ && position == position_) return;

@@ -54,6 +54,19 @@ class CurveMarks {
   std::optional<std::vector<Mark>> marks_;
 };
 
+/// Where rays begin a row of pixels, for the timeline of a method that goes from pixel to pixel. Found once; none where the
+/// trace is too long to look through, or has no rays.
+class RowMarks {
+ public:
+  struct Mark { std::int64_t position; std::int32_t y; };
+  const std::vector<Mark>& of(const Trace& trace);
+  /// The one at work at a position: its place among them, −1 before the first.
+  std::ptrdiff_t at(const Trace& trace, std::int64_t position);
+
+ private:
+  std::optional<std::vector<Mark>> marks_;
+};
+
 /// How often each step ran up to a position. Follows small moves by counting, and gives up on far ones in huge traces.
 class HitCounts {
  public:

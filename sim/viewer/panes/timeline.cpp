@@ -62,11 +62,34 @@ std::int64_t end_of_gathering(const Session& s) {
   }).value_or(s.size());
 }
 
-/// A curve of the surface where its trace has those and no polygons.
-void draw_curves(Ui& ui, const Strip& strip) {
+/// A curve of a surface, or a row of pixels: what a trace consists of that has no polygons one after another.
+struct Section {
+  std::int64_t position;
+  std::int32_t number;
+};
+struct Sections {
+  const char* word = "";  ///< "curve"
+  std::vector<Section> all;
+  std::ptrdiff_t at = -1;  ///< the one at work; −1 before the first
+};
+Sections sections_of(Ui& ui) {
+  const Trace& trace = ui.session.trace();
+  const std::int64_t position = ui.session.position();
+  Sections sections;
+  for (const CurveMarks::Mark& mark : ui.curves.of(trace)) sections.all.push_back({mark.position, mark.curve.curve});
+  if (!sections.all.empty()) {
+    sections.word = "curve", sections.at = ui.curves.at(trace, position);
+    return sections;
+  }
+  for (const RowMarks::Mark& mark : ui.rows.of(trace)) sections.all.push_back({mark.position, mark.y});
+  sections.word = "row", sections.at = ui.rows.at(trace, position);
+  return sections;
+}
+
+void draw_sections(Ui& ui, const Strip& strip, const Sections& sections) {
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const std::vector<CurveMarks::Mark>& marks = ui.curves.of(ui.session.trace());
+  const std::vector<Section>& marks = sections.all;
   const float end = strip.at.x + strip.width, bottom = strip.at.y + strip.height;
   float drawn_to = -1;
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -76,13 +99,13 @@ void draw_curves(Ui& ui, const Strip& strip) {
     list->AddRectFilled({x0, bottom - 5}, {std::max(x0 + 1, x1), bottom}, i % 2 == 0 ? c.muted : c.grid);
     if (x1 - x0 < 4) continue;
     list->AddRectFilled({x0, strip.at.y}, {x0 + 1, bottom}, c.rule);
-    const std::string number = std::to_string(marks[i].curve.curve), label = (x1 - x0 > ui.em * 6 ? "curve " : "") + number;
+    const std::string number = std::to_string(marks[i].number), label = (x1 - x0 > ui.em * 6 ? sections.word + std::string(" ") : "") + number;
     const float width = text_size(ui, ui.fonts.small, label).x;
     if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, ui.fonts.small, c.text, label);
   }
 }
 
-void draw_whole(Ui& ui, const Strip& strip) {
+void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -110,7 +133,7 @@ void draw_whole(Ui& ui, const Strip& strip) {
     const float width = text_size(ui, font, label).x;
     if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, font, c.text, label);
   }
-  if (!ui.curves.of(s.trace()).empty()) draw_curves(ui, strip);
+  if (!sections.all.empty()) draw_sections(ui, strip, sections);
   else if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
@@ -121,7 +144,7 @@ void draw_whole(Ui& ui, const Strip& strip) {
   draw_place(ui, strip);
 }
 
-void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stretch) {
+void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stretch, const Sections& sections) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   const ImFont* font = ui.fonts.small;
@@ -146,10 +169,9 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stre
     draw_text(ui, {x0 + 3, strip.at.y + 1}, font, c.muted, fmt::format("y {}", mark.y));
     labelled_to = x0 + needed;
   }
-  if (const auto& curves = ui.curves.of(s.trace()); !curves.empty()) {
-    const std::ptrdiff_t at = ui.curves.at(s.trace(), s.position());
-    const std::string which = at < 0 ? "before the first curve: clearing and viewing"
-                                     : fmt::format("curve {}", curves[static_cast<std::size_t>(at)].curve.curve);
+  if (!sections.all.empty()) {
+    const std::string which = sections.at < 0 ? fmt::format("before the first {}", sections.word)
+                                              : fmt::format("{} {}", sections.word, sections.all[static_cast<std::size_t>(sections.at)].number);
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, which);
   } else if (stretch.polygon == no_polygon && stretch.lines.empty() && stretch.complete)
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
@@ -199,18 +221,19 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float strip_height = std::round(ui.em * 1.25f), gap = std::round(ui.em * 0.55f);
   ScanLineMarks::Stretch stretch = ui.lines.at(ui.session.trace(), ui.session.position());
-  if (const auto& curves = ui.curves.of(ui.session.trace()); !curves.empty()) {
-    const auto at = static_cast<std::size_t>(ui.curves.at(ui.session.trace(), ui.session.position()) + 1);
-    stretch.first = at == 0 ? 0 : curves[at - 1].position;
-    stretch.last = at == curves.size() ? ui.session.size() : curves[at].position;
+  const Sections sections = sections_of(ui);
+  if (!sections.all.empty()) {
+    const auto next = static_cast<std::size_t>(sections.at + 1);
+    stretch.first = next == 0 ? 0 : sections.all[next - 1].position;
+    stretch.last = next == sections.all.size() ? ui.session.size() : sections.all[next].position;
   }
   const Strip whole{{origin.x, origin.y}, size.x, strip_height, 0, ui.session.size()};
   const Strip polygon{{origin.x, origin.y + strip_height + gap}, size.x, strip_height, stretch.first, stretch.last};
   scrub(ui, "whole", whole);
-  draw_whole(ui, whole);
+  draw_whole(ui, whole, sections);
   if (ui.presenter) return;
   scrub(ui, "polygon", polygon);
-  draw_polygon(ui, polygon, stretch);
+  draw_polygon(ui, polygon, stretch, sections);
   ImGui::SetCursorScreenPos({origin.x, origin.y + 2 * (strip_height + gap)});
   draw_transport(ui);
   ImGui::SameLine(0, ui.em);
