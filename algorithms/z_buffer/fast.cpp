@@ -1,13 +1,12 @@
 #include "algorithms/z_buffer/fast.hpp"
 
 #include "algorithms/lanes/lanes.hpp"
+#include "algorithms/lanes/share.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 
 #if ZSTEP_HAS_LANES
 
 #include <algorithm>
-#include <atomic>
-#include <barrier>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -239,24 +238,18 @@ void run_fast(const Scene& scene, const Conventions& conventions, Picture& pictu
 
   const int threads = threads_for(raster, wanted);
   const std::int32_t bands = bands_for(raster, threads);
-  Outlines all(scene, conventions, static_cast<std::size_t>(threads));
-  std::atomic<std::int32_t> next_band = 0;
-  std::barrier viewed(threads);
-  std::barrier found(threads, [&]() noexcept { all.finish(); });
-  const auto work = [&](std::size_t thread) {
-    all.view(thread);
-    viewed.arrive_and_wait();
-    all.find(thread);
-    found.arrive_and_wait();
-    for (std::int32_t band = next_band++; band < bands; band = next_band++) {
-      const auto row_of = [&](std::int32_t k) { return static_cast<std::int32_t>(std::int64_t{raster.height} * k / bands); };
-      Fill fill{all, picture, row_of(band), row_of(band + 1), kept};
-      fill_band_on_this_processor(fill);
-    }
-  };
-  std::vector<std::jthread> others;
-  for (int thread = 1; thread < threads; ++thread) others.emplace_back(work, static_cast<std::size_t>(thread));
-  work(0);
+  const auto parts = static_cast<std::size_t>(threads);
+  Outlines all(scene, conventions, parts);
+  lanes::share(threads, parts, [&](std::size_t part) { all.view(part); });
+  lanes::share(threads, parts, [&](std::size_t part) { all.find(part); });
+  all.finish();
+  lanes::share(threads, static_cast<std::size_t>(bands), [&](std::size_t band) {
+    const auto row_of = [&](std::size_t k) {
+      return static_cast<std::int32_t>(std::int64_t{raster.height} * static_cast<std::int64_t>(k) / bands);
+    };
+    Fill fill{all, picture, row_of(band), row_of(band + 1), kept};
+    fill_band_on_this_processor(fill);
+  });
 }
 
 }  // namespace zstep::z_buffer

@@ -24,7 +24,7 @@ namespace zstep::z_buffer {
 Picture run_fast(const Scene& scene, const Conventions& conventions);
 
 /// The same into a picture whose buffers are kept from the frame before if they have the raster's size, by so many
-/// threads, or as many as the processor runs at once. Tiny rasters are not worth a second one.
+/// threads; 0: as many as the processor runs at once, but no more than 16, and one for each 64 rows.
 void run_fast(const Scene& scene, const Conventions& conventions, Picture& picture, int threads = 0);
 
 }  // namespace zstep::z_buffer
