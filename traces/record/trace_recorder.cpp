@@ -1,6 +1,9 @@
 #include "traces/record/trace_recorder.hpp"
 
 #include <cstdio>
+#include <future>
+#include <system_error>
+#include <utility>
 #include <variant>
 
 #include "traces/error.hpp"
@@ -10,7 +13,8 @@
 
 namespace zstep {
 
-/// Where the bytes go, and the index that grows as they do.
+/// Where the bytes go, and the index that grows as they do. A block is compressed and written by another thread while the next
+/// one is recorded; nothing here is touched meanwhile.
 struct TraceRecorder::Sink {
   std::filesystem::path path;
   std::FILE* file = nullptr;
@@ -18,11 +22,14 @@ struct TraceRecorder::Sink {
   std::uint64_t written = 0;
   Bytes index;
   std::uint64_t blocks = 0;
+  Bytes info_at_work, packed_at_work;
+  std::future<void> writing;
 
   Sink() = default;
   Sink(const Sink&) = delete;
   Sink& operator=(const Sink&) = delete;
   ~Sink() {
+    if (writing.valid()) writing.wait();
     if (file != nullptr) std::fclose(file);
   }
 
@@ -34,6 +41,35 @@ struct TraceRecorder::Sink {
                        "what was written so far can be opened; free some space or record to another place");
     }
     written += bytes.size();
+  }
+
+  void write_block() {
+    const Bytes& info = info_at_work;
+    Bytes bytes;
+    put_varint(bytes, info.size());
+    bytes.insert(bytes.end(), info.begin(), info.end());
+    const Bytes frame = compress(packed_at_work);
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+
+    put_varint(index, written);
+    put_varint(index, info.size());
+    index.insert(index.end(), info.begin(), info.end());
+    ++blocks;
+    write(make_chunk(events_tag, bytes));
+  }
+
+  /// Waits for the block before and throws what went wrong with it; then begins to write this one.
+  void begin_block(Bytes info, Bytes packed) {
+    wait();
+    info_at_work = std::move(info), packed_at_work = std::move(packed);
+    try {
+      writing = std::async(std::launch::async, [this] { write_block(); });
+    } catch (const std::system_error&) {  // no thread is to be had
+      write_block();
+    }
+  }
+  void wait() {
+    if (writing.valid()) writing.get();
   }
 };
 
@@ -65,22 +101,13 @@ void TraceRecorder::begin(const Header& header, const Scene& scene) {
 void TraceRecorder::write_block() {
   Bytes info;
   put_block_info(info, encoder_.info());
-  Bytes bytes;
-  put_varint(bytes, info.size());
-  bytes.insert(bytes.end(), info.begin(), info.end());
-  const Bytes frame = compress(encoder_.take());
-  bytes.insert(bytes.end(), frame.begin(), frame.end());
-
-  put_varint(sink_->index, sink_->written);
-  put_varint(sink_->index, info.size());
-  sink_->index.insert(sink_->index.end(), info.begin(), info.end());
-  ++sink_->blocks;
-  sink_->write(make_chunk(events_tag, bytes));
+  sink_->begin_block(std::move(info), encoder_.take());
   if (on_block_) on_block_(size());
 }
 
 void TraceRecorder::finish() {
   if (encoder_.size() > 0) write_block();
+  sink_->wait();
   const std::uint64_t offset = sink_->written;
   Bytes index;
   put_varint(index, sink_->blocks);
