@@ -50,6 +50,14 @@ void note_topology(const PolygonSoup& soup, const std::string& where, std::int64
   }
 }
 
+/// Does any of the facets from `first` on enclose an area?
+bool has_area(const Scene& scene, std::size_t first) {
+  return std::any_of(scene.facets.begin() + static_cast<std::ptrdiff_t>(first), scene.facets.end(), [&](const Facet& facet) {
+    const std::span corners(scene.corners.data() + facet.first_corner, static_cast<std::size_t>(facet.corner_count));
+    return newell_normal(scene.points, corners) != glm::dvec3(0);
+  });
+}
+
 }  // namespace
 
 void SceneBuilder::check_limits(const PolygonSoup& soup, const std::string& where) const {
@@ -106,7 +114,6 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
     if (mirrored) std::reverse(ring_.begin() + (ring_.empty() ? 0 : 1), ring_.end());
 
     const glm::dvec3 normal = newell_normal(soup.points, ring_);
-    if (ring_.size() >= 3 && normal == glm::dvec3(0)) ++no_area_;
     if (!soup.colors.empty() && soup.colors[k]) polygon.color = *soup.colors[k];
     else if (style.bare == Bare::shaded) polygon.color = shaded(style.bare_color, normal);
     else polygon.color = palette[scene.polygons.size() % palette.size()];
@@ -114,7 +121,9 @@ void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& 
     polygon.material = style.material.over(soup.materials.empty() ? Material{} : soup.materials[k]);
     const auto id = static_cast<std::int32_t>(scene.polygons.size());
     for (std::int32_t& corner : ring_) corner += first_point;
+    const std::size_t facets = scene.facets.size();
     add_facets(ring_, id, where, line);
+    if (ring_.size() >= 3 && !has_area(scene, facets)) ++no_area_;
     scene.polygons.push_back(std::move(polygon));
   }
 
