@@ -16,10 +16,10 @@
 namespace zstep::cli {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t pressed = 0;
 
 extern "C" void note_interrupt(int signal) {
-  interrupted = 1;
+  pressed = 1;
   std::signal(signal, SIG_DFL);
 }
 
@@ -37,7 +37,7 @@ constexpr std::chrono::milliseconds between_updates{100};
 }  // namespace
 
 Watch::Watch() : terminal_(stderr_is_terminal()) {
-  interrupted = 0;
+  pressed = 0;
   before_ = std::signal(SIGINT, note_interrupt);
   if (before_ == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // a background job is not to be stopped by Ctrl-C
 }
@@ -46,6 +46,8 @@ Watch::~Watch() {
   if (before_ != SIG_ERR) std::signal(SIGINT, before_);
   clear_line();
 }
+
+bool Watch::interrupted() const { return pressed != 0; }
 
 void Watch::attach(TraceRecorder& recorder) {
   recorder.on_block([this](std::int64_t events) { tick(events); });
@@ -58,14 +60,14 @@ bool Watch::due() const {
 }
 
 void Watch::tick(std::int64_t events) {
-  if (interrupted != 0) throw Interrupted{events};
+  if (pressed != 0) throw Interrupted{events};
   if (!due()) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   show(fmt::format("recording: {} steps, {:.1f} s (Ctrl-C stops and keeps them)", grouped(events), seconds), events);
 }
 
 void Watch::show(const std::string& line, std::int64_t events) {
-  if (interrupted != 0) throw Interrupted{events};
+  if (pressed != 0) throw Interrupted{events};
   if (!due()) return;
   last_shown_ = Clock::now();
   shown_ = true;

@@ -1,4 +1,5 @@
-// docs/command-line.md shows commands and what they print. It is true: every `$` line is run, in order, in one folder.
+// docs/command-line.md and docs/querying.md show commands and what they print. It is true: every `$` line is run, in order, in one
+// folder a page.
 #include <doctest/doctest.h>
 
 #include <sstream>
@@ -46,18 +47,21 @@ bool match(const std::vector<std::string>& pattern, const std::vector<std::strin
 
 }  // namespace
 
-TEST_CASE("docs/command-line.md: every command prints what the page says") {
-  const Folder folder;
-  const std::vector<Example> examples = examples_of(text_of(ZSTEP_SOURCE_DIR "/docs/command-line.md"));
-  CHECK(examples.size() >= 15);
-  for (const Example& example : examples) {
-    CAPTURE(example.command);
-    const Outcome outcome = shell(folder, "zstep() { '" ZSTEP_EXECUTABLE "' \"$@\"; }; " + example.command);
-    CAPTURE(outcome.out);
-    CAPTURE(outcome.err);
-    std::vector<std::string> lines;
-    std::istringstream printed(outcome.out + outcome.err);
-    for (std::string line; std::getline(printed, line);) lines.push_back(line);
-    CHECK(match(example.lines, lines));
+TEST_CASE("docs: every command prints what its page says") {
+  for (const char* page : {"command-line.md", "querying.md"}) {
+    const Folder folder;
+    const std::vector<Example> examples = examples_of(text_of(ZSTEP_SOURCE_DIR "/docs/" + std::string(page)));
+    CHECK(examples.size() >= 15);
+    for (const Example& example : examples) {
+      CAPTURE(page);
+      CAPTURE(example.command);
+      const Outcome outcome = shell(folder, "zstep() { '" ZSTEP_EXECUTABLE "' \"$@\"; }; " + example.command);
+      CAPTURE(outcome.out);
+      CAPTURE(outcome.err);
+      std::vector<std::string> lines;
+      std::istringstream printed(outcome.out + outcome.err);
+      for (std::string line; std::getline(printed, line);) lines.push_back(line);
+      CHECK(match(example.lines, lines));
+    }
   }
 }

@@ -75,19 +75,19 @@ const Bytes& Trace::Impl::packed(std::size_t block) const {
   return packed_at_hand.front().second;
 }
 
-const std::vector<RecordedEvent>& Trace::Impl::events(std::size_t block) const {
+const Trace::Impl::Events& Trace::Impl::events(std::size_t block) const {
   for (auto it = events_at_hand.begin(); it != events_at_hand.end(); ++it) {
     if (it->first != block) continue;
     events_at_hand.splice(events_at_hand.begin(), events_at_hand, it);
     return it->second;
   }
-  std::vector<RecordedEvent> unpacked;
-  unpacked.reserve(blocks[block].info.count);
+  auto unpacked = std::make_shared<std::vector<RecordedEvent>>();
+  unpacked->reserve(blocks[block].info.count);
   const Bytes& bytes = packed(block);
   try {
     BlockDecoder decoder(bytes, blocks[block].info.count, kinds, increments);
     decoder.visit_all([&](std::uint8_t step, const auto& event) {
-      unpacked.push_back({step, event});
+      unpacked->push_back({step, event});
       return true;
     });
   } catch (const MalformedBytes& error) {
@@ -101,7 +101,7 @@ const std::vector<RecordedEvent>& Trace::Impl::events(std::size_t block) const {
 const RecordedEvent& Trace::event(std::int64_t position) const {
   if (position < 1 || position > size()) throw std::out_of_range("Trace::event: no such position");
   const std::size_t block = impl_->block_of(position);
-  return impl_->events(block)[static_cast<std::size_t>(position - 1 - impl_->blocks[block].info.first_position)];
+  return (*impl_->events(block))[static_cast<std::size_t>(position - 1 - impl_->blocks[block].info.first_position)];
 }
 
 std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate,
@@ -111,7 +111,7 @@ std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& pred
     const BlockInfo& info = impl_->blocks[index].info;
     const std::int64_t end = info.first_position + info.count;
     if (!pixel || info.may_touch(pixel->x, pixel->y)) {
-      const auto& events = impl_->events(index);
+      const auto& events = *impl_->events(index);
       for (; position <= end; ++position) {
         if (predicate(events[static_cast<std::size_t>(position - 1 - info.first_position)])) return position;
       }
@@ -127,7 +127,7 @@ std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& 
     const std::size_t index = impl_->block_of(position);
     const BlockInfo& info = impl_->blocks[index].info;
     if (!pixel || info.may_touch(pixel->x, pixel->y)) {
-      const auto& events = impl_->events(index);
+      const auto& events = *impl_->events(index);
       for (; position > info.first_position; --position) {
         if (predicate(events[static_cast<std::size_t>(position - 1 - info.first_position)])) return position;
       }

@@ -40,13 +40,14 @@ struct Trace::Impl {
 
   /// A block's packed columns, from the file or from the few kept at hand. Throws InputError when it is damaged.
   const Bytes& packed(std::size_t block) const;
-  /// A block's events, unpacked; a few blocks are kept at hand.
-  const std::vector<RecordedEvent>& events(std::size_t block) const;
+  /// A block's events, unpacked; a few blocks are kept at hand, and others by whom they are given to.
+  using Events = std::shared_ptr<const std::vector<RecordedEvent>>;
+  const Events& events(std::size_t block) const;
   /// Turns what a damaged block throws into an InputError that says which events are lost.
   [[noreturn]] void damaged(std::size_t block, const std::string& what) const;
 
   mutable std::list<std::pair<std::size_t, Bytes>> packed_at_hand;
-  mutable std::list<std::pair<std::size_t, std::vector<RecordedEvent>>> events_at_hand;
+  mutable std::list<std::pair<std::size_t, Events>> events_at_hand;
 };
 
 }  // namespace zstep
