@@ -25,7 +25,7 @@ namespace zstep {
 namespace {
 
 // A method is a folder with a page of steps and a function `run`; here it gets its names and its paper.
-// Where the picture alone can be had faster, with the same bits, METHOD_DRAWN_BY says how.
+// Where the picture alone can be had faster, METHOD_DRAWN_BY says how.
 #define METHOD_DRAWN_BY(render_, module, ...)                                                          \
   Method {                                                                                             \
     __VA_ARGS__, .page = module::page, .taught = module::run<NullRecorder>, .render = render_,         \
@@ -90,7 +90,7 @@ constexpr std::array catalog{
            .paper = "L. Williams, Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978", .gives = Gives::colors,
            .needs = Needs::light, .interpolates = true, .options = shadow_buffer::options),
     METHOD(transparency, .id = "transparency", .title = "Transparency",
-           .paper = "T. Porter and T. Duff, Compositing Digital Images, SIGGRAPH 1984", .gives = Gives::colors,
+           .paper = "T. Porter and T. Duff, Compositing Digital Images, SIGGRAPH 1984", .gives = Gives::mixtures,
            .options = transparency::options),
 };
 
@@ -115,15 +115,10 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
   const std::string id(method.id);
   check_options(method.options, method.id, conventions, who);
   if (method.check) method.check(conventions, who);
-  if (!method.interpolates) {
-    const Conventions standard;
-    const bool plain = conventions.depth == standard.depth && conventions.interpolation == standard.interpolation &&
-                       conventions.coverage == standard.coverage;
-    if (!plain)
-      throw InputError("--algorithm " + id,
-                       "works with planes: its depths are pseudodepths, directly computed at pixel centres",
-                       "leave out --depth, --interpolation and --coverage, or use z-buffer or scan-line");
-  }
+  if (const std::string wanted = options_for_planes(conventions); !method.interpolates && !wanted.empty())
+    throw InputError("--algorithm " + id,
+                     "works with planes: its depths are pseudodepths, directly computed at pixel centres",
+                     "give " + wanted + ", or use z-buffer or scan-line");
   const std::string name = scene.source.empty() || scene.source == "built-in" ? scene.name : scene.source;
   if (method.needs == Needs::surface && !scene.surface)
     throw InputError(name, id + " draws a surface y = f(x, z), and this scene has none",

@@ -15,8 +15,8 @@ namespace zstep {
 /// What there is at a pixel when the method is done.
 enum class Gives : std::uint8_t {
   surfaces,  ///< a polygon and its depth
-  colors,    ///< a colour of its own (shadow, mirror image, mixture), and the polygon and depth that the eye sees first;
-             ///< where colours shine through each other, the first that is opaque
+  colors,    ///< a colour of its own (shadow, mirror image), and the polygon and depth that the eye sees first
+  mixtures,  ///< the colour of several polygons, and the nearest that is opaque with its depth
   lines,     ///< lines; no polygon
 };
 
@@ -40,7 +40,8 @@ struct Method {
   Page (*page)() = nullptr;  ///< its pseudo-code
   /// The page's own loops without a recording, which is what comparisons measure.
   Picture (*taught)(const Scene&, const Conventions&, NullRecorder&) = nullptr;
-  /// The same picture, to the bit, as fast as it can be had.
+  /// The same picture, as fast as it can be had: to the bit, but for ray casting, where a centre within 1e-9 px of an edge
+  /// may fall to either side.
   Picture (*render)(const Scene&, const Conventions&, NullRecorder&) = nullptr;
   Picture (*count)(const Scene&, const Conventions&, CountRecorder&) = nullptr;
   Picture (*record)(const Scene&, const Conventions&, TraceRecorder&) = nullptr;

@@ -84,4 +84,16 @@ void check_options(std::span<const Option> table, std::string_view method, const
   }
 }
 
+std::string options_for_planes(const Conventions& conventions) {
+  const Conventions standard;
+  std::string options;
+  const auto want = [&](bool other, const char* option) {
+    if (other) options += (options.empty() ? "" : " ") + std::string(option);
+  };
+  want(conventions.depth != standard.depth, "--depth pseudodepth");
+  want(conventions.interpolation != standard.interpolation, "--interpolation direct");
+  want(conventions.coverage != standard.coverage, "--coverage top-left");
+  return options;
+}
+
 }  // namespace zstep

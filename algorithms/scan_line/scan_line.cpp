@@ -44,11 +44,10 @@ void paint(const pieces::Piece& polygon, const Visible& part, Picture& picture, 
 
 void check(const Conventions& conventions, const std::string& who) {
   if (resolves(conventions, Resolve::planes)) {
-    const Conventions standard = standard_for_planes(conventions);
-    if (!(conventions == standard))
+    if (const std::string wanted = options_for_planes(conventions); !wanted.empty())
       throw InputError("--algorithm scan-line",
                        "compares planes: its depths are pseudodepths, directly computed at pixel centres",
-                       "leave out --depth, --interpolation and --coverage, or add --option resolve=line-buffer");
+                       "give " + wanted + ", or add --option resolve=line-buffer");
     return;
   }
   for (const char* option : {"coherence", "antialias"}) {

@@ -110,7 +110,8 @@ void print_summary(const CompareOptions& options, const Run& run, const std::vec
   fmt::print("{}{}\n", table.text(0), ends);
   fmt::print(
       "EQUAL, EDGES, TIES, WRONG: pixels with the same polygon; with another one, as an edge runs within 1.5/256 of a pixel of\n"
-      "the centre, or as depths are equal to 1e-5; and those that neither explains. STEPS: what a recording would hold.\n"
+      "the centre, or as depths are equal to 1e-5; and those that neither explains; - where a method draws lines, or glass is\n"
+      "mixed with what lies behind. STEPS: what a recording would hold.\n"
       "MEMORY: the most that a run holds at once, its picture included. TIME: of the processor, the median of\n"
       "runs without recording.\n");
 }
@@ -127,6 +128,14 @@ void print_work(const std::vector<Compared>& all) {
     }
     fmt::print("{}", table.text());
   }
+}
+
+/// Do two methods mean the same by the polygon at a pixel? One that draws lines has none, and one that mixes colours names
+/// what is behind the glass.
+bool have_same_polygons(const Scene& scene, const Method& one, const Method& other) {
+  if (one.gives == Gives::lines || other.gives == Gives::lines) return false;
+  const bool glass = std::any_of(scene.polygons.begin(), scene.polygons.end(), [](const Polygon& p) { return p.material.opacity < 1; });
+  return !glass || (one.gives == Gives::mixtures) == (other.gives == Gives::mixtures);
 }
 
 int compare_scene(const CompareOptions& options) {
@@ -148,8 +157,7 @@ int compare_scene(const CompareOptions& options) {
       };
       Compared compared{entrant.id, entrant.title, compare::measure(*entrant.method, run.scene, entrant.conventions, measuring, tick), {}, false};
       const Measured& first = all.empty() ? compared.measured : all.front().measured;
-      const bool polygons = entrant.method->gives != Gives::lines && first.method->gives != Gives::lines;
-      compared.comparable = compared.measured.done() && first.done() && polygons;
+      compared.comparable = compared.measured.done() && first.done() && have_same_polygons(run.scene, *entrant.method, *first.method);
       if (compared.comparable) compared.agreement = compare::agreement(run.scene, run.conventions, first.picture, compared.measured.picture);
       all.push_back(std::move(compared));
     }

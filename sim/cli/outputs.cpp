@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -64,6 +65,12 @@ void check_outputs(const Outputs& outputs, const std::vector<std::string>& input
     for (std::size_t other = 0; other < k; ++other)
       if (same_file(files[k], files[other])) throw InputError(files[k], "is asked for twice", "give each output a file of its own");
   }
+}
+
+void check_gives(const Outputs& outputs, const Method& method) {
+  if (method.gives != Gives::lines) return;
+  for (const auto& [option, path] : {std::pair{"--save-ids", &outputs.ids}, {"--save-depth", &outputs.depth}, {"--save-depth-raw", &outputs.raw_depth}})
+    if (!path->empty()) throw InputError(option, fmt::format("{} draws lines: no pixel has a polygon and a depth", method.id), "leave it out; --save FILE.png writes the picture");
 }
 
 Image image_of(const Picture& picture, const Scene& scene, int enlarge) {

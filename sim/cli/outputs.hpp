@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "sim/image/png.hpp"
 #include "traces/scene.hpp"
 
@@ -24,6 +25,8 @@ void add_outputs(CLI::App& command, Outputs& outputs);
 /// Throws InputError when one of the files cannot be written, two of them are one, or one of them is an input:
 /// before the work, not after it.
 void check_outputs(const Outputs& outputs, const std::vector<std::string>& inputs, const std::vector<std::string>& others = {});
+/// Throws InputError where polygons or depths are asked for of a method that draws lines.
+void check_gives(const Outputs& outputs, const Method& method);
 
 /// Writes what was asked for and prints a line for each file.
 void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& scene, const Conventions& conventions);

@@ -34,6 +34,7 @@ int record(const RecordOptions& options) {
   std::string path = options.trace;
   if (!path.empty()) check_outputs(options.outputs, inputs, {path});
   const Run run = prepare(options.run);
+  check_gives(options.outputs, *run.method);
   if (path.empty()) {
     path = file_stem(run.scene) + ".ztrace";
     check_outputs(options.outputs, inputs, {path});

@@ -29,6 +29,7 @@ int render(const RenderOptions& options) {
   Outputs outputs = options.outputs;
   check_outputs(outputs, {options.run.scene});
   const Run run = prepare(options.run);
+  check_gives(outputs, *run.method);
   if (!outputs.any()) {
     outputs.image = file_stem(run.scene) + ".png";
     check_outputs(outputs, {options.run.scene});
@@ -36,7 +37,7 @@ int render(const RenderOptions& options) {
   NullRecorder nothing;
   const Picture picture = run.method->render(run.scene, run.conventions, nothing);
   write_outputs(outputs, picture, run.scene, run.conventions);
-  if (run.method->gives == Gives::lines) {
+  if (run.method->gives == Gives::lines || run.method->gives == Gives::mixtures) {
     const auto drawn = std::count_if(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; });
     fmt::print("{}: {} drawn by {}\n", run.scene.name, counted(drawn, "pixel", "pixels"), run.method->title);
     return exit_code::done;

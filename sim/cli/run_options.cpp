@@ -60,7 +60,8 @@ void add_method_options(CLI::App& command, RunOptions& options) {
     for (const std::string& text : given) {
       const std::size_t equals = text.find('=');
       if (equals == 0 || equals == text.npos) throw InputError("--option " + text, "is not NAME=VALUE", "give for example --option boxes=on");
-      options.options[text.substr(0, equals)] = text.substr(equals + 1);
+      const bool fresh = options.options.try_emplace(text.substr(0, equals), text.substr(equals + 1)).second;
+      if (!fresh) throw InputError("--option " + text, "is the second value of " + text.substr(0, equals), "keep one of them");
     }
   };
   options.declared.push_back(command.add_option_function<std::vector<std::string>>("--option", take_option, "An option of the method, as 'zstep list options' names them; may be given more than once")->type_name("NAME=VALUE")->allow_extra_args(false)->take_all()->group("Method"));
