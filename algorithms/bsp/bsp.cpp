@@ -26,7 +26,7 @@ void fill_gaps(const viewing::Vertices& vertices, const clipping::Outline& outli
       record(painting::step::paint, PixelPaint{x, y, z, polygon});
     }
     if (taken > 0) {
-      record(step::taken, Saved{Coherence::depth, taken});
+      record(step::taken, Saved{Coherence::order, taken});
     }
   });
 }

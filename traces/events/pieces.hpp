@@ -15,7 +15,7 @@ namespace zstep {
 enum class Side : std::uint8_t { front, behind, on, crossing };
 enum class Axis : std::uint8_t { x, y, z };
 enum class Space : std::uint8_t { world, raster };
-enum class Coherence : std::uint8_t { object, face, edge, implied_edge, scan_line, area, depth, frame, extent };
+enum class Coherence : std::uint8_t { object, face, edge, implied_edge, scan_line, area, depth, frame, extent, order };
 
 template <>
 inline constexpr std::array<std::string_view, 4> words_of<Side>{"front", "behind", "on", "crossing"};
@@ -24,8 +24,8 @@ inline constexpr std::array<std::string_view, 3> words_of<Axis>{"x", "y", "z"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<Space>{"world", "raster"};
 template <>
-inline constexpr std::array<std::string_view, 9> words_of<Coherence>{
-    "object", "face", "edge", "implied_edge", "scan_line", "area", "depth", "frame", "extent"};
+inline constexpr std::array<std::string_view, 10> words_of<Coherence>{
+    "object", "face", "edge", "implied_edge", "scan_line", "area", "depth", "frame", "extent", "order"};
 
 // clang-format off
 
@@ -151,10 +151,10 @@ inline constexpr auto fields_of<PieceDraw> =
                Field{"polygon", &PieceDraw::polygon, "index", "the polygon it is a piece of"}};
 
 template <>
-inline constexpr KindText kind_text<Saved>{"saved", "tests that coherence or an extent made needless"};
+inline constexpr KindText kind_text<Saved>{"saved", "tests that coherence, an extent or the order of drawing made needless"};
 template <>
 inline constexpr auto fields_of<Saved> =
-    std::tuple{Field{"coherence", &Saved::coherence, "1", "thanks to which coherence"},
+    std::tuple{Field{"coherence", &Saved::coherence, "1", "thanks to which coherence; or to extents, or to the order of drawing"},
                Field{"tests", &Saved::tests, "1", "how many tests were not made"}};
 
 }  // namespace zstep

@@ -1,6 +1,8 @@
 // Vertices against planes, as a BSP tree asks (001, 003), and what coherence saved.
 #include "sim/viewer/words/explain_parts.hpp"
 
+#include <algorithm>
+
 #include "sim/viewer/words/pieces.hpp"
 
 namespace zstep::words {
@@ -40,8 +42,12 @@ void tell(Telling& t, const VertexSide& e) {
 }
 
 void tell(Telling& t, const Saved& e) {
-  const std::string_view coherence = words_of<Coherence>[static_cast<std::size_t>(e.coherence)];
-  t.say(fmt::format("{} {} not needed, thanks to {} coherence; {} so far.", e.tests, e.tests == 1 ? "test was" : "tests were", coherence,
+  std::string thanks_to(words_of<Coherence>[static_cast<std::size_t>(e.coherence)]);
+  std::replace(thanks_to.begin(), thanks_to.end(), '_', ' ');
+  if (e.coherence == Coherence::extent) thanks_to = "extents";
+  else if (e.coherence == Coherence::order) thanks_to = "the order of drawing";
+  else thanks_to += " coherence";
+  t.say(fmt::format("{} {} not needed, thanks to {}; {} so far.", e.tests, e.tests == 1 ? "test was" : "tests were", thanks_to,
                     grouped(t.machine.saved[static_cast<std::size_t>(e.coherence)])));
 }
 

@@ -115,7 +115,7 @@ TEST_SUITE("bsp/order") {
     const auto seen = std::count_if(one.polygon.begin(), one.polygon.end(), [](std::int32_t p) { return p >= 0; });
     CHECK(static_cast<std::int64_t>(front.all<PixelPaint>().size()) == seen);
     std::int64_t saved = 0;
-    for (const Saved& saving : front.all<Saved>()) saved += saving.coherence == Coherence::depth ? saving.tests : 0;
+    for (const Saved& saving : front.all<Saved>()) saved += saving.coherence == Coherence::order ? saving.tests : 0;
     CHECK(saved == static_cast<std::int64_t>(back.all<PixelPaint>().size()) - seen);
     CHECK(saved > seen / 2);
   }
