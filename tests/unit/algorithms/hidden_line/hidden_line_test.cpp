@@ -3,80 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "algorithms/hidden_line/cover.hpp"
-#include "algorithms/hidden_line/hidden_line.hpp"
-#include "algorithms/hidden_line/wireframe.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/unit/algorithms/hidden_line/line_runs.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
-#include "traces/record/collect_recorder.hpp"
 
 using namespace zstep;
 using namespace zstep::hidden_line;
+using namespace zstep::test;
 
 namespace {
-
-struct Run {
-  Picture picture;
-  CollectRecorder record;
-  std::map<std::int32_t, LineBegin> lines;
-  std::map<std::int32_t, std::vector<LinePiece>> pieces;
-
-  int pieces_of(bool visible) const {
-    int count = 0;
-    for (const auto& [line, parts] : pieces) count += static_cast<int>(std::count_if(parts.begin(), parts.end(), [&](const LinePiece& p) { return p.visible == visible; }));
-    return count;
-  }
-  int lines_of(LineKind kind) const {
-    return static_cast<int>(std::count_if(lines.begin(), lines.end(), [&](const auto& l) { return l.second.kind == kind; }));
-  }
-  int inked() const { return static_cast<int>(std::count_if(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; })); }
-};
-
-template <class Method>
-Run run_with(Method method, const Scene& scene, const Conventions& conventions) {
-  Run run;
-  run.picture = method(scene, conventions, run.record);
-  for (const LineBegin& line : run.record.all<LineBegin>()) run.lines[line.line] = line;
-  for (const LinePiece& piece : run.record.all<LinePiece>()) run.pieces[piece.line].push_back(piece);
-  return run;
-}
-
-Run hide(const Scene& scene, bool cull = true, const char* hidden = "none") {
-  Conventions conventions;
-  conventions.cull = cull;
-  conventions.options["hidden"] = hidden;
-  return run_with(hidden_line::run<CollectRecorder>, scene, conventions);
-}
-
-Run wires(const Scene& scene, const char* edges = "all") {
-  Conventions conventions;
-  conventions.options["edges"] = edges;
-  return run_with(wireframe::run<CollectRecorder>, scene, conventions);
-}
-
-Scene seen(const char* name, const ViewOptions& view = {}) { return look_at_scene(load_scene(name).scene, view); }
-
-// The pieces of each edge follow each other from end to end, hidden and visible by turns.
-void check_sums(const Run& run) {
-  CHECK(run.pieces.size() == run.lines.size());
-  for (const auto& row : run.pieces) {
-    const std::int32_t line = row.first;
-    const std::vector<LinePiece>& parts = row.second;
-    CAPTURE(line);
-    double sum = 0;
-    REQUIRE(parts.front().t_0 == 0);
-    REQUIRE(parts.back().t_1 == 1);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      REQUIRE(parts[i].t_0 < parts[i].t_1);
-      if (i > 0) REQUIRE(parts[i].t_0 == parts[i - 1].t_1);
-      if (i > 0) REQUIRE(parts[i].visible != parts[i - 1].visible);
-      sum += parts[i].t_1 - parts[i].t_0;
-    }
-    REQUIRE(sum == doctest::Approx(1).epsilon(1e-14));
-  }
-}
 
 // What hides a point of the world, by a ray from the eye and the planes of all faces in world coordinates. Nothing is
 // said where the ray passes close to an edge of a face or meets it close to the point.
@@ -277,107 +214,5 @@ TEST_SUITE("hidden_line") {
     const Run run = hide(seen("cube"));
     CHECK(std::all_of(run.picture.polygon.begin(), run.picture.polygon.end(), [](std::int32_t p) { return p == no_polygon; }));
     CHECK(std::all_of(run.picture.depth.begin(), run.picture.depth.end(), [](double z) { return z == no_depth; }));
-  }
-}
-
-TEST_SUITE("hidden_line/degenerate") {
-  const std::vector<glm::dvec3> flat = {{2, 2, 1}, {20, 2, 1}, {20, 20, 1}, {2, 20, 1}};
-
-  TEST_CASE("nothing, a single polygon, and what is no polygon") {
-    CHECK(hide(test::screen_scene(32, 32, {})).inked() == 0);
-    CHECK(hide(test::screen_scene(32, 32, {flat})).pieces_of(true) == 4);
-    CHECK(hide(test::screen_scene(32, 32, {flat})).lines_of(LineKind::boundary) == 4);
-    CHECK(hide(test::screen_scene(32, 32, {{{1, 1, 0}, {5, 5, 0}, {3, 3, 0}}})).inked() == 0);
-    CHECK(hide(test::screen_scene(32, 32, {{{1, 1, 0}, {5, 5, 0}}})).inked() == 0);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(hide(test::screen_scene(32, 32, {{{1, 1, 0}, {nan, 5, 0}, {3, 9, 0}}})).inked() == 0);
-  }
-
-  TEST_CASE("duplicates and coplanar polygons hide nothing of each other") {
-    const Run twice = hide(test::screen_scene(32, 32, {flat, flat}));
-    CHECK(twice.pieces_of(true) == 8);
-    CHECK(twice.pieces_of(false) == 0);
-    const Run overlap = hide(test::screen_scene(32, 32, {flat, {{10, 10, 1}, {28, 10, 1}, {28, 28, 1}, {10, 28, 1}}}));
-    CHECK(overlap.pieces_of(false) == 0);
-  }
-
-  TEST_CASE("cyclic: each of three hides a part of the next") {
-    const Run run = hide(seen("cyclic"), false);
-    check_sums(run);
-    CHECK(run.lines.size() == 9);
-    CHECK(run.pieces_of(false) >= 3);
-    CHECK(run.pieces_of(true) >= 9);
-  }
-
-  TEST_CASE("intersecting: edges end where they go into a face") {
-    const Run run = hide(seen("intersecting"), false);
-    check_sums(run);
-    const std::vector<LineCross> crossings = run.record.all<LineCross>();
-    CHECK(std::any_of(crossings.begin(), crossings.end(), [](const LineCross& c) { return c.in_space; }));
-  }
-
-  TEST_CASE("a face seen edge-on hides nothing; its edges are drawn") {
-    const Run run = hide(test::screen_scene(32, 32, {{{5, 5, 0}, {15, 15, 3}, {15, 15, 0}}, {{2, 8, 5}, {28, 8, 5}, {20, 28, 5}}}));
-    check_sums(run);
-    CHECK(run.pieces_of(false) == 0);
-  }
-
-  TEST_CASE("an edge seen end-on is a point, and is not drawn") {
-    const Run run = hide(test::screen_scene(32, 32, {{{5, 5, 0}, {5, 5, 3}, {15, 9, 0}}}));
-    CHECK(run.lines.size() == 2);
-  }
-
-  TEST_CASE("a polygon that is not planar: the cuts between its facets are no edges") {
-    Scene scene = test::screen_scene(32, 32, {});
-    scene.points = {{2, 2, 0}, {20, 2, 0}, {20, 20, 5}, {2, 20, 0}};
-    scene.polygons.push_back({"A", {}, 0});
-    scene.corners = {0, 1, 2, 0, 2, 3};
-    scene.facets = {{0, 0, 3}, {0, 3, 3}};
-    CHECK(hide(scene).lines.size() == 4);
-    CHECK(wires(scene).lines.size() == 4);
-  }
-
-  TEST_CASE("a third face at an edge and neighbours that run the other way round: all is drawn") {
-    Scene scene = test::screen_scene(32, 32, {});
-    scene.points = {{2, 2, 0}, {20, 2, 0}, {20, 20, 5}, {2, 20, 0}, {9, 28, 0}};
-    for (const auto& corners : std::vector<std::vector<std::int32_t>>{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {2, 1, 4}}) test::add_polygon(scene, corners);
-    const Run run = hide(scene);
-    check_sums(run);
-    CHECK(run.lines.size() >= 8);
-  }
-
-  TEST_CASE("lines far beyond the raster cost no more than the raster") {
-    const Run run = hide(test::screen_scene(32, 32, {{{-9e8, 16, 0}, {9e8, 16, 0}, {0, 9e8, 0}}}));
-    CHECK(run.inked() == 32);
-  }
-}
-
-TEST_SUITE("wireframe") {
-  TEST_CASE("all edges, or none of which all faces face away") {
-    const Scene cube = seen("cube");
-    const Run all = wires(cube), front = wires(cube, "front");
-    CHECK(all.pieces_of(true) == 12);
-    CHECK(front.pieces_of(true) == 9);
-    CHECK(front.pieces_of(false) == 3);
-    // For one convex solid that is hidden-line removal already.
-    CHECK(front.picture == hide(cube).picture);
-    // For two it is not.
-    const Scene behind = seen("pyramid-behind");
-    CHECK(wires(behind, "front").picture != hide(behind).picture);
-  }
-
-  TEST_CASE("one pixel a column or row, the nearest to the line") {
-    const Run run = wires(test::screen_scene(16, 16, {{{1, 1, 0}, {9, 5, 0}, {1, 9, 0}}}));
-    std::vector<std::pair<int, int>> first;
-    for (const ColorWrite& pixel : run.record.all<ColorWrite>()) first.emplace_back(pixel.x, pixel.y);
-    const std::vector<std::pair<int, int>> along{{1, 1}, {2, 2}, {3, 2}, {4, 3}, {5, 3}, {6, 4}, {7, 4}, {8, 5}, {9, 5}};
-    first.resize(along.size());
-    std::sort(first.begin(), first.end());
-    CHECK(first == along);
-  }
-
-  TEST_CASE("lines are cut at the raster's border") {
-    const Run run = wires(test::screen_scene(8, 8, {{{-5, 3, 0}, {20, 3, 0}, {20, 30, 0}, {-5, 30, 0}}}));
-    CHECK(run.inked() == 8);
   }
 }
