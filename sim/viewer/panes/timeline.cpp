@@ -134,7 +134,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
     if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, font, c.text, label);
   }
   if (!sections.all.empty()) draw_sections(ui, strip, sections);
-  else if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this trace marks no polygons");
+  else if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, has_step_of<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
       const float x = std::floor(strip.x(stop.position)), y = end.y - 4;
@@ -173,7 +173,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stre
     const std::string which = sections.at < 0 ? fmt::format("before the first {}", sections.word)
                                               : fmt::format("{} {}", sections.word, sections.all[static_cast<std::size_t>(sections.at)].number);
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, which);
-  } else if (stretch.polygon == no_polygon && stretch.lines.empty() && stretch.complete)
+  } else if (stretch.polygon == no_polygon && stretch.lines.empty() && stretch.complete && !s.trace().polygons().empty())
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
   else if (!has_step_of<ScanLineBegin>(s.header())) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this method has no scan lines");
   else if (!stretch.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
