@@ -84,7 +84,7 @@ Image chart_of(const Scene& scene, const std::vector<compare::Compared>& methods
     put(2, static_cast<double>(m.steps()), grouped(m.steps()));
     const compare::Agreement& a = compared.agreement;
     const std::int64_t differ = a.differing();
-    if (!compared.comparable) put(3, no_mark, "no polygons");
+    if (!compared.comparable) put(3, no_mark, "not compared");
     else if (a.unexplained > 0)
       put(3, static_cast<double>(differ), (a.unexplained < differ ? grouped(differ) + ", " : "") + grouped(a.unexplained) + " wrong", true);
     else put(3, static_cast<double>(differ), differ == 0 ? "0" : grouped(differ) + ", explained");

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/query/columns.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/words/numbers.hpp"
 #include "sim/viewer/words/shell_word.hpp"
@@ -27,7 +28,7 @@ App::Context::Context() : context(ImGui::CreateContext()) {
 App::Context::~Context() { ImGui::DestroyContext(context); }
 
 App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale)
-    : settings_(settings), renderer_(width, height), session_(trace, lesson), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
+    : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
   ui_.depth_range = depth_range(trace);
   session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
   structures_ = structure_panes(trace.header());
@@ -75,7 +76,8 @@ void App::say(std::string message) {
 
 void App::open(Overlay overlay) {
   overlay_ = overlay;
-  typed.clear();
+  typed = overlay == Overlay::query ? inquiry_.sql() : "";
+  just_opened_ = true;
   picked = 0;
   session_.touch();
 }
@@ -112,6 +114,74 @@ void App::update_fonts() {
   renderer_.take_fonts();
 }
 
+/// A key for what is being typed; false if it is none.
+bool App::edit(SDL_Keycode code, unsigned modifiers) {
+  const bool asks = overlay_ == Overlay::query;
+  just_opened_ = false;
+  if (code == SDLK_BACKSPACE && !typed.empty()) {
+    do typed.pop_back();
+    while (!typed.empty() && (static_cast<unsigned char>(typed.back()) & 0xc0u) == 0x80u);
+    picked = 0;
+    return true;
+  }
+  if (asks && code == SDLK_v && (modifiers & Chord::ctrl) != 0) {
+    char* text = SDL_GetClipboardText();
+    for (const char* c = text; c && *c; ++c) typed += *c == '\n' || *c == '\r' || *c == '\t' ? ' ' : *c;
+    SDL_free(text);
+    return true;
+  }
+  if (asks && code == SDLK_TAB) return paint_answer(), true;
+  if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
+  if (code == SDLK_RETURN && asks) return ask_typed(), true;
+  if (code == SDLK_RETURN) {
+    const auto found = matching(typed);
+    if (picked >= static_cast<int>(found.size())) return true;
+    const Command* command = found[static_cast<std::size_t>(picked)];
+    open(Overlay::none);
+    if (!command->release) command->run(*this);  // what is held cannot be run from a list
+    else say("Hold " + key_names(*command) + " for that.");
+    return true;
+  }
+  if (code == SDLK_UP || code == SDLK_DOWN) {
+    const std::size_t rows = asks ? inquiry_.rows().size() : matching(typed).size();
+    picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(rows) - 1));
+    scroll_to_picked = true;
+    return true;
+  }
+  return false;
+}
+
+void App::ask_typed() {
+  if (typed == inquiry_.sql() && !inquiry_.rows().empty()) return go_to_row(static_cast<std::size_t>(picked));
+  inquiry_.ask(typed);
+  picked = 0;
+  if (ui_.heat) ui_.heat = inquiry_.heat();
+  session_.touch();
+}
+
+std::string App::tables() const {
+  std::string names;
+  for (const std::uint8_t kind : query::kinds_in(session_.trace())) names += (names.empty() ? "" : ", ") + query::all_tables()[kind].name;
+  return names;
+}
+
+void App::go_to_row(std::size_t row) {
+  picked = static_cast<int>(row);
+  const auto step = inquiry_.step_of(row);
+  const auto pixel = inquiry_.pixel_of(row);
+  if (step) session_.go_to(*step);
+  if (pixel) session_.select(*pixel);
+  if (!step && !pixel) say("This row has no step, x or y to go to.");
+  session_.touch();
+}
+
+void App::paint_answer() {
+  if (ui_.heat) ui_.heat.reset();
+  else if (inquiry_.heat()) ui_.heat = inquiry_.heat();
+  else say("Only an answer with columns x and y can be painted.");
+  session_.touch();
+}
+
 bool App::key(const SDL_KeyboardEvent& event) {
   const unsigned modifiers = (event.keysym.mod & KMOD_SHIFT ? Chord::shift : 0u) | (event.keysym.mod & (KMOD_CTRL | KMOD_GUI) ? Chord::ctrl : 0u) |
                              (event.keysym.mod & KMOD_ALT ? Chord::alt : 0u);
@@ -122,24 +192,13 @@ bool App::key(const SDL_KeyboardEvent& event) {
       if (command.release && !command.keys.empty() && command.keys[0].key == code) command.release(*this);
     return false;
   }
-  const bool typing = overlay_ == Overlay::palette || overlay_ == Overlay::go_to;
-  if (typing && code == SDLK_BACKSPACE && !typed.empty()) {
-    do typed.pop_back();
-    while (!typed.empty() && (static_cast<unsigned char>(typed.back()) & 0xc0u) == 0x80u);
-    picked = 0;
-  } else if (typing && code == SDLK_RETURN) {
-    if (overlay_ == Overlay::go_to) return go_to_typed(), true;
-    const auto found = matching(typed);
-    if (picked >= static_cast<int>(found.size())) return true;
-    const Command* command = found[static_cast<std::size_t>(picked)];
-    open(Overlay::none);
-    if (!command->release) command->run(*this);  // what is held cannot be run from a list
-    else say("Hold " + key_names(*command) + " for that.");
-  } else if (typing && (code == SDLK_UP || code == SDLK_DOWN)) {
-    picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(matching(typed).size()) - 1));
-  } else if (const Command* command = command_for(code, modifiers)) {
+  if (typing() && edit(code, modifiers)) {
+    session_.touch();
+    return true;
+  }
+  if (const Command* command = command_for(code, modifiers)) {
     // While something is being typed, only what has Ctrl or closes it is a command.
-    if (typing && !(modifiers & Chord::ctrl) && code != SDLK_ESCAPE && code != SDLK_F1 && code != SDLK_F10) return true;
+    if (typing() && !(modifiers & Chord::ctrl) && code != SDLK_ESCAPE && code != SDLK_F1 && code != SDLK_F10) return true;
     if (event.repeat && command->release) return true;
     if (overlay_ == Overlay::keys || overlay_ == Overlay::menu) {
       const std::string id = command->id;
@@ -166,9 +225,12 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       key(event.key);
       return false;
     case SDL_TEXTINPUT:
-      if (overlay_ == Overlay::palette || overlay_ == Overlay::go_to) {
-        // The key that opened it types its own letter too; an empty field does not want it.
-        if (!(typed.empty() && overlay_ == Overlay::go_to && (event.text.text[0] == 'g' || event.text.text[0] == 'G'))) typed += event.text.text;
+      if (typing()) {
+        // The key that opened it types its own letter too, which is not wanted.
+        const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(event.text.text[0])));
+        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q');
+        if (!(of_the_key && just_opened_)) typed += event.text.text;
+        just_opened_ = false;
         picked = 0;
         session_.touch();
       } else if (const Command* command = command_for(event.text.text[0])) {

@@ -22,7 +22,7 @@ struct WindowRequests {
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
-enum class Overlay { none, keys, palette, go_to, menu };
+enum class Overlay { none, keys, palette, go_to, menu, query };
 
 class App {
  public:
@@ -57,8 +57,14 @@ class App {
   void scale_text(float factor);  ///< 0: back to the usual size
   std::string link() const;       ///< the command line that opens this place
   std::string opened_by;          ///< as in ViewerOptions; what link() begins with
-  std::string typed;              ///< in palette and go-to
-  int picked = 0;                 ///< in palette
+  std::string typed;              ///< in palette, go-to and query
+  int picked = 0;                 ///< in palette, and of an answer's rows
+  Inquiry& inquiry() { return inquiry_; }
+  std::string tables() const;     ///< that can be asked, by name
+  bool scroll_to_picked = false;
+  void ask_typed();               ///< asks what is typed; again: goes where the picked row leads
+  void go_to_row(std::size_t row);
+  void paint_answer();            ///< over the frame, or no longer
   void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"
   void say(std::string message);
 
@@ -72,6 +78,8 @@ class App {
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
   void draw_overlay();
   bool key(const SDL_KeyboardEvent& event);
+  bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query; }
+  bool edit(SDL_Keycode code, unsigned modifiers);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -82,12 +90,14 @@ class App {
   Settings settings_;
   Renderer renderer_;
   Session session_;
+  Inquiry inquiry_;
   Ui ui_;
   std::vector<Pane> structures_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
+  bool just_opened_ = false;  ///< nothing was typed into it yet
   std::uint64_t seen_revision_ = 0;
 };
 
@@ -96,5 +106,6 @@ void draw_key_sheet(App& app);
 void draw_palette(App& app);
 void draw_go_to(App& app);
 void draw_menu(App& app);
+void draw_query(App& app);
 
 }  // namespace zstep::viewer

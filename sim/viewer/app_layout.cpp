@@ -238,6 +238,7 @@ void App::draw_overlay() {
     case Overlay::palette: return draw_palette(*this);
     case Overlay::go_to: return draw_go_to(*this);
     case Overlay::menu: return draw_menu(*this);
+    case Overlay::query: return draw_query(*this);
   }
 }
 

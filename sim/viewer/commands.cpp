@@ -76,6 +76,10 @@ void select_current(App& app) {
 void escape(App& app) {
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
   Session& s = app.session();
+  if (app.ui().heat) {
+    app.ui().heat.reset();
+    return s.touch();
+  }
   s.selected.reset();
   s.selected_edge.reset();
   s.message.clear();
@@ -110,6 +114,7 @@ const std::vector<Command>& table() {
       {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
       {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.session().go_to(a.session().size()); }},
       {"go-to", "Move", "Go to a step, a percentage, a polygon or a pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
+      {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Overlay::query); }},
       {"play", "Play", "Play or pause", {{SDLK_SPACE}}, play},
       {"faster", "Play", "Faster", {{0, 0, '+'}}, change_speed<1>},
       {"slower", "Play", "Slower", {{0, 0, '-'}}, change_speed<-1>},

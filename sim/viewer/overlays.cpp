@@ -5,19 +5,17 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/overlays.hpp"
 #include "sim/viewer/words/numbers.hpp"
 
 namespace zstep::viewer {
-namespace {
 
-/// A framed window over the others; returns false when a click outside closed it.
-bool begin(App& app, const char* id, ImVec2 size) {
+void begin_overlay(App& app, const char* id, ImVec2 size, float down) {
   Ui& ui = app.ui();
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   size = {std::min(size.x, whole.x - 8), std::min(size.y, whole.y - 8)};
-  const ImVec2 at{std::floor((whole.x - size.x) / 2), std::floor((whole.y - size.y) / 2.4f)};
+  const ImVec2 at{std::floor((whole.x - size.x) / 2), std::floor((whole.y - size.y) * down)};
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(size);
   ImGui::SetNextWindowFocus();
@@ -31,8 +29,25 @@ bool begin(App& app, const char* id, ImVec2 size) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool inside = mouse.x >= at.x && mouse.y >= at.y && mouse.x < at.x + size.x && mouse.y < at.y + size.y;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !inside) app.open(Overlay::none);
-  return true;
 }
+
+void draw_field(Ui& ui, const std::string& text, const std::string& hint) {
+  const Theme& c = ui.colors();
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(ui.em * 1.7f)};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(at, end, c.head);
+  frame_box(list, at, end, c.now);
+  ImGui::PushClipRect(at, end, true);
+  const float beyond = std::max(0.0f, text_size(ui, ui.fonts.text, text).x + ui.em - (end.x - at.x));
+  const float x = at.x + ui.em * 0.4f - beyond, y = at.y + ui.em * 0.3f;
+  draw_text(ui, {x, y}, ui.fonts.text, text.empty() ? c.muted : c.text, text.empty() ? hint : text);
+  const float caret = text.empty() ? x - 2 : x + text_size(ui, ui.fonts.text, text).x + 1;
+  list->AddRectFilled({caret, y}, {caret + 2, y + ui.em}, c.now);
+  ImGui::PopClipRect();
+  ImGui::Dummy({1, end.y - at.y + ui.em * 0.3f});
+}
+
+namespace {
 
 /// A row with a title on the left and its keys on the right; true when clicked.
 bool row(Ui& ui, const Command& command, float width, bool lit) {
@@ -73,7 +88,7 @@ void draw_columns(App& app, const char* id, const char* title) {
     if (std::strcmp(group, command.group) != 0) group = command.group, lines += 1;
   const int columns = std::clamp(static_cast<int>((screen.x - 2 * ui.em) / width), 1, 3);
   const float needed = std::ceil(static_cast<float>(lines + 3) / static_cast<float>(columns)) * row_height + 3 * ui.em;
-  begin(app, id, {width * static_cast<float>(columns) + 2 * ui.em, needed});
+  begin_overlay(app, id, {width * static_cast<float>(columns) + 2 * ui.em, needed});
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, title, heading);
@@ -101,21 +116,6 @@ void draw_columns(App& app, const char* id, const char* title) {
   if (clicked) run(app, *clicked);
 }
 
-void field(Ui& ui, const std::string& text, const std::string& hint) {
-  const Theme& c = ui.colors();
-  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(ui.em * 1.7f)};
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(at, end, c.head);
-  frame_box(list, at, end, c.now);
-  ImGui::PushClipRect(at, end, true);
-  const float x = at.x + ui.em * 0.4f, y = at.y + ui.em * 0.3f;
-  draw_text(ui, {x, y}, ui.fonts.text, text.empty() ? c.muted : c.text, text.empty() ? hint : text);
-  const float caret = text.empty() ? x - 2 : x + text_size(ui, ui.fonts.text, text).x + 1;
-  list->AddRectFilled({caret, y}, {caret + 2, y + ui.em}, c.now);
-  ImGui::PopClipRect();
-  ImGui::Dummy({1, end.y - at.y + ui.em * 0.3f});
-}
-
 }  // namespace
 
 void draw_key_sheet(App& app) { draw_columns(app, "keys", "Every key. A click does what its row says; Esc closes."); }
@@ -124,8 +124,8 @@ void draw_menu(App& app) { draw_columns(app, "menu", "Menu"); }
 void draw_palette(App& app) {
   Ui& ui = app.ui();
   const float row_height = std::round(ui.em * 1.4f);
-  begin(app, "palette", {std::max(ui.em * 26, widest_row(ui)), row_height * 12 + ui.em * 3});
-  field(ui, app.typed, "Type a part of a command's name");
+  begin_overlay(app, "palette", {std::max(ui.em * 26, widest_row(ui)), row_height * 12 + ui.em * 3});
+  draw_field(ui, app.typed, "Type a part of a command's name");
   const auto found = matching(app.typed);
   const Command* clicked = nullptr;
   ImGui::BeginChild("found", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
@@ -141,11 +141,11 @@ void draw_palette(App& app) {
 
 void draw_go_to(App& app) {
   Ui& ui = app.ui();
-  begin(app, "go to", {ui.em * 26, ui.em * 7});
+  begin_overlay(app, "go to", {ui.em * 26, ui.em * 7});
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, "Go to", heading);
-  field(ui, app.typed, "12041");
+  draw_field(ui, app.typed, "12041");
   Flow how;
   how.color = ui.colors().muted;
   flow(ui, fmt::format("A step (0 to {}), 25 %, p 3 for polygon 3, or 9, 17 to select a pixel. Enter goes there.", grouped(app.session().size())), how);

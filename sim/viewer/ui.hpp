@@ -14,6 +14,7 @@
 #include "sim/viewer/draw/fonts.hpp"
 #include "sim/viewer/draw/renderer.hpp"
 #include "sim/viewer/draw/theme.hpp"
+#include "sim/viewer/model/inquiry.hpp"
 #include "sim/viewer/model/raster_view.hpp"
 #include "sim/viewer/model/session.hpp"
 #include "sim/viewer/model/summary.hpp"
@@ -40,6 +41,7 @@ struct Ui {
   CurveMarks curves;
   RowMarks rows;
   RasterView view;
+  std::optional<HeatMap> heat;                   ///< painted over the frame
   std::map<std::string, RasterContent> rasters;  ///< by pane
   std::map<std::string, Canvas> canvases;        ///< by what is painted there
   std::map<std::string, std::uint64_t> painted;  ///< the version each canvas shows

@@ -24,12 +24,20 @@ std::vector<std::string> about_cell(Ui& ui, Cell cell) {
   return lines;
 }
 
+/// An answer's numbers in the colours of depths, from the least to the most; hatched where it has none.
+void paint_heat(const Ui& ui, std::vector<Pixel32>& cells) {
+  const HeatMap& heat = *ui.heat;
+  cells.resize(heat.values.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = std::isnan(heat.values[i]) ? hatched_cell : ui.depth_scale.at(heat.share(heat.values[i]));
+}
+
 void draw_frame(Ui& ui) {
   const Session& s = ui.session;
   const Scene& scene = s.scene();
   draw_raster(
       ui, "frame", std::round(ui.fonts.small->FontSize * 1.3f),
       [&](std::vector<Pixel32>& cells) {
+        if (ui.heat) return paint_heat(ui, cells);
         const Picture& picture = s.picture();
         std::vector<Pixel32> colors;
         for (const Polygon& polygon : scene.polygons) colors.push_back(opaque(polygon.color));
@@ -45,6 +53,7 @@ void draw_frame(Ui& ui) {
         }
       },
       [&](std::size_t at, int) {
+        if (ui.heat) return std::isnan(ui.heat->values[at]) ? std::string() : number(ui.heat->values[at], 2, true);
         const std::int32_t p = s.picture().polygon[at];
         return p < 0 ? std::string() : polygon_label(scene, p);
       },
@@ -53,6 +62,7 @@ void draw_frame(Ui& ui) {
 
 std::string frame_note(Ui& ui) {
   const Session& s = ui.session;
+  if (ui.heat) return fmt::format("{}: {} (light) to {} (dark); Esc ends", ui.heat->name, number(ui.heat->least), number(ui.heat->most));
   if (s.looking_back) return fmt::format("BEFORE: step {}", grouped(s.before()));
   if (s.state().machine.pass == Pass::light) return "as the light sees it";
   return fmt::format("{} \u00d7 {}{}", s.scene().raster.width, s.scene().raster.height,

@@ -1,0 +1,107 @@
+// The box for questions in SQL: what is typed, and the rows of the answer. It leaves the buffers above it to be seen.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/app.hpp"
+#include "sim/viewer/overlays.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr std::size_t measured = 200;  // rows; what is wider further down is cut
+
+/// Widths of the columns, the widest narrowed until all fit.
+std::vector<float> widths_for(Ui& ui, const Inquiry& inquiry, float room) {
+  std::vector<float> widths;
+  for (std::size_t k = 0; k < inquiry.columns().size(); ++k) {
+    float width = text_size(ui, ui.fonts.small, inquiry.columns()[k]).x;
+    for (std::size_t row = 0; row < std::min(measured, inquiry.rows().size()); ++row)
+      width = std::max(width, text_size(ui, ui.fonts.mono, inquiry.rows()[row][k]).x);
+    widths.push_back(width + ui.em);
+  }
+  float sum = 0;
+  for (const float width : widths) sum += width;
+  while (sum > room && !widths.empty()) {
+    float& widest = *std::max_element(widths.begin(), widths.end());
+    const float cut = std::min(sum - room, widest / 4);
+    if (widest < 3 * ui.em) break;
+    widest -= cut, sum -= cut;
+  }
+  return widths;
+}
+
+/// A cell's text, cut with a sign where it has no room.
+std::string fitted(Ui& ui, const ImFont* font, std::string text, float room) {
+  if (text_size(ui, font, text).x <= room) return text;
+  while (!text.empty() && text_size(ui, font, text + "\u2026").x > room) {
+    do text.pop_back();
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0u) == 0x80u);
+  }
+  return text + "\u2026";
+}
+
+void draw_rows(App& app) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const Inquiry& inquiry = app.inquiry();
+  const std::vector<float> widths = widths_for(ui, inquiry, ImGui::GetContentRegionAvail().x);
+  const ImVec2 head = ImGui::GetCursorScreenPos();
+  float x = head.x + 5;
+  for (std::size_t k = 0; k < widths.size(); ++k) {
+    draw_text(ui, {x, head.y}, ui.fonts.small, c.muted, fitted(ui, ui.fonts.small, inquiry.columns()[k], widths[k] - ui.em * 0.5f));
+    x += widths[k];
+  }
+  ImGui::Dummy({1, std::round(ui.fonts.small->FontSize * 1.4f)});
+  ImGui::BeginChild("rows", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+  const float height = std::round(ui.fonts.mono->FontSize * 1.35f), width = ImGui::GetContentRegionAvail().x;
+  std::optional<std::size_t> clicked;
+  for (std::size_t row = 0; row < inquiry.rows().size(); ++row) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
+    ImGui::PushID(static_cast<int>(row));
+    if (ImGui::InvisibleButton("row", {std::max(1.0f, width), height})) clicked = row;
+    ImGui::PopID();
+    if (static_cast<int>(row) == app.picked) {
+      ImGui::GetWindowDrawList()->AddRectFilled(at, end, c.now_soft);
+      ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 3, end.y}, c.now);
+      if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
+    } else if (ImGui::IsItemHovered()) {
+      ImGui::GetWindowDrawList()->AddRectFilled(at, end, c.button_hovered);
+    }
+    if (!ImGui::IsRectVisible(at, end)) continue;
+    x = at.x + 5;
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+      draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.text, fitted(ui, ui.fonts.mono, inquiry.rows()[row][k], widths[k] - ui.em * 0.5f));
+      x += widths[k];
+    }
+  }
+  app.scroll_to_picked = false;
+  ImGui::EndChild();
+  if (clicked) app.go_to_row(*clicked);
+}
+
+}  // namespace
+
+void draw_query(App& app) {
+  Ui& ui = app.ui();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  begin_overlay(app, "query", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
+  draw_field(ui, app.typed, "select x, y, count(*) from depth_compare where not nearer group by x, y");
+  const Inquiry& inquiry = app.inquiry();
+  Flow how;
+  how.color = ui.colors().muted;
+  std::string note = inquiry.note();
+  if (!inquiry.rows().empty() && app.typed == inquiry.sql()) {
+    note += ". Enter or a click goes where a row leads";
+    if (inquiry.heat()) note += ui.heat ? "; Tab shows the colours again" : "; Tab paints them over the frame";
+    note += ".";
+  } else if (note.empty() || app.typed != inquiry.sql()) {
+    note = "Enter asks. Tables are the kinds of events: " + app.tables() + ".";
+  }
+  flow(ui, note, how);
+  if (!inquiry.columns().empty()) draw_rows(app);
+  ImGui::End();
+}
+
+}  // namespace zstep::viewer
