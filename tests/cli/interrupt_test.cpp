@@ -9,6 +9,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -99,6 +100,39 @@ TEST_CASE("Ctrl-C ends a comparison at once with exit code 130") {
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 130);
   CHECK(text_of(folder / "err").find("stopped by Ctrl-C") != std::string::npos);
+}
+
+TEST_CASE("a recording that is killed at any moment can be opened, and lacks at most what was no whole block yet") {
+  const Folder folder;
+  std::mt19937 random(3);
+  int with_steps = 0;
+  for (int round = 0; round < 12; ++round) {
+    fs::remove(folder / "big.ztrace");
+    const pid_t child = start(folder, {"record", "teapot", "--size", "6400x4800", "-o", "big.ztrace"});
+    REQUIRE(child > 0);
+    wait_until_it_listens(child);
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 300));
+    kill(child, SIGKILL);
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    std::error_code none;
+    const std::uintmax_t bytes = fs::file_size(folder / "big.ztrace", none);
+    if (none || bytes == 0) continue;  // killed before the first byte
+    const Outcome info = run(folder, "info big.ztrace");
+    CAPTURE(info.err);
+    CAPTURE(bytes);
+    REQUIRE(info.code == 0);
+    // "size  1 234 steps in …": whole blocks of 65 536, and no more bytes behind them than a block may have.
+    std::string digits;
+    const std::size_t at = info.out.find("size ");
+    for (const char c : info.out.substr(at, info.out.find(" steps", at) - at))
+      if (c >= '0' && c <= '9') digits += c;
+    const long steps = std::stol("0" + digits);
+    CHECK(steps % 65536 == 0);
+    with_steps += steps > 0;
+    if (steps > 0) CHECK(run(folder, "dump big.ztrace --from " + std::to_string(steps)).code == 0);
+  }
+  CHECK(with_steps > 3);
 }
 
 TEST_CASE("a disk that fills up ends a recording in one line, and what is there can be read") {
