@@ -112,15 +112,16 @@ void pass_column(Drawing& drawing, std::int32_t x, double y, R& record) {
   drawing.before = now;
 }
 
-/// A curve is seen edge-on between two columns when it meets none of them.
-bool is_between_columns(const Drawing& drawing, std::int32_t first, std::int32_t stride, std::int32_t count) {
+/// A curve is seen edge-on when it meets no column, or one along all its length.
+bool is_seen_edge_on(const Drawing& drawing, std::int32_t first, std::int32_t stride, std::int32_t count) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::int32_t i = 0, a = first; i + 1 < count; ++i, a += stride)
     if (const auto stretch = drawing.stretch(a, a + stride)) {
       low = std::min({low, stretch->from.x, stretch->to.x});
       high = std::max({high, stretch->from.x, stretch->to.x});
     }
-  return std::ceil(low) > std::floor(high);
+  constexpr double point = 1e-9;  // px
+  return std::ceil(low) > std::floor(high) || high - low <= point;
 }
 
 /// Through vertices first, first + stride, …
@@ -128,7 +129,7 @@ template <Recorder R>
 void draw_curve(Drawing& drawing, std::int32_t first, std::int32_t stride, std::int32_t count, R& record) {
   const std::int32_t width = drawing.picture.width;
   const auto pass = [&](std::int32_t x, double y) { pass_column(drawing, x, y, record); };
-  const bool edge_on = is_between_columns(drawing, first, stride, count);
+  const bool edge_on = is_seen_edge_on(drawing, first, stride, count);
   drawing.before.reset();
   drawing.dot.reset();
   for (std::int32_t i = 0, a = first; i + 1 < count; ++i, a += stride) {

@@ -31,16 +31,21 @@ struct Search {
     ++nearest.tests;
     const Crossing crossing = cross(ray, target.plane);
     record(meeting::step::plane, RayPlane{target.facet, crossing.numerator, crossing.denominator, crossing.t});
-    if (!(crossing.t >= ray.t_least && crossing.t <= ray.t_most)) return;
+    double t = crossing.t;
+    if (meets.not_facet >= 0 && std::abs(t) <= meets.here) {
+      if (!meets.layers || target.facet < meets.not_facet) return;
+      t = 0;
+    }
+    if (!(t >= ray.t_least && t <= ray.t_most)) return;
     if (meets.cull && crossing.denominator > 0) return;  // the normal points away from where the ray comes from
 
     const bool inside = passes_inside(along, target.corners);
     const bool nearer =
-        crossing.t < nearest.t || (crossing.t == nearest.t && (nearest.facet < 0 || target.facet < nearest.facet));
-    const glm::dvec3 point = ray.at(crossing.t);
-    const RayHit hit{target.facet, crossing.t, point.x, point.y, point.z, inside, inside && nearer};
+        t < nearest.t || (t == nearest.t && (nearest.facet < 0 || target.facet < nearest.facet));
+    const glm::dvec3 point = ray.at(t);
+    const RayHit hit{target.facet, t, point.x, point.y, point.z, inside, inside && nearer};
     record(meeting::step::hit, hit);
-    if (hit.nearest) nearest.facet = target.facet, nearest.t = crossing.t;
+    if (hit.nearest) nearest.facet = target.facet, nearest.t = t;
   }
 
   void test_facets(const std::vector<std::int32_t>& places) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -51,15 +52,17 @@ Target target_of(const Scene& scene, std::int32_t facet);
 /// screen scene's facets are taken as they are.
 bool can_be_met(const Scene& scene, const Target& target);
 
-/// Where a ray meets a plane: t = -(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ), NaN where it runs along it.
+/// Where a ray meets a plane: t = -(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ), NaN where it runs along it: where the
+/// sine of the angle between them is that of a facet seen edge-on.
 struct Crossing {
   double numerator, denominator, t;
 };
 inline Crossing cross(const Ray& ray, const pieces::Plane& plane) {
   const double numerator = -plane.value(ray.from);
   const double denominator = plane.a * ray.along.x + plane.b * ray.along.y + plane.c * ray.along.z;
-  return {numerator, denominator,
-          denominator == 0 ? std::numeric_limits<double>::quiet_NaN() : numerator / denominator};
+  constexpr double edge_on_sine = 1e-12;  // the plane's normal has length 1
+  const bool along = denominator * denominator <= edge_on_sine * edge_on_sine * glm::dot(ray.along, ray.along);
+  return {numerator, denominator, along ? std::numeric_limits<double>::quiet_NaN() : numerator / denominator};
 }
 
 /// Points as they are seen along a ray: the coordinate along which it runs fastest is projected away, and the ray is

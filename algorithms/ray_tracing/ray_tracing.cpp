@@ -26,6 +26,13 @@ Color color_of(glm::dvec3 light) {
   return {part(light.x), part(light.y), part(light.z)};
 }
 
+/// The diagonal of the box around a scene's points.
+double extent_of(const Scene& scene) {
+  glm::dvec3 low(infinity), high(-infinity);
+  for (const glm::dvec3& point : scene.points) low = glm::min(low, point), high = glm::max(high, point);
+  return scene.points.empty() ? 0 : glm::length(high - low);
+}
+
 struct Pixel {
   std::int32_t x, y;
 };
@@ -41,7 +48,8 @@ struct Tracer {
   ray_casting::Space space;
   std::int64_t depth;  // rays may come from rays so often
   R& record;
-  std::int32_t rays = 0;  // how many began
+  double here = 1e-9 * extent_of(scene);  // what is nearer to a ray's start is at its start
+  std::int32_t rays = 0;                  // how many began
 
   std::int32_t begin(Step<RayBegin> step, RayRole role, std::int32_t parent, Pixel at, const Ray& ray) {
     const std::int32_t number = rays++;
@@ -59,7 +67,7 @@ struct Tracer {
   bool lit(glm::dvec3 point, std::int32_t facet, std::int32_t parent, Pixel at) {
     const Ray ray{point, scene.light->position - point, 0, 1};
     const std::int32_t number = begin(step::shadow_ray, RayRole::shadow, parent, at, ray);
-    const Nearest nearest = first_hit(space, ray, Meets{false, facet}, record);
+    const Nearest nearest = first_hit(space, ray, Meets{false, facet, here / glm::length(ray.along)}, record);
     const bool free = nearest.facet < 0;
     end(number, nearest, glm::dvec3(free ? 1 : 0));
     return free;
@@ -86,12 +94,12 @@ struct Tracer {
     if (mirror > 0) {
       const Ray next{point, mirrored(along, normal), 0, infinity};
       const std::int32_t child = begin(step::mirrored_ray, RayRole::reflected, number, at, next);
-      light += mirror * trace(next, child, Meets{false, nearest.facet}, at, deep + 1).light;
+      light += mirror * trace(next, child, Meets{false, nearest.facet, here}, at, deep + 1).light;
     }
     if (through > 0) {
       const Ray next{point, *bent, 0, infinity};
       const std::int32_t child = begin(step::transmitted_ray, RayRole::transmitted, number, at, next);
-      light += through * trace(next, child, Meets{false, nearest.facet}, at, deep + 1).light;
+      light += through * trace(next, child, Meets{false, nearest.facet, here, true}, at, deep + 1).light;
     }
     return light;
   }

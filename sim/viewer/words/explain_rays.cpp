@@ -87,9 +87,9 @@ void tell(Telling& t, const BoxTest& e) {
 
 void tell(Telling& t, const RayPlane& e) {
   const std::string who = facet_name(t, e.facet);
-  if (e.denominator == 0) {
+  if (std::isnan(e.t)) {
     t.say(fmt::format("The ray runs along the plane of {}: it never meets it.", who));
-    t.formula("A dX + B dY + C dZ = 0");
+    t.formula(fmt::format("A dX + B dY + C dZ = {}{}", number(e.denominator), e.denominator == 0 ? "" : ", which is 0 to rounding"));
     return;
   }
   if (e.t < 0) t.say(fmt::format("The plane of {} lies behind the ray's start.", who));
