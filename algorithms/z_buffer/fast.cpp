@@ -240,8 +240,10 @@ void run_fast(const Scene& scene, const Conventions& conventions, Picture& pictu
   const std::int32_t bands = bands_for(raster, threads);
   const auto parts = static_cast<std::size_t>(threads);
   Outlines all(scene, conventions, parts);
-  lanes::share(threads, parts, [&](std::size_t part) { all.view(part); });
-  lanes::share(threads, parts, [&](std::size_t part) { all.find(part); });
+  // To begin a thread takes as long as some thousands of these.
+  const int viewing = scene.points.size() < 30'000 ? 1 : threads, finding = scene.facets.size() < 4'000 ? 1 : threads;
+  lanes::share(viewing, parts, [&](std::size_t part) { all.view(part); });
+  lanes::share(finding, parts, [&](std::size_t part) { all.find(part); });
   all.finish();
   lanes::share(threads, static_cast<std::size_t>(bands), [&](std::size_t band) {
     const auto row_of = [&](std::size_t k) {
