@@ -110,8 +110,16 @@ TEST_CASE("a recording that is killed at any moment can be opened, and lacks at 
     fs::remove(folder / "big.ztrace");
     const pid_t child = start(folder, {"record", "teapot", "--size", "6400x4800", "-o", "big.ztrace"});
     REQUIRE(child > 0);
-    wait_until_it_listens(child);
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 300));
+    // At some size, as a machine's speed is not known; and then some microseconds later, within a write or between two.
+    const std::uintmax_t enough = round < 3 ? 0 : random() % 400'000;
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    std::error_code missing;
+    const auto size = [&] {
+      const std::uintmax_t now = fs::file_size(folder / "big.ztrace", missing);
+      return missing ? 0 : now;
+    };
+    while (size() < enough && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 20'000));
     kill(child, SIGKILL);
     int status = 0;
     REQUIRE(waitpid(child, &status, 0) == child);
