@@ -12,6 +12,7 @@
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/words/numbers.hpp"
 #include "sim/viewer/words/shell_word.hpp"
+#include "traces/error.hpp"
 
 namespace zstep::viewer {
 
@@ -151,6 +152,37 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
   return false;
 }
 
+void App::open_history() {
+  const auto cell = session_.selected ? session_.selected : session_.current_cell();
+  if (!cell) return say("Click a pixel first; then H tells all that happened to it.");
+  try {
+    history_ = answers::pixel_history(session_.trace(), {cell->x, cell->y});
+  } catch (const InputError& error) {
+    return say(error.what());
+  }
+  if (history_.empty()) return say(fmt::format("Nothing reached pixel ({}, {}).", cell->x, cell->y));
+  history_of_ = *cell;
+  session_.select(*cell);
+  open(Overlay::history);
+  // The last that is not after where the reader stands.
+  for (std::size_t i = 0; i < history_.size(); ++i)
+    if (history_[i].step <= session_.position()) picked = static_cast<int>(i);
+}
+
+bool App::pick_visit(SDL_Keycode code) {
+  const int last = static_cast<int>(history_.size()) - 1;
+  if (code == SDLK_RETURN) return go_to_visit(static_cast<std::size_t>(picked)), true;
+  if (code != SDLK_UP && code != SDLK_DOWN) return false;
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, last));
+  scroll_to_picked = true;
+  return true;
+}
+
+void App::go_to_visit(std::size_t visit) {
+  picked = static_cast<int>(visit);
+  if (visit < history_.size()) session_.go_to(history_[visit].step);
+}
+
 void App::ask_typed() {
   if (typed == inquiry_.sql() && !inquiry_.rows().empty()) return go_to_row(static_cast<std::size_t>(picked));
   inquiry_.ask(typed);
@@ -191,6 +223,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     for (const Command& command : commands())
       if (command.release && !command.keys.empty() && command.keys[0].key == code) command.release(*this);
     return false;
+  }
+  if (overlay_ == Overlay::history && pick_visit(code)) {
+    session_.touch();
+    return true;
   }
   if (typing() && edit(code, modifiers)) {
     session_.touch();

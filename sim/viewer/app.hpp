@@ -7,6 +7,7 @@
 
 #include <SDL.h>
 
+#include "sim/answers/pixel_history.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/ui.hpp"
@@ -22,7 +23,7 @@ struct WindowRequests {
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
-enum class Overlay { none, keys, palette, go_to, menu, query };
+enum class Overlay { none, keys, palette, go_to, menu, query, history };
 
 class App {
  public:
@@ -64,6 +65,10 @@ class App {
   bool scroll_to_picked = false;
   void ask_typed();               ///< asks what is typed; again: goes where the picked row leads
   void go_to_row(std::size_t row);
+  void open_history();            ///< of the selected pixel, or the one at work
+  const std::vector<answers::Visit>& history() const { return history_; }
+  Cell history_of() const { return history_of_; }
+  void go_to_visit(std::size_t visit);
   void paint_answer();            ///< over the frame, or no longer
   void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"
   void say(std::string message);
@@ -80,6 +85,7 @@ class App {
   bool key(const SDL_KeyboardEvent& event);
   bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query; }
   bool edit(SDL_Keycode code, unsigned modifiers);
+  bool pick_visit(SDL_Keycode code);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -91,6 +97,8 @@ class App {
   Renderer renderer_;
   Session session_;
   Inquiry inquiry_;
+  std::vector<answers::Visit> history_;
+  Cell history_of_;
   Ui ui_;
   std::vector<Pane> structures_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
@@ -107,5 +115,6 @@ void draw_palette(App& app);
 void draw_go_to(App& app);
 void draw_menu(App& app);
 void draw_query(App& app);
+void draw_history(App& app);
 
 }  // namespace zstep::viewer

@@ -239,6 +239,7 @@ void App::draw_overlay() {
     case Overlay::go_to: return draw_go_to(*this);
     case Overlay::menu: return draw_menu(*this);
     case Overlay::query: return draw_query(*this);
+    case Overlay::history: return draw_history(*this);
   }
 }
 

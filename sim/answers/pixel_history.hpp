@@ -1,0 +1,44 @@
+// What happened to one pixel: every polygon that reached it, in order, with the numbers that decided and the reason in words.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "traces/file/trace.hpp"
+
+namespace zstep::answers {
+
+enum class Outcome : std::uint8_t {
+  won,       ///< nearer than what was there
+  lost,      ///< not nearer
+  tie,       ///< equal; what came first stays
+  painted,   ///< without a compare
+  mixed,     ///< laid over what was there
+  colored,   ///< the pixel got a colour that is no polygon's own
+  rejected,  ///< it would cover the pixel, but was not drawn: culled, edge-on, out of view
+};
+
+/// One thing that happened to the pixel.
+struct Visit {
+  std::int64_t step = 0;              ///< that decided it
+  std::int32_t polygon = no_polygon;  ///< of whom; none for a colour alone
+  Outcome outcome = Outcome::won;
+  std::optional<double> z;       ///< the buffer's own numbers; along a ray, t
+  std::optional<double> stored;  ///< what it was held against
+  std::int32_t stored_polygon = no_polygon;
+  std::string sentence;               ///< why, in words
+  std::vector<std::string> formulas;  ///< and in numbers
+  std::string reason;                 ///< of a rejected one: "back-facing"
+  std::optional<std::size_t> over;    ///< the visit that took the pixel from this one, by its place in the history
+};
+
+/// All that happened to a pixel, by step. Of polygons that were rejected only those that cover its centre.
+/// Throws InputError where the trace is damaged, or tells what cannot be.
+std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel);
+
+/// What came of a visit, in a few words: "behind by 0.03", "nearer; B comes over it at step 812".
+std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit);
+
+}  // namespace zstep::answers

@@ -1,0 +1,113 @@
+// The history of a pixel against brute force: every pixel of small traces of every method.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/answers/pixel_history.hpp"
+#include "sim/compare/truth.hpp"
+#include "tests/golden/golden.hpp"
+#include "traces/replay/replay.hpp"
+
+using namespace zstep;
+using answers::Outcome, answers::Visit, answers::pixel_history;
+
+namespace {
+
+/// What a run through the whole trace tells of every pixel: steps that compare or paint there in the eye's picture.
+std::vector<std::vector<std::int64_t>> fragments_of(const Trace& trace) {
+  const Raster& raster = trace.scene().raster;
+  std::vector<std::vector<std::int64_t>> all(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+  Pass pass = Pass::eye;
+  for (std::int64_t step = 1; step <= trace.size(); ++step) {
+    const Event& event = trace.event(step).event;
+    if (const auto* begin = std::get_if<PassBegin>(&event)) pass = begin->pass;
+    const auto at = pixel_of(event);
+    if (!at || pass == Pass::light) continue;
+    const bool decides = std::holds_alternative<DepthCompare>(event) || std::holds_alternative<PixelPaint>(event) ||
+                         std::holds_alternative<ColorBlend>(event) || std::holds_alternative<ColorWrite>(event);
+    if (decides) all[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x)].push_back(step);
+  }
+  return all;
+}
+
+bool casts_rays(const Trace& trace) { return trace.header().algorithm.starts_with("ray-"); }
+
+}  // namespace
+
+TEST_SUITE("pixel history") {
+  TEST_CASE("of every pixel of every golden trace: the same steps as by looking at all, and the last winner is what is seen") {
+    test::for_each_golden([&](const std::string& name, const Trace& trace) {
+      CAPTURE(name);
+      const auto all = fragments_of(trace);
+      Replay replay(trace);
+      replay.go_to(trace.size());
+      const Picture picture = replay.state().picture;
+      const std::int32_t step_x = std::max(1, picture.width / 12), step_y = std::max(1, picture.height / 9);
+      for (std::int32_t y = 0; y < picture.height; y += step_y)
+        for (std::int32_t x = 0; x < picture.width; x += step_x) {
+          CAPTURE(x);
+          CAPTURE(y);
+          const std::vector<Visit> history = pixel_history(trace, {x, y});
+          std::vector<std::int64_t> steps;
+          std::int32_t seen = no_polygon;
+          for (const Visit& visit : history) {
+            CHECK_FALSE(visit.sentence.empty());
+            if (visit.outcome == Outcome::won || visit.outcome == Outcome::painted) seen = visit.polygon;
+            if (visit.outcome != Outcome::rejected && !casts_rays(trace)) steps.push_back(visit.step);
+          }
+          if (!casts_rays(trace)) CHECK(steps == all[picture.at(x, y)]);
+          const bool blends = trace.header().algorithm == "transparency";
+          if (!blends && !picture.polygon.empty()) CHECK(seen == picture.polygon[picture.at(x, y)]);
+        }
+    });
+  }
+
+  TEST_CASE("of every pixel of the pyramid before a triangle: every polygon that covers it, drawn, hidden or culled") {
+    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid-behind.jsonl");
+    const compare::Truth truth(trace.scene(), false);
+    int culled = 0, lost = 0, over = 0;
+    for (std::int32_t y = 0; y < truth.height(); ++y)
+      for (std::int32_t x = 0; x < truth.width(); ++x) {
+        CAPTURE(x);
+        CAPTURE(y);
+        std::set<std::int32_t> there, told;
+        bool sure = true;
+        for (const compare::Candidate& candidate : truth.at(x, y)) {
+          sure = sure && candidate.edge > compare::edge_tolerance;
+          if (candidate.covers) there.insert(candidate.polygon);
+        }
+        for (const Visit& visit : pixel_history(trace, {x, y})) {
+          told.insert(visit.polygon);
+          culled += visit.outcome == Outcome::rejected;
+          lost += visit.outcome == Outcome::lost;
+          over += visit.over.has_value();
+          if (visit.outcome == Outcome::lost) CHECK(*visit.z > *visit.stored);
+          if (visit.outcome == Outcome::won && visit.stored) CHECK(*visit.z < *visit.stored);
+        }
+        if (sure) CHECK(told == there);
+      }
+    CHECK(culled > 5);
+    CHECK(lost > 5);
+    CHECK(over > 5);
+  }
+
+  TEST_CASE("along a ray: what it met, in the order in which it was tested, and the tie") {
+    int ties = 0, lost = 0;
+    for (const char* name : {"ray-casting", "ray-casting-tree"}) {
+      const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/" + std::string(name) + ".jsonl");
+      for (std::int32_t y = 0; y < trace.scene().raster.height; ++y)
+        for (std::int32_t x = 0; x < trace.scene().raster.width; ++x)
+          for (const Visit& visit : pixel_history(trace, {x, y})) ties += visit.outcome == Outcome::tie, lost += visit.outcome == Outcome::lost;
+    }
+    CHECK(ties > 0);
+    CHECK(lost > 0);
+  }
+
+  TEST_CASE("a pixel that nothing reached has no history") {
+    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid.jsonl");
+    CHECK(pixel_history(trace, {0, 0}).empty());
+  }
+}
