@@ -58,7 +58,7 @@ TEST_CASE("stepping on and back by any unit returns to the same bytes") {
     app.session().go_to(0);
     int checked = 0;
     // Each unit's own places: from one to the next and back.
-    for (app.session().move(unit, 1); app.session().position() < trace.size() && checked < 12; app.session().move(unit, 1), ++checked) {
+    for (app.session().move(unit, 1); app.session().position() < trace.size() && checked < 12 / test::sparse; app.session().move(unit, 1), ++checked) {
       const std::int64_t from = app.session().position();
       const test::Bytes before = test::picture(app);
       app.session().move(unit, 1);
@@ -130,7 +130,7 @@ TEST_CASE("no letter is cut beside a lesson, at any of its stops") {
     const Trace trace = run_lesson(lesson);
     for (const int width : {1280, 1920}) {
       App app(trace, &lesson, {}, width, width * 9 / 16);
-      for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); ++stop) {
+      for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); stop += test::sparse) {
         app.session().to_stop(stop);
         for (int steps = width < 1500 ? 0 : 1; steps < 2; ++steps, app.session().move(Unit::event, 1)) {
           CAPTURE(lesson.id);

@@ -49,8 +49,11 @@ TEST_CASE("damage: a trace opens with the blocks it has wherever it is cut off, 
   REQUIRE(count == static_cast<std::int64_t>(events.size()));
   std::int64_t last = 0;
   bool opened = false;
-  // At every byte of the head and of what ends the file; now and then between, where each try reads a whole block.
-  const auto stride = [&](std::size_t size) { return size < 3000 || size + 400 > whole.size() ? 1U : size + 3000 > whole.size() ? 17U : 997U; };
+  // At every byte where the file begins and ends; now and then between, where each try reads a whole block.
+  const auto stride = [&](std::size_t size) {
+    if (size < 600 || size + 200 > whole.size()) return 1U;
+    return size < 3000 ? 5U : size + 3000 > whole.size() ? 31U : 997U;
+  };
   for (std::size_t size = 0; size < whole.size(); size += stride(size)) {
     std::int64_t got = -1;
     const std::string error = read_all(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)), &got);
