@@ -1,6 +1,7 @@
 #include "sim/answers/pixel_history.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <variant>
 
@@ -49,6 +50,7 @@ class History {
     const Explanation said = explain(trace_, replay_.state(), *replay_.current());
     Visit visit;
     visit.step = step, visit.polygon = polygon, visit.outcome = outcome;
+    visit.takes = outcome == Outcome::won || outcome == Outcome::painted;
     visit.sentence = said.sentence, visit.formulas = said.formulas;
     return visit;
   }
@@ -78,7 +80,10 @@ class History {
       visits_.push_back(told_of_fragment(step, paint->polygon, Outcome::painted));
       visits_.back().z = paint->z;
     } else if (const auto* blend = std::get_if<ColorBlend>(&event)) {
+      const bool shares = blend->opacity < 1 && !visits_.empty() && visits_.back().polygon == blend->polygon;
+      if (shares) visits_.back().takes = false;  // it won the compare, and what lies behind shines through
       visits_.push_back(told(step, blend->polygon, Outcome::mixed));
+      visits_.back().opacity = blend->opacity;
     } else if (std::holds_alternative<ColorWrite>(event)) {
       visits_.push_back(told(step, no_polygon, Outcome::colored));
     } else if (const auto* ray = std::get_if<RayBegin>(&event); ray && ray->role == RayRole::eye) {
@@ -134,12 +139,10 @@ class History {
     }
   }
 
-  static bool takes(Outcome outcome) { return outcome == Outcome::won || outcome == Outcome::painted; }
-
   void find_who_came_over() {
     std::optional<std::size_t> holder;
     for (std::size_t i = 0; i < visits_.size(); ++i) {
-      if (!takes(visits_[i].outcome)) continue;
+      if (!visits_[i].takes) continue;
       if (holder) visits_[*holder].over = i;
       holder = i;
     }
@@ -156,14 +159,18 @@ class History {
 
 std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel) { return History(trace, pixel).all(); }
 
+std::string depth_text(double z) { return std::isinf(z) ? "inf" : fmt::format("{:.9g}", z); }
+
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit) {
   std::string text;
   switch (visit.outcome) {
     case Outcome::won: text = "nearer"; break;
-    case Outcome::lost: text = visit.z && visit.stored ? "behind by " + number(*visit.z - *visit.stored) : "behind"; break;
+    case Outcome::lost: text = visit.z && visit.stored ? "behind by " + depth_text(*visit.z - *visit.stored) : "behind"; break;
     case Outcome::tie: text = "a tie: the first stays"; break;
     case Outcome::painted: text = "painted"; break;
-    case Outcome::mixed: text = "mixed with what was there"; break;
+    case Outcome::mixed:
+      text = visit.opacity && *visit.opacity < 1 ? "mixed in, with opacity " + depth_text(*visit.opacity) : "the pixel's colour";
+      break;
     case Outcome::colored: text = "the pixel's colour"; break;
     case Outcome::rejected: text = "not drawn: " + visit.reason; break;
   }

@@ -31,7 +31,9 @@ struct Visit {
   std::string sentence;               ///< why, in words
   std::vector<std::string> formulas;  ///< and in numbers
   std::string reason;                 ///< of a rejected one: "back-facing"
-  std::optional<std::size_t> over;    ///< the visit that took the pixel from this one, by its place in the history
+  std::optional<double> opacity;      ///< of a mixed one
+  bool takes = false;                 ///< afterwards the pixel is this polygon's alone
+  std::optional<std::size_t> over;    ///< the visit that next took the pixel from this one, by its place in the history
 };
 
 /// All that happened to a pixel, by step. Of polygons that were rejected only those that cover its centre.
@@ -40,5 +42,8 @@ std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel);
 
 /// What came of a visit, in a few words: "behind by 0.03", "nearer; B comes over it at step 812".
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit);
+
+/// A depth with nine significant digits: those that two depths are told apart by are worth more than a short number.
+std::string depth_text(double z);
 
 }  // namespace zstep::answers

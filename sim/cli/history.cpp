@@ -1,5 +1,4 @@
 // zstep history: everything that happened to one pixel.
-#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -22,8 +21,6 @@ struct HistoryOptions {
   bool why = false;
 };
 
-std::string depth_text(double z) { return std::isinf(z) ? "inf" : fmt::format("{:.6g}", z); }
-
 int history(const HistoryOptions& options) {
   const Trace trace = open_trace(options.trace);
   const Raster& raster = trace.scene().raster;
@@ -43,7 +40,7 @@ int history(const HistoryOptions& options) {
   for (const answers::Visit& visit : all) {
     const std::string polygon = visit.polygon == no_polygon ? "" : polygon_label(trace.scene(), visit.polygon);
     const std::string of = !visit.stored ? "" : polygon_label(trace.scene(), visit.stored_polygon);
-    table.row({grouped(visit.step), polygon, visit.z ? depth_text(*visit.z) : "", visit.stored ? depth_text(*visit.stored) : "", of, answers::outcome_text(trace, all, visit)});
+    table.row({grouped(visit.step), polygon, visit.z ? answers::depth_text(*visit.z) : "", visit.stored ? answers::depth_text(*visit.stored) : "", of, answers::outcome_text(trace, all, visit)});
     why += fmt::format("\n{}: {}\n", grouped(visit.step), visit.sentence);
     for (const std::string& formula : visit.formulas) why += "  " + formula + "\n";
   }

@@ -40,8 +40,8 @@ bool draw_visit(App& app, std::size_t place, float width) {
     draw_text(ui, {x + ui.em, y}, ui.fonts.bold, c.text, polygon_label(scene, visit.polygon));
   }
   x += ui.em * 6;
-  if (visit.z) draw_text(ui, {x, y}, ui.fonts.mono, c.text, number(*visit.z));
-  draw_text(ui, {x + ui.em * 6, y}, ui.fonts.text, c.text, answers::outcome_text(app.session().trace(), app.history(), visit));
+  if (visit.z) draw_text(ui, {x, y}, ui.fonts.mono, c.text, answers::depth_text(*visit.z));
+  draw_text(ui, {x + ui.em * 8, y}, ui.fonts.text, c.text, answers::outcome_text(app.session().trace(), app.history(), visit));
   return clicked;
 }
 

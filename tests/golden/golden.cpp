@@ -14,13 +14,14 @@ std::vector<std::filesystem::path> golden_files() {
   return files;
 }
 
-Trace record_again(const Trace& golden) {
-  const Header& header = golden.header();
-  const Method& m = method(header.algorithm);
-  TraceRecorder recorder(header_for(m, header.conventions), golden.scene());
-  m.record(golden.scene(), header.conventions, recorder);
+Trace recorded_by(const std::string& id, const Scene& scene, const Conventions& conventions) {
+  const Method& m = method(id);
+  TraceRecorder recorder(header_for(m, conventions), scene);
+  m.record(scene, conventions, recorder);
   recorder.finish();
-  return Trace::from_bytes(recorder.take_bytes(), golden.name());
+  return Trace::from_bytes(recorder.take_bytes(), scene.name);
 }
+
+Trace record_again(const Trace& golden) { return recorded_by(golden.header().algorithm, golden.scene(), golden.header().conventions); }
 
 }  // namespace zstep::test

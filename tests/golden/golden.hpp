@@ -18,6 +18,9 @@ std::vector<std::filesystem::path> golden_files();
 /// The run of a golden trace once more: its scene and conventions, recorded by the present code.
 Trace record_again(const Trace& golden);
 
+/// A run of this method with its standard conventions.
+Trace recorded_by(const std::string& method, const Scene& scene, const Conventions& conventions = {});
+
 /// Calls check(name, trace) for every golden trace.
 template <class Check>
 void for_each_golden(Check&& check) {

@@ -9,6 +9,7 @@
 #include "sim/answers/pixel_history.hpp"
 #include "sim/compare/truth.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/unit/algorithms/scenes.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -55,12 +56,13 @@ TEST_SUITE("pixel history") {
           std::int32_t seen = no_polygon;
           for (const Visit& visit : history) {
             CHECK_FALSE(visit.sentence.empty());
-            if (visit.outcome == Outcome::won || visit.outcome == Outcome::painted) seen = visit.polygon;
+            if (visit.takes) seen = visit.polygon;
             if (visit.outcome != Outcome::rejected && !casts_rays(trace)) steps.push_back(visit.step);
           }
           if (!casts_rays(trace)) CHECK(steps == all[picture.at(x, y)]);
-          const bool blends = trace.header().algorithm == "transparency";
-          if (!blends && !picture.polygon.empty()) CHECK(seen == picture.polygon[picture.at(x, y)]);
+          const auto& options = trace.header().conventions.options;  // in the order of the file glass takes the pixel's polygon, too
+          const bool by_file = options.contains("order") && options.at("order") == "file";
+          if (!by_file) CHECK(seen == picture.polygon[picture.at(x, y)]);
         }
     });
   }
@@ -104,6 +106,33 @@ TEST_SUITE("pixel history") {
     }
     CHECK(ties > 0);
     CHECK(lost > 0);
+  }
+
+  TEST_CASE("a difference in the seventh digit is told, and shown") {
+    const Trace trace = test::recorded_by("z-buffer", test::screen_scene(4, 4, {{{-1, -1, 0.5}, {5, -1, 0.5}, {5, 5, 0.5}, {-1, 5, 0.5}},
+                                                                               {{-1, -1, 0.5000003}, {5, -1, 0.5000003}, {5, 5, 0.5000003}, {-1, 5, 0.5000003}}}));
+    const std::vector<Visit> history = pixel_history(trace, {1, 1});
+    REQUIRE(history.size() == 2);
+    CHECK(answers::depth_text(*history[1].z) == "0.5000003");
+    CHECK(answers::outcome_text(trace, history, history[1]) == "behind by 3e-07");
+  }
+
+  TEST_CASE("glass takes no pixel from what shines through it") {
+    Scene scene = test::screen_scene(4, 4, {{{-1, -1, 2}, {5, -1, 2}, {5, 5, 2}, {-1, 5, 2}},
+                                            {{-1, -1, 1}, {5, -1, 1}, {5, 5, 1}, {-1, 5, 1}},
+                                            {{-1, -1, 3}, {5, -1, 3}, {5, 5, 3}, {-1, 5, 3}}});
+    scene.polygons[1].material.opacity = 0.5;
+    const std::vector<Visit> history = pixel_history(test::recorded_by("transparency", scene), {1, 1});
+    // Polygon 0 wins and colours the pixel, polygon 2 is behind it, and polygon 1 wins and is mixed in.
+    REQUIRE(history.size() == 5);
+    CHECK(history[0].polygon == 0);
+    CHECK(history[0].takes);
+    CHECK_FALSE(history[0].over);
+    CHECK(history[2].outcome == Outcome::lost);
+    CHECK(history[3].polygon == 1);
+    CHECK_FALSE(history[3].takes);
+    CHECK(history[4].outcome == Outcome::mixed);
+    CHECK(history[4].opacity == 0.5);
   }
 
   TEST_CASE("a pixel that nothing reached has no history") {
