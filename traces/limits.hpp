@@ -10,7 +10,7 @@ inline constexpr std::int32_t largest_side = 16384;   ///< of a raster
 inline constexpr std::int64_t most_pixels = 1 << 25;  ///< of a raster: 7680 x 4320 fits
 
 inline constexpr std::int64_t most_points = 2'000'000;
-inline constexpr std::int64_t most_polygons = 1'500'000;
+inline constexpr std::int64_t most_polygons = 2'500'000;
 inline constexpr std::int64_t most_facets = 4'000'000;
 inline constexpr std::int64_t most_corners = 6'000'000;
 inline constexpr std::int64_t most_corners_of_polygon = 20'000;  ///< the active edge list is searched from the left

@@ -10,7 +10,7 @@
 #include "sim/compare/truth.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
-#include "traces/replay/replay.hpp"
+#include "traces/file/visit.hpp"
 
 namespace zstep::answers {
 
@@ -27,16 +27,28 @@ std::int32_t polygon_at_work(const Machine& machine) {
   return edge < machine.edge_table.size() ? machine.edge_table[edge].entry.polygon : machine.polygon;
 }
 
+bool page_has(const Trace& trace, std::uint8_t kind) {
+  const Page& page = trace.header().page;
+  return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
+}
+
 class History {
  public:
-  History(const Trace& trace, Trace::Pixel pixel) : trace_(trace), pixel_(pixel), replay_(trace) {}
+  History(const Trace& trace, const FacetsNear& facets, Trace::Pixel pixel)
+      : trace_(trace), facets_(facets), pixel_(pixel), all_at_once_(page_has(trace, kind_of<TablesBegin>) && !page_has(trace, kind_of<PieceDraw>)) {}
 
   std::vector<Visit> all() {
-    const auto touches = [this](const RecordedEvent& recorded) {
-      const auto at = pixel_of(recorded.event);
-      return at && at->x == pixel_.x && at->y == pixel_.y;
-    };
-    for (auto step = trace_.next(0, touches, pixel_); step; step = trace_.next(*step, touches, pixel_)) look_at(*step);
+    find_what_is_for_all_pixels();
+    std::vector<std::pair<std::int64_t, Event>> touching;
+    trace_.scan(pixel_, [&](std::int64_t step, const RecordedEvent& recorded) {
+      touching.emplace_back(step, recorded.event);
+      return true;
+    });
+    for (const auto& [step, event] : touching) {
+      const auto passed = std::upper_bound(of_all_.begin(), of_all_.end(), step, [](std::int64_t at, const auto& change) { return at < change.first; });
+      for (; next_of_all_ < passed - of_all_.begin(); ++next_of_all_) change_all(of_all_[static_cast<std::size_t>(next_of_all_)].second);
+      if (pass_ == Pass::eye) look_at(step, event);  // else a pixel of another picture
+    }
     add_rejected();
     std::stable_sort(visits_.begin(), visits_.end(), [](const Visit& a, const Visit& b) { return a.step < b.step; });
     find_who_came_over();
@@ -44,48 +56,62 @@ class History {
   }
 
  private:
-  /// A visit with what the words say of its step; the replay stands there afterwards.
-  Visit told(std::int64_t step, std::int32_t polygon, Outcome outcome) {
-    replay_.go_to(step);
-    const Explanation said = explain(trace_, replay_.state(), *replay_.current());
+  /// Events that concern this pixel as they do all others.
+  void find_what_is_for_all_pixels() {
+    for (const std::uint8_t kind : {kind_of<BuffersClear>, kind_of<PassBegin>}) {
+      if (!page_has(trace_, kind)) continue;
+      trace_.scan(Trace::Among({}, kind), [&](std::int64_t step, const RecordedEvent& recorded) {
+        of_all_.emplace_back(step, recorded.event);
+        return true;
+      });
+    }
+    std::stable_sort(of_all_.begin(), of_all_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+  void change_all(const Event& event) {
+    if (const auto* clear = std::get_if<BuffersClear>(&event)) depth_ = clear->z, polygon_ = no_polygon;
+    if (const auto* pass = std::get_if<PassBegin>(&event)) pass_ = pass->pass;
+  }
+
+  Visit& add(std::int64_t step, std::int32_t polygon, Outcome outcome) {
     Visit visit;
     visit.step = step, visit.polygon = polygon, visit.outcome = outcome;
     visit.takes = outcome == Outcome::won || outcome == Outcome::painted;
-    visit.sentence = said.sentence, visit.formulas = said.formulas;
-    return visit;
+    visits_.push_back(std::move(visit));
+    return visits_.back();
   }
-  /// The same with the depth that the fragment at work was held against.
-  Visit told_of_fragment(std::int64_t step, std::int32_t polygon, Outcome outcome) {
-    Visit visit = told(step, polygon, outcome);
-    const auto& fragment = replay_.state().machine.fragment;
-    if (fragment && fragment->x == pixel_.x && fragment->y == pixel_.y) {
-      visit.z = fragment->z;
-      visit.stored = fragment->stored;
-      visit.stored_polygon = fragment->stored_polygon;
+  /// The polygon on which work began last.
+  std::int32_t polygon_at(std::int64_t step) const {
+    if (all_at_once_) {
+      Replay replay(trace_);
+      replay.go_to(step);
+      return polygon_at_work(replay.state().machine);
     }
-    return visit;
+    const auto marks = trace_.polygons();
+    const auto after = std::upper_bound(marks.begin(), marks.end(), step, [](std::int64_t at, const PolygonMark& mark) { return at < mark.position; });
+    return after == marks.begin() ? no_polygon : (after - 1)->polygon;
   }
 
-  void look_at(std::int64_t step) {
-    const Event event = trace_.event(step).event;
+  void look_at(std::int64_t step, const Event& event) {
     if (const auto* compare = std::get_if<DepthCompare>(&event)) {
-      Visit visit = told_of_fragment(step, no_polygon, compare->nearer ? Outcome::won : Outcome::lost);
-      if (replay_.state().machine.pass == Pass::light) return;  // a pixel of another picture
-      visit.polygon = polygon_at_work(replay_.state().machine);
-      visit.z = compare->z;
-      if (!compare->nearer && visit.stored == compare->z) visit.outcome = Outcome::tie;
-      visits_.push_back(std::move(visit));
+      const Outcome outcome = compare->nearer ? Outcome::won : compare->z == depth_ ? Outcome::tie : Outcome::lost;
+      Visit& visit = add(step, polygon_at(step), outcome);
+      visit.z = compare->z, visit.stored = depth_, visit.stored_polygon = polygon_;
+    } else if (const auto* depth = std::get_if<DepthWrite>(&event)) {
+      depth_ = depth->z;
+    } else if (const auto* write = std::get_if<PixelWrite>(&event)) {
+      polygon_ = write->polygon;
     } else if (const auto* paint = std::get_if<PixelPaint>(&event)) {
-      if (after_rays_) return;  // the nearest of the hits, which stand there already
-      visits_.push_back(told_of_fragment(step, paint->polygon, Outcome::painted));
-      visits_.back().z = paint->z;
+      if (!after_rays_) {  // else it is the nearest of the hits, which stand there already
+        Visit& visit = add(step, paint->polygon, Outcome::painted);
+        visit.z = paint->z, visit.stored = depth_, visit.stored_polygon = polygon_;
+      }
+      depth_ = paint->z, polygon_ = paint->polygon;
     } else if (const auto* blend = std::get_if<ColorBlend>(&event)) {
       const bool shares = blend->opacity < 1 && !visits_.empty() && visits_.back().polygon == blend->polygon;
       if (shares) visits_.back().takes = false;  // it won the compare, and what lies behind shines through
-      visits_.push_back(told(step, blend->polygon, Outcome::mixed));
-      visits_.back().opacity = blend->opacity;
+      add(step, blend->polygon, Outcome::mixed).opacity = blend->opacity;
     } else if (std::holds_alternative<ColorWrite>(event)) {
-      visits_.push_back(told(step, no_polygon, Outcome::colored));
+      add(step, no_polygon, Outcome::colored);
     } else if (const auto* ray = std::get_if<RayBegin>(&event); ray && ray->role == RayRole::eye) {
       add_hits(step);
     }
@@ -96,17 +122,17 @@ class History {
     after_rays_ = true;
     std::optional<double> kept;
     std::int32_t keeper = no_polygon;
-    for (std::int64_t step = begin + 1; step <= trace_.size(); ++step) {
-      const Event event = trace_.event(step).event;
-      if (std::holds_alternative<RayEnd>(event) || std::holds_alternative<RayBegin>(event)) return;
-      const auto* hit = std::get_if<RayHit>(&event);
-      if (!hit || !hit->inside) continue;
-      const std::int32_t polygon = polygon_of_facet(trace_.scene(), hit->facet);
-      Visit visit = told(step, polygon, hit->nearest ? Outcome::won : kept == hit->t ? Outcome::tie : Outcome::lost);
-      visit.z = hit->t, visit.stored = kept, visit.stored_polygon = keeper;
-      visits_.push_back(std::move(visit));
-      if (hit->nearest) kept = hit->t, keeper = polygon;
-    }
+    trace_.visit(begin, trace_.size(), [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
+      if constexpr (std::is_same_v<E, RayEnd> || std::is_same_v<E, RayBegin>) return false;
+      if constexpr (std::is_same_v<E, RayHit>) {
+        if (!event.inside) return true;
+        const std::int32_t polygon = polygon_of_facet(trace_.scene(), event.facet);
+        Visit& visit = add(step, polygon, event.nearest ? Outcome::won : kept == event.t ? Outcome::tie : Outcome::lost);
+        visit.z = event.t, visit.stored = kept, visit.stored_polygon = keeper;
+        if (event.nearest) kept = event.t, keeper = polygon;
+      }
+      return true;
+    });
   }
 
   /// Polygons that cover the pixel's centre and were not drawn.
@@ -117,26 +143,38 @@ class History {
     if (!rejects || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
     std::vector<std::uint8_t> wanted(static_cast<std::size_t>(scene.raster.width) * static_cast<std::size_t>(scene.raster.height), 0);
     wanted[static_cast<std::size_t>(pixel_.y) * static_cast<std::size_t>(scene.raster.width) + static_cast<std::size_t>(pixel_.x)] = 1;
-    const compare::Truth truth(scene, false, wanted);
+    const compare::Truth truth(scene, false, wanted, facets_.near(pixel_));
     std::set<std::int32_t> polygons, facets;
     for (const compare::Candidate& candidate : truth.at(pixel_.x, pixel_.y))
       if (candidate.covers) polygons.insert(candidate.polygon), facets.insert(candidate.facet);
     if (polygons.empty()) return;
 
-    const auto of_them = [&](const RecordedEvent& recorded) {
-      const auto* reject = std::get_if<PolygonReject>(&recorded.event);
-      return reject && polygons.contains(reject->polygon);
-    };
-    for (auto step = trace_.next(0, of_them); step; step = trace_.next(*step, of_them)) {
-      const PolygonReject reject = std::get<PolygonReject>(trace_.event(*step).event);
-      const std::int32_t polygon = reject.polygon;
-      Visit visit = told(*step, polygon, Outcome::rejected);
-      visit.reason = words_of<Reject>[static_cast<std::size_t>(reject.reason)];
-      std::replace(visit.reason.begin(), visit.reason.end(), '_', '-');
-      const Machine& machine = replay_.state().machine;
-      const bool another_facet = machine.facet >= 0 && polygon_of_facet(scene, machine.facet) == polygon && !facets.contains(machine.facet);
-      if (!another_facet) visits_.push_back(std::move(visit));
+    // A polygon is rejected after work on it begins, and before work on another does.
+    const auto marks = trace_.polygons();
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      if (!polygons.contains(marks[i].polygon)) continue;
+      const std::int64_t end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
+      std::int32_t facet = -1;
+      trace_.visit(marks[i].position - 1, end, [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
+        if constexpr (std::is_same_v<E, PolygonBegin>) facet = event.facet;
+        if constexpr (std::is_same_v<E, PolygonReject>) {
+          const bool another = polygon_of_facet(scene, facet) == event.polygon && !facets.contains(facet);
+          if (event.polygon == marks[i].polygon && !another) add_rejected(step, event);
+        }
+        return !std::is_same_v<E, OutlineVertex> && !std::is_same_v<E, SpanBegin>;  // it was not rejected
+      });
     }
+    if (!marks.empty()) return;
+    trace_.scan(Trace::Among({}, kind_of<PolygonReject>), [&](std::int64_t step, const RecordedEvent& recorded) {
+      const auto& reject = std::get<PolygonReject>(recorded.event);
+      if (polygons.contains(reject.polygon)) add_rejected(step, reject);
+      return true;
+    });
+  }
+  void add_rejected(std::int64_t step, const PolygonReject& reject) {
+    Visit& visit = add(step, reject.polygon, Outcome::rejected);
+    visit.reason = words_of<Reject>[static_cast<std::size_t>(reject.reason)];
+    std::replace(visit.reason.begin(), visit.reason.end(), '_', '-');
   }
 
   void find_who_came_over() {
@@ -149,15 +187,29 @@ class History {
   }
 
   const Trace& trace_;
+  const FacetsNear& facets_;
   Trace::Pixel pixel_;
-  Replay replay_;
+  bool all_at_once_;  ///< the method goes through all polygons line by line
+  std::vector<std::pair<std::int64_t, Event>> of_all_;
+  std::ptrdiff_t next_of_all_ = 0;  ///< of those, the first that is still to come
+  Pass pass_ = Pass::eye;
+  double depth_ = no_depth;  ///< what the pixel holds
+  std::int32_t polygon_ = no_polygon;
   bool after_rays_ = false;
   std::vector<Visit> visits_;
 };
 
 }  // namespace
 
-std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel) { return History(trace, pixel).all(); }
+std::vector<Visit> pixel_history(const Trace& trace, const FacetsNear& facets, Trace::Pixel pixel) { return History(trace, facets, pixel).all(); }
+std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel) { return pixel_history(trace, FacetsNear(trace), pixel); }
+
+void tell(Replay& replay, Visit& visit) {
+  if (!visit.sentence.empty()) return;
+  replay.go_to(visit.step);
+  const Explanation said = explain(replay.trace(), replay.state(), *replay.current());
+  visit.sentence = said.sentence, visit.formulas = said.formulas;
+}
 
 std::string depth_text(double z) { return std::isinf(z) ? "inf" : fmt::format("{:.9g}", z); }
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "traces/file/trace.hpp"
+#include "sim/answers/facets_near.hpp"
+#include "traces/replay/replay.hpp"
 
 namespace zstep::answers {
 
@@ -28,7 +29,7 @@ struct Visit {
   std::optional<double> z;       ///< the buffer's own numbers; along a ray, t
   std::optional<double> stored;  ///< what it was held against
   std::int32_t stored_polygon = no_polygon;
-  std::string sentence;               ///< why, in words
+  std::string sentence;               ///< why, in words, once tell() was asked
   std::vector<std::string> formulas;  ///< and in numbers
   std::string reason;                 ///< of a rejected one: "back-facing"
   std::optional<double> opacity;      ///< of a mixed one
@@ -39,6 +40,11 @@ struct Visit {
 /// All that happened to a pixel, by step. Of polygons that were rejected only those that cover its centre.
 /// Throws InputError where the trace is damaged, or tells what cannot be.
 std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel);
+/// The same for who asks more than once, and keeps what tells which facets come near a pixel.
+std::vector<Visit> pixel_history(const Trace& trace, const FacetsNear& facets, Trace::Pixel pixel);
+
+/// Fills in why, for which the replay goes to the visit's step.
+void tell(Replay& replay, Visit& visit);
 
 /// What came of a visit, in a few words: "behind by 0.03", "nearer; B comes over it at step 812".
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit);

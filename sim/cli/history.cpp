@@ -27,7 +27,7 @@ int history(const HistoryOptions& options) {
   const std::int64_t x = parse_whole("X", options.x, 0), y = parse_whole("Y", options.y, 0);
   if (x >= raster.width || y >= raster.height)
     throw InputError(fmt::format("{} {}", x, y), fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height), "columns and rows count from 0");
-  const std::vector<answers::Visit> all = answers::pixel_history(trace, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
+  std::vector<answers::Visit> all = answers::pixel_history(trace, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
   if (all.empty()) {
     fmt::print("pixel ({}, {}): nothing reached it; it shows the background\n", x, y);
     return exit_code::done;
@@ -37,7 +37,9 @@ int history(const HistoryOptions& options) {
   const bool rays = trace.header().algorithm.starts_with("ray-");
   table.row({"STEP", "POLYGON", rays ? "T" : "DEPTH", "AGAINST", "OF", "OUTCOME"});
   std::string why;
-  for (const answers::Visit& visit : all) {
+  Replay replay(trace);
+  for (answers::Visit& visit : all) {
+    if (options.why) answers::tell(replay, visit);
     const std::string polygon = visit.polygon == no_polygon ? "" : polygon_label(trace.scene(), visit.polygon);
     const std::string of = !visit.stored ? "" : polygon_label(trace.scene(), visit.stored_polygon);
     table.row({grouped(visit.step), polygon, visit.z ? answers::depth_text(*visit.z) : "", visit.stored ? answers::depth_text(*visit.stored) : "", of, answers::outcome_text(trace, all, visit)});

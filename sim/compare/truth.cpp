@@ -185,7 +185,7 @@ void rows_between(Real low, Real high, std::int32_t count, std::int32_t& first, 
 
 }  // namespace
 
-Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted)
+Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted, const std::optional<std::vector<std::int32_t>>& facets)
     : width_(scene.raster.width),
       height_(scene.raster.height),
       place_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1) {
@@ -196,7 +196,9 @@ Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted
   candidates_.resize(static_cast<std::size_t>(places));
   const Sight sight(scene);
   Seen seen;
-  for (std::size_t k = 0; k < scene.facets.size(); ++k) {
+  const std::size_t count = facets ? facets->size() : scene.facets.size();
+  for (std::size_t place = 0; place < count; ++place) {
+    const std::size_t k = facets ? static_cast<std::size_t>((*facets)[place]) : place;
     if (!see(scene, scene.facets[k], sight, cull, seen)) continue;
     Vec2 low = seen.outline[0], high = low;
     for (const Vec2& corner : seen.outline) low = glm::min(low, corner), high = glm::max(high, corner);
@@ -211,10 +213,10 @@ Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted
         const std::int32_t slot =
             place_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
         if (slot < 0) continue;
-        const Vec2 place(x, y);
-        locate(seen, place, candidate);
+        const Vec2 centre(x, y);
+        locate(seen, centre, candidate);
         if (!candidate.covers && candidate.edge > edge_tolerance) continue;
-        measure_depth(seen, sight, place, candidate);
+        measure_depth(seen, sight, centre, candidate);
         candidates_[static_cast<std::size_t>(slot)].push_back(candidate);
       }
     }

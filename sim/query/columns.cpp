@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "traces/events/registers.hpp"
+#include "traces/events/slots.hpp"
 
 namespace zstep::query {
 

@@ -156,7 +156,8 @@ void App::open_history() {
   const auto cell = session_.selected ? session_.selected : session_.current_cell();
   if (!cell) return say("Click a pixel first; then H tells all that happened to it.");
   try {
-    history_ = answers::pixel_history(session_.trace(), {cell->x, cell->y});
+    if (!facets_near_) facets_near_.emplace(session_.trace());
+    history_ = answers::pixel_history(session_.trace(), *facets_near_, {cell->x, cell->y});
   } catch (const InputError& error) {
     return say(error.what());
   }
@@ -167,6 +168,12 @@ void App::open_history() {
   // The last that is not after where the reader stands.
   for (std::size_t i = 0; i < history_.size(); ++i)
     if (history_[i].step <= session_.position()) picked = static_cast<int>(i);
+}
+
+const answers::Visit& App::told_visit(std::size_t visit) {
+  if (!teller_) teller_.emplace(session_.trace());
+  answers::tell(*teller_, history_[visit]);
+  return history_[visit];
 }
 
 bool App::pick_visit(SDL_Keycode code) {

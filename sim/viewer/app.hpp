@@ -67,6 +67,7 @@ class App {
   void go_to_row(std::size_t row);
   void open_history();            ///< of the selected pixel, or the one at work
   const std::vector<answers::Visit>& history() const { return history_; }
+  const answers::Visit& told_visit(std::size_t visit);  ///< with why
   Cell history_of() const { return history_of_; }
   void go_to_visit(std::size_t visit);
   void paint_answer();            ///< over the frame, or no longer
@@ -99,6 +100,8 @@ class App {
   Inquiry inquiry_;
   std::vector<answers::Visit> history_;
   Cell history_of_;
+  std::optional<answers::FacetsNear> facets_near_;  ///< made when first needed
+  std::optional<Replay> teller_;                    ///< goes to other steps than the session, for what is said of them
   Ui ui_;
   std::vector<Pane> structures_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by

@@ -66,10 +66,11 @@ void draw_history(App& app) {
   ImGui::BeginChild("why", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   const auto picked = static_cast<std::size_t>(std::max(0, app.picked));
   if (picked < app.history().size()) {
-    flow(ui, app.history()[picked].sentence, {});
+    const answers::Visit& visit = app.told_visit(picked);
+    flow(ui, visit.sentence, {});
     Flow formula;
     formula.font = ui.fonts.mono;
-    for (const std::string& line : app.history()[picked].formulas) flow(ui, line, formula);
+    for (const std::string& line : visit.formulas) flow(ui, line, formula);
   }
   ImGui::EndChild();
   ImGui::End();

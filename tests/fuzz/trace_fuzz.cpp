@@ -28,9 +28,11 @@ void read_everything(const Trace& trace) {
 
 void read_lines(const std::string& text) {
   std::istringstream in(text);
+  Scene kept;
   std::unique_ptr<TraceRecorder> recorder;
-  read_jsonl(in, "fuzz.jsonl", [&](const Header& header, const Scene& scene) -> TraceRecorder& {
-    recorder = std::make_unique<TraceRecorder>(header, scene);
+  read_jsonl(in, "fuzz.jsonl", [&](const Header& header, Scene scene) -> TraceRecorder& {
+    kept = std::move(scene);
+    recorder = std::make_unique<TraceRecorder>(header, kept);
     return *recorder;
   });
   recorder->finish();

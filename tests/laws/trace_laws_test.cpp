@@ -31,6 +31,8 @@ bool same_bits(const Picture& a, const Picture& b) {
 
 /// Marks so close together that a trace of a few hundred steps crosses undo windows, check-points and key frames.
 constexpr ReplayTuning close_marks{40, 8, 24, 100};
+/// No marks at all, so that nothing divides a run of pixels.
+constexpr ReplayTuning whole_runs{0, 1 << 20, 0, 1 << 20};
 
 /// The state at every position, reached by going forwards from the beginning.
 std::vector<State> states_of(const Trace& trace) {
@@ -76,6 +78,9 @@ TEST_CASE("law: at every step the state is the same, reached forwards, backwards
       Replay fresh(trace, close_marks);
       fresh.go_to(position);
       if (!(fresh.state() == at(position))) FAIL("a fresh seek differs at step ", position);
+      Replay by_run(trace, whole_runs);
+      by_run.go_to(position);
+      if (!(by_run.state() == at(position))) FAIL("a seek by runs differs at step ", position);
     }
   });
 }
@@ -123,9 +128,11 @@ TEST_CASE("law: JSON Lines to a trace to JSON Lines loses nothing") {
     CAPTURE(name);
     const std::string first = jsonl_of(trace);
     std::istringstream in(first);
+    Scene kept;
     std::unique_ptr<TraceRecorder> recorder;
-    read_jsonl(in, name, [&](const Header& header, const Scene& scene) -> TraceRecorder& {
-      recorder = std::make_unique<TraceRecorder>(header, scene);
+    read_jsonl(in, name, [&](const Header& header, Scene scene) -> TraceRecorder& {
+      kept = std::move(scene);
+    recorder = std::make_unique<TraceRecorder>(header, kept);
       return *recorder;
     });
     recorder->finish();

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "traces/events/registers.hpp"
+#include "traces/events/slots.hpp"
 
 namespace zstep {
 
@@ -14,8 +14,10 @@ std::string_view guess_text(Guess guess) {
   switch (guess) {
     case Guess::next:
       return "one more";
-    case Guess::on_span:
-      return "on the span";
+    case Guess::told:
+      return "told before";
+    case Guess::formula:
+      return "by formula";
     default:
       return "the same";
   }

@@ -10,13 +10,13 @@
 
 namespace zstep {
 
-/// How the codec guesses a value before it looks. A right guess costs no bits in the file (docs/trace-format.md).
-/// Guesses are made from registers: one per field name, holding the last value any event gave to a field of that name.
+/// How the codec guesses a value before it looks. A right guess costs no bits in the file (docs/trace-format.md,
+/// "Guesses"). There is a register for each field name, holding the last value any event gave to a field of that name.
 enum class Guess : std::uint8_t {
   same,     ///< the register of the same name, unchanged
   next,     ///< that register plus one (integers only)
-  on_span,  ///< z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), or z + dz_dx when the run interpolates by
-            ///< increments
+  told,     ///< what the scene and the events before tell, before the event's other fields are known
+  formula,  ///< what the event's formula gives for the fields before it; those of an event are guessed together
 };
 
 template <class Event, class Value>

@@ -31,7 +31,7 @@ inline constexpr KindText kind_text<DepthInterpolate>{"depth_interpolate", "the 
 template <>
 inline constexpr auto fields_of<DepthInterpolate> = std::tuple{
     Field{"x", &DepthInterpolate::x, "px", "column", Guess::next}, Field{"y", &DepthInterpolate::y, "px", "row"},
-    Field{"z", &DepthInterpolate::z, "depth", "depth of the polygon at the pixel's centre", Guess::on_span}};
+    Field{"z", &DepthInterpolate::z, "depth", "depth of the polygon at the pixel's centre", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<DepthCompare>{"depth_compare", "a new depth is held against the stored one"};
@@ -79,7 +79,7 @@ inline constexpr KindText kind_text<PixelPaint>{"pixel_paint",
 template <>
 inline constexpr auto fields_of<PixelPaint> =
     std::tuple{Field{"x", &PixelPaint::x, "px", "column", Guess::next}, Field{"y", &PixelPaint::y, "px", "row"},
-               Field{"z", &PixelPaint::z, "depth", "depth of the polygon at the pixel's centre", Guess::on_span},
+               Field{"z", &PixelPaint::z, "depth", "depth of the polygon at the pixel's centre", Guess::formula},
                Field{"polygon", &PixelPaint::polygon, "index", "the polygon whose colour is stored"}};
 
 template <>

@@ -36,8 +36,8 @@ template <>
 inline constexpr KindText kind_text<PolygonBegin>{"polygon_begin", "work on a polygon begins"};
 template <>
 inline constexpr auto fields_of<PolygonBegin> =
-    std::tuple{Field{"polygon", &PolygonBegin::polygon, "index", "the polygon, in file order"},
-               Field{"facet", &PolygonBegin::facet, "index", "the planar piece of it", Guess::next}};
+    std::tuple{Field{"polygon", &PolygonBegin::polygon, "index", "the polygon, in file order", Guess::told},
+               Field{"facet", &PolygonBegin::facet, "index", "the planar piece of it", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<FacingTest>{"facing_test",
@@ -45,12 +45,12 @@ inline constexpr KindText kind_text<FacingTest>{"facing_test",
 template <>
 inline constexpr auto fields_of<FacingTest> = std::tuple{
     Field{"determinant", &FacingTest::determinant, "view^3",
-          "V0 . (V1 x V2) summed over the fan, in viewing coordinates; negative faces away"},
-    Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3", "A x + B y + C z + D at the eye; negative faces away"},
-    Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away"},
+          "V0 . (V1 x V2) summed over the fan, in viewing coordinates; negative faces away", Guess::formula},
+    Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3", "A x + B y + C z + D at the eye; negative faces away", Guess::formula},
+    Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away", Guess::formula},
     Field{"projected_normal_z", &FacingTest::projected_normal_z, "px^2",
-          "z of the normal after projection; positive faces away; NaN with a vertex behind the eye"},
-    Field{"facing", &FacingTest::facing, "1", "the verdict"}};
+          "z of the normal after projection; positive faces away; NaN with a vertex behind the eye", Guess::formula},
+    Field{"facing", &FacingTest::facing, "1", "the verdict", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<PolygonReject>{"polygon_reject",
@@ -58,15 +58,15 @@ inline constexpr KindText kind_text<PolygonReject>{"polygon_reject",
 template <>
 inline constexpr auto fields_of<PolygonReject> =
     std::tuple{Field{"polygon", &PolygonReject::polygon, "index", "the polygon"},
-               Field{"reason", &PolygonReject::reason, "1", "why"}};
+               Field{"reason", &PolygonReject::reason, "1", "why", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<ClipTest>{"clip_test", "the outcodes of a polygon's vertices, or-ed and and-ed"};
 template <>
 inline constexpr auto fields_of<ClipTest> =
     std::tuple{Field{"outside_some", &ClipTest::outside_some, "bits",
-                     "bit k: some vertex is outside plane k (near, far, left, right, bottom, top)"},
-               Field{"outside_all", &ClipTest::outside_all, "bits", "bit k: all vertices are outside plane k"}};
+                     "bit k: some vertex is outside plane k (near, far, left, right, bottom, top)", Guess::formula},
+               Field{"outside_all", &ClipTest::outside_all, "bits", "bit k: all vertices are outside plane k", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ClipVertex>{"clip_vertex", "a vertex is held against one plane of the view volume"};
@@ -96,6 +96,6 @@ inline constexpr KindText kind_text<OutlineVertex>{"outline_vertex",
                                                    "a vertex of the polygon as it is drawn, after clipping"};
 template <>
 inline constexpr auto fields_of<OutlineVertex> =
-    std::tuple{Field{"vertex", &OutlineVertex::vertex, "index", "the vertex", Guess::next}};
+    std::tuple{Field{"vertex", &OutlineVertex::vertex, "index", "the vertex", Guess::told}};
 
 }  // namespace zstep

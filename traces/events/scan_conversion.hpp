@@ -38,51 +38,51 @@ inline constexpr KindText kind_text<EdgeTableInsert>{"edge_table_insert",
                                                      "an edge goes into the bucket of its first scan line"};
 template <>
 inline constexpr auto fields_of<EdgeTableInsert> =
-    std::tuple{Field{"edge", &EdgeTableInsert::edge, "index", "the edge, numbered in order of insertion", Guess::next},
-               Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds"},
-               Field{"vertex_0", &EdgeTableInsert::vertex_0, "index", "its end with the smaller y"},
-               Field{"vertex_1", &EdgeTableInsert::vertex_1, "index", "its end with the larger y"},
-               Field{"first_row", &EdgeTableInsert::first_row, "row", "the first scan line it meets: its bucket"},
-               Field{"end_row", &EdgeTableInsert::end_row, "row", "the scan line at which it leaves"},
-               Field{"x_edge", &EdgeTableInsert::x_edge, "px", "x on the first scan line"},
-               Field{"dx_dy", &EdgeTableInsert::dx_dy, "px", "1/m: what x gains from line to line"},
-               Field{"z_edge", &EdgeTableInsert::z_edge, "depth", "depth on the first scan line"},
-               Field{"dz_dy", &EdgeTableInsert::dz_dy, "depth", "what depth gains from line to line"}};
+    std::tuple{Field{"edge", &EdgeTableInsert::edge, "index", "the edge, numbered in order of insertion", Guess::told},
+               Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds", Guess::told},
+               Field{"vertex_0", &EdgeTableInsert::vertex_0, "index", "its end with the smaller y", Guess::told},
+               Field{"vertex_1", &EdgeTableInsert::vertex_1, "index", "its end with the larger y", Guess::told},
+               Field{"first_row", &EdgeTableInsert::first_row, "row", "the first scan line it meets: its bucket", Guess::formula},
+               Field{"end_row", &EdgeTableInsert::end_row, "row", "the scan line at which it leaves", Guess::formula},
+               Field{"x_edge", &EdgeTableInsert::x_edge, "px", "x on the first scan line", Guess::formula},
+               Field{"dx_dy", &EdgeTableInsert::dx_dy, "px", "1/m: what x gains from line to line", Guess::formula},
+               Field{"z_edge", &EdgeTableInsert::z_edge, "depth", "depth on the first scan line", Guess::formula},
+               Field{"dz_dy", &EdgeTableInsert::dz_dy, "depth", "what depth gains from line to line", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<EdgeTableSkip>{"edge_table_skip",
                                                    "an edge meets no scan line and stays out of the table"};
 template <>
 inline constexpr auto fields_of<EdgeTableSkip> =
-    std::tuple{Field{"vertex_0", &EdgeTableSkip::vertex_0, "index", "one end"},
-               Field{"vertex_1", &EdgeTableSkip::vertex_1, "index", "the other end"},
-               Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line"}};
+    std::tuple{Field{"vertex_0", &EdgeTableSkip::vertex_0, "index", "one end", Guess::told},
+               Field{"vertex_1", &EdgeTableSkip::vertex_1, "index", "the other end", Guess::told},
+               Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ScanLineBegin>{"scan_line_begin", "work on a scan line begins"};
 template <>
 inline constexpr auto fields_of<ScanLineBegin> =
-    std::tuple{Field{"y", &ScanLineBegin::y, "row", "the scan line", Guess::next}};
+    std::tuple{Field{"y", &ScanLineBegin::y, "row", "the scan line", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<EdgeEnter>{"edge_enter",
                                                "an edge moves from the edge table to the active edge list"};
 template <>
 inline constexpr auto fields_of<EdgeEnter> =
-    std::tuple{Field{"edge", &EdgeEnter::edge, "index", "the edge"},
-               Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0"}};
+    std::tuple{Field{"edge", &EdgeEnter::edge, "index", "the edge", Guess::told},
+               Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<EdgeRetire>{"edge_retire", "an edge that ends leaves the active edge list"};
 template <>
-inline constexpr auto fields_of<EdgeRetire> = std::tuple{Field{"edge", &EdgeRetire::edge, "index", "the edge"}};
+inline constexpr auto fields_of<EdgeRetire> = std::tuple{Field{"edge", &EdgeRetire::edge, "index", "the edge", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<EdgeStep>{"edge_step", "an active edge moves to the next scan line"};
 template <>
-inline constexpr auto fields_of<EdgeStep> = std::tuple{Field{"edge", &EdgeStep::edge, "index", "the edge", Guess::next},
-                                                       Field{"x_edge", &EdgeStep::x_edge, "px", "its x there"},
-                                                       Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there"}};
+inline constexpr auto fields_of<EdgeStep> = std::tuple{Field{"edge", &EdgeStep::edge, "index", "the edge", Guess::told},
+                                                       Field{"x_edge", &EdgeStep::x_edge, "px", "its x there", Guess::formula},
+                                                       Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<EdgeSwap>{"edge_swap", "two neighbours in the active edge list change places"};
@@ -94,15 +94,15 @@ template <>
 inline constexpr KindText kind_text<SpanBegin>{"span_begin", "the pixels between two active edges"};
 template <>
 inline constexpr auto fields_of<SpanBegin> =
-    std::tuple{Field{"left_edge", &SpanBegin::left_edge, "index", "the edge on the left"},
-               Field{"right_edge", &SpanBegin::right_edge, "index", "the edge on the right"},
+    std::tuple{Field{"left_edge", &SpanBegin::left_edge, "index", "the edge on the left", Guess::told},
+               Field{"right_edge", &SpanBegin::right_edge, "index", "the edge on the right", Guess::told},
                Field{"y", &SpanBegin::y, "row", "the scan line"},
-               Field{"first", &SpanBegin::first, "px", "the first pixel"},
-               Field{"last", &SpanBegin::last, "px", "the last pixel; smaller than the first when none lies between"},
-               Field{"x_left", &SpanBegin::x_left, "px", "x where the scan line meets the left edge"},
-               Field{"z_left", &SpanBegin::z_left, "depth", "depth there"},
-               Field{"x_right", &SpanBegin::x_right, "px", "x where the scan line meets the right edge"},
-               Field{"z_right", &SpanBegin::z_right, "depth", "depth there"},
-               Field{"dz_dx", &SpanBegin::dz_dx, "depth", "what depth gains from pixel to pixel"}};
+               Field{"first", &SpanBegin::first, "px", "the first pixel", Guess::formula},
+               Field{"last", &SpanBegin::last, "px", "the last pixel; smaller than the first when none lies between", Guess::formula},
+               Field{"x_left", &SpanBegin::x_left, "px", "x where the scan line meets the left edge", Guess::formula},
+               Field{"z_left", &SpanBegin::z_left, "depth", "depth there", Guess::formula},
+               Field{"x_right", &SpanBegin::x_right, "px", "x where the scan line meets the right edge", Guess::formula},
+               Field{"z_right", &SpanBegin::z_right, "depth", "depth there", Guess::formula},
+               Field{"dz_dx", &SpanBegin::dz_dx, "depth", "what depth gains from pixel to pixel", Guess::formula}};
 
 }  // namespace zstep

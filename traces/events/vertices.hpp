@@ -20,9 +20,9 @@ inline constexpr KindText kind_text<ViewTransform>{"view_transform", "a vertex g
 template <>
 inline constexpr auto fields_of<ViewTransform> =
     std::tuple{Field{"vertex", &ViewTransform::vertex, "index", "the vertex", Guess::next},
-               Field{"x_v", &ViewTransform::x_v, "view", "to the right of the eye"},
-               Field{"y_v", &ViewTransform::y_v, "view", "above the eye"},
-               Field{"z_v", &ViewTransform::z_v, "view", "away from the eye"}};
+               Field{"x_v", &ViewTransform::x_v, "view", "to the right of the eye", Guess::formula},
+               Field{"y_v", &ViewTransform::y_v, "view", "above the eye", Guess::formula},
+               Field{"z_v", &ViewTransform::z_v, "view", "away from the eye", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<Projection>{"projection",
@@ -30,9 +30,9 @@ inline constexpr KindText kind_text<Projection>{"projection",
 template <>
 inline constexpr auto fields_of<Projection> =
     std::tuple{Field{"vertex", &Projection::vertex, "index", "the vertex"},
-               Field{"x_p", &Projection::x_p, "plane", "x on the projection plane"},
-               Field{"y_p", &Projection::y_p, "plane", "y on the projection plane"},
-               Field{"z", &Projection::z, "depth", "the depth that will be interpolated"}};
+               Field{"x_p", &Projection::x_p, "plane", "x on the projection plane", Guess::formula},
+               Field{"y_p", &Projection::y_p, "plane", "y on the projection plane", Guess::formula},
+               Field{"z", &Projection::z, "depth", "the depth that will be interpolated", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ViewportTransform>{"viewport_transform",
@@ -40,7 +40,7 @@ inline constexpr KindText kind_text<ViewportTransform>{"viewport_transform",
 template <>
 inline constexpr auto fields_of<ViewportTransform> =
     std::tuple{Field{"vertex", &ViewportTransform::vertex, "index", "the vertex"},
-               Field{"x_s", &ViewportTransform::x_s, "px", "column, pixel centres at integers"},
-               Field{"y_s", &ViewportTransform::y_s, "px", "row, pixel centres at integers"}};
+               Field{"x_s", &ViewportTransform::x_s, "px", "column, pixel centres at integers", Guess::formula},
+               Field{"y_s", &ViewportTransform::y_s, "px", "row, pixel centres at integers", Guess::formula}};
 
 }  // namespace zstep

@@ -43,6 +43,26 @@ using Event =
 
 inline constexpr std::size_t kind_count = std::variant_size_v<Event>;
 
+// X(Kind) for every kind: where a template is to be compiled for each of them.
+// clang-format off
+#define ZSTEP_EVERY_KIND(X) \
+  X(BuffersClear) X(ViewTransform) X(Projection) X(ViewportTransform) X(PolygonBegin) X(FacingTest) \
+  X(PolygonReject) X(ClipTest) X(ClipVertex) X(ClipCross) X(OutlineVertex) X(EdgeTableInsert) X(EdgeTableSkip) \
+  X(ScanLineBegin) X(EdgeEnter) X(EdgeRetire) X(EdgeStep) X(EdgeSwap) X(SpanBegin) X(DepthInterpolate) \
+  X(DepthCompare) X(DepthWrite) X(PixelWrite) X(PixelPaint) X(ColorWrite) X(ColorBlend) X(PassBegin) \
+  X(ShadowCompare) X(TablesBegin) X(PieceMake) X(PlaneEquation) X(Extent) X(PlaneDepth) X(VertexSide) \
+  X(SideTest) X(ExtentTest) X(OverlapTest) X(SplitVertex) X(PieceDraw) X(Saved) X(ListInsert) X(ListRemove) \
+  X(ListMark) X(PairBegin) X(RootCandidate) X(NodeMake) X(NodeAdd) X(EyeSide) X(NodeSkip) X(FlagFlip) \
+  X(SpanFlags) X(ImpliedEdge) X(SpanWinner) X(CoverageAdd) X(AreaBegin) X(AreaBin) X(AreaDecide) X(BoxMake) \
+  X(BoxHold) X(GridMake) X(CellHold) X(RayBegin) X(CellVisit) X(BoxTest) X(RayPlane) X(RayHit) X(RayEnd) \
+  X(CurveBegin) X(CurveSegment) X(HorizonTest) X(HorizonMove) X(HorizonCross) X(LineBegin) X(LineAgainst) \
+  X(LineCross) X(LineHide) X(LinePiece)
+// clang-format on
+
+#define ZSTEP_COUNT_KIND(E) +1
+static_assert(ZSTEP_EVERY_KIND(ZSTEP_COUNT_KIND) == kind_count);
+#undef ZSTEP_COUNT_KIND
+
 namespace detail {
 template <class E, std::size_t I = 0>
 constexpr std::size_t index_in_vocabulary() {

@@ -5,7 +5,7 @@
 //     chunk*:  tag[4] size:u64 checksum:u64 bytes[size]       checksum = XXH3-64 of tag and bytes
 //     trailer: "ZEND" offset of the INDX chunk:u64 checksum:u64 of the 12 bytes before
 //
-// HEAD, SCEN and INDX are zstd frames; EVTS is a BlockInfo, length first, then a zstd frame (docs/trace-format.md).
+// HEAD, SCEN and INDX are zstd frames; EVTS is two of them, the info with its length first, then the events (docs/trace-format.md).
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace zstep {
 
-inline constexpr std::uint32_t trace_version = 1;
+inline constexpr std::uint32_t trace_version = 2;
 inline constexpr std::array<std::uint8_t, 8> trace_signature{'z', 't', 'r', 'a', 'c', 'e', '\r', '\n'};
 inline constexpr std::size_t chunk_head_size = 20;
 inline constexpr std::size_t trailer_size = 20;

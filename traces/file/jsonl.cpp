@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "traces/error.hpp"
-#include "traces/events/registers.hpp"
+#include "traces/events/slots.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/file/visit.hpp"
 
@@ -125,7 +125,7 @@ void write_jsonl(const Trace& trace, std::ostream& out) {
 }
 
 void read_jsonl(std::istream& in, const std::string& name,
-                const std::function<TraceRecorder&(const Header&, const Scene&)>& begin) {
+                const std::function<TraceRecorder&(const Header&, Scene)>& begin) {
   std::int64_t number = 0;
   const auto fail = [&](const std::string& what, const std::string& mend) {
     throw InputError(fmt::format("{}:{}", name, number), what, mend);
@@ -151,8 +151,7 @@ void read_jsonl(std::istream& in, const std::string& name,
       if (recorder == nullptr) {
         header = header_from_json(document);
         if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
-        const Scene scene = scene_from_json(document.at("scene"));
-        recorder = &begin(header, scene);
+        recorder = &begin(header, scene_from_json(document.at("scene")));
         continue;
       }
       if (!document.contains("step") || !document.at("step").is_string()) throw MalformedJson("\"step\" is missing");
@@ -186,10 +185,12 @@ std::ifstream opened(const std::filesystem::path& path) {
 void import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::ifstream in = opened(from);
   const std::filesystem::path partial = to.string() + ".part";
+  Scene kept;
   std::optional<TraceRecorder> recorder;
   try {
-    read_jsonl(in, from.string(), [&](const Header& header, const Scene& scene) -> TraceRecorder& {
-      return recorder.emplace(partial, header, scene);
+    read_jsonl(in, from.string(), [&](const Header& header, Scene scene) -> TraceRecorder& {
+      kept = std::move(scene);
+      return recorder.emplace(partial, header, kept);
     });
     recorder->finish();
     // Numbers outside the scene are found when the events are read, so read them before anyone relies on them.
@@ -207,9 +208,11 @@ void import_jsonl(const std::filesystem::path& from, const std::filesystem::path
 
 Trace open_jsonl(const std::filesystem::path& path) {
   std::ifstream in = opened(path);
+  Scene kept;
   std::optional<TraceRecorder> recorder;
-  read_jsonl(in, path.string(), [&](const Header& header, const Scene& scene) -> TraceRecorder& {
-    return recorder.emplace(header, scene);
+  read_jsonl(in, path.string(), [&](const Header& header, Scene scene) -> TraceRecorder& {
+    kept = std::move(scene);
+    return recorder.emplace(header, kept);
   });
   recorder->finish();
   return Trace::from_bytes(recorder->take_bytes(), path.string());

@@ -19,10 +19,11 @@ std::string jsonl_event(const Page& page, const RecordedEvent& event);
 /// The whole trace.
 void write_jsonl(const Trace& trace, std::ostream& out);
 
-/// Reads JSONL and hands header and scene to `begin`, which returns the recorder that takes the events.
+/// Reads JSONL and hands header and scene to `begin`, which returns the recorder that takes the events. It keeps the scene for as long as
+/// the recorder lives.
 /// Throws InputError with NAME:LINE for what is wrong.
 void read_jsonl(std::istream& in, const std::string& name,
-                const std::function<TraceRecorder&(const Header&, const Scene&)>& begin);
+                const std::function<TraceRecorder&(const Header&, Scene)>& begin);
 
 /// JSONL file to trace file. Nothing is left behind when it fails.
 void import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to);

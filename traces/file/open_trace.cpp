@@ -16,6 +16,7 @@ namespace {
 constexpr std::uint64_t head_limit = std::uint64_t{4} << 20;
 constexpr std::uint64_t scene_limit = std::uint64_t{256} << 20;
 constexpr std::uint64_t index_limit = std::uint64_t{256} << 20;
+constexpr std::uint64_t info_limit = std::uint64_t{1} << 20;
 
 class FileSource : public ByteSource {
  public:
@@ -81,7 +82,7 @@ std::uint64_t read_head(Trace::Impl& trace) {
   if (!scene || scene->tag != scene_tag) throw MalformedBytes("its scene is missing");
   trace.scene = scene_from_bytes(decompress(read_chunk(source, *scene), scene_limit));
   trace.kinds = kinds_of(trace.header.page);
-  trace.increments = trace.header.conventions.interpolation == Conventions::Interpolation::increments;
+  trace.facts.emplace(trace.scene, trace.header.conventions);
   return scene->end();
 }
 
@@ -97,6 +98,7 @@ void add_block(Trace::Impl& trace, const ChunkPlace& place, BlockInfo info, std:
     trace.polygons.push_back({info.first_position + mark.offset + 1, mark.polygon});
   }
   trace.size += info.count;
+  info.marks = {};  // they stand in trace.polygons now
   trace.blocks.push_back({std::move(info), place, frame_offset});
 }
 
@@ -111,14 +113,10 @@ bool read_index(Trace::Impl& trace) {
     ByteReader in(bytes);
     const std::size_t count = in.count();
     for (std::size_t i = 0; i < count; ++i) {
-      const std::uint64_t block_offset = in.varint();
-      const std::size_t info_size = in.count();
-      ByteReader info(in.take(info_size));
+      const std::uint64_t block_offset = in.varint(), frame_offset = in.varint();
       const auto block = chunk_at(*trace.source, block_offset);
       if (!block || block->tag != events_tag) return false;
-      Bytes length;
-      put_varint(length, info_size);
-      add_block(trace, *block, take_block_info(info), length.size() + info_size);
+      add_block(trace, *block, take_block_info(in, trace.scene.raster), frame_offset);
     }
     return true;
   } catch (const MalformedBytes&) {
@@ -137,8 +135,9 @@ void rebuild_index(Trace::Impl& trace, std::uint64_t offset) {
     try {
       const Bytes bytes = read_chunk(*trace.source, *place);
       ByteReader in(bytes);
-      ByteReader info(in.take(in.count()));
-      add_block(trace, *place, take_block_info(info), bytes.size() - in.left());
+      const Bytes info = decompress(in.take(in.count()), info_limit);
+      ByteReader info_in(info);
+      add_block(trace, *place, take_block_info(info_in, trace.scene.raster), bytes.size() - in.left());
     } catch (const MalformedBytes&) {
       damaged = true;
       break;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "traces/events/registers.hpp"
+#include "traces/events/slots.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/limits.hpp"
 

@@ -44,6 +44,39 @@ void Trace::Impl::damaged(std::size_t block, const std::string& what) const {
       mend_trace);
 }
 
+namespace {
+
+/// Holds events against the scene: a run by its first and its last pixel.
+struct CheckBlock {
+  EventCheck check;
+  std::int64_t position;
+
+  template <class E>
+  bool operator()(std::uint8_t, const E& event) {
+    ++position;
+    return sound(check(event));
+  }
+  bool operator()(const codec::FragmentRun& run) {
+    position += run.events();
+    return sound(check(PixelWrite{run.x, run.y, run.nearer != 0 ? run.polygon : 0})) && sound(check(PixelWrite{run.end() - 1, run.y, 0}));
+  }
+  bool operator()(const codec::PaintRun& run) {
+    position += run.events();
+    return sound(check(PixelWrite{run.x, run.y, run.polygon})) && sound(check(PixelWrite{run.end() - 1, run.y, run.polygon}));
+  }
+  bool sound(const std::string& fault) const {
+    if (!fault.empty()) throw MalformedBytes(fmt::format("step {}: {}", position, fault));
+    return true;
+  }
+};
+
+}  // namespace
+
+void Trace::Impl::check(const Block& block, const Bytes& packed) const {
+  BlockDecoder decoder(packed, block.info.count, kinds, *facts);
+  decoder.visit_all(CheckBlock{EventCheck(scene), block.info.first_position});
+}
+
 const Bytes& Trace::Impl::packed(std::size_t block) const {
   for (auto it = packed_at_hand.begin(); it != packed_at_hand.end(); ++it) {
     if (it->first != block) continue;
@@ -56,15 +89,7 @@ const Bytes& Trace::Impl::packed(std::size_t block) const {
     if (place.frame_offset > bytes.size()) throw MalformedBytes("its index does not fit it");
     Bytes unpacked = decompress(std::span(bytes).subspan(static_cast<std::size_t>(place.frame_offset)), block_limit);
     if (!place.checked) {
-      EventCheck check(scene);
-      std::int64_t position = place.info.first_position;
-      BlockDecoder decoder(unpacked, place.info.count, kinds, increments);
-      decoder.visit_all([&](std::uint8_t, const auto& event) {
-        ++position;
-        if (std::string fault = check(event); !fault.empty())
-          throw MalformedBytes(fmt::format("step {}: {}", position, fault));
-        return true;
-      });
+      check(place, unpacked);
       place.checked = true;
     }
     if (packed_at_hand.size() >= packed_kept) packed_at_hand.pop_back();
@@ -85,7 +110,7 @@ const Trace::Impl::Events& Trace::Impl::events(std::size_t block) const {
   unpacked->reserve(blocks[block].info.count);
   const Bytes& bytes = packed(block);
   try {
-    BlockDecoder decoder(bytes, blocks[block].info.count, kinds, increments);
+    BlockDecoder decoder(bytes, blocks[block].info.count, kinds, *facts);
     decoder.visit_all([&](std::uint8_t step, const auto& event) {
       unpacked->push_back({step, event});
       return true;
@@ -101,40 +126,18 @@ const Trace::Impl::Events& Trace::Impl::events(std::size_t block) const {
 const RecordedEvent& Trace::event(std::int64_t position) const {
   if (position < 1 || position > size()) throw std::out_of_range("Trace::event: no such position");
   const std::size_t block = impl_->block_of(position);
+  // Who asks once for a block is given the one event; who asks again will ask for more.
+  const auto& at_hand = impl_->events_at_hand;
+  const bool unpacked = std::any_of(at_hand.begin(), at_hand.end(), [&](const auto& other) { return other.first == block; });
+  if (!unpacked && impl_->asked_once != block) {
+    visit(position - 1, position, [&](std::int64_t, std::uint8_t step, const auto& event) {
+      impl_->one_event = {step, event};
+      return true;
+    });
+    impl_->asked_once = block;
+    return impl_->one_event;
+  }
   return (*impl_->events(block))[static_cast<std::size_t>(position - 1 - impl_->blocks[block].info.first_position)];
-}
-
-std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate,
-                                        std::optional<Pixel> pixel) const {
-  for (std::int64_t position = std::max<std::int64_t>(from, 0) + 1; position <= size();) {
-    const std::size_t index = impl_->block_of(position);
-    const BlockInfo& info = impl_->blocks[index].info;
-    const std::int64_t end = info.first_position + info.count;
-    if (!pixel || info.may_touch(pixel->x, pixel->y)) {
-      const auto& events = *impl_->events(index);
-      for (; position <= end; ++position) {
-        if (predicate(events[static_cast<std::size_t>(position - 1 - info.first_position)])) return position;
-      }
-    }
-    position = end + 1;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& predicate,
-                                            std::optional<Pixel> pixel) const {
-  for (std::int64_t position = std::min(from - 1, size()); position >= 1;) {
-    const std::size_t index = impl_->block_of(position);
-    const BlockInfo& info = impl_->blocks[index].info;
-    if (!pixel || info.may_touch(pixel->x, pixel->y)) {
-      const auto& events = *impl_->events(index);
-      for (; position > info.first_position; --position) {
-        if (predicate(events[static_cast<std::size_t>(position - 1 - info.first_position)])) return position;
-      }
-    }
-    position = info.first_position;
-  }
-  return std::nullopt;
 }
 
 std::optional<Trace::Pixel> pixel_of(const Event& event) {

@@ -58,16 +58,34 @@ class Trace {
   template <class Visit>
   void visit(std::int64_t first, std::int64_t last, Visit&& visit) const;
 
-  /// The first position > `from` (or the last < `from`) whose event satisfies the predicate, if any. `pixel`, when
-  /// given, lets whole blocks that never touch that pixel be skipped.
+  /// The first position > `from` (or the last < `from`) whose event satisfies the predicate, if any. `among` says which events are
+  /// asked at all; blocks that hold none of them are not unpacked.
   using Predicate = std::function<bool(const RecordedEvent&)>;
   struct Pixel {
     std::int32_t x, y;
   };
-  std::optional<std::int64_t> next(std::int64_t from, const Predicate& predicate,
-                                   std::optional<Pixel> pixel = {}) const;
-  std::optional<std::int64_t> previous(std::int64_t from, const Predicate& predicate,
-                                       std::optional<Pixel> pixel = {}) const;
+  struct Among {
+    std::optional<Pixel> pixel;                ///< events with this x and y
+    std::optional<std::uint8_t> kind;          ///< events of this kind
+    std::optional<std::int64_t> until;         ///< positions no farther than this one
+    Among() = default;
+    Among(Pixel pixel_) : pixel(pixel_) {}
+    Among(std::optional<Pixel> pixel_, std::optional<std::uint8_t> kind_ = {}, std::optional<std::int64_t> until_ = {})
+        : pixel(pixel_), kind(kind_), until(until_) {}
+  };
+  std::optional<std::int64_t> next(std::int64_t from, const Predicate& predicate, const Among& among = {}) const;
+  std::optional<std::int64_t> previous(std::int64_t from, const Predicate& predicate, const Among& among = {}) const;
+  /// All events that are meant, in order, until the visitor returns false. It must not ask the trace for others meanwhile.
+  void scan(const Among& among, const std::function<bool(std::int64_t, const RecordedEvent&)>& visit) const;
+  /// The same for events of one kind: condition(const E&).
+  template <class E, class Condition>
+  std::optional<std::int64_t> next(std::int64_t from, Condition&& condition, std::optional<Pixel> pixel = {}) const {
+    return next(from, [&](const RecordedEvent& recorded) { return condition(std::get<E>(recorded.event)); }, Among(pixel, kind_of<E>));
+  }
+  template <class E, class Condition>
+  std::optional<std::int64_t> previous(std::int64_t from, Condition&& condition, std::optional<Pixel> pixel = {}) const {
+    return previous(from, [&](const RecordedEvent& recorded) { return condition(std::get<E>(recorded.event)); }, Among(pixel, kind_of<E>));
+  }
 
   struct Impl;
   const Impl& impl() const { return *impl_; }

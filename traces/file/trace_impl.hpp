@@ -3,10 +3,11 @@
 
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "traces/file/block.hpp"
+#include "traces/codec/block_decoder.hpp"
 #include "traces/file/chunk.hpp"
 #include "traces/file/trace.hpp"
 
@@ -29,7 +30,7 @@ struct Trace::Impl {
   Header header;
   Scene scene;
   StepKinds kinds{};
-  bool increments = false;
+  std::optional<codec::Facts> facts;  ///< of header and scene
   std::vector<Block> blocks;
   std::vector<PolygonMark> polygons;
   std::vector<std::string> warnings;
@@ -43,11 +44,15 @@ struct Trace::Impl {
   /// A block's events, unpacked; a few blocks are kept at hand, and others by whom they are given to.
   using Events = std::shared_ptr<const std::vector<RecordedEvent>>;
   const Events& events(std::size_t block) const;
+  /// Throws MalformedBytes when an event of a block names what the scene does not have.
+  void check(const Block& block, const Bytes& packed) const;
   /// Turns what a damaged block throws into an InputError that says which events are lost.
   [[noreturn]] void damaged(std::size_t block, const std::string& what) const;
 
   mutable std::list<std::pair<std::size_t, Bytes>> packed_at_hand;
   mutable std::list<std::pair<std::size_t, Events>> events_at_hand;
+  mutable RecordedEvent one_event;                     ///< that of a block which was asked for no other
+  mutable std::size_t asked_once = ~std::size_t{0};    ///< that block
 };
 
 }  // namespace zstep

@@ -1,9 +1,52 @@
 // Trace::visit: every event of a range, typed, straight from the packed columns.
 #pragma once
 
+#include <algorithm>
+
 #include "traces/file/trace_impl.hpp"
 
 namespace zstep {
+
+namespace detail {
+
+/// Gives a reader of a range what it is to see of a block's events, with their positions.
+template <class Visit>
+struct VisitRange {
+  Visit& visit;
+  std::int64_t first, last, position;
+  bool go_on = true;
+
+  template <class E>
+  bool operator()(std::uint8_t step, const E& event) {
+    ++position;
+    if (position <= first) return true;
+    if (position > last) return false;
+    go_on = visit(position, step, event);
+    return go_on;
+  }
+  bool operator()(const codec::FragmentRun& run) { return take(run); }
+  bool operator()(const codec::PaintRun& run) { return take(run); }
+
+ private:
+  template <class Run>
+  bool take(const Run& run) {
+    const std::int64_t end = position + run.events();
+    if (end <= first) {
+      position = end;
+      return true;
+    }
+    if constexpr (requires { visit(position, run); }) {
+      if (position >= first && end <= last) {
+        go_on = visit(position, run);
+        position = end;
+        return go_on;
+      }
+    }
+    return run.expand([&](std::uint8_t step, const auto& event) { return (*this)(step, event); });
+  }
+};
+
+}  // namespace detail
 
 template <class Visit>
 void Trace::visit(std::int64_t first, std::int64_t last, Visit&& visit) const {
@@ -12,22 +55,15 @@ void Trace::visit(std::int64_t first, std::int64_t last, Visit&& visit) const {
   while (first < last) {
     const std::size_t index = impl_->block_of(first + 1);
     const Impl::Block& block = impl_->blocks[index];
-    std::int64_t position = block.info.first_position;
-    bool go_on = true;
+    detail::VisitRange<Visit> range{visit, first, last, block.info.first_position};
     const Bytes& packed = impl_->packed(index);
     try {
-      BlockDecoder decoder(packed, block.info.count, impl_->kinds, impl_->increments);
-      decoder.visit_all([&](std::uint8_t step, const auto& event) {
-        ++position;
-        if (position <= first) return true;
-        if (position > last) return false;
-        go_on = visit(position, step, event);
-        return go_on;
-      });
+      BlockDecoder decoder(packed, block.info.count, impl_->kinds, *impl_->facts);
+      decoder.visit_all(range);
     } catch (const MalformedBytes& error) {
       impl_->damaged(index, error.what());
     }
-    if (!go_on) return;
+    if (!range.go_on) return;
     first = block.info.first_position + block.info.count;
   }
 }

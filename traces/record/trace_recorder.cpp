@@ -1,20 +1,20 @@
 #include "traces/record/trace_recorder.hpp"
 
 #include <cstdio>
-#include <future>
-#include <system_error>
 #include <utility>
 #include <variant>
 
+#include "traces/codec/block_encoder.hpp"
 #include "traces/error.hpp"
 #include "traces/file/chunk.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/file/scene_bytes.hpp"
+#include "traces/record/beside.hpp"
 
 namespace zstep {
 
-/// Where the bytes go, and the index that grows as they do. A block is compressed and written by another thread while the next
-/// one is recorded; nothing here is touched meanwhile.
+/// Where the bytes go, and the index that grows as they do. A block is packed and written by another thread while the next one is
+/// recorded; nothing here is touched meanwhile.
 struct TraceRecorder::Sink {
   std::filesystem::path path;
   std::FILE* file = nullptr;
@@ -22,16 +22,23 @@ struct TraceRecorder::Sink {
   std::uint64_t written = 0;
   Bytes index;
   std::uint64_t blocks = 0;
-  Bytes info_at_work, packed_at_work;
-  std::future<void> writing;
+  BlockEncoder encoder;
+  EventLog at_work;
+  Beside beside;  // ends first
 
-  Sink() = default;
+  Sink(const Header& header, const Scene& scene)
+      : encoder(scene, header.conventions), at_work(increments(header)) {}
   Sink(const Sink&) = delete;
   Sink& operator=(const Sink&) = delete;
   ~Sink() {
-    if (writing.valid()) writing.wait();
+    try {
+      beside.wait();
+    } catch (...) {  // a recording that ends without finish() ends where it got to
+    }
     if (file != nullptr) std::fclose(file);
   }
+
+  static bool increments(const Header& header) { return header.conventions.interpolation == Conventions::Interpolation::increments; }
 
   void write(const Bytes& bytes) {
     if (file == nullptr) {
@@ -43,71 +50,61 @@ struct TraceRecorder::Sink {
     written += bytes.size();
   }
 
+  void write_head(const Header& header, const Scene& scene) {
+    write(make_signature());
+    const std::string head = header_to_json(header).dump();
+    write(make_chunk(head_tag, compress({reinterpret_cast<const std::uint8_t*>(head.data()), head.size()})));
+    write(make_chunk(scene_tag, compress(scene_to_bytes(scene))));
+  }
+
   void write_block() {
-    const Bytes& info = info_at_work;
+    const BlockEncoder::Packed block = encoder.pack(at_work);
+    Bytes info;
+    put_block_info(info, block.info);
+    const Bytes info_frame = compress(info), frame = compress(block.bytes);
     Bytes bytes;
-    put_varint(bytes, info.size());
-    bytes.insert(bytes.end(), info.begin(), info.end());
-    const Bytes frame = compress(packed_at_work);
-    bytes.insert(bytes.end(), frame.begin(), frame.end());
+    put_varint(bytes, info_frame.size());
+    bytes.insert(bytes.end(), info_frame.begin(), info_frame.end());
 
     put_varint(index, written);
-    put_varint(index, info.size());
+    put_varint(index, bytes.size());
     index.insert(index.end(), info.begin(), info.end());
     ++blocks;
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
     write(make_chunk(events_tag, bytes));
-  }
-
-  /// Waits for the block before and throws what went wrong with it; then begins to write this one.
-  void begin_block(Bytes info, Bytes packed) {
-    wait();
-    info_at_work = std::move(info), packed_at_work = std::move(packed);
-    try {
-      writing = std::async(std::launch::async, [this] { write_block(); });
-    } catch (const std::system_error&) {  // no thread is to be had
-      write_block();
-    }
-  }
-  void wait() {
-    if (writing.valid()) writing.get();
   }
 };
 
 TraceRecorder::TraceRecorder(const std::filesystem::path& path, const Header& header, const Scene& scene)
-    : sink_(std::make_unique<Sink>()),
-      encoder_(header.conventions.interpolation == Conventions::Interpolation::increments) {
+    : sink_(std::make_unique<Sink>(header, scene)), log_(Sink::increments(header)) {
   sink_->path = path;
   sink_->file = std::fopen(path.string().c_str(), "wb");
   if (sink_->file == nullptr)
     throw InputError(path.string(), "cannot be written", "name a file in a folder that exists and is yours");
-  begin(header, scene);
+  sink_->beside.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
 }
 
 TraceRecorder::TraceRecorder(const Header& header, const Scene& scene)
-    : sink_(std::make_unique<Sink>()),
-      encoder_(header.conventions.interpolation == Conventions::Interpolation::increments) {
-  begin(header, scene);
+    : sink_(std::make_unique<Sink>(header, scene)), log_(Sink::increments(header)) {
+  sink_->beside.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
 }
 
 TraceRecorder::~TraceRecorder() = default;
 
-void TraceRecorder::begin(const Header& header, const Scene& scene) {
-  sink_->write(make_signature());
-  const std::string head = header_to_json(header).dump();
-  sink_->write(make_chunk(head_tag, compress({reinterpret_cast<const std::uint8_t*>(head.data()), head.size()})));
-  sink_->write(make_chunk(scene_tag, compress(scene_to_bytes(scene))));
-}
-
 void TraceRecorder::write_block() {
-  Bytes info;
-  put_block_info(info, encoder_.info());
-  sink_->begin_block(std::move(info), encoder_.take());
+  log_.close();
+  before_ += log_.count();
+  sink_->beside.wait();
+  sink_->at_work.swap(log_);
+  log_.clear();
+  sink_->beside.begin([sink = sink_.get()] { sink->write_block(); });
   if (on_block_) on_block_(size());
 }
 
 void TraceRecorder::finish() {
-  if (encoder_.size() > 0) write_block();
-  sink_->wait();
+  log_.close();
+  if (log_.count() > 0) write_block();
+  sink_->beside.wait();
   const std::uint64_t offset = sink_->written;
   Bytes index;
   put_varint(index, sink_->blocks);

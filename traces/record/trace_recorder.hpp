@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "traces/file/block.hpp"
+#include "traces/record/event_log.hpp"
 #include "traces/file/header.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
@@ -17,23 +17,24 @@ namespace zstep {
 class TraceRecorder {
  public:
   /// To a file, written block by block under its own name, so that a killed recording keeps all but its last block.
-  /// Throws InputError when the file cannot be written.
+  /// Throws InputError when the file cannot be written. The scene must live as long as the recorder does: it foretells events.
   TraceRecorder(const std::filesystem::path& path, const Header& header, const Scene& scene);
+  TraceRecorder(const std::filesystem::path& path, const Header& header, Scene&& scene) = delete;
   /// To memory.
   TraceRecorder(const Header& header, const Scene& scene);
+  TraceRecorder(const Header& header, Scene&& scene) = delete;
   ~TraceRecorder();
   TraceRecorder(const TraceRecorder&) = delete;
   TraceRecorder& operator=(const TraceRecorder&) = delete;
 
   template <class E>
   void operator()(Step<E> step, const E& event) {
-    encoder_.put(step.id, event);
-    if (encoder_.full()) [[unlikely]]
+    if (log_.put(step.id, event)) [[unlikely]]
       write_block();
   }
 
-  /// Events recorded so far.
-  std::int64_t size() const { return encoder_.info().first_position + encoder_.size(); }
+  /// Events recorded so far, without those of a span that is at work.
+  std::int64_t size() const { return before_ + log_.count(); }
 
   /// Called after every block with the number of events so far: for progress, or to stop the run by throwing. finish()
   /// may still be called after that.
@@ -48,11 +49,11 @@ class TraceRecorder {
 
  private:
   struct Sink;
-  void begin(const Header& header, const Scene& scene);
   void write_block();
 
   std::unique_ptr<Sink> sink_;
-  BlockEncoder encoder_;
+  EventLog log_;
+  std::int64_t before_ = 0;  ///< events of the blocks before
   std::function<void(std::int64_t)> on_block_;
 };
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <deque>
-#include <iterator>
-#include <map>
 
 #include "traces/error.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/replay/apply.hpp"
+#include "traces/replay/apply_runs.hpp"
+#include "traces/replay/key_frames.hpp"
 #include "traces/replay/undo_log.hpp"
 
 namespace zstep {
@@ -15,17 +15,19 @@ namespace zstep {
 namespace {
 
 constexpr std::size_t key_frame_budget = std::size_t{64} << 20;  // bytes
+constexpr std::int64_t most_key_frames = 64;
+constexpr std::int64_t few_events = 64;  // that are better asked for one by one
 constexpr std::size_t picture_budget = std::size_t{64} << 20;    // bytes of whole pictures in the undo log
 
 }  // namespace
 
 struct Replay::Impl {
   explicit Impl(const Trace& trace_, const ReplayTuning& tuning_)
-      : trace(&trace_), tuning(tuning_), points(trace_.scene().points.size()) {
-    state = beginning();
-    const std::size_t frame_size = state.picture.depth.size() * 12 + points * sizeof(VertexWay) + 1;
-    const auto frames = static_cast<std::int64_t>(std::clamp<std::size_t>(key_frame_budget / frame_size, 1, 32));
-    key_frame_spacing = std::max(tuning.key_frame_every, trace->size() / frames);
+      : trace(&trace_),
+        tuning(tuning_),
+        points(trace_.scene().points.size()),
+        state(beginning()),
+        key_frames(state, std::max(tuning.key_frame_every, trace->size() / most_key_frames), key_frame_budget) {
     forget();
   }
 
@@ -72,23 +74,33 @@ struct Replay::Impl {
 
   /// Ahead with a log.
   void step_to(std::int64_t target) {
+    if (target - state.position > few_events) {
+      trace->visit(state.position, target, [&](std::int64_t position, std::uint8_t, const auto& event) {
+        step(position, event);
+        return true;
+      });
+      return;
+    }
     while (state.position < target) {
       const std::int64_t next = state.position + 1;
-      const RecordedEvent& recorded = trace->event(next);
-      log.begin(next);
-      try {
-        std::visit([&](const auto& event) { apply(next, event, log); }, recorded.event);
-      } catch (...) {
-        log.undo_to(state.position, state);
-        throw;
-      }
-      if (log.pictures_bytes() > picture_budget) forget();
-      if (state.position - check_points.back().first >= tuning.check_point_every)
-        check_points.emplace_back(state.position, state.machine);
-      if (state.position - check_points.front().first > tuning.undo_window + tuning.check_point_every) {
-        check_points.pop_front();
-        log.forget_to(check_points.front().first);
-      }
+      std::visit([&](const auto& event) { step(next, event); }, trace->event(next).event);
+    }
+  }
+  template <class E>
+  void step(std::int64_t next, const E& event) {
+    log.begin(next);
+    try {
+      apply(next, event, log);
+    } catch (...) {
+      log.undo_to(state.position, state);
+      throw;
+    }
+    if (log.pictures_bytes() > picture_budget) forget();
+    if (state.position - check_points.back().first >= tuning.check_point_every)
+      check_points.emplace_back(state.position, state.machine);
+    if (state.position - check_points.front().first > tuning.undo_window + tuning.check_point_every) {
+      check_points.pop_front();
+      log.forget_to(check_points.front().first);
     }
   }
 
@@ -102,7 +114,7 @@ struct Replay::Impl {
       if (refused) {
         // The refused event may be half applied: go once more from what is known to be whole.
         const std::int64_t whole = state.position;
-        restore_before(whole);
+        key_frames.restore_before(whole, state);
         run(whole);
       }
       forget();
@@ -112,17 +124,29 @@ struct Replay::Impl {
   }
 
   void run(std::int64_t target) {
-    NoLog none;
-    std::int64_t next_frame = frame_before(state.position) + key_frame_spacing;
-    trace->visit(state.position, target, [&](std::int64_t position, std::uint8_t, const auto& event) {
-      apply(position, event, none);
-      if (position >= next_frame) {
-        key_frames.try_emplace(position, state);
-        next_frame = position + key_frame_spacing;
-      }
-      return true;
-    });
+    while (state.position < target) {
+      trace->visit(state.position, std::min(target, std::max(key_frames.next_due(), state.position + 1)), Ahead{*this});
+      if (state.position >= key_frames.next_due()) key_frames.add(state);
+    }
   }
+  /// Applies events without a log, and pixels by the run.
+  struct Ahead {
+    Impl& replay;
+
+    template <class E>
+    bool operator()(std::int64_t position, std::uint8_t, const E& event) {
+      NoLog none;
+      replay.apply(position, event, none);
+      return true;
+    }
+    template <class Run>
+      requires requires(const Run& run, State& changed) { apply_run(run, changed); }
+    bool operator()(std::int64_t before, const Run& run) {
+      apply_run(run, replay.state);
+      replay.state.position = before + run.events();
+      return true;
+    }
+  };
 
   void back_to(std::int64_t target) {
     log.undo_to(target, state);
@@ -137,24 +161,13 @@ struct Replay::Impl {
   }
 
   void seek(std::int64_t target) {
-    const bool from_here = state.position <= target && state.position >= frame_before(target);
+    const bool from_here = state.position <= target && state.position >= key_frames.before(target);
     if (!from_here) {
-      restore_before(target);
+      key_frames.restore_before(target, state);
       forget();
     }
     run_to(target - tuning.lead_in);
     step_to(target);
-  }
-
-  /// The last position up to this one at which a key frame stands; the beginning always has one.
-  std::int64_t frame_before(std::int64_t position) const {
-    const auto after = key_frames.upper_bound(position);
-    return after == key_frames.begin() ? 0 : std::prev(after)->first;
-  }
-  void restore_before(std::int64_t position) {
-    const auto after = key_frames.upper_bound(position);
-    if (after == key_frames.begin()) state = beginning();
-    else state = std::prev(after)->second;
   }
 
   /// Nothing before this position can be undone.
@@ -168,10 +181,9 @@ struct Replay::Impl {
   ReplayTuning tuning;
   std::size_t points;
   State state;
+  KeyFrames key_frames;
   UndoLog log;
   std::deque<std::pair<std::int64_t, Machine>> check_points;  ///< never empty; the log reaches back to the first
-  std::map<std::int64_t, State> key_frames;                   ///< that of position 0 is beginning()
-  std::int64_t key_frame_spacing = 0;
   bool refused = false;
 };
 

@@ -12,7 +12,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "traces/events/registers.hpp"
+#include "traces/events/slots.hpp"
 #include "traces/replay/shared_vector.hpp"
 
 namespace zstep {

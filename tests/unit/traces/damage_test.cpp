@@ -47,6 +47,12 @@ TEST_CASE("damage: a trace opens with the blocks it has wherever it is cut off, 
   std::int64_t count = 0;
   REQUIRE(read_all(whole, &count) == "");
   REQUIRE(count == static_cast<std::int64_t>(events.size()));
+  const Trace undamaged = Trace::from_bytes(whole, "whole");
+  const auto at_end_of_block = [&](std::int64_t position) {
+    const auto& blocks = undamaged.impl().blocks;
+    return position == 0 || std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.info.first_position + block.info.count == position; });
+  };
+  REQUIRE(undamaged.impl().blocks.size() > 1);
   std::int64_t last = 0;
   bool opened = false;
   // At every byte where the file begins and ends; now and then between, where each try reads a whole block.
@@ -60,7 +66,7 @@ TEST_CASE("damage: a trace opens with the blocks it has wherever it is cut off, 
     if (error.empty()) {
       opened = true;
       CHECK(got >= last);
-      CHECK((got == 0 || got == block_events || got == static_cast<std::int64_t>(events.size())));
+      CHECK(at_end_of_block(got));
       last = got;
     } else {
       CHECK_FALSE(opened);  // once header and scene are whole, a cut costs events, not the file
@@ -94,7 +100,7 @@ TEST_CASE("damage: no flipped byte goes unnoticed") {
 TEST_CASE("damage: another version says so") {
   Bytes bytes = recorded_bytes({});
   bytes[8] = 9;
-  CHECK(read_all(bytes).find("is a trace of version 9; this zstep " ZSTEP_VERSION " reads version 1") !=
+  CHECK(read_all(bytes).find("is a trace of version 9; this zstep " ZSTEP_VERSION " reads version 2") !=
         std::string::npos);
   CHECK(read_all({'P', 'K', 3, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0}).find("is not a zstep trace") != std::string::npos);
   CHECK(read_all({}).find("is not a zstep trace") != std::string::npos);

@@ -38,9 +38,11 @@ TEST_CASE("docs: the JSON Lines example is a trace") {
   const std::string document = read_document();
   const std::size_t begin = document.find("```json\n") + 8;
   std::istringstream example(document.substr(begin, document.find("```", begin) - begin));
+  Scene kept;
   std::unique_ptr<TraceRecorder> recorder;
-  read_jsonl(example, "docs/trace-format.md", [&](const Header& header, const Scene& scene) -> TraceRecorder& {
-    recorder = std::make_unique<TraceRecorder>(header, scene);
+  read_jsonl(example, "docs/trace-format.md", [&](const Header& header, Scene scene) -> TraceRecorder& {
+    kept = std::move(scene);
+    recorder = std::make_unique<TraceRecorder>(header, kept);
     return *recorder;
   });
   recorder->finish();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "traces/error.hpp"
-#include "traces/events/registers.hpp"
+#include "traces/events/slots.hpp"
 #include "traces/file/check_events.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/trace_recorder.hpp"
@@ -108,7 +108,8 @@ inline std::vector<RecordedEvent> random_events(std::size_t count, unsigned seed
 }
 
 inline std::vector<std::uint8_t> recorded_bytes(const std::vector<RecordedEvent>& events) {
-  TraceRecorder recorder(some_header(), some_scene());
+  const Scene scene = some_scene();
+  TraceRecorder recorder(some_header(), scene);
   for (const RecordedEvent& event : events) record_any(recorder, event.step, event.event);
   recorder.finish();
   return recorder.take_bytes();

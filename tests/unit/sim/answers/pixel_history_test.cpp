@@ -43,6 +43,7 @@ TEST_SUITE("pixel history") {
     test::for_each_golden([&](const std::string& name, const Trace& trace) {
       CAPTURE(name);
       const auto all = fragments_of(trace);
+      const FacetsNear facets(trace);
       Replay replay(trace);
       replay.go_to(trace.size());
       const Picture picture = replay.state().picture;
@@ -51,11 +52,18 @@ TEST_SUITE("pixel history") {
         for (std::int32_t x = 0; x < picture.width; x += step_x) {
           CAPTURE(x);
           CAPTURE(y);
-          const std::vector<Visit> history = pixel_history(trace, {x, y});
+          std::vector<Visit> history = pixel_history(trace, facets, {x, y});
           std::vector<std::int64_t> steps;
           std::int32_t seen = no_polygon;
-          for (const Visit& visit : history) {
+          for (Visit& visit : history) {
+            tell(replay, visit);
             CHECK_FALSE(visit.sentence.empty());
+            const auto& fragment = replay.state().machine.fragment;
+            if (fragment && fragment->x == x && fragment->y == y && std::holds_alternative<DepthCompare>(replay.current()->event)) {
+              CHECK(visit.stored == fragment->stored);
+              CHECK(visit.stored_polygon == fragment->stored_polygon);
+              if (fragment->nearer == true) CHECK(visit.polygon == std::get<PixelWrite>(trace.event(*trace.next<PixelWrite>(visit.step, [](const PixelWrite&) { return true; })).event).polygon);
+            }
             if (visit.takes) seen = visit.polygon;
             if (visit.outcome != Outcome::rejected && !casts_rays(trace)) steps.push_back(visit.step);
           }

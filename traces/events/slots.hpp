@@ -1,9 +1,5 @@
-// Registers and guesses: how an event is foretold from the ones before it.
-//
-// There is one register per field name, so that a `y` told by a scan line is already known to the span, the
-// interpolation and the compare that follow. Encoder and decoder walk an event's fields in order; each field is guessed
-// from the registers, and the value then becomes its register. What is guessed right is not stored
-// (docs/trace-format.md).
+// Slots: one number for each name that fields have, so that a `y` told by a scan line and the `y` of the compare that
+// follows can stand for each other.
 #pragma once
 
 #include <array>
@@ -108,54 +104,5 @@ inline double double_of(std::uint64_t bits) {
   std::memcpy(&value, &bits, sizeof value);
   return value;
 }
-
-class Registers {
- public:
-  /// `increments`: depths along a span are guessed by z + dz_dx instead of the direct formula.
-  explicit Registers(bool increments) : increments_(increments) {}
-
-  /// The guess for the I-th field of the next event E, given that its earlier fields have been set.
-  template <class E, std::size_t I>
-  auto guess() const {
-    constexpr auto field = field_at<E, I>;
-    constexpr std::size_t slot = slot_at<E, I>;
-    if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
-      if constexpr (field.guess == Guess::on_span) return increments_ ? stepped(slot) : on_span();
-      else return real_[slot];
-    } else {
-      if constexpr (field.guess == Guess::next)
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(whole_[slot]) + 1u);
-      else return whole_[slot];
-    }
-  }
-
-  template <class E, std::size_t I>
-  void set(double value) {
-    real_[slot_at<E, I>] = value;
-  }
-  template <class E, std::size_t I>
-  void set(std::int32_t value) {
-    whole_[slot_at<E, I>] = value;
-    // A span foretells where its first pixel is.
-    if constexpr (std::is_same_v<E, SpanBegin> && field_at<E, I>.name == "first") {
-      whole_[slot_of("x")] = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) - 1u);
-    }
-  }
-
- private:
-  double stepped(std::size_t slot) const { return real_[slot] + real_[slot_of("dz_dx")]; }
-
-  /// z = z_L + (z_R - z_L)(x - x_L)/(x_R - x_L), evaluated as scan conversion evaluates it.
-  double on_span() const {
-    const double x_left = real_[slot_of("x_left")], x_right = real_[slot_of("x_right")];
-    const double z_left = real_[slot_of("z_left")], z_right = real_[slot_of("z_right")];
-    if (x_right == x_left) return z_left;
-    return z_left + (z_right - z_left) * (static_cast<double>(whole_[slot_of("x")]) - x_left) / (x_right - x_left);
-  }
-
-  std::array<std::int32_t, slot_count> whole_{};
-  std::array<double, slot_count> real_{};
-  bool increments_;
-};
 
 }  // namespace zstep

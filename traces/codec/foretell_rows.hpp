@@ -1,0 +1,110 @@
+// Guesses along scan lines: most of what is not a pixel, so that they are worth having where they can be compiled into a decoder's loop.
+// Part of foreteller.hpp.
+#pragma once
+
+#include <algorithm>
+
+#include "traces/codec/foreteller.hpp"
+
+namespace zstep::codec {
+
+namespace detail {
+
+/// A whole number, limited to -1 … width.
+inline std::int32_t column(std::int32_t whole, std::int32_t width) { return whole < -1 ? -1 : std::min(whole, width); }
+
+}  // namespace detail
+
+/// The first column at or right of x, limited to -1 … width; -1 for what is not a number.
+inline std::int32_t column_from(double x, std::int32_t width) {
+  if (!(x > -2)) return -1;
+  if (x >= width) return width;
+  const auto whole = static_cast<std::int32_t>(x);  // towards 0
+  return detail::column(whole + (x > whole ? 1 : 0), width);
+}
+/// The first column right of x, limited likewise.
+inline std::int32_t column_after(double x, std::int32_t width) {
+  if (!(x > -2)) return -1;
+  if (x >= width) return width;
+  const auto whole = static_cast<std::int32_t>(x);
+  return detail::column(x < whole ? whole : whole + 1, width);
+}
+
+// --- Scan lines
+
+inline void Foreteller::tell(ScanLineBegin& event) const {
+  const std::int32_t y = whole_[slot_of("y")];
+  event.y = !in_rows_ && edges_.first_row() >= 0 ? edges_.first_row() : static_cast<std::int32_t>(static_cast<std::uint32_t>(y) + 1u);
+}
+
+inline void Foreteller::note(const ScanLineBegin&) {
+  in_rows_ = true;
+  in_span_ = false;
+  edges_.begin_row();
+}
+
+inline void Foreteller::tell(EdgeEnter& event) const {
+  const std::int32_t known = edges_.to_enter(whole_[slot_of("y")]);
+  event.edge = known >= 0 ? known : static_cast<std::int32_t>(static_cast<std::uint32_t>(whole_[slot_of("edge")]) + 1u);
+}
+
+inline void Foreteller::evaluate(EdgeEnter& event) {
+  const KnownEdge* edge = edges_.at(event.edge);
+  event.place = edge != nullptr ? edges_.place_for(*edge) : 0;
+}
+
+inline void Foreteller::tell(EdgeRetire& event) {
+  const std::int32_t known = edges_.to_retire(whole_[slot_of("y")]);
+  event.edge = known >= 0 ? known : whole_[slot_of("edge")];
+}
+
+inline void Foreteller::tell(EdgeStep& event) const {
+  const std::int32_t known = edges_.to_step();
+  event.edge = known >= 0 ? known : static_cast<std::int32_t>(static_cast<std::uint32_t>(whole_[slot_of("edge")]) + 1u);
+}
+
+inline void Foreteller::evaluate(EdgeStep& event) {
+  const KnownEdge* edge = edges_.at(event.edge);
+  if (edge == nullptr) {
+    event.x_edge = event.z_edge = 0;
+  } else if (facts_->increments()) {
+    event.x_edge = edge->x + edge->dx_dy, event.z_edge = edge->z + edge->dz_dy;
+  } else {
+    const std::int32_t y = whole_[slot_of("y")];
+    event.x_edge = edge->x_at(y), event.z_edge = edge->z_at(y);
+  }
+}
+
+inline void Foreteller::note(const EdgeStep& event) {
+  edges_.step();
+  if (KnownEdge* edge = edges_.at(event.edge)) edge->x = event.x_edge, edge->z = event.z_edge;
+}
+
+// --- Spans
+
+inline void Foreteller::tell(SpanBegin& event) const {
+  event.left_edge = std::max(0, edges_.to_begin_span(0));
+  event.right_edge = std::max(0, edges_.to_begin_span(1));
+}
+
+inline void Foreteller::evaluate(SpanBegin& event) {
+  const KnownEdge *left = edges_.at(event.left_edge), *right = edges_.at(event.right_edge);
+  event.x_left = left != nullptr ? left->x : real_[slot_of("x_right")];
+  event.z_left = left != nullptr ? left->z : real_[slot_of("z_right")];
+  event.x_right = right != nullptr ? right->x : 0;
+  event.z_right = right != nullptr ? right->z : 0;
+  const std::int32_t width = facts_->scene().raster.width;
+  event.first = std::max(0, column_from(event.x_left, width));
+  event.last = (facts_->inclusive() ? column_after(event.x_right, width) : column_from(event.x_right, width)) - 1;
+  event.dz_dx = event.x_right != event.x_left ? (event.z_right - event.z_left) / (event.x_right - event.x_left) : 0;
+}
+
+inline void Foreteller::note(const SpanBegin& event) {
+  edges_.span();
+  span_ = event;
+  in_span_ = true;
+  // So the span's first pixel is "one more".
+  whole_[slot_of("x")] = static_cast<std::int32_t>(static_cast<std::uint32_t>(event.first) - 1u);
+}
+
+}  // namespace zstep::codec

@@ -1,0 +1,153 @@
+// How an event is foretold from the scene and from the events of its block before it (docs/trace-format.md, "Guesses").
+//
+// Encoder and decoder walk an event's fields in order. What is guessed right is not stored. A guess may use what the file's header and
+// scene state and what the block's earlier events told, and nothing else, so that each block is read without the others.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "traces/codec/facts.hpp"
+#include "traces/codec/known_edges.hpp"
+#include "traces/events/slots.hpp"
+#include "traces/record/event_log.hpp"
+
+namespace zstep::codec {
+
+class Foreteller {
+ public:
+  /// `facts` must live as long as this does.
+  explicit Foreteller(const Facts& facts) : facts_(&facts) {}
+  /// All that the events of a block told.
+  void forget();
+
+  /// The guess for the I-th field of the next event, whose earlier fields are set in `event`. Guesses by formula are left in `event`, too.
+  template <class E, std::size_t I>
+  auto guess(E& event) {
+    constexpr Guess way = field_at<E, I>.guess;
+    using Value = FieldValue<E, I>;
+    if constexpr (way == Guess::told || way == Guess::formula) {
+      if constexpr (I == 0 || way != way_of_field<E, I>(-1)) {
+        if constexpr (way == Guess::told) tell(event);
+        else evaluate(event);
+      }
+      if constexpr (std::is_same_v<Value, double>) return plain(event.*field_at<E, I>.member);
+      else return static_cast<std::int32_t>(event.*field_at<E, I>.member);
+    } else if constexpr (std::is_same_v<Value, double>) {
+      return real_[slot_at<E, I>];
+    } else if constexpr (way == Guess::next) {
+      return static_cast<std::int32_t>(static_cast<std::uint32_t>(whole_[slot_at<E, I>]) + 1u);
+    } else {
+      return whole_[slot_at<E, I>];
+    }
+  }
+
+  /// Takes an event that was written or read.
+  template <class E>
+  void learn(const E& event) {
+    for_each_index<E>([&]<std::size_t I>() {
+      const auto value = event.*field_at<E, I>.member;
+      if constexpr (std::is_same_v<FieldValue<E, I>, double>) real_[slot_at<E, I>] = value;
+      else whole_[slot_at<E, I>] = static_cast<std::int32_t>(value);
+    });
+    if constexpr (requires { note(event); }) note(event);
+  }
+
+  // --- Of the span at work
+  bool in_span() const { return in_span_; }
+  const SpanBegin& span() const { return span_; }
+  bool increments() const { return facts_->increments(); }
+  std::int32_t whole(std::size_t slot) const { return whole_[slot]; }
+  double real(std::size_t slot) const { return real_[slot]; }
+  void set_whole(std::size_t slot, std::int32_t value) { whole_[slot] = value; }
+  void set_real(std::size_t slot, double value) { real_[slot] = value; }
+
+ private:
+  /// One NaN for all: which one a formula gives depends on the compiler.
+  static double plain(double value) { return value == value ? value : std::numeric_limits<double>::quiet_NaN(); }
+  /// How the field `step` places from the I-th is guessed.
+  template <class E, std::size_t I>
+  static constexpr Guess way_of_field(int step) {
+    constexpr auto ways = []<std::size_t... K>(std::index_sequence<K...>) {
+      return std::array<Guess, sizeof...(K)>{field_at<E, K>.guess...};
+    }
+    (std::make_index_sequence<field_count<E>>{});
+    return ways[static_cast<std::size_t>(static_cast<int>(I) + step)];
+  }
+
+  // Fields that are told before an event.
+  void tell(PolygonBegin& event) const;
+  void tell(PolygonReject& event) const;
+  void tell(OutlineVertex& event) const;
+  void tell(EdgeTableInsert& event) const;
+  void tell(EdgeTableSkip& event) const;
+  void tell(ScanLineBegin& event) const;
+  void tell(EdgeEnter& event) const;
+  void tell(EdgeRetire& event);
+  void tell(EdgeStep& event) const;
+  void tell(SpanBegin& event) const;
+  // Fields by formula.
+  void evaluate(ViewTransform& event) const;
+  void evaluate(Projection& event) const;
+  void evaluate(ViewportTransform& event) const;
+  void evaluate(FacingTest& event);
+  void evaluate(ClipTest& event);
+  void evaluate(EdgeTableInsert& event) const;
+  void evaluate(EdgeTableSkip& event) const;
+  void evaluate(EdgeEnter& event);
+  void evaluate(EdgeStep& event);
+  void evaluate(SpanBegin& event);
+  void evaluate(DepthInterpolate& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }
+  void evaluate(PixelPaint& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }
+  // What events change besides their registers.
+  void note(const TablesBegin& event);
+  void note(const PolygonBegin& event);
+  void note(const PieceDraw& event);
+  void note(const FacingTest& event) { facing_ = event.facing; }
+  void note(const ClipCross& event);
+  void note(const SplitVertex& event);
+  void note(const OutlineVertex& event);
+  void note(const EdgeTableInsert& event);
+  void note(const EdgeTableSkip&) { ++side_; }
+  void note(const ScanLineBegin& event);
+  void note(const EdgeEnter& event) { edges_.enter(event.edge, event.place); }
+  void note(const EdgeRetire& event) { edges_.retire(event.edge); }
+  void note(const EdgeStep& event);
+  void note(const EdgeSwap& event) { edges_.swap(event.place); }
+  void note(const SpanBegin& event);
+
+  /// Forgets what belongs to the polygon or piece before.
+  void begin_polygon(std::span<const std::int32_t> corners);
+  /// The ends of the next side of the outline, as far as they are known.
+  struct Side {
+    std::int32_t from = 0, to = 0;
+  };
+  Side next_side() const;
+  /// A vertex's (x_s, y_s, depth); false when this block does not know it.
+  bool find_raster(std::int32_t vertex, glm::dvec3& raster) const;
+  /// The facet's corners, gone through viewing, into corner_facts_; false when there are none that could be known.
+  bool look_at_corners();
+
+  const Facts* facts_;
+  std::array<std::int32_t, slot_count> whole_{};
+  std::array<double, slot_count> real_{};
+
+  Facing facing_ = Facing::front;
+  std::span<const std::int32_t> corners_;     ///< of the facet at work, in the scene
+  std::vector<std::int32_t> outline_;         ///< as events told it
+  std::size_t side_ = 0;                      ///< sides of the outline that went to the edge table or past it
+  std::vector<VertexFacts> made_;             ///< vertices that the block made
+  std::vector<VertexFacts> corner_facts_;
+  bool keeps_all_ = false;
+  KnownEdges edges_;
+  std::int32_t last_inserted_ = -1;
+  bool in_rows_ = false;  ///< scan lines of the table have begun
+  bool in_span_ = false;
+  SpanBegin span_{};
+};
+
+}  // namespace zstep::codec
+
+#include "traces/codec/foretell_rows.hpp"

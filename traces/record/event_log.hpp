@@ -1,0 +1,230 @@
+// What a run has recorded since the last block: events as they came, and the pixels of a span already drawn together into runs.
+//
+// This is the half of recording that runs within the method that is recorded, so it does little: it compares a pixel with what its span
+// foretells, and copies everything else. The other half, packing, may be another thread's (codec/block_encoder.hpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+
+#include "traces/events/vocabulary.hpp"
+
+namespace zstep {
+
+inline constexpr std::uint32_t block_events = 1u << 16;  ///< the most that a block holds
+
+namespace codec {
+
+inline constexpr std::uint32_t run_limit = 64;  ///< pixels, as many as a word has bits
+
+// Tokens that stand for runs; all others are the ids of steps.
+inline constexpr std::uint8_t fragments_token = 126, paints_token = 127;
+inline constexpr std::uint8_t unknown_step = 0xff;
+
+/// A run as the log keeps it; its y, polygon, span and steps are those of the events before.
+struct LoggedRun {
+  std::int32_t x = 0;  ///< of the first pixel
+  std::uint32_t count = 0;
+  std::uint64_t nearer = 0;  ///< bit k: the k-th pixel's compare; of painted pixels, 0
+  double z = 0;              ///< at the last pixel
+};
+
+/// The steps by which a run's events were recorded when they last came one by one.
+struct RunSteps {
+  std::array<std::uint8_t, 4> fragment{unknown_step, unknown_step, unknown_step, unknown_step};
+  std::uint8_t paint = unknown_step;
+
+  template <class E>
+  void learn(std::uint8_t step) {
+    if constexpr (std::is_same_v<E, DepthInterpolate>) fragment[0] = step;
+    else if constexpr (std::is_same_v<E, DepthCompare>) fragment[1] = step;
+    else if constexpr (std::is_same_v<E, DepthWrite>) fragment[2] = step;
+    else if constexpr (std::is_same_v<E, PixelWrite>) fragment[3] = step;
+    else if constexpr (std::is_same_v<E, PixelPaint>) paint = step;
+  }
+};
+
+/// The depth at column x of a span, `last` being the one told before:
+/// z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), or, by increments, one more dz_dx.
+inline double depth_along(const SpanBegin& span, bool increments, std::int32_t x, double last) {
+  if (increments && x != span.first) return last + span.dz_dx;
+  if (span.x_right == span.x_left) return span.z_left;
+  return span.z_left + (span.z_right - span.z_left) * (static_cast<double>(x) - span.x_left) / (span.x_right - span.x_left);
+}
+
+}  // namespace codec
+
+class EventLog {
+ public:
+  explicit EventLog(bool increments);
+
+  /// True when the next event needs an empty log.
+  template <class E>
+  bool put(std::uint8_t step, const E& event) {
+    if (take(step, event)) return false;
+    put_one(step, event);
+    return count_ > block_events - 4 * codec::run_limit - 8;  // a run and the event that ends it must find room
+  }
+
+  std::uint32_t count() const { return count_; }  ///< events, without those of a run that goes on
+  /// Ends the run at work; afterwards all that was put is in count() and for_each().
+  void close();
+  void clear();
+  void swap(EventLog& other) noexcept;
+
+  /// Calls run(is it painted, LoggedRun) and one(step, const E&) for what stands in the log, in order.
+  template <class Run, class One>
+  void for_each(Run&& run, One&& one) const {
+    using Give = void (*)(std::uint8_t, const std::uint8_t*, std::remove_reference_t<One>&);
+    static constexpr auto give = []<std::size_t... K>(std::index_sequence<K...>) {
+      return std::array<Give, kind_count>{&EventLog::give_one<std::variant_alternative_t<K, Event>, One>...};
+    }
+    (std::make_index_sequence<kind_count>{});
+    static constexpr auto sizes = []<std::size_t... K>(std::index_sequence<K...>) {
+      return std::array<std::size_t, kind_count>{sizeof(std::variant_alternative_t<K, Event>)...};
+    }
+    (std::make_index_sequence<kind_count>{});
+    for (const std::uint8_t* at = bytes_.get(); at != end_;) {
+      const std::uint8_t step = at[0], kind = at[1];
+      at += 2;
+      if (step >= codec::fragments_token) {
+        codec::LoggedRun logged;
+        std::memcpy(&logged, at, sizeof logged);
+        at += sizeof logged;
+        run(step == codec::paints_token, logged);
+      } else {
+        give[kind](step, at, one);
+        at += sizes[kind];
+      }
+    }
+  }
+
+ private:
+  template <class E, class One>
+  static void give_one(std::uint8_t step, const std::uint8_t* bytes, std::remove_reference_t<One>& one) {
+    E event;
+    std::memcpy(&event, bytes, sizeof event);
+    one(step, event);
+  }
+
+  enum class Stage : std::uint32_t { closed, ready, interpolated, compared, depth_written };
+
+  template <class E>
+  bool take(std::uint8_t, const E&) {
+    return false;
+  }
+  bool take(std::uint8_t step, const DepthInterpolate& event) {
+    if (stage_ != Stage::ready || step != steps_.fragment[0] || !foretold(event.x, event.y, event.z)) return false;
+    stage_ = Stage::interpolated;
+    z_ = event.z;
+    return true;
+  }
+  bool take(std::uint8_t step, const DepthCompare& event) {
+    if (stage_ != Stage::interpolated || step != steps_.fragment[1] || event.x != x_ || event.y != y_ || !same(event.z, z_)) return false;
+    nearer_ |= std::uint64_t{event.nearer} << pixels_;
+    if (event.nearer) stage_ = Stage::compared;
+    else end_pixel();
+    return true;
+  }
+  bool take(std::uint8_t step, const DepthWrite& event) {
+    if (stage_ != Stage::compared || step != steps_.fragment[2] || event.x != x_ || event.y != y_ || !same(event.z, z_)) return false;
+    stage_ = Stage::depth_written;
+    return true;
+  }
+  bool take(std::uint8_t step, const PixelWrite& event) {
+    if (stage_ != Stage::depth_written || step != steps_.fragment[3] || event.x != x_ || event.y != y_ || event.polygon != polygon_) return false;
+    end_pixel();
+    return true;
+  }
+  bool take(std::uint8_t step, const PixelPaint& event) {
+    const bool begins = stage_ == Stage::ready && pixels_ == 0 && step == steps_.paint;
+    if (!(painting_ || begins) || step != steps_.paint || event.polygon != polygon_ || !foretold(event.x, event.y, event.z)) return false;
+    painting_ = painted_ = true;
+    stage_ = Stage::closed;  // to fragments
+    z_ = event.z;
+    last_z_ = z_, ++x_;
+    if (++pixels_ == codec::run_limit) painting_ = false;
+    return true;
+  }
+  void end_pixel() {
+    last_z_ = z_, ++x_;
+    stage_ = ++pixels_ == codec::run_limit ? Stage::closed : Stage::ready;
+  }
+
+  static bool same(double one, double other) { return std::memcmp(&one, &other, sizeof one) == 0; }
+  /// To the bit; what is not a number never is, as which one it is depends on the compiler.
+  bool foretold(std::int32_t x, std::int32_t y, double z) const {
+    if (x != x_ || y != y_) return false;
+    const double depth = codec::depth_along(span_, increments_, x_, last_z_);
+    return z == depth && same(z, depth);
+  }
+
+  /// An event that does not go on with a run.
+  template <class E>
+  void put_one(std::uint8_t step, const E& event) {
+    constexpr bool begins_pixel = std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, PixelPaint>;
+    if (pixels_ != 0 || stage_ > Stage::ready) {
+      const bool was_full = pixels_ == codec::run_limit;
+      close_run();
+      if constexpr (begins_pixel) {
+        if (was_full) {
+          stage_ = Stage::ready;
+          if (take(step, event)) return;
+        }
+      }
+    }
+    append(step, event);
+  }
+
+  template <class E>
+  void append(std::uint8_t step, const E& event) {
+    end_[0] = step, end_[1] = kind_of<E>;
+    std::memcpy(end_ + 2, &event, sizeof event);
+    end_ += 2 + sizeof event;
+    ++count_;
+    stage_ = Stage::closed;
+
+    // What the next pixel will be like.
+    steps_.learn<E>(step);
+    if constexpr (requires { event.polygon; }) polygon_ = event.polygon;
+    if constexpr (std::is_same_v<E, SpanBegin>) {
+      span_ = event;
+      in_span_ = true;
+      x_ = event.first, y_ = event.y;
+      stage_ = Stage::ready;
+    } else if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, DepthWrite> ||
+                         std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>) {
+      x_ = static_cast<std::int32_t>(static_cast<std::uint32_t>(event.x) + 1u), y_ = event.y;
+      if constexpr (requires { event.z; }) z_ = last_z_ = event.z;
+      constexpr bool ends_pixel = std::is_same_v<E, DepthCompare> || std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>;
+      if (ends_pixel && in_span_) stage_ = Stage::ready;
+    } else {
+      // Any of these may take a register that the next pixel would be foretold from.
+      if constexpr (requires { event.x; } || requires { event.y; } || requires { event.z; } || is_break<E>) in_span_ = false;
+    }
+  }
+  template <class E>
+  static constexpr bool is_break = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw> || std::is_same_v<E, ScanLineBegin>;
+
+  void close_run();
+
+  std::unique_ptr<std::uint8_t[]> bytes_;
+  std::uint8_t* end_ = nullptr;
+  std::uint32_t count_ = 0;
+
+  // The pixels of a span as they come in.
+  Stage stage_ = Stage::closed;
+  std::uint32_t pixels_ = 0;  ///< whole ones that wait to be written as a run
+  bool painting_ = false;     ///< they are painted, and more may follow
+  bool painted_ = false;
+  bool increments_ = false, in_span_ = false;
+  std::uint64_t nearer_ = 0;
+  std::int32_t x_ = 0, y_ = 0, polygon_ = 0;  ///< of the next pixel
+  double z_ = 0, last_z_ = 0;                 ///< of the pixel at work, of the last whole one
+  codec::RunSteps steps_;
+  SpanBegin span_{};
+};
+
+}  // namespace zstep
