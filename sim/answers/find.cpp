@@ -104,7 +104,8 @@ std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel) {
       const bool goes_on = compared || (!all.empty() && all.back().how == Touch::How::blended && all.back().polygon == write->polygon);
       if (!goes_on) all.push_back(touch);
       all.back().polygon = write->polygon;
-      all.back().written = *step, all.back().takes = true;
+      if (all.back().how != Touch::How::blended) all.back().written = *step;  // a blend has coloured it already
+      all.back().takes = true;
     } else if (const auto* paint = std::get_if<PixelPaint>(&event)) {
       touch.how = Touch::How::painted, touch.polygon = paint->polygon, touch.z = paint->z, touch.written = *step, touch.takes = true;
       all.push_back(touch);

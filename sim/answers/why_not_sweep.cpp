@@ -1,5 +1,6 @@
 // The scan-line method: was the polygon's flag in at the pixel, and who was in front on the stretch around it?
 #include <algorithm>
+#include <cmath>
 
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not_parts.hpp"
@@ -89,9 +90,11 @@ Verdict why_behind(Question& q, const Line& line, const std::vector<Row>& rows) 
   const PlaneEquation& p = row.plane;
   const double z = -(p.plane_a * q.pixel.x + p.plane_b * q.pixel.y + p.plane_d) / p.plane_c, gap = z - line.z;
   const std::string other = q.label(line.owner);
-  const bool tie = gap == 0;
+  // As the method has it: planes that slant give large numbers that cancel.
+  const double rounding = 2e-13 * (std::abs(p.plane_a * q.pixel.x) + std::abs(p.plane_b * q.pixel.y) + std::abs(p.plane_d)) / std::abs(p.plane_c);
+  const bool tie = gap <= rounding;
   Verdict verdict = q.verdict(tie ? Why::tie : Why::lost, line.winner != 0 ? line.winner : line.paint,
-                              tie ? fmt::format("its flag is in, but it is exactly as near as {}, which comes first in the file", other)
+                              tie ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} comes first in the file", other, other)
                                   : fmt::format("its flag is in, but {} is in front on this stretch of the line, here by \u0394{} = {}", other, q.z, depth_text(gap)));
   verdict.other = line.owner, verdict.gap = gap;
   verdict.formulas.push_back(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", q.z, q.name, number(p.plane_a), q.pixel.x, number(p.plane_b), q.pixel.y,

@@ -1,0 +1,309 @@
+// Why a polygon is not what is seen, against brute force: pixels of small traces of every method, and every polygon.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/answers/why_not.hpp"
+#include "sim/compare/truth.hpp"
+#include "tests/golden/golden.hpp"
+#include "tests/laws/degenerate_checks.hpp"
+#include "tests/unit/algorithms/scenes.hpp"
+#include "traces/replay/replay.hpp"
+
+using namespace zstep;
+using answers::Verdict, answers::Why, answers::why_not;
+
+namespace {
+
+template <class E>
+const E* at(const Trace& trace, std::int64_t step) {
+  return step < 1 || step > trace.size() ? nullptr : std::get_if<E>(&trace.event(step).event);
+}
+
+template <class E>
+bool in_page(const Trace& trace) {
+  const Page& page = trace.header().page;
+  return std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<E>; });
+}
+
+/// What a run through the whole trace knows of one pixel: who drew a line through it, and who wrote what there.
+struct Brute {
+  const Trace& trace;
+  Picture picture;
+  compare::Truth all, front;         ///< whatever way they face; without those that face away
+  std::vector<std::set<std::int32_t>> drawn;  ///< by pixel, the polygons whose line or curve wrote there
+
+  explicit Brute(const Trace& of) : trace(of), all(of.scene(), false), front(of.scene(), true) {
+    Replay replay(trace);
+    replay.go_to(trace.size());
+    picture = replay.state().picture;
+    drawn.resize(picture.polygon.size());
+    std::set<std::int32_t> now;
+    const Scene& scene = trace.scene();
+    for (std::int64_t step = 1; step <= trace.size(); ++step) {
+      if (const auto* line = at<LineBegin>(trace, step)) {
+        now.clear();
+        for (const std::int32_t facet : {line->left_facet, line->right_facet})
+          if (facet >= 0) now.insert(scene.facets[static_cast<std::size_t>(facet)].polygon);
+      } else if (const auto* segment = at<CurveSegment>(trace, step)) {
+        now.clear();
+        for (const Facet& facet : scene.facets) {
+          const auto* corners = &scene.corners[static_cast<std::size_t>(facet.first_corner)];
+          const auto has = [&](std::int32_t vertex) { return std::find(corners, corners + facet.corner_count, vertex) != corners + facet.corner_count; };
+          if (has(segment->vertex_0) && has(segment->vertex_1)) now.insert(facet.polygon);
+        }
+      } else if (const auto* color = at<ColorWrite>(trace, step)) {
+        drawn[picture.at(color->x, color->y)].insert(now.begin(), now.end());
+      }
+    }
+  }
+};
+
+/// What the trace's own numbers are at a pixel before a step.
+struct Stored {
+  double z = no_depth;
+  std::int32_t polygon = no_polygon;
+};
+Stored stored_before(const Trace& trace, std::int64_t step, Trace::Pixel pixel) {
+  Stored stored;
+  for (std::int64_t k = 1; k < step; ++k) {
+    if (at<BuffersClear>(trace, k)) stored = {};
+    if (const auto* depth = at<DepthWrite>(trace, k); depth && depth->x == pixel.x && depth->y == pixel.y) stored.z = depth->z;
+    if (const auto* write = at<PixelWrite>(trace, k); write && write->x == pixel.x && write->y == pixel.y) stored.polygon = write->polygon;
+  }
+  return stored;
+}
+
+std::int32_t polygon_of(const Scene& scene, std::int32_t facet) { return scene.facets[static_cast<std::size_t>(facet)].polygon; }
+
+/// The step of a verdict must be there and say what the verdict says.
+void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon, Trace::Pixel pixel) {
+  const auto here = [pixel](const auto* event) { return event && event->x == pixel.x && event->y == pixel.y; };
+  switch (verdict.kind) {
+    case Why::lost:
+    case Why::tie:
+      REQUIRE(verdict.gap);
+      if (verdict.kind == Why::lost) CHECK(*verdict.gap > 0);
+      else CHECK(std::abs(*verdict.gap) < 1e-9);
+      if (const auto* compare = at<DepthCompare>(trace, verdict.step)) {
+        CHECK(here(compare));
+        CHECK_FALSE(compare->nearer);
+        const double z = compare->z;
+        const Stored stored = stored_before(trace, verdict.step, pixel);
+        CHECK(stored.polygon == verdict.other);
+        CHECK(*verdict.gap == z - stored.z);
+      } else if (const auto* hit = at<RayHit>(trace, verdict.step)) {
+        CHECK(hit->inside);
+        const bool mine = polygon_of(trace.scene(), hit->facet) == polygon;
+        CHECK((mine ? !hit->nearest : hit->nearest));
+      } else if (const auto* winner = at<SpanWinner>(trace, verdict.step)) {
+        CHECK(winner->first <= pixel.x);
+        CHECK(winner->last >= pixel.x);
+      } else {
+        CHECK(at<AreaDecide>(trace, verdict.step));
+      }
+      break;
+    case Why::overwritten:
+      if (const auto* hit = at<RayHit>(trace, verdict.step)) {
+        CHECK(hit->nearest);
+        CHECK(polygon_of(trace.scene(), hit->facet) == verdict.other);
+      } else if (const auto* blend = at<ColorBlend>(trace, verdict.step)) {
+        CHECK(blend->polygon == verdict.other);
+      } else {
+        REQUIRE(here(at<PixelWrite>(trace, verdict.step)));
+        CHECK(at<PixelWrite>(trace, verdict.step)->polygon == verdict.other);
+      }
+      CHECK(*verdict.gap > 0);
+      break;
+    case Why::painted_over: {
+      REQUIRE(here(at<PixelPaint>(trace, verdict.step)));
+      CHECK(at<PixelPaint>(trace, verdict.step)->polygon == verdict.other);
+      const auto mine = std::find_if(verdict.chain.begin(), verdict.chain.end(), [&](const answers::Link& link) {
+        const auto* paint = at<PixelPaint>(trace, link.step);
+        return here(paint) && paint->polygon == polygon;
+      });
+      REQUIRE(mine != verdict.chain.end());
+      CHECK(mine->step < verdict.step);
+      break;
+    }
+    case Why::taken: CHECK(here(at<PixelPaint>(trace, verdict.step))); break;
+    case Why::surrounded:
+      REQUIRE(at<AreaDecide>(trace, verdict.step));
+      CHECK(at<AreaDecide>(trace, verdict.step)->what == AreaCase::front_surrounder);
+      break;
+    case Why::unreached: CHECK((at<BoxTest>(trace, verdict.step) || at<CellVisit>(trace, verdict.step))); break;
+    case Why::box_missed: CHECK((at<BoxTest>(trace, verdict.step) || at<CellVisit>(trace, verdict.step))); break;
+    case Why::apart: CHECK(at<AreaBin>(trace, verdict.step)->bin == Bin::disjoint); break;
+    case Why::horizon:
+      REQUIRE(at<HorizonTest>(trace, verdict.step));
+      CHECK(at<HorizonTest>(trace, verdict.step)->verdict == Horizon::hidden);
+      CHECK(at<HorizonTest>(trace, verdict.step)->x == pixel.x);
+      break;
+    case Why::line_hidden:
+      REQUIRE(at<LineHide>(trace, verdict.step));
+      CHECK(polygon_of(trace.scene(), at<LineHide>(trace, verdict.step)->facet) == verdict.other);
+      break;
+    case Why::back_edge:
+      REQUIRE(at<LinePiece>(trace, verdict.step));
+      CHECK_FALSE(at<LinePiece>(trace, verdict.step)->visible);
+      break;
+    case Why::mixed: CHECK((at<ColorBlend>(trace, verdict.step) || at<CoverageAdd>(trace, verdict.step))); break;
+    case Why::culled: CHECK((verdict.step == 0 || at<PolygonReject>(trace, verdict.step) || at<RayPlane>(trace, verdict.step))); break;
+    default: break;
+  }
+}
+
+void check_verdict(const Brute& brute, const Verdict& verdict, std::int32_t polygon, Trace::Pixel pixel) {
+  const Trace& trace = brute.trace;
+  CHECK_FALSE(verdict.sentence.empty());
+  std::int64_t before = 0;
+  for (const answers::Link& link : verdict.chain) {
+    CHECK(link.step >= before);
+    CHECK(link.step <= trace.size());
+    before = link.step;
+    CHECK_FALSE(link.text.empty());
+  }
+  const std::size_t place = brute.picture.at(pixel.x, pixel.y);
+  check_step(trace, verdict, polygon, pixel);
+  if (in_page<LineBegin>(trace) || in_page<HorizonTest>(trace)) {
+    CHECK((verdict.kind == Why::seen) == brute.drawn[place].contains(polygon));
+    return;
+  }
+  CHECK((verdict.kind == Why::seen) == (brute.picture.polygon[place] == polygon));
+  bool covers = false, towards = false, sure = true;
+  for (const compare::Candidate& candidate : brute.all.at(pixel.x, pixel.y)) {
+    if (candidate.polygon != polygon) continue;
+    sure = sure && candidate.edge > compare::edge_tolerance && !candidate.edge_on;
+    covers = covers || candidate.covers;
+  }
+  for (const compare::Candidate& candidate : brute.front.at(pixel.x, pixel.y)) towards = towards || (candidate.polygon == polygon && candidate.covers);
+  if (!sure) return;
+  CHECK(verdict.kind != Why::not_recorded);
+  const bool partly = verdict.kind == Why::mixed && in_page<CoverageAdd>(trace);  // antialiasing looks beyond the centre
+  if (!partly) CHECK((answers::does_not_cover(verdict.kind) || verdict.kind == Why::clipped) == !covers);
+  const bool culls = trace.header().conventions.cull && trace.scene().camera.kind != Camera::Kind::screen;
+  CHECK((verdict.kind == Why::culled) == (culls && covers && !towards));
+}
+
+std::set<Why> check_all(const Trace& trace, std::int32_t columns, std::int32_t rows) {
+  const Brute brute(trace);
+  std::set<Why> kinds;
+  const Raster& raster = trace.scene().raster;
+  for (std::int32_t y = 0; y < raster.height; y += std::max(1, raster.height / rows))
+    for (std::int32_t x = 0; x < raster.width; x += std::max(1, raster.width / columns))
+      for (std::int32_t polygon = 0; polygon < static_cast<std::int32_t>(trace.scene().polygons.size()); ++polygon) {
+        CAPTURE(x);
+        CAPTURE(y);
+        CAPTURE(polygon);
+        const Verdict verdict = why_not(trace, polygon, {x, y});
+        CAPTURE(verdict.sentence);
+        CAPTURE(static_cast<int>(verdict.kind));
+        check_verdict(brute, verdict, polygon, {x, y});
+        kinds.insert(verdict.kind);
+      }
+  for (std::int32_t polygon = 0; polygon < static_cast<std::int32_t>(trace.scene().polygons.size()); ++polygon) {
+    CAPTURE(polygon);
+    const Verdict verdict = why_not(trace, polygon);
+    CAPTURE(verdict.sentence);
+    CHECK_FALSE(verdict.sentence.empty());
+    kinds.insert(verdict.kind);
+    if (in_page<LineBegin>(trace) || in_page<HorizonTest>(trace)) continue;
+    const auto& picture = brute.picture.polygon;
+    CHECK((verdict.kind == Why::seen) == (std::find(picture.begin(), picture.end(), polygon) != picture.end()));
+  }
+  return kinds;
+}
+
+}  // namespace
+
+TEST_SUITE("why not") {
+  TEST_CASE("of pixels of every golden trace and every polygon: as brute force has it, by the step it names, and each kind occurs") {
+    std::set<Why> kinds;
+    test::for_each_golden([&](const std::string& name, const Trace& trace) {
+      CAPTURE(name);
+      kinds.merge(check_all(trace, 6, 5));
+    });
+    for (std::size_t k = 0; k < answers::why_count; ++k) {
+      CAPTURE(k);
+      if (static_cast<Why>(k) != Why::not_recorded) CHECK(kinds.contains(static_cast<Why>(k)));
+    }
+  }
+
+  TEST_CASE("of stars that cross each other, the near plane and the window, some of glass, by every method with every option") {
+    Scene scene;
+    test::Numbers random(5);
+    for (int k = 0; k < 9; ++k) {
+      const glm::dvec3 centre = random.in_box(1.6);
+      test::add_polygon(scene, test::random_star(random, centre, 2.2, 5 + k % 3));
+      if (k % 4 == 1) scene.polygons.back().material.opacity = 0.5;
+    }
+    test::add_polygon(scene, {{0, 0, 9}, {1, 0, 9}, {0, 1, 9}});        // behind the eye
+    test::add_polygon(scene, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}});        // no area
+    scene.raster = {13, 9, false};
+    scene.camera.window = 0.5;
+    test::look(scene, Camera::Kind::perspective, 4, 30, 50, 2.6, 5.5);
+    scene.light = Light{{3, -5, 4}, {0, 0, 0}, 1, 1, 20};
+    for (const Method& m : methods()) {
+      if (m.needs == Needs::surface) continue;
+      CAPTURE(m.id);
+      std::vector<Conventions> all(2);
+      all[1].cull = false;
+      for (const Option& option : m.options) {
+        std::string words(option.words);
+        for (std::size_t bar = 0; !words.empty(); words = bar == std::string::npos ? "" : words.substr(bar + 1)) {
+          bar = words.find('|');
+          Conventions conventions;
+          conventions.cull = all.size() % 3 != 0;
+          conventions.options[std::string(option.name)] = words.substr(0, bar);
+          all.push_back(conventions);
+        }
+      }
+      for (const Conventions& conventions : all) {
+        CAPTURE(conventions.cull);
+        for (const auto& [option, value] : conventions.options) INFO(option, "=", value);
+        const Trace trace = test::recorded_by(std::string(m.id), scene, conventions);
+        check_all(trace, 3, 3);
+      }
+    }
+  }
+
+  TEST_CASE("of degenerate input, by every method: no exception, and ties are ties") {
+    for (const Method& m : methods()) {
+      if (m.needs == Needs::surface) continue;
+      CAPTURE(m.id);
+      for (const test::Degenerate& input : test::degenerate_inputs()) {
+        CAPTURE(input.name);
+        Scene scene = test::degenerate_scene(input.polygons, test::perspective);
+        scene.light = test::at_the_eye;
+        check_all(test::recorded_by(std::string(m.id), scene, test::conventions_for(m)), 4, 4);
+      }
+    }
+  }
+
+  TEST_CASE("a trace that was cut off, or comes from elsewhere and says less, is answered for as far as it goes") {
+    const Scene scene = test::screen_scene(4, 4, {{{-1, -1, 2}, {5, -1, 2}, {5, 5, 2}, {-1, 5, 2}}, {{-1, -1, 1}, {5, -1, 1}, {5, 5, 1}, {-1, 5, 1}}});
+    for (const Method& m : methods()) {
+      if (m.needs != Needs::polygons) continue;
+      CAPTURE(m.id);
+      const Trace whole = test::recorded_by(std::string(m.id), scene);
+      for (std::int64_t size = 0; size < whole.size(); size += std::max<std::int64_t>(1, whole.size() / 23)) {
+        TraceRecorder recorder(whole.header(), scene);
+        for (std::int64_t step = 1; step <= size; ++step)
+          std::visit([&](const auto& event) { recorder(Step<std::decay_t<decltype(event)>>{whole.event(step).step}, event); }, whole.event(step).event);
+        recorder.finish();
+        const Trace cut = Trace::from_bytes(recorder.take_bytes(), "cut");
+        for (const std::int32_t polygon : {0, 1}) {
+          CHECK_FALSE(why_not(cut, polygon).sentence.empty());
+          const Verdict verdict = why_not(cut, polygon, {2, 1});
+          if (size == 0 && m.gives != Gives::lines) CHECK(verdict.kind == Why::not_recorded);
+        }
+      }
+    }
+    CHECK_THROWS_AS(why_not(test::recorded_by("z-buffer", scene), 2), std::out_of_range);
+    CHECK_THROWS_AS(why_not(test::recorded_by("z-buffer", scene), 0, {4, 0}), std::out_of_range);
+  }
+}
