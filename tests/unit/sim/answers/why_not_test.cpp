@@ -80,6 +80,41 @@ Stored stored_before(const Trace& trace, std::int64_t step, Trace::Pixel pixel) 
 
 std::int32_t polygon_of(const Scene& scene, std::int32_t facet) { return scene.facets[static_cast<std::size_t>(facet)].polygon; }
 
+/// Is a facet of the polygon in this box, or in one inside it?
+bool holds(const Trace& trace, std::int32_t box, std::int32_t polygon) {
+  std::set<std::int32_t> inside{box};
+  for (std::int64_t step = 1; step <= trace.size(); ++step) {
+    if (const auto* made = at<BoxMake>(trace, step); made && inside.contains(made->parent)) inside.insert(made->box);
+    if (const auto* hold = at<BoxHold>(trace, step); hold && inside.contains(hold->box) && polygon_of(trace.scene(), hold->facet) == polygon) return true;
+    if (at<RayBegin>(trace, step)) return false;
+  }
+  return false;
+}
+
+/// What the ray at work at a step meets first; infinite where it meets nothing.
+double nearest_on_ray(const Trace& trace, std::int64_t step) {
+  double t = no_depth;
+  for (; step <= trace.size() && !at<RayEnd>(trace, step) && !at<RayBegin>(trace, step); ++step) {
+    if (const auto* hit = at<RayHit>(trace, step); hit && hit->nearest) t = hit->t;
+  }
+  for (std::int64_t before = step - 1; before > 0 && !at<RayBegin>(trace, before); --before)
+    if (const auto* hit = at<RayHit>(trace, before); hit && hit->nearest) t = std::min(t, hit->t);
+  return t;
+}
+
+/// By how many rows a curve moves from this column to the next or the one before, at most.
+double steepness(const Trace& trace, std::int64_t step) {
+  const HorizonTest here = *at<HorizonTest>(trace, step);
+  double most = 0;
+  for (const int way : {-1, 1})
+    for (std::int64_t k = step + way; k > 0 && k <= trace.size() && !at<CurveBegin>(trace, k); k += way)
+      if (const auto* next = at<HorizonTest>(trace, k)) {
+        if (std::abs(next->x - here.x) == 1) most = std::max(most, std::abs(next->y_curve - here.y_curve));
+        break;
+      }
+  return most;
+}
+
 /// The step of a verdict must be there and say what the verdict says.
 void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon, Trace::Pixel pixel) {
   const auto here = [pixel](const auto* event) { return event && event->x == pixel.x && event->y == pixel.y; };
@@ -135,13 +170,25 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
       REQUIRE(at<AreaDecide>(trace, verdict.step));
       CHECK(at<AreaDecide>(trace, verdict.step)->what == AreaCase::front_surrounder);
       break;
-    case Why::unreached: CHECK((at<BoxTest>(trace, verdict.step) || at<CellVisit>(trace, verdict.step))); break;
-    case Why::box_missed: CHECK((at<BoxTest>(trace, verdict.step) || at<CellVisit>(trace, verdict.step))); break;
+    case Why::unreached:
+    case Why::box_missed: {
+      const bool missed = verdict.kind == Why::box_missed;
+      if (const auto* box = at<BoxTest>(trace, verdict.step)) {
+        CHECK(holds(trace, box->box, polygon));
+        CHECK((box->t_enter > box->t_leave) == missed);
+        if (!missed) CHECK(box->t_enter > nearest_on_ray(trace, verdict.step));
+      } else {
+        REQUIRE(at<CellVisit>(trace, verdict.step));
+        CHECK(std::isinf(nearest_on_ray(trace, verdict.step)) == missed);
+      }
+      break;
+    }
     case Why::apart: CHECK(at<AreaBin>(trace, verdict.step)->bin == Bin::disjoint); break;
     case Why::horizon:
       REQUIRE(at<HorizonTest>(trace, verdict.step));
       CHECK(at<HorizonTest>(trace, verdict.step)->verdict == Horizon::hidden);
       CHECK(at<HorizonTest>(trace, verdict.step)->x == pixel.x);
+      CHECK(std::abs(at<HorizonTest>(trace, verdict.step)->y_curve - pixel.y) <= 0.5 + steepness(trace, verdict.step) / 2);
       break;
     case Why::line_hidden:
       REQUIRE(at<LineHide>(trace, verdict.step));
