@@ -60,11 +60,11 @@ Verdict not_recorded(const Question& q) {
                                                                    : "it covers the pixel, but the recording was cut off before its turn there");
 }
 
-Verdict seen(Question& q, std::int64_t step, const std::string& how) {
+Verdict seen(Question& q, std::int64_t step, const std::string& how, const std::string& what) {
   Verdict verdict;
   verdict.kind = Why::seen, verdict.step = step, verdict.other = q.polygon, verdict.pixel = q.pixel;
   verdict.sentence = fmt::format("{} is what is seen {}: {}.", q.name, q.where, how);
-  verdict.chain.push_back({step, q.polygon, how});
+  verdict.chain.push_back({step, q.polygon, what});
   return verdict;
 }
 

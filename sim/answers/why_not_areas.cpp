@@ -154,7 +154,7 @@ Verdict why_by_areas(Question& q, const std::vector<FacetThere>& facets) {
   const Touch* owner = holder(touches, q.trace.size() + 1);
   if (owner && owner->polygon == q.polygon) {
     const std::string area = chain.empty() ? "its area" : area_text(chain.back().area);
-    Verdict verdict = seen(q, owner->written, fmt::format("{} is filled with it, {} = {}", area, q.z, depth_text(owner->z)));
+    Verdict verdict = seen(q, owner->written, fmt::format("{} is filled with it, {} = {}", area, q.z, depth_text(owner->z)), fmt::format("the pixel becomes {}", q.name));
     if (!chain.empty()) verdict.chain.push_back({chain.back().decided, q.polygon, fmt::format("area {} is given to {}", chain.back().area.area, q.name)});
     return verdict;
   }

@@ -74,7 +74,7 @@ std::optional<Verdict> drawn(Question& q, const Segment& segment) {
   };
   const auto step = next_within(q.trace, segment.begin, segment.end, here);
   if (!step) return std::nullopt;
-  Verdict verdict = seen(q, *step, "a curve along its border is drawn through it");
+  Verdict verdict = seen(q, *step, "a curve along its border is drawn through it", "the pixel gets the colour of curves");
   verdict.chain.push_back({segment.begin, q.polygon, fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
   if (const auto test = previous_of<HorizonTest>(q.trace, *step, segment.begin)) {
     verdict.chain.push_back({*test, q.polygon, "the curve is held against the horizons of its column"});

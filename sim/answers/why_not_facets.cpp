@@ -165,8 +165,8 @@ std::string beside_text(const Question& q, const FacetThere& there) {
   if (!there.at) return fmt::format("no part of it is in view {}", q.where);
   const std::string far = number(there.at->candidate.edge);
   if (there.at->candidate.edge <= compare::edge_tolerance) return "the pixel's centre lies on its outline, and the half-open rule gives it to the neighbour";
-  if (there.at->in_square) return fmt::format("it covers the pixel only in part: the centre is outside, {} pixels from its outline", far);
-  return fmt::format("it does not cover the pixel's centre: its outline comes no nearer than {} pixels", far);
+  if (there.at->in_square) return fmt::format("it covers the pixel only in part: the centre lies {} pixels outside its outline", far);
+  return fmt::format("it does not cover the pixel's centre, which lies {} pixels outside its outline", far);
 }
 
 std::optional<Verdict> why_by_facets(Question& q, const std::vector<FacetThere>& facets) {

@@ -77,7 +77,7 @@ std::optional<Verdict> drawn(Question& q) {
     const LineBegin line = *event_at<LineBegin>(q.trace, *begin);
     if (q.polygon_of_facet(line.left_facet) != q.polygon && q.polygon_of_facet(line.right_facet) != q.polygon) continue;
     const LinePiece piece = *event_at<LinePiece>(q.trace, *part);
-    verdict = seen(q, *step, fmt::format("its edge {}\u2013{} is drawn through it{}", vertex_label(q.scene, line.vertex_0), vertex_label(q.scene, line.vertex_1), piece.visible ? "" : ", dashed, as it is hidden there"));
+    verdict = seen(q, *step, fmt::format("its edge {}\u2013{} is drawn through it{}", vertex_label(q.scene, line.vertex_0), vertex_label(q.scene, line.vertex_1), piece.visible ? "" : ", dashed, as it is hidden there"), "the pixel gets the colour of lines");
     q.add_formulas(*verdict, *part);
     verdict->chain.push_back({*begin, q.polygon, "work on the edge begins"});
     verdict->chain.push_back({*part, q.polygon, piece.visible ? "a piece of it that is visible" : "a piece of it that is hidden"});

@@ -72,7 +72,7 @@ void add_order(Question& q, Verdict& verdict, std::int64_t earlier, std::int64_t
 
 /// It covers the pixel, but the trace says no more.
 Verdict not_recorded(const Question& q);
-/// Of a polygon's own pixel.
-Verdict seen(Question& q, std::int64_t step, const std::string& how);
+/// It is what is seen: "A is what is seen at pixel (3, 4): how"; `what` the step did.
+Verdict seen(Question& q, std::int64_t step, const std::string& how, const std::string& what);
 
 }  // namespace zstep::answers

@@ -136,7 +136,8 @@ Verdict why_by_pixels(Question& q, const std::vector<FacetThere>& facets) {
   if (last && last->polygon == q.polygon) {
     const Share share = share_of(touches, *last);
     const bool glass = share.layers > 0 && share.over == nullptr;
-    Verdict verdict = seen(q, last->written, fmt::format("{} put it there, {} = {}", step_text(last->written), q.z, depth_text(last->z)));
+    Verdict verdict = seen(q, last->written, fmt::format("{} put it there, {} = {}", step_text(last->written), q.z, depth_text(last->z)), fmt::format("the pixel becomes {}", q.name));
+    if (last->step != last->written) verdict.chain.push_back({last->step, q.polygon, fmt::format("{} at {} = {} wins the compare", q.name, q.z, depth_text(last->z))});
     if (glass) verdict.sentence += fmt::format(" {} layer{} of glass before it leave{} it {} of the pixel's colour.", share.layers, share.layers == 1 ? "" : "s", share.layers == 1 ? "s" : "", number(share.part));
     q.add_formulas(verdict, last->how == Touch::How::painted ? last->written : last->step);
     if (records<ShadowCompare>(q.trace)) add_shadow(q, verdict);

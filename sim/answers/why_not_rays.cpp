@@ -197,8 +197,8 @@ Verdict why_by_rays(Question& q, const std::vector<FacetThere>& facets) {
       const auto* next = std::get_if<RayBegin>(&recorded.event);
       return painted || (next && next->role == RayRole::eye);
     });
-    const std::int64_t step = paint && event_at<PixelPaint>(q.trace, *paint) ? *paint : hit.step;
-    Verdict verdict = seen(q, step, fmt::format("the ray meets it first, at t = {}", depth_text(hit.event.t)));
+    const std::int64_t step = paint && event_at<PixelPaint>(q.trace, *paint) ? *paint : hit.step;  // a recording may end before
+    Verdict verdict = seen(q, step, fmt::format("the ray meets it first, at t = {}", depth_text(hit.event.t)), fmt::format("the pixel becomes {}", q.name));
     verdict.facet = hit.event.facet;
     q.add_formulas(verdict, hit.step);
     add_hit(q, verdict, hit);

@@ -130,7 +130,7 @@ Verdict why_by_sweep(Question& q, const std::vector<FacetThere>& facets) {
   const std::vector<Row> rows = rows_of(q, facets);
   const Line line = look_along(q, rows);
   if (line.paint != 0 && line.owner == q.polygon) {
-    Verdict verdict = seen(q, line.paint, fmt::format("it is the frontmost on its stretch of scan line {}, {} = {}", q.pixel.y, q.z, depth_text(line.z)));
+    Verdict verdict = seen(q, line.paint, fmt::format("it is the frontmost on its stretch of scan line {}, {} = {}", q.pixel.y, q.z, depth_text(line.z)), fmt::format("the pixel becomes {}", q.name));
     verdict.chain.push_back({line.winner, q.polygon, fmt::format("{} is the frontmost on this stretch", q.name)});
     return verdict;
   }
