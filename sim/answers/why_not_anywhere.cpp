@@ -3,7 +3,6 @@
 #include <cmath>
 #include <map>
 
-#include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not_lines.hpp"
 
 namespace zstep::answers {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not_parts.hpp"
 
 namespace zstep::answers {
@@ -125,22 +124,22 @@ Verdict why_behind(Question& q, const AreaThere& leaf, const BinThere& bin, cons
     double least = no_depth;
     for (std::size_t k = 0; k < std::min(depths.mine.size(), depths.its.size()); ++k) {
       const PlaneDepth &mine = depths.mine[k].second, &its = depths.its[k].second;
-      verdict.formulas.push_back(fmt::format("at ({}, {}): {} of {} = {}, of {} = {}", number(mine.x_at), number(mine.y_at), q.z, q.name, depth_text(mine.z), other, depth_text(its.z)));
+      verdict.formulas.push_back(fmt::format("at ({}, {}): {} of {} = {}, of {} = {}", number(mine.x_at), number(mine.y_at), q.z, q.name, told(mine.z), other, told(its.z)));
       least = std::min(least, mine.z - its.z);
     }
     verdict.gap = least;
-    verdict.formulas.push_back(fmt::format("at the corner where it comes nearest: \u0394{} = {}", q.z, depth_text(least)));
+    verdict.formulas.push_back(fmt::format("at the corner where it comes nearest: \u0394{} = {}", q.z, told(least)));
   } else {
     const double z = depths.mine.back().second.z, its = depths.its.back().second.z;
     const bool tie = std::abs(z - its) <= 1e-12 * std::max({1.0, std::abs(z), std::abs(its)});
     verdict = tie ? q.verdict(Why::tie, leaf.decided, fmt::format("at the pixel's centre it is exactly as near as {}, which comes first in the file", other))
-                  : q.verdict(Why::lost, leaf.decided, fmt::format("the area is this pixel alone, and at its centre {} is nearer by \u0394{} = {}", other, q.z, depth_text(z - its)));
+                  : q.verdict(Why::lost, leaf.decided, fmt::format("the area is this pixel alone, and at its centre {} is nearer by \u0394{} = {}", other, q.z, told(z - its)));
     verdict.other = owner.polygon, verdict.gap = z - its;
-    verdict.formulas.push_back(fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", q.z, q.name, other, depth_text(z), depth_text(its), depth_text(z - its)));
+    verdict.formulas.push_back(difference(q.z, q.name, other, z, its));
   }
   verdict.chain.push_back({bin.step, q.polygon, fmt::format("{} is {} in area {}", q.name, words_of<Bin>[static_cast<std::size_t>(bin.bin.bin)], leaf.area.area)});
-  for (const auto& [step, depth] : depths.mine) verdict.chain.push_back({step, q.polygon, fmt::format("{} at ({}, {}): {} = {}", q.name, number(depth.x_at), number(depth.y_at), q.z, depth_text(depth.z))});
-  for (const auto& [step, depth] : depths.its) verdict.chain.push_back({step, owner.polygon, fmt::format("{} at ({}, {}): {} = {}", other, number(depth.x_at), number(depth.y_at), q.z, depth_text(depth.z))});
+  for (const auto& [step, depth] : depths.mine) verdict.chain.push_back({step, q.polygon, fmt::format("{} at ({}, {}): {} = {}", q.name, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
+  for (const auto& [step, depth] : depths.its) verdict.chain.push_back({step, owner.polygon, fmt::format("{} at ({}, {}): {} = {}", other, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
   verdict.chain.push_back({leaf.decided, owner.polygon, fmt::format("area {} is given to {}", leaf.area.area, other)});
   verdict.chain.push_back({owner.written, owner.polygon, fmt::format("the pixel becomes {}", other)});
   return verdict;
@@ -154,7 +153,7 @@ Verdict why_by_areas(Question& q, const std::vector<FacetThere>& facets) {
   const Touch* owner = holder(touches, q.trace.size() + 1);
   if (owner && owner->polygon == q.polygon) {
     const std::string area = chain.empty() ? "its area" : area_text(chain.back().area);
-    Verdict verdict = seen(q, owner->written, fmt::format("{} is filled with it, {} = {}", area, q.z, depth_text(owner->z)), fmt::format("the pixel becomes {}", q.name));
+    Verdict verdict = seen(q, owner->written, fmt::format("{} is filled with it, {} = {}", area, q.z, told(owner->z)), fmt::format("the pixel becomes {}", q.name));
     if (!chain.empty()) verdict.chain.push_back({chain.back().decided, q.polygon, fmt::format("area {} is given to {}", chain.back().area.area, q.name)});
     return verdict;
   }

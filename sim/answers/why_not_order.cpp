@@ -1,5 +1,4 @@
 // Why one piece was drawn before another: the plane of the tree that parts them, or their depths in the list.
-#include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not_parts.hpp"
 
 namespace zstep::answers {
@@ -59,8 +58,8 @@ void add_order(Question& q, Verdict& verdict, std::int64_t earlier, std::int64_t
   if (records<EyeSide>(q.trace)) return add_tree(q, verdict, piece, other, *first);
   const Piece &mine = machine.pieces[static_cast<std::size_t>(piece)], &its = machine.pieces[static_cast<std::size_t>(other)];
   if (mine.extent && its.extent)
-    verdict.formulas.push_back(fmt::format("farthest {} of {} = {}, of {} = {}; drawn as number {} and {}", q.z, label(piece), depth_text(mine.extent->z_max), label(other),
-                                           depth_text(its.extent->z_max), mine.drawn + 1, its.drawn + 1));
+    verdict.formulas.push_back(fmt::format("farthest {} of {} = {}, of {} = {}; drawn as number {} and {}", q.z, label(piece), told(mine.extent->z_max), label(other),
+                                           told(its.extent->z_max), mine.drawn + 1, its.drawn + 1));
 }
 
 }  // namespace zstep::answers

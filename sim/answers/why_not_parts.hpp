@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/answers/find.hpp"
+#include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
 #include "sim/compare/truth.hpp"
 #include "sim/viewer/words/explain.hpp"
@@ -15,6 +16,18 @@
 #include "traces/replay/replay.hpp"
 
 namespace zstep::answers {
+
+/// A depth with the digits that tell depths apart, and with a real minus sign.
+inline std::string told(double z) {
+  std::string text = depth_text(z);
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
+  return text;
+}
+/// "Δz = z of A − z of B = 2 − (−1) = 3".
+inline std::string difference(const std::string& symbol, const std::string& one, const std::string& other, double a, double b) {
+  const std::string second = b < 0 ? "(" + told(b) + ")" : told(b);
+  return fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", symbol, one, other, told(a), second, told(a - b));
+}
 
 /// A question: this polygon at this pixel.
 struct Question {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not_parts.hpp"
 
 namespace zstep::answers {
@@ -13,7 +12,7 @@ std::string step_text(std::int64_t step) { return "step " + grouped(step); }
 
 void add_gap(const Question& q, Verdict& verdict, double z, double other) {
   verdict.gap = z - other;
-  verdict.formulas.push_back(fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", q.z, q.name, q.label(verdict.other), depth_text(z), depth_text(other), depth_text(z - other)));
+  verdict.formulas.push_back(difference(q.z, q.name, q.label(verdict.other), z, other));
 }
 
 /// What the last owner is, when it is neither of the two that the verdict is about.
@@ -36,12 +35,12 @@ Verdict why_lost(Question& q, const std::vector<Touch>& touches, const Touch& mi
   const bool tie = mine.z == there->z;
   const std::string other = q.label(there->polygon);
   Verdict verdict = tie ? q.verdict(Why::tie, mine.step, fmt::format("at {} it is exactly as near as {}, which was there first, and of equals the first stays", step_text(mine.step), other))
-                        : q.verdict(Why::lost, mine.step, fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step_text(mine.step), other, q.z, depth_text(mine.z - there->z)));
+                        : q.verdict(Why::lost, mine.step, fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step_text(mine.step), other, q.z, told(mine.z - there->z)));
   verdict.other = there->polygon;
   q.add_formulas(verdict, mine.step);
   add_gap(q, verdict, mine.z, there->z);
-  verdict.chain.push_back({there->written, there->polygon, fmt::format("the pixel becomes {}, {} = {}", other, q.z, depth_text(there->z))});
-  verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} at {} = {} {}", q.name, q.z, depth_text(mine.z), tie ? "is a tie" : "loses the compare")});
+  verdict.chain.push_back({there->written, there->polygon, fmt::format("the pixel becomes {}, {} = {}", other, q.z, told(there->z))});
+  verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} at {} = {} {}", q.name, q.z, told(mine.z), tie ? "is a tie" : "loses the compare")});
   add_last(q, verdict, touches);
   return verdict;
 }
@@ -57,9 +56,9 @@ Verdict why_gone(Question& q, const std::vector<Touch>& touches, const Touch& mi
   if (!painted) q.add_formulas(verdict, next.step);
   add_gap(q, verdict, mine.z, next.z);
   if (painted && *verdict.gap < 0) verdict.sentence += fmt::format(" {} is the nearer one there: the order was wrong for this pixel.", q.name);
-  verdict.chain.push_back({mine.written, q.polygon, fmt::format("the pixel becomes {}, {} = {}", q.name, q.z, depth_text(mine.z))});
+  verdict.chain.push_back({mine.written, q.polygon, fmt::format("the pixel becomes {}, {} = {}", q.name, q.z, told(mine.z))});
   if (painted) add_order(q, verdict, mine.step, next.step);
-  else verdict.chain.push_back({next.step, next.polygon, fmt::format("{} at {} = {} wins the compare", other, q.z, depth_text(next.z))});
+  else verdict.chain.push_back({next.step, next.polygon, fmt::format("{} at {} = {} wins the compare", other, q.z, told(next.z))});
   verdict.chain.push_back({next.written, next.polygon, fmt::format("the pixel becomes {}", other)});
   add_last(q, verdict, touches);
   return verdict;
@@ -104,7 +103,7 @@ std::optional<Verdict> why_mixed(Question& q, const std::vector<Touch>& touches,
 Verdict why_taken(Question& q, const Touch& first) {
   Verdict verdict = q.verdict(Why::taken, first.written, fmt::format("{} was painted there at {}, and from front to back what is painted stays", q.label(first.polygon), step_text(first.written)));
   verdict.other = first.polygon;
-  verdict.chain.push_back({first.written, first.polygon, fmt::format("the pixel becomes {}, {} = {}", q.label(first.polygon), q.z, depth_text(first.z))});
+  verdict.chain.push_back({first.written, first.polygon, fmt::format("the pixel becomes {}, {} = {}", q.label(first.polygon), q.z, told(first.z))});
   return verdict;
 }
 
@@ -136,8 +135,8 @@ Verdict why_by_pixels(Question& q, const std::vector<FacetThere>& facets) {
   if (last && last->polygon == q.polygon) {
     const Share share = share_of(touches, *last);
     const bool glass = share.layers > 0 && share.over == nullptr;
-    Verdict verdict = seen(q, last->written, fmt::format("{} put it there, {} = {}", step_text(last->written), q.z, depth_text(last->z)), fmt::format("the pixel becomes {}", q.name));
-    if (last->step != last->written) verdict.chain.push_back({last->step, q.polygon, fmt::format("{} at {} = {} wins the compare", q.name, q.z, depth_text(last->z))});
+    Verdict verdict = seen(q, last->written, fmt::format("{} put it there, {} = {}", step_text(last->written), q.z, told(last->z)), fmt::format("the pixel becomes {}", q.name));
+    if (last->step != last->written) verdict.chain.push_back({last->step, q.polygon, fmt::format("{} at {} = {} wins the compare", q.name, q.z, told(last->z))});
     if (glass) verdict.sentence += fmt::format(" {} layer{} of glass before it leave{} it {} of the pixel's colour.", share.layers, share.layers == 1 ? "" : "s", share.layers == 1 ? "s" : "", number(share.part));
     q.add_formulas(verdict, last->how == Touch::How::painted ? last->written : last->step);
     if (records<ShadowCompare>(q.trace)) add_shadow(q, verdict);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not_parts.hpp"
 
 namespace zstep::answers {
@@ -58,12 +57,12 @@ std::optional<Ray> follow(const Question& q) {
 
 void add_gap(const Question& q, Verdict& verdict, double t, double other) {
   verdict.gap = t - other;
-  verdict.formulas.push_back(fmt::format("\u0394t = t of {} \u2212 t of {} = {} \u2212 {} = {}", q.name, q.label(verdict.other), depth_text(t), depth_text(other), depth_text(t - other)));
+  verdict.formulas.push_back(difference("t", q.name, q.label(verdict.other), t, other));
 }
 
 void add_hit(const Question& q, Verdict& verdict, const At<RayHit>& hit) {
   const std::int32_t polygon = q.polygon_of_facet(hit.event.facet);
-  verdict.chain.push_back({hit.step, polygon, fmt::format("the ray meets {} at t = {}{}", q.label(polygon), depth_text(hit.event.t), hit.event.nearest ? ", the nearest so far" : "")});
+  verdict.chain.push_back({hit.step, polygon, fmt::format("the ray meets {} at t = {}{}", q.label(polygon), told(hit.event.t), hit.event.nearest ? ", the nearest so far" : "")});
 }
 
 /// It was met inside its outline, and another is nearer.
@@ -78,7 +77,7 @@ Verdict why_behind(Question& q, const Ray& ray, const At<RayHit>& mine) {
   if (!other) return not_recorded(q);
   const std::int32_t who = q.polygon_of_facet(other->event.facet);
   const bool tie = mine.event.t == other->event.t;
-  const std::string gap = depth_text(mine.event.t - other->event.t);
+  const std::string gap = told(mine.event.t - other->event.t);
   Verdict verdict = tie                  ? q.verdict(Why::tie, std::max(mine.step, other->step), fmt::format("the ray meets it at exactly the same t as {}, which comes first in the file", q.label(who)))
                     : mine.event.nearest ? q.verdict(Why::overwritten, other->step, fmt::format("it was the nearest on the ray from step {} on, until {} was met at step {}, nearer by \u0394t = {}", grouped(mine.step), q.label(who), grouped(other->step), gap))
                                          : q.verdict(Why::lost, mine.step, fmt::format("the ray meets it at step {}, but {} is nearer by \u0394t = {}", grouped(mine.step), q.label(who), gap));
@@ -144,9 +143,9 @@ Verdict why_unreached(Question& q, const Ray& ray, const Barrier& barrier, std::
   if (ray.kept.empty()) return not_recorded(q);
   const At<RayHit>& other = ray.kept.back();
   const std::int32_t who = q.polygon_of_facet(other.event.facet);
-  Verdict verdict = q.verdict(Why::unreached, barrier.step, fmt::format("the ray met {} at t = {} and would enter {} only beyond that, so it was never tested", q.label(who), depth_text(other.event.t), barrier.what));
+  Verdict verdict = q.verdict(Why::unreached, barrier.step, fmt::format("the ray met {} at t = {} and would enter {} only beyond that, so it was never tested", q.label(who), told(other.event.t), barrier.what));
   verdict.other = who, verdict.facet = facet;
-  verdict.formulas.push_back(fmt::format("t kept = {}, t where {} begin{} \u2265 {}", depth_text(other.event.t), barrier.what, barrier.what.starts_with("box") ? "s" : "s", depth_text(barrier.t)));
+  verdict.formulas.push_back(fmt::format("t kept = {}, t where {} begin{} \u2265 {}", told(other.event.t), barrier.what, barrier.what.starts_with("box") ? "s" : "s", told(barrier.t)));
   q.add_formulas(verdict, barrier.step);
   verdict.chain.push_back({barrier.step, q.polygon, barrier.what.starts_with("box") ? fmt::format("the ray is held against {}, which holds {}", barrier.what, q.name) : "the last cell that the ray enters"});
   add_hit(q, verdict, other);
@@ -198,7 +197,7 @@ Verdict why_by_rays(Question& q, const std::vector<FacetThere>& facets) {
       return painted || (next && next->role == RayRole::eye);
     });
     const std::int64_t step = paint && event_at<PixelPaint>(q.trace, *paint) ? *paint : hit.step;  // a recording may end before
-    Verdict verdict = seen(q, step, fmt::format("the ray meets it first, at t = {}", depth_text(hit.event.t)), fmt::format("the pixel becomes {}", q.name));
+    Verdict verdict = seen(q, step, fmt::format("the ray meets it first, at t = {}", told(hit.event.t)), fmt::format("the pixel becomes {}", q.name));
     verdict.facet = hit.event.facet;
     q.add_formulas(verdict, hit.step);
     add_hit(q, verdict, hit);

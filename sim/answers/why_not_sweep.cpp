@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not_parts.hpp"
 
 namespace zstep::answers {
@@ -65,7 +64,7 @@ Line look_along(Question& q, const std::vector<Row>& rows) {
       // Passed without a stretch around the pixel: the flags from here on lie to its right.
       if (!on_stretch && line.stretch == 0 && flags->first > x) line.stretch = step, line.in.clear();
     } else if (const auto* depth = std::get_if<PlaneDepth>(&event); depth && on_stretch) {
-      if (is_mine(depth->piece)) line.links.push_back({step, q.polygon, fmt::format("{} at x = {}: {} = {}", q.name, number(depth->x_at), q.z, depth_text(depth->z))});
+      if (is_mine(depth->piece)) line.links.push_back({step, q.polygon, fmt::format("{} at x = {}: {} = {}", q.name, number(depth->x_at), q.z, told(depth->z))});
     } else if (std::holds_alternative<ImpliedEdge>(event) && on_stretch) {
       line.links.push_back({step, no_polygon, "two penetrate each other: an implied edge"});
     } else if (const auto* winner = std::get_if<SpanWinner>(&event); winner && on_stretch && winner->first <= x && x <= winner->last) {
@@ -82,7 +81,7 @@ Line look_along(Question& q, const std::vector<Row>& rows) {
 void add_paint(const Question& q, Verdict& verdict, const Line& line) {
   if (line.paint == 0) return;
   verdict.chain.push_back({line.winner, line.owner, fmt::format("{} is the frontmost on this stretch", q.label(line.owner))});
-  verdict.chain.push_back({line.paint, line.owner, fmt::format("the pixel becomes {}, {} = {}", q.label(line.owner), q.z, depth_text(line.z))});
+  verdict.chain.push_back({line.paint, line.owner, fmt::format("the pixel becomes {}, {} = {}", q.label(line.owner), q.z, told(line.z))});
 }
 
 Verdict why_behind(Question& q, const Line& line, const std::vector<Row>& rows) {
@@ -95,11 +94,11 @@ Verdict why_behind(Question& q, const Line& line, const std::vector<Row>& rows) 
   const bool tie = gap <= rounding;
   Verdict verdict = q.verdict(tie ? Why::tie : Why::lost, line.winner != 0 ? line.winner : line.paint,
                               tie ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} comes first in the file", other, other)
-                                  : fmt::format("its flag is in, but {} is in front on this stretch of the line, here by \u0394{} = {}", other, q.z, depth_text(gap)));
+                                  : fmt::format("its flag is in, but {} is in front on this stretch of the line, here by \u0394{} = {}", other, q.z, told(gap)));
   verdict.other = line.owner, verdict.gap = gap;
   verdict.formulas.push_back(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", q.z, q.name, number(p.plane_a), q.pixel.x, number(p.plane_b), q.pixel.y,
-                                         number(p.plane_d), number(p.plane_c), depth_text(z)));
-  verdict.formulas.push_back(fmt::format("\u0394{0} = {1} \u2212 {2} = {3}", q.z, depth_text(z), depth_text(line.z), depth_text(gap)));
+                                         number(p.plane_d), number(p.plane_c), told(z)));
+  verdict.formulas.push_back(difference(q.z, q.name, other, z, line.z));
   verdict.chain.push_back({line.flip_before, q.polygon, fmt::format("the flag of {} turns to in", q.name)});
   verdict.chain.push_back({line.stretch, no_polygon, "the stretch of the line around the pixel"});
   verdict.chain.insert(verdict.chain.end(), line.links.begin(), line.links.end());
@@ -130,7 +129,7 @@ Verdict why_by_sweep(Question& q, const std::vector<FacetThere>& facets) {
   const std::vector<Row> rows = rows_of(q, facets);
   const Line line = look_along(q, rows);
   if (line.paint != 0 && line.owner == q.polygon) {
-    Verdict verdict = seen(q, line.paint, fmt::format("it is the frontmost on its stretch of scan line {}, {} = {}", q.pixel.y, q.z, depth_text(line.z)), fmt::format("the pixel becomes {}", q.name));
+    Verdict verdict = seen(q, line.paint, fmt::format("it is the frontmost on its stretch of scan line {}, {} = {}", q.pixel.y, q.z, told(line.z)), fmt::format("the pixel becomes {}", q.name));
     verdict.chain.push_back({line.winner, q.polygon, fmt::format("{} is the frontmost on this stretch", q.name)});
     return verdict;
   }
