@@ -49,7 +49,7 @@ Verdict why_lost(Question& q, const std::vector<Touch>& touches, const Touch& mi
 Verdict why_gone(Question& q, const std::vector<Touch>& touches, const Touch& mine, const Touch& next) {
   const bool painted = next.how == Touch::How::painted;
   const std::string other = q.label(next.polygon);
-  Verdict verdict = q.verdict(painted ? Why::painted_over : Why::overwritten, next.written,
+  Verdict verdict = q.verdict(painted ? Why::painted_over : Why::overwritten, painted ? next.written : next.step,
                               painted ? fmt::format("it was painted there at {}, and {} was painted over it at {}", step_text(mine.written), other, step_text(next.written))
                                       : fmt::format("it was there from {} on, until {} was found to be nearer at {}", step_text(mine.written), other, step_text(next.step)));
   verdict.other = next.polygon;

@@ -192,12 +192,15 @@ void draw_why(App& app) {
   Flow how;
   how.color = ui.colors().muted;
   flow(ui, fmt::format("Enter or a click goes to a step; Tab asks {}; Backspace picks another polygon; Esc closes.", app.why_of() ? "of the whole picture" : "of the pixel"), how);
-  const float room = ImGui::GetContentRegionAvail().y, row = std::round(ui.em * 1.4f);
-  const float rows = std::min(room * 0.5f, row * static_cast<float>(app.why().chain.size()) + ui.em * 0.5f);
-  ImGui::BeginChild("verdict", {ImGui::GetContentRegionAvail().x, room - rows}, false, ImGuiWindowFlags_NoNav);
-  flow(ui, app.why().sentence, {});
   Flow formula;
   formula.font = ui.fonts.mono;
+  // The steps stand right below the verdict; where both are long, each has half of the room.
+  const float room = ImGui::GetContentRegionAvail().y, row = std::round(ui.em * 1.4f);
+  const float rows = std::min(room * 0.5f, row * static_cast<float>(app.why().chain.size()) + ui.em * 0.5f);
+  float text = flow_height(ui, app.why().sentence, {}) + ui.em * 0.8f;
+  for (const std::string& line : app.why().formulas) text += flow_height(ui, line, formula) + ui.em * 0.25f;
+  ImGui::BeginChild("verdict", {ImGui::GetContentRegionAvail().x, std::min(text, room - rows)}, false, ImGuiWindowFlags_NoNav);
+  flow(ui, app.why().sentence, {});
   for (const std::string& line : app.why().formulas) flow(ui, line, formula);
   ImGui::EndChild();
   std::optional<std::size_t> clicked;

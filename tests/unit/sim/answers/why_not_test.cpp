@@ -80,6 +80,18 @@ Stored stored_before(const Trace& trace, std::int64_t step, Trace::Pixel pixel) 
 
 std::int32_t polygon_of(const Scene& scene, std::int32_t facet) { return scene.facets[static_cast<std::size_t>(facet)].polygon; }
 
+/// The depth at which the polygon won its last compare before the verdict's step.
+double mine_before(const Trace& trace, const Verdict& verdict, std::int32_t polygon, Trace::Pixel pixel) {
+  double z = no_depth;
+  std::optional<double> compared;
+  for (std::int64_t k = 1; k < verdict.step; ++k) {
+    if (const auto* compare = at<DepthCompare>(trace, k); compare && compare->x == pixel.x && compare->y == pixel.y) compared = compare->z;
+    const auto* write = at<PixelWrite>(trace, k);
+    if (compared && write && write->x == pixel.x && write->y == pixel.y && write->polygon == polygon) z = *compared;
+  }
+  return z;
+}
+
 /// Is a facet of the polygon in this box, or in one inside it?
 bool holds(const Trace& trace, std::int32_t box, std::int32_t polygon) {
   std::set<std::int32_t> inside{box};
@@ -146,11 +158,14 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
       if (const auto* hit = at<RayHit>(trace, verdict.step)) {
         CHECK(hit->nearest);
         CHECK(polygon_of(trace.scene(), hit->facet) == verdict.other);
-      } else if (const auto* blend = at<ColorBlend>(trace, verdict.step)) {
-        CHECK(blend->polygon == verdict.other);
       } else {
-        REQUIRE(here(at<PixelWrite>(trace, verdict.step)));
-        CHECK(at<PixelWrite>(trace, verdict.step)->polygon == verdict.other);
+        REQUIRE(here(at<DepthCompare>(trace, verdict.step)));
+        CHECK(at<DepthCompare>(trace, verdict.step)->nearer);
+        std::int64_t written = verdict.step;  // what is written there next
+        while (!here(at<PixelWrite>(trace, written)) && !here(at<ColorBlend>(trace, written))) REQUIRE(++written <= trace.size());
+        const auto* write = at<PixelWrite>(trace, written);
+        CHECK((write ? write->polygon : at<ColorBlend>(trace, written)->polygon) == verdict.other);
+        CHECK(*verdict.gap == mine_before(trace, verdict, polygon, pixel) - at<DepthCompare>(trace, verdict.step)->z);
       }
       CHECK(*verdict.gap > 0);
       break;
