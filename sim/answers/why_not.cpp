@@ -4,6 +4,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "sim/answers/nearby.hpp"
 #include "sim/answers/why_not_parts.hpp"
 
 namespace zstep::answers {
@@ -23,7 +24,7 @@ bool does_not_cover(Why kind) {
 
 Question::Question(const Trace& asked, std::int32_t of, Trace::Pixel at)
     : trace(asked), scene(asked.scene()), polygon(of), pixel(at), name(polygon_label(scene, of)), where(fmt::format("at pixel ({}, {})", at.x, at.y)),
-      z(depth_symbol(scene, asked.header().conventions)), replay(asked) {
+      z(depth_symbol(scene, asked.header().conventions)) {
   if (of < 0 || static_cast<std::size_t>(of) >= scene.polygons.size()) throw std::out_of_range("why_not: no such polygon");
   const Raster& raster = scene.raster;
   if (at.x < 0 || at.y < 0 || at.x >= raster.width || at.y >= raster.height) throw std::out_of_range("why_not: no such pixel");
@@ -48,10 +49,16 @@ Verdict Question::verdict(Why kind, std::int64_t step, const std::string& reason
   return verdict;
 }
 
-void Question::add_formulas(Verdict& verdict, std::int64_t step) {
+const State& Question::state_at(std::int64_t step) {
+  if (!replay_) replay_.emplace(trace);
+  replay_->go_to(step);
+  return replay_->state();
+}
+
+void Question::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored) {
   if (step < 1) return;
-  replay.go_to(step);
-  const Explanation said = explain(trace, replay.state(), *replay.current());
+  const std::optional<State> nearby = state_nearby(trace, step, of, stored);
+  const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
   verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
 }
 

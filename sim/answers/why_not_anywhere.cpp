@@ -151,8 +151,7 @@ Verdict why_not(const Trace& trace, std::int32_t polygon) {
   Question q(trace, polygon, {0, 0});
   if (records<HorizonTest>(trace)) return by_curves(q);
   if (records<LineBegin>(trace)) return by_lines(q);
-  q.replay.go_to(trace.size());
-  return filled(q, Picture(q.replay.state().picture));
+  return filled(q, Picture(q.state_at(trace.size()).picture));
 }
 
 }  // namespace zstep::answers

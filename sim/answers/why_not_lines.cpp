@@ -7,8 +7,7 @@
 namespace zstep::answers {
 
 std::vector<Line> lines_of(Question& q) {
-  q.replay.go_to(q.trace.size());
-  const State& state = q.replay.state();
+  const State& state = q.state_at(q.trace.size());
   std::vector<Line> lines;
   for (const LineRow& row : state.machine.lines) {
     if (q.polygon_of_facet(row.entry.left_facet) != q.polygon && q.polygon_of_facet(row.entry.right_facet) != q.polygon) continue;

@@ -21,8 +21,7 @@ std::int32_t node_over_both(const Machine& machine, std::int32_t one, std::int32
   return -1;
 }
 
-void add_tree(Question& q, Verdict& verdict, std::int32_t piece, std::int32_t later, std::int64_t drawn) {
-  const Machine& machine = q.replay.state().machine;
+void add_tree(Question& q, const Machine& machine, Verdict& verdict, std::int32_t piece, std::int32_t later, std::int64_t drawn) {
   const std::int32_t mine = node_of(machine, piece), other = node_of(machine, later);
   const std::int32_t node = node_over_both(machine, mine, other);
   if (node < 0) return;
@@ -50,12 +49,11 @@ void add_order(Question& q, Verdict& verdict, std::int64_t earlier, std::int64_t
   const auto first = previous_of<PieceDraw>(q.trace, earlier), second = previous_of<PieceDraw>(q.trace, later);
   if (!first || !second || *first == *second) return;
   const std::int32_t piece = event_at<PieceDraw>(q.trace, *first)->piece, other = event_at<PieceDraw>(q.trace, *second)->piece;
-  q.replay.go_to(*second);
-  const Machine& machine = q.replay.state().machine;
+  const Machine& machine = q.state_at(*second).machine;
   const auto label = [&](std::int32_t number) { return piece_label(q.scene, machine, number); };
   verdict.chain.push_back({*first, q.polygon, fmt::format("{} is drawn", label(piece))});
   verdict.chain.push_back({*second, verdict.other, fmt::format("{} is drawn", label(other))});
-  if (records<EyeSide>(q.trace)) return add_tree(q, verdict, piece, other, *first);
+  if (records<EyeSide>(q.trace)) return add_tree(q, machine, verdict, piece, other, *first);
   const Piece &mine = machine.pieces[static_cast<std::size_t>(piece)], &its = machine.pieces[static_cast<std::size_t>(other)];
   if (mine.extent && its.extent)
     verdict.formulas.push_back(fmt::format("farthest {} of {} = {}, of {} = {}; drawn as number {} and {}", q.z, label(piece), told(mine.extent->z_max), label(other),

@@ -38,7 +38,6 @@ struct Question {
   std::string name;   ///< the polygon's label
   std::string where;  ///< "at pixel (3, 4)"
   std::string z;      ///< what depths are called
-  Replay replay;
 
   Question(const Trace& asked, std::int32_t of, Trace::Pixel at);
 
@@ -48,8 +47,14 @@ struct Question {
 
   /// "A is not seen at pixel (3, 4): " and the reason.
   Verdict verdict(Why kind, std::int64_t step, const std::string& reason) const;
-  /// Adds what the words say of a step in numbers to the verdict's formulas.
-  void add_formulas(Verdict& verdict, std::int64_t step);
+  /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas. `stored`: who held the pixel before.
+  void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored = nullptr);
+  void add_formulas(Verdict& verdict, std::int64_t step) { add_formulas(verdict, step, polygon); }
+  /// By a replay: dear in a long trace, so only for what single events cannot tell.
+  const State& state_at(std::int64_t step);
+
+ private:
+  std::optional<Replay> replay_;
 };
 
 /// One facet of the polygon before the raster: was it drawn, and does it cover the pixel?

@@ -28,7 +28,7 @@ Verdict why_lost(Question& q, const std::vector<Touch>& touches, const Touch& mi
   const Touch* there = holder(touches, mine.step);
   if (!there) {
     Verdict verdict = q.verdict(Why::lost, mine.step, "the trace says that it is not nearer, though nothing was drawn there before");
-    q.add_formulas(verdict, mine.step);
+    q.add_formulas(verdict, mine.step, q.polygon);
     verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} loses the compare", q.name)});
     return verdict;
   }
@@ -37,7 +37,7 @@ Verdict why_lost(Question& q, const std::vector<Touch>& touches, const Touch& mi
   Verdict verdict = tie ? q.verdict(Why::tie, mine.step, fmt::format("at {} it is exactly as near as {}, which was there first, and of equals the first stays", step_text(mine.step), other))
                         : q.verdict(Why::lost, mine.step, fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step_text(mine.step), other, q.z, told(mine.z - there->z)));
   verdict.other = there->polygon;
-  q.add_formulas(verdict, mine.step);
+  q.add_formulas(verdict, mine.step, q.polygon, there);
   add_gap(q, verdict, mine.z, there->z);
   verdict.chain.push_back({there->written, there->polygon, fmt::format("the pixel becomes {}, {} = {}", other, q.z, told(there->z))});
   verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} at {} = {} {}", q.name, q.z, told(mine.z), tie ? "is a tie" : "loses the compare")});
@@ -53,7 +53,7 @@ Verdict why_gone(Question& q, const std::vector<Touch>& touches, const Touch& mi
                               painted ? fmt::format("it was painted there at {}, and {} was painted over it at {}", step_text(mine.written), other, step_text(next.written))
                                       : fmt::format("it was there from {} on, until {} was found to be nearer at {}", step_text(mine.written), other, step_text(next.step)));
   verdict.other = next.polygon;
-  if (!painted) q.add_formulas(verdict, next.step);
+  if (!painted) q.add_formulas(verdict, next.step, next.polygon, holder(touches, next.step));
   add_gap(q, verdict, mine.z, next.z);
   if (painted && *verdict.gap < 0) verdict.sentence += fmt::format(" {} is the nearer one there: the order was wrong for this pixel.", q.name);
   verdict.chain.push_back({mine.written, q.polygon, fmt::format("the pixel becomes {}, {} = {}", q.name, q.z, told(mine.z))});
@@ -107,6 +107,17 @@ Verdict why_taken(Question& q, const Touch& first) {
   return verdict;
 }
 
+bool comes_to_pixel(const Question& q) {
+  const auto here = [&](const RecordedEvent& recorded) {
+    const auto* compare = std::get_if<DepthCompare>(&recorded.event);
+    const auto* paint = std::get_if<PixelPaint>(&recorded.event);
+    return (compare && compare->x == q.pixel.x && compare->y == q.pixel.y) || (paint && paint->x == q.pixel.x && paint->y == q.pixel.y);
+  };
+  for (const std::int64_t mark : marks_of(q.trace, q.polygon))
+    if (next_within(q.trace, mark, next_mark(q.trace, mark), here)) return true;
+  return false;
+}
+
 void add_shadow(const Question& q, Verdict& verdict) {
   const auto dark = [&](const RecordedEvent& recorded) {
     const auto* color = std::get_if<ColorWrite>(&recorded.event);
@@ -121,6 +132,9 @@ void add_shadow(const Question& q, Verdict& verdict) {
 }  // namespace
 
 Verdict why_by_pixels(Question& q, const std::vector<FacetThere>& facets) {
+  // Where each polygon is dealt with at its marks alone, a look there tells whether it ever came to the pixel.
+  if (!records<PieceDraw>(q.trace) && !records<FlagFlip>(q.trace) && !q.trace.polygons().empty() && !comes_to_pixel(q))
+    if (auto verdict = why_by_facets(q, facets)) return *verdict;
   const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
   const Touch *last = holder(touches, q.trace.size() + 1), *mine = nullptr, *least = nullptr;
   for (const Touch& touch : touches) {
@@ -138,7 +152,7 @@ Verdict why_by_pixels(Question& q, const std::vector<FacetThere>& facets) {
     Verdict verdict = seen(q, last->written, fmt::format("{} put it there, {} = {}", step_text(last->written), q.z, told(last->z)), fmt::format("the pixel becomes {}", q.name));
     if (last->step != last->written) verdict.chain.push_back({last->step, q.polygon, fmt::format("{} at {} = {} wins the compare", q.name, q.z, told(last->z))});
     if (glass) verdict.sentence += fmt::format(" {} layer{} of glass before it leave{} it {} of the pixel's colour.", share.layers, share.layers == 1 ? "" : "s", share.layers == 1 ? "s" : "", number(share.part));
-    q.add_formulas(verdict, last->how == Touch::How::painted ? last->written : last->step);
+    q.add_formulas(verdict, last->step, q.polygon, holder(touches, last->step));
     if (records<ShadowCompare>(q.trace)) add_shadow(q, verdict);
     return verdict;
   }

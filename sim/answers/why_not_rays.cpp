@@ -169,6 +169,7 @@ void tell_ray(Question& q, Verdict& verdict, const Ray& ray) {
   }
   if (hit && verdict.kind == Why::not_covered) {
     verdict.step = hit->step;
+    q.add_formulas(verdict, hit->step);
     verdict.chain.push_back({hit->step, q.polygon, fmt::format("the point on the plane lies outside {}", q.name)});
   }
   if (plane || verdict.kind != Why::not_covered) return;

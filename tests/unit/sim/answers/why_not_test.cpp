@@ -9,6 +9,7 @@
 
 #include "sim/answers/why_not.hpp"
 #include "sim/compare/truth.hpp"
+#include "sim/viewer/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/laws/degenerate_checks.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
@@ -219,6 +220,19 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
   }
 }
 
+/// Whatever short cut was taken, the words are those of a replay that stands at the step.
+void check_formulas(const Trace& trace, const Verdict& verdict) {
+  const bool of_pixel = at<DepthCompare>(trace, verdict.step) || at<PixelPaint>(trace, verdict.step);
+  const bool of_ray = at<RayHit>(trace, verdict.step) || at<RayPlane>(trace, verdict.step) || at<BoxTest>(trace, verdict.step);
+  if (!of_pixel && !of_ray && !at<ClipVertex>(trace, verdict.step)) return;
+  if (verdict.kind == Why::painted_over || verdict.kind == Why::taken || (verdict.kind == Why::seen && !at<RayHit>(trace, verdict.step))) return;
+  if (verdict.kind == Why::overwritten && of_ray) return;  // told of its own hit
+  Replay replay(trace);
+  replay.go_to(verdict.step);
+  for (const std::string& formula : explain(trace, replay.state(), *replay.current()).formulas)
+    CHECK_MESSAGE(std::find(verdict.formulas.begin(), verdict.formulas.end(), formula) != verdict.formulas.end(), formula);
+}
+
 void check_verdict(const Brute& brute, const Verdict& verdict, std::int32_t polygon, Trace::Pixel pixel) {
   const Trace& trace = brute.trace;
   CHECK_FALSE(verdict.sentence.empty());
@@ -230,6 +244,7 @@ void check_verdict(const Brute& brute, const Verdict& verdict, std::int32_t poly
     CHECK_FALSE(link.text.empty());
   }
   const std::size_t place = brute.picture.at(pixel.x, pixel.y);
+  check_formulas(trace, verdict);
   check_step(trace, verdict, polygon, pixel);
   if (in_page<LineBegin>(trace) || in_page<HorizonTest>(trace)) {
     CHECK((verdict.kind == Why::seen) == brute.drawn[place].contains(polygon));
