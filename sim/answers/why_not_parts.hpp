@@ -10,7 +10,7 @@
 #include "sim/answers/find.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
-#include "sim/compare/truth.hpp"
+#include "sim/compare/facet_at.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
 #include "traces/replay/replay.hpp"
