@@ -1,6 +1,7 @@
 // Searches in a trace that look at no more of it than they must.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -50,7 +51,7 @@ std::optional<std::int64_t> numbered(const Trace& trace, std::int64_t from, std:
   std::int64_t low = from, high = end;  // what is wanted lies in (low, high]
   while (low < high) {
     const std::int64_t middle = low + (high - low) / 2;
-    const auto found = next_of<E>(trace, middle, end);
+    const auto found = next_of<E>(trace, middle, std::min(end, high + 1));
     const std::optional<E> event = found ? event_at<E>(trace, *found) : std::nullopt;
     if (!event || (*event).*number > wanted) high = middle;
     else if ((*event).*number == wanted) return found;

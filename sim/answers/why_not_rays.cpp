@@ -89,6 +89,9 @@ Verdict why_behind(Question& q, const Ray& ray, const At<RayHit>& mine) {
   return verdict;
 }
 
+/// Boxes and cells are made before the first ray.
+std::int64_t first_ray(const Question& q) { return next_of<RayBegin>(q.trace, 0, q.trace.size() + 1).value_or(q.trace.size() + 1); }
+
 /// The boxes around a facet, the innermost first.
 std::vector<std::int32_t> boxes_around(const Question& q, std::int32_t facet, std::int64_t rays) {
   std::vector<std::int32_t> boxes;
@@ -123,7 +126,9 @@ struct Barrier {
   double t = 0;         ///< where the ray would have entered
   std::string what;
 };
-std::optional<Barrier> barrier_before(const Question& q, const Ray& ray, std::int32_t facet, std::int64_t rays) {
+std::optional<Barrier> barrier_before(const Question& q, const Ray& ray, std::int32_t facet) {
+  if (ray.boxes.empty() && ray.cells.empty()) return std::nullopt;
+  const std::int64_t rays = first_ray(q);
   const std::vector<std::int32_t> around = boxes_around(q, facet, rays);
   std::optional<Barrier> barrier;
   for (auto box = around.rbegin(); box != around.rend(); ++box)  // from the outermost
@@ -145,7 +150,7 @@ Verdict why_unreached(Question& q, const Ray& ray, const Barrier& barrier, std::
   const std::int32_t who = q.polygon_of_facet(other.event.facet);
   Verdict verdict = q.verdict(Why::unreached, barrier.step, fmt::format("the ray met {} at t = {} and would enter {} only beyond that, so it was never tested", q.label(who), told(other.event.t), barrier.what));
   verdict.other = who, verdict.facet = facet;
-  verdict.formulas.push_back(fmt::format("t kept = {}, t where {} begin{} \u2265 {}", told(other.event.t), barrier.what, barrier.what.starts_with("box") ? "s" : "s", told(barrier.t)));
+  verdict.formulas.push_back(fmt::format("t kept = {}, t where {} begins \u2265 {}", told(other.event.t), barrier.what, told(barrier.t)));
   q.add_formulas(verdict, barrier.step);
   verdict.chain.push_back({barrier.step, q.polygon, barrier.what.starts_with("box") ? fmt::format("the ray is held against {}, which holds {}", barrier.what, q.name) : "the last cell that the ray enters"});
   add_hit(q, verdict, other);
@@ -173,7 +178,7 @@ void tell_ray(Question& q, Verdict& verdict, const Ray& ray) {
     verdict.chain.push_back({hit->step, q.polygon, fmt::format("the point on the plane lies outside {}", q.name)});
   }
   if (plane || verdict.kind != Why::not_covered) return;
-  const auto barrier = barrier_before(q, ray, verdict.facet, ray.begin);
+  const auto barrier = barrier_before(q, ray, verdict.facet);
   if (!barrier) return;
   if (barrier->missed) verdict.kind = Why::box_missed;
   verdict.step = barrier->step;
@@ -217,7 +222,7 @@ Verdict why_by_rays(Question& q, const std::vector<FacetThere>& facets) {
   }
   for (const FacetThere& there : facets)
     if (there.covers() && !there.rejected())
-      if (const auto barrier = barrier_before(q, *ray, there.facet, ray->begin)) return why_unreached(q, *ray, *barrier, there.facet);
+      if (const auto barrier = barrier_before(q, *ray, there.facet)) return why_unreached(q, *ray, *barrier, there.facet);
   return not_recorded(q);
 }
 

@@ -115,7 +115,6 @@ void tell_flag(Question& q, Verdict& verdict, const Line& line) {
                       : line.flip_after != 0 ? fmt::format(" {} its flag turns to in only beyond the pixel.", row)
                                              : fmt::format(" {} none of its edges is active, so its flag stays out.", row);
   if (verdict.step != 0) {
-    q.add_formulas(verdict, verdict.step);
     verdict.chain.push_back({verdict.step, q.polygon, fmt::format("the flag of {} turns to {}", q.name, line.flip_before != 0 ? "out" : "in")});
   }
   if (line.stretch != 0) verdict.chain.push_back({line.stretch, no_polygon, "the stretch of the line at or beyond the pixel"});
