@@ -132,6 +132,7 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
     return true;
   }
   if (asks && code == SDLK_TAB) return paint_answer(), true;
+  if (overlay_ == Overlay::why_ask) return pick_candidate(code);
   if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
   if (code == SDLK_RETURN && asks) return ask_typed(), true;
   if (code == SDLK_RETURN) {
@@ -235,6 +236,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     session_.touch();
     return true;
   }
+  if (overlay_ == Overlay::why && pick_link(code)) {
+    session_.touch();
+    return true;
+  }
   if (typing() && edit(code, modifiers)) {
     session_.touch();
     return true;
@@ -271,7 +276,7 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       if (typing()) {
         // The key that opened it types its own letter too, which is not wanted.
         const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(event.text.text[0])));
-        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q');
+        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q') || (overlay_ == Overlay::why_ask && letter == 'y');
         if (!(of_the_key && just_opened_)) typed += event.text.text;
         just_opened_ = false;
         picked = 0;

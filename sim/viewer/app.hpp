@@ -8,6 +8,7 @@
 #include <SDL.h>
 
 #include "sim/answers/pixel_history.hpp"
+#include "sim/answers/why_not.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/ui.hpp"
@@ -23,7 +24,7 @@ struct WindowRequests {
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
-enum class Overlay { none, keys, palette, go_to, menu, query, history };
+enum class Overlay { none, keys, palette, go_to, menu, query, history, why_ask, why };
 
 class App {
  public:
@@ -70,6 +71,15 @@ class App {
   const answers::Visit& told_visit(std::size_t visit);  ///< with why
   Cell history_of() const { return history_of_; }
   void go_to_visit(std::size_t visit);
+  // Why a polygon is not what is seen (why_overlay.cpp)
+  void open_why();                       ///< of the selected pixel, or the one at work, or of the whole picture where there is none
+  void ask_why(std::int32_t polygon);
+  void turn_why();                       ///< from the pixel to the whole picture and back
+  std::vector<std::int32_t> why_candidates() const;  ///< polygons whose label or number has what is typed
+  const answers::Verdict& why() const { return why_; }
+  std::int32_t why_polygon() const { return why_polygon_; }
+  std::optional<Cell> why_of() const { return why_anywhere_ ? std::nullopt : why_of_; }  ///< nullopt: the whole picture
+  void go_to_link(std::size_t link);
   void paint_answer();            ///< over the frame, or no longer
   void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"
   void say(std::string message);
@@ -84,9 +94,11 @@ class App {
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
   void draw_overlay();
   bool key(const SDL_KeyboardEvent& event);
-  bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query; }
+  bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query || overlay_ == Overlay::why_ask; }
   bool edit(SDL_Keycode code, unsigned modifiers);
   bool pick_visit(SDL_Keycode code);
+  bool pick_candidate(SDL_Keycode code);
+  bool pick_link(SDL_Keycode code);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -102,6 +114,10 @@ class App {
   Cell history_of_;
   std::optional<answers::FacetsNear> facets_near_;  ///< made when first needed
   std::optional<Replay> teller_;                    ///< goes to other steps than the session, for what is said of them
+  answers::Verdict why_;
+  std::int32_t why_polygon_ = 0;
+  std::optional<Cell> why_of_;
+  bool why_anywhere_ = false;
   Ui ui_;
   std::vector<Pane> structures_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
@@ -119,5 +135,7 @@ void draw_go_to(App& app);
 void draw_menu(App& app);
 void draw_query(App& app);
 void draw_history(App& app);
+void draw_why_ask(App& app);
+void draw_why(App& app);
 
 }  // namespace zstep::viewer

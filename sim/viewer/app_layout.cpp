@@ -240,6 +240,8 @@ void App::draw_overlay() {
     case Overlay::menu: return draw_menu(*this);
     case Overlay::query: return draw_query(*this);
     case Overlay::history: return draw_history(*this);
+    case Overlay::why_ask: return draw_why_ask(*this);
+    case Overlay::why: return draw_why(*this);
   }
 }
 

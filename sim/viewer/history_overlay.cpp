@@ -53,7 +53,7 @@ void draw_history(App& app) {
   begin_overlay(app, "history", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
   Flow heading;
   heading.font = ui.fonts.bold;
-  flow(ui, fmt::format("Pixel ({}, {}): {}. Enter or a click goes there; Esc closes.", app.history_of().x, app.history_of().y,
+  flow(ui, fmt::format("Pixel ({}, {}): {}. Enter or a click goes there; Y asks why the one picked is not seen; Esc closes.", app.history_of().x, app.history_of().y,
                        app.history().size() == 1 ? "one thing happened to it" : fmt::format("{} things happened to it", app.history().size())),
        heading);
   const ImVec2 room = ImGui::GetContentRegionAvail();

@@ -271,3 +271,33 @@ TEST_CASE("what there is to know about a mesh is noted") {
     CHECK(times(outcome.err, "\n") == times(outcome.err, "note: "));
   }
 }
+
+TEST_CASE("why-not says why, and what may be typed") {
+  const Folder folder;
+  must(folder, "record pyramid-behind -o run.ztrace");
+  const std::string lost = must(folder, "why-not run.ztrace F 15 12").out;
+  CHECK(has(lost, "F is not seen at pixel (15, 12)"));
+  CHECK(has(lost, "until D was found to be nearer"));
+  CHECK(must(folder, "why-not run.ztrace 0 15 12").out == lost);
+  CHECK(must(folder, "why-not run.ztrace P0 15 12").out == lost);
+  CHECK(has(must(folder, "why-not run.ztrace D 15 12").out, "D is what is seen at pixel (15, 12)"));
+  CHECK(has(must(folder, "why-not run.ztrace B").out, "(p \u2212 e)\u00b7n"));
+  std::string scene = text_of(ZSTEP_SOURCE_DIR "/tests/golden/no-area.toml");
+  scene.replace(scene.find("name = \"A\""), 10, "name = \"floor\"");
+  write_text(folder / "named.toml", scene);
+  must(folder, "record named.toml -o named.ztrace");
+  for (const auto& [arguments, said] : std::vector<std::pair<std::string, std::string>>{
+           {"run.ztrace roof", "roof: is no polygon of this trace; its polygons are numbered from 0 to 6, the first is called F"},
+           {"run.ztrace 7", "7: is no polygon of this trace"},
+           {"run.ztrace F 15", "Y: is missing: a pixel has a column and a row; write for example zstep why-not run.ztrace B 15 12"},
+           {"run.ztrace F 32 0", "32 0: is no pixel: the picture has 32 by 32"},
+           {"run.ztrace F -1 0", "-1"},
+           {"named.ztrace flor", "flor: is no polygon of this trace; did you mean floor?"},
+           {"none.ztrace F", "none.ztrace"}}) {
+    CAPTURE(arguments);
+    const Outcome outcome = run(folder, "why-not " + arguments);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(has(outcome.err, said));
+  }
+}

@@ -1,0 +1,114 @@
+#include "sim/answers/why_not.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "sim/answers/nearby.hpp"
+#include "sim/answers/why_not_parts.hpp"
+
+namespace zstep::answers {
+
+bool does_not_cover(Why kind) {
+  switch (kind) {
+    case Why::outside:
+    case Why::edge_on:
+    case Why::degenerate:
+    case Why::not_covered:
+    case Why::flag_out:
+    case Why::apart:
+    case Why::box_missed: return true;
+    default: return false;
+  }
+}
+
+Question::Question(const Trace& asked, std::int32_t of, Trace::Pixel at)
+    : trace(asked), scene(asked.scene()), polygon(of), pixel(at), name(polygon_label(scene, of)), where(fmt::format("at pixel ({}, {})", at.x, at.y)),
+      z(depth_symbol(scene, asked.header().conventions)) {
+  if (of < 0 || static_cast<std::size_t>(of) >= scene.polygons.size()) throw std::out_of_range("why_not: no such polygon");
+  const Raster& raster = scene.raster;
+  if (at.x < 0 || at.y < 0 || at.x >= raster.width || at.y >= raster.height) throw std::out_of_range("why_not: no such pixel");
+}
+
+std::int32_t Question::polygon_of_facet(std::int32_t facet) const {
+  const auto at = static_cast<std::size_t>(facet);
+  return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
+}
+
+std::vector<std::int32_t> Question::facets() const {
+  std::vector<std::int32_t> found;
+  for (std::size_t k = 0; k < scene.facets.size(); ++k)
+    if (scene.facets[k].polygon == polygon) found.push_back(static_cast<std::int32_t>(k));
+  return found;
+}
+
+Verdict Question::verdict(Why kind, std::int64_t step, const std::string& reason) const {
+  Verdict verdict;
+  verdict.kind = kind, verdict.step = step, verdict.pixel = pixel;
+  verdict.sentence = fmt::format("{} is not seen {}: {}.", name, where, reason);
+  return verdict;
+}
+
+const State& Question::state_at(std::int64_t step) {
+  if (!replay_) replay_.emplace(trace);
+  replay_->go_to(step);
+  return replay_->state();
+}
+
+void Question::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored) {
+  if (step < 1) return;
+  const std::optional<State> nearby = state_nearby(trace, step, of, stored);
+  const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
+  verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
+}
+
+Verdict not_recorded(const Question& q) {
+  return q.verdict(Why::not_recorded, 0, q.trace.warnings().empty() ? "it covers the pixel, but the trace records no step of it there"
+                                                                   : "it covers the pixel, but the recording was cut off before its turn there");
+}
+
+Verdict seen(Question& q, std::int64_t step, const std::string& how, const std::string& what) {
+  Verdict verdict;
+  verdict.kind = Why::seen, verdict.step = step, verdict.other = q.polygon, verdict.pixel = q.pixel;
+  verdict.sentence = fmt::format("{} is what is seen {}: {}.", q.name, q.where, how);
+  verdict.chain.push_back({step, q.polygon, what});
+  return verdict;
+}
+
+Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel) {
+  Question q(trace, polygon, pixel);
+  Verdict verdict;
+  if (records<HorizonTest>(trace)) {
+    verdict = why_by_curves(q);
+  } else if (records<LineBegin>(trace)) {
+    verdict = why_by_lines(q);
+  } else {
+    const std::vector<FacetThere> facets = facets_there(q);
+    const auto& options = trace.header().conventions.options;
+    const auto resolve = options.find("resolve");
+    const bool line_buffer = resolve != options.end() && resolve->second == "line-buffer";
+    verdict = records<RayBegin>(trace)                    ? why_by_rays(q, facets)
+              : records<AreaBegin>(trace)                 ? why_by_areas(q, facets)
+              : records<FlagFlip>(trace) && !line_buffer ? why_by_sweep(q, facets)
+                                                          : why_by_pixels(q, facets);
+    if (facets.size() > 1 && verdict.kind != Why::seen)
+      verdict.sentence += fmt::format(" ({} has {} facets; this is {}.)", q.name, facets.size(), verdict.facet < 0 ? "the one that came nearest to it" : fmt::format("facet {}", verdict.facet));
+  }
+  std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
+  std::stable_sort(verdict.chain.begin(), verdict.chain.end(), [](const Link& a, const Link& b) { return a.step < b.step; });
+  return verdict;
+}
+
+std::optional<std::int32_t> polygon_called(const Scene& scene, const std::string& text) {
+  const auto count = static_cast<std::int32_t>(scene.polygons.size());
+  for (std::int32_t k = 0; k < count; ++k)
+    if (scene.polygons[static_cast<std::size_t>(k)].name == text && !text.empty()) return k;
+  const std::size_t skip = text.size() > 1 && (text[0] == 'P' || text[0] == 'p') ? 1 : 0;
+  std::int32_t number = -1;
+  const char *first = text.data() + skip, *last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(first, last, number);
+  if (error != std::errc() || end != last || number < 0 || number >= count) return std::nullopt;
+  return number;
+}
+
+}  // namespace zstep::answers

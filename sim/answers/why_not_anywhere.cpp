@@ -1,0 +1,157 @@
+// A polygon on the whole picture: where it is seen, or why nowhere.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim/answers/why_not_lines.hpp"
+
+namespace zstep::answers {
+namespace {
+
+std::string count_text(std::size_t count, const char* one, const char* many) { return fmt::format("{} {}", grouped(static_cast<std::int64_t>(count)), count == 1 ? one : many); }
+
+/// The pixel's own verdict, in a sentence that begins with the whole picture.
+Verdict with_pixel(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, const std::string& whole) {
+  Verdict verdict = why_not(trace, polygon, pixel);
+  verdict.sentence = whole + " " + verdict.sentence;
+  return verdict;
+}
+
+/// A pixel whose centre the polygon covers, and how deep it and what is seen there are.
+struct Covered {
+  Trace::Pixel pixel{};
+  double gap = 0;  ///< z_v of the polygon minus that of what is seen
+  std::int32_t owner = no_polygon;
+};
+
+std::vector<Covered> covered(const Question& q, const std::vector<FacetThere>& facets, const Picture& picture) {
+  Scene alone = q.scene;
+  alone.facets.clear();
+  for (const FacetThere& there : facets)
+    if (!there.rejected() && !there.away) alone.facets.push_back(q.scene.facets[static_cast<std::size_t>(there.facet)]);
+  if (alone.facets.empty()) return {};
+  const compare::Truth truth(alone, false);
+  std::vector<Covered> all;
+  for (std::int32_t y = 0; y < truth.height(); ++y)
+    for (std::int32_t x = 0; x < truth.width(); ++x)
+      for (const compare::Candidate& candidate : truth.at(x, y)) {
+        if (!candidate.covers) continue;
+        const std::size_t at = picture.at(x, y);
+        const double seen = std::isinf(picture.depth[at]) ? no_depth : view_depth(q.scene.camera, q.trace.header().conventions, picture.depth[at]);
+        all.push_back({{x, y}, candidate.z - seen, picture.polygon[at]});
+        break;
+      }
+  return all;
+}
+
+/// "to Q at 12 pixels, to R at 3", the most first.
+std::string losses(const Question& q, const std::vector<Covered>& all) {
+  std::map<std::int32_t, std::size_t> count;
+  for (const Covered& one : all) ++count[one.owner];
+  std::vector<std::pair<std::int32_t, std::size_t>> sorted(count.begin(), count.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  constexpr std::size_t named = 4;
+  std::string text;
+  std::size_t rest = 0;
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    if (k >= named) rest += sorted[k].second;
+    else text += fmt::format("{}to {} at {}", text.empty() ? "" : ", ", q.label(sorted[k].first), count_text(sorted[k].second, "pixel", "pixels"));
+  }
+  if (rest > 0) text += fmt::format(", to others at {}", count_text(rest, "pixel", "pixels"));
+  return text;
+}
+
+/// Where its facets were rejected one and all; else nullopt.
+std::optional<Verdict> gone_as_a_whole(Question& q, std::vector<FacetThere> facets) {
+  for (FacetThere& there : facets) {
+    if (!there.rejected() && !there.away) return std::nullopt;
+    // Over the whole picture it does not matter whether this one pixel would be covered.
+    there.cut_at.reset();
+    if (there.at) there.at->candidate.covers = there.away || there.reason == Reject::back_facing;
+  }
+  q.where = "anywhere";
+  return why_by_facets(q, facets);
+}
+
+Verdict filled(Question& q, const Picture& picture) {
+  std::size_t count = 0;
+  std::optional<Trace::Pixel> first;
+  for (std::int32_t y = 0; y < picture.height; ++y)
+    for (std::int32_t x = 0; x < picture.width; ++x) {
+      if (picture.polygon[picture.at(x, y)] != q.polygon) continue;
+      if (!first) first = Trace::Pixel{x, y};
+      ++count;
+    }
+  if (first) return with_pixel(q.trace, q.polygon, *first, fmt::format("{} is seen at {}; the first of them:", q.name, count_text(count, "pixel", "pixels")));
+
+  const std::vector<FacetThere> facets = facets_there(q);
+  if (auto verdict = gone_as_a_whole(q, facets)) {
+    verdict->pixel.reset();
+    return *verdict;
+  }
+  std::vector<Covered> all = covered(q, facets, picture);
+  if (all.empty()) {
+    q.where = "anywhere";
+    Verdict verdict = q.verdict(Why::not_covered, facets.empty() ? 0 : facets.front().mark, "as it is drawn it covers no pixel's centre");
+    verdict.pixel.reset();
+    for (const FacetThere& there : facets) verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
+    std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
+    return verdict;
+  }
+  const Covered best = *std::min_element(all.begin(), all.end(), [](const Covered& a, const Covered& b) { return a.gap < b.gap; });
+  Verdict verdict = why_not(q.trace, q.polygon, best.pixel);
+  const std::string covers = count_text(all.size(), "pixel", "pixels");
+  verdict.sentence = (verdict.kind == Why::mixed ? fmt::format("{} takes no pixel for itself; it covers {}. Where it is nearest: ", q.name, covers)
+                                                 : fmt::format("{} is not seen anywhere: it covers {} and loses {}, {}. Where it comes nearest to being seen: ", q.name, covers,
+                                                               all.size() == 1 ? "it" : "them all", losses(q, all))) +
+                     verdict.sentence;
+  return verdict;
+}
+
+Verdict by_lines(Question& q) {
+  const std::vector<Line> lines = lines_of(q);
+  std::size_t seen_edges = 0;
+  const Line *visible = nullptr, *hidden = nullptr;
+  for (const Line& line : lines) {
+    const bool any = std::any_of(line.row.pieces.begin(), line.row.pieces.end(), [](const LinePiece& piece) { return piece.visible; });
+    if (any) visible = visible ? visible : &line, ++seen_edges;
+    else hidden = hidden ? hidden : &line;
+  }
+  const Line* picked = visible ? visible : hidden;
+  if (!picked) return why_by_lines(q);
+  // A pixel on it: the first that was drawn, or for one that was not the middle of the edge.
+  const std::int64_t begin = begin_of(q, *picked).value_or(0);
+  Trace::Pixel pixel{static_cast<std::int32_t>(std::lround((picked->from.x + picked->to.x) / 2)), static_cast<std::int32_t>(std::lround((picked->from.y + picked->to.y) / 2))};
+  const auto draw = next_of<ColorWrite, LineBegin>(q.trace, begin, q.trace.size() + 1);
+  if (const auto color = draw ? event_at<ColorWrite>(q.trace, *draw) : std::nullopt) pixel = {color->x, color->y};
+  pixel.x = std::clamp(pixel.x, 0, q.scene.raster.width - 1), pixel.y = std::clamp(pixel.y, 0, q.scene.raster.height - 1);
+  return with_pixel(q.trace, q.polygon, pixel, visible ? fmt::format("Of the {} of {} in view, {} seen, in whole or in part. On one of them:", count_text(lines.size(), "edge", "edges"), q.name, seen_edges == 1 ? "one is" : fmt::format("{} are", seen_edges))
+                                                       : fmt::format("None of the {} of {} in view is seen. On one of them:", count_text(lines.size(), "edge", "edges"), q.name));
+}
+
+Verdict by_curves(Question& q) {
+  std::size_t visible = 0, hidden = 0;
+  std::optional<Trace::Pixel> drawn, behind;
+  for (const Segment& segment : segments_of(q))
+    for (std::int64_t step = segment.begin + 1; step < segment.end; ++step) {
+      if (const auto color = event_at<ColorWrite>(q.trace, step); color && !drawn) drawn = Trace::Pixel{color->x, color->y};
+      const auto test = event_at<HorizonTest>(q.trace, step);
+      if (!test) continue;
+      (test->verdict == Horizon::hidden ? hidden : visible) += 1;
+      const auto row = static_cast<std::int32_t>(std::clamp(std::round(test->y_curve), 0.0, q.scene.raster.height - 1.0));
+      if (test->verdict == Horizon::hidden && !behind) behind = Trace::Pixel{std::clamp(test->x, 0, q.scene.raster.width - 1), row};
+    }
+  const std::string whole = fmt::format("Of the {} of the curves around {}, {} visible and {} hidden.", count_text(visible + hidden, "point", "points"), q.name, visible, hidden);
+  return with_pixel(q.trace, q.polygon, drawn ? *drawn : behind.value_or(q.pixel), whole);
+}
+
+}  // namespace
+
+Verdict why_not(const Trace& trace, std::int32_t polygon) {
+  Question q(trace, polygon, {0, 0});
+  if (records<HorizonTest>(trace)) return by_curves(q);
+  if (records<LineBegin>(trace)) return by_lines(q);
+  return filled(q, Picture(q.state_at(trace.size()).picture));
+}
+
+}  // namespace zstep::answers

@@ -1,0 +1,187 @@
+// Warnock's areas: the chain of areas around the pixel, the polygon's bin in each, and who the last one was given to.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/answers/why_not_parts.hpp"
+
+namespace zstep::answers {
+namespace {
+
+struct AreaThere {
+  std::int64_t begin = 0, decided = 0;
+  AreaBegin area{};
+  AreaDecide decide{};
+};
+
+bool holds(const AreaBegin& area, Trace::Pixel pixel) {
+  return area.first_column <= pixel.x && pixel.x < area.end_column && area.first_row <= pixel.y && pixel.y < area.end_row;
+}
+bool lies_in(const AreaBegin& part, const AreaBegin& whole) {
+  return part.first_column >= whole.first_column && part.end_column <= whole.end_column && part.first_row >= whole.first_row && part.end_row <= whole.end_row;
+}
+
+/// The quarter of an area that holds the pixel. Quarters are settled one after the other, so the place is found by halving.
+std::optional<std::int64_t> quarter_with(const Trace& trace, const AreaThere& whole, Trace::Pixel pixel) {
+  const std::int64_t end = trace.size() + 1;
+  const auto first = next_of<AreaBegin>(trace, whole.decided, end);
+  if (!first) return std::nullopt;
+  const AreaBegin corner = *event_at<AreaBegin>(trace, *first);
+  if (holds(corner, pixel)) return first;
+  // Where it was split is told by the first quarter; one column or row is not split.
+  const std::int32_t column = corner.end_column < whole.area.end_column ? corner.end_column : whole.area.end_column;
+  const std::int32_t row = corner.end_row < whole.area.end_row ? corner.end_row : whole.area.end_row;
+  const auto place = [&](const AreaBegin& part) { return lies_in(part, whole.area) ? (part.first_column >= column) + 2 * (part.first_row >= row) : 4; };
+  const int wanted = (pixel.x >= column) + 2 * (pixel.y >= row);
+  std::int64_t low = *first, high = end;
+  while (low < high) {
+    const std::int64_t middle = low + (high - low) / 2;
+    const auto found = next_of<AreaBegin>(trace, middle, end);
+    if (!found || place(*event_at<AreaBegin>(trace, *found)) >= wanted) high = middle;
+    else low = *found;
+  }
+  const auto found = next_of<AreaBegin>(trace, low, end);
+  if (!found || !holds(*event_at<AreaBegin>(trace, *found), pixel)) return std::nullopt;
+  return found;
+}
+
+/// From the whole picture to the area that was settled at the pixel.
+std::vector<AreaThere> areas_around(const Question& q) {
+  std::vector<AreaThere> chain;
+  const std::int64_t end = q.trace.size() + 1;
+  auto step = next_of<AreaBegin>(q.trace, last_mark(q.trace), end);
+  while (step && chain.size() < 64) {
+    AreaThere there;
+    there.begin = *step, there.area = *event_at<AreaBegin>(q.trace, *step);
+    const auto decided = next_of<AreaDecide>(q.trace, *step, end);
+    if (!decided) break;
+    there.decided = *decided, there.decide = *event_at<AreaDecide>(q.trace, *decided);
+    chain.push_back(there);
+    if (there.decide.what != AreaCase::subdivide) break;
+    step = quarter_with(q.trace, there, q.pixel);
+  }
+  return chain;
+}
+
+struct BinThere {
+  std::int64_t step = 0;
+  AreaBin bin{};
+  std::size_t area = 0;  ///< in the chain
+};
+
+std::vector<std::int32_t> pieces_of(const Question& q, const std::vector<FacetThere>& facets) {
+  std::vector<std::int32_t> pieces;
+  for (const FacetThere& there : facets) {
+    if (there.mark == 0 || there.rejected()) continue;
+    const auto make = next_of<PieceMake, AreaBegin>(q.trace, there.mark, next_mark(q.trace, there.mark));
+    if (const auto made = make ? event_at<PieceMake>(q.trace, *make) : std::nullopt) pieces.push_back(made->piece);
+  }
+  return pieces;
+}
+
+/// The bin that the polygon was put into last on the way down; what is not disjoint before what is.
+std::optional<BinThere> last_bin(const Question& q, const std::vector<AreaThere>& chain, const std::vector<std::int32_t>& pieces) {
+  std::optional<BinThere> last;
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    bool known = false;
+    for (std::int64_t step = chain[k].begin + 1; step < chain[k].decided; ++step) {
+      const auto bin = event_at<AreaBin>(q.trace, step);
+      if (!bin || std::find(pieces.begin(), pieces.end(), bin->piece) == pieces.end()) continue;
+      if (known && bin->bin == Bin::disjoint) continue;
+      last = BinThere{step, *bin, k};
+      known = true;
+    }
+  }
+  return last;
+}
+
+std::string area_text(const AreaBegin& area) {
+  return fmt::format("area {} (columns {} to {}, rows {} to {})", area.area, area.first_column, area.end_column - 1, area.first_row, area.end_row - 1);
+}
+
+/// Depths that were compared in the last area: of this polygon and of the one that it was given to.
+struct Depths {
+  std::vector<std::pair<std::int64_t, PlaneDepth>> mine, its;
+};
+Depths depths_in(const Question& q, const AreaThere& leaf, std::int32_t piece) {
+  Depths depths;
+  for (std::int64_t step = leaf.begin + 1; step < leaf.decided; ++step) {
+    const auto depth = event_at<PlaneDepth>(q.trace, step);
+    if (depth && depth->piece == piece) depths.mine.emplace_back(step, *depth);
+    if (depth && depth->piece == leaf.decide.piece) depths.its.emplace_back(step, *depth);
+  }
+  return depths;
+}
+
+Verdict why_behind(Question& q, const AreaThere& leaf, const BinThere& bin, const Touch& owner) {
+  const bool surrounded = leaf.decide.what == AreaCase::front_surrounder;
+  const std::string other = q.label(owner.polygon);
+  const Depths depths = depths_in(q, leaf, bin.bin.piece);
+  if (depths.mine.empty() || depths.its.empty()) return not_recorded(q);
+  Verdict verdict;
+  if (surrounded) {
+    verdict = q.verdict(Why::surrounded, leaf.decided, fmt::format("{} surrounds {} and is in front of it at all four corners, so all of the area became {} without a look at this pixel", other, area_text(leaf.area), other));
+    verdict.other = owner.polygon;
+    double least = no_depth;
+    for (std::size_t k = 0; k < std::min(depths.mine.size(), depths.its.size()); ++k) {
+      const PlaneDepth &mine = depths.mine[k].second, &its = depths.its[k].second;
+      verdict.formulas.push_back(fmt::format("at ({}, {}): {} of {} = {}, of {} = {}", number(mine.x_at), number(mine.y_at), q.z, q.name, told(mine.z), other, told(its.z)));
+      least = std::min(least, mine.z - its.z);
+    }
+    verdict.gap = least;
+    verdict.formulas.push_back(fmt::format("at the corner where it comes nearest: \u0394{} = {}", q.z, told(least)));
+  } else {
+    const double z = depths.mine.back().second.z, its = depths.its.back().second.z;
+    const bool tie = std::abs(z - its) <= 1e-12 * std::max({1.0, std::abs(z), std::abs(its)});
+    verdict = tie ? q.verdict(Why::tie, leaf.decided, fmt::format("at the pixel's centre it is exactly as near as {}, which comes first in the file", other))
+                  : q.verdict(Why::lost, leaf.decided, fmt::format("the area is this pixel alone, and at its centre {} is nearer by \u0394{} = {}", other, q.z, told(z - its)));
+    verdict.other = owner.polygon, verdict.gap = z - its;
+    verdict.formulas.push_back(difference(q.z, q.name, other, z, its));
+  }
+  verdict.chain.push_back({bin.step, q.polygon, fmt::format("{} is {} in area {}", q.name, words_of<Bin>[static_cast<std::size_t>(bin.bin.bin)], leaf.area.area)});
+  for (const auto& [step, depth] : depths.mine) verdict.chain.push_back({step, q.polygon, fmt::format("{} at ({}, {}): {} = {}", q.name, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
+  for (const auto& [step, depth] : depths.its) verdict.chain.push_back({step, owner.polygon, fmt::format("{} at ({}, {}): {} = {}", other, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
+  verdict.chain.push_back({leaf.decided, owner.polygon, fmt::format("area {} is given to {}", leaf.area.area, other)});
+  verdict.chain.push_back({owner.written, owner.polygon, fmt::format("the pixel becomes {}", other)});
+  return verdict;
+}
+
+}  // namespace
+
+Verdict why_by_areas(Question& q, const std::vector<FacetThere>& facets) {
+  const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
+  const std::vector<AreaThere> chain = areas_around(q);
+  const Touch* owner = holder(touches, q.trace.size() + 1);
+  if (owner && owner->polygon == q.polygon) {
+    const std::string area = chain.empty() ? "its area" : area_text(chain.back().area);
+    Verdict verdict = seen(q, owner->written, fmt::format("{} is filled with it, {} = {}", area, q.z, told(owner->z)), fmt::format("the pixel becomes {}", q.name));
+    if (!chain.empty()) verdict.chain.push_back({chain.back().decided, q.polygon, fmt::format("area {} is given to {}", chain.back().area.area, q.name)});
+    return verdict;
+  }
+  const auto bin = last_bin(q, chain, pieces_of(q, facets));
+  auto verdict = why_by_facets(q, facets);
+  const bool to_the_end = bin && bin->area + 1 == chain.size() && bin->bin.bin != Bin::disjoint;
+  if (!verdict) return to_the_end && owner ? why_behind(q, chain.back(), *bin, *owner) : not_recorded(q);
+  if (verdict->kind != Why::not_covered || !bin) return *verdict;
+
+  const AreaThere& area = chain[bin->area];
+  if (bin->bin.bin == Bin::disjoint) {
+    verdict->kind = Why::apart;
+    verdict->step = bin->step;
+    verdict->sentence += fmt::format(" It is disjoint from {}, so it is not looked at again in there.", area_text(area.area));
+    q.add_formulas(*verdict, bin->step);
+  } else {
+    verdict->step = area.decided;
+    verdict->sentence += fmt::format(" It reaches into {}, but not to this pixel's centre.", area_text(area.area));
+  }
+  verdict->chain.push_back({bin->step, q.polygon, fmt::format("{} is {} in area {}", q.name, words_of<Bin>[static_cast<std::size_t>(bin->bin.bin)], area.area.area)});
+  const AreaThere& leaf = chain.back();
+  const auto given = [&]() -> std::string {
+    if (owner) return "is given to " + q.label(owner->polygon);
+    return leaf.decide.what == AreaCase::background ? "stays background" : "is settled";
+  };
+  verdict->chain.push_back({leaf.decided, owner ? owner->polygon : no_polygon, fmt::format("area {} {}", leaf.area.area, given())});
+  if (owner) verdict->other = owner->polygon, verdict->chain.push_back({owner->written, owner->polygon, fmt::format("the pixel becomes {}", q.label(owner->polygon))});
+  return *verdict;
+}
+
+}  // namespace zstep::answers

@@ -1,0 +1,207 @@
+// A polygon before it reaches the raster: culled, edge-on, out of view, cut off, or simply beside the pixel.
+#include <algorithm>
+
+#include "algorithms/viewing/back_face.hpp"
+#include "sim/answers/why_not_parts.hpp"
+
+namespace zstep::answers {
+namespace {
+
+std::span<const std::int32_t> corners_of(const Scene& scene, std::int32_t facet) {
+  const Facet& shape = scene.facets[static_cast<std::size_t>(facet)];
+  return std::span(scene.corners).subspan(static_cast<std::size_t>(shape.first_corner), static_cast<std::size_t>(shape.corner_count));
+}
+
+bool in_space(const Scene& scene) { return scene.camera.kind != Camera::Kind::screen; }
+
+/// Where it was rejected after its mark, 0 if it was not.
+std::int64_t rejected_after(const Trace& trace, std::int64_t mark) {
+  const auto stop = next_of<PolygonReject, PolygonBegin, PieceMake, EdgeTableInsert, EdgeTableSkip, ScanLineBegin, AreaBegin, LineBegin, RayBegin>(
+      trace, mark, trace.size() + 1);
+  return stop && event_at<PolygonReject>(trace, *stop) ? *stop : 0;
+}
+
+void set_rejected(FacetThere& there, const Trace& trace, std::int64_t step) {
+  there.reject_step = step;
+  there.reason = event_at<PolygonReject>(trace, step)->reason;
+}
+
+/// Methods that reject a polygon after all marks (a tree's nodes) or without any (rays).
+void find_rejected_elsewhere(Question& q, std::vector<FacetThere>& facets) {
+  const bool rays = records<RayBegin>(q.trace), tree = records<EyeSide>(q.trace);
+  for (FacetThere& there : facets) {
+    if (there.rejected()) continue;
+    const auto corners = corners_of(q.scene, there.facet);
+    const bool nothing = clipping::degenerate(q.scene, corners);
+    if (!(rays && nothing) && !(tree && there.away)) continue;
+    const auto of_it = [&](const RecordedEvent& recorded) {
+      const auto* reject = std::get_if<PolygonReject>(&recorded.event);
+      return (reject && reject->polygon == q.polygon) || (rays && is_one_of<RayBegin>(recorded));
+    };
+    const auto step = q.trace.next(last_mark(q.trace), of_it);
+    if (step && event_at<PolygonReject>(q.trace, *step)) set_rejected(there, q.trace, *step);
+  }
+}
+
+std::string point(const glm::dvec3& p) { return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z)); }
+
+void add_facing(Question& q, Verdict& verdict, const FacetThere& there) {
+  const auto corners = corners_of(q.scene, there.facet);
+  const bool parallel = q.scene.camera.kind == Camera::Kind::orthographic;
+  const glm::dvec3 p = q.scene.points[static_cast<std::size_t>(corners[0])], e = q.scene.camera.eye;
+  const glm::dvec3 n = clipping::newell_normal(q.scene, corners);
+  const double value = clipping::view_dot_normal(q.scene, corners);
+  verdict.formulas.push_back(fmt::format("{}\u00b7n = {}\u00b7{} = {} > 0: it faces away", parallel ? "(line of sight)" : "(p \u2212 e)", point(parallel ? -e : p - e), point(n), number(value)));
+  if (!parallel) verdict.formulas.push_back(fmt::format("p = {} its first corner, e = {} the eye, n = {} its normal", point(p), point(e), point(n)));
+  if (there.mark > 0)
+    if (const auto test = next_of<FacingTest, PolygonReject>(q.trace, there.mark, there.reject_step); test && event_at<FacingTest>(q.trace, *test))
+      verdict.chain.push_back({*test, q.polygon, fmt::format("facing test: {} faces away", q.name)});
+}
+
+const char* reason_text(Reject reason) {
+  switch (reason) {
+    case Reject::back_facing: return "it faces away and was dropped";
+    case Reject::edge_on: return "it is seen edge-on and covers no area";
+    case Reject::outside: return "nothing of it lies in the view volume";
+    case Reject::degenerate: return "it has no area, or coordinates that no raster can hold";
+  }
+  return "";
+}
+
+Why kind_of_reason(Reject reason) {
+  switch (reason) {
+    case Reject::back_facing: return Why::culled;
+    case Reject::edge_on: return Why::edge_on;
+    case Reject::outside: return Why::outside;
+    case Reject::degenerate: break;
+  }
+  return Why::degenerate;
+}
+
+void add_beginning(const Question& q, Verdict& verdict, const FacetThere& there) {
+  if (there.mark > 0) verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
+}
+
+/// Facing away, whether a step says so or a ray's plane test alone.
+bool culled(const FacetThere& there) { return there.rejected() ? there.reason == Reject::back_facing : there.away; }
+
+Verdict of_rejected(Question& q, const FacetThere& there) {
+  const Reject reason = culled(there) ? Reject::back_facing : there.reason;
+  Verdict verdict = q.verdict(kind_of_reason(reason), there.reject_step, there.rejected() ? reason_text(reason) : "it faces away, and such are not met by rays from the eye");
+  add_beginning(q, verdict, there);
+  if (reason == Reject::back_facing) add_facing(q, verdict, there);
+  if (reason == Reject::outside && there.mark > 0)
+    if (const auto test = next_of<ClipTest>(q.trace, there.mark, there.reject_step)) {
+      verdict.chain.push_back({*test, q.polygon, "outcodes of its vertices"});
+      q.add_formulas(verdict, *test);
+    }
+  verdict.chain.push_back({there.reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
+  return verdict;
+}
+
+/// Its part at the pixel lies before the near plane or beyond the far one.
+Verdict of_cut(Question& q, const FacetThere& there) {
+  const Camera& camera = q.scene.camera;
+  const double z = *there.cut_at;
+  const bool before = z < camera.near, behind_eye = z <= 0 && camera.kind == Camera::Kind::perspective;
+  const std::string reason = behind_eye ? "what would cover the pixel lies behind the eye and was cut off" : before ? "what would cover the pixel lies before the near plane and was cut off" : "what would cover the pixel lies beyond the far plane and was cut off";
+  Verdict verdict = q.verdict(Why::clipped, 0, reason);
+  add_beginning(q, verdict, there);
+  verdict.formulas.push_back(fmt::format("on the line of sight it is at z_v = {}; near = {}, far = {}", number(z), number(camera.near), number(camera.far)));
+  if (there.mark > 0) {
+    const std::int64_t end = next_mark(q.trace, there.mark);
+    const auto cut = next_within(q.trace, there.mark, end, [&](const RecordedEvent& recorded) {
+      const auto* held = std::get_if<ClipVertex>(&recorded.event);
+      return (held && !held->inside && (held->plane == ClipPlane::near) == before) || is_one_of<EdgeTableInsert, PieceMake, PolygonReject>(recorded);
+    });
+    if (cut && event_at<ClipVertex>(q.trace, *cut)) {
+      verdict.step = *cut;
+      verdict.chain.push_back({*cut, q.polygon, fmt::format("a vertex of {} lies outside the {} plane", q.name, before ? "near" : "far")});
+      q.add_formulas(verdict, *cut);
+    } else if (there.rejected()) {
+      verdict.step = there.reject_step;
+      verdict.chain.push_back({there.reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
+    }
+  }
+  return verdict;
+}
+
+/// The nearer to being seen the higher.
+int rank(const FacetThere& there) {
+  if (there.covers() && !there.rejected() && !there.away) return 5;
+  if (there.covers() && culled(there)) return 4;
+  if (there.cut_at) return 3;
+  if (there.at && (!there.rejected() || culled(there))) return 2;
+  return 1;
+}
+
+}  // namespace
+
+std::vector<FacetThere> facets_there(Question& q) {
+  std::vector<FacetThere> facets;
+  for (const std::int32_t facet : q.facets()) {
+    FacetThere there;
+    there.facet = facet;
+    const auto corners = corners_of(q.scene, facet);
+    there.away = in_space(q.scene) && q.trace.header().conventions.cull && !clipping::degenerate(q.scene, corners) && clipping::view_dot_normal(q.scene, corners) > 0;
+    there.at = compare::facet_at(q.scene, facet, false, q.pixel.x, q.pixel.y);
+    if (in_space(q.scene) && !there.covers())
+      if (const auto z = compare::depth_on_sight(q.scene, facet, q.pixel.x, q.pixel.y); z && (*z < q.scene.camera.near || *z > q.scene.camera.far)) there.cut_at = z;
+    facets.push_back(there);
+  }
+  for (const std::int64_t mark : marks_of(q.trace, q.polygon)) {
+    const auto begin = event_at<PolygonBegin>(q.trace, mark);
+    for (FacetThere& there : facets) {
+      if (!begin || begin->facet != there.facet) continue;
+      there.mark = mark;
+      if (const std::int64_t step = rejected_after(q.trace, mark)) set_rejected(there, q.trace, step);
+    }
+  }
+  find_rejected_elsewhere(q, facets);
+  return facets;
+}
+
+std::string beside_text(const Question& q, const FacetThere& there) {
+  if (!there.at) return fmt::format("no part of it is in view {}", q.where);
+  const std::string far = number(there.at->candidate.edge);
+  if (there.at->candidate.edge <= compare::edge_tolerance) return "the pixel's centre lies on its outline, and the half-open rule gives it to the neighbour";
+  if (there.at->in_square) return fmt::format("it covers the pixel only in part: the centre lies {} pixels outside its outline", far);
+  return fmt::format("it does not cover the pixel's centre, which lies {} pixels outside its outline", far);
+}
+
+std::optional<Verdict> why_by_facets(Question& q, const std::vector<FacetThere>& facets) {
+  if (facets.empty()) return q.verdict(Why::degenerate, 0, "it has fewer than three different corners, so there is no facet to draw");
+  const FacetThere* best = nullptr;
+  const auto nearer = [](const FacetThere& one, const FacetThere& other) {
+    if (rank(one) != rank(other)) return rank(one) > rank(other);
+    return one.at && other.at && one.at->candidate.edge < other.at->candidate.edge;
+  };
+  for (const FacetThere& there : facets)
+    if (!best || nearer(there, *best)) best = &there;
+  if (rank(*best) == 5) {
+    // On its outline rounding decides, and the method's own arithmetic has.
+    if (best->at->candidate.sure()) return std::nullopt;
+    Verdict verdict = q.verdict(Why::not_covered, best->mark, beside_text(q, *best));
+    verdict.facet = best->facet;
+    add_beginning(q, verdict, *best);
+    return verdict;
+  }
+  Verdict verdict;
+  if (best->cut_at) {
+    verdict = of_cut(q, *best);
+  } else if (best->covers() || (best->rejected() && !culled(*best))) {
+    verdict = of_rejected(q, *best);
+  } else {
+    verdict = q.verdict(Why::not_covered, best->mark, beside_text(q, *best));
+    add_beginning(q, verdict, *best);
+    if (best->at) verdict.formulas.push_back(fmt::format("from ({}, {}) to its nearest edge: {} pixels", q.pixel.x, q.pixel.y, number(best->at->candidate.edge)));
+    if (culled(*best)) verdict.sentence += " Besides, it faces away and is not drawn.";
+    if (best->rejected()) {
+      verdict.chain.push_back({best->reject_step, q.polygon, fmt::format("{} is dropped: it faces away", q.name)});
+    }
+  }
+  verdict.facet = best->facet;
+  return verdict;
+}
+
+}  // namespace zstep::answers

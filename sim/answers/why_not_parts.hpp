@@ -1,0 +1,96 @@
+// What the answers for the families of methods share. For why_not*.cpp only.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/answers/find.hpp"
+#include "sim/answers/pixel_history.hpp"
+#include "sim/answers/why_not.hpp"
+#include "sim/compare/facet_at.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+#include "traces/replay/replay.hpp"
+
+namespace zstep::answers {
+
+/// A depth with the digits that tell depths apart, and with a real minus sign.
+inline std::string told(double z) {
+  std::string text = depth_text(z);
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
+  return text;
+}
+/// "Δz = z of A − z of B = 2 − (−1) = 3".
+inline std::string difference(const std::string& symbol, const std::string& one, const std::string& other, double a, double b) {
+  const std::string second = b < 0 ? "(" + told(b) + ")" : told(b);
+  return fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", symbol, one, other, told(a), second, told(a - b));
+}
+
+/// A question: this polygon at this pixel.
+struct Question {
+  const Trace& trace;
+  const Scene& scene;
+  std::int32_t polygon;
+  Trace::Pixel pixel;
+  std::string name;   ///< the polygon's label
+  std::string where;  ///< "at pixel (3, 4)"
+  std::string z;      ///< what depths are called
+
+  Question(const Trace& asked, std::int32_t of, Trace::Pixel at);
+
+  std::string label(std::int32_t other) const { return polygon_label(scene, other); }
+  std::int32_t polygon_of_facet(std::int32_t facet) const;
+  std::vector<std::int32_t> facets() const;  ///< the polygon's
+
+  /// "A is not seen at pixel (3, 4): " and the reason.
+  Verdict verdict(Why kind, std::int64_t step, const std::string& reason) const;
+  /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas. `stored`: who held the pixel before.
+  void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored = nullptr);
+  void add_formulas(Verdict& verdict, std::int64_t step) { add_formulas(verdict, step, polygon); }
+  /// By a replay: dear in a long trace, so only for what single events cannot tell.
+  const State& state_at(std::int64_t step);
+
+ private:
+  std::optional<Replay> replay_;
+};
+
+/// One facet of the polygon before the raster: was it drawn, and does it cover the pixel?
+struct FacetThere {
+  std::int32_t facet = -1;
+  std::int64_t mark = 0;                       ///< where work on it begins, 0 where that is not recorded
+  std::int64_t reject_step = 0;                ///< 0 if it was not rejected
+  Reject reason = Reject::degenerate;          ///< if it was
+  bool away = false;                           ///< it faces away, and such are not drawn
+  std::optional<compare::FacetAt> at;          ///< facing left aside
+  std::optional<double> cut_at;                ///< z_v at which it would be seen, were it not before near or beyond far
+  bool rejected() const { return reject_step != 0; }
+  bool covers() const { return at && at->candidate.covers; }
+};
+std::vector<FacetThere> facets_there(Question& q);
+
+/// Why the polygon left nothing at the pixel, by its facets: culled, clipped, beside the pixel …
+/// nullopt if one that was drawn covers the centre: then the method has to say why.
+std::optional<Verdict> why_by_facets(Question& q, const std::vector<FacetThere>& facets);
+/// The same for one facet that does not cover the centre.
+std::string beside_text(const Question& q, const FacetThere& facet);
+
+// By families of methods. `facets` are those of the polygon; none throws for what a foreign trace leaves out.
+Verdict why_by_pixels(Question& q, const std::vector<FacetThere>& facets);  ///< compared or painted one by one
+Verdict why_by_sweep(Question& q, const std::vector<FacetThere>& facets);
+Verdict why_by_areas(Question& q, const std::vector<FacetThere>& facets);
+Verdict why_by_rays(Question& q, const std::vector<FacetThere>& facets);
+Verdict why_by_curves(Question& q);
+Verdict why_by_lines(Question& q);
+
+/// Why one piece was drawn before another: the tree's plane between them, or their places in the list.
+void add_order(Question& q, Verdict& verdict, std::int64_t earlier, std::int64_t later);
+
+/// It covers the pixel, but the trace says no more.
+Verdict not_recorded(const Question& q);
+/// It is what is seen: "A is what is seen at pixel (3, 4): how"; `what` the step did.
+Verdict seen(Question& q, std::int64_t step, const std::string& how, const std::string& what);
+
+}  // namespace zstep::answers

@@ -1,0 +1,229 @@
+// Rays: was the polygon's plane tested along the pixel's ray, was the point inside, was it the nearest; and if it was never
+// tested, which box or cell kept it from the ray.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/answers/why_not_parts.hpp"
+
+namespace zstep::answers {
+namespace {
+
+template <class E>
+struct At {
+  std::int64_t step = 0;
+  E event{};
+};
+
+/// What the eye's ray through the pixel did.
+struct Ray {
+  std::int64_t begin = 0, end = 0;
+  std::vector<At<RayPlane>> planes;  ///< of the polygon's facets
+  std::vector<At<RayHit>> hits;      ///< of the polygon's facets
+  std::vector<At<RayHit>> kept;      ///< whose ever, each nearer than all before
+  std::vector<At<BoxTest>> boxes;
+  std::vector<At<CellVisit>> cells;
+
+  const At<RayHit>* kept_before(std::int64_t step) const {
+    const At<RayHit>* last = nullptr;
+    for (const At<RayHit>& hit : kept)
+      if (hit.step < step) last = &hit;
+    return last;
+  }
+};
+
+std::optional<Ray> follow(const Question& q) {
+  const auto through = [&](const RecordedEvent& recorded) {
+    const auto* ray = std::get_if<RayBegin>(&recorded.event);
+    return ray && ray->role == RayRole::eye && ray->x == q.pixel.x && ray->y == q.pixel.y;
+  };
+  const auto begin = q.trace.next(0, through, q.pixel);
+  if (!begin) return std::nullopt;
+  Ray ray;
+  ray.begin = *begin;
+  for (ray.end = *begin + 1; ray.end <= q.trace.size(); ++ray.end) {
+    const std::int64_t step = ray.end;
+    const Event& event = q.trace.event(step).event;
+    if (std::holds_alternative<RayEnd>(event) || std::holds_alternative<RayBegin>(event)) break;
+    if (const auto* plane = std::get_if<RayPlane>(&event); plane && q.polygon_of_facet(plane->facet) == q.polygon) ray.planes.push_back({step, *plane});
+    if (const auto* box = std::get_if<BoxTest>(&event)) ray.boxes.push_back({step, *box});
+    if (const auto* cell = std::get_if<CellVisit>(&event)) ray.cells.push_back({step, *cell});
+    if (const auto* hit = std::get_if<RayHit>(&event)) {
+      if (hit->nearest) ray.kept.push_back({step, *hit});
+      if (q.polygon_of_facet(hit->facet) == q.polygon) ray.hits.push_back({step, *hit});
+    }
+  }
+  return ray;
+}
+
+void add_gap(const Question& q, Verdict& verdict, double t, double other) {
+  verdict.gap = t - other;
+  verdict.formulas.push_back(difference("t", q.name, q.label(verdict.other), t, other));
+}
+
+void add_hit(const Question& q, Verdict& verdict, const At<RayHit>& hit) {
+  const std::int32_t polygon = q.polygon_of_facet(hit.event.facet);
+  verdict.chain.push_back({hit.step, polygon, fmt::format("the ray meets {} at t = {}{}", q.label(polygon), told(hit.event.t), hit.event.nearest ? ", the nearest so far" : "")});
+}
+
+/// It was met inside its outline, and another is nearer.
+Verdict why_behind(Question& q, const Ray& ray, const At<RayHit>& mine) {
+  const At<RayHit>* other = nullptr;
+  if (mine.event.nearest) {
+    for (const At<RayHit>& hit : ray.kept)
+      if (!other && hit.step > mine.step) other = &hit;
+  } else {
+    other = ray.kept_before(mine.step);
+  }
+  if (!other) return not_recorded(q);
+  const std::int32_t who = q.polygon_of_facet(other->event.facet);
+  const bool tie = mine.event.t == other->event.t;
+  const std::string gap = told(mine.event.t - other->event.t);
+  Verdict verdict = tie                  ? q.verdict(Why::tie, std::max(mine.step, other->step), fmt::format("the ray meets it at exactly the same t as {}, which comes first in the file", q.label(who)))
+                    : mine.event.nearest ? q.verdict(Why::overwritten, other->step, fmt::format("it was the nearest on the ray from step {} on, until {} was met at step {}, nearer by \u0394t = {}", grouped(mine.step), q.label(who), grouped(other->step), gap))
+                                         : q.verdict(Why::lost, mine.step, fmt::format("the ray meets it at step {}, but {} is nearer by \u0394t = {}", grouped(mine.step), q.label(who), gap));
+  verdict.other = who, verdict.facet = mine.event.facet;
+  add_gap(q, verdict, mine.event.t, other->event.t);
+  q.add_formulas(verdict, mine.step);
+  add_hit(q, verdict, mine);
+  add_hit(q, verdict, *other);
+  return verdict;
+}
+
+/// Boxes and cells are made before the first ray.
+std::int64_t first_ray(const Question& q) { return next_of<RayBegin>(q.trace, 0, q.trace.size() + 1).value_or(q.trace.size() + 1); }
+
+/// The boxes around a facet, the innermost first.
+std::vector<std::int32_t> boxes_around(const Question& q, std::int32_t facet, std::int64_t rays) {
+  std::vector<std::int32_t> boxes;
+  const auto hold = next_within(q.trace, 0, rays, [facet](const RecordedEvent& recorded) {
+    const auto* held = std::get_if<BoxHold>(&recorded.event);
+    return held && held->facet == facet;
+  });
+  std::int32_t box = hold ? event_at<BoxHold>(q.trace, *hold)->box : -1;
+  while (box >= 0 && boxes.size() < 128) {
+    boxes.push_back(box);
+    const auto made = numbered(q.trace, 0, rays, &BoxMake::box, box);
+    box = made ? event_at<BoxMake>(q.trace, *made)->parent : -1;
+  }
+  return boxes;
+}
+
+std::vector<CellHold> cells_around(const Question& q, std::int32_t facet, std::int64_t rays) {
+  const auto of_it = [facet](const RecordedEvent& recorded) {
+    const auto* held = std::get_if<CellHold>(&recorded.event);
+    return held && held->facet == facet;
+  };
+  std::vector<CellHold> cells;
+  if (const auto first = next_within(q.trace, 0, rays, of_it))  // those of one facet stand side by side
+    for (std::int64_t step = *first; step < rays && of_it(q.trace.event(step)); ++step) cells.push_back(*event_at<CellHold>(q.trace, step));
+  return cells;
+}
+
+/// What kept a facet that was never tested from the ray.
+struct Barrier {
+  std::int64_t step = 0;
+  bool missed = false;  ///< the ray does not go through there at all; else something nearer was known
+  double t = 0;         ///< where the ray would have entered
+  std::string what;
+};
+std::optional<Barrier> barrier_before(const Question& q, const Ray& ray, std::int32_t facet) {
+  if (ray.boxes.empty() && ray.cells.empty()) return std::nullopt;
+  const std::int64_t rays = first_ray(q);
+  const std::vector<std::int32_t> around = boxes_around(q, facet, rays);
+  std::optional<Barrier> barrier;
+  for (auto box = around.rbegin(); box != around.rend(); ++box)  // from the outermost
+    for (const At<BoxTest>& test : ray.boxes) {
+      if (test.event.box != *box) continue;
+      barrier = Barrier{test.step, !(test.event.t_enter <= test.event.t_leave), test.event.t_enter, fmt::format("box {}", *box)};
+      if (!test.event.hit) return barrier;
+    }
+  if (barrier) return barrier;  // it was met, and another was found before its inside was looked at
+  const std::vector<CellHold> cells = cells_around(q, facet, rays);
+  if (cells.empty() || ray.cells.empty()) return std::nullopt;
+  const At<CellVisit>& last = ray.cells.back();
+  return Barrier{last.step, ray.kept.empty(), last.event.t_leave, fmt::format("each of the {} cell{} that hold{} it", cells.size(), cells.size() == 1 ? "" : "s", cells.size() == 1 ? "s" : "")};
+}
+
+Verdict why_unreached(Question& q, const Ray& ray, const Barrier& barrier, std::int32_t facet) {
+  if (ray.kept.empty()) return not_recorded(q);
+  const At<RayHit>& other = ray.kept.back();
+  const std::int32_t who = q.polygon_of_facet(other.event.facet);
+  Verdict verdict = q.verdict(Why::unreached, barrier.step, fmt::format("the ray met {} at t = {} and would enter {} only beyond that, so it was never tested", q.label(who), told(other.event.t), barrier.what));
+  verdict.other = who, verdict.facet = facet;
+  verdict.formulas.push_back(fmt::format("t kept = {}, t where {} begins \u2265 {}", told(other.event.t), barrier.what, told(barrier.t)));
+  q.add_formulas(verdict, barrier.step);
+  verdict.chain.push_back({barrier.step, q.polygon, barrier.what.starts_with("box") ? fmt::format("the ray is held against {}, which holds {}", barrier.what, q.name) : "the last cell that the ray enters"});
+  add_hit(q, verdict, other);
+  return verdict;
+}
+
+/// Beside the pixel, turned away, or cut off: what of it the ray recorded.
+void tell_ray(Question& q, Verdict& verdict, const Ray& ray) {
+  const auto of_facet = [&](const auto& all) {
+    for (const auto& one : all)
+      if (one.event.facet == verdict.facet) return &one;
+    return static_cast<decltype(&all[0])>(nullptr);
+  };
+  const At<RayPlane>* plane = ray.planes.empty() ? nullptr : of_facet(ray.planes);
+  const At<RayHit>* hit = ray.hits.empty() ? nullptr : of_facet(ray.hits);
+  if (plane) {
+    verdict.chain.push_back({plane->step, q.polygon, fmt::format("the ray and the plane of {}: t = {}", q.name, number(plane->event.t))});
+    if (verdict.kind != Why::not_covered || !hit) verdict.step = plane->step;
+    q.add_formulas(verdict, plane->step);
+    if (verdict.kind == Why::culled) verdict.formulas.push_back(fmt::format("dX\u00b7n = {} > 0: the plane's normal points the way the ray goes", number(plane->event.denominator)));
+  }
+  if (hit && verdict.kind == Why::not_covered) {
+    verdict.step = hit->step;
+    q.add_formulas(verdict, hit->step);
+    verdict.chain.push_back({hit->step, q.polygon, fmt::format("the point on the plane lies outside {}", q.name)});
+  }
+  if (plane || verdict.kind != Why::not_covered) return;
+  const auto barrier = barrier_before(q, ray, verdict.facet);
+  if (!barrier) return;
+  if (barrier->missed) verdict.kind = Why::box_missed;
+  verdict.step = barrier->step;
+  verdict.sentence += barrier->missed ? fmt::format(" The ray misses {}, so it was never tested.", barrier->what) : fmt::format(" It was not tested, as something nearer was met before {}.", barrier->what);
+  q.add_formulas(verdict, barrier->step);
+  verdict.chain.push_back({barrier->step, q.polygon, barrier->what.starts_with("box") ? fmt::format("the ray is held against {}, which holds {}", barrier->what, q.name) : "the last cell that the ray enters"});
+}
+
+}  // namespace
+
+Verdict why_by_rays(Question& q, const std::vector<FacetThere>& facets) {
+  const auto ray = follow(q);
+  if (!ray) {
+    const auto verdict = why_by_facets(q, facets);
+    return verdict ? *verdict : not_recorded(q);
+  }
+  if (!ray->kept.empty() && q.polygon_of_facet(ray->kept.back().event.facet) == q.polygon) {
+    const At<RayHit>& hit = ray->kept.back();
+    const auto paint = next_within(q.trace, ray->end, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
+      const auto* painted = std::get_if<PixelPaint>(&recorded.event);
+      const auto* next = std::get_if<RayBegin>(&recorded.event);
+      return painted || (next && next->role == RayRole::eye);
+    });
+    const std::int64_t step = paint && event_at<PixelPaint>(q.trace, *paint) ? *paint : hit.step;  // a recording may end before
+    Verdict verdict = seen(q, step, fmt::format("the ray meets it first, at t = {}", told(hit.event.t)), fmt::format("the pixel becomes {}", q.name));
+    verdict.facet = hit.event.facet;
+    q.add_formulas(verdict, hit.step);
+    add_hit(q, verdict, hit);
+    return verdict;
+  }
+  const At<RayHit>* mine = nullptr;
+  for (const At<RayHit>& hit : ray->hits)
+    if (hit.event.inside && (!mine || hit.event.t < mine->event.t)) mine = &hit;
+  if (mine) return why_behind(q, *ray, *mine);
+
+  auto verdict = why_by_facets(q, facets);
+  if (verdict) {
+    tell_ray(q, *verdict, *ray);
+    if (!ray->kept.empty()) verdict->other = q.polygon_of_facet(ray->kept.back().event.facet), add_hit(q, *verdict, ray->kept.back());
+    return *verdict;
+  }
+  for (const FacetThere& there : facets)
+    if (there.covers() && !there.rejected())
+      if (const auto barrier = barrier_before(q, *ray, there.facet)) return why_unreached(q, *ray, *barrier, there.facet);
+  return not_recorded(q);
+}
+
+}  // namespace zstep::answers

@@ -1,0 +1,218 @@
+// Why a polygon is not what is seen: which one is typed or picked, then the verdict with its numbers and its steps, each a jump.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr std::size_t listed = 200;  // polygons; of more, something must be typed
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string place_text(const std::optional<Cell>& cell) { return cell ? fmt::format("at pixel ({}, {})", cell->x, cell->y) : "anywhere"; }
+
+void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32_t polygon) {
+  const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({at.x, top}, {at.x + box, top + box}, to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
+  frame_box(list, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
+}
+
+/// A line of a list; true when clicked. Leaves the cursor below it.
+bool begin_row(App& app, std::size_t place, ImVec2& at, float height) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const float width = ImGui::GetContentRegionAvail().x;
+  at = ImGui::GetCursorScreenPos();
+  const ImVec2 end{at.x + width, at.y + height};
+  ImGui::PushID(static_cast<int>(place));
+  const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0f, width), height});
+  ImGui::PopID();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (static_cast<int>(place) == app.picked) {
+    list->AddRectFilled(at, end, c.now_soft);
+    list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
+    if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
+  } else if (ImGui::IsItemHovered()) {
+    list->AddRectFilled(at, end, c.button_hovered);
+  }
+  return clicked;
+}
+
+bool draw_link(App& app, std::size_t place) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const answers::Link& link = app.why().chain[place];
+  const float height = std::round(ui.em * 1.4f);
+  ImVec2 at;
+  const bool clicked = begin_row(app, place, at, height);
+  const float y = at.y + ui.em * 0.15f;
+  const bool decides = link.step == app.why().step;
+  draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, decides ? c.text : c.muted, grouped(link.step));
+  if (link.polygon != no_polygon) {
+    draw_swatch(ui, {at.x + ui.em * 6, at.y}, height, app.session().scene(), link.polygon);
+    draw_text(ui, {at.x + ui.em * 7, y}, ui.fonts.bold, c.text, polygon_label(app.session().scene(), link.polygon));
+  }
+  draw_text(ui, {at.x + ui.em * 12, y}, decides ? ui.fonts.bold : ui.fonts.text, c.text, link.text + (decides ? " \u2014 this decides" : ""));
+  return clicked;
+}
+
+}  // namespace
+
+void App::open_why() {
+  why_of_ = session_.selected ? session_.selected : session_.current_cell();
+  why_anywhere_ = !why_of_;
+  const bool from_history = overlay_ == Overlay::history && static_cast<std::size_t>(std::max(0, picked)) < history_.size();
+  if (from_history) {
+    why_of_ = history_of_;
+    const std::int32_t polygon = history_[static_cast<std::size_t>(std::max(0, picked))].polygon;
+    if (polygon != no_polygon) return ask_why(polygon);
+  }
+  open(Overlay::why_ask);
+  const std::vector<std::int32_t> all = why_candidates();
+  const auto at_work = std::find(all.begin(), all.end(), session_.state().machine.polygon);
+  if (at_work != all.end()) picked = static_cast<int>(at_work - all.begin());
+  scroll_to_picked = true;
+}
+
+std::vector<std::int32_t> App::why_candidates() const {
+  const Scene& scene = session_.scene();
+  const std::string wanted = lower(typed);
+  std::vector<std::int32_t> found;
+  // What is meant exactly comes first: "1" is number 1 before it is a part of 10.
+  const auto exact = answers::polygon_called(scene, typed);
+  if (exact) found.push_back(*exact);
+  for (std::size_t k = 0; k < scene.polygons.size() && found.size() < listed; ++k) {
+    const auto polygon = static_cast<std::int32_t>(k);
+    if (exact != polygon && lower(polygon_label(scene, polygon)).find(wanted) != std::string::npos) found.push_back(polygon);
+  }
+  return found;
+}
+
+void App::ask_why(std::int32_t polygon) {
+  why_polygon_ = polygon;
+  try {
+    why_ = why_anywhere_ ? answers::why_not(session_.trace(), polygon) : answers::why_not(session_.trace(), polygon, {why_of_->x, why_of_->y});
+  } catch (const InputError& error) {
+    return say(error.what());
+  }
+  if (!why_anywhere_) session_.select(*why_of_);
+  else if (why_.pixel) session_.select(Cell{why_.pixel->x, why_.pixel->y});
+  open(Overlay::why);
+  for (std::size_t k = 0; k < why_.chain.size(); ++k)
+    if (why_.chain[k].step == why_.step) picked = static_cast<int>(k);
+  scroll_to_picked = true;
+}
+
+void App::turn_why() {
+  if (why_anywhere_ && !why_of_) return say("No pixel is selected or at work; click one, then Y asks about it.");
+  why_anywhere_ = !why_anywhere_;
+  if (overlay_ == Overlay::why) ask_why(why_polygon_);
+}
+
+void App::go_to_link(std::size_t link) {
+  picked = static_cast<int>(link);
+  if (link < why_.chain.size()) session_.go_to(why_.chain[link].step);
+}
+
+bool App::pick_candidate(SDL_Keycode code) {
+  const std::vector<std::int32_t> found = why_candidates();
+  if (code == SDLK_TAB) return turn_why(), true;
+  if (code == SDLK_RETURN) {
+    if (static_cast<std::size_t>(picked) < found.size()) ask_why(found[static_cast<std::size_t>(picked)]);
+    return true;
+  }
+  if (code != SDLK_UP && code != SDLK_DOWN) return false;
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(found.size()) - 1));
+  scroll_to_picked = true;
+  return true;
+}
+
+bool App::pick_link(SDL_Keycode code) {
+  if (code == SDLK_TAB) return turn_why(), true;
+  if (code == SDLK_BACKSPACE) {
+    open(Overlay::why_ask);
+    return true;
+  }
+  if (code == SDLK_RETURN) return go_to_link(static_cast<std::size_t>(picked)), true;
+  if (code != SDLK_UP && code != SDLK_DOWN) return false;
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(why_.chain.size()) - 1));
+  scroll_to_picked = true;
+  return true;
+}
+
+void draw_why_ask(App& app) {
+  Ui& ui = app.ui();
+  const Scene& scene = app.session().scene();
+  const float height = std::round(ui.em * 1.4f);
+  begin_overlay(app, "why ask", {ui.em * 30, height * 12 + ui.em * 5});
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, fmt::format("Why not \u2026 {}?", place_text(app.why_of())), heading);
+  draw_field(ui, app.typed, "A polygon's name or number");
+  Flow how;
+  how.color = ui.colors().muted;
+  flow(ui, fmt::format("Enter or a click asks; Tab asks {}; Esc closes.", app.why_of() ? "of the whole picture" : "of the pixel"), how);
+  const std::vector<std::int32_t> found = app.why_candidates();
+  std::optional<std::int32_t> clicked;
+  ImGui::BeginChild("polygons", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+  for (std::size_t place = 0; place < found.size(); ++place) {
+    ImVec2 at;
+    if (begin_row(app, place, at, height)) clicked = found[place];
+    draw_swatch(ui, {at.x + ui.em * 0.6f, at.y}, height, scene, found[place]);
+    draw_text(ui, {at.x + ui.em * 1.8f, at.y + ui.em * 0.15f}, ui.fonts.bold, ui.colors().text, polygon_label(scene, found[place]));
+    draw_text(ui, {at.x + ui.em * 18, at.y + ui.em * 0.15f}, ui.fonts.mono, ui.colors().muted, fmt::format("number {}", found[place]));
+  }
+  app.scroll_to_picked = false;
+  if (found.empty()) say_empty(ui, "No polygon is called so.");
+  if (found.size() >= listed) say_empty(ui, fmt::format("{} polygons are listed of {}; type to find others.", listed, grouped(static_cast<std::int64_t>(scene.polygons.size()))));
+  ImGui::EndChild();
+  ImGui::End();
+  if (clicked) app.ask_why(*clicked);
+}
+
+void draw_why(App& app) {
+  Ui& ui = app.ui();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  begin_overlay(app, "why", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, fmt::format("Why not {} {}?", polygon_label(app.session().scene(), app.why_polygon()), place_text(app.why_of())), heading);
+  Flow how;
+  how.color = ui.colors().muted;
+  flow(ui, fmt::format("Enter or a click goes to a step; Tab asks {}; Backspace picks another polygon; Esc closes.", app.why_of() ? "of the whole picture" : "of the pixel"), how);
+  Flow formula;
+  formula.font = ui.fonts.mono;
+  // The steps stand right below the verdict; where both are long, each has half of the room.
+  const float room = ImGui::GetContentRegionAvail().y, row = std::round(ui.em * 1.4f);
+  const float rows = std::min(room * 0.5f, row * static_cast<float>(app.why().chain.size()) + ui.em * 0.5f);
+  float text = flow_height(ui, app.why().sentence, {}) + ui.em * 0.8f;
+  for (const std::string& line : app.why().formulas) text += flow_height(ui, line, formula) + ui.em * 0.25f;
+  ImGui::BeginChild("verdict", {ImGui::GetContentRegionAvail().x, std::min(text, room - rows)}, false, ImGuiWindowFlags_NoNav);
+  flow(ui, app.why().sentence, {});
+  for (const std::string& line : app.why().formulas) flow(ui, line, formula);
+  ImGui::EndChild();
+  std::optional<std::size_t> clicked;
+  if (!app.why().chain.empty()) {
+    ImGui::BeginChild("links", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+    for (std::size_t place = 0; place < app.why().chain.size(); ++place)
+      if (draw_link(app, place)) clicked = place;
+    ImGui::EndChild();
+  }
+  app.scroll_to_picked = false;
+  ImGui::End();
+  if (clicked) app.go_to_link(*clicked);
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,101 @@
+// "Why not" in the viewer: a key, a polygon typed or picked, each step of the verdict a jump.
+#include <doctest/doctest.h>
+
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+using answers::Why;
+
+TEST_CASE("Y asks why a polygon is not seen at the selected pixel, and goes to each step of the answer") {
+  const Trace trace = test::record_run("pyramid-behind");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().select(Cell{15, 12});
+  const test::Bytes before = test::picture(app);
+  test::press(app, SDLK_y);
+  test::type(app, "y");  // the key's own letter is not typed
+  REQUIRE(app.overlay() == Overlay::why_ask);
+  CHECK(app.typed.empty());
+  CHECK(app.why_of() == Cell{15, 12});
+  CHECK(app.why_candidates().size() == 7);
+  CHECK(test::picture(app) != before);
+  test::type(app, "f");
+  CHECK(app.why_candidates() == std::vector<std::int32_t>{0});
+  test::press(app, SDLK_RETURN);
+  REQUIRE(app.overlay() == Overlay::why);
+  CHECK(app.why().kind == Why::overwritten);
+  REQUIRE(app.why().chain.size() == 3);
+  CHECK(app.why().chain[static_cast<std::size_t>(app.picked)].step == app.why().step);
+  test::press(app, SDLK_UP);
+  test::press(app, SDLK_UP);
+  test::press(app, SDLK_RETURN);
+  CHECK(app.session().position() == app.why().chain[0].step);
+  CHECK(app.overlay() == Overlay::why);
+
+  // The same of the whole picture, and back.
+  test::press(app, SDLK_TAB);
+  CHECK_FALSE(app.why_of());
+  CHECK(app.why().kind == Why::seen);
+  CHECK(app.why().sentence.find("F is seen at ") == 0);
+  test::press(app, SDLK_TAB);
+  CHECK(app.why().kind == Why::overwritten);
+
+  // Another polygon, by number: 2 is B.
+  test::press(app, SDLK_BACKSPACE);
+  REQUIRE(app.overlay() == Overlay::why_ask);
+  test::type(app, "2");
+  test::press(app, SDLK_RETURN);
+  CHECK(app.why_polygon() == 2);
+  CHECK(app.why().kind == Why::culled);
+  test::type(app, "zzz");  // there is no field here
+  CHECK(app.typed.empty());
+  test::press(app, SDLK_ESCAPE);
+  CHECK(app.overlay() == Overlay::none);
+
+  test::press(app, SDLK_y);
+  test::type(app, "none of them");
+  CHECK(app.why_candidates().empty());
+  test::press(app, SDLK_RETURN);
+  CHECK(app.overlay() == Overlay::why_ask);
+}
+
+TEST_CASE("Y in a pixel's history asks about the polygon picked there; without a pixel it asks of the whole picture") {
+  const Trace trace = test::record_run("pyramid-behind");
+  App app(trace, nullptr, {}, 1280, 720);
+  test::press(app, SDLK_y);
+  CHECK_FALSE(app.why_of());
+  test::press(app, SDLK_TAB);
+  CHECK(app.overlay() == Overlay::why_ask);
+  CHECK_FALSE(app.session().message.empty());
+  test::press(app, SDLK_ESCAPE);
+
+  app.session().select(Cell{15, 12});
+  test::press(app, SDLK_h);
+  REQUIRE(app.history().size() == 4);
+  test::press(app, SDLK_DOWN);
+  test::press(app, SDLK_DOWN);
+  test::press(app, SDLK_DOWN);
+  test::press(app, SDLK_y);
+  REQUIRE(app.overlay() == Overlay::why);
+  CHECK(app.why_polygon() == app.history()[3].polygon);
+  CHECK(app.why().kind == Why::lost);
+}
+
+TEST_CASE("clicks pick a polygon and a step") {
+  const Trace trace = test::record_run("pyramid-behind");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().select(Cell{15, 12});
+  test::press(app, SDLK_y);
+  test::picture(app);
+  // Rows of the list, from its top: one of them is hit somewhere in the middle of the window.
+  test::click(app, 640, 360);
+  REQUIRE(app.overlay() == Overlay::why);
+  const std::int64_t at = app.session().position();
+  test::picture(app);
+  for (int y = 700; y > 500 && app.session().position() == at; y -= 12) test::click(app, 640, y);
+  CHECK(app.session().position() != at);
+  CHECK(app.overlay() == Overlay::why);
+  test::click(app, 640, 20);
+  CHECK(app.overlay() == Overlay::none);
+}
