@@ -33,7 +33,7 @@ Number horizon_at(Work& work, std::int64_t step, std::int32_t x, bool upper) {
   return work.derived(step, fmt::format("horizon {} {}", x, upper), fmt::format("{} horizon of column {}", upper ? "upper" : "lower", x), "y", value, [&](Datum& datum) {
     if (!moved) return datum.note("nothing was drawn there yet");
     datum.is("y_curve", {{"y_curve", value}});
-    work.later(*moved, "y_curve");
+    work.later(*moved, "y_curve", "y_curve");
   });
 }
 
@@ -69,8 +69,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, st
   const HorizonTest a = std::get<HorizonTest>(work.trace.event(*from).event), b = std::get<HorizonTest>(work.trace.event(*to).event);
   // Where the curve was on the column before, its own piece may have been another.
   const Number y_0 = work.derived(*from, "column before", fmt::format("the curve at x = {}", a.x), "y", a.y_curve, [&](Datum& datum_before) {
-    datum_before.is("y", {{"y", a.y_curve}});
-    work.later(*from, "y_curve");
+    datum_before.is("y_curve", {{"y_curve", a.y_curve}});
+    work.later(*from, "y_curve", "y_curve");
   });
   const Number y_1 = work.field(*to, "y_curve"), h_0 = horizon_at(work, *from, a.x, e.upper), h_1 = horizon_at(work, *to, b.x, e.upper);
   const bool x = field == "x_at";

@@ -38,7 +38,7 @@ struct ThroughSpace {
     const double z = work.state().picture.depth[work.state().picture.at(e.x, e.y)];
     return work.derived(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z, [&](Datum& datum) {
       datum.is("z", {{"z", z}});
-      if (const Step wrote = step_of_depth(work.trace, step, {e.x, e.y}, false)) work.later(*wrote, "z");
+      if (const Step wrote = step_of_depth(work.trace, step, {e.x, e.y}, false)) work.later(*wrote, "z", "z");
     });
   }
   Number z_v() {
@@ -96,7 +96,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, s
     const Step wrote = step_of_depth(work.trace, step, pixel, true);
     if (!wrote) return inner.note("the light saw nothing there");
     inner.is("z", {{"z", stored}});
-    work.later(*wrote, "z");
+    work.later(*wrote, "z", "z");
   });
   datum.comes_of("z_light is not behind shadow[x', y'] by more than the bias", {asked[0], shadow, asked[1], asked[2]});
 }

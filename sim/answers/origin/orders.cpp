@@ -78,9 +78,10 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std:
   if (e.overlap) datum.note("and other_low < high");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const VertexSide& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t step, const VertexSide& e, std::string_view field) {
   const auto value = [&](char letter) { return work.plane(e.plane_of, letter); };
-  if (field == "value" || field == "side")
+  if (field == "side") datum.comes_of("by the sign of the value", {work.field(step, "value")});
+  if (field == "value")
     datum.is("A*x + B*y + C*z + D", plane_at(value, [&](Axis3 axis) { return work.cutting(e.vertex, axis); }), false);
 }
 
@@ -176,6 +177,15 @@ void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::strin
   if (datum.number() == low.value) return datum.same_as("first", low);
   if (datum.number() == high.value) return datum.same_as("end", high);
   datum.is("first + floor((end - first)/2)", {{"first", low}, {"end", high}});
+}
+
+void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::string_view field) {
+  const Step area = find_last<AreaBegin>(work.trace, step, [](const AreaBegin&) { return true; });
+  if (!area || field == "piece") return;
+  std::vector<Number> numbers;
+  for (const char* side : {"x_min", "x_max", "y_min", "y_max"}) numbers.push_back(work.extent(e.piece, side));
+  for (const char* side : {"first_column", "end_column", "first_row", "end_row"}) numbers.push_back(work.field(*area, side));
+  datum.comes_of(field == "by_box" ? "does the piece's box miss the area, or lie in it?" : "the piece's edges and the corners of the area", numbers);
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {

@@ -75,7 +75,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const DepthCompare& e, st
     const bool kept = wrote && fragment->stored_polygon != no_polygon;
     if (!kept) return inner.note("nothing was drawn there yet");
     inner.is("z", {{"z", fragment->stored}});
-    work.later(*wrote, "z");
+    work.later(*wrote, "z", "z");
   });
   datum.holds_if("z < stored", {{"z", work.field(step, "z")}, {"stored", stored}});
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim/answers/origin/work.hpp"
+#include "sim/viewer/words/explain.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -9,6 +10,8 @@ namespace {
 constexpr std::size_t most_corners = 6;
 
 std::vector<std::int32_t> corners_at_work(const Work& work) {
+  const auto piece = static_cast<std::size_t>(work.machine().piece);
+  if (work.machine().piece >= 0 && piece < work.machine().pieces.size()) return work.machine().pieces[piece].outline;
   const auto at = static_cast<std::size_t>(work.machine().facet);
   if (work.machine().facet < 0 || at >= work.scene.facets.size()) return {};
   const Facet& facet = work.scene.facets[at];
@@ -33,7 +36,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const FacingTest&, std::s
   if (field == "facing") return datum.comes_of("by the sign of (p - e)·n", {work.field(step, "view_dot_normal")});
   const std::vector<std::int32_t> corners = corners_at_work(work);
   if (corners.size() < 3) return;
-  const Camera& camera = work.scene.camera;
+  const Camera camera = camera_at_work(work.scene, work.machine());
   const bool orthographic = camera.kind == Camera::Kind::orthographic;
   constexpr const char* names[] = {"x", "y", "z"};
   std::vector<Given> given;

@@ -62,8 +62,8 @@ std::string Work::step_name(std::int64_t step) const {
 
 std::string Work::source_line(std::int32_t line) const {
   const std::string file = std::filesystem::path(scene.source).filename().string();
-  if (line > 0) return fmt::format("{}:{}", file, line);
-  return file == "built-in" || file.empty() ? "scene " + scene.name : file;
+  const std::string name = file == "built-in" || file.empty() ? fmt::format("scene {}", scene.name) : file;
+  return line > 0 ? fmt::format("{}:{}", name, line) : name;
 }
 std::string Work::source_of_polygon(std::int32_t polygon) const {
   const auto place = static_cast<std::size_t>(polygon);
@@ -122,8 +122,8 @@ const VertexSteps& Work::steps_of(std::int32_t vertex) {
   return vertices_.emplace(vertex, steps_of_vertex(trace, machine(), at(), vertex)).first->second;
 }
 
-void Work::later(std::int64_t step, std::string_view name) {
-  if (step >= 1) later_.push_back({step, std::string(name), current_});
+void Work::later(std::int64_t step, std::string_view name, const std::string& symbol) {
+  if (step >= 1) later_.push_back({step, std::string(name), symbol, current_});
 }
 
 void Work::run_later() {
@@ -133,13 +133,11 @@ void Work::run_later() {
     replay_.go_to(next.step);
     vertices_.clear();
     current_ = next.parent;
-    const std::size_t before = chain.links.size();
     const Number number = field(next.step, next.name);
-    if (number.link < 0 || next.parent < 0 || chain.links.size() == before) continue;
-    // The operand that asked for it knows it by its value only.
+    if (number.link < 0 || next.parent < 0) continue;
     for (ChainValue& value : chain.links[static_cast<std::size_t>(next.parent)].values)
       for (Operand& operand : value.operands)
-        if (operand.link < 0 && operand.value == number.value) operand.link = number.link, operand.name = number.name;
+        if (operand.link < 0 && operand.symbol == next.symbol) operand.link = number.link, operand.name = number.name;
   }
   current_ = -1;
 }

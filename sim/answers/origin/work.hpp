@@ -98,8 +98,9 @@ class Work {
     current_ = outer;
     return {value, link, name};
   }
-  /// A field of a step at which the run stood elsewhere: told once all else is.
-  void later(std::int64_t step, std::string_view name);
+  /// A field of a step at which the run stood elsewhere: told once all else is, and then known to the operand with this symbol of
+  /// the link at work.
+  void later(std::int64_t step, std::string_view name, const std::string& symbol = "");
   void run_later();
 
   // --- What many numbers come from (vertices.cpp, edges.cpp, planes.cpp)
@@ -128,7 +129,7 @@ class Work {
   /// Where a new value stands; nothing if it is there already.
   std::optional<std::size_t> place_of(std::int32_t link, const std::string& name, double value);
 
-  struct Later { std::int64_t step; std::string name; std::int32_t parent; };
+  struct Later { std::int64_t step; std::string name, symbol; std::int32_t parent; };
   Replay& replay_;
   std::map<std::pair<std::int64_t, std::string>, std::int32_t> links_;
   std::map<std::int32_t, VertexSteps> vertices_;
@@ -152,7 +153,7 @@ ZSTEP_TOLD(DepthInterpolate) ZSTEP_TOLD(DepthCompare) ZSTEP_TOLD(DepthWrite) ZST
 ZSTEP_TOLD(ColorBlend) ZSTEP_TOLD(ColorWrite) ZSTEP_TOLD(ShadowCompare)
 ZSTEP_TOLD(PlaneEquation) ZSTEP_TOLD(Extent) ZSTEP_TOLD(PlaneDepth) ZSTEP_TOLD(ImpliedEdge) ZSTEP_TOLD(SpanFlags)
 ZSTEP_TOLD(ExtentTest) ZSTEP_TOLD(SideTest) ZSTEP_TOLD(VertexSide) ZSTEP_TOLD(OverlapTest) ZSTEP_TOLD(SplitVertex)
-ZSTEP_TOLD(EyeSide) ZSTEP_TOLD(NodeSkip) ZSTEP_TOLD(AreaBegin)
+ZSTEP_TOLD(EyeSide) ZSTEP_TOLD(NodeSkip) ZSTEP_TOLD(AreaBegin) ZSTEP_TOLD(AreaBin)
 ZSTEP_TOLD(BoxMake) ZSTEP_TOLD(GridMake) ZSTEP_TOLD(RayBegin) ZSTEP_TOLD(CellVisit) ZSTEP_TOLD(BoxTest) ZSTEP_TOLD(RayPlane) ZSTEP_TOLD(RayHit) ZSTEP_TOLD(RayEnd)
 ZSTEP_TOLD(CurveBegin) ZSTEP_TOLD(HorizonTest) ZSTEP_TOLD(HorizonMove) ZSTEP_TOLD(HorizonCross)
 ZSTEP_TOLD(LineCross) ZSTEP_TOLD(LineHide) ZSTEP_TOLD(LinePiece)
