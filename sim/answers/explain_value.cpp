@@ -10,9 +10,12 @@ namespace zstep::answers {
 namespace {
 
 bool matches(const Event& event, const Question& question) {
-  if (event.index() != *question.kind) return false;
+  if (std::find(question.kinds.begin(), question.kinds.end(), event.index()) == question.kinds.end()) return false;
+  if (question.value && field_number(event, question.field) != question.value) return false;
   return std::all_of(question.where.begin(), question.where.end(), [&](const auto& wanted) { return field_number(event, wanted.first) == static_cast<double>(wanted.second); });
 }
+
+bool asks_for(const Question& question, std::uint8_t kind) { return std::find(question.kinds.begin(), question.kinds.end(), kind) != question.kinds.end(); }
 
 /// A depth that a pixel has may be a line's of the other buffer; it is the picture's of the pass at work.
 bool light_at_work(const Trace& trace, std::int64_t at) {
@@ -55,36 +58,77 @@ Chain in_reading_order(Chain chain) {
 
 }  // namespace
 
-bool Question::operator==(const Question& other) const {
-  const bool same_pixel = pixel.has_value() == other.pixel.has_value() && (!pixel || (pixel->x == other.pixel->x && pixel->y == other.pixel->y));
-  return same_pixel && at == other.at && field == other.field && kind == other.kind && where == other.where;
+namespace {
+
+Step step_of_row(const Trace& trace, const Machine& machine, const Question& question) {
+  const std::int64_t at = std::min(question.at, trace.size());
+  const auto number = question.where.empty() ? -1 : question.where.front().second;
+  if (asks_for(question, kind_of<EdgeStep>)) return step_of_active_edge(trace, machine, at, number);
+  if (asks_for(question, kind_of<EdgeTableInsert>)) return step_of_edge(trace, machine, at, number);
+  if (asks_for(question, kind_of<PlaneEquation>)) return step_of_plane(trace, machine, at, number);
+  return trace.previous(at + 1, [&](const RecordedEvent& recorded) { return matches(recorded.event, question); });
 }
 
-std::optional<Place> place_of(const Trace& trace, const Question& question) {
+Step step_of_coordinate(const VertexSteps& steps, const std::string& field) {
+  if (field.ends_with("_s")) return steps.on_raster;
+  if (field.ends_with("_p") || field == "z") return steps.projected;
+  return steps.viewed ? steps.viewed : steps.made;
+}
+
+/// Leaves the replay at the question's moment, if it looked there.
+std::optional<Place> find_place(const Trace& trace, Replay& replay, const Question& question) {
   const std::int64_t at = std::min(question.at, trace.size());
   if (question.pixel) {
-    const Step wrote = step_of_depth(trace, at, *question.pixel, light_at_work(trace, at));
+    const Step wrote = step_of_depth(trace, at, *question.pixel, question.light || light_at_work(trace, at));
     return wrote ? std::optional(Place{*wrote, "z"}) : std::nullopt;
   }
   Step step = at;
-  if (question.kind) step = trace.previous(at + 1, [&](const RecordedEvent& recorded) { return matches(recorded.event, question); });
+  if (question.vertex || !question.kinds.empty()) {
+    replay.go_to(at);
+    if (question.field.ends_with("_w")) return Place{0, question.field};
+    step = question.vertex ? step_of_coordinate(steps_of_vertex(trace, replay.state().machine, at, *question.vertex), question.field)
+                           : step_of_row(trace, replay.state().machine, question);
+  }
   if (!step || *step < 1) return std::nullopt;
   const Event event = trace.event(*step).event;
-  const std::string field = question.field.empty() ? main_field(event) : question.field;
+  // What cutting made has its coordinates from there.
+  const bool cut = question.vertex && std::holds_alternative<SplitVertex>(event);
+  const std::string field = question.field.empty() ? main_field(event) : cut ? std::string(1, question.field[0]) + "_cut" : question.field;
   return field_number(event, field) ? std::optional(Place{*step, field}) : std::nullopt;
 }
 
-Chain explain_value(const Trace& trace, const Question& question) {
-  const auto place = place_of(trace, question);
-  if (!place) return {};
+}  // namespace
+
+std::optional<Place> place_of(const Trace& trace, const Question& question) {
   Replay replay(trace);
-  replay.go_to(place->step);
+  return find_place(trace, replay, question);
+}
+
+Chain explain_value(const Trace& trace, const Question& question) {
+  Replay replay(trace);
+  const auto place = find_place(trace, replay, question);
+  if (!place) return {};
   Work work(trace, replay);
-  work.field(place->step, place->field);
+  if (place->step > 0) {
+    replay.go_to(place->step);
+    work.field(place->step, place->field);
+  } else {
+    work.world(*question.vertex, place->field[0] == 'x' ? Axis3::x : place->field[0] == 'y' ? Axis3::y : Axis3::z);
+  }
   work.run_later();
   return in_reading_order(std::move(work.chain));
 }
 
 std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step) { return fields_in(trace.event(step).event); }
+
+std::string field_called(const Trace& trace, std::int64_t step, const std::string& name) {
+  if (step < 1 || step > trace.size()) return "";
+  const Event event = trace.event(step).event;
+  Replay replay(trace);
+  const Work work(trace, replay);
+  for (const std::string& field : fields_in(event))
+    if (field == name || shown_name(work, event, field) == name) return field;
+  return "";
+}
 
 }  // namespace zstep::answers

@@ -12,25 +12,44 @@
 
 namespace zstep::answers {
 
-/// A number of a trace. Exactly one of three: a field of the step `at`; a field of the last step of a kind up to `at` whose other
-/// fields have these values ("x_edge of the last edge_step of edge 3"), which is how what the state holds came to be; or the depth
-/// (the t, along a ray) that a pixel has at `at`.
+/// A number of a trace. Without more it is a field of the step `at`; with one of the others it is a number that the state holds at
+/// `at`, and stands where it was made.
 struct Question {
   std::int64_t at = 0;
-  std::string field;                 ///< as in the vocabulary; empty: the step's main one
-  std::optional<std::uint8_t> kind;  ///< with `where`
-  std::vector<std::pair<std::string, std::int32_t>> where;
-  std::optional<Trace::Pixel> pixel;
-  bool operator==(const Question& other) const;
+  std::string field = {};                 ///< as in the vocabulary; empty: the step's main one
+  std::vector<std::uint8_t> kinds = {};   ///< of the last step of one of these kinds …
+  std::vector<std::pair<std::string, std::int32_t>> where = {};  ///< … whose other fields have these values …
+  std::optional<double> value = {};       ///< … and whose field has this one
+  std::optional<Trace::Pixel> pixel = {}; ///< the depth of this pixel; of the light's picture with `light`
+  bool light = false;
+  std::optional<std::int32_t> vertex = {};  ///< a coordinate of this vertex: x_w, y_w, z_w in the world, else a field of its steps
 };
 
-/// A question about a row of what the state holds.
-template <class E>
+/// A question about a row of what the state holds: made_by<EdgeStep, EdgeTableInsert>(at, "x_edge", {{"edge", 3}}).
+template <class... E>
 Question made_by(std::int64_t at, std::string field, std::vector<std::pair<std::string, std::int32_t>> where = {}) {
-  return {at, std::move(field), kind_of<E>, std::move(where), {}};
+  Question question;
+  question.at = at;
+  question.field = std::move(field);
+  question.kinds = {kind_of<E>...};
+  question.where = std::move(where);
+  return question;
+}
+inline Question of_pixel(std::int64_t at, Trace::Pixel pixel) {
+  Question question;
+  question.at = at;
+  question.pixel = pixel;
+  return question;
+}
+inline Question of_vertex(std::int64_t at, std::int32_t vertex, std::string field) {
+  Question question;
+  question.at = at;
+  question.field = std::move(field);
+  question.vertex = vertex;
+  return question;
 }
 
-/// The step whose field answers the question, and that field; nothing where there is none.
+/// The step whose field answers the question, and that field; step 0 for the scene's own numbers. Nothing where there is none.
 struct Place {
   std::int64_t step = 0;
   std::string field;
@@ -42,5 +61,7 @@ Chain explain_value(const Trace& trace, const Question& question);
 
 /// The fields of a step's event, by name.
 std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step);
+/// The field that a formula before a step's numbers calls so: "x_edge" for "x" of an edge_step. Empty where there is none.
+std::string field_called(const Trace& trace, std::int64_t step, const std::string& name);
 
 }  // namespace zstep::answers

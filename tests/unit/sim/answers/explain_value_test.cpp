@@ -59,7 +59,7 @@ TEST_SUITE("explain a value") {
           if (++times > 3 && times % 64 != 0) continue;
           CAPTURE(step);
           CAPTURE(field);
-          const Chain chain = explain_value(trace, Question{step, field, {}, {}, {}});
+          const Chain chain = explain_value(trace, Question{step, field});
           REQUIRE_FALSE(chain.links.empty());
           check_numbers(chain);
           ++asked[field];
@@ -83,7 +83,7 @@ TEST_SUITE("explain a value") {
       int pixels = 0;
       for (std::int32_t y = 0; y < 9; ++y)
         for (std::int32_t x = 0; x < 9; ++x) {
-          const Chain chain = explain_value(trace, Question{trace.size(), "", {}, {}, Trace::Pixel{x, y}});
+          const Chain chain = explain_value(trace, answers::of_pixel(trace.size(), {x, y}));
           if (chain.links.empty()) continue;
           ++pixels;
           check_numbers(chain);
@@ -101,11 +101,11 @@ TEST_SUITE("explain a value") {
     const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/delhi.jsonl");
     for (std::int32_t x = 0; x < 5; ++x) {
       // The second triangle was last drawn over row 1, where z = x + 2.
-      const Chain chain = explain_value(trace, Question{trace.size(), "", {}, {}, Trace::Pixel{x, 1}});
+      const Chain chain = explain_value(trace, answers::of_pixel(trace.size(), {x, 1}));
       REQUIRE_FALSE(chain.links.empty());
       CHECK(chain.links[0].values[0].value == x + 1 + 1);
     }
-    const Chain chain = explain_value(trace, Question{219, "z", {}, {}, {}});
+    const Chain chain = explain_value(trace, Question{219, "z"});
     const ChainLink* depth = link_with(chain, "depth at x = 1 on the span");
     REQUIRE(depth);
     CHECK(depth->step == 218);
@@ -136,7 +136,7 @@ TEST_SUITE("explain a value") {
       return write && write->x == compare.x && write->y == compare.y;
     });
     REQUIRE(wrote);
-    const Chain chain = explain_value(trace, Question{*lost, "nearer", {}, {}, {}});
+    const Chain chain = explain_value(trace, Question{*lost, "nearer"});
     CHECK(std::count_if(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) { return link.step == *wrote; }) == 1);
     CHECK(chain.links[0].values[0].value == 0);
     // Of both polygons there is a span.
@@ -153,9 +153,26 @@ TEST_SUITE("explain a value") {
     REQUIRE(place);
     CHECK(place->step == 211);
     CHECK_FALSE(answers::place_of(trace, answers::made_by<EdgeStep>(219, "x_edge", {{"edge", 77}})));
-    CHECK_FALSE(answers::place_of(trace, Question{219, "no_such_field", {}, {}, {}}));
-    CHECK(explain_value(trace, Question{0, "", {}, {}, {}}).links.empty());
-    CHECK(explain_value(trace, Question{trace.size(), "", {}, {}, Trace::Pixel{7, 7}}).links.empty());
+    CHECK_FALSE(answers::place_of(trace, Question{219, "no_such_field"}));
+    CHECK(answers::field_called(trace, 211, "x") == "x_edge");
+    CHECK(answers::field_called(trace, 157, "1/m") == "dx_dy");
+    CHECK(answers::field_called(trace, 157, "x_s").empty());
+    CHECK(explain_value(trace, Question{0, ""}).links.empty());
+    CHECK(explain_value(trace, answers::of_pixel(trace.size(), {7, 7})).links.empty());
+  }
+
+  TEST_CASE("a coordinate of a vertex, from any of its stages") {
+    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid.jsonl");
+    const auto asked = [&](const char* field) { return explain_value(trace, answers::of_vertex(trace.size(), 2, field)); };
+    const Chain screen = asked("y_s");
+    REQUIRE(screen.links.size() == 4);
+    for (std::size_t i = 0; i + 1 < screen.links.size(); ++i) CHECK(screen.links[i].step == screen.links[i + 1].step + (i < 2 ? 1 : screen.links[i].step));
+    CHECK(screen.links.back().values.size() == 3);
+    CHECK(asked("z").links.size() == 3);
+    REQUIRE(asked("x_w").links.size() == 1);
+    CHECK(asked("x_w").links[0].step == 0);
+    CHECK(asked("x_w").links[0].values[0].value == trace.scene().points[2].x);
+    check_numbers(screen);
   }
 
   TEST_CASE("a number that its formula does not give is noticed") {
