@@ -66,11 +66,14 @@ Step step_of_row(const Trace& trace, const Machine& machine, const Question& que
   if (asks_for(question, kind_of<EdgeStep>)) return step_of_active_edge(trace, machine, at, number);
   if (asks_for(question, kind_of<EdgeTableInsert>)) return step_of_edge(trace, machine, at, number);
   if (asks_for(question, kind_of<PlaneEquation>)) return step_of_plane(trace, machine, at, number);
-  return trace.previous(at + 1, [&](const RecordedEvent& recorded) { return matches(recorded.event, question); });
+  std::int64_t from = at + 1;
+  if (asks_for(question, kind_of<Extent>))
+    if (const Step plane = step_of_plane(trace, machine, at, number)) from = std::min(from, *plane + 2);  // it follows its plane
+  return trace.previous(from, [&](const RecordedEvent& recorded) { return matches(recorded.event, question); });
 }
 
 Step step_of_coordinate(const VertexSteps& steps, const std::string& field) {
-  if (field.ends_with("_s")) return steps.on_raster;
+  if (field.ends_with("_s")) return steps.on_raster ? steps.on_raster : steps.made;
   if (field.ends_with("_p") || field == "z") return steps.projected;
   return steps.viewed ? steps.viewed : steps.made;
 }

@@ -7,6 +7,7 @@
 
 #include <SDL.h>
 
+#include "sim/answers/explain_value.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/settings.hpp"
@@ -23,7 +24,7 @@ struct WindowRequests {
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
-enum class Overlay { none, keys, palette, go_to, menu, query, history };
+enum class Overlay { none, keys, palette, go_to, menu, query, history, explain };
 
 class App {
  public:
@@ -69,6 +70,10 @@ class App {
   const std::vector<answers::Visit>& history() const { return history_; }
   Cell history_of() const { return history_of_; }
   void go_to_visit(std::size_t visit);
+  void open_explain(const answers::Question& question);
+  void explain_step();            ///< the main number of the step where the reader stands
+  const answers::Chain& chain() const { return chain_; }
+  void go_to_link(std::size_t link);
   void paint_answer();            ///< over the frame, or no longer
   void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"
   void say(std::string message);
@@ -85,7 +90,7 @@ class App {
   bool key(const SDL_KeyboardEvent& event);
   bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query; }
   bool edit(SDL_Keycode code, unsigned modifiers);
-  bool pick_visit(SDL_Keycode code);
+  bool pick_row(SDL_Keycode code);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -99,6 +104,7 @@ class App {
   Inquiry inquiry_;
   std::vector<answers::Visit> history_;
   Cell history_of_;
+  answers::Chain chain_;
   Ui ui_;
   std::vector<Pane> structures_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
@@ -116,5 +122,6 @@ void draw_go_to(App& app);
 void draw_menu(App& app);
 void draw_query(App& app);
 void draw_history(App& app);
+void draw_explain(App& app);
 
 }  // namespace zstep::viewer

@@ -14,9 +14,10 @@ constexpr const char* axis_names[] = {"x", "y", "z"};
 /// p_0 + (p_1 - p_0)*(y - y_0)/(y_1 - y_0) on an edge, p being x or z.
 void tell_on_edge(Datum& datum, Work& work, std::int32_t edge, Axis3 axis, double y) {
   const std::string p = axis_names[static_cast<std::size_t>(axis)];
+  // Heights first: a vertex is then told from the raster on, and its depth with its projection.
+  const Number y_0 = work.edge_end(edge, false, Axis3::y), y_1 = work.edge_end(edge, true, Axis3::y);
   datum.is(fmt::format("{0}_0 + ({0}_1 - {0}_0)*(y - y_0)/(y_1 - y_0)", p),
-           {{p + "_0", work.edge_end(edge, false, axis)}, {p + "_1", work.edge_end(edge, true, axis)}, {"y", y},
-            {"y_0", work.edge_end(edge, false, Axis3::y)}, {"y_1", work.edge_end(edge, true, Axis3::y)}});
+           {{p + "_0", work.edge_end(edge, false, axis)}, {p + "_1", work.edge_end(edge, true, axis)}, {"y", y}, {"y_0", y_0}, {"y_1", y_1}});
 }
 
 }  // namespace

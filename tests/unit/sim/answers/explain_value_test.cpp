@@ -119,7 +119,7 @@ TEST_SUITE("explain a value") {
     const ChainLink* vertex = link_with(chain, "vertex 5 of the scene");
     REQUIRE(vertex);
     CHECK(vertex->step == 0);
-    CHECK(vertex->values[0].value == 2);
+    CHECK(vertex->values[1].value == 2);
     CHECK(vertex->depth == 5);
   }
 
