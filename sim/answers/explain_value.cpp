@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/answers/origin/fields.hpp"
-#include "traces/replay/replay.hpp"
+#include "sim/viewer/words/explain.hpp"
 
 namespace zstep::answers {
 
@@ -109,6 +109,10 @@ std::optional<Place> place_of(const Trace& trace, const Question& question) {
 
 Chain explain_value(const Trace& trace, const Question& question) {
   Replay replay(trace);
+  return explain_value(trace, replay, question);
+}
+
+Chain explain_value(const Trace& trace, Replay& replay, const Question& question) {
   const auto place = find_place(trace, replay, question);
   if (!place) return {};
   Work work(trace, replay);
@@ -127,10 +131,9 @@ std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step) {
 std::string field_called(const Trace& trace, std::int64_t step, const std::string& name) {
   if (step < 1 || step > trace.size()) return "";
   const Event event = trace.event(step).event;
-  Replay replay(trace);
-  const Work work(trace, replay);
+  const std::string depth = depth_symbol(trace.scene(), trace.header().conventions);
   for (const std::string& field : fields_in(event))
-    if (field == name || shown_name(work, event, field) == name) return field;
+    if (field == name || shown_name(event, field, depth) == name) return field;
   return "";
 }
 

@@ -9,6 +9,7 @@
 
 #include "sim/answers/chain.hpp"
 #include "traces/file/trace.hpp"
+#include "traces/replay/replay.hpp"
 
 namespace zstep::answers {
 
@@ -57,7 +58,9 @@ struct Place {
 std::optional<Place> place_of(const Trace& trace, const Question& question);
 
 /// The chain; without links where the question has no answer. Throws InputError where the trace is damaged or tells what cannot be.
+/// With a replay of the trace at hand there is no seek from the beginning; it is left somewhere else than it was.
 Chain explain_value(const Trace& trace, const Question& question);
+Chain explain_value(const Trace& trace, Replay& replay, const Question& question);
 
 /// The fields of a step's event, by name.
 std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step);

@@ -172,7 +172,7 @@ void App::open_history() {
 void App::open_explain(const answers::Question& question) {
   answers::Chain chain;
   try {
-    chain = answers::explain_value(session_.trace(), question);
+    session_.look_elsewhere([&](Replay& replay) { chain = answers::explain_value(session_.trace(), replay, question); });
   } catch (const InputError& error) {
     return say(error.what());
   }

@@ -31,7 +31,8 @@ Number Work::edge_end(std::int32_t edge, bool upper, Axis3 axis) {
   const EdgeTableInsert entry = *row;
   const std::string name = fmt::format("{}_{}", axis_names[static_cast<std::size_t>(axis)], upper ? 1 : 0);
   return derived(*step, "", what_happens(*this, entry), name, raster_value(vertex, axis), [&](Datum& datum) {
-    datum.same_as(axis == Axis3::x ? "x_s" : axis == Axis3::y ? "y_s" : "z", on_raster(vertex, axis));
+    const Number number = on_raster(vertex, axis);
+    datum.same_as(number.name == depth_name() ? "z" : number.name, number);
   });
 }
 

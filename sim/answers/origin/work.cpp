@@ -107,7 +107,7 @@ Number Work::field(std::int64_t step, std::string_view name) {
   const Event event = trace.event(step).event;
   const auto value = field_number(event, name);
   if (!value) return 0;
-  return derived(step, "", what_happens(*this, event), shown_name(*this, event, name), *value, [&](Datum& datum) {
+  return derived(step, "", what_happens(*this, event), shown_name(event, name, depth_name()), *value, [&](Datum& datum) {
     tell_field(datum, *this, step, event, name);
   });
 }
