@@ -31,6 +31,7 @@ void declare(CLI::App& app, Action& action) {
   add_dump(app, action);
   add_history(app, action);
   add_why_not(app, action);
+  add_explain(app, action);
   add_query(app, action);
   add_import(app, action);
   add_compare_methods(app, action);

@@ -17,6 +17,7 @@ void add_info(CLI::App& app, Action& action);
 void add_dump(CLI::App& app, Action& action);
 void add_history(CLI::App& app, Action& action);
 void add_why_not(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_import(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);

@@ -172,16 +172,41 @@ void App::open_history() {
 }
 
 const answers::Visit& App::told_visit(std::size_t visit) {
-  if (!teller_) teller_.emplace(session_.trace());
-  answers::tell(*teller_, history_[visit]);
+  session_.look_elsewhere([&](Replay& replay) { answers::tell(replay, history_[visit]); });
   return history_[visit];
 }
 
-bool App::pick_visit(SDL_Keycode code) {
-  const int last = static_cast<int>(history_.size()) - 1;
-  if (code == SDLK_RETURN) return go_to_visit(static_cast<std::size_t>(picked)), true;
+void App::open_explain(const answers::Question& question) {
+  answers::Chain chain;
+  try {
+    session_.look_elsewhere([&](Replay& replay) { chain = answers::explain_value(session_.trace(), replay, question); });
+  } catch (const InputError& error) {
+    return say(error.what());
+  }
+  if (chain.links.empty()) return say("The trace does not say where this number comes from.");
+  chain_ = std::move(chain);
+  open(Overlay::explain);
+}
+
+void App::explain_step() {
+  if (session_.position() == 0) return say("Nothing has happened yet; Shift+E tells where the number of a step comes from.");
+  open_explain({session_.position()});
+}
+
+void App::go_to_origin(std::size_t link) {
+  picked = static_cast<int>(link);
+  if (link >= chain_.links.size()) return;
+  if (chain_.links[link].step > 0) session_.go_to(chain_.links[link].step);
+  else say("This is in the scene itself" + (chain_.links[link].source.empty() ? "." : ": " + chain_.links[link].source + "."));
+}
+
+/// Arrows and Enter in the rows of an answer.
+bool App::pick_row(SDL_Keycode code) {
+  const std::size_t rows = overlay_ == Overlay::history ? history_.size() : chain_.links.size();
+  const auto here = static_cast<std::size_t>(std::max(0, picked));
+  if (code == SDLK_RETURN) return overlay_ == Overlay::history ? go_to_visit(here) : go_to_origin(here), true;
   if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, last));
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(rows) - 1));
   scroll_to_picked = true;
   return true;
 }
@@ -232,7 +257,7 @@ bool App::key(const SDL_KeyboardEvent& event) {
       if (command.release && !command.keys.empty() && command.keys[0].key == code) command.release(*this);
     return false;
   }
-  if (overlay_ == Overlay::history && pick_visit(code)) {
+  if ((overlay_ == Overlay::history || overlay_ == Overlay::explain) && pick_row(code)) {
     session_.touch();
     return true;
   }

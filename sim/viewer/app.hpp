@@ -7,6 +7,7 @@
 
 #include <SDL.h>
 
+#include "sim/answers/explain_value.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
 #include "sim/viewer/panes/pane.hpp"
@@ -24,7 +25,7 @@ struct WindowRequests {
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
-enum class Overlay { none, keys, palette, go_to, menu, query, history, why_ask, why };
+enum class Overlay { none, keys, palette, go_to, menu, query, history, explain, why_ask, why };
 
 class App {
  public:
@@ -71,6 +72,10 @@ class App {
   const answers::Visit& told_visit(std::size_t visit);  ///< with why
   Cell history_of() const { return history_of_; }
   void go_to_visit(std::size_t visit);
+  void open_explain(const answers::Question& question);
+  void explain_step();            ///< the main number of the step where the reader stands
+  const answers::Chain& chain() const { return chain_; }
+  void go_to_origin(std::size_t link);
   // Why a polygon is not what is seen (why_overlay.cpp)
   void open_why();                       ///< of the selected pixel, or the one at work, or of the whole picture where there is none
   void ask_why(std::int32_t polygon);
@@ -96,9 +101,9 @@ class App {
   bool key(const SDL_KeyboardEvent& event);
   bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query || overlay_ == Overlay::why_ask; }
   bool edit(SDL_Keycode code, unsigned modifiers);
-  bool pick_visit(SDL_Keycode code);
   bool pick_candidate(SDL_Keycode code);
   bool pick_link(SDL_Keycode code);
+  bool pick_row(SDL_Keycode code);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -113,11 +118,11 @@ class App {
   std::vector<answers::Visit> history_;
   Cell history_of_;
   std::optional<answers::FacetsNear> facets_near_;  ///< made when first needed
-  std::optional<Replay> teller_;                    ///< goes to other steps than the session, for what is said of them
   answers::Verdict why_;
   std::int32_t why_polygon_ = 0;
   std::optional<Cell> why_of_;
   bool why_anywhere_ = false;
+  answers::Chain chain_;
   Ui ui_;
   std::vector<Pane> structures_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
@@ -137,5 +142,6 @@ void draw_query(App& app);
 void draw_history(App& app);
 void draw_why_ask(App& app);
 void draw_why(App& app);
+void draw_explain(App& app);
 
 }  // namespace zstep::viewer

@@ -242,6 +242,7 @@ void App::draw_overlay() {
     case Overlay::history: return draw_history(*this);
     case Overlay::why_ask: return draw_why_ask(*this);
     case Overlay::why: return draw_why(*this);
+    case Overlay::explain: return draw_explain(*this);
   }
 }
 
@@ -253,6 +254,7 @@ void App::frame() {
   ImGui::GetIO().DisplaySize = size;
   ui_.scroll_now = ui_.scroll_follows != session_.position();
   ui_.mouse_help = ui_.fonts.lacking;
+  ui_.asked.reset();
   ui_.pointed_next.reset();
   ui_.hovered_edge_next.reset();
   ImGui::NewFrame();
@@ -273,7 +275,9 @@ void App::frame() {
     draw_timeline(ui_, {width, timeline});
   }
   ImGui::End();
+  const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history || overlay_ == Overlay::query;
   draw_overlay();
+  if (ui_.asked && may_ask) open_explain(*ui_.asked);
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
   if (ui_.scroll_now) ui_.scroll_follows = session_.position();

@@ -122,6 +122,7 @@ const std::vector<Command>& table() {
       {"previous-touch", "Pixel", "Last step that touched the selected pixel", {{SDLK_f, S}}, [](App& a) { a.session().to_selected_pixel(-1); }},
       {"history", "Pixel", "All that happened to the selected pixel", {{SDLK_h}}, [](App& a) { a.open_history(); }},
       {"why-not", "Pixel", "Why a polygon is not what is seen there", {{SDLK_y}}, [](App& a) { a.open_why(); }},
+      {"explain", "Pixel", "Where this step's number comes from (or click one)", {{SDLK_e, S}}, [](App& a) { a.explain_step(); }},
       {"select-pixel", "Pixel", "Select the pixel at work (or click one)", {{SDLK_RETURN}}, select_current},
       {"next-method", "Pixel", "The same pixel by the next method", {{SDLK_x}}, [](App& a) { a.requests.switch_method = 1; }},
       {"previous-method", "Pixel", "The same pixel by the previous method", {{SDLK_x, S}}, [](App& a) { a.requests.switch_method = -1; }},

@@ -12,23 +12,14 @@ namespace zstep::viewer {
 namespace {
 
 /// One line of the list; true when clicked.
-bool draw_visit(App& app, std::size_t place, float width) {
+bool draw_visit(App& app, std::size_t place) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const answers::Visit& visit = app.history()[place];
   const float height = std::round(ui.em * 1.4f);
-  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
-  ImGui::PushID(static_cast<int>(place));
-  const bool clicked = ImGui::InvisibleButton("visit", {std::max(1.0f, width), height});
-  ImGui::PopID();
+  const auto [at, end, clicked, visible] = list_row(app, place, height);
+  if (!visible) return clicked;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  if (static_cast<int>(place) == app.picked) {
-    list->AddRectFilled(at, end, c.now_soft);
-    list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
-    if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
-  } else if (ImGui::IsItemHovered()) {
-    list->AddRectFilled(at, end, c.button_hovered);
-  }
   const Scene& scene = app.session().scene();
   const float y = at.y + ui.em * 0.15f;
   draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, c.muted, grouped(visit.step));
@@ -60,7 +51,7 @@ void draw_history(App& app) {
   std::optional<std::size_t> clicked;
   ImGui::BeginChild("visits", {room.x, room.y * 0.6f}, false, ImGuiWindowFlags_NoNav);
   for (std::size_t place = 0; place < app.history().size(); ++place)
-    if (draw_visit(app, place, ImGui::GetContentRegionAvail().x)) clicked = place;
+    if (draw_visit(app, place)) clicked = place;
   app.scroll_to_picked = false;
   ImGui::EndChild();
   ImGui::BeginChild("why", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);

@@ -47,6 +47,37 @@ void draw_field(Ui& ui, const std::string& text, const std::string& hint) {
   ImGui::Dummy({1, end.y - at.y + ui.em * 0.3f});
 }
 
+ListRow list_row(App& app, std::size_t place, float height) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  ListRow row;
+  row.at = ImGui::GetCursorScreenPos();
+  const float width = std::max(1.0f, ImGui::GetContentRegionAvail().x);
+  row.end = {row.at.x + width, row.at.y + height};
+  ImGui::PushID(static_cast<int>(place));
+  row.clicked = ImGui::InvisibleButton("row", {width, height});
+  ImGui::PopID();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (static_cast<int>(place) == app.picked) {
+    list->AddRectFilled(row.at, row.end, c.now_soft);
+    list->AddRectFilled(row.at, {row.at.x + 3, row.end.y}, c.now);
+    if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
+  } else if (ImGui::IsItemHovered()) {
+    list->AddRectFilled(row.at, row.end, c.button_hovered);
+  }
+  row.visible = ImGui::IsRectVisible(row.at, row.end);
+  return row;
+}
+
+std::string fitted(const Ui& ui, const ImFont* font, std::string text, float room) {
+  if (text_size(ui, font, text).x <= room) return text;
+  while (!text.empty() && text_size(ui, font, text + "\u2026").x > room) {
+    do text.pop_back();
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0u) == 0x80u);
+  }
+  return text + "\u2026";
+}
+
 namespace {
 
 /// A row with a title on the left and its keys on the right; true when clicked.

@@ -1,4 +1,4 @@
-// What overlays share. For overlays.cpp and query_overlay.cpp only.
+// What overlays share. For overlays.cpp and for the overlays that show answers.
 #pragma once
 
 #include <string>
@@ -9,6 +9,16 @@ namespace zstep::viewer {
 
 /// Begins a framed window over the others: `down` 0 at the top of the screen, 1 at its bottom. A click outside closes it.
 void begin_overlay(App& app, const char* id, ImVec2 size, float down = 1 / 2.4f);
+
+/// The next row of a list of answers: where it is, and whether it was clicked. The picked one is marked and scrolled to.
+struct ListRow {
+  ImVec2 at, end;
+  bool clicked = false, visible = true;
+};
+ListRow list_row(App& app, std::size_t place, float height);
+
+/// A text cut with a sign where it has no room.
+std::string fitted(const Ui& ui, const ImFont* font, std::string text, float room);
 
 /// What is being typed, with its caret in sight; the hint where nothing is.
 void draw_field(Ui& ui, const std::string& text, const std::string& hint);

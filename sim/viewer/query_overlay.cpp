@@ -32,16 +32,6 @@ std::vector<float> widths_for(Ui& ui, const Inquiry& inquiry, float room) {
   return widths;
 }
 
-/// A cell's text, cut with a sign where it has no room.
-std::string fitted(Ui& ui, const ImFont* font, std::string text, float room) {
-  if (text_size(ui, font, text).x <= room) return text;
-  while (!text.empty() && text_size(ui, font, text + "\u2026").x > room) {
-    do text.pop_back();
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0u) == 0x80u);
-  }
-  return text + "\u2026";
-}
-
 void draw_rows(App& app) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
@@ -55,24 +45,15 @@ void draw_rows(App& app) {
   }
   ImGui::Dummy({1, std::round(ui.fonts.small->FontSize * 1.4f)});
   ImGui::BeginChild("rows", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
-  const float height = std::round(ui.fonts.mono->FontSize * 1.35f), width = ImGui::GetContentRegionAvail().x;
+  const float height = std::round(ui.fonts.mono->FontSize * 1.35f);
   std::optional<std::size_t> clicked;
   for (std::size_t row = 0; row < inquiry.rows().size(); ++row) {
-    const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
-    ImGui::PushID(static_cast<int>(row));
-    if (ImGui::InvisibleButton("row", {std::max(1.0f, width), height})) clicked = row;
-    ImGui::PopID();
-    if (static_cast<int>(row) == app.picked) {
-      ImGui::GetWindowDrawList()->AddRectFilled(at, end, c.now_soft);
-      ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 3, end.y}, c.now);
-      if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
-    } else if (ImGui::IsItemHovered()) {
-      ImGui::GetWindowDrawList()->AddRectFilled(at, end, c.button_hovered);
-    }
-    if (!ImGui::IsRectVisible(at, end)) continue;
-    x = at.x + 5;
+    const ListRow line = list_row(app, row, height);
+    if (line.clicked) clicked = row;
+    if (!line.visible) continue;
+    x = line.at.x + 5;
     for (std::size_t k = 0; k < widths.size(); ++k) {
-      draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.text, fitted(ui, ui.fonts.mono, inquiry.rows()[row][k], widths[k] - ui.em * 0.5f));
+      draw_text(ui, {x, line.at.y + 1}, ui.fonts.mono, c.text, fitted(ui, ui.fonts.mono, inquiry.rows()[row][k], widths[k] - ui.em * 0.5f));
       x += widths[k];
     }
   }

@@ -204,6 +204,15 @@ void frame_box(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float thicknes
   list->AddRectFilled({b.x - thickness, a.y + thickness}, {b.x, b.y - thickness}, color);
 }
 
+bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question) {
+  // What it lies on, a row of a table, may have taken the press already.
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) || !ImGui::IsMouseHoveringRect(a, b)) return false;
+  ImGui::GetWindowDrawList()->AddRectFilled({a.x, b.y - 2}, b, ui.colors().selected);
+  ui.mouse_help = "Click: where this number comes from.";
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) ui.asked = question;
+  return true;
+}
+
 bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
   const std::string shown = label.substr(0, label.find("##"));
   const ImVec2 size = text_size(ui, ui.fonts.text, shown), at = ImGui::GetCursorScreenPos();

@@ -9,6 +9,7 @@
 
 #include <imgui.h>
 
+#include "sim/answers/explain_value.hpp"
 #include "sim/classroom/markdown.hpp"
 #include "sim/viewer/draw/depth_scale.hpp"
 #include "sim/viewer/draw/fonts.hpp"
@@ -54,6 +55,7 @@ struct Ui {
   std::optional<std::int32_t> hovered_edge_next;
   std::int64_t scroll_follows = -1;  ///< position for which panes have scrolled to what is at work
   bool scroll_now = false;           ///< this frame they must
+  std::optional<answers::Question> asked;  ///< the number that was clicked in this frame
   std::string mouse_help;            ///< what the mouse does here, for the bottom line
 
   const Theme& colors() const { return *theme; }
@@ -91,6 +93,10 @@ void follow(Ui& ui, float top, float height);
 
 /// A frame of whole pixels, inside these corners.
 void frame_box(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 1);
+
+/// What stands between these corners is a number that can be asked about: under the mouse it is underlined, a click puts the
+/// question into `asked`. True under the mouse: whatever else a click does there must then give way.
+bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question);
 
 /// A button with a label that fits; true when clicked.
 bool button(Ui& ui, const std::string& label, bool lit = false, bool enabled = true);

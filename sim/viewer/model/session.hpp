@@ -37,6 +37,20 @@ class Session {
   /// To the next (or previous) event that touches the selected pixel.
   bool to_selected_pixel(int direction);
 
+  /// Lets someone look at other steps through the session's own replay, which then stands where it stood: another one would take
+  /// as much memory again.
+  template <class Look>
+  void look_elsewhere(Look&& look) {
+    const std::int64_t here = position();
+    try {
+      look(replay_);
+    } catch (...) {
+      replay_.go_to(here);
+      throw;
+    }
+    replay_.go_to(here);
+  }
+
   // --- Before and after
   Unit unit() const { return unit_; }
   std::int64_t before() const;               ///< where the last move's unit began

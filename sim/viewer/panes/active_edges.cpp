@@ -61,7 +61,8 @@ std::vector<TableRow> waiting_rows(const Session& s) {
   for (std::size_t k = 0; k < count; ++k) {
     const EdgeTableInsert& e = *waiting[k];
     TableRow row;
-    row.cells = {name_of(s, e.edge), e.x_edge, e.z_edge, static_cast<double>(e.end_row), fmt::format("waits for y = {}", e.first_row)};
+    const auto asks = [&](const char* field) { return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}}); };
+    row.cells = {name_of(s, e.edge), TableCell(e.x_edge, asks("x_edge")), TableCell(e.z_edge, asks("z_edge")), TableCell(static_cast<double>(e.end_row), asks("end_row")), fmt::format("waits for y = {}", e.first_row)};
     row.cells.back().brief = fmt::format("y {}", e.first_row);
     row.look = insert && insert->edge == e.edge ? TableRow::Look::now : TableRow::Look::gone;
     row.lit = s.lit_edge() == e.edge;
@@ -76,8 +77,9 @@ TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   TableRow row;
   const auto at = static_cast<std::size_t>(active.edge);
   const EdgeTableInsert* entry = active.edge >= 0 && at < machine.edge_table.size() ? &machine.edge_table[at].entry : nullptr;
-  row.cells = {name_of(s, active.edge), active.x, active.z};
-  if (entry) row.cells.emplace_back(static_cast<double>(entry->end_row));
+  const auto asks = [&](const char* field) { return answers::made_by<EdgeStep, EdgeTableInsert>(s.position(), field, {{"edge", active.edge}}); };
+  row.cells = {name_of(s, active.edge), TableCell(active.x, asks("x_edge")), TableCell(active.z, asks("z_edge"))};
+  if (entry) row.cells.emplace_back(static_cast<double>(entry->end_row), answers::made_by<EdgeTableInsert>(s.position(), "end_row", {{"edge", active.edge}}));
   else row.cells.emplace_back(std::string());
   row.cells.emplace_back(mark.word);
   row.cells.back().brief = mark.word == "left" ? "L" : mark.word == "right" ? "R" : mark.word.substr(0, mark.word.find(' '));

@@ -136,7 +136,11 @@ void draw_depth(Ui& ui) {
           cells[i] = std::isfinite(picture.depth[i]) ? ui.depth_scale.at(range.share(picture.depth[i])) : hatched_cell;
       },
       [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, ui.depth_decimals,
-      [&](Cell cell) { return about_cell(ui, cell); });
+      [&](Cell cell) { return about_cell(ui, cell); },
+      [&](Cell cell) -> std::optional<answers::Question> {
+        if (!std::isfinite(s.picture().depth[s.picture().at(cell.x, cell.y)])) return std::nullopt;
+        return answers::of_pixel(s.looking_back ? s.before() : s.position(), {cell.x, cell.y});
+      });
   draw_legend(ui, bottom - legend + 2);
 }
 

@@ -125,6 +125,7 @@ void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   const float top = at.y + std::round(rows.height * 0.22f), bottom = at.y + std::round(rows.height * 0.8f);
   list->AddRectFilled({from, top}, {to, bottom}, chip_of(s, piece->polygon));
   frame_box(list, {from, top}, {to, bottom}, c.text, is_p || is_q ? 2.0f : 1.0f);
+  number_at(ui, {from, top}, {to, bottom}, answers::made_by<Extent>(s.position(), "z_max", {{"piece", entry.piece}}));
 }
 
 /// What reaches farther than P's nearest z must be held against P: a dashed line from `top` to the cursor.

@@ -61,8 +61,10 @@ void draw(Ui& ui) {
     const EdgeTableInsert& e = row->entry;
     TableRow out;
     const bool is_now = now == e.edge;
+    const auto asks = [&](const char* field) { return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}}); };
     out.cells = {bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row), edge_label(s.scene(), e),
-                 static_cast<double>(e.end_row), e.x_edge, e.dx_dy, e.z_edge, e.dz_dy,
+                 TableCell(static_cast<double>(e.end_row), asks("end_row")), TableCell(e.x_edge, asks("x_edge")), TableCell(e.dx_dy, asks("dx_dy")),
+                 TableCell(e.z_edge, asks("z_edge")), TableCell(e.dz_dy, asks("dz_dy")),
                  TableCell(polygon_label(s.scene(), e.polygon),
                            e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < s.scene().polygons.size()
                                ? to_im(opaque(s.scene().polygons[static_cast<std::size_t>(e.polygon)].color)) : 0),
@@ -78,7 +80,7 @@ void draw(Ui& ui) {
   const TableResult result = number_table(ui, "edges", {"y", "edge", "y_max", "x", "1/m", z, "dz/dy", "of", ""}, rows);
   if (result.hovered) {
     ui.hovered_edge_next = result.hovered;
-    ui.mouse_help = "Click: keep this edge lit in every pane.";
+    if (!result.on_number) ui.mouse_help = "Click: keep this edge lit in every pane.";
   }
   if (result.clicked) {
     ui.session.selected_edge = s.selected_edge == result.clicked ? std::nullopt : result.clicked;

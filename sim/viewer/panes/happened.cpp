@@ -24,6 +24,12 @@ std::string keep_terms(const Ui& ui, const std::string& formula, float width) {
   return out;
 }
 
+/// A click on a formula asks about the number that it gives, or else about the step's main one.
+void ask_about(Ui& ui, const std::string& formula, ImVec2 a, ImVec2 b) {
+  if (!number_at(ui, a, b, {ui.session.position()}) || !ui.asked) return;
+  ui.asked->field = answers::field_called(ui.session.trace(), ui.session.position(), formula.substr(0, formula.find(" = ")));
+}
+
 void draw(Ui& ui) {
   const Theme& c = ui.colors();
   const RecordedEvent* event = ui.session.event();
@@ -53,7 +59,11 @@ void draw(Ui& ui) {
   how.indent = ui.em;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x - how.indent;
-  for (const std::string& formula : told.formulas) flow(ui, keep_terms(ui, formula, width), how);
+  for (const std::string& formula : told.formulas) {
+    const ImVec2 line = ImGui::GetCursorScreenPos();
+    flow(ui, keep_terms(ui, formula, width), how);
+    ask_about(ui, formula, line, {line.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y});
+  }
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   if (told.doubt) {
     Flow doubt;

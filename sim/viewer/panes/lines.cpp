@@ -99,15 +99,25 @@ void draw_table(Ui& ui) {
   std::vector<TableRow> rows;
   for (std::size_t i = 0; i < row.hidden.size(); ++i) {
     const LineHide& hidden = row.hidden[i];
+    const auto asks = [&](const char* field, double t) {
+      answers::Question question = answers::made_by<LineHide>(s.position(), field, {{"line", hidden.line}, {"facet", hidden.facet}});
+      question.value = t;
+      return question;
+    };
     TableRow shown;
-    shown.cells = {"hidden by " + face_label(s.scene(), hidden.facet), hidden.t_0, hidden.t_1};
+    shown.cells = {"hidden by " + face_label(s.scene(), hidden.facet), TableCell(hidden.t_0, asks("t_0", hidden.t_0)), TableCell(hidden.t_1, asks("t_1", hidden.t_1))};
     if (hides_now && i + 1 == row.hidden.size()) shown.look = TableRow::Look::now;
     rows.push_back(std::move(shown));
   }
   for (std::size_t i = 0; i < row.pieces.size(); ++i) {
     const LinePiece& piece = row.pieces[i];
+    const auto asks = [&](const char* field, double t) {
+      answers::Question question = answers::made_by<LinePiece>(s.position(), field, {{"line", piece.line}});
+      question.value = t;
+      return question;
+    };
     TableRow shown;
-    shown.cells = {std::string(piece.visible ? "\u2500\u2500 visible" : "- - hidden"), piece.t_0, piece.t_1};
+    shown.cells = {std::string(piece.visible ? "\u2500\u2500 visible" : "- - hidden"), TableCell(piece.t_0, asks("t_0", piece.t_0)), TableCell(piece.t_1, asks("t_1", piece.t_1))};
     if (cuts_now && i + 1 == row.pieces.size()) shown.look = TableRow::Look::now;
     rows.push_back(std::move(shown));
   }

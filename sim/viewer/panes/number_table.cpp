@@ -95,7 +95,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     if (row.look == TableRow::Look::now) list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
     if (row.lit) frame_box(list, at, end, c.selected);
     if (hovered && row.key >= 0) result.hovered = row.key;
-    if (clicked && row.key >= 0) result.clicked = row.key;
+    bool on_number = false;
     const ImU32 color = row.look == TableRow::Look::gone ? c.muted : c.text;
     x = at.x + gap / 2;
     std::vector<std::string> exact_values;
@@ -109,9 +109,13 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       }
       if (columns[k].numeric) left = x + columns[k].width - text_size(ui, font, columns[k].shown[r]).x;
       draw_text(ui, {left, at.y + text_top}, font, color, columns[k].shown[r]);
+      if (k < row.cells.size() && row.cells[k].value && row.cells[k].question)
+        on_number = number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y}, *row.cells[k].question) || on_number;
       if (k < row.cells.size() && row.cells[k].value) exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
       x += columns[k].width + gap;
     }
+    result.on_number = result.on_number || on_number;
+    if (clicked && row.key >= 0 && !on_number) result.clicked = row.key;
     if (row.look == TableRow::Look::now) follow(ui, at.y, height);
     if (hovered && !exact_values.empty()) tooltip(ui, exact_values);
   }

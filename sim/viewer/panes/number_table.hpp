@@ -13,9 +13,11 @@ struct TableCell {
   std::string text;
   std::optional<double> value;  ///< drawn with its column's decimals; exact on hover
   ImU32 chip = 0;               ///< a swatch of this colour before the text
+  std::optional<answers::Question> question;  ///< of a number: what a click asks
   std::string brief;            ///< instead of the text where room is scarce; a sign
   TableCell(std::string t = {}) : text(std::move(t)) {}
   TableCell(double v) : value(v) {}
+  TableCell(double v, answers::Question q) : value(v), question(std::move(q)) {}
   TableCell(std::string t, ImU32 color) : text(std::move(t)), chip(color) {}
 };
 
@@ -28,6 +30,7 @@ struct TableRow {
 };
 
 struct TableResult {
+  bool on_number = false;  ///< the mouse is over a number that can be asked about
   std::optional<int> hovered, clicked;
 };
 

@@ -13,23 +13,26 @@ namespace {
 
 std::string range(double low, double high) { return fmt::format("{}\u2026{}", number(low, 2, true), number(high, 2, true)); }
 
-TestLine line_of(const Event& event, bool wants_behind) {
+TestLine line_of(std::int64_t at, const Event& event, bool wants_behind) {
   TestLine line;
   line.made = true;
   if (const auto* extents = std::get_if<ExtentTest>(&event)) {
     line.numbers = range(extents->low, extents->high) + " | " + range(extents->other_low, extents->other_high);
     line.passed = !extents->overlap;
     line.outcome = extents->overlap ? "overlap" : "apart";
+    line.question = answers::made_by<ExtentTest>(at, "overlap", {{"piece", extents->piece}, {"other", extents->other}, {"axis", static_cast<std::int32_t>(extents->axis)}});
   } else if (const auto* sides = std::get_if<SideTest>(&event)) {
     line.numbers = range(sides->least, sides->greatest);
     line.outcome = sides->side == Side::front ? "before" : std::string(words_of<Side>[static_cast<std::size_t>(sides->side)]);
     line.passed = sides->side == (wants_behind ? Side::behind : Side::front);
     if (sides->side == Side::crossing) line.outcome = "both sides";
     if (sides->side == Side::on) line.outcome = "in it";
+    line.question = answers::made_by<SideTest>(at, "side", {{"piece", sides->piece}, {"plane_of", sides->plane_of}});
   } else if (const auto* projections = std::get_if<OverlapTest>(&event)) {
     line.passed = !projections->overlap;
     if (projections->overlap) line.numbers = fmt::format("at ({}, {})", number(projections->x_at, 2, true), number(projections->y_at, 2, true));
     line.outcome = projections->overlap ? "overlap" : "apart";
+    line.question = answers::made_by<OverlapTest>(at, "x_at", {{"piece", projections->piece}, {"other", projections->other}});
   }
   return line;
 }
@@ -56,7 +59,7 @@ std::vector<TestLine> lines_of(const Session& s, const std::vector<RecordedEvent
     TestLine line;
     for (std::size_t i = 0; step && i < made.size(); ++i) {
       if (made[i].step != step->id) continue;
-      line = line_of(made[i].event, known.wants_behind);
+      line = line_of(s.position(), made[i].event, known.wants_behind);
       const bool last = i + 1 == made.size();
       line.now = last;
       // What lies in the plane passes by its place in the file: the pair is settled if no test follows.
@@ -130,6 +133,8 @@ void draw_tests(Ui& ui, const PairBegin& pair, const TestTable& table) {
     draw_text(ui, {x, at.y}, table.font, color, line.what);
     x += table.column[0] + table.gap;
     draw_text(ui, {x, at.y}, table.font, color, line.numbers);
+    if (line.question && !line.numbers.empty())
+      number_at(ui, {x - 2, at.y}, {x + text_size(ui, table.font, line.numbers).x + 2, at.y + height}, *line.question);
     x += table.column[1] + table.gap;
     if (line.made) draw_text(ui, {x, at.y}, table.font, line.passed ? c.good : c.text, (line.passed ? "\u2713 " : "\u2717 ") + line.outcome);
     ImGui::Dummy({table.width, height});

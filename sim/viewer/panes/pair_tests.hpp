@@ -16,6 +16,7 @@ std::optional<std::vector<RecordedEvent>> since_pair(const Session& s);
 struct TestLine {
   std::string what, numbers, outcome;
   bool made = false, passed = false, now = false;
+  std::optional<answers::Question> question;  ///< what a click on its numbers asks
 };
 
 /// The tests as lines of three columns; a small font where they would be too wide.

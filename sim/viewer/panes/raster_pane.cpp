@@ -197,7 +197,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
 
 void draw_raster(Ui& ui, const char* id, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
                  const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals,
-                 const std::function<std::vector<std::string>(Cell)>& cell_tip) {
+                 const std::function<std::vector<std::string>(Cell)>& cell_tip, const std::function<std::optional<answers::Question>(Cell)>& question) {
   Session& s = ui.session;
   const Theme& c = ui.colors();
   RasterContent& content = ui.rasters[id];
@@ -241,8 +241,12 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const std::functio
     ui.pointed_next = under;
     ui.mouse_help = "Click: select this pixel; then F / Shift+F: next / previous step that touches it. Wheel: zoom. Drag: pan.";
     const float moved = std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).x) + std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).y);
-    if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left))
-      s.select(s.selected == under ? std::nullopt : under);
+    const auto asks = question && s.selected == under ? question(*under) : std::nullopt;
+    if (asks) ui.mouse_help = "Click: where this depth comes from. Esc: select nothing. Wheel: zoom. Drag: pan.";
+    if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+      if (asks) ui.asked = asks;
+      else s.select(s.selected == under ? std::nullopt : under);
+    }
   }
   ImGui::PushClipRect(origin, end, true);
   draw_numbers(ui, map, origin, content, cell_text, most_decimals);

@@ -146,7 +146,12 @@ std::vector<std::int32_t> vertices_shown(const Session& s) {
   return shown;
 }
 
-struct WayRow { const char* stage; std::optional<glm::dvec3> at; bool flat; };
+struct WayRow {
+  const char* stage;
+  std::optional<glm::dvec3> at;
+  bool flat;
+  std::string field;  ///< what x, y and z are called there: x_v, y_v, z_v
+};
 
 /// The stages of one vertex as aligned lines.
 void draw_way(Ui& ui, std::int32_t vertex, bool now) {
@@ -156,13 +161,13 @@ void draw_way(Ui& ui, std::int32_t vertex, bool now) {
   const VertexWay* way = at < s.state().vertices.size() ? &s.state().vertices[at] : nullptr;
   std::vector<WayRow> rows;
   const bool screen = s.scene().camera.kind == Camera::Kind::screen;
-  if (at < s.scene().points.size()) rows.push_back({screen ? "screen" : "world", s.scene().points[at], false});
-  if (screen && way && at >= s.scene().points.size()) rows.push_back({"screen", glm::dvec3(way->raster, way->plane.z), false});
-  else if (!s.state().machine.tree.empty() && way && way->world != glm::dvec3(0)) rows.push_back({"world", way->world, false});
+  if (at < s.scene().points.size()) rows.push_back({screen ? "screen" : "world", s.scene().points[at], false, "_w"});
+  if (screen && way && at >= s.scene().points.size()) rows.push_back({"screen", glm::dvec3(way->raster, way->plane.z), false, "_s"});
+  else if (!s.state().machine.tree.empty() && way && way->world != glm::dvec3(0)) rows.push_back({"world", way->world, false, "_w"});
   if (!screen && way) {
-    if (way->stage >= VertexWay::viewed) rows.push_back({"view", way->view, false});
-    if (way->stage >= VertexWay::projected) rows.push_back({"plane", way->plane, false});
-    if (way->stage >= VertexWay::on_raster) rows.push_back({"screen", glm::dvec3(way->raster, 0), true});
+    if (way->stage >= VertexWay::viewed) rows.push_back({"view", way->view, false, "_v"});
+    if (way->stage >= VertexWay::projected) rows.push_back({"plane", way->plane, false, "_p"});
+    if (way->stage >= VertexWay::on_raster) rows.push_back({"screen", glm::dvec3(way->raster, 0), true, "_s"});
   }
   std::vector<double> values;
   for (const WayRow& row : rows)
@@ -194,6 +199,9 @@ void draw_way(Ui& ui, std::int32_t vertex, bool now) {
     for (int k = 0; k < (rows[r].flat ? 2 : 3); ++k) {
       const std::string text = number((*rows[r].at)[k], decimals);
       draw_text(ui, {x + name + column * static_cast<float>(k + 1) - text_size(ui, font, text).x, y}, font, c.text, text);
+      const float right = x + name + column * static_cast<float>(k + 1);
+      if (!rows[r].field.empty())
+        number_at(ui, {right - text_size(ui, font, text).x - 2, y}, {right + 2, y + height}, answers::of_vertex(s.position(), vertex, k == 2 && rows[r].field == "_p" ? "z" : "xyz"[k] + rows[r].field));
       tips.push_back(fmt::format("{} {} = {}", rows[r].stage, "xyz"[k], exact((*rows[r].at)[k])));
     }
   }

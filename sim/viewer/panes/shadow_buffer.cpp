@@ -72,7 +72,9 @@ void draw(Ui& ui) {
   ImGui::Dummy({room.x, static_cast<float>(height)});
   if (!state.machine.shadow) return;
   mark_point(ui, map, at, *state.machine.shadow);
+  const ImVec2 below = ImGui::GetCursorScreenPos();
   flow(ui, verdict(*state.machine.shadow, state), {ui.colors().text, 0, ui.fonts.small, 0});
+  number_at(ui, below, {below.x + room.x, ImGui::GetCursorScreenPos().y}, answers::made_by<ShadowCompare>(ui.session.position(), "lit"));
 }
 
 std::string note(Ui& ui) { return ui.session.state().machine.shadow ? "what the light sees" : ""; }

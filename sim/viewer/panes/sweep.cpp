@@ -151,7 +151,8 @@ void draw_table(Ui& ui) {
     row.cells = {TableCell(piece_label(s.scene(), m, piece), color_of(s.scene(), m.pieces[k].polygon, 0)), std::string(line_buffer ? (in ? "\u25cf active" : "\u00b7") : in ? "\u25cf in" : "\u00b7 out")};
     row.cells.back().brief = in ? "\u25cf" : "\u00b7";
     if (const auto& plane = m.pieces[k].plane)
-      for (const double value : {plane->plane_a, plane->plane_b, plane->plane_c, plane->plane_d}) row.cells.emplace_back(value);
+      for (const auto& [field, value] : {std::pair{"plane_a", plane->plane_a}, {"plane_b", plane->plane_b}, {"plane_c", plane->plane_c}, {"plane_d", plane->plane_d}})
+        row.cells.emplace_back(value, answers::made_by<PlaneEquation>(s.position(), field, {{"piece", piece}}));
     row.look = is_now ? TableRow::Look::now : in ? TableRow::Look::plain : TableRow::Look::gone;
     rows.push_back(std::move(row));
   }

@@ -121,6 +121,7 @@ void draw_whole(Ui& ui) {
     list->AddRectFilled({low.x, end.y - 4}, end, color_of_node(s, one));
     frame_box(list, low, end, lit ? c.now : c.text, lit ? 3 : 1);
     draw_text(ui, {std::round(middle.x - text_size(ui, font, name).x / 2), std::round(middle.y - font->FontSize * 0.62f)}, font, c.text, name);
+    if (one.eye) number_at(ui, low, end, answers::made_by<EyeSide>(s.position(), "value", {{"node", static_cast<std::int32_t>(node)}}));
     if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);
     std::int32_t drawn = -1;
     for (const std::int32_t piece : one.pieces)
@@ -151,12 +152,14 @@ void draw_path(Ui& ui) {
     const char* hangs = one.parent < 0 ? "root" : m.tree[at(one.parent)].front_child == node ? "+" : "\u2212";
     row.cells = {TableCell(std::string(hangs)), TableCell(name_of(s, one), color_of_node(s, one))};
     row.cells.emplace_back(one.eye ? std::string(one.eye->front ? "front" : "behind") : std::string());
+    if (one.eye) row.cells.emplace_back(one.eye->value, answers::made_by<EyeSide>(s.position(), "value", {{"node", node}}));
+    else row.cells.emplace_back();
     row.cells.emplace_back(static_cast<double>(count(one.front_child)));
     row.cells.emplace_back(static_cast<double>(count(one.back_child)));
     row.look = node == now ? TableRow::Look::now : TableRow::Look::plain;
     rows.push_back(std::move(row));
   }
-  number_table(ui, "path", {"side", "node", "the eye", "nodes +", "nodes \u2212"}, rows);
+  number_table(ui, "path", {"side", "node", "the eye", "value", "nodes +", "nodes \u2212"}, rows);
 }
 
 void draw(Ui& ui) {

@@ -1,0 +1,64 @@
+// The chain behind a number: every step, and at last every line of the mesh file, that it comes from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace zstep::answers {
+
+/// A number in a formula. It is one of the chain's own, or a plain one (a row, a size of the raster, an entry of a matrix).
+struct Operand {
+  std::string symbol;      ///< letters, digits and _: as it stands in the formula
+  double value = 0;
+  std::int32_t link = -1;  ///< the link that tells where it comes from; -1 for a plain number
+  std::string name;        ///< its name there
+};
+
+/// One number, and how it was made.
+struct ChainValue {
+  std::string name;      ///< "x_L"; of a condition, the condition's own name, with value 1 (true) or 0
+  double value = 0;
+  std::string formula;   ///< over the operands' symbols, "z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)"; empty: taken over
+  std::vector<Operand> operands;
+  bool exact = true;     ///< the formula gives the recorded bits; else it does so but for rounding
+  bool condition = false;
+  std::string word;      ///< of a choice between words, the one: "front"
+  std::string note;      ///< what no formula says, in a few words
+};
+
+/// A step of the run, or a datum of the scene, and the numbers of it that matter here.
+struct ChainLink {
+  std::int64_t step = 0;     ///< 0: the scene itself
+  std::int32_t parent = -1;  ///< the link that asked for it; -1 for the first
+  std::int32_t depth = 0;    ///< how many links lead to it
+  std::string what;          ///< "depth at x = 9 on the span"
+  std::vector<ChainValue> values;
+  std::string source;        ///< "pyramid.obj:12", where the scene has lines
+};
+
+/// The links in the order in which they are read: each right behind the one that asked for it, or behind what that one had
+/// asked for before. The first value of the first link is the number that was asked about.
+struct Chain {
+  std::vector<ChainLink> links;
+  bool cut = false;  ///< there was more than a chain may hold
+};
+
+/// With signs as they are printed: "z_L + (z_R − z_L)·(x − x_L)/(x_R − x_L)".
+std::string formula_text(const ChainValue& value);
+/// The same with numbers in the place of symbols, each with all the digits it needs.
+std::string numbers_text(const ChainValue& value);
+/// "z = z_L + … = 5 + … = 7"; "z = 7" where it was taken over.
+std::string line_text(const ChainValue& value);
+/// As many digits as it takes to read back the same bits; "true" and "false" of a condition.
+std::string full_digits(double value);
+std::string result_text(const ChainValue& value);
+
+/// What the formula gives, in the order in which it is written. Knows + - * / ( ) < <= >, sqrt, abs, min, max and numbers.
+/// Throws std::logic_error for a formula that is none.
+double evaluate(const ChainValue& value);
+/// Is that what was recorded? To the bit, or to 1e-9 of the largest number in it.
+bool holds(const ChainValue& value);
+
+}  // namespace zstep::answers

@@ -1,0 +1,183 @@
+#include "sim/answers/find_origins.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+
+namespace zstep::answers {
+namespace {
+
+constexpr std::int64_t near = 4096;  // events: what is looked through before anything cleverer
+
+template <class E>
+bool is(const Event& event) {
+  return std::holds_alternative<E>(event);
+}
+
+bool begins_work(const Event& event) { return is<PolygonBegin>(event) || is<PieceDraw>(event); }
+
+std::optional<std::int32_t> vertex_of(const Event& event) {
+  if (const auto* e = std::get_if<ViewTransform>(&event)) return e->vertex;
+  if (const auto* e = std::get_if<Projection>(&event)) return e->vertex;
+  if (const auto* e = std::get_if<ViewportTransform>(&event)) return e->vertex;
+  return std::nullopt;
+}
+
+/// All vertices are viewed in one go, in their order: a stretch of the trace that is halved until the vertex is found. What lies
+/// in [low, high] but is of no vertex comes before the stretch up to `ahead`, and behind it from there.
+struct Stretch {
+  std::int64_t low = 1, high = 1;
+  bool tree_first = false;  ///< steps of building a tree come before it
+  bool all_before = false;  ///< whatever is of no vertex does
+};
+
+Stretch viewing_stretch(const Trace& trace, const Machine& machine) {
+  const auto marks = trace.polygons();
+  const auto facets = trace.scene().facets.size();
+  if (trace.scene().light && machine.pass == Pass::eye && marks.size() > facets && facets > 0)
+    return {marks[facets - 1].position, marks[facets].position, false, true};  // the second pass of a shadow buffer
+  const auto first = trace.size() > 0 ? trace.event(1).event : Event{};
+  if (is<TablesBegin>(first) && !marks.empty()) return {marks.back().position, trace.size(), true, false};
+  const auto most = static_cast<std::int64_t>(3 * trace.scene().points.size()) + 8;
+  return {1, std::min(trace.size(), marks.empty() ? most : marks.front().position), false, false};
+}
+
+/// Does the step come before the viewing of this vertex?
+bool before_viewing(const Trace& trace, const Stretch& stretch, std::int64_t step, std::int32_t vertex) {
+  const RecordedEvent recorded = trace.event(step);
+  if (const auto found = vertex_of(recorded.event)) return *found < vertex;
+  if (stretch.all_before || is<BuffersClear>(recorded.event) || is<TablesBegin>(recorded.event) || is<PassBegin>(recorded.event)) return true;
+  if (!stretch.tree_first) return false;
+  const StepInfo* info = find_step(trace.header().page, recorded.step);
+  return info && (info->module == "bsp_build" || info->module == "cutting");
+}
+
+Step viewed_in(const Trace& trace, const Stretch& stretch, std::int32_t vertex) {
+  std::int64_t low = stretch.low, high = stretch.high;
+  while (low < high) {
+    const std::int64_t middle = low + (high - low) / 2;
+    if (before_viewing(trace, stretch, middle, vertex)) low = middle + 1;
+    else high = middle;
+  }
+  const Event event = low <= trace.size() ? trace.event(low).event : Event{};
+  const auto* found = std::get_if<ViewTransform>(&event);
+  return found && found->vertex == vertex ? Step(low) : std::nullopt;
+}
+
+/// The vertex is projected right after it was viewed, or soon after clipping made it.
+void find_projection(const Trace& trace, std::int64_t from, std::int64_t at, std::int32_t vertex, VertexSteps& steps) {
+  const std::int64_t last = std::min(trace.size(), at);
+  for (std::int64_t step = from; step <= last; ++step) {
+    const Event event = trace.event(step).event;
+    if (const auto* projected = std::get_if<Projection>(&event); projected && projected->vertex == vertex) steps.projected = step;
+    if (const auto* placed = std::get_if<ViewportTransform>(&event); placed && placed->vertex == vertex) {
+      steps.on_raster = step;
+      return;
+    }
+    if (const auto* next = std::get_if<ViewTransform>(&event); next && next->vertex != vertex) return;
+    if (begins_work(event)) return;
+  }
+}
+
+bool same_edge(const EdgeTableInsert& a, const EdgeTableInsert& b) {
+  return a.edge == b.edge && a.polygon == b.polygon && a.vertex_0 == b.vertex_0 && a.vertex_1 == b.vertex_1 && a.x_edge == b.x_edge && a.z_edge == b.z_edge;
+}
+
+}  // namespace
+
+std::int64_t begin_of_work(const Trace& trace, const Machine& machine, std::int64_t at) {
+  const auto marks = trace.polygons();
+  auto mark = std::upper_bound(marks.begin(), marks.end(), at, [](std::int64_t step, const PolygonMark& m) { return step < m.position; });
+  if (machine.piece >= 0) {
+    const auto drawn = find_last<PieceDraw>(trace, at, [&](const PieceDraw& e) { return e.piece == machine.piece; });
+    if (drawn) return *drawn;
+  }
+  return mark == marks.begin() ? 1 : std::prev(mark)->position;
+}
+
+VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t vertex) {
+  VertexSteps steps;
+  const bool of_scene = static_cast<std::size_t>(vertex) < trace.scene().points.size();
+  const auto viewing = [&](const ViewTransform& e) { return e.vertex == vertex; };
+  if (!of_scene) {
+    const auto made = [&](const RecordedEvent& recorded) {
+      if (const auto* clipped = std::get_if<ClipCross>(&recorded.event)) return clipped->vertex == vertex;
+      if (const auto* cut = std::get_if<SplitVertex>(&recorded.event)) return cut->vertex == vertex;
+      return false;
+    };
+    // Of a polygon at work, clipping made it after the work began.
+    const bool of_polygon = machine.polygon != no_polygon && machine.piece == -1 && !machine.keeps_all;
+    if (of_polygon) steps.made = trace.next(begin_of_work(trace, machine, at), made);
+    if (!steps.made || *steps.made > at) steps.made = trace.previous(at + 1, made);
+    if (!steps.made) return steps;
+    if (is<ClipCross>(trace.event(*steps.made).event)) {
+      find_projection(trace, *steps.made + 1, at, vertex, steps);
+      return steps;
+    }
+    const SplitVertex cut = std::get<SplitVertex>(trace.event(*steps.made).event);
+    if (cut.space == Space::world) steps.viewed = find_first<ViewTransform>(trace, *steps.made, viewing);
+  } else if (trace.scene().camera.kind != Camera::Kind::screen) {
+    steps.viewed = viewed_in(trace, viewing_stretch(trace, machine), vertex);
+    if (!steps.viewed) steps.viewed = find_last<ViewTransform>(trace, at, viewing);
+  }
+  if (steps.viewed && *steps.viewed > at) steps.viewed.reset();
+  if (steps.viewed) find_projection(trace, *steps.viewed + 1, at, vertex, steps);
+  return steps;
+}
+
+Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge) {
+  if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size()) return std::nullopt;
+  const EdgeTableInsert entry = machine.edge_table[static_cast<std::size_t>(edge)].entry;
+  const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
+  const std::int64_t soon = std::max<std::int64_t>(1, at - near);
+  std::int64_t step = at;
+  if (const auto found = find_last<EdgeTableInsert>(trace, at, wanted, [&](const Event&) { return --step < soon; })) return found;
+  // A polygon's edges follow its beginning, those of all at once the last of the polygons.
+  const auto marks = trace.polygons();
+  if (machine.keeps_all && machine.piece == -1 && !marks.empty()) return find_first<EdgeTableInsert>(trace, std::min(marks.back().position, at), wanted);
+  return find_first<EdgeTableInsert>(trace, begin_of_work(trace, machine, at), wanted);
+}
+
+Step step_of_active_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge) {
+  const auto moved = find_last<EdgeStep>(
+      trace, at, [&](const EdgeStep& e) { return e.edge == edge; },
+      [&](const Event& event) {
+        if (const auto* enters = std::get_if<EdgeEnter>(&event)) return enters->edge == edge;
+        return is<ScanLineBegin>(event) || begins_work(event);
+      });
+  return moved ? moved : step_of_edge(trace, machine, at, edge);
+}
+
+Step step_of_plane(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t piece) {
+  const auto wanted = [&](const PlaneEquation& e) { return e.piece == piece; };
+  const auto marks = trace.polygons();
+  const auto number = static_cast<std::size_t>(piece);
+  const bool whole = number < machine.pieces.size() && machine.pieces[number].parent < 0;
+  if (!whole || !machine.tree.empty() || marks.empty()) return find_last<PlaneEquation>(trace, at, wanted);
+  // Pieces are made in the order of the polygons, at most one each: halve until its polygon is found.
+  const auto before = [&](const PolygonMark& mark) {
+    const auto made = find_first<PieceMake>(trace, mark.position, [](const PieceMake&) { return true; });
+    return made && *made <= at && std::get<PieceMake>(trace.event(*made).event).piece < piece;
+  };
+  const auto mark = std::partition_point(marks.begin(), marks.end(), before);
+  const Step found = mark == marks.end() ? std::nullopt : find_first<PlaneEquation>(trace, mark->position, wanted);
+  return found && *found <= at ? found : find_last<PlaneEquation>(trace, at, wanted);
+}
+
+Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light) {
+  const bool passes = trace.scene().light && std::any_of(trace.header().page.begin(), trace.header().page.end(), [](const StepInfo& s) { return s.kind == kind_of<PassBegin>; });
+  const auto writes = [&](const RecordedEvent& recorded) {
+    if (const auto* depth = std::get_if<DepthWrite>(&recorded.event)) return depth->x == pixel.x && depth->y == pixel.y;
+    if (const auto* paint = std::get_if<PixelPaint>(&recorded.event)) return paint->x == pixel.x && paint->y == pixel.y;
+    return false;
+  };
+  const auto marks = trace.polygons();
+  const auto facets = trace.scene().facets.size();
+  const bool two = passes && marks.size() > facets && facets > 0;  // the eye's pass begins before the second round of polygons
+  const std::int64_t eye = two ? marks[facets].position : trace.size() + 1;
+  const auto found = trace.previous(light && two ? std::min(at + 1, eye) : at + 1, writes, pixel);
+  if (found && two && !light && *found < eye) return std::nullopt;
+  return found;
+}
+
+}  // namespace zstep::answers

@@ -1,0 +1,62 @@
+// Where in a trace the steps stand that a chain passes through. A search begins where its step must be near: at the polygon at
+// work, at the line, at the beginning of the run; none goes through a whole trace where there is another way.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "traces/file/trace.hpp"
+#include "traces/replay/state.hpp"
+
+namespace zstep::answers {
+
+using Step = std::optional<std::int64_t>;
+
+/// The last step at or before `at`, or the first at or after it, whose event is an E for which `wanted(event)` holds; it ends
+/// where `stop(event)` does.
+template <class E, class Wanted, class Stop>
+Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted, Stop&& stop) {
+  bool stopped = false;
+  const auto found = trace.previous(at + 1, [&](const RecordedEvent& recorded) {
+    const auto* event = std::get_if<E>(&recorded.event);
+    if (event && wanted(*event)) return true;
+    return stopped = stop(recorded.event);
+  });
+  return stopped ? std::nullopt : found;
+}
+template <class E, class Wanted>
+Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted) {
+  return find_last<E>(trace, at, wanted, [](const Event&) { return false; });
+}
+template <class E, class Wanted>
+Step find_first(const Trace& trace, std::int64_t at, Wanted&& wanted) {
+  return trace.next(at - 1, [&](const RecordedEvent& recorded) {
+    const auto* event = std::get_if<E>(&recorded.event);
+    return event && wanted(*event);
+  });
+}
+
+/// The steps of one vertex, as far as the trace has them.
+struct VertexSteps {
+  Step made;  ///< by clipping or cutting; the scene's own points have none
+  Step viewed, projected, on_raster;
+};
+
+/// As it stood at step `at`, in the pass that was at work then.
+VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t vertex);
+
+/// Where the edge entered the edge table that is in use at `at`.
+Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge);
+/// The step that gave the active edge the x it has at `at`: its edge_step, or its entry into the table.
+Step step_of_active_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge);
+
+/// Where the plane of a piece was found.
+Step step_of_plane(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t piece);
+
+/// The last step at or before `at` that gave a pixel of the buffer in use then its depth. `light`: of the light's picture.
+Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light);
+
+/// Where work on the polygon or the piece at `at` began; 1 if nothing says so.
+std::int64_t begin_of_work(const Trace& trace, const Machine& machine, std::int64_t at);
+
+}  // namespace zstep::answers

@@ -1,0 +1,104 @@
+// From a pixel of the eye's picture to the light's (shadow buffer): the way of a vertex backwards, then once more forwards.
+#include <array>
+#include <cmath>
+
+#include <glm/matrix.hpp>
+
+#include "algorithms/viewing/camera.hpp"
+#include "sim/answers/origin/work.hpp"
+
+namespace zstep::answers {
+namespace {
+
+constexpr std::array<const char*, 3> world_names{"x_w", "y_w", "z_w"}, light_names{"x_v", "y_v", "z_v"};
+
+/// A row of a matrix times a point, with the entries as plain numbers.
+void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, std::size_t row, const std::array<Number, 3>& point, const std::array<const char*, 3>& names) {
+  std::vector<Given> given;
+  for (std::size_t column = 0; column < 4; ++column) {
+    given.push_back({fmt::format("{}_{}{}", letter, row + 1, column + 1), matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)]});
+    if (column < 3) given.push_back({names[column], point[column]});
+  }
+  datum.is(fmt::format("({0}_{1}1*{2} + {0}_{1}2*{3}) + ({0}_{1}3*{4} + {0}_{1}4)", letter, row + 1, names[0], names[1], names[2]), std::move(given), false);
+}
+
+/// The numbers between the two pictures, as values of the step's link.
+struct ThroughSpace {
+  Work& work;
+  std::int64_t step;
+  const ShadowCompare& e;
+  const viewing::Lens eye{work.scene.camera, work.scene.raster, work.conventions.depth};
+  const Camera camera = viewing::camera_of(*work.scene.light);
+  const viewing::Lens light{camera, work.scene.raster, work.conventions.depth};
+
+  template <class Tell>
+  Number value(const std::string& name, double is, Tell&& tell) { return work.derived(step, "", "", name, is, tell); }
+
+  Number depth() {
+    const double z = work.state().picture.depth[work.state().picture.at(e.x, e.y)];
+    return work.derived(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z, [&](Datum& datum) {
+      datum.is("z", {{"z", z}});
+      if (const Step wrote = step_of_depth(work.trace, step, {e.x, e.y}, false)) work.later(*wrote, "z", "z");
+    });
+  }
+  Number z_v() {
+    const Number z = depth();
+    return value("z_eye", view_depth(work.scene.camera, work.conventions, z.value), [&](Datum& datum) {
+      if (eye.depth == Conventions::Depth::view) return datum.same_as("z", z);
+      if (eye.orthographic) return datum.is("n + (z + 1)*(f - n)/2", {{"n", eye.near}, {"z", z}, {"f", eye.far}});
+      datum.is("2*n*f/(f + n - z*(f - n))", {{"n", eye.near}, {"f", eye.far}, {"z", z}});
+    });
+  }
+  Number viewed(bool x) {
+    const Number z = z_v();
+    const double plane = x ? (2 * (e.x + 0.5) / eye.width - 1) * eye.window_x : (1 - 2 * (e.y + 0.5) / eye.height) * eye.window_y;
+    return value(x ? "x_eye" : "y_eye", plane * (eye.orthographic ? 1 : z.value / eye.d), [&](Datum& datum) {
+      const std::string formula = x ? "(2*(x + 0.5)/W - 1)*w_x" : "(1 - 2*(y + 0.5)/H)*w_y";
+      std::vector<Given> given = x ? std::vector<Given>{{"x", e.x}, {"W", eye.width}, {"w_x", eye.window_x}} : std::vector<Given>{{"y", e.y}, {"H", eye.height}, {"w_y", eye.window_y}};
+      if (!eye.orthographic) given.push_back({"z_eye", z}), given.push_back({"d", eye.d});
+      datum.is(eye.orthographic ? formula : formula + "*(z_eye/d)", std::move(given));
+    });
+  }
+  Number world(std::size_t axis) {
+    const std::array<Number, 3> at{viewed(true), viewed(false), z_v()};
+    const glm::dmat4 matrix = glm::inverse(work.scene.camera.view);
+    const glm::dvec4 point = matrix * glm::dvec4(at[0].value, at[1].value, at[2].value, 1);
+    return value(world_names[axis], point[static_cast<glm::length_t>(axis)], [&](Datum& datum) { tell_row(datum, matrix, "V", axis, at, {"x_eye", "y_eye", "z_eye"}); });
+  }
+  Number seen(std::size_t axis) {
+    const std::array<Number, 3> at{world(0), world(1), world(2)};
+    const glm::dvec4 point = camera.view * glm::dvec4(at[0].value, at[1].value, at[2].value, 1);
+    return value(light_names[axis], point[static_cast<glm::length_t>(axis)], [&](Datum& datum) { tell_row(datum, camera.view, "L", axis, at, world_names); });
+  }
+};
+
+}  // namespace
+
+void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, std::string_view field) {
+  if (!work.scene.light || field == "x" || field == "y") return;
+  ThroughSpace through{work, step, e};
+  const viewing::Lens& lens = through.light;
+  if (field == "x_light")
+    return datum.is("(d*x_v/z_v + w_x)/(2*w_x)*W - 0.5", {{"d", lens.d}, {"x_v", through.seen(0)}, {"z_v", through.seen(2)}, {"w_x", lens.window_x}, {"W", lens.width}}, false);
+  if (field == "y_light")
+    return datum.is("(w_y - d*y_v/z_v)/(2*w_y)*H - 0.5", {{"w_y", lens.window_y}, {"d", lens.d}, {"y_v", through.seen(1)}, {"z_v", through.seen(2)}, {"H", lens.height}}, false);
+  if (field == "z_light") {
+    if (lens.depth == Conventions::Depth::view) return datum.is("z_v", {{"z_v", through.seen(2)}}, false);
+    return datum.is("n*(a*z_v + b)/z_v", {{"n", lens.near}, {"a", lens.a}, {"z_v", through.seen(2)}, {"b", lens.b}}, false);
+  }
+  const double column = std::round(e.x_light), row = std::round(e.y_light);
+  const std::vector<Number> asked{work.field(step, "z_light"), work.field(step, "x_light"), work.field(step, "y_light")};
+  const Picture& light = work.state().light;
+  if (!(column >= 0 && column < light.width && row >= 0 && row < light.height)) return datum.comes_of("false beside the light's picture", asked);
+  const Trace::Pixel pixel{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
+  const double stored = light.depth[light.at(pixel.x, pixel.y)];
+  const Number shadow = work.derived(step, "shadow", fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, work.label(light.polygon[light.at(pixel.x, pixel.y)])), "shadow", stored, [&](Datum& inner) {
+    const Step wrote = step_of_depth(work.trace, step, pixel, true);
+    if (!wrote) return inner.note("the light saw nothing there");
+    inner.is("z", {{"z", stored}});
+    work.later(*wrote, "z", "z");
+  });
+  datum.comes_of("z_light is not behind shadow[x', y'] by more than the bias", {asked[0], shadow, asked[1], asked[2]});
+}
+
+}  // namespace zstep::answers

@@ -1,0 +1,227 @@
+// Rays: where they begin and go, the planes and points they meet, and what they bring back.
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "algorithms/ray_casting/geometry.hpp"
+#include "algorithms/ray_tracing/optics.hpp"
+#include "algorithms/shadow_buffer/shadow_buffer.hpp"
+#include "sim/answers/origin/work.hpp"
+
+namespace zstep::answers {
+namespace {
+
+constexpr const char* from_fields[] = {"x_0", "y_0", "z_0"};
+constexpr const char* along_fields[] = {"dir_x", "dir_y", "dir_z"};
+constexpr const char* hit_fields[] = {"x_hit", "y_hit", "z_hit"};
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+int axis_in(std::string_view field) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (field.find(axis_names[axis]) != std::string_view::npos) return axis;
+  return 0;
+}
+
+Step begin_of_ray(const Work& work, std::int64_t at, std::int32_t ray) {
+  return find_last<RayBegin>(work.trace, at, [&](const RayBegin& e) { return e.ray == ray; });
+}
+
+/// The ray that is held against things at a step: the one begun last before it.
+Step ray_at_work(const Work& work, std::int64_t step) {
+  return find_last<RayBegin>(work.trace, step, [](const RayBegin&) { return true; });
+}
+
+RayBegin begin_at(const Work& work, std::int64_t step) { return std::get<RayBegin>(work.trace.event(step).event); }
+
+double component(const glm::dvec3& v, int axis) { return v[axis]; }
+
+/// The hit that a ray kept: what it meets first.
+Step kept_hit(const Work& work, std::int64_t at, std::int64_t begin) {
+  const auto stop = [](const Event& event) { return std::holds_alternative<RayBegin>(event); };
+  // Rays that this one cast lie between its end and its hits, so look on from its beginning.
+  Step kept;
+  for (std::int64_t step = begin + 1; step <= at; ++step) {
+    const Event event = work.trace.event(step).event;
+    if (std::holds_alternative<RayEnd>(event) || stop(event)) break;
+    if (const auto* hit = std::get_if<RayHit>(&event); hit && hit->nearest) kept = step;
+  }
+  return kept;
+}
+
+/// A component of a ray's direction, of length 1.
+Number unit_along(Work& work, std::int64_t begin, int axis) {
+  const RayBegin ray = begin_at(work, begin);
+  const glm::dvec3 along = glm::normalize(glm::dvec3(ray.dir_x, ray.dir_y, ray.dir_z));
+  return work.derived(begin, "unit", fmt::format("direction of ray {}, of length 1", ray.ray), fmt::format("D_{}", axis_names[axis]), component(along, axis), [&](Datum& datum) {
+    const Number x = work.field(begin, "dir_x"), y = work.field(begin, "dir_y"), z = work.field(begin, "dir_z");
+    datum.is(fmt::format("{}/sqrt(x*x + y*y + z*z)", axis_names[axis]), {{"x", x}, {"y", y}, {"z", z}}, false);
+  });
+}
+
+void tell_eye_direction(Datum& datum, Work& work, const RayBegin& e, int axis) {
+  const Camera& camera = work.scene.camera;
+  const viewing::Lens lens(camera, work.scene.raster, work.conventions.depth);
+  if (camera.kind == Camera::Kind::screen) return datum.note("along z");
+  const glm::dmat4& view = camera.view;
+  if (lens.orthographic) return datum.note("the line of sight, the third row of T_v");
+  const double right = view[axis][0], up = view[axis][1], away = view[axis][2];
+  datum.is("((x + 0.5)*2*w_x/W - w_x)*T_1 + (w_y - (y + 0.5)*2*w_y/H)*T_2 + d*T_3",
+           {{"x", e.x}, {"w_x", lens.window_x}, {"W", lens.width}, {"T_1", right}, {"w_y", lens.window_y}, {"y", e.y}, {"H", lens.height}, {"T_2", up}, {"d", lens.d}, {"T_3", away}});
+  datum.note(fmt::format("T_1, T_2, T_3: column {} of T_v", axis + 1));
+}
+
+void tell_eye_start(Datum& datum, Work& work, const RayBegin& e, int axis) {
+  const Camera& camera = work.scene.camera;
+  if (camera.kind == Camera::Kind::screen) return datum.note(axis == 0 ? fmt::format("pixel column {}", e.x) : axis == 1 ? fmt::format("pixel row {}", e.y) : "z = 0");
+  if (camera.kind == Camera::Kind::perspective) return datum.note(camera.polar ? fmt::format("the eye, from rho {:.6g}, theta {:.6g}, phi {:.6g}", camera.rho, camera.theta, camera.phi) : "the eye");
+  datum.note(fmt::format("on the plane of the eye, for pixel ({}, {})", e.x, e.y));
+}
+
+void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std::int64_t hit, const RayBegin& e, int axis) {
+  const std::string name = axis_names[axis];
+  if (e.role == RayRole::shadow) {
+    const Number point = work.field(hit, hit_fields[axis]);
+    return datum.is("light_" + name + " - point_" + name, {{"light_" + name, work.scene.light ? component(work.scene.light->position, axis) : 0}, {"point_" + name, point}});
+  }
+  const std::int32_t facet = std::get<RayHit>(work.trace.event(hit).event).facet;
+  std::vector<Given> given;
+  glm::dvec3 along(0), normal(0);
+  for (int k = 0; k < 3; ++k) {
+    const Number d = unit_along(work, parent, k), n = work.facet_plane(facet, static_cast<char>('A' + k));
+    along[k] = d.value, normal[k] = n.value;
+    given.push_back({fmt::format("D_{}", axis_names[k]), d});
+    given.push_back({fmt::format("N_{}", axis_names[k]), n});
+  }
+  if (e.role == RayRole::reflected)
+    return datum.is(fmt::format("D_{0} - 2*(D_x*N_x + D_y*N_y + D_z*N_z)*N_{0}", name), std::move(given), false);
+  const bool entering = glm::dot(along, normal) < 0;
+  const auto polygon = static_cast<std::size_t>(work.scene.facets[static_cast<std::size_t>(facet)].polygon);
+  const double n = work.scene.polygons[polygon].material.refraction, ratio = entering ? 1 / n : n;
+  const std::string cosine = entering ? "(-(D_x*N_x + D_y*N_y + D_z*N_z))" : "(D_x*N_x + D_y*N_y + D_z*N_z)";
+  given.push_back({"r", ratio});
+  datum.is(fmt::format("r*D_{0} + (r*{1} - sqrt(1 - r*r*(1 - {1}*{1})))*{2}N_{0}", name, cosine, entering ? "" : "(-1)*"), std::move(given), false);
+  datum.note("r = n_1/n_2, by Snell's law");
+}
+
+}  // namespace
+
+void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::string_view field) {
+  const bool start = field == "x_0" || field == "y_0" || field == "z_0";
+  if (!start && !field.starts_with("dir_")) return;
+  const int axis = axis_in(start ? field : field.substr(4));
+  if (e.role == RayRole::eye) return start ? tell_eye_start(datum, work, e, axis) : tell_eye_direction(datum, work, e, axis);
+  const Step parent = begin_of_ray(work, step - 1, e.parent);
+  const Step hit = parent ? kept_hit(work, step, *parent) : std::nullopt;
+  if (!hit) return;
+  if (start) return datum.same_as(hit_fields[axis], work.field(*hit, hit_fields[axis]));
+  tell_secondary_direction(datum, work, *parent, *hit, e, axis);
+}
+
+void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::string_view field) {
+  const Step begin = ray_at_work(work, step);
+  if (!begin || field == "facet") return;
+  if (field == "t") {
+    const Number top = work.field(step, "numerator"), bottom = work.field(step, "denominator");
+    if (std::isnan(e.t)) return datum.comes_of("the ray runs along the plane", {bottom});
+    return datum.is("numerator/denominator", {{"numerator", top}, {"denominator", bottom}});
+  }
+  const auto plane = [&](char letter) { return work.facet_plane(e.facet, letter); };
+  const auto* fields = field == "numerator" ? from_fields : along_fields;
+  std::vector<Given> given;
+  for (int axis = 0; axis < 3; ++axis) {
+    given.push_back({std::string(1, static_cast<char>('A' + axis)), plane(static_cast<char>('A' + axis))});
+    given.push_back({fields[axis], work.field(*begin, fields[axis])});
+  }
+  if (field != "numerator") return datum.is("A*dir_x + B*dir_y + C*dir_z", std::move(given));
+  given.push_back({"D", plane('D')});
+  datum.is("-(A*x_0 + B*y_0 + C*z_0 + D)", std::move(given));
+}
+
+void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::string_view field) {
+  const Step begin = ray_at_work(work, step);
+  if (!begin || field == "facet") return;
+  if (field == "t") {
+    const Step plane = find_last<RayPlane>(work.trace, step, [&](const RayPlane& other) { return other.facet == e.facet; });
+    const Number t = work.field(plane, "t", e.t);
+    if (t.value == e.t) return datum.same_as("t", t);
+    return datum.comes_of("0: the ray begins in this plane", {t});  // layers that touch
+  }
+  if (field == "nearest") {
+    double kept = std::numeric_limits<double>::infinity();
+    Step keeper;
+    for (std::int64_t before = *begin + 1; before < step; ++before)
+      if (const auto* hit = std::get_if<RayHit>(&work.trace.event(before).event); hit && hit->nearest) kept = hit->t, keeper = before;
+    const std::vector<Number> numbers{work.field(step, "t"), work.field(keeper, "t", kept)};
+    return datum.comes_of(!e.inside ? "the point lies outside the facet" : keeper ? "is t less than that of the hit kept before?" : "nothing was kept before", numbers);
+  }
+  if (field == "inside") return datum.comes_of("by the even-odd rule along the ray", {work.field(step, "x_hit"), work.field(step, "y_hit"), work.field(step, "z_hit")});
+  const int axis = axis_in(field);
+  datum.is(fmt::format("{0} + t*{1}", from_fields[axis], along_fields[axis]), {{from_fields[axis], work.field(*begin, from_fields[axis])}, {"t", work.field(step, "t")}, {along_fields[axis], work.field(*begin, along_fields[axis])}});
+}
+
+namespace {
+
+constexpr const char* light_names[] = {"red", "green", "blue"};
+
+double channel(Color color, int which) { return which == 0 ? color.red : which == 1 ? color.green : color.blue; }
+
+/// Own colour, mirrored and transmitted light, by the material: r mirrored + (1 - r)(o own + (1 - o) through).
+void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, int which) {
+  const auto facet = static_cast<std::size_t>(e.nearest_facet);
+  const bool met = e.nearest_facet >= 0 && facet < work.scene.facets.size();
+  const std::int32_t polygon = met ? work.scene.facets[facet].polygon : no_polygon;
+  const Color color = met ? work.scene.polygons[static_cast<std::size_t>(polygon)].color : work.scene.background;
+  const Number own = work.derived(0, fmt::format("colour of {}", polygon), "colour of " + work.label(polygon), light_names[which], channel(color, which), [&](Datum& inner) {
+    inner.at_source(met ? work.source_of_polygon(polygon) : work.source_line(0));
+  });
+  const Step begin = begin_of_ray(work, step, e.ray);
+  Step mirrored, through, shadow;
+  bool dark = false;
+  // The rays that it cast ended between its beginning and its end.
+  for (std::int64_t at = begin.value_or(step); at < step; ++at) {
+    const Event event = work.trace.event(at).event;
+    const auto* cast = std::get_if<RayBegin>(&event);
+    if (!cast || cast->parent != e.ray) continue;
+    const std::int32_t ray = cast->ray;
+    const RayRole role = cast->role;
+    const Step end = find_first<RayEnd>(work.trace, at, [&](const RayEnd& other) { return other.ray == ray; });
+    if (!end) continue;
+    if (role == RayRole::shadow) shadow = end, dark = std::get<RayEnd>(work.trace.event(*end).event).nearest_facet >= 0;
+    else (role == RayRole::reflected ? mirrored : through) = end;
+  }
+  const std::string own_part = dark ? "colour/255*in_shadow" : "colour/255";
+  std::vector<Given> given{{"colour", own}};
+  if (dark) given.push_back({"in_shadow", shadow_buffer::in_shadow});
+  if (shadow) datum.note(fmt::format("the light {} the point: step {}", dark ? "does not reach" : "reaches", *shadow));
+  if (!mirrored && !through) return datum.is(own_part, std::move(given), false);
+  const Material& material = work.scene.polygons[static_cast<std::size_t>(polygon)].material;
+  const double passes = (1 - material.reflectance) * (1 - material.opacity), mirror = material.reflectance + (through ? 0 : passes);
+  given.push_back({"own_part", (1 - material.reflectance) * material.opacity});
+  std::string text = "own_part*(" + own_part + ")";
+  if (mirrored) text += " + r*mirrored", given.push_back({"r", mirror}), given.push_back({"mirrored", work.field(*mirrored, light_names[which])});
+  if (through) text += " + p*through", given.push_back({"p", passes}), given.push_back({"through", work.field(*through, light_names[which])});
+  datum.is(text, std::move(given), false);
+}
+
+}  // namespace
+
+void tell(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, std::string_view field) {
+  if (field == "tests") return datum.note("planes that it was held against");
+  const Step begin = begin_of_ray(work, step, e.ray);
+  if (field == "t") {
+    const Step hit = begin ? kept_hit(work, step, *begin) : std::nullopt;
+    if (hit) datum.same_as("t_hit", work.field(*hit, "t"));
+    else datum.note("it meets nothing");
+    return;
+  }
+  const bool is_shadow = begin && begin_at(work, *begin).role == RayRole::shadow;
+  for (int which = 0; which < 3; ++which) {
+    if (field != light_names[which]) continue;
+    if (!is_shadow) return tell_light(datum, work, step, e, which);
+    const Step hit = kept_hit(work, step, *begin);
+    datum.comes_of(hit ? "0: something lies between the point and the light" : "1: nothing lies between the point and the light", {work.field(hit, "t", no_depth)});
+  }
+}
+
+}  // namespace zstep::answers

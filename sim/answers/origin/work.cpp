@@ -1,0 +1,145 @@
+#include "sim/answers/origin/work.hpp"
+
+#include <filesystem>
+
+#include "sim/answers/origin/fields.hpp"
+#include "sim/viewer/words/explain.hpp"
+
+namespace zstep::answers {
+namespace {
+
+constexpr std::size_t most_links = 240, most_numbers = 900;
+
+}  // namespace
+
+const std::string& Datum::name() const { return work_.chain.links[link_].values[place_].name; }
+double Datum::number() const { return work_.chain.links[link_].values[place_].value; }
+ChainValue& Datum::value() const { return work_.chain.links[link_].values[place_]; }
+
+void Datum::is(std::string formula, std::vector<Given> operands, bool exact) {
+  ChainValue& told = value();
+  told.formula = std::move(formula);
+  told.exact = exact;
+  for (Given& given : operands) told.operands.push_back({std::move(given.symbol), given.number.value, given.number.link, std::move(given.number.name)});
+}
+
+void Datum::same_as(const std::string& symbol, const Number& number) {
+  if (symbol == name()) return comes_of("", {number});
+  is(symbol, {{symbol, number}});
+}
+
+void Datum::comes_of(std::string note, const std::vector<Number>& numbers) {
+  ChainValue& told = value();
+  told.note = std::move(note);
+  for (const Number& number : numbers) told.operands.push_back({number.name, number.value, number.link, number.name});
+}
+
+void Datum::note(std::string text) { value().note = std::move(text); }
+
+void Datum::holds_if(std::string formula, std::vector<Given> operands) {
+  value().condition = true;
+  is(std::move(formula), std::move(operands));
+}
+
+void Datum::word(std::string one) { value().word = std::move(one); }
+
+bool Datum::told() const {
+  const ChainValue& is = value();
+  return !is.formula.empty() || !is.note.empty() || !is.operands.empty();
+}
+
+void Datum::at_source(std::string source) { work_.chain.links[link_].source = std::move(source); }
+
+std::string Work::depth_name() const { return depth_symbol(scene, conventions); }
+std::string Work::label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
+std::string Work::piece(std::int32_t number) const { return piece_label(scene, machine(), number); }
+std::string Work::vertex_name(std::int32_t vertex) const { return vertex_label(scene, vertex); }
+
+std::string Work::step_name(std::int64_t step) const {
+  const StepInfo* info = step > 0 && step <= trace.size() ? find_step(trace.header().page, trace.event(step).step) : nullptr;
+  return info ? info->name : "";
+}
+
+std::string Work::source_line(std::int32_t line) const {
+  const std::string file = std::filesystem::path(scene.source).filename().string();
+  const std::string name = file == "built-in" || file.empty() ? fmt::format("scene {}", scene.name) : file;
+  return line > 0 ? fmt::format("{}:{}", name, line) : name;
+}
+std::string Work::source_of_polygon(std::int32_t polygon) const {
+  const auto place = static_cast<std::size_t>(polygon);
+  return source_line(polygon >= 0 && place < scene.polygons.size() ? scene.polygons[place].source_line : 0);
+}
+std::string Work::source_of_point(std::int32_t point) const {
+  const auto place = static_cast<std::size_t>(point);
+  return source_line(place < scene.point_lines.size() ? scene.point_lines[place] : 0);
+}
+
+std::int32_t Work::link_of(std::int64_t step, const std::string& subject, const std::string& what) {
+  const auto [known, is_new] = links_.try_emplace({step, subject}, static_cast<std::int32_t>(chain.links.size()));
+  if (!is_new) return known->second;
+  if (chain.links.size() >= most_links || numbers_ >= most_numbers) {
+    links_.erase(known);
+    chain.cut = true;
+    return -1;
+  }
+  ChainLink link;
+  link.step = step;
+  link.parent = current_;
+  link.depth = current_ < 0 ? 0 : chain.links[static_cast<std::size_t>(current_)].depth + 1;
+  link.what = what;
+  chain.links.push_back(std::move(link));
+  return known->second;
+}
+
+std::optional<std::size_t> Work::place_of(std::int32_t link, const std::string& name, double value) {
+  std::vector<ChainValue>& values = chain.links[static_cast<std::size_t>(link)].values;
+  for (const ChainValue& known : values)
+    if (known.name == name) return std::nullopt;
+  ++numbers_;
+  ChainValue told;
+  told.name = name;
+  told.value = value;
+  values.push_back(std::move(told));
+  return values.size() - 1;
+}
+
+Number Work::field(std::int64_t step, std::string_view name) {
+  const Event event = trace.event(step).event;
+  const auto value = field_number(event, name);
+  if (!value) return 0;
+  return derived(step, "", what_happens(*this, event), shown_name(event, name, depth_name()), *value, [&](Datum& datum) {
+    tell_field(datum, *this, step, event, name);
+  });
+}
+
+Number Work::field(const Step& step, std::string_view name, double otherwise) {
+  return step && *step >= 1 && *step <= trace.size() ? field(*step, name) : Number(otherwise);
+}
+
+const VertexSteps& Work::steps_of(std::int32_t vertex) {
+  const auto known = vertices_.find(vertex);
+  if (known != vertices_.end()) return known->second;
+  return vertices_.emplace(vertex, steps_of_vertex(trace, machine(), at(), vertex)).first->second;
+}
+
+void Work::later(std::int64_t step, std::string_view name, const std::string& symbol) {
+  if (step >= 1) later_.push_back({step, std::string(name), symbol, current_});
+}
+
+void Work::run_later() {
+  while (!later_.empty()) {
+    const Later next = std::move(later_.front());
+    later_.pop_front();
+    replay_.go_to(next.step);
+    vertices_.clear();
+    current_ = next.parent;
+    const Number number = field(next.step, next.name);
+    if (number.link < 0 || next.parent < 0) continue;
+    for (ChainValue& value : chain.links[static_cast<std::size_t>(next.parent)].values)
+      for (Operand& operand : value.operands)
+        if (operand.link < 0 && operand.symbol == next.symbol) operand.link = number.link, operand.name = number.name;
+  }
+  current_ = -1;
+}
+
+}  // namespace zstep::answers

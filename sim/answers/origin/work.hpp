@@ -1,0 +1,162 @@
+// How a chain grows: each number asks for those it was made of. For sim/answers/explain_value.cpp and the files beside this one.
+#pragma once
+
+#include <deque>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/answers/chain.hpp"
+#include "sim/answers/find_origins.hpp"
+#include "traces/file/trace.hpp"
+#include "traces/replay/replay.hpp"
+
+namespace zstep::answers {
+
+/// A number and the link that tells where it comes from.
+struct Number {
+  double value = 0;
+  std::int32_t link = -1;
+  std::string name = {};
+  Number(double plain) : value(plain) {}
+  Number(double v, std::int32_t l, std::string n) : value(v), link(l), name(std::move(n)) {}
+};
+
+struct Given {
+  std::string symbol;
+  Number number;
+};
+
+class Work;
+
+/// One value of a link while it is being told.
+class Datum {
+ public:
+  Datum(Work& work, std::size_t link, std::size_t place) : work_(work), link_(link), place_(place) {}
+  const std::string& name() const;
+  double number() const;
+  /// It was computed so; see ChainValue.
+  void is(std::string formula, std::vector<Given> operands, bool exact = true);
+  /// It was taken over as it was.
+  void same_as(const std::string& symbol, const Number& number);
+  /// Says nothing of how it was computed, but what it depends on.
+  void comes_of(std::string note, const std::vector<Number>& numbers = {});
+  void note(std::string text);
+  /// It is a choice between true and false, of this name.
+  void holds_if(std::string formula, std::vector<Given> operands);
+  /// It is one of several words.
+  void word(std::string one);
+  /// Was anything said of it?
+  bool told() const;
+  /// The step's own line of the mesh file.
+  void at_source(std::string source);
+
+ private:
+  ChainValue& value() const;
+  Work& work_;
+  std::size_t link_, place_;
+};
+
+class Work {
+ public:
+  Work(const Trace& trace_, Replay& replay) : trace(trace_), scene(trace_.scene()), conventions(trace_.header().conventions), replay_(replay) {}
+
+  const Trace& trace;
+  const Scene& scene;
+  const Conventions& conventions;
+  Chain chain;
+
+  /// The state in which numbers are looked for: that of the step that was asked about, or of a later question of the chain.
+  const State& state() const { return replay_.state(); }
+  const Machine& machine() const { return replay_.state().machine; }
+  std::int64_t at() const { return replay_.position(); }
+  std::string depth_name() const;
+  std::string label(std::int32_t polygon) const;
+  std::string piece(std::int32_t number) const;
+  std::string step_name(std::int64_t step) const;
+
+  /// A field of the event at a step, with all that is behind it. Integers and choices are numbers here, too.
+  Number field(std::int64_t step, std::string_view name);
+  /// The same, plain where the step is not known.
+  Number field(const Step& step, std::string_view name, double otherwise);
+  /// A number with a name of its own at a step's link (what an event does not carry), told by `tell(datum)`.
+  template <class Tell>
+  Number derived(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name, double value, Tell&& tell) {
+    const std::int32_t link = link_of(step, subject, what);
+    if (link < 0) return value;
+    const auto place = place_of(link, name, value);
+    if (!place) return {value, link, name};
+    Datum datum(*this, static_cast<std::size_t>(link), *place);
+    const std::int32_t outer = std::exchange(current_, link);
+    tell(datum);
+    current_ = outer;
+    return {value, link, name};
+  }
+  /// A field of a step at which the run stood elsewhere: told once all else is, and then known to the operand with this symbol of
+  /// the link at work.
+  void later(std::int64_t step, std::string_view name, const std::string& symbol = "");
+  void run_later();
+
+  // --- What many numbers come from (vertices.cpp, edges.cpp, planes.cpp)
+
+  enum class Axis3 { x, y, z };
+  Number world(std::int32_t vertex, Axis3 axis);     ///< as the scene, or cutting in the world, has it
+  Number viewed(std::int32_t vertex, Axis3 axis);    ///< x_v, y_v, z_v
+  Number on_raster(std::int32_t vertex, Axis3 axis); ///< x_s, y_s and the depth that is interpolated
+  double raster_value(std::int32_t vertex, Axis3 axis) const;  ///< the number alone
+  Number cutting(std::int32_t vertex, Axis3 axis);   ///< where pieces are cut: in the world, or on the raster
+  Number projected(std::int32_t vertex, std::string_view field);
+  Number edge_end(std::int32_t edge, bool upper, Axis3 axis);  ///< x_0, y_0, z_0 of a row of the edge table, or x_1 …
+  Number plane(std::int32_t piece, char letter);               ///< 'A' … 'D' of a piece's plane
+  Number facet_plane(std::int32_t facet, char letter);         ///< of a facet in the world, as rays meet it
+  Number extent(std::int32_t piece, std::string_view field);
+
+  const VertexSteps& steps_of(std::int32_t vertex);
+  std::string vertex_name(std::int32_t vertex) const;
+  std::string source_of_polygon(std::int32_t polygon) const;
+  std::string source_of_point(std::int32_t point) const;
+  std::string source_line(std::int32_t line) const;
+
+ private:
+  friend class Datum;
+  std::int32_t link_of(std::int64_t step, const std::string& subject, const std::string& what);
+  /// Where a new value stands; nothing if it is there already.
+  std::optional<std::size_t> place_of(std::int32_t link, const std::string& name, double value);
+
+  struct Later { std::int64_t step; std::string name, symbol; std::int32_t parent; };
+  Replay& replay_;
+  std::map<std::pair<std::int64_t, std::string>, std::int32_t> links_;
+  std::map<std::int32_t, VertexSteps> vertices_;
+  std::deque<Later> later_;
+  std::int32_t current_ = -1;
+  std::size_t numbers_ = 0;
+};
+
+using Axis3 = Work::Axis3;
+
+/// What the link of a step is called: "depth at x = 9 on the span".
+std::string what_happens(const Work& work, const Event& event);
+
+// --- Where each field of each kind of event comes from. What is not listed names something, or counts.
+
+#define ZSTEP_TOLD(E) void tell(Datum& datum, Work& work, std::int64_t step, const E& event, std::string_view field);
+ZSTEP_TOLD(ViewTransform) ZSTEP_TOLD(Projection) ZSTEP_TOLD(ViewportTransform)
+ZSTEP_TOLD(FacingTest) ZSTEP_TOLD(ClipTest) ZSTEP_TOLD(ClipVertex) ZSTEP_TOLD(ClipCross)
+ZSTEP_TOLD(EdgeTableInsert) ZSTEP_TOLD(EdgeStep) ZSTEP_TOLD(SpanBegin)
+ZSTEP_TOLD(DepthInterpolate) ZSTEP_TOLD(DepthCompare) ZSTEP_TOLD(DepthWrite) ZSTEP_TOLD(PixelPaint)
+ZSTEP_TOLD(ColorBlend) ZSTEP_TOLD(ColorWrite) ZSTEP_TOLD(ShadowCompare)
+ZSTEP_TOLD(PlaneEquation) ZSTEP_TOLD(Extent) ZSTEP_TOLD(PlaneDepth) ZSTEP_TOLD(ImpliedEdge) ZSTEP_TOLD(SpanFlags)
+ZSTEP_TOLD(ExtentTest) ZSTEP_TOLD(SideTest) ZSTEP_TOLD(VertexSide) ZSTEP_TOLD(OverlapTest) ZSTEP_TOLD(SplitVertex)
+ZSTEP_TOLD(EyeSide) ZSTEP_TOLD(NodeSkip) ZSTEP_TOLD(AreaBegin) ZSTEP_TOLD(AreaBin)
+ZSTEP_TOLD(BoxMake) ZSTEP_TOLD(GridMake) ZSTEP_TOLD(RayBegin) ZSTEP_TOLD(CellVisit) ZSTEP_TOLD(BoxTest) ZSTEP_TOLD(RayPlane) ZSTEP_TOLD(RayHit) ZSTEP_TOLD(RayEnd)
+ZSTEP_TOLD(CurveBegin) ZSTEP_TOLD(HorizonTest) ZSTEP_TOLD(HorizonMove) ZSTEP_TOLD(HorizonCross)
+ZSTEP_TOLD(LineCross) ZSTEP_TOLD(LineHide) ZSTEP_TOLD(LinePiece)
+#undef ZSTEP_TOLD
+
+}  // namespace zstep::answers

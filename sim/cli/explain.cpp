@@ -1,0 +1,118 @@
+// zstep explain: where a number comes from.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/answers/explain_value.hpp"
+#include "sim/cli/commands.hpp"
+#include "sim/cli/run_options.hpp"
+#include "sim/cli/traces.hpp"
+#include "sim/cli/words.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+struct ExplainOptions {
+  std::string trace;
+  std::vector<std::string> what;  ///< X Y, or FIELD, or nothing
+  std::optional<std::int64_t> at;
+  bool json = false;
+};
+
+answers::Question question_of(const Trace& trace, const ExplainOptions& options) {
+  answers::Question question;
+  question.at = options.at.value_or(trace.size());
+  if (question.at > trace.size()) throw InputError("--at", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+  if (options.what.size() == 2) {
+    const Raster& raster = trace.scene().raster;
+    const std::int64_t x = parse_whole("X", options.what[0], 0), y = parse_whole("Y", options.what[1], 0);
+    if (x >= raster.width || y >= raster.height)
+      throw InputError(fmt::format("{} {}", x, y), fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height), "columns and rows count from 0");
+    question.pixel = Trace::Pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+    return question;
+  }
+  if (!options.at) throw InputError("zstep explain", "asks about nothing", "give a pixel, X Y, or a step, --at STEP");
+  if (question.at == 0) throw InputError("--at", "nothing has happened before the first step", "give a step from 1 on");
+  const std::vector<std::string> fields = answers::fields_of_step(trace, question.at);
+  if (!options.what.empty()) {
+    question.field = options.what[0];
+    if (std::find(fields.begin(), fields.end(), question.field) == fields.end())
+      throw InputError(question.field, fmt::format("is no field of step {}", question.at), did_you_mean(question.field, fields, fields.empty() ? "it has none" : "it has " + enumerate(fields, "and")));
+  }
+  return question;
+}
+
+std::string text_of(const answers::Chain& chain) {
+  std::size_t width = 5;
+  for (const answers::ChainLink& link : chain.links) width = std::max(width, grouped(link.step).size());
+  std::string text = fmt::format("{:>{}}\n", "STEP", width);
+  for (const answers::ChainLink& link : chain.links) {
+    const std::string indent(static_cast<std::size_t>(2 * link.depth), ' '), step = link.step == 0 ? "scene" : grouped(link.step);
+    text += fmt::format("{:>{}}  {}{}{}\n", step, width, indent, link.what, link.source.empty() ? "" : "   " + link.source);
+    for (const answers::ChainValue& value : link.values) {
+      const bool asked = &value == &chain.links.front().values.front();
+      const std::string hex = asked && !value.condition && value.word.empty() ? fmt::format("   ({:a})", value.value) : "";
+      text += fmt::format("{:>{}}    {}{}{}\n", "", width, indent, answers::line_text(value), hex);
+      if (!answers::holds(value)) text += fmt::format("{:>{}}    {}the trace records {}, but this formula gives {}\n", "", width, indent, answers::full_digits(value.value), answers::full_digits(answers::evaluate(value)));
+    }
+  }
+  if (chain.cut) text += "… and what is behind that: ask about one of these numbers\n";
+  return text;
+}
+
+/// A number that JSON can hold: what is not finite becomes a word.
+nlohmann::ordered_json json_number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(fmt::format("{}", value));
+}
+
+nlohmann::ordered_json json_of(const answers::Chain& chain) {
+  nlohmann::ordered_json links = nlohmann::ordered_json::array();
+  for (const answers::ChainLink& link : chain.links) {
+    nlohmann::ordered_json values = nlohmann::ordered_json::array();
+    for (const answers::ChainValue& value : link.values) {
+      nlohmann::ordered_json operands = nlohmann::ordered_json::array();
+      for (const answers::Operand& operand : value.operands) operands.push_back({{"symbol", operand.symbol}, {"value", json_number(operand.value)}, {"link", operand.link}});
+      values.push_back({{"name", value.name}, {"value", json_number(value.value)}, {"hex", fmt::format("{:a}", value.value)}, {"formula", value.formula},
+                        {"numbers", answers::numbers_text(value)}, {"note", value.note}, {"operands", operands}});
+      if (!value.word.empty()) values.back()["word"] = value.word;
+    }
+    links.push_back({{"step", link.step}, {"parent", link.parent}, {"what", link.what}, {"source", link.source}, {"values", values}});
+  }
+  return {{"links", links}, {"cut", chain.cut}};
+}
+
+int explain(const ExplainOptions& options) {
+  const Trace trace = open_trace(options.trace);
+  const answers::Question question = question_of(trace, options);
+  const answers::Chain chain = answers::explain_value(trace, question);
+  if (chain.links.empty() && question.pixel) fmt::print("pixel ({}, {}) has no depth: nothing was drawn there up to step {}\n", question.pixel->x, question.pixel->y, question.at);
+  else if (chain.links.empty()) fmt::print("step {} has no number to explain\n", question.at);
+  else if (options.json) fmt::print("{}\n", json_of(chain).dump(2));
+  else fmt::print("{}", text_of(chain));
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command = app.add_subcommand("explain", "Tell where a number comes from, back to the lines of the mesh file");
+  command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  command->add_option("what", options->what, "A pixel whose depth is meant, or with --at a field of that step (its main one if none is given)")->type_name("X Y or FIELD")->expected(0, 2);
+  add_whole(*command, "--at", options->at, 0, "The step; for a pixel, the moment (the end if not given)");
+  command->add_flag("--json", options->json, "As JSON, with each value's hex float");
+  command->footer(
+      "Each number stands with its formula, the same with numbers, and its result; what it was made of is indented below it.\n"
+      "The fields of a step's event are listed by zstep dump.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep explain run.ztrace 15 12\n"
+      "  zstep explain run.ztrace --at 867 z");
+  command->callback([options, &action] { action = [options] { return explain(*options); }; });
+}
+
+}  // namespace zstep::cli

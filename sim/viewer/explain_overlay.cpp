@@ -1,0 +1,97 @@
+// Where a number comes from: a line for each step that it passed through, and of the one picked its formulas with all digits.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// The columns of the list, in pixels from its left.
+struct Columns {
+  float what = 0, formula = 0, source = 0;
+};
+
+Columns columns_of(const Ui& ui, const answers::Chain& chain, float room) {
+  Columns columns;
+  float what = 0, source = 0;
+  columns.what = ui.em * 0.5f;
+  for (const answers::ChainLink& link : chain.links) {
+    columns.what = std::max(columns.what, ui.em * 1.5f + text_size(ui, ui.fonts.mono, grouped(link.step)).x);
+    what = std::max(what, text_size(ui, ui.fonts.text, link.what).x + ui.em * static_cast<float>(link.depth));
+    source = std::max(source, text_size(ui, ui.fonts.small, link.source).x);
+  }
+  columns.formula = columns.what + std::min(what, room * 0.45f) + ui.em;
+  columns.source = room - source - ui.em * 0.5f;
+  return columns;
+}
+
+bool draw_link(App& app, std::size_t place, const Columns& columns) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const answers::ChainLink& link = app.chain().links[place];
+  const auto [at, end, clicked, visible] = list_row(app, place, std::round(ui.em * 1.4f));
+  if (!visible) return clicked;
+  const float y = at.y + ui.em * 0.15f, x = at.x + columns.what + ui.em * static_cast<float>(link.depth);
+  draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, c.muted, link.step == 0 ? "scene" : grouped(link.step));
+  draw_text(ui, {x, y}, ui.fonts.text, c.text, fitted(ui, ui.fonts.text, link.what, at.x + columns.formula - x - ui.em * 0.5f));
+  std::string numbers;
+  for (const answers::ChainValue& value : link.values) {
+    if (!numbers.empty()) numbers += ",  ";
+    numbers += value.name + " = " + (value.condition || !value.word.empty() ? answers::result_text(value) : number(value.value, 6, true));
+  }
+  draw_text(ui, {at.x + columns.formula, y}, ui.fonts.mono, c.text, fitted(ui, ui.fonts.mono, numbers, columns.source - columns.formula - ui.em * 0.5f));
+  if (!link.source.empty()) draw_text(ui, {at.x + columns.source, y}, ui.fonts.small, c.muted, link.source);
+  return clicked;
+}
+
+}  // namespace
+
+void draw_explain(App& app) {
+  Ui& ui = app.ui();
+  const answers::Chain& chain = app.chain();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  begin_overlay(app, "explain", {screen.x * 0.98f, std::max(screen.y * 0.52f, ui.em * 11)}, 0.98f);
+  if (chain.links.empty()) return ImGui::End();
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  const answers::ChainValue& asked = chain.links.front().values.front();
+  const bool measured = !asked.condition && asked.word.empty();
+  flow(ui, fmt::format("Where {} {} {}{} comes from. Enter or a click goes there; Esc closes.", asked.name, measured ? "=" : "is", answers::result_text(asked),
+                       measured ? fmt::format(" ({:a})", asked.value) : ""), heading);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  std::optional<std::size_t> clicked;
+  ImGui::BeginChild("links", {room.x, std::round(room.y * 0.7f)}, false, ImGuiWindowFlags_NoNav);
+  const Columns columns = columns_of(ui, chain, ImGui::GetContentRegionAvail().x);
+  for (std::size_t place = 0; place < chain.links.size(); ++place)
+    if (draw_link(app, place, columns)) clicked = place;
+  if (chain.cut) say_empty(ui, "There is more behind that: click one of its numbers at its step.");
+  app.scroll_to_picked = false;
+  ImGui::EndChild();
+  const ImVec2 rule = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(rule, {rule.x + room.x, rule.y + 1}, ui.colors().rule);
+  ImGui::Dummy({1, 3});
+  ImGui::BeginChild("formulas", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+  const auto picked = static_cast<std::size_t>(std::max(0, app.picked));
+  if (picked < chain.links.size()) {
+    Flow formula;
+    formula.font = ui.fonts.mono;
+    formula.indent = ui.em;
+    for (const answers::ChainValue& value : chain.links[picked].values) {
+      flow(ui, answers::line_text(value), formula);
+      if (answers::holds(value)) continue;
+      Flow doubt;
+      doubt.color = ui.colors().bad;
+      doubt.font = ui.fonts.bold;
+      flow(ui, fmt::format("The trace records {}, but this formula gives {}.", answers::full_digits(value.value), answers::full_digits(answers::evaluate(value))), doubt);
+    }
+  }
+  ImGui::EndChild();
+  ImGui::End();
+  if (clicked) app.go_to_origin(*clicked);
+}
+
+}  // namespace zstep::viewer

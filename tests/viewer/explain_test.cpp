@@ -1,0 +1,111 @@
+// Where a number comes from, in the viewer: by key and by click, walked through with arrows, each line a jump.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+namespace {
+
+/// Moves the mouse along a line until it is over a number that can be asked about; false where there is none.
+bool find_number(App& app, int x0, int x1, int& x, int y) {
+  for (x = x0; x < x1; x += 9) {
+    test::move_mouse(app, x, y);
+    if (app.ui().mouse_help == "Click: where this number comes from.") return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("Shift+E tells where the number of a step comes from, and goes to each step behind it") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  test::press(app, SDLK_e, KMOD_LSHIFT);
+  CHECK(app.overlay() == Overlay::none);  // nothing has happened yet
+  app.session().go_to(219);
+  const test::Bytes before = test::picture(app);
+  test::press(app, SDLK_e, KMOD_LSHIFT);
+  REQUIRE(app.overlay() == Overlay::explain);
+  CHECK(test::picture(app) != before);
+  REQUIRE(app.chain().links.size() == 10);
+  CHECK(app.chain().links[0].step == 219);
+  for (int i = 0; i < 3; ++i) test::press(app, SDLK_DOWN);
+  test::press(app, SDLK_RETURN);
+  CHECK(app.session().position() == 211);  // the active edge
+  CHECK(app.overlay() == Overlay::explain);
+  for (int i = 0; i < 20; ++i) test::press(app, SDLK_DOWN);
+  test::press(app, SDLK_RETURN);
+  CHECK(app.session().position() == 211);  // the last is the scene's own
+  CHECK(app.session().message.find("scene delhi:") != std::string::npos);
+  test::press(app, SDLK_ESCAPE);
+  CHECK(app.overlay() == Overlay::none);
+}
+
+TEST_CASE("a click on a number of a table or a formula tells where it comes from; beside it the row is lit as ever") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().go_to(219);
+  app.settle();
+  int x = 0;
+  int y = 0;
+  bool found = false;
+  for (y = 470; y < 640 && !found; y += 9) found = find_number(app, 640, 900, x, y);
+  REQUIRE(found);
+  y -= 9;
+  test::click(app, x, y);
+  REQUIRE(app.overlay() == Overlay::explain);
+  CHECK_FALSE(app.session().selected_edge);
+  const std::size_t kind = trace.event(app.chain().links[0].step).event.index();
+  CHECK((kind == kind_of<EdgeTableInsert> || kind == kind_of<EdgeStep>));
+  test::press(app, SDLK_ESCAPE);
+  // Beside its numbers a row is still a row.
+  for (int beside = x; beside > 400 && !app.session().selected_edge; beside -= 9) {
+    test::move_mouse(app, beside, y);
+    if (app.ui().mouse_help == "Click: keep this edge lit in every pane.") test::click(app, beside, y);
+  }
+  CHECK(app.session().selected_edge);
+  CHECK(app.overlay() == Overlay::none);
+  // The formula of the step: "z < zbuffer[x,y]".
+  found = false;
+  for (y = 400; y < 640 && !found; y += 9) found = find_number(app, 30, 40, x, y);
+  REQUIRE(found);
+  test::click(app, x, y - 9);
+  REQUIRE(app.overlay() == Overlay::explain);
+  CHECK(app.chain().links[0].step == 219);
+}
+
+TEST_CASE("a click on the depth of the selected pixel tells where it comes from; on the frame it lets go") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().go_to(trace.size());
+  test::picture(app);
+  // Each pane's cell under the mouse: looked for along a row.
+  const auto over = [&](int from, int to) {
+    for (int x = from; x < to; x += 12) {
+      test::move_mouse(app, x, 200);
+      if (app.ui().pointed && std::isfinite(app.session().picture().depth[app.session().picture().at(app.ui().pointed->x, app.ui().pointed->y)])) return x;
+    }
+    return -1;
+  };
+  const int depth = over(860, 1270);
+  REQUIRE(depth > 0);
+  test::click(app, depth, 200);
+  const auto selected = app.session().selected;
+  REQUIRE(selected);
+  CHECK(app.overlay() == Overlay::none);
+  test::click(app, depth, 200);
+  REQUIRE(app.overlay() == Overlay::explain);
+  CHECK(app.session().selected == selected);
+  CHECK(app.chain().links[0].values[0].value == app.session().picture().depth[app.session().picture().at(selected->x, selected->y)]);
+  test::press(app, SDLK_ESCAPE);
+  const int frame = over(380, 800);
+  REQUIRE(frame > 0);
+  app.session().select(app.ui().pointed);
+  test::click(app, frame, 200);
+  CHECK_FALSE(app.session().selected);
+}
