@@ -29,6 +29,7 @@ void declare(CLI::App& app, Action& action) {
   add_record(app, action);
   add_info(app, action);
   add_dump(app, action);
+  add_find(app, action);
   add_history(app, action);
   add_query(app, action);
   add_import(app, action);

@@ -15,6 +15,7 @@ void add_render(CLI::App& app, Action& action);
 void add_record(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_dump(CLI::App& app, Action& action);
+void add_find(CLI::App& app, Action& action);
 void add_history(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_import(CLI::App& app, Action& action);
