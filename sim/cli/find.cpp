@@ -68,7 +68,7 @@ void add_find(CLI::App& app, Action& action) {
   command->add_option("condition", options->condition, "\"not nearer\", \"z < 4.2 && x == 9\", \"changes(9, 17)\"")->type_name("CONDITION")->required();
   add_whole(*command, "--from", options->from, 1, "The first step to look at (default 1; backwards, the last)");
   command->add_flag("--backwards", options->backwards, "From there to the beginning");
-  add_whole(*command, "--most", options->most, 1, "How many to print (default 1, with its numbers)");
+  add_whole(*command, "--most", options->most, 1, "How many to print (default 1, with its numbers)")->type_name("N");
   command->add_flag("--all", options->all, "Print all of them");
   command->footer(
       "A condition speaks of the fields of events (zstep query FILE lists them): == != < <= > >=, + - * /, and or not or\n"

@@ -29,7 +29,8 @@ App::Context::Context() : context(ImGui::CreateContext()) {
 App::Context::~Context() { ImGui::DestroyContext(context); }
 
 App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale)
-    : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
+    : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), places_(session_), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
+  ui_.places = &places_;
   ui_.depth_range = depth_range(trace);
   session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
   structures_ = structure_panes(trace.header());
@@ -78,6 +79,7 @@ void App::say(std::string message) {
 void App::open(Overlay overlay) {
   overlay_ = overlay;
   typed = overlay == Overlay::query ? inquiry_.sql() : "";
+  wrong.clear();
   just_opened_ = true;
   picked = 0;
   session_.touch();
@@ -125,12 +127,13 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
     picked = 0;
     return true;
   }
-  if (asks && code == SDLK_v && (modifiers & Chord::ctrl) != 0) {
+  if ((asks || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark) && code == SDLK_v && (modifiers & Chord::ctrl) != 0) {
     char* text = SDL_GetClipboardText();
     for (const char* c = text; c && *c; ++c) typed += *c == '\n' || *c == '\r' || *c == '\t' ? ' ' : *c;
     SDL_free(text);
     return true;
   }
+  if (edit_place(code, modifiers)) return true;
   if (asks && code == SDLK_TAB) return paint_answer(), true;
   if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
   if (code == SDLK_RETURN && asks) return ask_typed(), true;
@@ -228,6 +231,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     session_.touch();
     return true;
   }
+  if (overlay_ == Overlay::bookmarks && pick_bookmark(code)) {
+    session_.touch();
+    return true;
+  }
   if (typing() && edit(code, modifiers)) {
     session_.touch();
     return true;
@@ -264,10 +271,11 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       if (typing()) {
         // The key that opened it types its own letter too, which is not wanted.
         const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(event.text.text[0])));
-        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q');
+        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q') || (overlay_ == Overlay::until && letter == 'u');
         if (!(of_the_key && just_opened_)) typed += event.text.text;
         just_opened_ = false;
-        picked = 0;
+        wrong.clear();
+        picked = overlay_ == Overlay::until ? -1 : 0;
         session_.touch();
       } else if (const Command* command = command_for(event.text.text[0])) {
         command->run(*this);

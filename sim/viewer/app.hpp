@@ -9,6 +9,7 @@
 
 #include "sim/answers/pixel_history.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/ui.hpp"
 #include "sim/viewer/viewer.hpp"
@@ -23,7 +24,7 @@ struct WindowRequests {
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
-enum class Overlay { none, keys, palette, go_to, menu, query, history };
+enum class Overlay { none, keys, palette, go_to, menu, query, history, until, name_bookmark, bookmarks };
 
 class App {
  public:
@@ -69,6 +70,11 @@ class App {
   const std::vector<answers::Visit>& history() const { return history_; }
   Cell history_of() const { return history_of_; }
   void go_to_visit(std::size_t visit);
+  Places& places() { return places_; }
+  std::string wrong;              ///< with what is typed; said below it
+  void run_until(const std::string& condition, Places::Way way);
+  void keep_bookmark();           ///< here, by the name typed
+  void go_to_bookmark(std::size_t place);
   void paint_answer();            ///< over the frame, or no longer
   void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"
   void say(std::string message);
@@ -83,9 +89,12 @@ class App {
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
   void draw_overlay();
   bool key(const SDL_KeyboardEvent& event);
-  bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query; }
+  bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query ||
+                                overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark; }
   bool edit(SDL_Keycode code, unsigned modifiers);
   bool pick_visit(SDL_Keycode code);
+  bool pick_bookmark(SDL_Keycode code);
+  bool edit_place(SDL_Keycode code, unsigned modifiers);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -97,6 +106,7 @@ class App {
   Renderer renderer_;
   Session session_;
   Inquiry inquiry_;
+  Places places_;
   std::vector<answers::Visit> history_;
   Cell history_of_;
   Ui ui_;
@@ -116,5 +126,10 @@ void draw_go_to(App& app);
 void draw_menu(App& app);
 void draw_query(App& app);
 void draw_history(App& app);
+// places_overlay.cpp
+void draw_until(App& app);
+void draw_name_bookmark(App& app);
+void draw_bookmarks(App& app);
+void draw_search(App& app);
 
 }  // namespace zstep::viewer

@@ -240,11 +240,15 @@ void App::draw_overlay() {
     case Overlay::menu: return draw_menu(*this);
     case Overlay::query: return draw_query(*this);
     case Overlay::history: return draw_history(*this);
+    case Overlay::until: return draw_until(*this);
+    case Overlay::name_bookmark: return draw_name_bookmark(*this);
+    case Overlay::bookmarks: return draw_bookmarks(*this);
   }
 }
 
 void App::frame() {
   ImGui::SetCurrentContext(context_.context);
+  places_.look_on();
   update_fonts();
   apply_style(ui_);
   const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
@@ -272,6 +276,7 @@ void App::frame() {
   }
   ImGui::End();
   draw_overlay();
+  if (places_.searching()) draw_search(*this);
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
   if (ui_.scroll_now) ui_.scroll_follows = session_.position();

@@ -15,6 +15,7 @@
 #include "sim/viewer/draw/renderer.hpp"
 #include "sim/viewer/draw/theme.hpp"
 #include "sim/viewer/model/inquiry.hpp"
+#include "sim/viewer/model/places.hpp"
 #include "sim/viewer/model/raster_view.hpp"
 #include "sim/viewer/model/session.hpp"
 #include "sim/viewer/model/summary.hpp"
@@ -32,6 +33,7 @@ struct Ui {
   Ui(Session& session_, Renderer& renderer_) : session(session_), renderer(renderer_) {}
   Session& session;
   Renderer& renderer;
+  const Places* places = nullptr;
   Fonts fonts;
   const Theme* theme = &light_theme();
   DepthScale depth_scale;
