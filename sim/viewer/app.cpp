@@ -29,7 +29,7 @@ App::Context::Context() : context(ImGui::CreateContext()) {
 App::Context::~Context() { ImGui::DestroyContext(context); }
 
 App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale)
-    : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), places_(session_), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
+    : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), places_(session_), pixel_overlay_(session_), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
   ui_.places = &places_;
   ui_.depth_range = depth_range(trace);
   session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
@@ -190,7 +190,7 @@ void App::ask_typed() {
   if (typed == inquiry_.sql() && !inquiry_.rows().empty()) return go_to_row(static_cast<std::size_t>(picked));
   inquiry_.ask(typed);
   picked = 0;
-  if (ui_.heat) ui_.heat = inquiry_.heat();
+  if (ui_.heat && !pixel_overlay_.shown()) ui_.heat = inquiry_.heat(), ++ui_.paint_version;
   session_.touch();
 }
 
@@ -211,8 +211,10 @@ void App::go_to_row(std::size_t row) {
 }
 
 void App::paint_answer() {
-  if (ui_.heat) ui_.heat.reset();
-  else if (inquiry_.heat()) ui_.heat = inquiry_.heat();
+  const bool of_answer = ui_.heat && !pixel_overlay_.shown();
+  if (of_answer || inquiry_.heat()) end_painting();
+  if (of_answer) return;
+  if (inquiry_.heat()) ui_.heat = inquiry_.heat();
   else say("Only an answer with columns x and y can be painted.");
   session_.touch();
 }
@@ -271,7 +273,7 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       if (typing()) {
         // The key that opened it types its own letter too, which is not wanted.
         const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(event.text.text[0])));
-        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q') || (overlay_ == Overlay::until && letter == 'u');
+        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q') || (overlay_ == Overlay::until && letter == 'u') || (overlay_ == Overlay::range && letter == 'r');
         if (!(of_the_key && just_opened_)) typed += event.text.text;
         just_opened_ = false;
         wrong.clear();

@@ -9,6 +9,7 @@
 
 #include "sim/answers/pixel_history.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/model/pixel_overlay.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/ui.hpp"
@@ -24,7 +25,7 @@ struct WindowRequests {
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
-enum class Overlay { none, keys, palette, go_to, menu, query, history, until, name_bookmark, bookmarks };
+enum class Overlay { none, keys, palette, go_to, menu, query, history, until, name_bookmark, bookmarks, range };
 
 class App {
  public:
@@ -70,6 +71,10 @@ class App {
   const std::vector<answers::Visit>& history() const { return history_; }
   Cell history_of() const { return history_of_; }
   void go_to_visit(std::size_t visit);
+  PixelOverlay& pixel_overlay() { return pixel_overlay_; }
+  void turn_overlay(int direction);
+  void end_painting();            ///< of anything over the frame
+  void take_range();              ///< of depths, as typed
   Places& places() { return places_; }
   std::string wrong;              ///< with what is typed; said below it
   void run_until(const std::string& condition, Places::Way way);
@@ -90,10 +95,11 @@ class App {
   void draw_overlay();
   bool key(const SDL_KeyboardEvent& event);
   bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query ||
-                                overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark; }
+                                overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark || overlay_ == Overlay::range; }
   bool edit(SDL_Keycode code, unsigned modifiers);
   bool pick_visit(SDL_Keycode code);
   bool pick_bookmark(SDL_Keycode code);
+  void follow_overlay();
   bool edit_place(SDL_Keycode code, unsigned modifiers);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
@@ -107,6 +113,7 @@ class App {
   Session session_;
   Inquiry inquiry_;
   Places places_;
+  PixelOverlay pixel_overlay_;
   std::vector<answers::Visit> history_;
   Cell history_of_;
   Ui ui_;
@@ -127,6 +134,7 @@ void draw_menu(App& app);
 void draw_query(App& app);
 void draw_history(App& app);
 // places_overlay.cpp
+void draw_range(App& app);
 void draw_until(App& app);
 void draw_name_bookmark(App& app);
 void draw_bookmarks(App& app);

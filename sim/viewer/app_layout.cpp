@@ -243,12 +243,14 @@ void App::draw_overlay() {
     case Overlay::until: return draw_until(*this);
     case Overlay::name_bookmark: return draw_name_bookmark(*this);
     case Overlay::bookmarks: return draw_bookmarks(*this);
+    case Overlay::range: return draw_range(*this);
   }
 }
 
 void App::frame() {
   ImGui::SetCurrentContext(context_.context);
   places_.look_on();
+  follow_overlay();
   update_fonts();
   apply_style(ui_);
   const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};

@@ -78,10 +78,7 @@ void escape(App& app) {
   if (app.places().searching()) return app.places().stop();
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
   Session& s = app.session();
-  if (app.ui().heat) {
-    app.ui().heat.reset();
-    return s.touch();
-  }
+  if (app.ui().heat) return app.end_painting();
   s.selected.reset();
   s.selected_edge.reset();
   s.message.clear();
@@ -97,6 +94,13 @@ void play(App& app) {
   if (s.position() == s.size() && !s.loops()) return app.say("This is the end of the trace; Home goes back to its beginning.");
   s.playing = !s.playing;
   s.touch();
+}
+
+void fit_range(App& app) {
+  Ui& ui = app.ui();
+  ui.range_mode = ui.range_mode == Ui::RangeMode::whole ? Ui::RangeMode::fitted : Ui::RangeMode::whole;
+  ++ui.paint_version;
+  app.say(ui.range_mode == Ui::RangeMode::fitted ? "The colours span the depths that are shown." : "The colours span all depths of the trace.");
 }
 
 /// Sets one end of what playing repeats; the other is the trace's, or where it was set.
@@ -165,6 +169,12 @@ const std::vector<Command>& table() {
       {"pan-right", "Look", "Pan right", {{SDLK_d}}, pan<1, 0>},
       {"pan-up", "Look", "Pan up", {{SDLK_w}}, pan<0, -1>},
       {"pan-down", "Look", "Pan down", {{SDLK_s}}, pan<0, 1>},
+      {"overlay", "Look", "Over the frame: overdraw, failed compares, \u2026", {{SDLK_o}}, [](App& a) { a.turn_overlay(1); }},
+      {"previous-overlay", "Look", "Over the frame: the one before", {{SDLK_o, S}}, [](App& a) { a.turn_overlay(-1); }},
+      {"fit-range", "Look", "Depth colours: fitted to what is shown, or not", {{SDLK_r}}, fit_range},
+      {"range", "Look", "Depth colours: a range by hand", {{SDLK_r, S}}, [](App& a) { a.open(Overlay::range); }},
+      {"histogram", "Look", "How many pixels have which depth", {{SDLK_i}},
+       [](App& a) { a.ui().histogram = !a.ui().histogram; a.session().touch(); }},
       {"vertices", "Look", "The way of the vertices, always or where it fits", {{SDLK_v}},
        [](App& a) { a.ui().vertices_always = !a.ui().vertices_always; a.session().touch(); }},
       {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},

@@ -85,6 +85,20 @@ void draw_name_bookmark(App& app) {
   ImGui::End();
 }
 
+void draw_range(App& app) {
+  Ui& ui = app.ui();
+  begin_overlay(app, "range", {ui.em * 32, ui.em * 7.5f});
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, "The depths that the colours span", heading);
+  draw_field(ui, app.typed, "0.2 0.8");
+  Flow how;
+  how.color = ui.colors().muted;
+  if (app.wrong.empty()) flow(ui, "The nearest and the farthest. Nothing: all of the trace. R fits them to what is shown.", how);
+  else say_wrong(ui, app.wrong);
+  ImGui::End();
+}
+
 void draw_bookmarks(App& app) {
   Ui& ui = app.ui();
   const auto& all = app.places().bookmarks();

@@ -44,6 +44,12 @@ struct Ui {
   RowMarks rows;
   RasterView view;
   std::optional<HeatMap> heat;                   ///< painted over the frame
+  std::string heat_behind;                       ///< how far it is from being counted, or nothing
+  enum class RangeMode : std::uint8_t { whole, fitted, by_hand };
+  RangeMode range_mode = RangeMode::whole;       ///< of the depth buffer's colours
+  DepthRange hand_range;
+  bool histogram = false;                        ///< of depths, below the depth buffer
+  std::uint64_t paint_version = 0;               ///< grows when cells get other colours at the same step
   std::map<std::string, RasterContent> rasters;  ///< by pane
   std::map<std::string, Canvas> canvases;        ///< by what is painted there
   std::map<std::string, std::uint64_t> painted;  ///< the version each canvas shows

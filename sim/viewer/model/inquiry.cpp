@@ -68,7 +68,7 @@ void Inquiry::ask(const std::string& sql) {
           columns_ = names;
           places.emplace(names);
           if (!places->x || !places->y) return;
-          heat_ = HeatMap{"rows", std::vector<double>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height), std::nan("")), 0, 0};
+          heat_ = HeatMap{"rows", std::vector<double>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height), std::nan("")), 0, 0, "", false, -1};
         },
         [&](std::span<const query::Value> row) {
           ++count;
