@@ -32,6 +32,7 @@ void declare(CLI::App& app, Action& action) {
   add_find(app, action);
   add_history(app, action);
   add_query(app, action);
+  add_export(app, action);
   add_import(app, action);
   add_compare_methods(app, action);
   add_completion(app, action);

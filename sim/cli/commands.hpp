@@ -18,6 +18,7 @@ void add_dump(CLI::App& app, Action& action);
 void add_find(CLI::App& app, Action& action);
 void add_history(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
 void add_import(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
 void add_lesson(CLI::App& app, Action& action);

@@ -14,6 +14,7 @@ namespace zstep::cli {
 struct ShowOptions {
   std::string at;  ///< a step, or the name of a bookmark
   std::string screenshot;
+  std::string pane;  ///< of the screenshot; empty: all of the window
   std::int32_t width = 1280, height = 720;
   bool dark = false, light = false, presenter = false;
   const CLI::App* command = nullptr;  ///< whose words opened the view; lives as long as the action runs
@@ -30,7 +31,7 @@ std::string words_of(const CLI::App& command);
 int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson);
 
 /// A step by its number or by a bookmark's name. Throws InputError where the trace has none such.
-std::int64_t step_of(const Trace& trace, const std::string& at);
+std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option = "--at");
 
 /// Before any work: throws what show() would throw for want of a display or a folder.
 void check_can_show(const ShowOptions& options);

@@ -40,6 +40,11 @@ class App {
   void resize(int width, int height);
   void set_dpi_scale(float scale);
 
+  /// Every pane that can be shown of such a trace.
+  static std::vector<Pane> all_panes(const Header& header, bool with_lesson);
+  /// From now on draws this pane and nothing else. False where there is none of this name.
+  bool show_only(const std::string& pane);
+
   /// Draws what is to be seen now into renderer().picture().
   void frame();
   /// Frames until nothing moves any more: hovering, scrolling and sizes need more than one.
@@ -118,6 +123,7 @@ class App {
   Cell history_of_;
   Ui ui_;
   std::vector<Pane> structures_;
+  std::optional<Pane> only_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
   float dpi_scale_;
   float built_for_ = 0;
