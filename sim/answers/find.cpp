@@ -5,25 +5,11 @@
 namespace zstep::answers {
 
 std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end, const Trace::Predicate& predicate) {
-  std::int64_t at = std::max<std::int64_t>(from, 0);
-  bool found = false;
-  const auto step = trace.next(from, [&](const RecordedEvent& recorded) {
-    ++at;
-    found = at < end && predicate(recorded);
-    return found || at >= end;
-  });
-  return found ? step : std::nullopt;
+  return trace.next(from, predicate, Trace::Among({}, {}, end - 1));
 }
 
 std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end, const Trace::Predicate& predicate) {
-  std::int64_t at = std::min(from, trace.size() + 1);
-  bool found = false;
-  const auto step = trace.previous(from, [&](const RecordedEvent& recorded) {
-    --at;
-    found = at > end && predicate(recorded);
-    return found || at <= end;
-  });
-  return found ? step : std::nullopt;
+  return trace.previous(from, predicate, Trace::Among({}, {}, end + 1));
 }
 
 std::int64_t begin_of_eye_pass(const Trace& trace) {
@@ -80,34 +66,34 @@ std::int64_t next_mark(const Trace& trace, std::int64_t step) {
 std::int64_t last_mark(const Trace& trace) { return trace.polygons().empty() ? 0 : trace.polygons().back().position; }
 
 std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel) {
-  const auto here = [&](const RecordedEvent& recorded) {
-    if (!is_one_of<DepthCompare, PixelWrite, PixelPaint, ColorBlend>(recorded)) return false;
-    const auto at = pixel_of(recorded.event);
-    return at->x == pixel.x && at->y == pixel.y;
-  };
+  std::vector<std::pair<std::int64_t, Event>> here;
+  const std::int64_t eye = begin_of_eye_pass(trace);
+  trace.scan(pixel, [&](std::int64_t step, const RecordedEvent& recorded) {
+    if (step > eye && is_one_of<DepthCompare, PixelWrite, PixelPaint, ColorBlend>(recorded)) here.emplace_back(step, recorded.event);
+    return true;
+  });
   std::vector<Touch> all;
-  for (auto step = trace.next(begin_of_eye_pass(trace), here, pixel); step; step = trace.next(*step, here, pixel)) {
-    const Event event = trace.event(*step).event;
+  for (const auto& [step, event] : here) {
     Touch touch;
-    touch.step = *step;
+    touch.step = step;
     const bool compared = !all.empty() && all.back().how == Touch::How::compared && all.back().nearer && !all.back().takes;
     if (const auto* compare = std::get_if<DepthCompare>(&event)) {
       touch.z = compare->z, touch.nearer = compare->nearer;
-      touch.polygon = owner_of(trace, *step);
+      touch.polygon = owner_of(trace, step);
       all.push_back(touch);
     } else if (const auto* blend = std::get_if<ColorBlend>(&event)) {
       if (!compared) all.push_back(touch);
       Touch& last = all.back();
       last.how = Touch::How::blended, last.polygon = blend->polygon, last.opacity = blend->opacity;
-      last.written = *step;
+      last.written = step;
     } else if (const auto* write = std::get_if<PixelWrite>(&event)) {
       const bool goes_on = compared || (!all.empty() && all.back().how == Touch::How::blended && all.back().polygon == write->polygon);
       if (!goes_on) all.push_back(touch);
       all.back().polygon = write->polygon;
-      if (all.back().how != Touch::How::blended) all.back().written = *step;  // a blend has coloured it already
+      if (all.back().how != Touch::How::blended) all.back().written = step;  // a blend has coloured it already
       all.back().takes = true;
     } else if (const auto* paint = std::get_if<PixelPaint>(&event)) {
-      touch.how = Touch::How::painted, touch.polygon = paint->polygon, touch.z = paint->z, touch.written = *step, touch.takes = true;
+      touch.how = Touch::How::painted, touch.polygon = paint->polygon, touch.z = paint->z, touch.written = step, touch.takes = true;
       all.push_back(touch);
     }
   }

@@ -19,13 +19,18 @@ template <class... E>
 bool is_one_of(const RecordedEvent& recorded) {
   return (std::holds_alternative<E>(recorded.event) || ...);
 }
+/// The kind, if one alone is wanted: then only blocks that hold it are read.
+template <class E, class... More>
+constexpr std::optional<std::uint8_t> only_kind() {
+  return sizeof...(More) == 0 ? std::optional<std::uint8_t>(kind_of<E>) : std::nullopt;
+}
 template <class... E>
 std::optional<std::int64_t> next_of(const Trace& trace, std::int64_t from, std::int64_t end) {
-  return next_within(trace, from, end, is_one_of<E...>);
+  return trace.next(from, is_one_of<E...>, Trace::Among({}, only_kind<E...>(), end - 1));
 }
 template <class... E>
 std::optional<std::int64_t> previous_of(const Trace& trace, std::int64_t from, std::int64_t end = 0) {
-  return previous_within(trace, from, end, is_one_of<E...>);
+  return trace.previous(from, is_one_of<E...>, Trace::Among({}, only_kind<E...>(), end + 1));
 }
 
 /// The event at a step, if it is of this kind. A copy: the trace's own goes away when others are read.

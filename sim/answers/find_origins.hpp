@@ -26,14 +26,11 @@ Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted, Stop&& stop
 }
 template <class E, class Wanted>
 Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted) {
-  return find_last<E>(trace, at, wanted, [](const Event&) { return false; });
+  return trace.previous<E>(at + 1, wanted);
 }
 template <class E, class Wanted>
 Step find_first(const Trace& trace, std::int64_t at, Wanted&& wanted) {
-  return trace.next(at - 1, [&](const RecordedEvent& recorded) {
-    const auto* event = std::get_if<E>(&recorded.event);
-    return event && wanted(*event);
-  });
+  return trace.next<E>(at - 1, wanted);
 }
 
 /// The steps of one vertex, as far as the trace has them.

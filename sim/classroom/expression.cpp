@@ -88,18 +88,18 @@ struct Parser {
   Expression either() {
     if (++depth > 64) fail("brackets nest more than 64 deep", "write it flatter");
     Expression first = both();
-    while (take_word("or")) first = of(Kind::or_, std::move(first), both());
+    while (take_word("or") || take("||")) first = of(Kind::or_, std::move(first), both());
     --depth;
     return first;
   }
   Expression both() {
     Expression first = negation();
-    while (take_word("and")) first = of(Kind::and_, std::move(first), negation());
+    while (take_word("and") || take("&&")) first = of(Kind::and_, std::move(first), negation());
     return first;
   }
   Expression negation() {
     bool negated = false;
-    while (take_word("not")) negated = !negated;
+    while (take_word("not") || take("!")) negated = !negated;
     Expression inner = comparison();
     return negated ? of(Kind::not_, std::move(inner)) : inner;
   }

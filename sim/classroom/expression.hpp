@@ -13,7 +13,7 @@
 //     primary    = number | "word" | name | name "(" either { "," either } ")"
 //                | "count" "(" step [ "where" either ] ")" | "(" either ")"
 //
-// The signs of the lectures (− · × ≤ ≥ ≠ ∞) mean what they look like.
+// The signs of the lectures (− · × ≤ ≥ ≠ ∞) mean what they look like; && || ! are `and`, `or` and `not`.
 #pragma once
 
 #include <cstdint>

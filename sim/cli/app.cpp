@@ -29,10 +29,12 @@ void declare(CLI::App& app, Action& action) {
   add_record(app, action);
   add_info(app, action);
   add_dump(app, action);
+  add_find(app, action);
   add_history(app, action);
   add_why_not(app, action);
   add_explain(app, action);
   add_query(app, action);
+  add_export(app, action);
   add_import(app, action);
   add_compare_methods(app, action);
   add_completion(app, action);

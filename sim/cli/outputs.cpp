@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/rows.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "sim/image/npy.hpp"
@@ -18,18 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t longest_side = 32768;  // what a PNG viewer still opens
-
-/// The values from the top row to the bottom one.
-template <class Out, class In, class Function>
-std::vector<Out> top_row_first(const std::vector<In>& values, const Picture& picture, bool y_up, Function&& convert) {
-  std::vector<Out> result;
-  result.reserve(values.size());
-  for (std::int32_t row = 0; row < picture.height; ++row) {
-    const std::int32_t y = y_up ? picture.height - 1 - row : row;
-    for (std::int32_t x = 0; x < picture.width; ++x) result.push_back(convert(values[picture.at(x, y)]));
-  }
-  return result;
-}
 
 void wrote(const std::string& path, const std::string& what) { fmt::print("wrote {}: {}\n", path, what); }
 
@@ -99,16 +88,16 @@ void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& 
     wrote(outputs.image, fmt::format("picture, {}x{} pixels", image.width, image.height));
   }
   if (!outputs.ids.empty()) {
-    write_npy(outputs.ids, top_row_first<std::int32_t>(picture.polygon, picture, y_up, [](std::int32_t id) { return id; }), height, width);
+    write_npy(outputs.ids, top_row_first<std::int32_t>(picture.polygon, picture.width, picture.height, y_up, [](std::int32_t id) { return id; }), height, width);
     wrote(outputs.ids, fmt::format("polygon indices, int32 [{},{}]", height, width));
   }
   if (!outputs.depth.empty()) {
     const auto distance = [&](double depth) { return static_cast<float>(view_depth(scene.camera, conventions, depth)); };
-    write_npy(outputs.depth, top_row_first<float>(picture.depth, picture, y_up, distance), height, width);
+    write_npy(outputs.depth, top_row_first<float>(picture.depth, picture.width, picture.height, y_up, distance), height, width);
     wrote(outputs.depth, fmt::format("distances z_v, float32 [{},{}]", height, width));
   }
   if (!outputs.raw_depth.empty()) {
-    write_npy(outputs.raw_depth, top_row_first<double>(picture.depth, picture, y_up, [](double depth) { return depth; }), height, width);
+    write_npy(outputs.raw_depth, top_row_first<double>(picture.depth, picture.width, picture.height, y_up, [](double depth) { return depth; }), height, width);
     wrote(outputs.raw_depth, fmt::format("depth buffer, float64 [{},{}]", height, width));
   }
 }

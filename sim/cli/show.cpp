@@ -1,5 +1,8 @@
 #include "sim/cli/show.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "sim/cli/commands.hpp"
@@ -7,6 +10,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
+#include "sim/places/bookmarks.hpp"
 #include "sim/viewer/words/shell_word.hpp"
 #include "traces/error.hpp"
 
@@ -14,8 +18,9 @@ namespace zstep::cli {
 
 void add_show_options(CLI::App& command, ShowOptions& options) {
   options.command = &command;
-  add_whole(command, "--at", options.at, 0, "Open at this step; 0 is before the first")->group("Viewer");
+  command.add_option("--at", options.at, "Open at this step (0 is before the first), or at this bookmark")->type_name("STEP|BOOKMARK")->group("Viewer");
   command.add_option("--screenshot", options.screenshot, "Write the window as a picture instead of opening it; needs no display")->type_name("FILE.png")->group("Viewer");
+  command.add_option("--pane", options.pane, "The screenshot shows one pane: frame, depth, pseudo-code, ...")->type_name("PANE")->group("Viewer");
   const auto take_size = [&options](const std::string& text) {
     const auto [width, height] = parse_size("--size-window", text);
     if (width > 16384 || height > 16384) throw InputError("--size-window", fmt::format("{} is larger than any screen", text), "give at most 16384x16384");
@@ -59,14 +64,29 @@ void check_can_show(const ShowOptions& options) {
 #endif
 }
 
+std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option) {
+  if (std::all_of(at.begin(), at.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+    const std::int64_t step = parse_whole(option, at, 0);
+    if (step > trace.size()) throw InputError(option, fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+    return step;
+  }
+  const places::Bookmarks marks(trace);
+  if (const auto step = marks.find(at)) return *step;
+  std::vector<std::string> names;
+  for (const places::Bookmark& mark : marks.all()) names.push_back(mark.name);
+  throw InputError(option, fmt::format("'{}' is no step, and no bookmark of {} is called so", at, trace.name()),
+                   names.empty() ? "it has none; give a step, or set one in the viewer with Ctrl+B" : did_you_mean(at, names, "its bookmarks are " + enumerate(names, "and")));
+}
+
 int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   check_can_show(options);
-  if (options.at && *options.at > trace.size())
-    throw InputError("--at", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+  const std::optional<std::int64_t> at = options.at.empty() ? std::nullopt : std::optional(step_of(trace, options.at));
 #if ZSTEP_HAS_VIEWER
   ViewerOptions viewer;
-  if (options.at) viewer.at = *options.at;
+  if (at) viewer.at = *at;
   if (!options.screenshot.empty()) viewer.screenshot = options.screenshot;
+  if (options.screenshot.empty() && !options.pane.empty()) throw InputError("--pane", "is of a screenshot", "add --screenshot FILE.png");
+  viewer.pane = options.pane;
   viewer.width = options.width;
   viewer.height = options.height;
   if (options.dark || options.light) viewer.dark = options.dark;

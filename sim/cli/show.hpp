@@ -12,8 +12,9 @@
 namespace zstep::cli {
 
 struct ShowOptions {
-  std::optional<std::int64_t> at;
+  std::string at;  ///< a step, or the name of a bookmark
   std::string screenshot;
+  std::string pane;  ///< of the screenshot; empty: all of the window
   std::int32_t width = 1280, height = 720;
   bool dark = false, light = false, presenter = false;
   const CLI::App* command = nullptr;  ///< whose words opened the view; lives as long as the action runs
@@ -28,6 +29,9 @@ std::string words_of(const CLI::App& command);
 /// Opens the viewer, or writes the screenshot and says so. Throws InputError when a window is wanted and there is no
 /// display, when the step is not in the trace, and when this zstep was built without the viewer.
 int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson);
+
+/// A step by its number or by a bookmark's name. Throws InputError where the trace has none such.
+std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option = "--at");
 
 /// Before any work: throws what show() would throw for want of a display or a folder.
 void check_can_show(const ShowOptions& options);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "traces/file/trace_impl.hpp"
+#include "traces/file/visit.hpp"
 
 namespace zstep::query {
 
@@ -10,6 +10,7 @@ Walk::Walk(const Trace& trace, std::uint8_t kind, const Part& part)
     : trace_(trace), kind_(kind), part_(part), names_(step_limit), position_(std::max<std::int64_t>(part.first, 1) - 1) {
   for (const StepInfo& step : trace.header().page) {
     names_[step.id] = step.name;
+    if (step.kind == kind) steps_.push_back(step.id);
     has_scan_lines_ = has_scan_lines_ || step.kind == kind_of<ScanLineBegin>;
   }
   part_.last = std::min(part_.last, trace.size());
@@ -29,22 +30,40 @@ bool Walk::enter_block() {
         position_ = begins->position - 1;
       }
     }
-    const std::size_t index = trace_.impl().block_of(position_ + 1);
-    const BlockInfo& info = trace_.impl().blocks[index].info;
-    const bool x_may = !part_.x || (info.x_min <= *part_.x && *part_.x <= info.x_max);
-    const bool y_may = !part_.y || (info.y_min <= *part_.y && *part_.y <= info.y_max);
-    const bool consecutive = events_ && position_ == block_end_;
-    block_first_ = info.first_position;
-    block_end_ = info.first_position + info.count;
-    if (x_may && y_may) {
-      if (!consecutive) begin_context();
-      events_ = trace_.impl().events(index);
-      return true;
+    const BlockInfo& info = trace_.impl().blocks[trace_.impl().block_of(position_ + 1)].info;
+    const std::int64_t end = std::min(part_.last, info.first_position + info.count);
+    const bool pixel_may = !part_.x || !part_.y || info.tiles.touched(*part_.x, *part_.y);
+    const bool kind_may = std::any_of(steps_.begin(), steps_.end(), [&](std::uint8_t step) { return info.steps.has(step); });
+    if (pixel_may && kind_may) {
+      if (position_ != known_to_) begin_context();
+      read_to(end);
+      if (!found_.empty()) return true;
+    } else {
+      position_ = end;
     }
-    position_ = block_end_;
-    events_.reset();
   }
   return false;
+}
+
+// All that is wanted up to `end`, which is in the same block.
+void Walk::read_to(std::int64_t end) {
+  found_.clear();
+  next_ = 0;
+  trace_.visit(position_, end, [&]<class E>(std::int64_t position, std::uint8_t step, const E& event) {
+    position_ = position;
+    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) {
+      context_.polygon = event.polygon;
+      context_.scan_line = -1;
+    } else if constexpr (std::is_same_v<E, ScanLineBegin>) {
+      context_.scan_line = event.y;
+    }
+    if (kind_of<E> != kind_) return true;
+    context_.step = position;
+    context_.name = names_[step];
+    found_.push_back({context_, event});
+    return true;
+  });
+  known_to_ = position_ = end;
 }
 
 // What is at work at position_, for who comes there from elsewhere.
@@ -52,43 +71,22 @@ void Walk::begin_context() {
   const auto marks = trace_.polygons();
   const auto after = std::upper_bound(marks.begin(), marks.end(), position_,
                                       [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
-  mark_ = static_cast<std::size_t>(after - marks.begin());
-  context_.polygon = mark_ == 0 ? no_polygon : marks[mark_ - 1].polygon;
+  context_.polygon = after == marks.begin() ? no_polygon : (after - 1)->polygon;
   context_.scan_line = -1;
   if (!has_scan_lines_) return;
-  const std::int64_t begins = mark_ == 0 ? 0 : marks[mark_ - 1].position;
-  for (std::int64_t p = position_; p > begins; --p) {
-    const auto* line = std::get_if<ScanLineBegin>(&trace_.event(p).event);
-    if (!line) continue;
-    context_.scan_line = line->y;
-    return;
-  }
-}
-
-void Walk::follow(const Event& event) {
-  const auto marks = trace_.polygons();
-  if (mark_ < marks.size() && marks[mark_].position == position_) {
-    context_.polygon = marks[mark_++].polygon;
-    context_.scan_line = -1;
-  } else if (const auto* line = std::get_if<ScanLineBegin>(&event)) {
-    context_.scan_line = line->y;
-  }
+  const std::int64_t begins = after == marks.begin() ? 1 : (after - 1)->position;
+  const auto line = trace_.previous(position_ + 1, [](const RecordedEvent&) { return true; }, Trace::Among({}, kind_of<ScanLineBegin>, begins));
+  if (line) context_.scan_line = std::get<ScanLineBegin>(trace_.event(*line).event).y;
 }
 
 bool Walk::next() {
-  while (true) {
-    while (events_ && position_ < std::min(block_end_, part_.last)) {
-      const RecordedEvent& recorded = (*events_)[static_cast<std::size_t>(position_ - block_first_)];
-      ++position_;
-      follow(recorded.event);
-      if (recorded.event.index() != kind_) continue;
-      context_.step = position_;
-      context_.name = names_[recorded.step];
-      event_ = &recorded.event;
-      return true;
-    }
+  while (next_ >= found_.size()) {
+    found_.clear();
+    next_ = 0;
     if (position_ >= part_.last || !enter_block()) return false;
   }
+  at_ = &found_[next_++];
+  return true;
 }
 
 }  // namespace zstep::query

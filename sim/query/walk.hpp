@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,26 +24,30 @@ class Walk {
 
   /// Goes to the next event of the kind. False when there is none. Throws InputError where the trace is damaged.
   bool next();
-  const Context& context() const { return context_; }
-  const Event& event() const { return *event_; }
+  const Context& context() const { return at_->context; }
+  const Event& event() const { return at_->event; }
 
  private:
+  struct Found {
+    Context context;
+    Event event;
+  };
   bool enter_block();
   void begin_context();
-  void follow(const Event& event);
+  void read_to(std::int64_t end);
 
   const Trace& trace_;
   std::uint8_t kind_;
   Part part_;
   std::vector<std::string_view> names_;  ///< by step id
+  std::vector<std::uint8_t> steps_;      ///< that record the kind
   bool has_scan_lines_ = false;
-  std::int64_t position_;                ///< the last that was looked at
-  std::int64_t block_end_ = 0;           ///< the last position of the block at hand
-  std::shared_ptr<const std::vector<RecordedEvent>> events_;  ///< of that block
-  std::int64_t block_first_ = 0;         ///< the position before its first event
-  std::size_t mark_ = 0;  ///< how many polygons have begun
+  std::int64_t position_;       ///< the last that was looked at
+  std::int64_t known_to_ = -1;  ///< the position at which context_ is what is at work
   Context context_;
-  const Event* event_ = nullptr;
+  std::vector<Found> found_;  ///< of the block at hand
+  std::size_t next_ = 0;      ///< of those
+  const Found* at_ = nullptr;
 };
 
 }  // namespace zstep::query

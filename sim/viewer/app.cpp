@@ -29,7 +29,8 @@ App::Context::Context() : context(ImGui::CreateContext()) {
 App::Context::~Context() { ImGui::DestroyContext(context); }
 
 App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale)
-    : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
+    : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), places_(session_), pixel_overlay_(session_), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
+  ui_.places = &places_;
   ui_.depth_range = depth_range(trace);
   session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
   structures_ = structure_panes(trace.header());
@@ -78,6 +79,7 @@ void App::say(std::string message) {
 void App::open(Overlay overlay) {
   overlay_ = overlay;
   typed = overlay == Overlay::query ? inquiry_.sql() : "";
+  wrong.clear();
   just_opened_ = true;
   picked = 0;
   session_.touch();
@@ -125,12 +127,13 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
     picked = 0;
     return true;
   }
-  if (asks && code == SDLK_v && (modifiers & Chord::ctrl) != 0) {
+  if ((asks || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark) && code == SDLK_v && (modifiers & Chord::ctrl) != 0) {
     char* text = SDL_GetClipboardText();
     for (const char* c = text; c && *c; ++c) typed += *c == '\n' || *c == '\r' || *c == '\t' ? ' ' : *c;
     SDL_free(text);
     return true;
   }
+  if (edit_place(code, modifiers)) return true;
   if (asks && code == SDLK_TAB) return paint_answer(), true;
   if (overlay_ == Overlay::why_ask) return pick_candidate(code);
   if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
@@ -220,7 +223,7 @@ void App::ask_typed() {
   if (typed == inquiry_.sql() && !inquiry_.rows().empty()) return go_to_row(static_cast<std::size_t>(picked));
   inquiry_.ask(typed);
   picked = 0;
-  if (ui_.heat) ui_.heat = inquiry_.heat();
+  if (ui_.heat && !pixel_overlay_.shown()) ui_.heat = inquiry_.heat(), ++ui_.paint_version;
   session_.touch();
 }
 
@@ -241,8 +244,10 @@ void App::go_to_row(std::size_t row) {
 }
 
 void App::paint_answer() {
-  if (ui_.heat) ui_.heat.reset();
-  else if (inquiry_.heat()) ui_.heat = inquiry_.heat();
+  const bool of_answer = ui_.heat && !pixel_overlay_.shown();
+  if (of_answer || inquiry_.heat()) end_painting();
+  if (of_answer) return;
+  if (inquiry_.heat()) ui_.heat = inquiry_.heat();
   else say("Only an answer with columns x and y can be painted.");
   session_.touch();
 }
@@ -262,6 +267,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     return true;
   }
   if (overlay_ == Overlay::why && pick_link(code)) {
+    session_.touch();
+    return true;
+  }
+  if (overlay_ == Overlay::bookmarks && pick_bookmark(code)) {
     session_.touch();
     return true;
   }
@@ -301,10 +310,11 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       if (typing()) {
         // The key that opened it types its own letter too, which is not wanted.
         const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(event.text.text[0])));
-        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q') || (overlay_ == Overlay::why_ask && letter == 'y');
+        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q') || (overlay_ == Overlay::until && letter == 'u') || (overlay_ == Overlay::range && letter == 'r') || (overlay_ == Overlay::why_ask && letter == 'y');
         if (!(of_the_key && just_opened_)) typed += event.text.text;
         just_opened_ = false;
-        picked = 0;
+        wrong.clear();
+        picked = overlay_ == Overlay::until ? -1 : 0;
         session_.touch();
       } else if (const Command* command = command_for(event.text.text[0])) {
         command->run(*this);

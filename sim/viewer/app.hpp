@@ -11,6 +11,8 @@
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/model/pixel_overlay.hpp"
+#include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/ui.hpp"
 #include "sim/viewer/viewer.hpp"
@@ -25,7 +27,9 @@ struct WindowRequests {
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
 };
 
-enum class Overlay { none, keys, palette, go_to, menu, query, history, explain, why_ask, why };
+enum class Overlay {
+  none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range
+};
 
 class App {
  public:
@@ -39,6 +43,11 @@ class App {
   bool handle(const SDL_Event& event, float pixels_per_point = 1);
   void resize(int width, int height);
   void set_dpi_scale(float scale);
+
+  /// Every pane that can be shown of such a trace.
+  static std::vector<Pane> all_panes(const Header& header, bool with_lesson);
+  /// From now on draws this pane and nothing else. False where there is none of this name.
+  bool show_only(const std::string& pane);
 
   /// Draws what is to be seen now into renderer().picture().
   void frame();
@@ -85,6 +94,15 @@ class App {
   std::int32_t why_polygon() const { return why_polygon_; }
   std::optional<Cell> why_of() const { return why_anywhere_ ? std::nullopt : why_of_; }  ///< nullopt: the whole picture
   void go_to_link(std::size_t link);
+  PixelOverlay& pixel_overlay() { return pixel_overlay_; }
+  void turn_overlay(int direction);
+  void end_painting();            ///< of anything over the frame
+  void take_range();              ///< of depths, as typed
+  Places& places() { return places_; }
+  std::string wrong;              ///< with what is typed; said below it
+  void run_until(const std::string& condition, Places::Way way);
+  void keep_bookmark();           ///< here, by the name typed
+  void go_to_bookmark(std::size_t place);
   void paint_answer();            ///< over the frame, or no longer
   void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"
   void say(std::string message);
@@ -99,11 +117,17 @@ class App {
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
   void draw_overlay();
   bool key(const SDL_KeyboardEvent& event);
-  bool typing() const { return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query || overlay_ == Overlay::why_ask; }
+  bool typing() const {
+    return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query || overlay_ == Overlay::why_ask ||
+           overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark || overlay_ == Overlay::range;
+  }
   bool edit(SDL_Keycode code, unsigned modifiers);
   bool pick_candidate(SDL_Keycode code);
   bool pick_link(SDL_Keycode code);
   bool pick_row(SDL_Keycode code);
+  bool pick_bookmark(SDL_Keycode code);
+  void follow_overlay();
+  bool edit_place(SDL_Keycode code, unsigned modifiers);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -115,6 +139,8 @@ class App {
   Renderer renderer_;
   Session session_;
   Inquiry inquiry_;
+  Places places_;
+  PixelOverlay pixel_overlay_;
   std::vector<answers::Visit> history_;
   Cell history_of_;
   std::optional<answers::FacetsNear> facets_near_;  ///< made when first needed
@@ -125,6 +151,7 @@ class App {
   answers::Chain chain_;
   Ui ui_;
   std::vector<Pane> structures_;
+  std::optional<Pane> only_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
   float dpi_scale_;
   float built_for_ = 0;
@@ -143,5 +170,11 @@ void draw_history(App& app);
 void draw_why_ask(App& app);
 void draw_why(App& app);
 void draw_explain(App& app);
+// places_overlay.cpp
+void draw_range(App& app);
+void draw_until(App& app);
+void draw_name_bookmark(App& app);
+void draw_bookmarks(App& app);
+void draw_search(App& app);
 
 }  // namespace zstep::viewer

@@ -231,6 +231,21 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   l.left = std::clamp(l.left, 0.1f, 0.55f);
 }
 
+std::vector<Pane> App::all_panes(const Header& header, bool with_lesson) {
+  std::vector<Pane> all{frame_pane, pseudo_code_pane, happened_pane};
+  if (depth_pane.serves(header)) all.insert(all.begin() + 1, depth_pane);
+  for (const Pane& pane : structure_panes(header)) all.push_back(pane);
+  if (with_lesson) all.push_back(lesson_pane);
+  return all;
+}
+
+bool App::show_only(const std::string& pane) {
+  for (const Pane& candidate : all_panes(session_.header(), session_.lesson() != nullptr))
+    if (candidate.id == pane) only_ = candidate;
+  session_.touch();
+  return only_ && only_->id == pane;
+}
+
 void App::draw_overlay() {
   switch (overlay_) {
     case Overlay::none: return;
@@ -243,11 +258,17 @@ void App::draw_overlay() {
     case Overlay::why_ask: return draw_why_ask(*this);
     case Overlay::why: return draw_why(*this);
     case Overlay::explain: return draw_explain(*this);
+    case Overlay::until: return draw_until(*this);
+    case Overlay::name_bookmark: return draw_name_bookmark(*this);
+    case Overlay::bookmarks: return draw_bookmarks(*this);
+    case Overlay::range: return draw_range(*this);
   }
 }
 
 void App::frame() {
   ImGui::SetCurrentContext(context_.context);
+  places_.look_on();
+  follow_overlay();
   update_fonts();
   apply_style(ui_);
   const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
@@ -268,9 +289,10 @@ void App::frame() {
   const float timeline = timeline_height(ui_);
   const ImVec2 at{pad, 0};
   const float width = size.x - 2 * pad, height = size.y - title - timeline - 2 * pad;
-  draw_title(at, {width, title});
-  if (width > 8 && height > 8) draw_panes({pad, title}, {width, height});
-  if (size.y > title + timeline) {
+  if (only_) draw_pane(*only_, {0, 0}, size);
+  else draw_title(at, {width, title});
+  if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
+  if (!only_ && size.y > title + timeline) {
     ImGui::SetCursorScreenPos({pad, size.y - timeline - pad});
     draw_timeline(ui_, {width, timeline});
   }
@@ -278,6 +300,7 @@ void App::frame() {
   const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history || overlay_ == Overlay::query;
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked);
+  if (places_.searching()) draw_search(*this);
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
   if (ui_.scroll_now) ui_.scroll_follows = session_.position();

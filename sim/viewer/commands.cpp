@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -74,12 +75,10 @@ void select_current(App& app) {
 }
 
 void escape(App& app) {
+  if (app.places().searching()) return app.places().stop();
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
   Session& s = app.session();
-  if (app.ui().heat) {
-    app.ui().heat.reset();
-    return s.touch();
-  }
+  if (app.ui().heat) return app.end_painting();
   s.selected.reset();
   s.selected_edge.reset();
   s.message.clear();
@@ -92,9 +91,35 @@ void answer(App& app) { app.session().answer(n); }
 
 void play(App& app) {
   Session& s = app.session();
-  if (s.position() == s.size()) return app.say("This is the end of the trace; Home goes back to its beginning.");
+  if (s.position() == s.size() && !s.loops()) return app.say("This is the end of the trace; Home goes back to its beginning.");
   s.playing = !s.playing;
   s.touch();
+}
+
+void fit_range(App& app) {
+  Ui& ui = app.ui();
+  ui.range_mode = ui.range_mode == Ui::RangeMode::whole ? Ui::RangeMode::fitted : Ui::RangeMode::whole;
+  ++ui.paint_version;
+  app.say(ui.range_mode == Ui::RangeMode::fitted ? "The colours span the depths that are shown." : "The colours span all depths of the trace.");
+}
+
+/// Sets one end of what playing repeats; the other is the trace's, or where it was set.
+template <bool first>
+void set_loop(App& app) {
+  Session& s = app.session();
+  const std::int64_t here = s.position();
+  if (first) s.loop_last = s.loop_last > here ? s.loop_last : s.size(), s.loop_first = here;
+  else s.loop_first = s.loop_first < here ? s.loop_first : 0, s.loop_last = here;
+  if (!s.loops()) {
+    s.loop_first = s.loop_last = 0;
+    return app.say("There is no step to repeat here.");
+  }
+  app.say(fmt::format("Space repeats steps {} to {}; Shift+L ends that.", grouped(s.loop_first), grouped(s.loop_last)));
+}
+
+void end_loop(App& app) {
+  app.session().loop_first = app.session().loop_last = 0;
+  app.say("Playing repeats nothing.");
 }
 
 const std::vector<Command>& table() {
@@ -114,10 +139,18 @@ const std::vector<Command>& table() {
       {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
       {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.session().go_to(a.session().size()); }},
       {"go-to", "Move", "Go to a step, a percentage, a polygon or a pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
+      {"run-until", "Move", "Run until a condition is true", {{SDLK_u}}, [](App& a) { a.open(Overlay::until); a.picked = -1; }},
+      {"next-match", "Move", "Next step where it is true", {{SDLK_j}}, [](App& a) { a.places().again(Places::Way::forwards); }},
+      {"previous-match", "Move", "Last step where it was true", {{SDLK_j, S}}, [](App& a) { a.places().again(Places::Way::backwards); }},
+      {"bookmark", "Move", "Set a bookmark here", {{SDLK_b, C}}, [](App& a) { a.open(Overlay::name_bookmark); }},
+      {"bookmarks", "Move", "Bookmarks", {{SDLK_l}}, [](App& a) { a.open(Overlay::bookmarks); }},
       {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Overlay::query); }},
       {"play", "Play", "Play or pause", {{SDLK_SPACE}}, play},
       {"faster", "Play", "Faster", {{0, 0, '+'}}, change_speed<1>},
       {"slower", "Play", "Slower", {{0, 0, '-'}}, change_speed<-1>},
+      {"loop-first", "Play", "Repeat from here", {{0, 0, '['}}, set_loop<true>},
+      {"loop-last", "Play", "Repeat up to here", {{0, 0, ']'}}, set_loop<false>},
+      {"loop-end", "Play", "Repeat no longer", {{SDLK_l, S}}, end_loop},
       {"next-touch", "Pixel", "Next step that touches the selected pixel", {{SDLK_f}}, [](App& a) { a.session().to_selected_pixel(1); }},
       {"previous-touch", "Pixel", "Last step that touched the selected pixel", {{SDLK_f, S}}, [](App& a) { a.session().to_selected_pixel(-1); }},
       {"history", "Pixel", "All that happened to the selected pixel", {{SDLK_h}}, [](App& a) { a.open_history(); }},
@@ -138,6 +171,12 @@ const std::vector<Command>& table() {
       {"pan-right", "Look", "Pan right", {{SDLK_d}}, pan<1, 0>},
       {"pan-up", "Look", "Pan up", {{SDLK_w}}, pan<0, -1>},
       {"pan-down", "Look", "Pan down", {{SDLK_s}}, pan<0, 1>},
+      {"overlay", "Look", "Over the frame: overdraw, failed compares, \u2026", {{SDLK_o}}, [](App& a) { a.turn_overlay(1); }},
+      {"previous-overlay", "Look", "Over the frame: the one before", {{SDLK_o, S}}, [](App& a) { a.turn_overlay(-1); }},
+      {"fit-range", "Look", "Depth colours: fitted to what is shown, or not", {{SDLK_r}}, fit_range},
+      {"range", "Look", "Depth colours: a range by hand", {{SDLK_r, S}}, [](App& a) { a.open(Overlay::range); }},
+      {"histogram", "Look", "How many pixels have which depth", {{SDLK_i}},
+       [](App& a) { a.ui().histogram = !a.ui().histogram; a.session().touch(); }},
       {"vertices", "Look", "The way of the vertices, always or where it fits", {{SDLK_v}},
        [](App& a) { a.ui().vertices_always = !a.ui().vertices_always; a.session().touch(); }},
       {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},

@@ -16,6 +16,7 @@
 #include "sim/viewer/draw/renderer.hpp"
 #include "sim/viewer/draw/theme.hpp"
 #include "sim/viewer/model/inquiry.hpp"
+#include "sim/viewer/model/places.hpp"
 #include "sim/viewer/model/raster_view.hpp"
 #include "sim/viewer/model/session.hpp"
 #include "sim/viewer/model/summary.hpp"
@@ -33,6 +34,7 @@ struct Ui {
   Ui(Session& session_, Renderer& renderer_) : session(session_), renderer(renderer_) {}
   Session& session;
   Renderer& renderer;
+  const Places* places = nullptr;
   Fonts fonts;
   const Theme* theme = &light_theme();
   DepthScale depth_scale;
@@ -43,6 +45,12 @@ struct Ui {
   RowMarks rows;
   RasterView view;
   std::optional<HeatMap> heat;                   ///< painted over the frame
+  std::string heat_behind;                       ///< how far it is from being counted, or nothing
+  enum class RangeMode : std::uint8_t { whole, fitted, by_hand };
+  RangeMode range_mode = RangeMode::whole;       ///< of the depth buffer's colours
+  DepthRange hand_range;
+  bool histogram = false;                        ///< of depths, below the depth buffer
+  std::uint64_t paint_version = 0;               ///< grows when cells get other colours at the same step
   std::map<std::string, RasterContent> rasters;  ///< by pane
   std::map<std::string, Canvas> canvases;        ///< by what is painted there
   std::map<std::string, std::uint64_t> painted;  ///< the version each canvas shows

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/image/png.hpp"
+#include "sim/viewer/pictures.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/viewer/window.hpp"
 #include "traces/error.hpp"
@@ -20,22 +21,20 @@ using namespace viewer;
 /// What a trace is called in the settings: its name, its length and its scene, so that another run is another place.
 std::string place_key(const Trace& trace) { return fmt::format("{}|{}|{}", trace.name(), trace.size(), trace.scene().points.size()); }
 
-void go_to_start(App& app, const Trace& trace, const ViewerOptions& options, bool remembered) {
+void go_to_start(App& app, const Trace& trace, const ViewerOptions& options) {
   Session& s = app.session();
   if (options.at >= 0) return s.go_to(options.at);
-  if (remembered)
-    if (const auto place = app.settings().place(place_key(trace))) return s.go_to(*place);
+  if (const auto place = app.settings().place(place_key(trace))) return s.go_to(*place);
   if (options.lesson && !options.lesson->stops.empty()) s.to_stop(0);
 }
 
 int write_screenshot(const Trace& trace, const ViewerOptions& options) {
-  Settings settings;  // never the reader's own: the same command gives the same picture everywhere
-  settings.dark = options.dark.value_or(false);
-  settings.presenter = options.presenter;
-  App app(trace, options.lesson, settings, options.width, options.height);
-  go_to_start(app, trace, options, false);
-  app.settle();
-  write_png(*options.screenshot, options.width, options.height, app.renderer().rgb());
+  PictureOptions how;
+  how.width = options.width, how.height = options.height;
+  how.dark = options.dark.value_or(false), how.presenter = options.presenter;
+  how.pane = options.pane, how.lesson = options.lesson;
+  const Image image = Pictures(trace, how).at(options.at);
+  write_png(*options.screenshot, image.width, image.height, image.rgb);
   return 0;
 }
 
@@ -112,7 +111,7 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   const Window window(as_left ? settings.width : options.width, as_left ? settings.height : options.height);
   Stage stage(trace, options, settings, window.surface()->w, window.surface()->h, window.dpi_scale());
   name_window(window, trace);
-  go_to_start(stage.app(), trace, options, true);
+  go_to_start(stage.app(), trace, options);
   loop(stage, window);
   App& app = stage.app();
 

@@ -63,6 +63,14 @@ void Sheet::rectangle(ImVec2 from, ImVec2 to, ImU32 color) {
   canvas_.rectangle(whole(from.x), whole(from.y), whole(to.x), whole(to.y), to_pixel(color));
 }
 
+void Sheet::image(int x, int y, const Image& image) {
+  for (int row = 0; row < image.height && y + row < canvas_.height(); ++row)
+    for (int column = 0; column < image.width && x + column < canvas_.width(); ++column) {
+      const std::size_t at = (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) * 3;
+      canvas_.row(y + row)[x + column] = opaque({image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]});
+    }
+}
+
 namespace {
 
 // How far (x, y) lies inside a mark around the origin, in pixels; negative outside.

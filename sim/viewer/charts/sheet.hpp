@@ -33,6 +33,8 @@ class Sheet {
   /// A line one pixel wide, along the raster.
   void rule(ImVec2 from, ImVec2 to, ImU32 color);
   void rectangle(ImVec2 from, ImVec2 to, ImU32 color);
+  /// A picture with its upper left corner there.
+  void image(int x, int y, const Image& image);
   /// A mark of one of four shapes: disc, square, triangle, diamond; hollow unless filled.
   void mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled = true);
   void cross(ImVec2 at, float radius, ImU32 color);

@@ -35,9 +35,9 @@ std::optional<std::size_t> place_of(const std::vector<std::string>& names, const
 }
 
 // The columns of an answer that mean something to the viewer.
-struct Places {
+struct KnownColumns {
   std::optional<std::size_t> step, x, y;
-  explicit Places(const std::vector<std::string>& names) : step(place_of(names, "step")), x(place_of(names, "x")), y(place_of(names, "y")) {}
+  explicit KnownColumns(const std::vector<std::string>& names) : step(place_of(names, "step")), x(place_of(names, "x")), y(place_of(names, "y")) {}
 
   std::optional<Cell> pixel(std::span<const query::Value> row, const Raster& raster) const {
     if (!x || !y) return std::nullopt;
@@ -56,7 +56,7 @@ void Inquiry::ask(const std::string& sql) {
   const Raster& raster = trace_.scene().raster;
   std::int64_t count = 0;
   bool late = false;
-  std::optional<Places> places;
+  std::optional<KnownColumns> places;
   std::optional<std::size_t> painted;  // the first column of numbers that is neither place nor step
   try {
     if (!database_) database_ = std::make_unique<query::Database>(trace_);
@@ -68,7 +68,7 @@ void Inquiry::ask(const std::string& sql) {
           columns_ = names;
           places.emplace(names);
           if (!places->x || !places->y) return;
-          heat_ = HeatMap{"rows", std::vector<double>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height), std::nan("")), 0, 0};
+          heat_ = HeatMap{"rows", std::vector<double>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height), std::nan("")), 0, 0, "", false, -1};
         },
         [&](std::span<const query::Value> row) {
           ++count;

@@ -17,6 +17,9 @@ struct HeatMap {
   std::string name;            ///< of the column, "count(*)"; "rows" where the answer has no number besides x and y
   std::vector<double> values;  ///< [height*width]
   double least = 0, most = 0;
+  std::string meaning;         ///< of a number, "colours written"; may be empty
+  bool polygons = false;       ///< the numbers are polygons, shown in their colours
+  std::int64_t until = -1;     ///< counted up to this step; -1: the whole run
   double share(double value) const { return most > least ? (value - least) / (most - least) : 1; }
 };
 

@@ -230,6 +230,7 @@ double Session::play(double now) {
     to = position() + static_cast<std::int64_t>(owed_);
     owed_ -= static_cast<double>(static_cast<std::int64_t>(owed_));
   }
+  if (loops()) to = position() >= loop_last || position() < loop_first ? loop_first : std::min(to, loop_last);
   // The lesson has the word: halt where it speaks, for as long as reading takes, or until its question is answered.
   if (lesson_ && to > position())
     for (std::size_t i = 0; i < lesson_->stops.size(); ++i) {
@@ -242,7 +243,7 @@ double Session::play(double now) {
       break;
     }
   if (to != position()) go_to(to, s.unit_a_frame.value_or(Unit::event));
-  if (position() == size()) {
+  if (position() == size() && !loops()) {
     playing = false;
     touch();
   }

@@ -82,6 +82,10 @@ class Session {
   /// Plays on; `now` in seconds of any clock. Returns in how many seconds the next picture is due, 0 for at once.
   double play(double now);
 
+  /// Playing repeats what lies between these; 0 and 0 where it does not.
+  std::int64_t loop_first = 0, loop_last = 0;
+  bool loops() const { return loop_first < loop_last; }
+
   std::string message;                       ///< one sentence for the reader, until the next move
   std::uint64_t revision() const { return revision_; }  ///< grows with every change of what is shown
   void touch() { ++revision_; }

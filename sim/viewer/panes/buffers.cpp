@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/legend.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_pane.hpp"
 #include "sim/viewer/words/explain.hpp"
@@ -11,6 +12,32 @@
 
 namespace zstep::viewer {
 namespace {
+
+/// Numbers in the colours of depths, from the least to the most, polygons in their own; hatched where there is none.
+void paint_heat(const Ui& ui, std::vector<Pixel32>& cells) {
+  const HeatMap& heat = *ui.heat;
+  cells.resize(heat.values.size());
+  const auto& polygons = ui.session.scene().polygons;
+  const auto color = [&](double value) {
+    if (std::isnan(value)) return hatched_cell;
+    if (!heat.polygons) return ui.depth_scale.at(heat.share(value));
+    const auto at = static_cast<std::size_t>(value);
+    return at < polygons.size() ? opaque(polygons[at].color) : hatched_cell;
+  };
+  double last = std::nan("");
+  Pixel32 its_color = hatched_cell;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    // Neighbours mostly have the same number.
+    if (const double value = heat.values[i]; value != last) last = value, its_color = color(value);
+    cells[i] = its_color;
+  }
+}
+
+std::string heat_text(const Ui& ui, std::size_t at) {
+  const double value = ui.heat->values[at];
+  if (std::isnan(value)) return "";
+  return ui.heat->polygons ? polygon_label(ui.session.scene(), static_cast<std::int32_t>(value)) : number(value, 2, true);
+}
 
 std::vector<std::string> about_cell(Ui& ui, Cell cell) {
   const Session& s = ui.session;
@@ -21,19 +48,18 @@ std::vector<std::string> about_cell(Ui& ui, Cell cell) {
                                  fmt::format("frame: {}", polygon_label(s.scene(), picture.polygon[at])),
                                  fmt::format("{} = {}", z, exact(picture.depth[at]))};
   if (z == "z*") lines.push_back(fmt::format("z_v = {}", exact(view_depth(s.scene().camera, s.header().conventions, picture.depth[at]))));
+  if (ui.heat) {
+    const std::string value = heat_text(ui, at);
+    lines.push_back(fmt::format("{}: {}", ui.heat->name, value.empty() ? "none" : value));
+  }
   return lines;
-}
-
-/// An answer's numbers in the colours of depths, from the least to the most; hatched where it has none.
-void paint_heat(const Ui& ui, std::vector<Pixel32>& cells) {
-  const HeatMap& heat = *ui.heat;
-  cells.resize(heat.values.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = std::isnan(heat.values[i]) ? hatched_cell : ui.depth_scale.at(heat.share(heat.values[i]));
 }
 
 void draw_frame(Ui& ui) {
   const Session& s = ui.session;
   const Scene& scene = s.scene();
+  const float bottom = ImGui::GetCursorScreenPos().y + ImGui::GetContentRegionAvail().y;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
   draw_raster(
       ui, "frame", std::round(ui.fonts.small->FontSize * 1.3f),
       [&](std::vector<Pixel32>& cells) {
@@ -53,16 +79,20 @@ void draw_frame(Ui& ui) {
         }
       },
       [&](std::size_t at, int) {
-        if (ui.heat) return std::isnan(ui.heat->values[at]) ? std::string() : number(ui.heat->values[at], 2, true);
+        if (ui.heat) return heat_text(ui, at);
         const std::int32_t p = s.picture().polygon[at];
         return p < 0 ? std::string() : polygon_label(scene, p);
       },
       0, [&](Cell cell) { return about_cell(ui, cell); });
+  if (!ui.heat) return;
+  ImGui::SetCursorScreenPos(corner);
+  draw_heat_legend(ui, bottom);
 }
 
 std::string frame_note(Ui& ui) {
   const Session& s = ui.session;
-  if (ui.heat) return fmt::format("{}: {} (light) to {} (dark); Esc ends", ui.heat->name, number(ui.heat->least), number(ui.heat->most));
+  if (!ui.heat_behind.empty()) return ui.heat_behind;
+  if (ui.heat) return fmt::format("{}{}; Esc ends", ui.heat->name, ui.heat->until >= 0 ? fmt::format(" up to step {}", grouped(ui.heat->until)) : "");
   if (s.looking_back) return fmt::format("BEFORE: step {}", grouped(s.before()));
   if (s.state().machine.pass == Pass::light) return "as the light sees it";
   return fmt::format("{} \u00d7 {}{}", s.scene().raster.width, s.scene().raster.height,
@@ -79,40 +109,10 @@ int decimals_in(const Picture& picture) {
   return decimals_needed(values, 3);
 }
 
-void draw_legend(Ui& ui, float top) {
-  const Theme& c = ui.colors();
-  const ImFont* font = ui.fonts.small;
-  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, top});
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  const DepthRange& range = ui.depth_range;
-  if (range.flat()) {
-    const std::string all = range.known ? fmt::format("every depth is {}", number(range.near)) : "no depth is known yet";
-    if (text_size(ui, font, all).x <= width) draw_text(ui, at, font, c.muted, all);
-    return;
-  }
-  const double ends[] = {range.near, range.far};
-  const int decimals = std::min(2, decimals_needed(ends, 2));
-  const std::string near = "near " + number(range.near, decimals), far = number(range.far, decimals) + " far", none = "\u221e";
-  const float near_width = text_size(ui, font, near).x, far_width = text_size(ui, font, far).x, none_width = text_size(ui, font, none).x;
-  const float box = std::round(font->FontSize * 0.9f), gap = std::round(ui.em * 0.35f);
-  const float bar_left = at.x + near_width + gap, bar_right = at.x + width - far_width - none_width - box - 3 * gap;
-  if (bar_right - bar_left < 12) return;
-  draw_text(ui, {at.x, at.y}, font, c.muted, near);
-  Canvas& bar = ui.canvases["legend"];
-  const int bar_width = static_cast<int>(bar_right - bar_left), bar_height = static_cast<int>(box);
-  bar.resize(bar_width, bar_height);
-  for (int y = 0; y < bar_height; ++y)
-    for (int x = 0; x < bar_width; ++x) bar.row(y)[x] = ui.depth_scale.at((x + 0.5) / bar_width);
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddImage(Renderer::image(bar), {bar_left, at.y + 1},
-                 {bar_left + static_cast<float>(bar_width), at.y + 1 + box});
-  draw_text(ui, {bar_right + gap, at.y}, font, c.muted, far);
-  const ImVec2 box_at{bar_right + far_width + 2 * gap, at.y + 1}, box_end{box_at.x + box, box_at.y + box};
-  list->AddRectFilled(box_at, box_end, c.empty);
-  for (float d = 3; d < box; d += 4) list->AddRectFilled({box_at.x + d, box_at.y}, {box_at.x + d + 1, box_end.y}, c.empty_hatch);
-  frame_box(list, box_at, box_end, c.rule);
-  draw_text(ui, {box_end.x + 3, at.y}, font, c.muted, none);
+/// What the colours of the depth buffer span: the trace's range, that of what is shown, or one set by hand.
+DepthRange range_of(const Ui& ui, const Picture& picture) {
+  if (ui.range_mode == Ui::RangeMode::by_hand) return ui.hand_range;
+  return ui.range_mode == Ui::RangeMode::fitted ? fitted_range(picture) : ui.depth_range;
 }
 
 void draw_depth(Ui& ui) {
@@ -123,14 +123,15 @@ void draw_depth(Ui& ui) {
       if (std::isfinite(z)) ui.depth_range = ui.depth_range.known ? DepthRange{std::min(ui.depth_range.near, z), std::max(ui.depth_range.far, z), true}
                                                                   : DepthRange{z, z, true};
   }
-  const float legend = std::round(ui.fonts.small->FontSize * 1.3f);
-  const float bottom = ImGui::GetCursorScreenPos().y + ImGui::GetContentRegionAvail().y;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float bottom = corner.y + ImGui::GetContentRegionAvail().y;
+  const DepthRange range = range_of(ui, s.picture());
+  const bool spread = ui.histogram && ImGui::GetContentRegionAvail().y > 2.5f * histogram_height(ui);
   draw_raster(
-      ui, "depth", legend,
+      ui, "depth", legend_height(ui) + (spread ? histogram_height(ui) : 0.0f),
       [&](std::vector<Pixel32>& cells) {
         const Picture& picture = s.picture();
         ui.depth_decimals = picture.depth.size() <= 16384 ? decimals_in(picture) : 2;
-        const DepthRange range = ui.depth_range;
         cells.resize(picture.depth.size());
         for (std::size_t i = 0; i < cells.size(); ++i)
           cells[i] = std::isfinite(picture.depth[i]) ? ui.depth_scale.at(range.share(picture.depth[i])) : hatched_cell;
@@ -141,7 +142,9 @@ void draw_depth(Ui& ui) {
         if (!std::isfinite(s.picture().depth[s.picture().at(cell.x, cell.y)])) return std::nullopt;
         return answers::of_pixel(s.looking_back ? s.before() : s.position(), {cell.x, cell.y});
       });
-  draw_legend(ui, bottom - legend + 2);
+  ImGui::SetCursorScreenPos(corner);
+  draw_depth_legend(ui, bottom, range);
+  if (spread) draw_histogram(ui, bottom, range, s.picture());
 }
 
 std::string depth_note(Ui& ui) {
@@ -149,7 +152,8 @@ std::string depth_note(Ui& ui) {
   if (s.looking_back) return "BEFORE";
   if (s.state().machine.pass == Pass::light) return "the light's: the shadow buffer";
   const std::string z = depth_symbol(s.scene(), s.header().conventions);
-  return z == "z*" ? "z* pseudodepth" : z == "z_v" ? "z_v" : "z";
+  const std::string name = z == "z*" ? "z* pseudodepth" : z == "z_v" ? "z_v" : "z";
+  return name + (ui.range_mode == Ui::RangeMode::fitted ? ", range fitted" : ui.range_mode == Ui::RangeMode::by_hand ? ", range by hand" : "");
 }
 
 bool has_depths(const Header& header) {

@@ -209,7 +209,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const std::functio
   const RasterMap map(s.scene().raster, ui.view, width, height);
 
   const std::uint64_t state = fingerprint({static_cast<double>(s.position()), s.looking_back ? static_cast<double>(s.before()) : -1,
-                                           ui.theme == &light_theme() ? 0.0 : 1.0});
+                                           ui.theme == &light_theme() ? 0.0 : 1.0, static_cast<double>(ui.paint_version)});
   if (content.cells_version != state || content.cells.empty()) {
     refill(content.cells);
     content.cells_version = state;

@@ -25,14 +25,48 @@ struct Strip {
   }
 };
 
+/// The bookmark that the mouse points at.
+const places::Bookmark* bookmark_under(const Ui& ui, const Strip& strip) {
+  if (!ui.places) return nullptr;
+  for (const places::Bookmark& mark : ui.places->bookmarks())
+    if (mark.step >= strip.first && mark.step <= strip.last && std::abs(strip.x(mark.step) - ImGui::GetIO().MousePos.x) <= 4) return &mark;
+  return nullptr;
+}
+
+/// Above the strip, clear of its words. Bookmarks: a flag on a staff. What playing repeats: a bar between two arms.
+void draw_places(Ui& ui, const Strip& strip) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float flag = std::round(ui.em * 0.38f), top = strip.at.y, foot = top + std::round(ui.em * 0.3f);
+  const auto inside = [&](std::int64_t step) { return step >= strip.first && step <= strip.last; };
+  if (s.loops() && s.loop_first < strip.last && s.loop_last > strip.first) {
+    const float x0 = std::floor(strip.x(std::max(s.loop_first, strip.first))), x1 = std::floor(strip.x(std::min(s.loop_last, strip.last)));
+    list->AddRectFilled({x0, top - 3}, {x1 + 1, top}, c.selected);
+    for (const auto& [step, x] : {std::pair{s.loop_first, x0}, {s.loop_last, x1}})
+      if (inside(step)) list->AddRectFilled({x - 1, top - 3}, {x + 2, foot}, c.selected);
+  }
+  if (!ui.places) return;
+  for (const places::Bookmark& mark : ui.places->bookmarks()) {
+    if (!inside(mark.step)) continue;
+    const float x = std::floor(strip.x(mark.step));
+    list->AddRectFilled({x, top - flag}, {x + 1, foot}, c.text);
+    list->AddTriangleFilled({x + 1, top - flag}, {x + 1 + flag * 1.3f, top - flag / 2}, {x + 1, top}, c.text);
+  }
+}
+
 /// True while it is scrubbed.
 bool scrub(Ui& ui, const char* id, const Strip& strip) {
   ImGui::SetCursorScreenPos(strip.at);
   ImGui::InvisibleButton(id, {strip.width, strip.height});
-  if (ImGui::IsItemHovered()) ui.mouse_help = "Drag: go to any step.";
+  if (ImGui::IsItemHovered()) {
+    const places::Bookmark* mark = bookmark_under(ui, strip);
+    ui.mouse_help = mark ? fmt::format("Click: to the bookmark {} at step {}.", mark->name, grouped(mark->step)) : "Drag: go to any step.";
+  }
   if (!ImGui::IsItemActive()) return false;
   ui.session.playing = false;
-  ui.session.go_to(strip.position(ImGui::GetIO().MousePos.x));
+  const places::Bookmark* mark = bookmark_under(ui, strip);
+  ui.session.go_to(mark ? mark->step : strip.position(ImGui::GetIO().MousePos.x));
   return true;
 }
 
@@ -141,6 +175,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
       list->AddQuadFilled({x, y - 4}, {x + 4, y}, {x, y + 4}, {x - 4, y}, stop.question ? c.selected : c.changed);
     }
   frame_box(list, strip.at, end, c.rule);
+  draw_places(ui, strip);
   draw_place(ui, strip);
 }
 
@@ -179,6 +214,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stre
   else if (!stretch.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
   else if (stretch.lines.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), stretch.polygon)));
   frame_box(list, strip.at, end, c.rule);
+  draw_places(ui, strip);
   draw_place(ui, strip);
 }
 

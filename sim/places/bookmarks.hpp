@@ -1,0 +1,52 @@
+// Bookmarks: steps of a trace with names, in a small file beside it that a person can read.
+//
+//     # bookmarks of run.ztrace
+//     219 the first tie
+//     231 hidden by B
+//
+// A line is a step and its name; empty lines and those that begin with # are passed over.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "traces/file/trace.hpp"
+
+namespace zstep::places {
+
+struct Bookmark {
+  std::int64_t step = 0;
+  std::string name;
+  bool operator==(const Bookmark&) const = default;
+};
+
+/// Of a trace, by step. A name stands once.
+class Bookmarks {
+ public:
+  /// Those beside the trace; none where it has no such file. Throws InputError for a file that holds something else: it is
+  /// then never written over.
+  explicit Bookmarks(const Trace& trace);
+  /// None, and none can be kept: of a run without a file.
+  Bookmarks() = default;
+
+  const std::vector<Bookmark>& all() const { return all_; }
+  /// The step of this name.
+  std::optional<std::int64_t> find(const std::string& name) const;
+  /// Sets a bookmark, in place of one of this name, and writes the file. Throws InputError and changes nothing where the name
+  /// is none, the trace is no file, or its folder cannot be written to.
+  void set(std::int64_t step, const std::string& name);
+  void remove(std::size_t place);
+
+ private:
+  void keep(std::vector<Bookmark> all);
+  std::string trace_;  ///< its file; empty where it has none
+  std::vector<Bookmark> all_;
+};
+
+/// run.ztrace -> run.ztrace.marks
+std::filesystem::path marks_file(const std::string& trace);
+
+}  // namespace zstep::places

@@ -1,0 +1,103 @@
+#include "sim/places/condition.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/classroom/evaluate.hpp"
+
+namespace zstep::places {
+namespace {
+
+constexpr std::int64_t no_step = -1;
+
+/// Does the event write a colour or a depth to a pixel?
+bool writes(const Event& event) {
+  return std::holds_alternative<DepthWrite>(event) || std::holds_alternative<PixelWrite>(event) || std::holds_alternative<PixelPaint>(event) ||
+         std::holds_alternative<ColorWrite>(event) || std::holds_alternative<ColorBlend>(event);
+}
+
+bool names_pixel(const Event& event, double x, double y) {
+  const auto pixel = pixel_of(event);
+  return pixel && pixel->x == x && pixel->y == y;
+}
+
+}  // namespace
+
+double Condition::polygon_at_work(std::int64_t step) const {
+  const auto marks = trace_->polygons();
+  const auto after = std::upper_bound(marks.begin(), marks.end(), step, [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
+  return after == marks.begin() ? no_polygon : (after - 1)->polygon;
+}
+
+/// `and` and `or`: one side alone may settle it; else a side that is missing leaves nothing to say, one that is open all.
+Condition::Value Condition::both_or_either(const Node& node, const Event& event, std::int64_t step) const {
+  const bool settles = node.op == Op::or_;
+  const Value first = evaluate(node.first, event, step);
+  if (first.is == Value::Is::known && (first.number != 0) == settles) return first;
+  const Value second = evaluate(node.second, event, step);
+  if (second.is == Value::Is::known && (second.number != 0) == settles) return second;
+  if (first.is == Value::Is::open || second.is == Value::Is::open) return {Value::Is::open, 0};
+  return {std::min(first.is, second.is), settles ? 0.0 : 1.0};
+}
+
+Condition::Value Condition::evaluate(std::int32_t at, const Event& event, std::int64_t step) const {
+  const Node& node = nodes_[static_cast<std::size_t>(at)];
+  const auto truth = [](bool holds) { return Value{Value::Is::known, holds ? 1.0 : 0.0}; };
+  switch (node.op) {
+    case Op::constant: return {Value::Is::known, node.number};
+    case Op::missing: return {Value::Is::missing, 0};
+    case Op::field: return {Value::Is::known, node.read(event)};
+    case Op::step: return step == no_step ? Value{Value::Is::open, 0} : Value{Value::Is::known, static_cast<double>(step)};
+    case Op::at_work: return step == no_step ? Value{Value::Is::open, 0} : Value{Value::Is::known, polygon_at_work(step)};
+    case Op::changes: return truth(writes(event) && names_pixel(event, node.number, node.row));
+    case Op::touches: return truth(names_pixel(event, node.number, node.row));
+    case Op::and_:
+    case Op::or_: return both_or_either(node, event, step);
+    default: break;
+  }
+  const Value first = evaluate(node.first, event, step);
+  const Value second = node.second < 0 ? first : evaluate(node.second, event, step);
+  if (first.is != Value::Is::known || second.is != Value::Is::known) return {std::min(first.is, second.is), 0};
+  const double a = first.number, b = second.number;
+  switch (node.op) {
+    case Op::among: return truth(std::binary_search(node.set.begin(), node.set.end(), a));
+    case Op::negate: return {Value::Is::known, -a};
+    case Op::root: return {Value::Is::known, std::sqrt(a)};
+    case Op::not_: return truth(a == 0);
+    case Op::add: return {Value::Is::known, a + b};
+    case Op::subtract: return {Value::Is::known, a - b};
+    case Op::multiply: return {Value::Is::known, a * b};
+    case Op::divide: return {Value::Is::known, a / b};
+    case Op::equal: return truth(classroom::same_number(a, b));
+    case Op::less: return truth(a < b);
+    case Op::less_equal: return truth(a <= b);
+    default: return {Value::Is::missing, 0};
+  }
+}
+
+bool Condition::holds(std::int64_t step, const RecordedEvent& event) const {
+  const std::int32_t root = root_of_step_[event.step];
+  if (root < 0) return false;
+  const Value value = evaluate(root, event.event, step);
+  return value.is == Value::Is::known && value.number != 0;
+}
+
+bool Condition::may_hold(const RecordedEvent& event) const {
+  const std::int32_t root = root_of_step_[event.step];
+  if (root < 0) return false;
+  const Value value = evaluate(root, event.event, no_step);
+  return value.is == Value::Is::open || (value.is == Value::Is::known && value.number != 0);
+}
+
+std::vector<double> polygons_called(const Scene& scene, const std::string& name) {
+  std::vector<double> found;
+  for (std::size_t i = 0; i < scene.polygons.size(); ++i)
+    if (scene.polygons[i].name == name) found.push_back(static_cast<double>(i));
+  if (!found.empty() || name.size() < 2 || name.size() > 10 || (name[0] != 'P' && name[0] != 'p')) return found;
+  if (!std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; })) return found;
+  const auto number = std::stoll(name.substr(1));
+  if (number < static_cast<std::int64_t>(scene.polygons.size())) found.push_back(static_cast<double>(number));
+  return found;
+}
+
+}  // namespace zstep::places

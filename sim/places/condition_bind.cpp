@@ -1,0 +1,275 @@
+// From a text to something that can be asked of every step: names become fields of the kinds that have them.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/classroom/evaluate.hpp"
+#include "sim/places/condition.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::places {
+
+using classroom::Expression;
+using Kind = Expression::Kind;
+using Type = classroom::Quantity::Type;
+
+namespace {
+
+constexpr const char* where = "condition";
+
+bool is_step(const StepInfo& step, std::string_view name) {
+  return step.name == name || (name.find('.') != std::string_view::npos && step.module + "." + step.name == name);
+}
+std::string_view kind_name(std::uint8_t kind) {
+  std::string_view name;
+  for_each_kind([&]<class E>() {
+    if (kind_of<E> == kind) name = kind_text<E>.name;
+  });
+  return name;
+}
+
+}  // namespace
+
+/// Binds an expression for one step of the pseudo-code.
+class Condition::Binder {
+ public:
+  Binder(Condition& condition, const StepInfo& step) : condition_(condition), page_(condition.trace_->header().page), step_(step) {}
+
+  /// The root node; -1 where no event of this step can fulfil the expression.
+  std::int32_t bind(const Expression& expression) {
+    const Bound root = truth(expression);
+    return root.may_be_true ? root.node : -1;
+  }
+
+ private:
+  struct Bound {
+    std::int32_t node = -1;
+    Type type = Type::number;
+    bool missing = false;
+    bool may_be_true = true, may_be_false = true;
+  };
+
+  Bound add(Node node, Type type) {
+    condition_.nodes_.push_back(std::move(node));
+    return {static_cast<std::int32_t>(condition_.nodes_.size()) - 1, type};
+  }
+  Bound constant(double number, Type type) {
+    Node node;
+    node.op = Op::constant, node.number = number;
+    Bound made = add(std::move(node), type);
+    made.may_be_true = number != 0, made.may_be_false = number == 0;
+    return made;
+  }
+  Bound missing(Type type) {
+    Bound made = add({}, type);
+    made.missing = true, made.may_be_true = made.may_be_false = false;
+    return made;
+  }
+  Bound of(Op op, const Bound& first, const Bound& second, Type type) {
+    if (first.missing || second.missing) return missing(type);
+    Node node;
+    node.op = op, node.first = first.node, node.second = second.node;
+    return add(std::move(node), type);
+  }
+
+  [[noreturn]] void fail(const std::string& what, const std::string& mend) const { throw InputError(where, what, mend); }
+
+  bool field_somewhere(std::string_view name) const {
+    return std::any_of(page_.begin(), page_.end(), [&](const StepInfo& step) { return field_of_kind(step.kind, name) != nullptr; });
+  }
+  /// The words that a field of this name takes in any step of the method.
+  std::vector<std::string_view> words_somewhere(std::string_view name) const {
+    std::vector<std::string_view> words;
+    for (const StepInfo& step : page_)
+      if (const Field* field = field_of_kind(step.kind, name))
+        for (const std::string_view word : field->type.words)
+          if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    return words;
+  }
+
+  Bound number(const Expression& expression) {
+    const Bound made = any(expression);
+    if (made.type != Type::number && made.type != Type::polygon && !made.missing) fail(fmt::format("`{}` is no number", said(expression)), "compare it with ==, or leave it out");
+    return made;
+  }
+  Bound truth(const Expression& expression) {
+    const Bound made = any(expression);
+    if (made.type != Type::truth && !made.missing) fail(fmt::format("`{}` is true of no step and false of none", said(expression)), fmt::format("compare it: `{} == 3`", said(expression)));
+    return made;
+  }
+  static std::string said(const Expression& expression) {
+    if (!expression.text.empty()) return expression.text;
+    return expression.kind == Kind::number ? fmt::format("{}", expression.number) : "a sum";
+  }
+
+  Bound name(const Expression& expression) {
+    const std::string& text = expression.text;
+    if (const Field* field = field_of_kind(step_.kind, text)) {
+      Node node;
+      node.op = Op::field, node.read = field->read;
+      return add(std::move(node), field->type.type);
+    }
+    if (text == "polygon") return add_plain(Op::at_work, Type::polygon);
+    if (text == "step") return add_plain(Op::step, Type::number);
+    if (text == "true" || text == "false") return constant(text == "true", Type::truth);
+    if (field_somewhere(text)) return missing(Type::number);
+    bool known = false;
+    for (const StepInfo& step : page_) known = known || is_step(step, text) || kind_name(step.kind) == text;
+    if (known) return constant(is_step(step_, text) || kind_name(step_.kind) == text, Type::truth);
+    std::vector<std::string_view> names;
+    for (const StepInfo& step : page_) {
+      names.push_back(step.name);
+      for (const Field& field : fields_of_kind(step.kind)) names.push_back(field.name);
+    }
+    const std::string near = classroom::did_you_mean(text, names);
+    fail(fmt::format("`{}` is no field, step or kind of event of this trace{}", text, near), "zstep query FILE names the kinds and their fields");
+  }
+  Bound add_plain(Op op, Type type) {
+    Node node;
+    node.op = op;
+    return add(std::move(node), type);
+  }
+
+  /// Among the alternatives of an equation: `facing == back`, `polygon == B`.
+  static bool is_bare(const Expression& side) { return side.kind == Kind::name || side.kind == Kind::quoted; }
+  bool takes_words(const Expression& side) const { return side.kind == Kind::name && !words_somewhere(side.text).empty(); }
+  bool takes_polygons(const Expression& side) const { return side.kind == Kind::name && side.text == "polygon"; }
+
+  Bound equation(const Expression& expression) {
+    const Expression *left = &expression.parts[0], *right = &expression.parts[1];
+    if (is_bare(*left) && !takes_words(*left) && !takes_polygons(*left)) std::swap(left, right);
+    if (takes_words(*left) && is_bare(*right)) return word(*left, *right);
+    if (takes_polygons(*left) && is_bare(*right) && (right->kind == Kind::quoted || !field_somewhere(right->text))) return called(*left, *right);
+    const Bound first = any(*left), second = any(*right);
+    const auto sort = [](Type type) { return type == Type::polygon ? Type::number : type; };
+    if (!first.missing && !second.missing && sort(first.type) != sort(second.type))
+      fail(fmt::format("`{}` and `{}` are not of one kind", said(*left), said(*right)), "compare numbers with numbers and truths with truths");
+    return of(Op::equal, first, second, Type::truth);
+  }
+  Bound word(const Expression& left, const Expression& right) {
+    const auto all = words_somewhere(left.text);
+    if (std::find(all.begin(), all.end(), right.text) == all.end())
+      fail(fmt::format("`{}` is never `{}`", left.text, right.text), fmt::format("it is one of {}", fmt::join(all, ", ")));
+    const Field* field = field_of_kind(step_.kind, left.text);
+    if (!field || field->type.type != Type::word) return missing(Type::truth);
+    const auto& words = field->type.words;
+    const auto place = std::find(words.begin(), words.end(), right.text) - words.begin();
+    return of(Op::equal, name(left), constant(static_cast<double>(place), Type::word), Type::truth);
+  }
+  Bound called(const Expression& left, const Expression& right) {
+    Node node;
+    node.op = Op::among;
+    node.set = polygons_called(condition_.trace_->scene(), right.text);
+    if (node.set.empty()) fail(fmt::format("no polygon of the scene is called `{}`", right.text), "give its name, or its number: polygon == 0 is the first");
+    node.first = name(left).node;
+    return add(std::move(node), Type::truth);
+  }
+
+  Bound call(const Expression& expression) {
+    if (expression.text != "changes" && expression.text != "touches") fail(fmt::format("there is no `{}(`", expression.text), "changes(x, y) and touches(x, y) speak of a pixel");
+    const auto& parts = expression.parts;
+    const Raster& raster = condition_.trace_->scene().raster;
+    const auto inside = [](const Expression& part, std::int32_t end) { return part.kind == Kind::number && part.number < end && part.number == std::floor(part.number); };
+    if (parts.size() != 2 || !inside(parts[0], raster.width) || !inside(parts[1], raster.height))
+      fail(fmt::format("`{}(` needs a pixel's column and row", expression.text), fmt::format("the picture has {} by {}; write {}(0, 0)", raster.width, raster.height, expression.text));
+    Node node;
+    node.op = expression.text == "changes" ? Op::changes : Op::touches;
+    node.number = parts[0].number, node.row = parts[1].number;
+    Bound made = add(std::move(node), Type::truth);
+    made.may_be_true = field_of_kind(step_.kind, "x") && field_of_kind(step_.kind, "y");
+    if (condition_.nodes_.back().op == Op::changes) {
+      const std::uint8_t k = step_.kind;
+      made.may_be_true = k == kind_of<DepthWrite> || k == kind_of<PixelWrite> || k == kind_of<PixelPaint> || k == kind_of<ColorWrite> || k == kind_of<ColorBlend>;
+    }
+    return made;
+  }
+
+  Bound negation(const Expression& inner) {
+    const Bound made = truth(inner);
+    Bound turned = of(Op::not_, made, made, Type::truth);
+    turned.may_be_true = made.may_be_false, turned.may_be_false = made.may_be_true;
+    return turned;
+  }
+  /// Where a side is missing the other may still settle it.
+  Bound logic(Op op, const Expression& expression) {
+    const Bound first = truth(expression.parts[0]), second = truth(expression.parts[1]);
+    Node node;
+    node.op = op, node.first = first.node, node.second = second.node;
+    Bound made = add(std::move(node), Type::truth);
+    const bool both = op == Op::and_;
+    made.may_be_true = both ? first.may_be_true && second.may_be_true : first.may_be_true || second.may_be_true;
+    made.may_be_false = both ? first.may_be_false || second.may_be_false : first.may_be_false && second.may_be_false;
+    return made;
+  }
+
+  Bound any(const Expression& expression) {
+    const auto& parts = expression.parts;
+    const auto two = [&](Op op, Type type) { return of(op, number(parts[0]), number(parts[1]), type); };
+    switch (expression.kind) {
+      case Kind::number: return constant(expression.number, Type::number);
+      case Kind::quoted: fail(fmt::format("\"{}\" stands alone", expression.text), "write `polygon == \"…\"`");
+      case Kind::name: return name(expression);
+      case Kind::call: return call(expression);
+      case Kind::count: fail("`count(` counts a whole run", "zstep query counts: select count(*) from …");
+      case Kind::negate: return unary(Op::negate, parts[0]);
+      case Kind::root: return unary(Op::root, parts[0]);
+      case Kind::not_: return negation(parts[0]);
+      case Kind::add: return two(Op::add, Type::number);
+      case Kind::subtract: return two(Op::subtract, Type::number);
+      case Kind::multiply: return two(Op::multiply, Type::number);
+      case Kind::divide: return two(Op::divide, Type::number);
+      case Kind::equal: return equation(expression);
+      case Kind::unequal: {
+        const Bound made = equation(expression);
+        return of(Op::not_, made, made, Type::truth);
+      }
+      case Kind::less: return two(Op::less, Type::truth);
+      case Kind::less_equal: return two(Op::less_equal, Type::truth);
+      case Kind::greater: return of(Op::less, number(parts[1]), number(parts[0]), Type::truth);
+      case Kind::greater_equal: return of(Op::less_equal, number(parts[1]), number(parts[0]), Type::truth);
+      case Kind::and_: return logic(Op::and_, expression);
+      case Kind::or_: return logic(Op::or_, expression);
+    }
+    return missing(Type::truth);
+  }
+  Bound unary(Op op, const Expression& part) {
+    const Bound inner = number(part);
+    Bound made = of(op, inner, inner, Type::number);
+    return made;
+  }
+
+  Condition& condition_;
+  const Page& page_;
+  const StepInfo& step_;
+};
+
+Condition::Condition(const Trace& trace, const std::string& text) : trace_(&trace), text_(classroom::trim(text)), root_of_step_(step_limit, -1) {
+  constexpr std::size_t longest = 2000;
+  if (text_.empty()) throw InputError(where, "is empty", "write for example `not nearer` or `z < 4.2 && x == 9`");
+  if (text_.size() > longest) throw InputError(where, fmt::format("has more than {} letters", longest), "write a shorter one");
+  const Page& page = trace.header().page;
+
+  // "compare", "z_buffer.compare where not nearer": a step or a kind of event, and what must hold besides.
+  std::string_view rest = text_;
+  std::string only;
+  const std::string_view first = classroom::leading_step_name(rest);
+  const std::string_view after = classroom::trim(rest.substr(first.size()));
+  const bool further = after.starts_with("where") && (after.size() == 5 || !(std::isalnum(static_cast<unsigned char>(after[5])) || after[5] == '_'));
+  if (!first.empty() && (after.empty() || further)) {
+    const bool known = std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return is_step(step, first) || kind_name(step.kind) == first; });
+    if (further && !known) throw InputError(where, fmt::format("`{}` is no step or kind of event of this trace", first), "zstep info FILE names them");
+    if (known) only = first, rest = further ? after.substr(5) : std::string_view("true");
+  }
+  const Expression expression = classroom::parse_expression(rest, where);
+  for (const StepInfo& step : page) {
+    const std::int32_t root = Binder(*this, step).bind(expression);
+    if (!only.empty() && !is_step(step, only) && kind_name(step.kind) != only) continue;
+    root_of_step_[step.id] = root;
+    if (root >= 0) bounds_.kinds.set(step.kind);
+  }
+  if (bounds_.kinds.none()) throw InputError(where, fmt::format("no step of this trace can fulfil `{}`", text_), "name fields that one event has together; zstep query FILE lists them");
+  find_bounds(expression);
+}
+
+}  // namespace zstep::places

@@ -1,0 +1,80 @@
+#include "sim/places/search.hpp"
+
+#include <algorithm>
+
+namespace zstep::places {
+
+Search::Search(const Trace& trace, Condition condition, std::int64_t from, Way way)
+    : trace_(&trace), condition_(std::move(condition)), way_(way), from_(std::clamp<std::int64_t>(from, 0, trace.size() + 1)), at_(from_) {
+  const Bounds& bounds = condition_.bounds();
+  const std::int64_t first = std::max(bounds.first, forwards() ? from_ + 1 : 1);
+  const std::int64_t last = std::min({bounds.last, trace.size(), forwards() ? trace.size() : from_ - 1});
+  const auto add = [&](std::int64_t begin, std::int64_t end) {
+    begin = std::max(begin, first), end = std::min(end, last);
+    if (begin <= end) stretches_.push_back({begin, end});
+  };
+  // Where work on polygons begins is known without reading a block.
+  const auto marks = trace.polygons();
+  std::bitset<kind_count> marked;
+  marked.set(kind_of<PolygonBegin>).set(kind_of<PieceDraw>);
+  if ((bounds.kinds & ~marked).none() || bounds.polygon) {
+    const bool beginnings = (bounds.kinds & ~marked).none();
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      if (bounds.polygon && marks[i].polygon != *bounds.polygon) continue;
+      add(marks[i].position, beginnings ? marks[i].position : i + 1 < marks.size() ? marks[i + 1].position - 1 : trace.size());
+    }
+    if (bounds.polygon == no_polygon) add(1, marks.empty() ? trace.size() : marks[0].position - 1);
+  } else {
+    add(first, last);
+  }
+  std::sort(stretches_.begin(), stretches_.end(), [&](const Stretch& a, const Stretch& b) { return forwards() ? a.first > b.first : a.first < b.first; });
+}
+
+double Search::share() const {
+  const std::int64_t end = forwards() ? trace_->size() : 0;
+  return end == from_ ? 1 : static_cast<double>(at_ - from_) / static_cast<double>(end - from_);
+}
+
+/// Drops stretches that are behind, and goes to the beginning of the next one.
+bool Search::next_stretch() {
+  while (!stretches_.empty() && (forwards() ? stretches_.back().last <= at_ : stretches_.back().first >= at_)) stretches_.pop_back();
+  if (stretches_.empty()) return false;
+  at_ = forwards() ? std::max(at_, stretches_.back().first - 1) : std::min(at_, stretches_.back().last + 1);
+  return true;
+}
+
+Search::Result Search::look_in_stretch(std::chrono::steady_clock::time_point end) {
+  constexpr std::int64_t between_looks = 512;  // events, at the clock
+  const Stretch& stretch = stretches_.back();
+  // No step of the stretch is more than so many events away; the predicate is not told where it is.
+  const std::int64_t most = forwards() ? stretch.last - at_ : at_ - stretch.first;
+  std::int64_t asked = 0;
+  bool candidate = false;
+  const auto look_at = [&](const RecordedEvent& event) {
+    if (++asked > most) return true;
+    candidate = condition_.may_hold(event);
+    return candidate || (asked % between_looks == 0 && std::chrono::steady_clock::now() >= end);
+  };
+  const auto stopped = forwards() ? trace_->next(at_, look_at, condition_.bounds().pixel) : trace_->previous(at_, look_at, condition_.bounds().pixel);
+  if (!stopped || *stopped < stretch.first || *stopped > stretch.last) {
+    at_ = forwards() ? stretch.last : stretch.first;
+    return Result::not_yet;
+  }
+  at_ = *stopped;
+  return candidate && condition_.holds(at_, trace_->event(at_)) ? Result::found : Result::not_yet;
+}
+
+Search::Result Search::look(std::chrono::microseconds time) {
+  const auto end = std::chrono::steady_clock::now() + time;
+  while (result_ == Result::not_yet) {
+    if (!next_stretch()) {
+      at_ = forwards() ? trace_->size() : 0;
+      return result_ = Result::none;
+    }
+    if (look_in_stretch(end) == Result::found) return result_ = Result::found;
+    if (std::chrono::steady_clock::now() >= end) return Result::not_yet;
+  }
+  return result_;
+}
+
+}  // namespace zstep::places

@@ -1,0 +1,112 @@
+// What keys do in the boxes for conditions and bookmarks.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/app.hpp"
+#include "sim/viewer/commands.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+
+void App::run_until(const std::string& condition, Places::Way way) {
+  wrong = places_.run_until(condition, way);
+  if (wrong.empty()) open(Overlay::none);
+  session_.touch();
+}
+
+void App::keep_bookmark() {
+  wrong = places_.bookmark(typed);
+  if (!wrong.empty()) return session_.touch();
+  const std::string name = typed;
+  open(Overlay::none);
+  say(fmt::format("Step {} is kept as {}; L lists all bookmarks.", grouped(session_.position()), name));
+}
+
+void App::go_to_bookmark(std::size_t place) {
+  const auto& all = places_.bookmarks();
+  if (place >= all.size()) return;
+  const places::Bookmark mark = all[place];
+  open(Overlay::none);
+  session_.go_to(mark.step);
+  say(fmt::format("Bookmark: {}", mark.name));
+}
+
+void App::turn_overlay(int direction) {
+  if (ui_.heat && !pixel_overlay_.shown()) end_painting();  // a query's
+  pixel_overlay_.turn(direction);
+  if (!pixel_overlay_.shown()) end_painting();
+  say(pixel_overlay_.shown() ? fmt::format("Over the frame: {}, up to the step where you are. O turns on, Esc ends it.", PixelOverlay::name(*pixel_overlay_.shown()))
+                             : "Nothing over the frame.");
+}
+
+void App::end_painting() {
+  ui_.heat.reset();
+  ui_.heat_behind.clear();
+  ++ui_.paint_version;
+  if (pixel_overlay_.shown()) pixel_overlay_.show(std::nullopt);
+  session_.touch();
+}
+
+/// What is painted over the frame goes where the reader is, as far as a part of a frame's time reaches.
+void App::follow_overlay() {
+  if (pixel_overlay_.look_on()) {
+    if (pixel_overlay_.shown()) pixel_overlay_.take_picture(ui_.heat), ++ui_.paint_version;
+    else end_painting();
+  }
+  ui_.heat_behind = pixel_overlay_.behind();
+}
+
+void App::take_range() {
+  const char* text = typed.c_str();
+  char *first = nullptr, *second = nullptr;
+  const double near = std::strtod(text, &first), far = std::strtod(first, &second);
+  const bool empty = typed.find_first_not_of(' ') == std::string::npos;
+  if (!empty && (first == text || second == first || !std::isfinite(near) || !std::isfinite(far) || near >= far || std::string(second).find_first_not_of(' ') != std::string::npos)) {
+    wrong = "Type two numbers, the nearer first: 0.2 0.8";
+    return session_.touch();
+  }
+  open(Overlay::none);
+  ui_.range_mode = empty ? Ui::RangeMode::whole : Ui::RangeMode::by_hand;
+  ui_.hand_range = {near, far, true};
+  ++ui_.paint_version;
+  say(empty ? "The colours span all depths of the trace." : fmt::format("The colours span {} to {}; R ends that.", number(near), number(far)));
+}
+
+/// A key for the box of a condition or of a bookmark's name; false if it is none.
+bool App::edit_place(SDL_Keycode code, unsigned modifiers) {
+  if (overlay_ == Overlay::range && code == SDLK_RETURN) return take_range(), true;
+  if (overlay_ == Overlay::name_bookmark && code == SDLK_RETURN) return keep_bookmark(), true;
+  if (overlay_ != Overlay::until) return false;
+  if (code == SDLK_RETURN) return run_until(typed, (modifiers & Chord::shift) != 0 ? Places::Way::backwards : Places::Way::forwards), true;
+  if (code != SDLK_UP && code != SDLK_DOWN) return false;
+  const auto suggestions = places_.suggestions();
+  if (suggestions.empty()) return true;
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, static_cast<int>(suggestions.size()) - 1);
+  typed = suggestions[static_cast<std::size_t>(picked)].condition;
+  wrong.clear();
+  scroll_to_picked = true;
+  return true;
+}
+
+bool App::pick_bookmark(SDL_Keycode code) {
+  const int last = static_cast<int>(places_.bookmarks().size()) - 1;
+  const auto place = static_cast<std::size_t>(std::max(0, picked));
+  if (code == SDLK_RETURN) return go_to_bookmark(place), true;
+  if (code == SDLK_DELETE) {
+    if (last < 0) return true;
+    const std::string name = places_.bookmarks()[std::min(place, static_cast<std::size_t>(last))].name;
+    const std::string fault = places_.remove_bookmark(place);
+    say(fault.empty() ? fmt::format("Removed the bookmark {}.", name) : fault);
+    picked = std::clamp(picked, 0, std::max(0, last - 1));
+    return true;
+  }
+  if (code != SDLK_UP && code != SDLK_DOWN) return false;
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, last));
+  scroll_to_picked = true;
+  return true;
+}
+
+}  // namespace zstep::viewer

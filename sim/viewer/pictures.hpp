@@ -1,0 +1,49 @@
+// Pictures of the viewer without a window: of all of it or of one pane, and sheets of several for paper.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/classroom/lesson.hpp"
+#include "sim/image/png.hpp"
+#include "traces/file/trace.hpp"
+
+namespace zstep {
+
+struct PictureOptions {
+  int width = 1280, height = 720;
+  bool dark = false, presenter = false;
+  std::string pane;                ///< "frame", "depth", …; empty: the window with all of them
+  const Lesson* lesson = nullptr;  ///< already resolved
+};
+
+/// The panes that a trace has, by the names that PictureOptions takes.
+std::vector<std::string> pane_names(const Trace& trace, bool with_lesson = false);
+
+class Pictures {
+ public:
+  /// The trace must outlive it. Throws InputError where it has no such pane.
+  Pictures(const Trace& trace, const PictureOptions& options);
+  ~Pictures();
+  Pictures(const Pictures&) = delete;
+  Pictures& operator=(const Pictures&) = delete;
+
+  /// At this position; below 0: at the lesson's first stop, or the beginning. The same one always gives the same picture.
+  Image at(std::int64_t position);
+  /// What a caption says of it: "step 316 · compare", and a sentence.
+  struct Caption {
+    std::string place, sentence;
+  };
+  Caption caption(std::int64_t position);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Pictures of these positions with captions, in rows of so many, under a title.
+Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positions, const PictureOptions& options, int columns);
+
+}  // namespace zstep

@@ -1,0 +1,147 @@
+// Run until a condition holds, bookmarks: what is typed, what is likely wanted, and how far a search has come.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// A row of two columns, the second muted; true when clicked.
+bool draw_row(App& app, std::size_t place, float split, const ImFont* font, const std::string& first, const std::string& second, bool second_muted) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const float height = std::round(ui.em * 1.4f), width = std::max(1.0f, ImGui::GetContentRegionAvail().x);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
+  ImGui::PushID(static_cast<int>(place));
+  const bool clicked = ImGui::InvisibleButton("row", {width, height});
+  ImGui::PopID();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (static_cast<int>(place) == app.picked) {
+    list->AddRectFilled(at, end, c.now_soft);
+    list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
+    if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
+  } else if (ImGui::IsItemHovered()) {
+    list->AddRectFilled(at, end, c.button_hovered);
+  }
+  const float y = at.y + ui.em * 0.15f;
+  ImGui::PushClipRect(at, {at.x + split - ui.em * 0.5f, end.y}, true);
+  draw_text(ui, {at.x + ui.em * 0.5f, y}, font, c.text, first);
+  ImGui::PopClipRect();
+  ImGui::PushClipRect(at, end, true);
+  draw_text(ui, {at.x + split, y}, ui.fonts.text, second_muted ? c.muted : c.text, second);
+  ImGui::PopClipRect();
+  return clicked;
+}
+
+void say_wrong(Ui& ui, const std::string& what) {
+  Flow how;
+  how.color = ui.colors().bad;
+  how.font = ui.fonts.bold;
+  flow(ui, what, how);
+}
+
+}  // namespace
+
+void draw_until(App& app) {
+  Ui& ui = app.ui();
+  const auto suggestions = app.places().suggestions();
+  const float rows = static_cast<float>(suggestions.size());
+  begin_overlay(app, "until", {ui.em * 45, ui.em * (8.4f + rows * 1.4f + (app.wrong.empty() ? 0.0f : 2.6f))});
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, "Run until this is true. Enter: forwards; Shift+Enter: backwards; J and Shift+J: once more.", heading);
+  draw_field(ui, app.typed, "not nearer");
+  if (!app.wrong.empty()) say_wrong(ui, app.wrong);
+  Flow how;
+  how.color = ui.colors().muted;
+  flow(ui, "Or: z < 4.2 && x == 9, polygon == B, compare where x > 9, changes(9, 17).", how);
+  flow(ui, "\u2191 \u2193 or a click take one of these:", how);
+  ImGui::Dummy({1, ui.em * 0.3f});
+  ImGui::BeginChild("suggestions", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+  std::optional<std::size_t> clicked;
+  for (std::size_t i = 0; i < suggestions.size(); ++i)
+    if (draw_row(app, i, ui.em * 22, ui.fonts.mono, suggestions[i].condition, suggestions[i].meaning, true)) clicked = i;
+  app.scroll_to_picked = false;
+  ImGui::EndChild();
+  ImGui::End();
+  if (clicked) app.run_until(suggestions[*clicked].condition, Places::Way::forwards);
+}
+
+void draw_name_bookmark(App& app) {
+  Ui& ui = app.ui();
+  begin_overlay(app, "name bookmark", {ui.em * 30, ui.em * (app.wrong.empty() ? 7.0f : 9.5f)});
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, fmt::format("A bookmark at step {}", grouped(app.session().position())), heading);
+  draw_field(ui, app.typed, "the first tie");
+  Flow how;
+  how.color = ui.colors().muted;
+  if (app.wrong.empty()) flow(ui, "Its name. Enter keeps it beside the trace; L lists all of them.", how);
+  else say_wrong(ui, app.wrong);
+  ImGui::End();
+}
+
+void draw_range(App& app) {
+  Ui& ui = app.ui();
+  begin_overlay(app, "range", {ui.em * 32, ui.em * 7.5f});
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, "The depths that the colours span", heading);
+  draw_field(ui, app.typed, "0.2 0.8");
+  Flow how;
+  how.color = ui.colors().muted;
+  if (app.wrong.empty()) flow(ui, "The nearest and the farthest. Nothing: all of the trace. R fits them to what is shown.", how);
+  else say_wrong(ui, app.wrong);
+  ImGui::End();
+}
+
+void draw_bookmarks(App& app) {
+  Ui& ui = app.ui();
+  const auto& all = app.places().bookmarks();
+  const float rows = std::clamp(static_cast<float>(all.size()), 2.0f, 14.0f);
+  begin_overlay(app, "bookmarks", {ui.em * 42, ui.em * (4.5f + rows * 1.4f) + (app.places().trouble().empty() ? 0 : ui.em * 2)});
+  Flow heading;
+  heading.font = ui.fonts.bold;
+  flow(ui, "Bookmarks. Enter or a click goes there; Delete removes one; Ctrl+B sets one; Esc closes.", heading);
+  ImGui::Dummy({1, ui.em * 0.3f});
+  if (!app.places().trouble().empty()) say_wrong(ui, app.places().trouble());
+  else if (all.empty()) say_empty(ui, "None yet. Ctrl+B sets one at the step where you are.");
+  ImGui::BeginChild("list", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+  std::optional<std::size_t> clicked;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (draw_row(app, i, ui.em * 8, ui.fonts.mono, grouped(all[i].step), all[i].name, false)) clicked = i;
+  app.scroll_to_picked = false;
+  ImGui::EndChild();
+  ImGui::End();
+  if (clicked) app.go_to_bookmark(*clicked);
+}
+
+void draw_search(App& app) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const std::string text = app.places().progress(), help = "Esc stops";
+  const float pad = std::round(ui.em * 0.7f), bar = std::round(ui.em * 0.4f);
+  const float width = std::min(screen.x - 8, std::max(text_size(ui, ui.fonts.text, text).x + text_size(ui, ui.fonts.bold, help).x + 2 * ui.em, ui.em * 20) + 2 * pad);
+  const ImVec2 size{width, std::round(ui.em * 2.6f)}, at{std::floor((screen.x - size.x) / 2), std::floor(screen.y * 0.3f)};
+  ImGui::SetNextWindowPos(at);
+  ImGui::SetNextWindowSize(size);
+  ImGui::SetNextWindowFocus();
+  ImGui::Begin("search", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + size.x, at.y + size.y};
+  list->AddRectFilled(at, end, c.pane);
+  frame_box(list, at, end, c.now, 2);
+  draw_text(ui, {at.x + pad, at.y + ui.em * 0.5f}, ui.fonts.text, c.text, text);
+  draw_text(ui, {end.x - pad - text_size(ui, ui.fonts.bold, help).x, at.y + ui.em * 0.5f}, ui.fonts.bold, c.now, help);
+  const float y = end.y - bar - ui.em * 0.35f, whole = size.x - 2 * pad;
+  list->AddRectFilled({at.x + pad, y}, {at.x + pad + whole, y + bar}, c.head);
+  list->AddRectFilled({at.x + pad, y}, {at.x + pad + whole * static_cast<float>(app.places().share()), y + bar}, c.now);
+  ImGui::End();
+}
+
+}  // namespace zstep::viewer
