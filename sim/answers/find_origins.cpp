@@ -130,8 +130,7 @@ Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, s
   const EdgeTableInsert entry = machine.edge_table[static_cast<std::size_t>(edge)].entry;
   const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
   const std::int64_t soon = std::max<std::int64_t>(1, at - near);
-  std::int64_t step = at;
-  if (const auto found = find_last<EdgeTableInsert>(trace, at, wanted, [&](const Event&) { return --step < soon; })) return found;
+  if (const auto found = find_last<EdgeTableInsert>(trace, at, wanted, [](const Event&) { return false; }, soon)) return found;
   // A polygon's edges follow its beginning, those of all at once the last of the polygons.
   const auto marks = trace.polygons();
   if (machine.keeps_all && machine.piece == -1 && !marks.empty()) return find_first<EdgeTableInsert>(trace, std::min(marks.back().position, at), wanted);

@@ -12,17 +12,16 @@ namespace zstep::answers {
 
 using Step = std::optional<std::int64_t>;
 
-/// The last step at or before `at`, or the first at or after it, whose event is an E for which `wanted(event)` holds; it ends
-/// where `stop(event)` does.
+/// The last step at or before `at`, or the first at or after it, whose event is an E for which `wanted(event)` holds. With `stop` nothing
+/// is looked at beyond an event for which `stop(event)` holds; `least` is the first step that is looked at.
 template <class E, class Wanted, class Stop>
-Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted, Stop&& stop) {
-  bool stopped = false;
-  const auto found = trace.previous(at + 1, [&](const RecordedEvent& recorded) {
-    const auto* event = std::get_if<E>(&recorded.event);
-    if (event && wanted(*event)) return true;
-    return stopped = stop(recorded.event);
-  });
-  return stopped ? std::nullopt : found;
+Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted, Stop&& stop, std::int64_t least = 1) {
+  const auto is_wanted = [&](const Event& event) {
+    const auto* known = std::get_if<E>(&event);
+    return known && wanted(*known);
+  };
+  const auto found = trace.previous(at + 1, [&](const RecordedEvent& recorded) { return is_wanted(recorded.event) || stop(recorded.event); }, Trace::Among({}, {}, least));
+  return found && is_wanted(trace.event(*found).event) ? found : std::nullopt;
 }
 template <class E, class Wanted>
 Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted) {

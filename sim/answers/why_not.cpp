@@ -22,52 +22,52 @@ bool does_not_cover(Why kind) {
   }
 }
 
-Question::Question(const Trace& asked, std::int32_t of, Trace::Pixel at)
+Asked::Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel at)
     : trace(asked), scene(asked.scene()), polygon(of), pixel(at), name(polygon_label(scene, of)), where(fmt::format("at pixel ({}, {})", at.x, at.y)),
-      z(depth_symbol(scene, asked.header().conventions)) {
+      z(depth_symbol(scene, asked.header().conventions)), at_hand_(at_hand) {
   if (of < 0 || static_cast<std::size_t>(of) >= scene.polygons.size()) throw std::out_of_range("why_not: no such polygon");
   const Raster& raster = scene.raster;
   if (at.x < 0 || at.y < 0 || at.x >= raster.width || at.y >= raster.height) throw std::out_of_range("why_not: no such pixel");
 }
 
-std::int32_t Question::polygon_of_facet(std::int32_t facet) const {
+std::int32_t Asked::polygon_of_facet(std::int32_t facet) const {
   const auto at = static_cast<std::size_t>(facet);
   return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
 }
 
-std::vector<std::int32_t> Question::facets() const {
+std::vector<std::int32_t> Asked::facets() const {
   std::vector<std::int32_t> found;
   for (std::size_t k = 0; k < scene.facets.size(); ++k)
     if (scene.facets[k].polygon == polygon) found.push_back(static_cast<std::int32_t>(k));
   return found;
 }
 
-Verdict Question::verdict(Why kind, std::int64_t step, const std::string& reason) const {
+Verdict Asked::verdict(Why kind, std::int64_t step, const std::string& reason) const {
   Verdict verdict;
   verdict.kind = kind, verdict.step = step, verdict.pixel = pixel;
   verdict.sentence = fmt::format("{} is not seen {}: {}.", name, where, reason);
   return verdict;
 }
 
-const State& Question::state_at(std::int64_t step) {
-  if (!replay_) replay_.emplace(trace);
-  replay_->go_to(step);
-  return replay_->state();
+const State& Asked::state_at(std::int64_t step) {
+  if (replay() == nullptr) own_.emplace(trace);
+  replay()->go_to(step);
+  return replay()->state();
 }
 
-void Question::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored) {
+void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored) {
   if (step < 1) return;
   const std::optional<State> nearby = state_nearby(trace, step, of, stored);
   const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
   verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
 }
 
-Verdict not_recorded(const Question& q) {
+Verdict not_recorded(const Asked& q) {
   return q.verdict(Why::not_recorded, 0, q.trace.warnings().empty() ? "it covers the pixel, but the trace records no step of it there"
                                                                    : "it covers the pixel, but the recording was cut off before its turn there");
 }
 
-Verdict seen(Question& q, std::int64_t step, const std::string& how, const std::string& what) {
+Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::string& what) {
   Verdict verdict;
   verdict.kind = Why::seen, verdict.step = step, verdict.other = q.polygon, verdict.pixel = q.pixel;
   verdict.sentence = fmt::format("{} is what is seen {}: {}.", q.name, q.where, how);
@@ -75,8 +75,8 @@ Verdict seen(Question& q, std::int64_t step, const std::string& how, const std::
   return verdict;
 }
 
-Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel) {
-  Question q(trace, polygon, pixel);
+Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Replay* replay) {
+  Asked q(trace, replay, polygon, pixel);
   Verdict verdict;
   if (records<HorizonTest>(trace)) {
     verdict = why_by_curves(q);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "traces/file/trace.hpp"
+#include "traces/replay/replay.hpp"
 
 namespace zstep::answers {
 
@@ -61,10 +61,11 @@ struct Verdict {
 
 /// At a pixel. Throws InputError where the trace is damaged or tells what cannot be, std::out_of_range for a polygon or a pixel
 /// that the scene does not have.
-Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel);
+/// `replay`: one of the same trace that may be moved; with none, one begins anew where it is needed.
+Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Replay* replay = nullptr);
 
 /// On the whole picture: `pixel` is the first at which it is seen, or the one at which it came nearest to being seen.
-Verdict why_not(const Trace& trace, std::int32_t polygon);
+Verdict why_not(const Trace& trace, std::int32_t polygon, Replay* replay = nullptr);
 
 /// The polygon by its label, "B" or "P7", or by its number; nullopt for none.
 std::optional<std::int32_t> polygon_called(const Scene& scene, const std::string& text);

@@ -24,7 +24,7 @@ struct Covered {
   std::int32_t owner = no_polygon;
 };
 
-std::vector<Covered> covered(const Question& q, const std::vector<FacetThere>& facets, const Picture& picture) {
+std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& facets, const Picture& picture) {
   Scene alone = q.scene;
   alone.facets.clear();
   for (const FacetThere& there : facets)
@@ -45,7 +45,7 @@ std::vector<Covered> covered(const Question& q, const std::vector<FacetThere>& f
 }
 
 /// "to Q at 12 pixels, to R at 3", the most first.
-std::string losses(const Question& q, const std::vector<Covered>& all) {
+std::string losses(const Asked& q, const std::vector<Covered>& all) {
   std::map<std::int32_t, std::size_t> count;
   for (const Covered& one : all) ++count[one.owner];
   std::vector<std::pair<std::int32_t, std::size_t>> sorted(count.begin(), count.end());
@@ -62,7 +62,7 @@ std::string losses(const Question& q, const std::vector<Covered>& all) {
 }
 
 /// Where its facets were rejected one and all; else nullopt.
-std::optional<Verdict> gone_as_a_whole(Question& q, std::vector<FacetThere> facets) {
+std::optional<Verdict> gone_as_a_whole(Asked& q, std::vector<FacetThere> facets) {
   for (FacetThere& there : facets) {
     if (!there.rejected() && !there.away) return std::nullopt;
     // Over the whole picture it does not matter whether this one pixel would be covered.
@@ -73,7 +73,7 @@ std::optional<Verdict> gone_as_a_whole(Question& q, std::vector<FacetThere> face
   return why_by_facets(q, facets);
 }
 
-Verdict filled(Question& q, const Picture& picture) {
+Verdict filled(Asked& q, const Picture& picture) {
   std::size_t count = 0;
   std::optional<Trace::Pixel> first;
   for (std::int32_t y = 0; y < picture.height; ++y)
@@ -99,7 +99,7 @@ Verdict filled(Question& q, const Picture& picture) {
     return verdict;
   }
   const Covered best = *std::min_element(all.begin(), all.end(), [](const Covered& a, const Covered& b) { return a.gap < b.gap; });
-  Verdict verdict = why_not(q.trace, q.polygon, best.pixel);
+  Verdict verdict = why_not(q.trace, q.polygon, best.pixel, q.replay());
   const std::string covers = count_text(all.size(), "pixel", "pixels");
   verdict.sentence = (verdict.kind == Why::mixed ? fmt::format("{} takes no pixel for itself; it covers {}. Where it is nearest: ", q.name, covers)
                                                  : fmt::format("{} is not seen anywhere: it covers {} and loses {}, {}. Where it comes nearest to being seen: ", q.name, covers,
@@ -108,7 +108,7 @@ Verdict filled(Question& q, const Picture& picture) {
   return verdict;
 }
 
-Verdict by_lines(Question& q) {
+Verdict by_lines(Asked& q) {
   const std::vector<Line> lines = lines_of(q);
   std::size_t seen_edges = 0;
   const Line *visible = nullptr, *hidden = nullptr;
@@ -129,7 +129,7 @@ Verdict by_lines(Question& q) {
                                                        : fmt::format("None of the {} of {} in view is seen. On one of them:", count_text(lines.size(), "edge", "edges"), q.name));
 }
 
-Verdict by_curves(Question& q) {
+Verdict by_curves(Asked& q) {
   std::size_t visible = 0, hidden = 0;
   std::optional<Trace::Pixel> drawn, behind;
   for (const Segment& segment : segments_of(q))
@@ -147,8 +147,8 @@ Verdict by_curves(Question& q) {
 
 }  // namespace
 
-Verdict why_not(const Trace& trace, std::int32_t polygon) {
-  Question q(trace, polygon, {0, 0});
+Verdict why_not(const Trace& trace, std::int32_t polygon, Replay* replay) {
+  Asked q(trace, replay, polygon, {0, 0});
   if (records<HorizonTest>(trace)) return by_curves(q);
   if (records<LineBegin>(trace)) return by_lines(q);
   return filled(q, Picture(q.state_at(trace.size()).picture));

@@ -45,7 +45,7 @@ std::optional<std::int64_t> quarter_with(const Trace& trace, const AreaThere& wh
 }
 
 /// From the whole picture to the area that was settled at the pixel.
-std::vector<AreaThere> areas_around(const Question& q) {
+std::vector<AreaThere> areas_around(const Asked& q) {
   std::vector<AreaThere> chain;
   const std::int64_t end = q.trace.size() + 1;
   auto step = next_of<AreaBegin>(q.trace, last_mark(q.trace), end);
@@ -68,7 +68,7 @@ struct BinThere {
   std::size_t area = 0;  ///< in the chain
 };
 
-std::vector<std::int32_t> pieces_of(const Question& q, const std::vector<FacetThere>& facets) {
+std::vector<std::int32_t> pieces_of(const Asked& q, const std::vector<FacetThere>& facets) {
   std::vector<std::int32_t> pieces;
   for (const FacetThere& there : facets) {
     if (there.mark == 0 || there.rejected()) continue;
@@ -79,7 +79,7 @@ std::vector<std::int32_t> pieces_of(const Question& q, const std::vector<FacetTh
 }
 
 /// The bin that the polygon was put into last on the way down; what is not disjoint before what is.
-std::optional<BinThere> last_bin(const Question& q, const std::vector<AreaThere>& chain, const std::vector<std::int32_t>& pieces) {
+std::optional<BinThere> last_bin(const Asked& q, const std::vector<AreaThere>& chain, const std::vector<std::int32_t>& pieces) {
   std::optional<BinThere> last;
   for (std::size_t k = 0; k < chain.size(); ++k) {
     bool known = false;
@@ -102,7 +102,7 @@ std::string area_text(const AreaBegin& area) {
 struct Depths {
   std::vector<std::pair<std::int64_t, PlaneDepth>> mine, its;
 };
-Depths depths_in(const Question& q, const AreaThere& leaf, std::int32_t piece) {
+Depths depths_in(const Asked& q, const AreaThere& leaf, std::int32_t piece) {
   Depths depths;
   for (std::int64_t step = leaf.begin + 1; step < leaf.decided; ++step) {
     const auto depth = event_at<PlaneDepth>(q.trace, step);
@@ -112,7 +112,7 @@ Depths depths_in(const Question& q, const AreaThere& leaf, std::int32_t piece) {
   return depths;
 }
 
-Verdict why_behind(Question& q, const AreaThere& leaf, const BinThere& bin, const Touch& owner) {
+Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const Touch& owner) {
   const bool surrounded = leaf.decide.what == AreaCase::front_surrounder;
   const std::string other = q.label(owner.polygon);
   const Depths depths = depths_in(q, leaf, bin.bin.piece);
@@ -147,7 +147,7 @@ Verdict why_behind(Question& q, const AreaThere& leaf, const BinThere& bin, cons
 
 }  // namespace
 
-Verdict why_by_areas(Question& q, const std::vector<FacetThere>& facets) {
+Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
   const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
   const std::vector<AreaThere> chain = areas_around(q);
   const Touch* owner = holder(touches, q.trace.size() + 1);

@@ -8,7 +8,7 @@
 namespace zstep::answers {
 namespace {
 
-std::set<std::int32_t> corners_of(const Question& q, std::int32_t polygon) {
+std::set<std::int32_t> corners_of(const Asked& q, std::int32_t polygon) {
   std::set<std::int32_t> corners;
   for (const Facet& facet : q.scene.facets) {
     if (facet.polygon != polygon) continue;
@@ -18,14 +18,14 @@ std::set<std::int32_t> corners_of(const Question& q, std::int32_t polygon) {
 }
 
 /// A side of the cell, not its diagonal.
-bool is_side(const Question& q, const std::set<std::int32_t>& corners, const CurveSegment& segment) {
+bool is_side(const Asked& q, const std::set<std::int32_t>& corners, const CurveSegment& segment) {
   if (!corners.contains(segment.vertex_0) || !corners.contains(segment.vertex_1)) return false;
   const std::int32_t apart = std::abs(segment.vertex_0 - segment.vertex_1);
   return !q.scene.surface || apart == 1 || apart == q.scene.surface->columns;
 }
 
 /// Whose curve a step belongs to: the first cell that has the segment as a side.
-std::int32_t owner_of(const Question& q, std::int64_t step) {
+std::int32_t owner_of(const Asked& q, std::int64_t step) {
   const auto begin = previous_of<CurveSegment>(q.trace, step);
   if (!begin || !q.scene.surface) return no_polygon;
   const CurveSegment segment = *event_at<CurveSegment>(q.trace, *begin);
@@ -48,7 +48,7 @@ struct There {
   bool passes(std::int32_t row) const { return low - 0.5 <= row && row <= high + 0.5; }
 };
 
-std::vector<There> tests_in_column(const Question& q, const Segment& segment) {
+std::vector<There> tests_in_column(const Asked& q, const Segment& segment) {
   std::vector<There> all;
   std::vector<std::pair<std::int64_t, HorizonTest>> tests;
   for (std::int64_t step = segment.begin + 1; step < segment.end; ++step)
@@ -67,7 +67,7 @@ std::vector<There> tests_in_column(const Question& q, const Segment& segment) {
   return all;
 }
 
-std::optional<Verdict> drawn(Question& q, const Segment& segment) {
+std::optional<Verdict> drawn(Asked& q, const Segment& segment) {
   const auto here = [&](const RecordedEvent& recorded) {
     const auto* color = std::get_if<ColorWrite>(&recorded.event);
     return color && color->x == q.pixel.x && color->y == q.pixel.y;
@@ -83,7 +83,7 @@ std::optional<Verdict> drawn(Question& q, const Segment& segment) {
   return verdict;
 }
 
-Verdict hidden(Question& q, const Segment& segment, const There& there) {
+Verdict hidden(Asked& q, const Segment& segment, const There& there) {
   const auto moved = previous_within(q.trace, there.step, 0, [&](const RecordedEvent& recorded) {
     const auto* move = std::get_if<HorizonMove>(&recorded.event);
     return move && move->x == q.pixel.x && std::isfinite(move->y_curve);
@@ -101,7 +101,7 @@ Verdict hidden(Question& q, const Segment& segment, const There& there) {
 
 }  // namespace
 
-std::vector<Segment> segments_of(const Question& q) {
+std::vector<Segment> segments_of(const Asked& q) {
   const std::set<std::int32_t> corners = corners_of(q, q.polygon);
   const auto of_it = [&](const RecordedEvent& recorded) {
     const auto* segment = std::get_if<CurveSegment>(&recorded.event);
@@ -114,7 +114,7 @@ std::vector<Segment> segments_of(const Question& q) {
   return segments;
 }
 
-Verdict why_by_curves(Question& q) {
+Verdict why_by_curves(Asked& q) {
   const std::vector<Segment> segments = segments_of(q);
   const There* behind = nullptr;
   const Segment* its = nullptr;

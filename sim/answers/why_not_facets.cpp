@@ -27,7 +27,7 @@ void set_rejected(FacetThere& there, const Trace& trace, std::int64_t step) {
 }
 
 /// Methods that reject a polygon after all marks (a tree's nodes) or without any (rays).
-void find_rejected_elsewhere(Question& q, std::vector<FacetThere>& facets) {
+void find_rejected_elsewhere(Asked& q, std::vector<FacetThere>& facets) {
   const bool rays = records<RayBegin>(q.trace), tree = records<EyeSide>(q.trace);
   for (FacetThere& there : facets) {
     if (there.rejected()) continue;
@@ -45,7 +45,7 @@ void find_rejected_elsewhere(Question& q, std::vector<FacetThere>& facets) {
 
 std::string point(const glm::dvec3& p) { return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z)); }
 
-void add_facing(Question& q, Verdict& verdict, const FacetThere& there) {
+void add_facing(Asked& q, Verdict& verdict, const FacetThere& there) {
   const auto corners = corners_of(q.scene, there.facet);
   const bool parallel = q.scene.camera.kind == Camera::Kind::orthographic;
   const glm::dvec3 p = q.scene.points[static_cast<std::size_t>(corners[0])], e = q.scene.camera.eye;
@@ -78,14 +78,14 @@ Why kind_of_reason(Reject reason) {
   return Why::degenerate;
 }
 
-void add_beginning(const Question& q, Verdict& verdict, const FacetThere& there) {
+void add_beginning(const Asked& q, Verdict& verdict, const FacetThere& there) {
   if (there.mark > 0) verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
 }
 
 /// Facing away, whether a step says so or a ray's plane test alone.
 bool culled(const FacetThere& there) { return there.rejected() ? there.reason == Reject::back_facing : there.away; }
 
-Verdict of_rejected(Question& q, const FacetThere& there) {
+Verdict of_rejected(Asked& q, const FacetThere& there) {
   const Reject reason = culled(there) ? Reject::back_facing : there.reason;
   Verdict verdict = q.verdict(kind_of_reason(reason), there.reject_step, there.rejected() ? reason_text(reason) : "it faces away, and such are not met by rays from the eye");
   add_beginning(q, verdict, there);
@@ -100,7 +100,7 @@ Verdict of_rejected(Question& q, const FacetThere& there) {
 }
 
 /// Its part at the pixel lies before the near plane or beyond the far one.
-Verdict of_cut(Question& q, const FacetThere& there) {
+Verdict of_cut(Asked& q, const FacetThere& there) {
   const Camera& camera = q.scene.camera;
   const double z = *there.cut_at;
   const bool before = z < camera.near, behind_eye = z <= 0 && camera.kind == Camera::Kind::perspective;
@@ -137,7 +137,7 @@ int rank(const FacetThere& there) {
 
 }  // namespace
 
-std::vector<FacetThere> facets_there(Question& q) {
+std::vector<FacetThere> facets_there(Asked& q) {
   std::vector<FacetThere> facets;
   for (const std::int32_t facet : q.facets()) {
     FacetThere there;
@@ -161,7 +161,7 @@ std::vector<FacetThere> facets_there(Question& q) {
   return facets;
 }
 
-std::string beside_text(const Question& q, const FacetThere& there) {
+std::string beside_text(const Asked& q, const FacetThere& there) {
   if (!there.at) return fmt::format("no part of it is in view {}", q.where);
   const std::string far = number(there.at->candidate.edge);
   if (there.at->candidate.edge <= compare::edge_tolerance) return "the pixel's centre lies on its outline, and the half-open rule gives it to the neighbour";
@@ -169,7 +169,7 @@ std::string beside_text(const Question& q, const FacetThere& there) {
   return fmt::format("it does not cover the pixel's centre, which lies {} pixels outside its outline", far);
 }
 
-std::optional<Verdict> why_by_facets(Question& q, const std::vector<FacetThere>& facets) {
+std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& facets) {
   if (facets.empty()) return q.verdict(Why::degenerate, 0, "it has fewer than three different corners, so there is no facet to draw");
   const FacetThere* best = nullptr;
   const auto nearer = [](const FacetThere& one, const FacetThere& other) {

@@ -6,7 +6,7 @@
 
 namespace zstep::answers {
 
-std::vector<Line> lines_of(Question& q) {
+std::vector<Line> lines_of(Asked& q) {
   const State& state = q.state_at(q.trace.size());
   std::vector<Line> lines;
   for (const LineRow& row : state.machine.lines) {
@@ -17,7 +17,7 @@ std::vector<Line> lines_of(Question& q) {
   return lines;
 }
 
-std::optional<std::int64_t> begin_of(const Question& q, const Line& line) { return numbered(q.trace, last_mark(q.trace), q.trace.size() + 1, &LineBegin::line, line.row.entry.line); }
+std::optional<std::int64_t> begin_of(const Asked& q, const Line& line) { return numbered(q.trace, last_mark(q.trace), q.trace.size() + 1, &LineBegin::line, line.row.entry.line); }
 
 namespace {
 
@@ -51,11 +51,11 @@ const LinePiece* piece_at(const Line& line, double t) {
   return best;
 }
 
-std::string name_of(const Question& q, const Line& line) {
+std::string name_of(const Asked& q, const Line& line) {
   return fmt::format("edge {}{}{}", vertex_label(q.scene, line.row.entry.vertex_0), "\u2013", vertex_label(q.scene, line.row.entry.vertex_1));
 }
 
-std::int64_t step_of_piece(const Question& q, std::int64_t begin, const LinePiece& wanted) {
+std::int64_t step_of_piece(const Asked& q, std::int64_t begin, const LinePiece& wanted) {
   const auto step = next_within(q.trace, begin, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
     const auto* piece = std::get_if<LinePiece>(&recorded.event);
     return (piece && piece->t_0 == wanted.t_0 && piece->t_1 == wanted.t_1 && piece->visible == wanted.visible) || is_one_of<LineBegin>(recorded);
@@ -64,7 +64,7 @@ std::int64_t step_of_piece(const Question& q, std::int64_t begin, const LinePiec
 }
 
 /// One of its edges was drawn through the pixel.
-std::optional<Verdict> drawn(Question& q) {
+std::optional<Verdict> drawn(Asked& q) {
   const auto here = [&](const RecordedEvent& recorded) {
     const auto* color = std::get_if<ColorWrite>(&recorded.event);
     return color && color->x == q.pixel.x && color->y == q.pixel.y;
@@ -85,7 +85,7 @@ std::optional<Verdict> drawn(Question& q) {
   return verdict;
 }
 
-Verdict hidden(Question& q, const Line& line, const LinePiece& piece, double t) {
+Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
   const std::int64_t begin = begin_of(q, line).value_or(0);
   const std::int64_t part = begin > 0 ? step_of_piece(q, begin, piece) : 0;
   const LineHide* by = nullptr;
@@ -116,7 +116,7 @@ Verdict hidden(Question& q, const Line& line, const LinePiece& piece, double t) 
 
 }  // namespace
 
-Verdict why_by_lines(Question& q) {
+Verdict why_by_lines(Asked& q) {
   if (auto verdict = drawn(q)) return *verdict;
   const std::vector<Line> lines = lines_of(q);
   if (lines.empty()) {

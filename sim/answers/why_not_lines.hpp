@@ -12,15 +12,15 @@ struct Line {
   LineRow row;
   OnRaster from, to;
 };
-std::vector<Line> lines_of(Question& q);
+std::vector<Line> lines_of(Asked& q);
 /// Where work on it begins.
-std::optional<std::int64_t> begin_of(const Question& q, const Line& line);
+std::optional<std::int64_t> begin_of(const Asked& q, const Line& line);
 
 /// A piece of a curve along the polygon's border: the step of its curve_segment and the one at which it ends.
 struct Segment {
   std::int64_t begin = 0, end = 0;
   CurveSegment ends{};
 };
-std::vector<Segment> segments_of(const Question& q);
+std::vector<Segment> segments_of(const Asked& q);
 
 }  // namespace zstep::answers

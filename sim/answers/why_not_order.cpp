@@ -21,7 +21,7 @@ std::int32_t node_over_both(const Machine& machine, std::int32_t one, std::int32
   return -1;
 }
 
-void add_tree(Question& q, const Machine& machine, Verdict& verdict, std::int32_t piece, std::int32_t later, std::int64_t drawn) {
+void add_tree(Asked& q, const Machine& machine, Verdict& verdict, std::int32_t piece, std::int32_t later, std::int64_t drawn) {
   const std::int32_t mine = node_of(machine, piece), other = node_of(machine, later);
   const std::int32_t node = node_over_both(machine, mine, other);
   if (node < 0) return;
@@ -44,7 +44,7 @@ void add_tree(Question& q, const Machine& machine, Verdict& verdict, std::int32_
 
 }  // namespace
 
-void add_order(Question& q, Verdict& verdict, std::int64_t earlier, std::int64_t later) {
+void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t later) {
   if (!records<PieceDraw>(q.trace)) return;
   const auto first = previous_of<PieceDraw>(q.trace, earlier), second = previous_of<PieceDraw>(q.trace, later);
   if (!first || !second || *first == *second) return;

@@ -30,7 +30,7 @@ inline std::string difference(const std::string& symbol, const std::string& one,
 }
 
 /// A question: this polygon at this pixel.
-struct Question {
+struct Asked {
   const Trace& trace;
   const Scene& scene;
   std::int32_t polygon;
@@ -39,7 +39,8 @@ struct Question {
   std::string where;  ///< "at pixel (3, 4)"
   std::string z;      ///< what depths are called
 
-  Question(const Trace& asked, std::int32_t of, Trace::Pixel at);
+  /// `at_hand`: a replay of the trace that may be moved, or none.
+  Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel at);
 
   std::string label(std::int32_t other) const { return polygon_label(scene, other); }
   std::int32_t polygon_of_facet(std::int32_t facet) const;
@@ -50,11 +51,13 @@ struct Question {
   /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas. `stored`: who held the pixel before.
   void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored = nullptr);
   void add_formulas(Verdict& verdict, std::int64_t step) { add_formulas(verdict, step, polygon); }
+  Replay* replay() { return at_hand_ != nullptr ? at_hand_ : own_ ? &*own_ : nullptr; }
   /// By a replay: dear in a long trace, so only for what single events cannot tell.
   const State& state_at(std::int64_t step);
 
  private:
-  std::optional<Replay> replay_;
+  Replay* at_hand_;
+  std::optional<Replay> own_;  ///< where none was at hand
 };
 
 /// One facet of the polygon before the raster: was it drawn, and does it cover the pixel?
@@ -69,28 +72,28 @@ struct FacetThere {
   bool rejected() const { return reject_step != 0; }
   bool covers() const { return at && at->candidate.covers; }
 };
-std::vector<FacetThere> facets_there(Question& q);
+std::vector<FacetThere> facets_there(Asked& q);
 
 /// Why the polygon left nothing at the pixel, by its facets: culled, clipped, beside the pixel …
 /// nullopt if one that was drawn covers the centre: then the method has to say why.
-std::optional<Verdict> why_by_facets(Question& q, const std::vector<FacetThere>& facets);
+std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& facets);
 /// The same for one facet that does not cover the centre.
-std::string beside_text(const Question& q, const FacetThere& facet);
+std::string beside_text(const Asked& q, const FacetThere& facet);
 
 // By families of methods. `facets` are those of the polygon; none throws for what a foreign trace leaves out.
-Verdict why_by_pixels(Question& q, const std::vector<FacetThere>& facets);  ///< compared or painted one by one
-Verdict why_by_sweep(Question& q, const std::vector<FacetThere>& facets);
-Verdict why_by_areas(Question& q, const std::vector<FacetThere>& facets);
-Verdict why_by_rays(Question& q, const std::vector<FacetThere>& facets);
-Verdict why_by_curves(Question& q);
-Verdict why_by_lines(Question& q);
+Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets);  ///< compared or painted one by one
+Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets);
+Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets);
+Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets);
+Verdict why_by_curves(Asked& q);
+Verdict why_by_lines(Asked& q);
 
 /// Why one piece was drawn before another: the tree's plane between them, or their places in the list.
-void add_order(Question& q, Verdict& verdict, std::int64_t earlier, std::int64_t later);
+void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t later);
 
 /// It covers the pixel, but the trace says no more.
-Verdict not_recorded(const Question& q);
+Verdict not_recorded(const Asked& q);
 /// It is what is seen: "A is what is seen at pixel (3, 4): how"; `what` the step did.
-Verdict seen(Question& q, std::int64_t step, const std::string& how, const std::string& what);
+Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::string& what);
 
 }  // namespace zstep::answers

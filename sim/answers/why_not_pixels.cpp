@@ -10,13 +10,13 @@ namespace {
 
 std::string step_text(std::int64_t step) { return "step " + grouped(step); }
 
-void add_gap(const Question& q, Verdict& verdict, double z, double other) {
+void add_gap(const Asked& q, Verdict& verdict, double z, double other) {
   verdict.gap = z - other;
   verdict.formulas.push_back(difference(q.z, q.name, q.label(verdict.other), z, other));
 }
 
 /// What the last owner is, when it is neither of the two that the verdict is about.
-void add_last(const Question& q, Verdict& verdict, const std::vector<Touch>& touches) {
+void add_last(const Asked& q, Verdict& verdict, const std::vector<Touch>& touches) {
   const Touch* last = holder(touches, q.trace.size() + 1);
   if (!last || last->polygon == verdict.other || last->polygon == q.polygon) return;
   verdict.sentence += fmt::format(" In the end {} is seen there.", q.label(last->polygon));
@@ -24,7 +24,7 @@ void add_last(const Question& q, Verdict& verdict, const std::vector<Touch>& tou
 }
 
 /// It was compared and was not nearer than what stood there.
-Verdict why_lost(Question& q, const std::vector<Touch>& touches, const Touch& mine) {
+Verdict why_lost(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
   const Touch* there = holder(touches, mine.step);
   if (!there) {
     Verdict verdict = q.verdict(Why::lost, mine.step, "the trace says that it is not nearer, though nothing was drawn there before");
@@ -46,7 +46,7 @@ Verdict why_lost(Question& q, const std::vector<Touch>& touches, const Touch& mi
 }
 
 /// It was there until another came.
-Verdict why_gone(Question& q, const std::vector<Touch>& touches, const Touch& mine, const Touch& next) {
+Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine, const Touch& next) {
   const bool painted = next.how == Touch::How::painted;
   const std::string other = q.label(next.polygon);
   Verdict verdict = q.verdict(painted ? Why::painted_over : Why::overwritten, painted ? next.written : next.step,
@@ -85,7 +85,7 @@ Share share_of(const std::vector<Touch>& touches, const Touch& mine) {
   return share;
 }
 
-std::optional<Verdict> why_mixed(Question& q, const std::vector<Touch>& touches, const Touch& mine) {
+std::optional<Verdict> why_mixed(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
   const Share share = share_of(touches, mine);
   if (share.over) return std::nullopt;
   const std::string layers = share.layers == 0 ? "" : fmt::format(", behind {} layer{} of glass", share.layers, share.layers == 1 ? "" : "s");
@@ -100,14 +100,14 @@ std::optional<Verdict> why_mixed(Question& q, const std::vector<Touch>& touches,
 }
 
 /// Front to back: what covers the pixel but found it painted already.
-Verdict why_taken(Question& q, const Touch& first) {
+Verdict why_taken(Asked& q, const Touch& first) {
   Verdict verdict = q.verdict(Why::taken, first.written, fmt::format("{} was painted there at {}, and from front to back what is painted stays", q.label(first.polygon), step_text(first.written)));
   verdict.other = first.polygon;
   verdict.chain.push_back({first.written, first.polygon, fmt::format("the pixel becomes {}, {} = {}", q.label(first.polygon), q.z, told(first.z))});
   return verdict;
 }
 
-bool comes_to_pixel(const Question& q) {
+bool comes_to_pixel(const Asked& q) {
   const auto here = [&](const RecordedEvent& recorded) {
     const auto* compare = std::get_if<DepthCompare>(&recorded.event);
     const auto* paint = std::get_if<PixelPaint>(&recorded.event);
@@ -118,7 +118,7 @@ bool comes_to_pixel(const Question& q) {
   return false;
 }
 
-void add_shadow(const Question& q, Verdict& verdict) {
+void add_shadow(const Asked& q, Verdict& verdict) {
   const auto dark = [&](const RecordedEvent& recorded) {
     const auto* color = std::get_if<ColorWrite>(&recorded.event);
     return color && color->x == q.pixel.x && color->y == q.pixel.y;
@@ -131,7 +131,7 @@ void add_shadow(const Question& q, Verdict& verdict) {
 
 }  // namespace
 
-Verdict why_by_pixels(Question& q, const std::vector<FacetThere>& facets) {
+Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
   // Where each polygon is dealt with at its marks alone, a look there tells whether it ever came to the pixel.
   if (!records<PieceDraw>(q.trace) && !records<FlagFlip>(q.trace) && !q.trace.polygons().empty() && !comes_to_pixel(q))
     if (auto verdict = why_by_facets(q, facets)) return *verdict;

@@ -31,7 +31,7 @@ struct Ray {
   }
 };
 
-std::optional<Ray> follow(const Question& q) {
+std::optional<Ray> follow(const Asked& q) {
   const auto through = [&](const RecordedEvent& recorded) {
     const auto* ray = std::get_if<RayBegin>(&recorded.event);
     return ray && ray->role == RayRole::eye && ray->x == q.pixel.x && ray->y == q.pixel.y;
@@ -55,18 +55,18 @@ std::optional<Ray> follow(const Question& q) {
   return ray;
 }
 
-void add_gap(const Question& q, Verdict& verdict, double t, double other) {
+void add_gap(const Asked& q, Verdict& verdict, double t, double other) {
   verdict.gap = t - other;
   verdict.formulas.push_back(difference("t", q.name, q.label(verdict.other), t, other));
 }
 
-void add_hit(const Question& q, Verdict& verdict, const At<RayHit>& hit) {
+void add_hit(const Asked& q, Verdict& verdict, const At<RayHit>& hit) {
   const std::int32_t polygon = q.polygon_of_facet(hit.event.facet);
   verdict.chain.push_back({hit.step, polygon, fmt::format("the ray meets {} at t = {}{}", q.label(polygon), told(hit.event.t), hit.event.nearest ? ", the nearest so far" : "")});
 }
 
 /// It was met inside its outline, and another is nearer.
-Verdict why_behind(Question& q, const Ray& ray, const At<RayHit>& mine) {
+Verdict why_behind(Asked& q, const Ray& ray, const At<RayHit>& mine) {
   const At<RayHit>* other = nullptr;
   if (mine.event.nearest) {
     for (const At<RayHit>& hit : ray.kept)
@@ -90,10 +90,10 @@ Verdict why_behind(Question& q, const Ray& ray, const At<RayHit>& mine) {
 }
 
 /// Boxes and cells are made before the first ray.
-std::int64_t first_ray(const Question& q) { return next_of<RayBegin>(q.trace, 0, q.trace.size() + 1).value_or(q.trace.size() + 1); }
+std::int64_t first_ray(const Asked& q) { return next_of<RayBegin>(q.trace, 0, q.trace.size() + 1).value_or(q.trace.size() + 1); }
 
 /// The boxes around a facet, the innermost first.
-std::vector<std::int32_t> boxes_around(const Question& q, std::int32_t facet, std::int64_t rays) {
+std::vector<std::int32_t> boxes_around(const Asked& q, std::int32_t facet, std::int64_t rays) {
   std::vector<std::int32_t> boxes;
   const auto hold = next_within(q.trace, 0, rays, [facet](const RecordedEvent& recorded) {
     const auto* held = std::get_if<BoxHold>(&recorded.event);
@@ -108,7 +108,7 @@ std::vector<std::int32_t> boxes_around(const Question& q, std::int32_t facet, st
   return boxes;
 }
 
-std::vector<CellHold> cells_around(const Question& q, std::int32_t facet, std::int64_t rays) {
+std::vector<CellHold> cells_around(const Asked& q, std::int32_t facet, std::int64_t rays) {
   const auto of_it = [facet](const RecordedEvent& recorded) {
     const auto* held = std::get_if<CellHold>(&recorded.event);
     return held && held->facet == facet;
@@ -126,7 +126,7 @@ struct Barrier {
   double t = 0;         ///< where the ray would have entered
   std::string what;
 };
-std::optional<Barrier> barrier_before(const Question& q, const Ray& ray, std::int32_t facet) {
+std::optional<Barrier> barrier_before(const Asked& q, const Ray& ray, std::int32_t facet) {
   if (ray.boxes.empty() && ray.cells.empty()) return std::nullopt;
   const std::int64_t rays = first_ray(q);
   const std::vector<std::int32_t> around = boxes_around(q, facet, rays);
@@ -144,7 +144,7 @@ std::optional<Barrier> barrier_before(const Question& q, const Ray& ray, std::in
   return Barrier{last.step, ray.kept.empty(), last.event.t_leave, fmt::format("each of the {} cell{} that hold{} it", cells.size(), cells.size() == 1 ? "" : "s", cells.size() == 1 ? "s" : "")};
 }
 
-Verdict why_unreached(Question& q, const Ray& ray, const Barrier& barrier, std::int32_t facet) {
+Verdict why_unreached(Asked& q, const Ray& ray, const Barrier& barrier, std::int32_t facet) {
   if (ray.kept.empty()) return not_recorded(q);
   const At<RayHit>& other = ray.kept.back();
   const std::int32_t who = q.polygon_of_facet(other.event.facet);
@@ -158,7 +158,7 @@ Verdict why_unreached(Question& q, const Ray& ray, const Barrier& barrier, std::
 }
 
 /// Beside the pixel, turned away, or cut off: what of it the ray recorded.
-void tell_ray(Question& q, Verdict& verdict, const Ray& ray) {
+void tell_ray(Asked& q, Verdict& verdict, const Ray& ray) {
   const auto of_facet = [&](const auto& all) {
     for (const auto& one : all)
       if (one.event.facet == verdict.facet) return &one;
@@ -189,7 +189,7 @@ void tell_ray(Question& q, Verdict& verdict, const Ray& ray) {
 
 }  // namespace
 
-Verdict why_by_rays(Question& q, const std::vector<FacetThere>& facets) {
+Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
   const auto ray = follow(q);
   if (!ray) {
     const auto verdict = why_by_facets(q, facets);

@@ -14,7 +14,7 @@ struct Row {
 };
 
 /// The polygon's rows of the polygon table.
-std::vector<Row> rows_of(const Question& q, const std::vector<FacetThere>& facets) {
+std::vector<Row> rows_of(const Asked& q, const std::vector<FacetThere>& facets) {
   std::vector<Row> rows;
   for (const FacetThere& there : facets) {
     if (there.mark == 0 || there.rejected()) continue;
@@ -37,7 +37,7 @@ struct Line {
   std::vector<Link> links;  ///< depths and implied edges on the stretch
 };
 
-Line look_along(Question& q, const std::vector<Row>& rows) {
+Line look_along(Asked& q, const std::vector<Row>& rows) {
   Line line;
   const std::int64_t end_of_all = q.trace.size() + 1;
   const auto begin = numbered(q.trace, last_mark(q.trace), end_of_all, &ScanLineBegin::y, q.pixel.y);
@@ -78,13 +78,13 @@ Line look_along(Question& q, const std::vector<Row>& rows) {
   return line;
 }
 
-void add_paint(const Question& q, Verdict& verdict, const Line& line) {
+void add_paint(const Asked& q, Verdict& verdict, const Line& line) {
   if (line.paint == 0) return;
   verdict.chain.push_back({line.winner, line.owner, fmt::format("{} is the frontmost on this stretch", q.label(line.owner))});
   verdict.chain.push_back({line.paint, line.owner, fmt::format("the pixel becomes {}, {} = {}", q.label(line.owner), q.z, told(line.z))});
 }
 
-Verdict why_behind(Question& q, const Line& line, const std::vector<Row>& rows) {
+Verdict why_behind(Asked& q, const Line& line, const std::vector<Row>& rows) {
   const Row& row = *std::find_if(rows.begin(), rows.end(), [&](const Row& one) { return one.piece == line.in.front(); });
   const PlaneEquation& p = row.plane;
   const double z = -(p.plane_a * q.pixel.x + p.plane_b * q.pixel.y + p.plane_d) / p.plane_c, gap = z - line.z;
@@ -107,7 +107,7 @@ Verdict why_behind(Question& q, const Line& line, const std::vector<Row>& rows) 
 }
 
 /// Beside the pixel, in the scan line's own words.
-void tell_flag(Question& q, Verdict& verdict, const Line& line) {
+void tell_flag(Asked& q, Verdict& verdict, const Line& line) {
   verdict.kind = Why::flag_out;
   const std::string row = fmt::format("On scan line {}", q.pixel.y);
   verdict.step = line.flip_before != 0 ? line.flip_before : line.flip_after;
@@ -124,7 +124,7 @@ void tell_flag(Question& q, Verdict& verdict, const Line& line) {
 
 }  // namespace
 
-Verdict why_by_sweep(Question& q, const std::vector<FacetThere>& facets) {
+Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets) {
   const std::vector<Row> rows = rows_of(q, facets);
   const Line line = look_along(q, rows);
   if (line.paint != 0 && line.owner == q.polygon) {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "traces/events/registers.hpp"
+#include "traces/events/slots.hpp"
 
 namespace zstep::places {
 namespace {

@@ -43,24 +43,18 @@ bool Search::next_stretch() {
   return true;
 }
 
-Search::Result Search::look_in_stretch(std::chrono::steady_clock::time_point end) {
-  constexpr std::int64_t between_looks = 512;  // events, at the clock
+Search::Result Search::look_in_stretch() {
+  constexpr std::int64_t slice = 1 << 15;  // events, between looks at the clock
   const Stretch& stretch = stretches_.back();
-  // No step of the stretch is more than so many events away; the predicate is not told where it is.
-  const std::int64_t most = forwards() ? stretch.last - at_ : at_ - stretch.first;
-  std::int64_t asked = 0;
-  bool candidate = false;
-  const auto look_at = [&](const RecordedEvent& event) {
-    if (++asked > most) return true;
-    candidate = condition_.may_hold(event);
-    return candidate || (asked % between_looks == 0 && std::chrono::steady_clock::now() >= end);
-  };
-  const auto stopped = forwards() ? trace_->next(at_, look_at, condition_.bounds().pixel) : trace_->previous(at_, look_at, condition_.bounds().pixel);
-  if (!stopped || *stopped < stretch.first || *stopped > stretch.last) {
-    at_ = forwards() ? stretch.last : stretch.first;
-    return Result::not_yet;
-  }
-  at_ = *stopped;
+  const Bounds& bounds = condition_.bounds();
+  Trace::Among among(bounds.pixel);
+  if (bounds.kinds.count() == 1)
+    for (std::size_t kind = 0; kind < kind_count; ++kind)
+      if (bounds.kinds[kind]) among.kind = static_cast<std::uint8_t>(kind);
+  among.until = forwards() ? std::min(stretch.last, at_ + slice) : std::max(stretch.first, at_ - slice);
+  const auto may_hold = [&](const RecordedEvent& event) { return condition_.may_hold(event); };
+  const auto candidate = forwards() ? trace_->next(at_, may_hold, among) : trace_->previous(at_, may_hold, among);
+  at_ = candidate ? *candidate : *among.until;
   return candidate && condition_.holds(at_, trace_->event(at_)) ? Result::found : Result::not_yet;
 }
 
@@ -71,7 +65,7 @@ Search::Result Search::look(std::chrono::microseconds time) {
       at_ = forwards() ? trace_->size() : 0;
       return result_ = Result::none;
     }
-    if (look_in_stretch(end) == Result::found) return result_ = Result::found;
+    if (look_in_stretch() == Result::found) return result_ = Result::found;
     if (std::chrono::steady_clock::now() >= end) return Result::not_yet;
   }
   return result_;

@@ -37,7 +37,7 @@ class Search {
     std::int64_t first, last;  ///< steps, both included
   };
   bool next_stretch();
-  Result look_in_stretch(std::chrono::steady_clock::time_point end);
+  Result look_in_stretch();
   bool forwards() const { return way_ == Way::forwards; }
 
   const Trace* trace_;

@@ -103,7 +103,9 @@ std::vector<std::int32_t> App::why_candidates() const {
 void App::ask_why(std::int32_t polygon) {
   why_polygon_ = polygon;
   try {
-    why_ = why_anywhere_ ? answers::why_not(session_.trace(), polygon) : answers::why_not(session_.trace(), polygon, {why_of_->x, why_of_->y});
+    session_.look_elsewhere([&](Replay& replay) {
+      why_ = why_anywhere_ ? answers::why_not(session_.trace(), polygon, &replay) : answers::why_not(session_.trace(), polygon, {why_of_->x, why_of_->y}, &replay);
+    });
   } catch (const InputError& error) {
     return say(error.what());
   }

@@ -11,13 +11,13 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "algorithms/catalog/catalog.hpp"
 #include "sim/answers/pixel_history.hpp"
-#include "sim/query/database.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/bench/crowds.hpp"
 #include "traces/file/visit.hpp"

@@ -24,8 +24,7 @@ Facts::Facts(const Scene& scene, const Conventions& conventions)
       a_(-(near_ + far_) / (near_ * (near_ - far_))),
       b_(2 * far_ / (near_ - far_)),
       width_(scene.raster.width),
-      height_(scene.raster.height),
-      at_hand_(vertices_at_hand) {}
+      height_(scene.raster.height) {}
 
 glm::dvec3 Facts::project(glm::dvec3 view) const {
   if (orthographic_) return {view.x, view.y, view_depth_ ? view.z : 2 * (view.z - near_) / (far_ - near_) - 1};
@@ -57,6 +56,7 @@ VertexFacts Facts::from_view(std::int32_t vertex, glm::dvec3 view) const {
 }
 
 const VertexFacts& Facts::of_point(std::int32_t vertex) const {
+  if (at_hand_.empty()) at_hand_.resize(vertices_at_hand);
   VertexFacts& facts = at_hand_[static_cast<std::size_t>(vertex) % vertices_at_hand];
   if (facts.vertex == vertex) return facts;
   const glm::dvec3& point = scene_->points[static_cast<std::size_t>(vertex)];

@@ -59,7 +59,8 @@ class Trace {
   void visit(std::int64_t first, std::int64_t last, Visit&& visit) const;
 
   /// The first position > `from` (or the last < `from`) whose event satisfies the predicate, if any. `among` says which events are
-  /// asked at all; blocks that hold none of them are not unpacked.
+  /// asked at all; blocks that hold none of them are not unpacked. The predicate depends on the event alone, as it may be asked in any
+  /// order.
   using Predicate = std::function<bool(const RecordedEvent&)>;
   struct Pixel {
     std::int32_t x, y;

@@ -50,11 +50,15 @@ struct TraceRecorder::Sink {
     written += bytes.size();
   }
 
+  /// All at once, so that a file that was begun is one that can be opened.
   void write_head(const Header& header, const Scene& scene) {
-    write(make_signature());
-    const std::string head = header_to_json(header).dump();
-    write(make_chunk(head_tag, compress({reinterpret_cast<const std::uint8_t*>(head.data()), head.size()})));
-    write(make_chunk(scene_tag, compress(scene_to_bytes(scene))));
+    const std::string json = header_to_json(header).dump();
+    const Bytes head = make_chunk(head_tag, compress({reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}));
+    const Bytes body = make_chunk(scene_tag, compress(scene_to_bytes(scene)));
+    Bytes bytes = make_signature();
+    bytes.insert(bytes.end(), head.begin(), head.end());
+    bytes.insert(bytes.end(), body.begin(), body.end());
+    write(bytes);
   }
 
   void write_block() {
@@ -81,6 +85,7 @@ TraceRecorder::TraceRecorder(const std::filesystem::path& path, const Header& he
   sink_->file = std::fopen(path.string().c_str(), "wb");
   if (sink_->file == nullptr)
     throw InputError(path.string(), "cannot be written", "name a file in a folder that exists and is yours");
+  std::setvbuf(sink_->file, nullptr, _IONBF, 0);  // what is written is written whole
   sink_->beside.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
 }
 

@@ -13,7 +13,7 @@
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
-using answers::Outcome, answers::Visit, answers::pixel_history;
+using answers::FacetsNear, answers::Outcome, answers::Visit, answers::pixel_history;
 
 namespace {
 
@@ -62,7 +62,8 @@ TEST_SUITE("pixel history") {
             if (fragment && fragment->x == x && fragment->y == y && std::holds_alternative<DepthCompare>(replay.current()->event)) {
               CHECK(visit.stored == fragment->stored);
               CHECK(visit.stored_polygon == fragment->stored_polygon);
-              if (fragment->nearer == true) CHECK(visit.polygon == std::get<PixelWrite>(trace.event(*trace.next<PixelWrite>(visit.step, [](const PixelWrite&) { return true; })).event).polygon);
+              const auto write = trace.next(visit.step, [](const RecordedEvent&) { return true; }, Trace::Among(Trace::Pixel{x, y}, kind_of<PixelWrite>, visit.step + 2));
+              if (write) CHECK(visit.polygon == std::get<PixelWrite>(trace.event(*write).event).polygon);
             }
             if (visit.takes) seen = visit.polygon;
             if (visit.outcome != Outcome::rejected && !casts_rays(trace)) steps.push_back(visit.step);

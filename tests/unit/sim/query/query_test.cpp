@@ -250,7 +250,8 @@ TEST_SUITE("query") {
 
   TEST_CASE("a damaged block is said as the trace says it, and the other steps can still be asked") {
     // A recording of several blocks with one byte of the second turned over.
-    TraceRecorder record(some_header(), some_scene());
+    const Scene scene = some_scene();
+    TraceRecorder record(some_header(), scene);
     for (int k = 0; k < 150'000; ++k) record(Step<DepthWrite>{step_of(kind_of<DepthWrite>)}, DepthWrite{k % 16, k % 12, std::sqrt(static_cast<double>(k))});
     record.finish();
     Bytes bytes = record.take_bytes();

@@ -1,0 +1,84 @@
+#include "tests/bench/answers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+#include "sim/answers/explain_value.hpp"
+#include "sim/answers/why_not.hpp"
+#include "sim/query/database.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::bench {
+
+namespace {
+
+constexpr int questions = 100;
+
+std::string of(std::vector<double> samples) {
+  std::sort(samples.begin(), samples.end());
+  const auto at = [&](double share) { return samples[static_cast<std::size_t>(share * static_cast<double>(samples.size() - 1))]; };
+  return fmt::format("{:.1f} ms; {:.1f} ms", at(0.5), at(0.99));
+}
+
+template <class Ask>
+std::string time_of(Ask&& ask) {
+  std::vector<double> samples;
+  for (int i = 0; i < questions; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    ask();
+    samples.push_back(1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  return of(std::move(samples));
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& trace, Replay& replay) {
+  std::mt19937_64 random(2);
+  const auto below = [&](std::size_t count) { return static_cast<std::int64_t>(random() % count); };
+  const Scene& scene = trace.scene();
+  const auto pixel = [&] {
+    return Trace::Pixel{static_cast<std::int32_t>(below(static_cast<std::size_t>(scene.raster.width))), static_cast<std::int32_t>(below(static_cast<std::size_t>(scene.raster.height)))};
+  };
+  std::size_t links = 0;
+  const std::string steps = time_of([&] { links += answers::explain_value(trace, replay, {below(static_cast<std::size_t>(trace.size())) + 1}).links.size(); });
+  const std::string pixels = time_of([&] { links += answers::explain_value(trace, replay, answers::of_pixel(trace.size(), pixel())).links.size(); });
+  const std::string why = time_of([&] { links += answers::why_not(trace, static_cast<std::int32_t>(below(scene.polygons.size())), pixel(), &replay).chain.size(); });
+  // Of a polygon that reached the pixel there is more to tell.
+  const std::string there = time_of([&] {
+    const Trace::Pixel at = pixel();
+    const auto step = trace.previous(trace.size() + 1, [](const RecordedEvent& recorded) {
+      return std::holds_alternative<PixelWrite>(recorded.event) || std::holds_alternative<PixelPaint>(recorded.event);
+    }, at);
+    if (!step) return;
+    const Event event = trace.event(*step).event;
+    const auto* write = std::get_if<PixelWrite>(&event);
+    const std::int32_t polygon = write != nullptr ? write->polygon : std::get<PixelPaint>(event).polygon;
+    if (polygon >= 0) links += answers::why_not(trace, polygon, at, &replay).chain.size();
+  });
+  if (links == 0) fmt::print(" ");
+  return {{"explain a step's value, median; p99", steps},
+          {"explain a pixel's depth, median; p99", pixels},
+          {"why not, any polygon, median; p99", why},
+          {"why not, the one that is seen, median; p99", there}};
+}
+
+std::int64_t scan_by_sql(const Trace& trace) {
+  const auto records = [&](std::uint8_t kind) {
+    return std::any_of(trace.header().page.begin(), trace.header().page.end(), [&](const StepInfo& step) { return step.kind == kind; });
+  };
+  const std::string table = records(kind_of<DepthCompare>) ? "depth_compare" : "pixel_paint";
+  std::int64_t rows = 0;
+  query::Database database(trace);
+  database.run("select count(*), sum(x), sum(z) from " + table, {}, [](const std::vector<std::string>&) {},
+               [&](std::span<const query::Value> values) {
+                 if (const auto* count = std::get_if<std::int64_t>(&values[0])) rows = *count;
+                 return true;
+               });
+  return rows;
+}
+
+}  // namespace zstep::bench
