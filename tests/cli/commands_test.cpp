@@ -294,7 +294,8 @@ TEST_CASE("why-not says why, and what may be typed") {
            {"run.ztrace F -1 0", "-1"},
            {"named.ztrace flor", "flor: is no polygon of this trace; did you mean floor?"},
            {"none.ztrace F", "none.ztrace"}}) {
-    CAPTURE(arguments);
+    const std::string given = arguments;
+    CAPTURE(given);
     const Outcome outcome = run(folder, "why-not " + arguments);
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());

@@ -58,7 +58,7 @@ std::map<Count, Table> by_hand(const Trace& trace, std::int64_t position) {
 }
 
 void check_same(const PixelCounts& counts, const std::map<Count, Table>& expected) {
-  for (const auto& [count, table] : expected) CHECK_MESSAGE(counts.of(count) == table, answers::count_names[static_cast<std::size_t>(count)]);
+  for (const auto& entry : expected) CHECK_MESSAGE(counts.of(entry.first) == entry.second, answers::count_names[static_cast<std::size_t>(entry.first)]);
 }
 
 }  // namespace

@@ -341,7 +341,9 @@ TEST_SUITE("why not") {
       }
       for (const Conventions& conventions : all) {
         CAPTURE(conventions.cull);
-        for (const auto& [option, value] : conventions.options) INFO(option, "=", value);
+        std::string given;
+        for (const auto& option : conventions.options) given += option.first + "=" + option.second + " ";
+        CAPTURE(given);
         const Trace trace = test::recorded_by(std::string(m.id), scene, conventions);
         check_all(trace, 3, 3);
       }
