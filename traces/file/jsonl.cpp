@@ -159,7 +159,7 @@ void read_jsonl(std::istream& in, const std::string& name,
       const StepInfo* step = find_step(header.page, std::string_view(step_name));
       if (step == nullptr) throw MalformedJson(fmt::format("there is no step \"{}\" in the header's list", step_name));
       for_each_kind([&]<class E>() {
-        if (kind_of<E> == step->kind) (*recorder)(Step<E>{step->id}, event_from<E>(document));
+        if (kind_of<E> == step->kind) record_any(*recorder, step->id, event_from<E>(document));
       });
     } catch (const MalformedJson& error) {
       fail(error.what(), recorder == nullptr
