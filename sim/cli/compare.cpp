@@ -15,7 +15,7 @@
 namespace zstep::cli {
 namespace {
 
-constexpr double no_mark = std::numeric_limits<double>::quiet_NaN();
+[[maybe_unused]] constexpr double no_mark = std::numeric_limits<double>::quiet_NaN();
 
 /// Three significant digits, without an exponent.
 std::string three_digits(double value) {

@@ -80,7 +80,7 @@ std::int64_t step_of(const Trace& trace, const std::string& at, const std::strin
 
 int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   check_can_show(options);
-  const std::optional<std::int64_t> at = options.at.empty() ? std::nullopt : std::optional(step_of(trace, options.at));
+  [[maybe_unused]] const std::optional<std::int64_t> at = options.at.empty() ? std::nullopt : std::optional(step_of(trace, options.at));
 #if ZSTEP_HAS_VIEWER
   ViewerOptions viewer;
   if (at) viewer.at = *at;
