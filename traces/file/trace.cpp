@@ -12,7 +12,7 @@ namespace zstep {
 
 namespace {
 
-constexpr std::size_t packed_kept = 8, events_kept = 6;
+constexpr std::size_t packed_kept = 8, events_kept = 2;
 // What a block can unpack to: every field of every event missed, and some.
 constexpr std::uint64_t block_limit = std::uint64_t{block_events} * 128;
 
