@@ -14,19 +14,8 @@ namespace {
 bool draw_row(App& app, std::size_t place, float split, const ImFont* font, const std::string& first, const std::string& second, bool second_muted) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
-  const float height = std::round(ui.em * 1.4f), width = std::max(1.0f, ImGui::GetContentRegionAvail().x);
-  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
-  ImGui::PushID(static_cast<int>(place));
-  const bool clicked = ImGui::InvisibleButton("row", {width, height});
-  ImGui::PopID();
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  if (static_cast<int>(place) == app.picked) {
-    list->AddRectFilled(at, end, c.now_soft);
-    list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
-    if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
-  } else if (ImGui::IsItemHovered()) {
-    list->AddRectFilled(at, end, c.button_hovered);
-  }
+  const ListRow row = list_row(app, place, std::round(ui.em * 1.4f));
+  const ImVec2 at = row.at, end = row.end;
   const float y = at.y + ui.em * 0.15f;
   ImGui::PushClipRect(at, {at.x + split - ui.em * 0.5f, end.y}, true);
   draw_text(ui, {at.x + ui.em * 0.5f, y}, font, c.text, first);
@@ -34,7 +23,7 @@ bool draw_row(App& app, std::size_t place, float split, const ImFont* font, cons
   ImGui::PushClipRect(at, end, true);
   draw_text(ui, {at.x + split, y}, ui.fonts.text, second_muted ? c.muted : c.text, second);
   ImGui::PopClipRect();
-  return clicked;
+  return row.clicked;
 }
 
 void say_wrong(Ui& ui, const std::string& what) {

@@ -29,34 +29,13 @@ void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32
   frame_box(list, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
 }
 
-/// A line of a list; true when clicked. Leaves the cursor below it.
-bool begin_row(App& app, std::size_t place, ImVec2& at, float height) {
-  Ui& ui = app.ui();
-  const Theme& c = ui.colors();
-  const float width = ImGui::GetContentRegionAvail().x;
-  at = ImGui::GetCursorScreenPos();
-  const ImVec2 end{at.x + width, at.y + height};
-  ImGui::PushID(static_cast<int>(place));
-  const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0f, width), height});
-  ImGui::PopID();
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  if (static_cast<int>(place) == app.picked) {
-    list->AddRectFilled(at, end, c.now_soft);
-    list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
-    if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
-  } else if (ImGui::IsItemHovered()) {
-    list->AddRectFilled(at, end, c.button_hovered);
-  }
-  return clicked;
-}
-
 bool draw_link(App& app, std::size_t place) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const answers::Link& link = app.why().chain[place];
   const float height = std::round(ui.em * 1.4f);
-  ImVec2 at;
-  const bool clicked = begin_row(app, place, at, height);
+  const ListRow row = list_row(app, place, height);
+  const ImVec2 at = row.at;
   const float y = at.y + ui.em * 0.15f;
   const bool decides = link.step == app.why().step;
   draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, decides ? c.text : c.muted, grouped(link.step));
@@ -65,7 +44,7 @@ bool draw_link(App& app, std::size_t place) {
     draw_text(ui, {at.x + ui.em * 7, y}, ui.fonts.bold, c.text, polygon_label(app.session().scene(), link.polygon));
   }
   draw_text(ui, {at.x + ui.em * 12, y}, decides ? ui.fonts.bold : ui.fonts.text, c.text, link.text + (decides ? " \u2014 this decides" : ""));
-  return clicked;
+  return row.clicked;
 }
 
 }  // namespace
@@ -170,8 +149,9 @@ void draw_why_ask(App& app) {
   std::optional<std::int32_t> clicked;
   ImGui::BeginChild("polygons", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   for (std::size_t place = 0; place < found.size(); ++place) {
-    ImVec2 at;
-    if (begin_row(app, place, at, height)) clicked = found[place];
+    const ListRow row = list_row(app, place, height);
+    const ImVec2 at = row.at;
+    if (row.clicked) clicked = found[place];
     draw_swatch(ui, {at.x + ui.em * 0.6f, at.y}, height, scene, found[place]);
     draw_text(ui, {at.x + ui.em * 1.8f, at.y + ui.em * 0.15f}, ui.fonts.bold, ui.colors().text, polygon_label(scene, found[place]));
     draw_text(ui, {at.x + ui.em * 18, at.y + ui.em * 0.15f}, ui.fonts.mono, ui.colors().muted, fmt::format("number {}", found[place]));

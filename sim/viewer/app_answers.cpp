@@ -1,0 +1,111 @@
+// What is asked of the trace by a key or a click, and where its answers lead: pixel history, the origin of a number, SQL.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/query/columns.hpp"
+#include "sim/viewer/app.hpp"
+#include "sim/viewer/words/numbers.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::viewer {
+
+void App::open_history() {
+  const auto cell = session_.selected ? session_.selected : session_.current_cell();
+  if (!cell) return say("Click a pixel first; then H tells all that happened to it.");
+  try {
+    if (!facets_near_) facets_near_.emplace(session_.trace());
+    history_ = answers::pixel_history(session_.trace(), *facets_near_, {cell->x, cell->y});
+  } catch (const InputError& error) {
+    return say(error.what());
+  }
+  if (history_.empty()) return say(fmt::format("Nothing reached pixel ({}, {}).", cell->x, cell->y));
+  history_of_ = *cell;
+  session_.select(*cell);
+  open(Overlay::history);
+  // The last that is not after where the reader stands.
+  for (std::size_t i = 0; i < history_.size(); ++i)
+    if (history_[i].step <= session_.position()) picked = static_cast<int>(i);
+}
+
+const answers::Visit& App::told_visit(std::size_t visit) {
+  session_.look_elsewhere([&](Replay& replay) { answers::tell(replay, history_[visit]); });
+  return history_[visit];
+}
+
+void App::open_explain(const answers::Question& question) {
+  answers::Chain chain;
+  try {
+    session_.look_elsewhere([&](Replay& replay) { chain = answers::explain_value(session_.trace(), replay, question); });
+  } catch (const InputError& error) {
+    return say(error.what());
+  }
+  if (chain.links.empty()) return say("The trace does not say where this number comes from.");
+  chain_ = std::move(chain);
+  open(Overlay::explain);
+}
+
+void App::explain_step() {
+  if (session_.position() == 0) return say("Nothing has happened yet; Shift+E tells where the number of a step comes from.");
+  open_explain({session_.position()});
+}
+
+void App::go_to_origin(std::size_t link) {
+  picked = static_cast<int>(link);
+  if (link >= chain_.links.size()) return;
+  if (chain_.links[link].step > 0) session_.go_to(chain_.links[link].step);
+  else say("This is in the scene itself" + (chain_.links[link].source.empty() ? "." : ": " + chain_.links[link].source + "."));
+}
+
+/// Arrows and Enter in the rows of an answer.
+bool App::pick_row(SDL_Keycode code) {
+  const std::size_t rows = overlay_ == Overlay::history ? history_.size() : chain_.links.size();
+  const auto here = static_cast<std::size_t>(std::max(0, picked));
+  if (code == SDLK_RETURN) return overlay_ == Overlay::history ? go_to_visit(here) : go_to_origin(here), true;
+  if (code != SDLK_UP && code != SDLK_DOWN) return false;
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(rows) - 1));
+  scroll_to_picked = true;
+  return true;
+}
+
+void App::go_to_visit(std::size_t visit) {
+  picked = static_cast<int>(visit);
+  if (visit < history_.size()) session_.go_to(history_[visit].step);
+}
+
+void App::ask_typed() {
+  if (typed == inquiry_.sql() && !inquiry_.rows().empty()) return go_to_row(static_cast<std::size_t>(picked));
+  inquiry_.ask(typed);
+  picked = 0;
+  if (ui_.heat && !pixel_overlay_.shown()) ui_.heat = inquiry_.heat(), ++ui_.paint_version;
+  session_.touch();
+}
+
+std::string App::tables() const {
+  std::string names;
+  for (const std::uint8_t kind : query::kinds_in(session_.trace())) names += (names.empty() ? "" : ", ") + query::all_tables()[kind].name;
+  return names;
+}
+
+void App::go_to_row(std::size_t row) {
+  picked = static_cast<int>(row);
+  const auto step = inquiry_.step_of(row);
+  const auto pixel = inquiry_.pixel_of(row);
+  if (step) session_.go_to(*step);
+  if (pixel) session_.select(*pixel);
+  if (!step && !pixel) say("This row has no step, x or y to go to.");
+  session_.touch();
+}
+
+void App::paint_answer() {
+  const bool of_answer = ui_.heat && !pixel_overlay_.shown();
+  if (of_answer || inquiry_.heat()) end_painting();
+  if (of_answer) return;
+  if (inquiry_.heat()) ui_.heat = inquiry_.heat();
+  else say("Only an answer with columns x and y can be painted.");
+  session_.touch();
+}
+
+}  // namespace zstep::viewer
