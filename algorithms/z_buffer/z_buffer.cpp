@@ -18,12 +18,13 @@ using scan_conversion::Span;
 
 template <Recorder R>
 void fill_span(const Span& span, std::int32_t polygon, bool direct, Picture& picture, R& record) {
+  const std::size_t row = picture.at(0, span.y);
   double z = 0;
   for (std::int32_t x = span.first, y = span.y; x <= span.last; ++x) {
     z = direct || x == span.first ? depth_on(span, x) : z + span.dz_dx;  // 000, "Speeding up the Algorithm"
     record(step::interpolate_z, DepthInterpolate{x, y, z});
 
-    const std::size_t pixel = picture.at(x, y);
+    const std::size_t pixel = row + static_cast<std::size_t>(x);
     const bool nearer = z < picture.depth[pixel];
     record(step::compare, DepthCompare{x, y, z, nearer});
     if (!nearer) continue;

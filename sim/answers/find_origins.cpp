@@ -4,6 +4,8 @@
 #include <iterator>
 #include <type_traits>
 
+#include "sim/answers/find.hpp"
+
 namespace zstep::answers {
 namespace {
 
@@ -88,11 +90,14 @@ bool same_edge(const EdgeTableInsert& a, const EdgeTableInsert& b) {
 std::int64_t begin_of_work(const Trace& trace, const Machine& machine, std::int64_t at) {
   const auto marks = trace.polygons();
   auto mark = std::upper_bound(marks.begin(), marks.end(), at, [](std::int64_t step, const PolygonMark& m) { return step < m.position; });
+  const auto last = mark == marks.begin() ? 1 : std::prev(mark)->position;
   if (machine.piece >= 0) {
+    // Work on a piece begins at a mark, too.
+    if (const auto* draw = std::get_if<PieceDraw>(&trace.event(last).event); draw && draw->piece == machine.piece) return last;
     const auto drawn = find_last<PieceDraw>(trace, at, [&](const PieceDraw& e) { return e.piece == machine.piece; });
     if (drawn) return *drawn;
   }
-  return mark == marks.begin() ? 1 : std::prev(mark)->position;
+  return last;
 }
 
 VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t vertex) {
@@ -108,6 +113,8 @@ VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int
     // Of a polygon at work, clipping made it after the work began.
     const bool of_polygon = machine.polygon != no_polygon && machine.piece == -1 && !machine.keeps_all;
     if (of_polygon) steps.made = trace.next(begin_of_work(trace, machine, at), made);
+    if (machine.keeps_all) steps.made = numbered(trace, 0, at + 1, &SplitVertex::vertex, vertex);  // their numbers go up
+    if (machine.keeps_all && !steps.made) steps.made = numbered(trace, 0, at + 1, &ClipCross::vertex, vertex);
     if (!steps.made || *steps.made > at) steps.made = trace.previous(at + 1, made);
     if (!steps.made) return steps;
     if (is<ClipCross>(trace.event(*steps.made).event)) {

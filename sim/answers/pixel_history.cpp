@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/compare/truth.hpp"
+#include "sim/compare/facet_at.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
 #include "traces/file/visit.hpp"
@@ -138,21 +138,19 @@ class History {
   /// Polygons that cover the pixel's centre and were not drawn.
   void add_rejected() {
     const Scene& scene = trace_.scene();
-    const Page& page = trace_.header().page;
-    const bool rejects = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<PolygonReject>; });
-    if (!rejects || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
-    std::vector<std::uint8_t> wanted(static_cast<std::size_t>(scene.raster.width) * static_cast<std::size_t>(scene.raster.height), 0);
-    wanted[static_cast<std::size_t>(pixel_.y) * static_cast<std::size_t>(scene.raster.width) + static_cast<std::size_t>(pixel_.x)] = 1;
-    const compare::Truth truth(scene, false, wanted, facets_.near(pixel_));
-    std::set<std::int32_t> polygons, facets;
-    for (const compare::Candidate& candidate : truth.at(pixel_.x, pixel_.y))
-      if (candidate.covers) polygons.insert(candidate.polygon), facets.insert(candidate.facet);
-    if (polygons.empty()) return;
+    if (!trace_.has(kind_of<PolygonReject>) || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
+    std::vector<bool> there(scene.polygons.size());
+    std::set<std::int32_t> facets;
+    for (const std::int32_t facet : facets_.near(pixel_)) {
+      const auto at = compare::facet_at(scene, facet, false, pixel_.x, pixel_.y);
+      if (at && at->candidate.covers) there[static_cast<std::size_t>(at->candidate.polygon)] = true, facets.insert(facet);
+    }
+    if (facets.empty()) return;
 
     // A polygon is rejected after work on it begins, and before work on another does.
     const auto marks = trace_.polygons();
     for (std::size_t i = 0; i < marks.size(); ++i) {
-      if (!polygons.contains(marks[i].polygon)) continue;
+      if (!there[static_cast<std::size_t>(marks[i].polygon)]) continue;
       const std::int64_t end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
       std::int32_t facet = -1;
       trace_.visit(marks[i].position - 1, end, [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
@@ -167,7 +165,7 @@ class History {
     if (!marks.empty()) return;
     trace_.scan(Trace::Among({}, kind_of<PolygonReject>), [&](std::int64_t step, const RecordedEvent& recorded) {
       const auto& reject = std::get<PolygonReject>(recorded.event);
-      if (polygons.contains(reject.polygon)) add_rejected(step, reject);
+      if (there[static_cast<std::size_t>(reject.polygon)]) add_rejected(step, reject);
       return true;
     });
   }

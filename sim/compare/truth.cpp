@@ -18,7 +18,7 @@ void rows_between(Real low, Real high, std::int32_t count, std::int32_t& first, 
 
 }  // namespace
 
-Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted, const std::optional<std::vector<std::int32_t>>& facets)
+Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted)
     : width_(scene.raster.width),
       height_(scene.raster.height),
       place_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1) {
@@ -29,9 +29,7 @@ Truth::Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted
   candidates_.resize(static_cast<std::size_t>(places));
   const Sight sight(scene);
   Seen seen;
-  const std::size_t count = facets ? facets->size() : scene.facets.size();
-  for (std::size_t place = 0; place < count; ++place) {
-    const std::size_t k = facets ? static_cast<std::size_t>((*facets)[place]) : place;
+  for (std::size_t k = 0; k < scene.facets.size(); ++k) {
     if (!see(scene, scene.facets[k], sight, cull, seen)) continue;
     Vec2 low = seen.outline[0], high = low;
     for (const Vec2& corner : seen.outline) low = glm::min(low, corner), high = glm::max(high, corner);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,9 +32,8 @@ struct Candidate {
 /// corners or, in space, without area.
 class Truth {
  public:
-  /// `wanted` [height*width] says at which pixels; at all of them if it is empty. `facets`, in order, are those that are looked at: all, if
-  /// there is no such list.
-  Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted = {}, const std::optional<std::vector<std::int32_t>>& facets = {});
+  /// `wanted` [height*width] says at which pixels; at all of them if it is empty.
+  Truth(const Scene& scene, bool cull, std::span<const std::uint8_t> wanted = {});
 
   /// The candidates at a pixel that was wanted, nearest first; of equal depths the facet drawn first.
   std::span<const Candidate> at(std::int32_t x, std::int32_t y) const;

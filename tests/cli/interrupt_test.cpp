@@ -106,12 +106,12 @@ TEST_CASE("a recording that is killed at any moment can be opened, up to its las
   const Folder folder;
   std::mt19937 random(3);
   int with_steps = 0;
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < 100; ++round) {
     fs::remove(folder / "big.ztrace");
     const pid_t child = start(folder, {"record", "teapot", "--size", "6400x4800", "-o", "big.ztrace"});
     REQUIRE(child > 0);
     // At some size, as a machine's speed is not known; and then some microseconds later, within a write or between two.
-    const std::uintmax_t enough = round < 3 ? 0 : random() % 400'000;
+    const std::uintmax_t enough = round < 20 ? 0 : random() % 400'000;
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     std::error_code missing;
     const auto size = [&] {
@@ -137,9 +137,9 @@ TEST_CASE("a recording that is killed at any moment can be opened, up to its las
       if (c >= '0' && c <= '9') digits += c;
     const long steps = std::stol("0" + digits);
     with_steps += steps > 0;
-    if (steps > 0) CHECK(run(folder, "dump big.ztrace --from " + std::to_string(steps)).code == 0);
+    if (steps > 0 && round % 10 == 0) CHECK(run(folder, "dump big.ztrace --from " + std::to_string(steps)).code == 0);
   }
-  CHECK(with_steps > 3);
+  CHECK(with_steps > 30);
 }
 
 TEST_CASE("a disk that fills up ends a recording in one line, and what is there can be read") {

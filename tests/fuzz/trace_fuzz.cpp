@@ -58,6 +58,7 @@ void read_block(std::span<const std::uint8_t> packed) {
   ByteReader in(packed);
   BlockInfo info;
   info.count = 1 + in.u8();
+  info.tiles = Tiles(some_scene().raster);
   Bytes block;
   put_varint(block, info.count);
   block.insert(block.end(), packed.begin() + 1, packed.end());

@@ -24,25 +24,37 @@ Value checked(Raw value) {
 
 }  // namespace
 
-StepKinds kinds_of(const Page& page) {
-  StepKinds kinds;
-  kinds.fill(unknown_kind);
-  for (const StepInfo& step : page) kinds[step.id] = step.kind;
-  return kinds;
+StepMeanings::StepMeanings(const Page& page) : row(page) {
+  kind.fill(unknown_kind);
+  for (const StepInfo& step : page) kind[step.id] = step.kind;
 }
 
-BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepKinds& kinds, const Facts& facts)
-    : foreteller_(facts), kinds_(kinds), left_(count) {
+BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepMeanings& meanings, const Facts& facts)
+    : foreteller_(facts), meanings_(meanings), row_(meanings.row), left_(count) {
   ByteReader in(packed);
   if (in.varint() != count) throw MalformedBytes("a block with another number of events than it says");
   tokens_ = in.take(in.count());
-  while (!in.empty()) {
+  for (std::size_t next = 0; !in.empty();) {
     const std::string name = in.text();
-    std::size_t column = 0;
-    while (column < column_count && column_name(column) != name) ++column;
-    if (column == column_count) throw MalformedBytes("a column \"" + name + "\" that no event has");
-    columns_[column] = ByteReader(in.take(in.count()));
+    std::size_t looked = 0;  // they mostly stand in this order
+    while (looked < column_count && column_name((next + looked) % column_count) != name) ++looked;
+    if (looked == column_count) throw MalformedBytes("a column \"" + name + "\" that no event has");
+    next = (next + looked) % column_count;
+    columns_[next] = ByteReader(in.take(in.count()));
   }
+}
+
+const Row& BlockDecoder::take_row(std::uint8_t token) {
+  if ((token & missed_bit) != 0 || !row_.steps.known()) throw MalformedBytes("a scan line that cannot be");
+  count_down(Row::events());
+  const auto take = [this](auto& event) {
+    foreteller_.guess_all(event);
+    foreteller_.learn(event);
+  };
+  take(row_.line);
+  for (EdgeStep& edge : row_.edges) take(edge);
+  take(row_.span);
+  return row_;
 }
 
 std::uint32_t BlockDecoder::take_count(std::uint8_t token) {

@@ -14,17 +14,20 @@
 
 namespace zstep {
 
-/// Which kind of event each step id records; `unknown_kind` for ids the trace does not use.
+/// What the ids of steps mean in a trace.
 inline constexpr std::uint8_t unknown_kind = 0xff;
-using StepKinds = std::array<std::uint8_t, 128>;
-StepKinds kinds_of(const Page& page);
+struct StepMeanings {
+  explicit StepMeanings(const Page& page);
+  std::array<std::uint8_t, 128> kind{};  ///< which each records; `unknown_kind` for ids that the trace does not use
+  codec::RowSteps row;
+};
 
 class BlockDecoder {
  public:
-  BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepKinds& kinds, const codec::Facts& facts);
+  BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepMeanings& meanings, const codec::Facts& facts);
 
   /// Calls visit(step, event) for each event in turn; stops early when it returns false. True when all were visited.
-  /// A visit that can also be called as visit(run), with a FragmentRun or a PaintRun, gets runs whole.
+  /// A visit that can also be called as visit(run), with a Row, a FragmentRun or a PaintRun, gets runs whole.
   template <class Visit>
   bool visit_all(Visit&& visit) {
     using Take = bool (*)(BlockDecoder&, std::uint8_t, bool, Visit&);
@@ -37,12 +40,14 @@ class BlockDecoder {
     (std::make_index_sequence<kind_count>{});
     for (const std::uint8_t token : tokens_) {
       const std::uint8_t step = token & static_cast<std::uint8_t>(~missed_bit);
-      if (step >= codec::fragments_token) {
-        const bool go_on = step == codec::fragments_token ? give(take_fragments(token), visit) : give(take_paints(token), visit);
+      if (step >= codec::row_token) {
+        const bool go_on = step == codec::fragments_token ? give(take_fragments(token), visit)
+                           : step == codec::row_token     ? give(take_row(token), visit)
+                                                          : give(take_paints(token), visit);
         if (!go_on) return false;
         continue;
       }
-      const std::uint8_t kind = kinds_[step];
+      const std::uint8_t kind = meanings_.kind[step];
       if (kind == unknown_kind) throw MalformedBytes("a step that is not in the step table");
       count_down(1);
       if (!take[kind](*this, step, (token & missed_bit) != 0, visit)) return false;
@@ -62,6 +67,7 @@ class BlockDecoder {
     if (events > left_) throw MalformedBytes("a block with more events than it says");
     left_ -= events;
   }
+  const codec::Row& take_row(std::uint8_t token);
   codec::FragmentRun take_fragments(std::uint8_t token);
   codec::PaintRun take_paints(std::uint8_t token);
   /// How many pixels a run has; moves the register x to the last of them.
@@ -73,7 +79,8 @@ class BlockDecoder {
 
   codec::Foreteller foreteller_;
   codec::RunSteps steps_;
-  const StepKinds& kinds_;
+  const StepMeanings& meanings_;
+  codec::Row row_;
   std::uint32_t left_;  ///< events still to come
   std::span<const std::uint8_t> tokens_;
   std::array<ByteReader, codec::column_count> columns_;

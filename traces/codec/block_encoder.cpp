@@ -11,27 +11,53 @@ namespace zstep {
 using namespace codec;
 
 struct BlockEncoder::State {
-  State(const Scene& scene, const Conventions& conventions) : facts(scene, conventions), foreteller(facts) {}
+  State(const Scene& scene, const Header& header) : facts(scene, header.conventions), foreteller(facts), row(header.page) {}
 
   /// One event by its token, and its fields as far as they were not foretold.
   template <class E>
   void write(std::uint8_t step, const E& event);
-  void write(bool painted, const LoggedRun& run);
+  void write(const LoggedRun& run);
+  void write_run(const LoggedRun& run, std::uint32_t count);
+  std::uint32_t count_foretold(const LoggedRun& run) const;
+  template <class E>
+  void write_misses(const E& event);
+  template <class E>
+  void follow_row(std::uint8_t step, bool foretold);
+  void begin();
+  void end();
 
   Facts facts;
   Foreteller foreteller;
-  std::int64_t first_position = 0;
+  std::int64_t first_position = 0;  ///< of the block at work
   RunSteps steps;
-  BlockInfo info;
+  RowSteps row;
+  int of_row = 0;  ///< so many of the last tokens begin a row
+  Packed packed;
   Bytes tokens;
   std::array<Bytes, column_count> columns;
 };
 
-BlockEncoder::BlockEncoder(const Scene& scene, const Conventions& conventions) : state_(std::make_unique<State>(scene, conventions)) {}
+BlockEncoder::BlockEncoder(const Scene& scene, const Header& header) : state_(std::make_unique<State>(scene, header)) {}
 BlockEncoder::~BlockEncoder() = default;
 
+namespace {
+
 template <class E>
-void BlockEncoder::State::write(std::uint8_t step, const E& event) {
+bool same_fields(const E& one, const E& other) {
+  bool same = true;
+  for_each_index<E>([&]<std::size_t I>() {
+    const auto a = one.*field_at<E, I>.member, b = other.*field_at<E, I>.member;
+    if constexpr (std::is_same_v<FieldValue<E, I>, double>) same = same && bits_of(a) == bits_of(b);
+    else same = same && a == b;
+  });
+  return same;
+}
+
+}  // namespace
+
+/// What of an event was not as guessed.
+template <class E>
+void BlockEncoder::State::write_misses(const E& event) {
   std::uint32_t missed = 0;
   std::array<std::uint64_t, field_count<E>> residual;  // written before it is read, where `missed` says so
   E told;
@@ -43,77 +69,145 @@ void BlockEncoder::State::write(std::uint8_t step, const E& event) {
     told.*member = event.*member;
     missed |= static_cast<std::uint32_t>(residual[I] != 0) << I;
   });
-  tokens.push_back(missed != 0 ? static_cast<std::uint8_t>(step | missed_bit) : step);
-  if (missed != 0) {
-    put_varint(columns[misses_column], missed);
-    for_each_index<E>([&]<std::size_t I>() {
-      if ((missed >> I & 1u) == 0) return;
-      Bytes& column = columns[slot_at<E, I>];
-      if constexpr (std::is_same_v<FieldValue<E, I>, double>) put_counted(column, residual[I]);
-      else put_varint(column, zigzag(static_cast<std::int32_t>(static_cast<std::uint32_t>(residual[I]))));
-    });
+  put_varint(columns[misses_column], missed);
+  for_each_index<E>([&]<std::size_t I>() {
+    if ((missed >> I & 1u) == 0) return;
+    Bytes& column = columns[slot_at<E, I>];
+    if constexpr (std::is_same_v<FieldValue<E, I>, double>) put_counted(column, residual[I]);
+    else put_varint(column, zigzag(static_cast<std::int32_t>(static_cast<std::uint32_t>(residual[I]))));
+  });
+}
+
+/// When the last four tokens are a row's, and all was foretold, they become one.
+template <class E>
+void BlockEncoder::State::follow_row(std::uint8_t step, bool foretold) {
+  if constexpr (std::is_same_v<E, ScanLineBegin>) {
+    of_row = foretold && row.known() && step == row.line ? 1 : 0;
+  } else if constexpr (std::is_same_v<E, EdgeStep>) {
+    of_row = foretold && (of_row == 1 || of_row == 2) && step == row.edge ? of_row + 1 : 0;
+  } else {
+    if (std::is_same_v<E, SpanBegin> && foretold && of_row == 3 && step == row.span) {
+      tokens.resize(tokens.size() - 4);
+      tokens.push_back(row_token);
+    }
+    of_row = 0;
   }
+}
+
+template <class E>
+void BlockEncoder::State::write(std::uint8_t step, const E& event) {
+  E guessed;
+  foreteller.guess_all(guessed);
+  const bool foretold = same_fields(guessed, event);
+  tokens.push_back(foretold ? step : static_cast<std::uint8_t>(step | missed_bit));
+  if (!foretold) write_misses(event);
+  follow_row<E>(step, foretold);
   foreteller.learn(event);
   steps.learn<E>(step);
-  info.steps.add(step);
+  packed.info.steps.add(step);
   if constexpr (requires {
                   event.x;
                   event.y;
                 }) {
-    info.tiles.touch(event.x, event.y);
+    if (event.x < largest_side) packed.info.touch(event.x, event.x + 1, event.y);
   } else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) {
-    info.marks.push_back({info.count, event.polygon});
+    packed.info.marks.push_back({packed.info.count, event.polygon, {}});
   }
-  ++info.count;
+  ++packed.info.count;
 }
 
-void BlockEncoder::State::write(bool painted, const LoggedRun& run) {
-  tokens.push_back(painted ? paints_token : fragments_token);
-  put_u8(columns[counts_column], static_cast<std::uint8_t>(run.count));
-  const std::int32_t end = run.x + static_cast<std::int32_t>(run.count);
+// To the bit; what is not a number never is, as which one it is depends on the compiler.
+std::uint32_t BlockEncoder::State::count_foretold(const LoggedRun& run) const {
+  std::array<double, run_limit> foretold;
+  depths_along(foreteller.span(), foreteller.increments(), run.x, run.count, foreteller.real(slot_of("z")), foretold.data());
+  std::uint64_t apart = 0;
+  for (std::uint32_t k = 0; k < run.count; ++k)
+    apart |= (bits_of(run.depths[k]) ^ bits_of(foretold[k])) | static_cast<std::uint64_t>(!(run.depths[k] == foretold[k]));
+  if (apart == 0) return run.count;
+  std::uint32_t same = 0;
+  while (run.depths[same] == foretold[same] && bits_of(run.depths[same]) == bits_of(foretold[same])) ++same;
+  return same;
+}
+
+void BlockEncoder::State::write(const LoggedRun& run) {
+  const std::uint32_t foretold = count_foretold(run);
+  if (foretold > 0) write_run(run, foretold);
+  // The others one by one.
+  const std::int32_t y = foreteller.whole(slot_of("y")), polygon = foreteller.whole(slot_of("polygon"));
+  for (std::uint32_t k = foretold; k < run.count; ++k) {
+    const std::int32_t x = run.x + static_cast<std::int32_t>(k);
+    const double z = run.depths[k];
+    if (run.painted) {
+      write(steps.paint, PixelPaint{x, y, z, polygon});
+      continue;
+    }
+    const bool nearer = (run.nearer >> k & 1u) != 0;
+    write(steps.fragment[0], DepthInterpolate{x, y, z});
+    write(steps.fragment[1], DepthCompare{x, y, z, nearer});
+    if (!nearer) continue;
+    write(steps.fragment[2], DepthWrite{x, y, z});
+    write(steps.fragment[3], PixelWrite{x, y, polygon});
+  }
+}
+
+/// The first pixels of what was logged, as many as were foretold.
+void BlockEncoder::State::write_run(const LoggedRun& run, std::uint32_t count) {
+  const std::int32_t end = run.x + static_cast<std::int32_t>(count);
+  const std::uint64_t nearer = run.nearer & (~std::uint64_t{0} >> (64 - count));
+  tokens.push_back(run.painted ? paints_token : fragments_token);
+  of_row = 0;
+  put_u8(columns[counts_column], static_cast<std::uint8_t>(count));
   foreteller.set_whole(slot_of("x"), end - 1);
-  foreteller.set_real(slot_of("z"), run.z);
-  info.tiles.touch(run.x, end, foreteller.whole(slot_of("y")));
-  if (painted) {
-    info.steps.add(steps.paint);
-    info.count += run.count;
+  foreteller.set_real(slot_of("z"), run.depths[count - 1]);
+  packed.info.touch(run.x, end, foreteller.whole(slot_of("y")));
+  if (run.painted) {
+    packed.info.steps.add(steps.paint);
+    packed.info.count += count;
     return;
   }
-  put_low_bytes(columns[nearer_column], run.nearer, (run.count + 7) / 8);
-  foreteller.set_whole(slot_of("nearer"), static_cast<std::int32_t>(run.nearer >> (run.count - 1) & 1u));
-  for (std::size_t i = 0; i < (run.nearer != 0 ? 4u : 2u); ++i) info.steps.add(steps.fragment[i]);
-  info.count += 2 * (run.count + static_cast<std::uint32_t>(std::popcount(run.nearer)));
+  put_low_bytes(columns[nearer_column], nearer, (count + 7) / 8);
+  foreteller.set_whole(slot_of("nearer"), static_cast<std::int32_t>(nearer >> (count - 1) & 1u));
+  for (std::size_t i = 0; i < (nearer != 0 ? 4u : 2u); ++i) packed.info.steps.add(steps.fragment[i]);
+  packed.info.count += 2 * (count + static_cast<std::uint32_t>(std::popcount(nearer)));
 }
 
-BlockEncoder::Packed BlockEncoder::pack(const EventLog& log) {
-  State& block = *state_;
-  block.info = BlockInfo{};
-  block.info.first_position = block.first_position;
-  block.info.tiles = Tiles(block.facts.scene().raster);
-  block.foreteller.forget();
-  block.steps = RunSteps{};
-  block.tokens.clear();
-  for (Bytes& column : block.columns) column.clear();
+void BlockEncoder::State::begin() {
+  packed.info = BlockInfo{};
+  packed.info.first_position = first_position;
+  packed.info.tiles = Tiles(facts.scene().raster);
+  packed.bytes.clear();
+  foreteller.forget();
+  steps = RunSteps{};
+  of_row = 0;
+  tokens.clear();
+  for (Bytes& column : columns) column.clear();
+}
 
-  log.for_each([&](bool painted, const LoggedRun& run) { block.write(painted, run); },
-               [&](std::uint8_t step, const auto& event) { block.write(step, event); });
-  block.first_position += block.info.count;
-
-  Packed packed;
-  packed.bytes.reserve(block.tokens.size() + 4096);
-  put_varint(packed.bytes, block.info.count);
-  put_varint(packed.bytes, block.tokens.size());
-  packed.bytes.insert(packed.bytes.end(), block.tokens.begin(), block.tokens.end());
+void BlockEncoder::State::end() {
+  first_position += packed.info.count;
+  put_varint(packed.bytes, packed.info.count);
+  put_varint(packed.bytes, tokens.size());
+  packed.bytes.insert(packed.bytes.end(), tokens.begin(), tokens.end());
   for (std::size_t column = 0; column < column_count; ++column) {
-    const Bytes& bytes = block.columns[column];
+    const Bytes& bytes = columns[column];
     if (bytes.empty()) continue;
     // Columns go by name, so that a vocabulary with other fields in another order still finds its own.
     put_text(packed.bytes, std::string(column_name(column)));
     put_varint(packed.bytes, bytes.size());
     packed.bytes.insert(packed.bytes.end(), bytes.begin(), bytes.end());
   }
-  packed.info = std::move(block.info);
-  return packed;
+}
+
+void BlockEncoder::pack(const EventLog& log, const std::function<void(const Packed&)>& take) {
+  State& block = *state_;
+  block.begin();
+  log.for_each([&](const LoggedRun& run) { block.write(run); },
+               [&](std::uint8_t step, const auto& event) { block.write(step, event); },
+               [&] {
+                 block.end();
+                 take(block.packed);
+                 block.begin();
+               });
 }
 
 }  // namespace zstep

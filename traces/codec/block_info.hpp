@@ -1,11 +1,13 @@
 // What is known of a block without unpacking it: its place in the trace, and what it cannot hold.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "traces/file/bytes.hpp"
+#include "traces/limits.hpp"
 #include "traces/record/event_log.hpp"
 #include "traces/scene.hpp"
 
@@ -19,13 +21,12 @@ class Tiles {
   Tiles() = default;
   explicit Tiles(const Raster& raster);
 
-  /// Pixels outside the raster touch nothing.
-  void touch(std::int32_t x, std::int32_t y) { touch(x, x + 1, y); }
-  /// The pixels first … end - 1 of a row.
-  void touch(std::int32_t first, std::int32_t end, std::int32_t y) {
-    if (first < 0 || end <= first || end > width_ || y < 0 || y >= height_) return;
+  /// The pixels first … end - 1 of a row; false, and nothing is touched, when they are not all on the raster.
+  bool touch(std::int32_t first, std::int32_t end, std::int32_t y) {
+    if (first < 0 || end <= first || end > width_ || y < 0 || y >= height_) return false;
     const int from = first >> shift_, to = (end - 1) >> shift_;
     rows_[static_cast<std::size_t>(y >> shift_)] |= (~std::uint32_t{0} >> (31 - (to - from))) << from;
+    return true;
   }
   bool touched(std::int32_t x, std::int32_t y) const {
     if (x < 0 || x >= width_ || y < 0 || y >= height_) return false;
@@ -41,6 +42,20 @@ class Tiles {
   int shift_ = 0;
   std::array<std::uint32_t, across> rows_{};  ///< bit k of a row: its k-th square
 };
+
+/// The pixels that were touched lie in here, both ends included; none do when right < left.
+struct Box {
+  std::uint16_t left = 0xffff, right = 0, top = 0xffff, bottom = 0;
+
+  bool empty() const { return right < left; }
+  /// The pixels first … end - 1 of a row, which lie on the raster.
+  void touch(std::int32_t first, std::int32_t end, std::int32_t y) {
+    left = std::min(left, static_cast<std::uint16_t>(first)), right = std::max(right, static_cast<std::uint16_t>(end - 1));
+    top = std::min(top, static_cast<std::uint16_t>(y)), bottom = std::max(bottom, static_cast<std::uint16_t>(y));
+  }
+  bool holds(std::int32_t x, std::int32_t y) const { return x >= left && x <= right && y >= top && y <= bottom; }
+};
+static_assert(largest_side <= 0xffff);
 
 /// Which steps occur.
 class StepSet {
@@ -62,11 +77,18 @@ struct BlockInfo {
   std::uint32_t count = 0;          ///< its events
   StepSet steps;                    ///< that occur in it
   Tiles tiles;                      ///< that events with x and y name
+  Box lead;                         ///< what they name before the first mark
   struct Mark {
-    std::uint32_t offset;
-    std::int32_t polygon;
-  };                        ///< event number in the block, polygon
+    std::uint32_t offset = 0;  ///< event number in the block
+    std::int32_t polygon = 0;
+    Box box;                   ///< what they name from here to the next mark
+  };
   std::vector<Mark> marks;  ///< where work on polygons begins
+
+  /// The pixels first … end - 1 of a row are touched by what comes last; those outside the raster are nobody's.
+  void touch(std::int32_t first, std::int32_t end, std::int32_t y) {
+    if (tiles.touch(first, end, y)) (marks.empty() ? lead : marks.back().box).touch(first, end, y);
+  }
 };
 
 /// A block's info as bytes, and back; `raster` as the scene has it.

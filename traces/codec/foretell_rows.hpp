@@ -101,7 +101,8 @@ inline void Foreteller::evaluate(SpanBegin& event) {
 
 inline void Foreteller::note(const SpanBegin& event) {
   edges_.span();
-  span_ = event;
+  // Field by field: a copy as a whole would wait until the event's fields, just written, have reached memory.
+  for_each_index<SpanBegin>([&]<std::size_t I>() { span_.*field_at<SpanBegin, I>.member = event.*field_at<SpanBegin, I>.member; });
   in_span_ = true;
   // So the span's first pixel is "one more".
   whole_[slot_of("x")] = static_cast<std::int32_t>(static_cast<std::uint32_t>(event.first) - 1u);

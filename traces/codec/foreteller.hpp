@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "traces/codec/depths_along.hpp"
 #include "traces/codec/facts.hpp"
 #include "traces/codec/known_edges.hpp"
 #include "traces/events/slots.hpp"
@@ -53,6 +54,12 @@ class Foreteller {
       else whole_[slot_at<E, I>] = static_cast<std::int32_t>(value);
     });
     if constexpr (requires { note(event); }) note(event);
+  }
+
+  /// The next event wholly as guessed.
+  template <class E>
+  void guess_all(E& event) {
+    for_each_index<E>([&]<std::size_t I>() { event.*field_at<E, I>.member = static_cast<FieldValue<E, I>>(guess<E, I>(event)); });
   }
 
   // --- Of the span at work

@@ -1,13 +1,39 @@
-// Runs: what repeats along a span, told at once. Reading a run is many times faster than reading its events.
+// Runs: what repeats along a scan line, told at once. Reading a run is many times faster than reading its events.
 #pragma once
 
 #include <array>
 #include <bit>
 #include <cstdint>
 
+#include "traces/codec/depths_along.hpp"
+#include "traces/file/header.hpp"
 #include "traces/record/event_log.hpp"
 
 namespace zstep::codec {
+
+/// The steps by which a trace tells of scan lines. Rows are told at once where there is one step for each kind.
+struct RowSteps {
+  std::uint8_t line = unknown_step, edge = unknown_step, span = unknown_step;
+
+  explicit RowSteps(const Page& page);
+  bool known() const { return line < unknown_step && edge < unknown_step && span < unknown_step; }
+};
+
+/// A scan line as it mostly is: it begins, its two active edges step, and the span between them begins.
+struct Row {
+  RowSteps steps;
+  ScanLineBegin line{};
+  std::array<EdgeStep, 2> edges{};
+  SpanBegin span{};
+
+  explicit Row(const RowSteps& steps_) : steps(steps_) {}
+  static constexpr std::uint32_t events() { return 4; }
+  bool has(std::uint8_t kind) const { return kind == kind_of<ScanLineBegin> || kind == kind_of<EdgeStep> || kind == kind_of<SpanBegin>; }
+  template <class Visit>
+  bool expand(Visit&& visit) const {
+    return visit(steps.line, line) && visit(steps.edge, edges[0]) && visit(steps.edge, edges[1]) && visit(steps.span, span);
+  }
+};
 
 /// Pixels of a span that are held against the depth buffer, from left to right. Each is a depth_interpolate and a depth_compare; where it is
 /// nearer, a depth_write and a pixel_write follow.
@@ -37,12 +63,10 @@ struct FragmentRun {
   /// Calls each(k, x, z, is nearer) for its pixels in turn; stops early when it returns false. True when all were visited.
   template <class Each>
   bool for_each(Each&& each) const {
-    double z = before;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::int32_t column = x + static_cast<std::int32_t>(k);
-      z = depth_along(*span, increments, column, z);
-      if (!each(k, column, z, is_nearer(k))) return false;
-    }
+    std::array<double, run_limit> depths;
+    depths_along(*span, increments, x, count, before, depths.data());
+    for (std::uint32_t k = 0; k < count; ++k)
+      if (!each(k, x + static_cast<std::int32_t>(k), depths[k], is_nearer(k))) return false;
     return true;
   }
   /// The depth at its k-th pixel.
@@ -79,12 +103,10 @@ struct PaintRun {
   std::int32_t end() const { return x + static_cast<std::int32_t>(count); }
   template <class Each>
   bool for_each(Each&& each) const {
-    double z = before;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::int32_t column = x + static_cast<std::int32_t>(k);
-      z = depth_along(*span, increments, column, z);
-      if (!each(k, column, z)) return false;
-    }
+    std::array<double, run_limit> depths;
+    depths_along(*span, increments, x, count, before, depths.data());
+    for (std::uint32_t k = 0; k < count; ++k)
+      if (!each(k, x + static_cast<std::int32_t>(k), depths[k])) return false;
     return true;
   }
   template <class Visit>

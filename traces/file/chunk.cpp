@@ -1,6 +1,7 @@
 #include "traces/file/chunk.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include <xxhash.h>
 #include <zstd.h>
@@ -59,17 +60,19 @@ std::optional<ChunkPlace> chunk_at(const ByteSource& source, std::uint64_t offse
   place.tag = take_tag(in);
   place.offset = offset;
   place.size = in.u64();
-  place.checksum = in.u64();
   if (place.size > source.size() - offset - chunk_head_size) return std::nullopt;
   return place;
 }
 
 Bytes read_chunk(const ByteSource& source, const ChunkPlace& place) {
-  Bytes bytes = source.read(place.offset + chunk_head_size, place.size);
-  if (checksum_of(place.tag, bytes) != place.checksum) {
+  Bytes bytes = source.read(place.offset, chunk_head_size + place.size);
+  ByteReader head{std::span<const std::uint8_t>(bytes).first(chunk_head_size)};
+  const bool same_head = take_tag(head) == place.tag && head.u64() == place.size;
+  if (!same_head || head.u64() != checksum_of(place.tag, std::span(bytes).subspan(chunk_head_size))) {
     throw MalformedBytes("the checksum of its part " + std::string(place.tag.begin(), place.tag.end()) + " at byte " +
                          std::to_string(place.offset) + " is wrong");
   }
+  bytes.erase(bytes.begin(), bytes.begin() + chunk_head_size);
   return bytes;
 }
 
@@ -83,9 +86,11 @@ std::optional<std::uint64_t> index_offset(const ByteSource& source) {
   return offset;
 }
 
-Bytes compress(std::span<const std::uint8_t> bytes) {
+Bytes compress(std::span<const std::uint8_t> bytes, Compression how) {
+  // Kept from block to block: to make one takes longer than to use it.
+  thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
   Bytes out(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), 1);
+  const std::size_t size = ZSTD_compressCCtx(context.get(), out.data(), out.size(), bytes.data(), bytes.size(), how == Compression::fast ? -3 : 1);
   if (ZSTD_isError(size)) throw std::runtime_error(ZSTD_getErrorName(size));
   out.resize(size);
   return out;
@@ -96,8 +101,9 @@ Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit) {
   if (stated == ZSTD_CONTENTSIZE_ERROR || stated == ZSTD_CONTENTSIZE_UNKNOWN)
     throw MalformedBytes("a part that is not compressed as it should be");
   if (stated > limit) throw MalformedBytes("a part that would unpack to " + std::to_string(stated) + " bytes");
+  thread_local const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), &ZSTD_freeDCtx);
   Bytes out(static_cast<std::size_t>(stated));
-  const std::size_t size = ZSTD_decompress(out.data(), out.size(), frame.data(), frame.size());
+  const std::size_t size = ZSTD_decompressDCtx(context.get(), out.data(), out.size(), frame.data(), frame.size());
   if (ZSTD_isError(size) || size != out.size()) throw MalformedBytes("a part that does not unpack");
   return out;
 }

@@ -5,7 +5,7 @@
 //     chunk*:  tag[4] size:u64 checksum:u64 bytes[size]       checksum = XXH3-64 of tag and bytes
 //     trailer: "ZEND" offset of the INDX chunk:u64 checksum:u64 of the 12 bytes before
 //
-// HEAD, SCEN and INDX are zstd frames; EVTS is two of them, the info with its length first, then the events (docs/trace-format.md).
+// HEAD, SCEN and INDX are zstd frames; EVTS is the info of a block with its length first, then a zstd frame of its events (docs/trace-format.md).
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace zstep {
 
-inline constexpr std::uint32_t trace_version = 2;
+inline constexpr std::uint32_t trace_version = 3;
 inline constexpr std::array<std::uint8_t, 8> trace_signature{'z', 't', 'r', 'a', 'c', 'e', '\r', '\n'};
 inline constexpr std::size_t chunk_head_size = 20;
 inline constexpr std::size_t trailer_size = 20;
@@ -42,7 +42,6 @@ struct ChunkPlace {
   Tag tag{};
   std::uint64_t offset = 0;  ///< of the chunk's first byte
   std::uint64_t size = 0;    ///< of its bytes, without the head
-  std::uint64_t checksum = 0;
   std::uint64_t end() const { return offset + chunk_head_size + size; }
 };
 
@@ -53,13 +52,14 @@ Bytes make_trailer(std::uint64_t index_offset);
 
 /// The head of the chunk at this offset, or nothing when the file ends before the chunk does.
 std::optional<ChunkPlace> chunk_at(const ByteSource& source, std::uint64_t offset);
-/// A chunk's bytes, checked; throws MalformedBytes when the checksum differs.
+/// A chunk's bytes, checked; throws MalformedBytes when head or checksum say otherwise.
 Bytes read_chunk(const ByteSource& source, const ChunkPlace& place);
 /// Where the trailer says the index is, if the file has an intact one.
 std::optional<std::uint64_t> index_offset(const ByteSource& source);
 
-/// zstd at level 1, the level that recording can afford.
-Bytes compress(std::span<const std::uint8_t> bytes);
+/// One zstd frame: at level 1, or for what is written while a run goes on at -3, which takes half the time.
+enum class Compression : std::uint8_t { normal, fast };
+Bytes compress(std::span<const std::uint8_t> bytes, Compression how = Compression::normal);
 /// One zstd frame that states its size, at most `limit`; throws MalformedBytes otherwise (a bomb states its size, or
 /// lies).
 Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit);

@@ -1,9 +1,11 @@
 #include "traces/file/jsonl.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -42,65 +44,89 @@ std::string step_label(const Page& page, const StepInfo& step) {
   return same_name > 1 ? step.module + "." + step.name : step.name;
 }
 
-template <class E>
-std::string event_line(const Page& page, std::uint8_t step, const E& event) {
+// Of each field no more than a call, as there are hundreds.
+void put(ordered_json& line, std::string_view name, double value) { line[std::string(name)] = real_to_json(value); }
+void put(ordered_json& line, std::string_view name, bool value) { line[std::string(name)] = value; }
+void put(ordered_json& line, std::string_view name, std::int32_t value) { line[std::string(name)] = value; }
+void put(ordered_json& line, std::string_view name, std::string_view value) { line[std::string(name)] = value; }
+
+std::string text_of(const ordered_json& line) { return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace); }
+
+ordered_json begin_line(const Page& page, std::uint8_t step) {
   const StepInfo* info = find_step(page, step);
   ordered_json line;
   line["step"] = info == nullptr ? fmt::format("#{}", step) : step_label(page, *info);
+  return line;
+}
+
+template <class E>
+std::string event_line(const Page& page, std::uint8_t step, const E& event) {
+  ordered_json line = begin_line(page, step);
   for_each_index<E>([&]<std::size_t I>() {
     using Value = FieldValue<E, I>;
     const Value value = event.*field_at<E, I>.member;
-    ordered_json& out = line[std::string(field_at<E, I>.name)];
-    if constexpr (std::is_same_v<Value, double>) out = real_to_json(value);
-    else if constexpr (std::is_enum_v<Value>) out = words_of<Value>[static_cast<std::size_t>(value)];
-    else out = value;
+    if constexpr (std::is_enum_v<Value>) put(line, field_at<E, I>.name, words_of<Value>[static_cast<std::size_t>(value)]);
+    else put(line, field_at<E, I>.name, value);
   });
-  return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return text_of(line);
+}
+
+const json& field_in(const json& line, std::string_view name, std::string_view meaning) {
+  const auto found = line.find(std::string(name));
+  if (found == line.end()) throw MalformedJson(fmt::format("\"{}\" is missing ({})", name, meaning));
+  return *found;
+}
+
+bool truth_from(const json& in, std::string_view name) {
+  if (in.is_boolean()) return in.get<bool>();
+  throw MalformedJson(fmt::format("\"{}\" is neither true nor false", name));
+}
+
+std::size_t word_from(const json& in, std::string_view name, std::span<const std::string_view> words) {
+  if (in.is_string()) {
+    const auto found = std::find(words.begin(), words.end(), in.get<std::string>());
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  }
+  throw MalformedJson(fmt::format("\"{}\" can only be one of: {}", name, fmt::join(words, ", ")));
+}
+
+std::int32_t whole_from(const json& in, std::string_view name) {
+  // Programs in languages with one kind of number write 5.0 for 5.
+  if (in.is_number()) {
+    const double value = in.get<double>();
+    if (value == static_cast<double>(static_cast<std::int64_t>(std::clamp(value, -3e9, 3e9))) && value >= INT32_MIN && value <= INT32_MAX)
+      return static_cast<std::int32_t>(value);
+  }
+  throw MalformedJson(fmt::format("\"{}\" is not a whole number", name));
 }
 
 template <class Value>
 Value value_from(const json& in, std::string_view name) {
-  if constexpr (std::is_same_v<Value, double>) {
-    return real_from_json(in, std::string(name).c_str());
-  } else if constexpr (std::is_same_v<Value, bool>) {
-    if (in.is_boolean()) return in.get<bool>();
-    throw MalformedJson(fmt::format("\"{}\" is neither true nor false", name));
-  } else if constexpr (std::is_enum_v<Value>) {
-    if (in.is_string()) {
-      for (std::size_t i = 0; i < words_of<Value>.size(); ++i) {
-        if (words_of<Value>[i] == in.get<std::string>()) return static_cast<Value>(i);
-      }
-    }
-    throw MalformedJson(fmt::format("\"{}\" can only be one of: {}", name, fmt::join(words_of<Value>, ", ")));
-  } else {
-    // Programs in languages with one kind of number write 5.0 for 5.
-    if (in.is_number()) {
-      const double value = in.get<double>();
-      if (value == static_cast<double>(static_cast<std::int64_t>(std::clamp(value, -3e9, 3e9))) && value >= INT32_MIN &&
-          value <= INT32_MAX)
-        return static_cast<Value>(value);
-    }
-    throw MalformedJson(fmt::format("\"{}\" is not a whole number", name));
+  if constexpr (std::is_same_v<Value, double>) return real_from_json(in, std::string(name).c_str());
+  else if constexpr (std::is_same_v<Value, bool>) return truth_from(in, name);
+  else if constexpr (std::is_enum_v<Value>) return static_cast<Value>(word_from(in, name, words_of<Value>));
+  else return whole_from(in, name);
+}
+
+/// Throws when a line has other members than its step and these.
+void refuse_others(const json& line, std::span<const std::string_view> fields, std::string_view kind) {
+  if (line.size() == fields.size() + 1) return;
+  for (const auto& item : line.items()) {
+    const std::string& key = item.key();
+    if (key != "step" && std::find(fields.begin(), fields.end(), key) == fields.end()) throw MalformedJson(fmt::format("\"{}\" is no field of {}", key, kind));
   }
 }
 
 template <class E>
 E event_from(const json& line) {
   E event{};
+  std::array<std::string_view, field_count<E>> names;
   for_each_index<E>([&]<std::size_t I>() {
     constexpr std::string_view name = field_at<E, I>.name;
-    const auto found = line.find(std::string(name));
-    if (found == line.end()) throw MalformedJson(fmt::format("\"{}\" is missing ({})", name, field_at<E, I>.meaning));
-    event.*field_at<E, I>.member = value_from<FieldValue<E, I>>(*found, name);
+    names[I] = name;
+    event.*field_at<E, I>.member = value_from<FieldValue<E, I>>(field_in(line, name, field_at<E, I>.meaning), name);
   });
-  if (line.size() != field_count<E> + 1) {
-    for (const auto& item : line.items()) {
-      const std::string& key = item.key();
-      bool known = key == "step";
-      for_each_field<E>([&](const auto& field) { known = known || field.name == key; });
-      if (!known) throw MalformedJson(fmt::format("\"{}\" is no field of {}", key, kind_text<E>.name));
-    }
-  }
+  refuse_others(line, names, kind_text<E>.name);
   return event;
 }
 
@@ -109,7 +135,7 @@ E event_from(const json& line) {
 std::string jsonl_header(const Header& header, const Scene& scene) {
   ordered_json line = header_to_json(header);
   line["scene"] = scene_to_json(scene);
-  return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return text_of(line);
 }
 
 std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {

@@ -16,7 +16,6 @@ namespace {
 constexpr std::uint64_t head_limit = std::uint64_t{4} << 20;
 constexpr std::uint64_t scene_limit = std::uint64_t{256} << 20;
 constexpr std::uint64_t index_limit = std::uint64_t{256} << 20;
-constexpr std::uint64_t info_limit = std::uint64_t{1} << 20;
 
 class FileSource : public ByteSource {
  public:
@@ -81,7 +80,7 @@ std::uint64_t read_head(Trace::Impl& trace) {
   const auto scene = chunk_at(source, head->end());
   if (!scene || scene->tag != scene_tag) throw MalformedBytes("its scene is missing");
   trace.scene = scene_from_bytes(decompress(read_chunk(source, *scene), scene_limit));
-  trace.kinds = kinds_of(trace.header.page);
+  trace.meanings.emplace(trace.header.page);
   trace.facts.emplace(trace.scene, trace.header.conventions);
   return scene->end();
 }
@@ -92,14 +91,17 @@ void add_block(Trace::Impl& trace, const ChunkPlace& place, BlockInfo info, std:
   // So no more blocks than the file has room for.
   if (!trace.blocks.empty() && place.offset < trace.blocks.back().place.end())
     throw MalformedBytes("its blocks overlap");
+  const std::size_t first_mark = trace.polygons.size();
   for (const BlockInfo::Mark& mark : info.marks) {
     if (mark.polygon < 0 || static_cast<std::size_t>(mark.polygon) >= trace.scene.polygons.size())
       throw MalformedBytes("its index names a polygon that does not exist");
     trace.polygons.push_back({info.first_position + mark.offset + 1, mark.polygon});
+    trace.boxes.push_back(mark.box);
   }
   trace.size += info.count;
+  trace.steps.add(info.steps);
   info.marks = {};  // they stand in trace.polygons now
-  trace.blocks.push_back({std::move(info), place, frame_offset});
+  trace.blocks.push_back({std::move(info), first_mark, place, frame_offset});
 }
 
 /// True when the file has an index and it is intact.
@@ -113,10 +115,9 @@ bool read_index(Trace::Impl& trace) {
     ByteReader in(bytes);
     const std::size_t count = in.count();
     for (std::size_t i = 0; i < count; ++i) {
-      const std::uint64_t block_offset = in.varint(), frame_offset = in.varint();
-      const auto block = chunk_at(*trace.source, block_offset);
-      if (!block || block->tag != events_tag) return false;
-      add_block(trace, *block, take_block_info(in, trace.scene.raster), frame_offset);
+      const std::uint64_t block_offset = in.varint(), size = in.varint(), frame_offset = in.varint();
+      if (block_offset > *offset || size > *offset - block_offset) return false;
+      add_block(trace, {events_tag, block_offset, size}, take_block_info(in, trace.scene.raster), frame_offset);
     }
     return true;
   } catch (const MalformedBytes&) {
@@ -128,15 +129,16 @@ bool read_index(Trace::Impl& trace) {
 void rebuild_index(Trace::Impl& trace, std::uint64_t offset) {
   trace.blocks.clear();
   trace.polygons.clear();
+  trace.boxes.clear();
   trace.size = 0;
+  trace.steps = {};
   bool damaged = false;
   while (const auto place = chunk_at(*trace.source, offset)) {
     if (place->tag != events_tag) break;
     try {
       const Bytes bytes = read_chunk(*trace.source, *place);
       ByteReader in(bytes);
-      const Bytes info = decompress(in.take(in.count()), info_limit);
-      ByteReader info_in(info);
+      ByteReader info_in(in.take(in.count()));
       add_block(trace, *place, take_block_info(info_in, trace.scene.raster), bytes.size() - in.left());
     } catch (const MalformedBytes&) {
       damaged = true;

@@ -30,14 +30,18 @@ struct Search {
     stopped = !each(position, RecordedEvent{step, event});
     return !stopped;
   }
-  bool operator()(std::int64_t before, const codec::FragmentRun& run) { return take(before, run); }
-  bool operator()(std::int64_t before, const codec::PaintRun& run) { return take(before, run); }
+  bool operator()(std::int64_t before, const codec::Row& row) { return among.pixel || expand(before, row); }
+  bool operator()(std::int64_t before, const codec::FragmentRun& run) { return beside(run) || expand(before, run); }
+  bool operator()(std::int64_t before, const codec::PaintRun& run) { return beside(run) || expand(before, run); }
 
  private:
   template <class Run>
-  bool take(std::int64_t before, const Run& run) {
-    const bool beside = among.pixel && (among.pixel->y != run.y || among.pixel->x < run.x || among.pixel->x >= run.end());
-    if (beside || (among.kind && !run.has(*among.kind))) return true;
+  bool beside(const Run& run) const {
+    return among.pixel && (among.pixel->y != run.y || among.pixel->x < run.x || among.pixel->x >= run.end());
+  }
+  template <class Run>
+  bool expand(std::int64_t before, const Run& run) {
+    if (among.kind && !run.has(*among.kind)) return true;
     std::int64_t position = before;
     return run.expand([&](std::uint8_t step, const auto& event) { return (*this)(++position, step, event); });
   }
@@ -53,27 +57,41 @@ StepSet steps_of(const Page& page, std::optional<std::uint8_t> kind) {
   return steps;
 }
 
-bool may_hold(const BlockInfo& info, const StepSet& steps, const std::optional<Trace::Pixel>& pixel) {
-  return info.steps.meets(steps) && (!pixel || info.tiles.touched(pixel->x, pixel->y));
+/// The last position of a block that can be meant; 0 if none can.
+std::int64_t last_meant(const Trace::Impl& trace, std::size_t block, const StepSet& steps, const std::optional<Trace::Pixel>& pixel) {
+  const BlockInfo& info = trace.blocks[block].info;
+  if (!info.steps.meets(steps)) return 0;
+  return pixel ? trace.last_touch(block, *pixel) : info.first_position + info.count;
 }
 
 }  // namespace
+
+std::int64_t Trace::Impl::last_touch(std::size_t block, Trace::Pixel pixel) const {
+  const Block& touched = blocks[block];
+  if (!touched.info.tiles.touched(pixel.x, pixel.y)) return 0;
+  const bool is_last = block + 1 == blocks.size();
+  std::size_t mark = is_last ? polygons.size() : blocks[block + 1].first_mark;
+  std::int64_t end = touched.info.first_position + touched.info.count;
+  for (; mark > touched.first_mark; --mark) {
+    if (boxes[mark - 1].holds(pixel.x, pixel.y)) return end;
+    end = polygons[mark - 1].position - 1;
+  }
+  return touched.info.lead.holds(pixel.x, pixel.y) ? end : 0;
+}
 
 std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate, const Among& among) const {
   const StepSet steps = steps_of(header().page, among.kind);
   const std::int64_t end = std::min(size(), among.until.value_or(size()));
   for (std::int64_t position = std::max<std::int64_t>(from, 0); position < end;) {
-    const BlockInfo& info = impl_->blocks[impl_->block_of(position + 1)].info;
-    const std::int64_t block_end = std::min(end, info.first_position + info.count);
-    if (may_hold(info, steps, among.pixel)) {
-      std::optional<std::int64_t> found;
-      visit(position, block_end, search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
-              if (predicate(recorded)) found = at;
-              return !found;
-            }));
-      if (found) return found;
-    }
-    position = block_end;
+    const std::size_t block = impl_->block_of(position + 1);
+    const BlockInfo& info = impl_->blocks[block].info;
+    std::optional<std::int64_t> found;
+    visit(position, std::min(end, last_meant(*impl_, block, steps, among.pixel)), search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
+            if (predicate(recorded)) found = at;
+            return !found;
+          }));
+    if (found) return found;
+    position = info.first_position + info.count;
   }
   return std::nullopt;
 }
@@ -82,16 +100,14 @@ std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& 
   const StepSet steps = steps_of(header().page, among.kind);
   const std::int64_t begin = std::max<std::int64_t>(0, among.until.value_or(1) - 1);
   for (std::int64_t position = std::min(from - 1, size()); position > begin;) {
-    const BlockInfo& info = impl_->blocks[impl_->block_of(position)].info;
-    const std::int64_t block_begin = std::max(begin, info.first_position);
-    if (may_hold(info, steps, among.pixel)) {
-      std::optional<std::int64_t> found;
-      visit(block_begin, position, search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
-              if (predicate(recorded)) found = at;
-              return true;
-            }));
-      if (found) return found;
-    }
+    const std::size_t block = impl_->block_of(position);
+    const std::int64_t block_begin = std::max(begin, impl_->blocks[block].info.first_position);
+    std::optional<std::int64_t> found;
+    visit(block_begin, std::min(position, last_meant(*impl_, block, steps, among.pixel)), search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
+            if (predicate(recorded)) found = at;
+            return true;
+          }));
+    if (found) return found;
     position = block_begin;
   }
   return std::nullopt;
@@ -100,11 +116,11 @@ std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& 
 void Trace::scan(const Among& among, const std::function<bool(std::int64_t, const RecordedEvent&)>& each) const {
   const StepSet steps = steps_of(header().page, among.kind);
   const std::int64_t end = std::min(size(), among.until.value_or(size()));
-  for (const Impl::Block& block : impl_->blocks) {
-    if (block.info.first_position >= end) return;
-    if (!may_hold(block.info, steps, among.pixel)) continue;
+  for (std::size_t block = 0; block < impl_->blocks.size(); ++block) {
+    const std::int64_t begin = impl_->blocks[block].info.first_position;
+    if (begin >= end) return;
     auto search = search_for(among, each);
-    visit(block.info.first_position, std::min(end, block.info.first_position + block.info.count), search);
+    visit(begin, std::min(end, last_meant(*impl_, block, steps, among.pixel)), search);
     if (search.stopped) return;
   }
 }

@@ -29,6 +29,10 @@ std::int64_t Trace::size() const { return impl_->size; }
 const std::vector<std::string>& Trace::warnings() const { return impl_->warnings; }
 std::span<const PolygonMark> Trace::polygons() const { return impl_->polygons; }
 
+bool Trace::has(std::uint8_t kind) const {
+  return std::any_of(impl_->header.page.begin(), impl_->header.page.end(), [&](const StepInfo& step) { return step.kind == kind && impl_->steps.has(step.id); });
+}
+
 std::size_t Trace::Impl::block_of(std::int64_t position) const {
   const auto after =
       std::upper_bound(blocks.begin(), blocks.end(), position - 1,
@@ -73,7 +77,7 @@ struct CheckBlock {
 }  // namespace
 
 void Trace::Impl::check(const Block& block, const Bytes& packed) const {
-  BlockDecoder decoder(packed, block.info.count, kinds, *facts);
+  BlockDecoder decoder(packed, block.info.count, *meanings, *facts);
   decoder.visit_all(CheckBlock{EventCheck(scene), block.info.first_position});
 }
 
@@ -110,7 +114,7 @@ const Trace::Impl::Events& Trace::Impl::events(std::size_t block) const {
   unpacked->reserve(blocks[block].info.count);
   const Bytes& bytes = packed(block);
   try {
-    BlockDecoder decoder(bytes, blocks[block].info.count, kinds, *facts);
+    BlockDecoder decoder(bytes, blocks[block].info.count, *meanings, *facts);
     decoder.visit_all([&](std::uint8_t step, const auto& event) {
       unpacked->push_back({step, event});
       return true;

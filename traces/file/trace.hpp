@@ -48,6 +48,7 @@ class Trace {
   std::int64_t size() const;                         ///< number of events
   const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
   std::span<const PolygonMark> polygons() const;     ///< all of them, by position
+  bool has(std::uint8_t kind) const;                 ///< whether some event is of this kind
 
   /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand; the reference lives until
   /// events of other blocks are asked for. Not thread-safe.

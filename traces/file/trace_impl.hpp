@@ -20,6 +20,7 @@ inline constexpr const char* mend_trace =
 struct Trace::Impl {
   struct Block {
     BlockInfo info;
+    std::size_t first_mark = 0;  ///< in `polygons`
     ChunkPlace place;
     std::uint64_t frame_offset = 0;  ///< of the zstd frame within the chunk's bytes
     mutable bool checked = false;    ///< its events' numbers were found to lie within the scene
@@ -29,15 +30,20 @@ struct Trace::Impl {
   std::unique_ptr<ByteSource> source;
   Header header;
   Scene scene;
-  StepKinds kinds{};
+  std::optional<StepMeanings> meanings;  ///< of the header
   std::optional<codec::Facts> facts;  ///< of header and scene
   std::vector<Block> blocks;
   std::vector<PolygonMark> polygons;
+  std::vector<Box> boxes;  ///< of each of these marks
   std::vector<std::string> warnings;
   std::int64_t size = 0;
+  StepSet steps;  ///< that occur
 
   /// The block that holds the event leading to this position.
   std::size_t block_of(std::int64_t position) const;
+
+  /// The last position of a block that may touch a pixel; 0 if none may.
+  std::int64_t last_touch(std::size_t block, Trace::Pixel pixel) const;
 
   /// A block's packed columns, from the file or from the few kept at hand. Throws InputError when it is damaged.
   const Bytes& packed(std::size_t block) const;

@@ -24,6 +24,7 @@ struct VisitRange {
     go_on = visit(position, step, event);
     return go_on;
   }
+  bool operator()(const codec::Row& row) { return take(row); }
   bool operator()(const codec::FragmentRun& run) { return take(run); }
   bool operator()(const codec::PaintRun& run) { return take(run); }
 
@@ -35,12 +36,16 @@ struct VisitRange {
       position = end;
       return true;
     }
-    if constexpr (requires { visit(position, run); }) {
-      if (position >= first && end <= last) {
+    if (position >= first && end <= last) {
+      if constexpr (requires { visit(position, run); }) {
         go_on = visit(position, run);
         position = end;
-        return go_on;
+      } else {
+        std::int64_t at = position;
+        go_on = run.expand([&](std::uint8_t step, const auto& event) { return static_cast<bool>(visit(++at, step, event)); });
+        position = at;
       }
+      return go_on;
     }
     return run.expand([&](std::uint8_t step, const auto& event) { return (*this)(step, event); });
   }
@@ -58,7 +63,7 @@ void Trace::visit(std::int64_t first, std::int64_t last, Visit&& visit) const {
     detail::VisitRange<Visit> range{visit, first, last, block.info.first_position};
     const Bytes& packed = impl_->packed(index);
     try {
-      BlockDecoder decoder(packed, block.info.count, impl_->kinds, *impl_->facts);
+      BlockDecoder decoder(packed, block.info.count, *impl_->meanings, *impl_->facts);
       decoder.visit_all(range);
     } catch (const MalformedBytes& error) {
       impl_->damaged(index, error.what());

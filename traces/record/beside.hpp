@@ -1,10 +1,12 @@
-// Work that is done beside the caller's own, one piece at a time.
+// Work that is done beside the caller's own, one piece after another.
 #pragma once
 
 #include <condition_variable>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <queue>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -14,7 +16,8 @@ namespace zstep {
 /// A thread that waits for work. Where the system gives none, the caller does the work itself.
 class Beside {
  public:
-  Beside() {
+  /// `most`: pieces that may wait or be at work.
+  explicit Beside(std::size_t most) : most_(most) {
     try {
       thread_ = std::thread([this] { run(); });
     } catch (const std::system_error&) {
@@ -31,49 +34,63 @@ class Beside {
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
 
-  /// Waits for the piece before, throws what it threw, and begins this one.
+  /// Waits until there is room for another piece; throws what a piece before threw, once.
+  void wait_for_room() { wait_until_at_most(most_ - 1); }
+  /// Waits until nothing is being done; throws likewise.
+  void wait() { wait_until_at_most(0); }
+  /// Begins a piece, for which there must be room. After one that threw, no other is done until that was told.
   void begin(std::function<void()> work) {
-    wait();
-    if (!thread_.joinable()) {
-      work();
-      return;
-    }
+    if (!thread_.joinable()) return work();
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      work_ = std::move(work);
+      pieces_.push(std::move(work));
     }
     changed_.notify_all();
   }
-  /// Waits until nothing is being done; throws what the last piece threw, once.
-  void wait() {
-    std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] { return !work_; });
-    if (fault_) std::rethrow_exception(std::exchange(fault_, nullptr));
-  }
 
  private:
+  void wait_until_at_most(std::size_t count) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    await(lock, [&] { return pieces_.size() <= count; });
+    if (fault_) std::rethrow_exception(std::exchange(fault_, nullptr));
+  }
+  /// To be put to sleep and woken takes longer than most waits here, so one looks some times first.
+  template <class Condition>
+  void await(std::unique_lock<std::mutex>& lock, Condition&& condition) {
+    for (int look = 0; look < 64 && !condition(); ++look) {
+      lock.unlock();
+      std::this_thread::yield();
+      lock.lock();
+    }
+    changed_.wait(lock, condition);
+  }
+
   void run() {
     std::unique_lock<std::mutex> lock(mutex_);
     for (;;) {
-      changed_.wait(lock, [this] { return ends_ || work_; });
-      if (!work_) return;
-      lock.unlock();
-      std::exception_ptr fault;
-      try {
-        work_();
-      } catch (...) {
-        fault = std::current_exception();
+      await(lock, [this] { return ends_ || !pieces_.empty(); });
+      if (pieces_.empty()) return;
+      if (!fault_) {
+        const std::function<void()>& work = pieces_.front();  // stays where it is until it is popped
+        lock.unlock();
+        std::exception_ptr fault;
+        try {
+          work();
+        } catch (...) {
+          fault = std::current_exception();
+        }
+        lock.lock();
+        fault_ = fault;
       }
-      lock.lock();
-      fault_ = fault;
-      work_ = nullptr;
+      pieces_.pop();
       changed_.notify_all();
     }
   }
 
+  std::size_t most_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::function<void()> work_;  ///< empty when nothing is to be done
+  std::queue<std::function<void()>> pieces_;  ///< the first is at work
   std::exception_ptr fault_;
   bool ends_ = false;
   std::thread thread_;

@@ -36,7 +36,7 @@ enum : std::uint8_t {
 #undef STEP_OF
   end
 };
-static_assert(end <= step_limit, "a trace has room for 126 steps");
+static_assert(end <= step_limit, "a trace has room for 125 steps");
 }  // namespace id
 
 #define STEP(indent, name, event, text) inline constexpr Step<event> name{id::name};

@@ -8,55 +8,64 @@ namespace zstep {
 
 namespace {
 
-constexpr std::size_t largest_entry() {
-  std::size_t largest = sizeof(codec::LoggedRun);
+constexpr std::size_t largest_event() {
+  std::size_t largest = 0;
   for_each_kind([&]<class E>() { largest = std::max(largest, sizeof(E)); });
-  return largest + 2;
+  return largest;
 }
 
 }  // namespace
 
-// Room for a block of the largest events; what is not needed is never touched, and costs no memory.
-EventLog::EventLog(bool increments) : bytes_(new std::uint8_t[block_events * largest_entry()]), end_(bytes_.get()), increments_(increments) {}
+// Room for the largest events with an end of the block after each, more than a run of one pixel takes; what is not needed is never touched,
+// and costs no memory.
+EventLog::EventLog() : bytes_(new std::uint8_t[log_events * (largest_event() + 4)]), end_(bytes_.get()) {
+  static_assert(2 + sizeof(RunHead) + sizeof(double) + 2 <= largest_event() + 4);
+}
 
 void EventLog::close_run() {
   const Stage stage = std::exchange(stage_, Stage::closed);
-  const bool half_nearer = stage == Stage::compared || stage == Stage::depth_written;
-  if (pixels_ > 0) {
-    if (half_nearer) nearer_ &= ~(std::uint64_t{1} << pixels_);
-    const codec::LoggedRun run{x_ - static_cast<std::int32_t>(pixels_), pixels_, nearer_, last_z_};
-    end_[0] = painted_ ? codec::paints_token : codec::fragments_token, end_[1] = 0;
-    std::memcpy(end_ + 2, &run, sizeof run);
-    end_ += 2 + sizeof run;
-    count_ += painted_ ? pixels_ : 2 * (pixels_ + static_cast<std::uint32_t>(std::popcount(nearer_)));
-  }
-  pixels_ = 0, nearer_ = 0;
+  const std::uint32_t pixels = std::exchange(pixels_, 0);
+  const std::uint64_t nearer = std::exchange(nearer_, 0);
+  const bool painted = painted_;
   painting_ = painted_ = false;
+  if (pixels > 0) {
+    const RunHead head{x_ - static_cast<std::int32_t>(pixels), pixels, nearer & (~std::uint64_t{0} >> (64 - pixels))};
+    end_[0] = run_mark, end_[1] = painted;
+    std::memcpy(end_ + 2, &head, sizeof head);
+    std::memcpy(end_ + 2 + sizeof head, depths_.data(), pixels * sizeof(double));
+    end_ += 2 + sizeof head + pixels * sizeof(double);
+    count_ += painted ? pixels : 2 * (pixels + static_cast<std::uint32_t>(std::popcount(head.nearer)));
+  }
   if (stage <= Stage::ready) return;
   // A pixel that was told in part: its events one by one.
   const std::int32_t x = x_, y = y_;
-  const double z = z_;
+  const double z = depths_[pixels];
   append(steps_.fragment[0], DepthInterpolate{x, y, z});
-  if (half_nearer) append(steps_.fragment[1], DepthCompare{x, y, z, true});
+  if (stage > Stage::interpolated) append(steps_.fragment[1], DepthCompare{x, y, z, true});
   if (stage == Stage::depth_written) append(steps_.fragment[2], DepthWrite{x, y, z});
 }
 
-void EventLog::close() {
+void EventLog::end_block() {
   close_run();
   in_span_ = false;
   steps_ = {};
+  if (count_ == block_begin_) return;
+  end_[0] = end_mark, end_[1] = 0;
+  end_ += 2;
+  block_begin_ = count_;
 }
 
 void EventLog::clear() {
-  close();
+  end_block();
   end_ = bytes_.get();
-  count_ = 0;
+  count_ = block_begin_ = 0;
 }
 
 void EventLog::swap(EventLog& other) noexcept {
   std::swap(bytes_, other.bytes_);
   std::swap(end_, other.end_);
   std::swap(count_, other.count_);
+  std::swap(block_begin_, other.block_begin_);
 }
 
 }  // namespace zstep

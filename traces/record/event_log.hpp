@@ -1,7 +1,7 @@
-// What a run has recorded since the last block: events as they came, and the pixels of a span already drawn together into runs.
+// What a run has recorded lately, block after block: events as they came, and the pixels of a span already drawn together into runs.
 //
-// This is the half of recording that runs within the method that is recorded, so it does little: it compares a pixel with what its span
-// foretells, and copies everything else. The other half, packing, may be another thread's (codec/block_encoder.hpp).
+// This is the half of recording that runs within the method that is recorded, so it does little: it sees whether pixels follow one another
+// along their span, and copies everything else. Whether the depths are those that the span foretells is the packer's to find out. The other half, packing, may be another thread's (codec/block_encoder.hpp).
 #pragma once
 
 #include <array>
@@ -9,26 +9,29 @@
 #include <cstring>
 #include <memory>
 
+#include "traces/events/slots.hpp"
 #include "traces/events/vocabulary.hpp"
 
 namespace zstep {
 
-inline constexpr std::uint32_t block_events = 1u << 16;  ///< the most that a block holds
+inline constexpr std::uint32_t block_events = 1u << 14;  ///< the most that a block holds
+inline constexpr std::uint32_t log_events = 1u << 15;    ///< the most that a log holds
 
 namespace codec {
 
 inline constexpr std::uint32_t run_limit = 64;  ///< pixels, as many as a word has bits
 
-// Tokens that stand for runs; all others are the ids of steps.
-inline constexpr std::uint8_t fragments_token = 126, paints_token = 127;
+// Tokens that stand for several events; all others are the ids of steps.
+inline constexpr std::uint8_t row_token = 125, fragments_token = 126, paints_token = 127;
 inline constexpr std::uint8_t unknown_step = 0xff;
 
-/// A run as the log keeps it; its y, polygon, span and steps are those of the events before.
+/// Pixels that follow one another along a span, as the log keeps them; their y, polygon and steps are those of the events before.
 struct LoggedRun {
+  bool painted = false;
   std::int32_t x = 0;  ///< of the first pixel
   std::uint32_t count = 0;
   std::uint64_t nearer = 0;  ///< bit k: the k-th pixel's compare; of painted pixels, 0
-  double z = 0;              ///< at the last pixel
+  std::array<double, run_limit> depths;  ///< `count` of them
 };
 
 /// The steps by which a run's events were recorded when they last came one by one.
@@ -46,37 +49,33 @@ struct RunSteps {
   }
 };
 
-/// The depth at column x of a span, `last` being the one told before:
-/// z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), or, by increments, one more dz_dx.
-inline double depth_along(const SpanBegin& span, bool increments, std::int32_t x, double last) {
-  if (increments && x != span.first) return last + span.dz_dx;
-  if (span.x_right == span.x_left) return span.z_left;
-  return span.z_left + (span.z_right - span.z_left) * (static_cast<double>(x) - span.x_left) / (span.x_right - span.x_left);
-}
-
 }  // namespace codec
 
 class EventLog {
  public:
-  explicit EventLog(bool increments);
+  EventLog();
 
-  /// True when the next event needs an empty log.
+  /// True when the block must end before the next event.
   template <class E>
   bool put(std::uint8_t step, const E& event) {
     if (take(step, event)) return false;
     put_one(step, event);
-    return count_ > block_events - 4 * codec::run_limit - 8;  // a run and the event that ends it must find room
+    return count_ - block_begin_ > block_events - longest_run;
   }
+  /// Whether the block may end here, if work on another polygon begins: guesses start anew with a block, and lose least there.
+  bool may_end_block() const { return count_ - block_begin_ > block_events / 2; }
 
   std::uint32_t count() const { return count_; }  ///< events, without those of a run that goes on
-  /// Ends the run at work; afterwards all that was put is in count() and for_each().
-  void close();
+  /// Ends the block at work; afterwards all that was put is in count() and for_each().
+  void end_block();
+  /// Whether another block may find no room.
+  bool full() const { return count_ > log_events - block_events; }
   void clear();
   void swap(EventLog& other) noexcept;
 
-  /// Calls run(is it painted, LoggedRun) and one(step, const E&) for what stands in the log, in order.
-  template <class Run, class One>
-  void for_each(Run&& run, One&& one) const {
+  /// Calls run(const LoggedRun&), one(step, const E&) and, where a block ends, end() for what stands in the log, in order.
+  template <class Run, class One, class End>
+  void for_each(Run&& run, One&& one, End&& end) const {
     using Give = void (*)(std::uint8_t, const std::uint8_t*, std::remove_reference_t<One>&);
     static constexpr auto give = []<std::size_t... K>(std::index_sequence<K...>) {
       return std::array<Give, kind_count>{&EventLog::give_one<std::variant_alternative_t<K, Event>, One>...};
@@ -86,14 +85,20 @@ class EventLog {
       return std::array<std::size_t, kind_count>{sizeof(std::variant_alternative_t<K, Event>)...};
     }
     (std::make_index_sequence<kind_count>{});
+    codec::LoggedRun logged;
     for (const std::uint8_t* at = bytes_.get(); at != end_;) {
       const std::uint8_t step = at[0], kind = at[1];
       at += 2;
-      if (step >= codec::fragments_token) {
-        codec::LoggedRun logged;
-        std::memcpy(&logged, at, sizeof logged);
-        at += sizeof logged;
-        run(step == codec::paints_token, logged);
+      if (step == end_mark) {
+        end();
+      } else if (step == run_mark) {
+        RunHead head;
+        std::memcpy(&head, at, sizeof head);
+        at += sizeof head;
+        logged.painted = kind != 0, logged.x = head.x, logged.count = head.count, logged.nearer = head.nearer;
+        std::memcpy(logged.depths.data(), at, head.count * sizeof(double));
+        at += head.count * sizeof(double);
+        run(logged);
       } else {
         give[kind](step, at, one);
         at += sizes[kind];
@@ -102,6 +107,14 @@ class EventLog {
   }
 
  private:
+  static constexpr std::uint32_t longest_run = 4 * codec::run_limit + 8;  ///< events of a run at work, and of what ends it
+  static constexpr std::uint8_t run_mark = 0xfe, end_mark = 0xff;         ///< in the place of a step: pixels; a block ends
+  struct RunHead {
+    std::int32_t x;
+    std::uint32_t count;
+    std::uint64_t nearer;
+  };
+
   template <class E, class One>
   static void give_one(std::uint8_t step, const std::uint8_t* bytes, std::remove_reference_t<One>& one) {
     E event;
@@ -116,20 +129,20 @@ class EventLog {
     return false;
   }
   bool take(std::uint8_t step, const DepthInterpolate& event) {
-    if (stage_ != Stage::ready || step != steps_.fragment[0] || !foretold(event.x, event.y, event.z)) return false;
+    if (stage_ != Stage::ready || step != steps_.fragment[0] || event.x != x_ || event.y != y_) return false;
     stage_ = Stage::interpolated;
-    z_ = event.z;
+    depths_[pixels_] = event.z;
     return true;
   }
   bool take(std::uint8_t step, const DepthCompare& event) {
-    if (stage_ != Stage::interpolated || step != steps_.fragment[1] || event.x != x_ || event.y != y_ || !same(event.z, z_)) return false;
+    if (stage_ != Stage::interpolated || step != steps_.fragment[1] || event.x != x_ || event.y != y_ || !same(event.z, depths_[pixels_])) return false;
     nearer_ |= std::uint64_t{event.nearer} << pixels_;
     if (event.nearer) stage_ = Stage::compared;
     else end_pixel();
     return true;
   }
   bool take(std::uint8_t step, const DepthWrite& event) {
-    if (stage_ != Stage::compared || step != steps_.fragment[2] || event.x != x_ || event.y != y_ || !same(event.z, z_)) return false;
+    if (stage_ != Stage::compared || step != steps_.fragment[2] || event.x != x_ || event.y != y_ || !same(event.z, depths_[pixels_])) return false;
     stage_ = Stage::depth_written;
     return true;
   }
@@ -140,27 +153,20 @@ class EventLog {
   }
   bool take(std::uint8_t step, const PixelPaint& event) {
     const bool begins = stage_ == Stage::ready && pixels_ == 0 && step == steps_.paint;
-    if (!(painting_ || begins) || step != steps_.paint || event.polygon != polygon_ || !foretold(event.x, event.y, event.z)) return false;
+    if (!(painting_ || begins) || step != steps_.paint || event.polygon != polygon_ || event.x != x_ || event.y != y_) return false;
     painting_ = painted_ = true;
     stage_ = Stage::closed;  // to fragments
-    z_ = event.z;
-    last_z_ = z_, ++x_;
+    depths_[pixels_] = event.z;
+    ++x_;
     if (++pixels_ == codec::run_limit) painting_ = false;
     return true;
   }
   void end_pixel() {
-    last_z_ = z_, ++x_;
+    ++x_;
     stage_ = ++pixels_ == codec::run_limit ? Stage::closed : Stage::ready;
   }
 
   static bool same(double one, double other) { return std::memcmp(&one, &other, sizeof one) == 0; }
-  /// To the bit; what is not a number never is, as which one it is depends on the compiler.
-  bool foretold(std::int32_t x, std::int32_t y, double z) const {
-    if (x != x_ || y != y_) return false;
-    const double depth = codec::depth_along(span_, increments_, x_, last_z_);
-    return z == depth && same(z, depth);
-  }
-
   /// An event that does not go on with a run.
   template <class E>
   void put_one(std::uint8_t step, const E& event) {
@@ -181,7 +187,11 @@ class EventLog {
   template <class E>
   void append(std::uint8_t step, const E& event) {
     end_[0] = step, end_[1] = kind_of<E>;
-    std::memcpy(end_ + 2, &event, sizeof event);
+    // Field by field: a copy as a whole would wait until the event's fields, just written, have reached memory.
+    for_each_index<E>([&]<std::size_t I>() {
+      const auto& value = event.*field_at<E, I>.member;
+      std::memcpy(end_ + 2 + (reinterpret_cast<const std::uint8_t*>(&value) - reinterpret_cast<const std::uint8_t*>(&event)), &value, sizeof value);
+    });
     end_ += 2 + sizeof event;
     ++count_;
     stage_ = Stage::closed;
@@ -190,14 +200,12 @@ class EventLog {
     steps_.learn<E>(step);
     if constexpr (requires { event.polygon; }) polygon_ = event.polygon;
     if constexpr (std::is_same_v<E, SpanBegin>) {
-      span_ = event;
       in_span_ = true;
       x_ = event.first, y_ = event.y;
       stage_ = Stage::ready;
     } else if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, DepthWrite> ||
                          std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>) {
       x_ = static_cast<std::int32_t>(static_cast<std::uint32_t>(event.x) + 1u), y_ = event.y;
-      if constexpr (requires { event.z; }) z_ = last_z_ = event.z;
       constexpr bool ends_pixel = std::is_same_v<E, DepthCompare> || std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>;
       if (ends_pixel && in_span_) stage_ = Stage::ready;
     } else {
@@ -212,19 +220,18 @@ class EventLog {
 
   std::unique_ptr<std::uint8_t[]> bytes_;
   std::uint8_t* end_ = nullptr;
-  std::uint32_t count_ = 0;
+  std::uint32_t count_ = 0, block_begin_ = 0;
 
   // The pixels of a span as they come in.
   Stage stage_ = Stage::closed;
   std::uint32_t pixels_ = 0;  ///< whole ones that wait to be written as a run
   bool painting_ = false;     ///< they are painted, and more may follow
   bool painted_ = false;
-  bool increments_ = false, in_span_ = false;
+  bool in_span_ = false;
   std::uint64_t nearer_ = 0;
   std::int32_t x_ = 0, y_ = 0, polygon_ = 0;  ///< of the next pixel
-  double z_ = 0, last_z_ = 0;                 ///< of the pixel at work, of the last whole one
+  std::array<double, codec::run_limit> depths_{};  ///< of those that wait, and of the pixel at work
   codec::RunSteps steps_;
-  SpanBegin span_{};
 };
 
 }  // namespace zstep

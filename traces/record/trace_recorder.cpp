@@ -1,5 +1,6 @@
 #include "traces/record/trace_recorder.hpp"
 
+#include <array>
 #include <cstdio>
 #include <utility>
 #include <variant>
@@ -13,8 +14,12 @@
 
 namespace zstep {
 
-/// Where the bytes go, and the index that grows as they do. A block is packed and written by another thread while the next one is
-/// recorded; nothing here is touched meanwhile.
+namespace {
+constexpr std::size_t logs_at_work = 3;
+}
+
+/// Where the bytes go, and the index that grows as they do. Logs are packed and written by another thread while the next ones are
+/// recorded; nothing else here is touched meanwhile.
 struct TraceRecorder::Sink {
   std::filesystem::path path;
   std::FILE* file = nullptr;
@@ -23,11 +28,11 @@ struct TraceRecorder::Sink {
   Bytes index;
   std::uint64_t blocks = 0;
   BlockEncoder encoder;
-  EventLog at_work;
-  Beside beside;  // ends first
+  std::array<EventLog, logs_at_work> at_work;  ///< in turn
+  std::size_t next_log = 0;
+  Beside beside{logs_at_work};  // ends first
 
-  Sink(const Header& header, const Scene& scene)
-      : encoder(scene, header.conventions), at_work(increments(header)) {}
+  Sink(const Header& header, const Scene& scene) : encoder(scene, header) {}
   Sink(const Sink&) = delete;
   Sink& operator=(const Sink&) = delete;
   ~Sink() {
@@ -37,8 +42,6 @@ struct TraceRecorder::Sink {
     }
     if (file != nullptr) std::fclose(file);
   }
-
-  static bool increments(const Header& header) { return header.conventions.interpolation == Conventions::Interpolation::increments; }
 
   void write(const Bytes& bytes) {
     if (file == nullptr) {
@@ -61,26 +64,30 @@ struct TraceRecorder::Sink {
     write(bytes);
   }
 
-  void write_block() {
-    const BlockEncoder::Packed block = encoder.pack(at_work);
+  void write_blocks(const EventLog& log) {
+    encoder.pack(log, [this](const BlockEncoder::Packed& block) { write_block(block); });
+  }
+  void write_block(const BlockEncoder::Packed& block) {
     Bytes info;
     put_block_info(info, block.info);
-    const Bytes info_frame = compress(info), frame = compress(block.bytes);
+    const Bytes frame = compress(block.bytes, Compression::fast);
     Bytes bytes;
-    put_varint(bytes, info_frame.size());
-    bytes.insert(bytes.end(), info_frame.begin(), info_frame.end());
+    put_varint(bytes, info.size());
+    bytes.insert(bytes.end(), info.begin(), info.end());
 
+    const std::size_t frame_begins = bytes.size();
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
     put_varint(index, written);
     put_varint(index, bytes.size());
+    put_varint(index, frame_begins);
     index.insert(index.end(), info.begin(), info.end());
     ++blocks;
-    bytes.insert(bytes.end(), frame.begin(), frame.end());
     write(make_chunk(events_tag, bytes));
   }
 };
 
 TraceRecorder::TraceRecorder(const std::filesystem::path& path, const Header& header, const Scene& scene)
-    : sink_(std::make_unique<Sink>(header, scene)), log_(Sink::increments(header)) {
+    : sink_(std::make_unique<Sink>(header, scene)) {
   sink_->path = path;
   sink_->file = std::fopen(path.string().c_str(), "wb");
   if (sink_->file == nullptr)
@@ -90,25 +97,30 @@ TraceRecorder::TraceRecorder(const std::filesystem::path& path, const Header& he
 }
 
 TraceRecorder::TraceRecorder(const Header& header, const Scene& scene)
-    : sink_(std::make_unique<Sink>(header, scene)), log_(Sink::increments(header)) {
+    : sink_(std::make_unique<Sink>(header, scene)) {
   sink_->beside.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
 }
 
 TraceRecorder::~TraceRecorder() = default;
 
-void TraceRecorder::write_block() {
-  log_.close();
+void TraceRecorder::end_block() {
+  log_.end_block();
+  if (log_.full()) write_blocks();
+}
+
+void TraceRecorder::write_blocks() {
   before_ += log_.count();
-  sink_->beside.wait();
-  sink_->at_work.swap(log_);
+  sink_->beside.wait_for_room();
+  EventLog& log = sink_->at_work[sink_->next_log++ % logs_at_work];  // its blocks are written, or there were no room
+  log.swap(log_);
   log_.clear();
-  sink_->beside.begin([sink = sink_.get()] { sink->write_block(); });
-  if (on_block_) on_block_(size());
+  sink_->beside.begin([sink = sink_.get(), &log] { sink->write_blocks(log); });
+  if (on_write_) on_write_(size());
 }
 
 void TraceRecorder::finish() {
-  log_.close();
-  if (log_.count() > 0) write_block();
+  log_.end_block();
+  if (log_.count() > 0) write_blocks();
   sink_->beside.wait();
   const std::uint64_t offset = sink_->written;
   Bytes index;

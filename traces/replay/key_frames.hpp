@@ -1,4 +1,5 @@
-// Whole states along a trace, from which a seek starts. Of a picture, a frame keeps the pixels that differ from the frame before.
+// Whole states along a trace, from which a seek starts. Of a picture, a frame keeps the pixels that differ from the frame before; every
+// sixteenth keeps all that was drawn, so that no more than sixteen make a picture.
 #pragma once
 
 #include <cstddef>
@@ -6,39 +7,28 @@
 #include <memory>
 #include <vector>
 
+#include "traces/replay/beginning.hpp"
+#include "traces/replay/picture_change.hpp"
 #include "traces/replay/state.hpp"
 
 namespace zstep {
 
-/// The pixels in which one picture differs from another of the same size.
-class PictureChange {
- public:
-  PictureChange() = default;
-  PictureChange(const Picture& before, const Picture& after);
-  void apply_to(Picture& picture) const;
-  std::size_t bytes() const;
-
- private:
-  std::vector<std::uint64_t> changed_;  ///< a bit a pixel, row by row
-  std::vector<double> depth_;           ///< of those pixels, in order
-  std::vector<std::int32_t> polygon_;
-  std::vector<std::uint32_t> ink_;  ///< empty where the picture has none
-};
-
 class KeyFrames {
  public:
-  /// `beginning`: the state at position 0. `spacing`: events from frame to frame; it is doubled, and every other frame let go, when all of
-  /// them take more than `budget` bytes.
-  KeyFrames(State beginning, std::int64_t spacing, std::size_t budget);
+  /// `end`: the trace's last position. `spacing`: events from frame to frame; it is doubled, and every other frame let go, when all of
+  /// them take more than `budget` bytes. `beginning` must live as long as this does.
+  KeyFrames(const Beginning& beginning, std::int64_t end, std::int64_t spacing, std::size_t budget);
 
   /// Where the next frame is due; frames stand in the order of their positions.
   std::int64_t next_due() const { return frames_.empty() ? spacing_ : frames_.back().position + spacing_; }
   void add(const State& state);
+  /// To be told when a point of the scene goes on, of the one state that is given and restored here.
+  void point_changes() { points_at_hand_ = nullptr; }
 
   /// The last position up to this one at which a frame stands, or 0.
   std::int64_t before(std::int64_t position) const;
   /// Makes the state what it was there.
-  void restore_before(std::int64_t position, State& state) const;
+  void restore_before(std::int64_t position, State& state);
   std::size_t bytes() const { return bytes_; }
 
  private:
@@ -48,16 +38,21 @@ class KeyFrames {
     std::shared_ptr<const std::vector<VertexWay>> points;  ///< shared by frames between which no scene point went on
     std::vector<VertexWay> made;                           ///< the vertices beyond the scene's points
     PictureChange picture, light;
-    std::size_t bytes = 0;
+    std::size_t bytes = 0;  ///< without the points that it shares
   };
+  static constexpr std::size_t group = 16;
+  /// The changes of the n-th frame from what it is told from: the pictures of the frame before, or nothing.
+  static void set_pictures(Frame& frame, std::size_t n, const State& before, const State& now);
   std::size_t count_before(std::int64_t position) const;
   void thin_out();
 
-  State beginning_;
-  std::int64_t spacing_;
+  const Beginning* beginning_;
+  std::size_t points_;  ///< of the scene
+  std::int64_t end_, spacing_;
   std::size_t budget_, bytes_ = 0;
   std::vector<Frame> frames_;
-  Picture last_picture_, last_light_;  ///< as they were at the last frame
+  std::shared_ptr<const std::vector<VertexWay>> points_at_hand_;  ///< those that the state has now, if it is known
+  State last_;                                                    ///< its pictures are those of the last frame, while more are to come
 };
 
 }  // namespace zstep

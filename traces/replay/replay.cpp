@@ -7,6 +7,7 @@
 #include "traces/file/visit.hpp"
 #include "traces/replay/apply.hpp"
 #include "traces/replay/apply_runs.hpp"
+#include "traces/replay/beginning.hpp"
 #include "traces/replay/key_frames.hpp"
 #include "traces/replay/undo_log.hpp"
 
@@ -14,7 +15,7 @@ namespace zstep {
 
 namespace {
 
-constexpr std::size_t key_frame_budget = std::size_t{64} << 20;  // bytes
+constexpr std::size_t key_frame_budget = std::size_t{48} << 20;  // bytes
 constexpr std::int64_t most_key_frames = 96;
 constexpr std::int64_t few_events = 64;  // that are better asked for one by one
 constexpr std::size_t picture_budget = std::size_t{64} << 20;    // bytes of whole pictures in the undo log
@@ -26,31 +27,10 @@ struct Replay::Impl {
       : trace(&trace_),
         tuning(tuning_),
         points(trace_.scene().points.size()),
-        state(beginning()),
-        key_frames(state, std::max(tuning.key_frame_every, trace->size() / most_key_frames), key_frame_budget) {
+        beginning(trace_),
+        state(beginning.state()),
+        key_frames(beginning, trace->size(), std::max(tuning.key_frame_every, trace->size() / most_key_frames), key_frame_budget) {
     forget();
-  }
-
-  /// Position 0.
-  State beginning() const {
-    State first;
-    first.picture = Picture(trace->scene().raster.width, trace->scene().raster.height);
-    const Page& page = trace->header().page;
-    const auto records = [&](std::uint8_t kind) {
-      return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
-    };
-    if (records(kind_of<ColorWrite>) || records(kind_of<ColorBlend>)) first.picture.use_ink();
-    if (records(kind_of<PassBegin>)) first.light = Picture(first.picture.width, first.picture.height);
-    first.vertices.resize(points);
-    if (trace->scene().camera.kind == Camera::Kind::screen) {
-      for (std::size_t i = 0; i < points; ++i) {
-        const glm::dvec3& point = trace->scene().points[i];
-        first.vertices[i].stage = VertexWay::on_raster;
-        first.vertices[i].plane = point;
-        first.vertices[i].raster = {point.x, point.y};
-      }
-    }
-    return first;
   }
 
   [[noreturn]] void impossible(std::int64_t position, const Impossible& error) const {
@@ -63,6 +43,7 @@ struct Replay::Impl {
     try {
       // The stores first: they refuse before they change anything, and what they changed when the machine then refuses
       // is taken back by the callers.
+      if constexpr (std::is_same_v<E, ViewTransform> || std::is_same_v<E, Projection> || std::is_same_v<E, ViewportTransform>) key_frames.point_changes();
       apply_stores(event, state, points, old_values);
       apply_machine(event, state.machine);
     } catch (const Impossible& error) {
@@ -180,6 +161,7 @@ struct Replay::Impl {
   const Trace* trace;
   ReplayTuning tuning;
   std::size_t points;
+  Beginning beginning;
   State state;
   KeyFrames key_frames;
   UndoLog log;

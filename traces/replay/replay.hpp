@@ -18,7 +18,7 @@ struct ReplayTuning {
   std::int64_t undo_window = 32768;       ///< what can be undone without a seek
   std::int64_t check_point_every = 1024;  ///< re-applied at most for a step back
   std::int64_t lead_in = 16384;          ///< logged before a seek's target, so that stepping back from there is at hand
-  std::int64_t key_frame_every = 65536;  ///< or more, so that there are at most 32
+  std::int64_t key_frame_every = 65536;  ///< or more, so that there are not too many
 };
 
 class Replay {

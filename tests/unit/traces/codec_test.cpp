@@ -20,6 +20,7 @@ struct ByRun {
   bool operator()(std::int64_t, std::uint8_t, const E&) {
     return ++events, true;
   }
+  bool operator()(std::int64_t before, const codec::Row& row) { return take(before, row.events()); }
   bool operator()(std::int64_t before, const codec::FragmentRun& run) { return take(before, run.events()); }
   bool operator()(std::int64_t before, const codec::PaintRun& run) { return take(before, run.events()); }
   bool take(std::int64_t before, std::uint32_t count) {

@@ -100,7 +100,7 @@ TEST_CASE("damage: no flipped byte goes unnoticed") {
 TEST_CASE("damage: another version says so") {
   Bytes bytes = recorded_bytes({});
   bytes[8] = 9;
-  CHECK(read_all(bytes).find("is a trace of version 9; this zstep " ZSTEP_VERSION " reads version 2") !=
+  CHECK(read_all(bytes).find("is a trace of version 9; this zstep " ZSTEP_VERSION " reads version 3") !=
         std::string::npos);
   CHECK(read_all({'P', 'K', 3, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0}).find("is not a zstep trace") != std::string::npos);
   CHECK(read_all({}).find("is not a zstep trace") != std::string::npos);
@@ -164,12 +164,15 @@ TEST_CASE("damage: small files that ask for gigabytes are refused") {
   Bytes info, index;
   put_u64(info, 0);
   put_u32(info, 5);
-  info.resize(info.size() + 16);
+  info.resize(info.size() + 16);  // no steps
+  Tiles(some_scene().raster).put(info);
+  put_varint(info, 0);  // no box before the first mark
   put_varint(info, 30'000'000);
   info.resize(info.size() + 60'000'000);
   put_varint(index, 1);
-  put_varint(index, 12);
-  put_varint(index, info.size());
+  put_varint(index, 12);  // offset
+  put_varint(index, 20);  // size
+  put_varint(index, 0);   // of which the frame is the whole
   index.insert(index.end(), info.begin(), info.end());
   std::int64_t events = -1;
   CHECK(read_all(made_of({}, index), &events) == "");  // an index that lies is an index that is missing
@@ -204,9 +207,12 @@ TEST_CASE("damage: random rubbish behind valid checksums is an error, not a cras
     }
     return good.size();
   }();
-  for (int round = 0; round < 1500; ++round) {
+  constexpr int rounds = 1500;
+  int reached = 0;
+  for (int round = 0; round < rounds; ++round) {
     Bytes packed;
     const auto count = static_cast<std::uint32_t>(1 + random() % 40);
+    put_varint(packed, count);
     put_varint(packed, count);
     for (std::uint32_t i = 0; i < count; ++i)
       packed.push_back(static_cast<std::uint8_t>((1 + random() % kind_count) | (random() % 3 == 0 ? 0x80 : 0)));
@@ -224,6 +230,7 @@ TEST_CASE("damage: random rubbish behind valid checksums is an error, not a cras
     }
     BlockInfo info;
     info.count = count;
+    info.tiles = Tiles(some_scene().raster);
     Bytes info_bytes, chunk;
     put_block_info(info_bytes, info);
     put_varint(chunk, info_bytes.size());
@@ -233,6 +240,8 @@ TEST_CASE("damage: random rubbish behind valid checksums is an error, not a cras
     const Bytes made = make_chunk(events_tag, chunk);
     Bytes bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(begin_of_blocks));
     bytes.insert(bytes.end(), made.begin(), made.end());
-    read_all(std::move(bytes));
+    const std::string error = read_all(std::move(bytes));
+    reached += error.empty() || error.find("steps 1 to ") != std::string::npos || error.find(": step ") != std::string::npos;
   }
+  CHECK(reached == rounds);  // none was refused for anything but its block
 }

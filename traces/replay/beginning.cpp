@@ -1,0 +1,53 @@
+#include "traces/replay/beginning.hpp"
+
+#include <algorithm>
+
+namespace zstep {
+
+namespace {
+
+void begin(Picture& picture, std::int32_t width, std::int32_t height) {
+  const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  picture.width = width, picture.height = height;
+  picture.polygon.assign(size, no_polygon);
+  picture.depth.assign(size, no_depth);
+}
+
+}  // namespace
+
+Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()) {
+  const auto records = [&](std::uint8_t kind) {
+    const Page& page = trace.header().page;
+    return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
+  };
+  colors_ = records(kind_of<ColorWrite>) || records(kind_of<ColorBlend>);
+  light_ = records(kind_of<PassBegin>);
+}
+
+State Beginning::state() const {
+  State state;
+  begin_pictures(state);
+  begin_vertices(state);
+  return state;
+}
+
+void Beginning::begin_pictures(State& state) const {
+  const Raster& raster = scene_->raster;
+  begin(state.picture, raster.width, raster.height);
+  if (colors_) state.picture.use_ink();
+  if (light_) begin(state.light, raster.width, raster.height);
+}
+
+void Beginning::begin_vertices(State& state) const {
+  const std::size_t points = scene_->points.size();
+  state.vertices.assign(points, VertexWay{});
+  if (scene_->camera.kind != Camera::Kind::screen) return;
+  for (std::size_t i = 0; i < points; ++i) {
+    const glm::dvec3& point = scene_->points[i];
+    state.vertices[i].stage = VertexWay::on_raster;
+    state.vertices[i].plane = point;
+    state.vertices[i].raster = {point.x, point.y};
+  }
+}
+
+}  // namespace zstep

@@ -1,0 +1,26 @@
+// What a state is before anything has happened.
+#pragma once
+
+#include "traces/file/trace.hpp"
+#include "traces/replay/state.hpp"
+
+namespace zstep {
+
+class Beginning {
+ public:
+  /// The trace must live as long as this does.
+  explicit Beginning(const Trace& trace);
+
+  std::size_t points() const { return scene_->points.size(); }
+  State state() const;
+  /// The same for parts of a state that there is already.
+  void begin_pictures(State& state) const;
+  void begin_vertices(State& state) const;
+
+ private:
+  const Scene* scene_;
+  bool colors_ = false;  ///< pixels have colours of their own
+  bool light_ = false;   ///< there is a pass for the light
+};
+
+}  // namespace zstep
