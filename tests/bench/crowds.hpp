@@ -43,7 +43,7 @@ inline Scene crowd(const Mesh& mesh, int copies, std::int32_t width, std::int32_
   for (int copy = 0; copy < copies; ++copy) {
     const glm::dvec3 x = glm::normalize(glm::dvec3(between(-1, 1), between(-1, 1), between(-1, 1)));
     const glm::dvec3 y = glm::normalize(glm::cross(x, glm::dvec3(between(-1, 1), between(-1, 1), between(-1, 1))));
-    const glm::dmat3 turn = glm::dmat3(x, y, glm::cross(x, y)) * between(2.1, 2.7);
+    const glm::dmat3 turn = glm::dmat3(x, y, glm::cross(x, y)) * between(2.1, 2.8);
     const glm::dvec3 to(between(-0.8, 0.8), between(-0.8, 0.8), between(-0.8, 0.8));
     const auto first = static_cast<std::int32_t>(scene.points.size());
     for (const glm::dvec3& point : mesh.points) scene.points.push_back(turn * point + to);

@@ -111,7 +111,7 @@ TEST_CASE("a recording that is killed at any moment can be opened, up to its las
     const pid_t child = start(folder, {"record", "teapot", "--size", "6400x4800", "-o", "big.ztrace"});
     REQUIRE(child > 0);
     // At some size, as a machine's speed is not known; and then some microseconds later, within a write or between two.
-    const std::uintmax_t enough = round < 20 ? 0 : random() % 400'000;
+    const std::uintmax_t enough = round < 20 ? 0 : random() % 150'000;
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     std::error_code missing;
     const auto size = [&] {

@@ -120,13 +120,13 @@ void BlockEncoder::State::write(std::uint8_t step, const E& event) {
 std::uint32_t BlockEncoder::State::count_foretold(const LoggedRun& run) const {
   std::array<double, run_limit> foretold;
   depths_along(foreteller.span(), foreteller.increments(), run.x, run.count, foreteller.real(slot_of("z")), foretold.data());
-  std::uint64_t apart = 0;
-  for (std::uint32_t k = 0; k < run.count; ++k)
-    apart |= (bits_of(run.depths[k]) ^ bits_of(foretold[k])) | static_cast<std::uint64_t>(!(run.depths[k] == foretold[k]));
-  if (apart == 0) return run.count;
-  std::uint32_t same = 0;
-  while (run.depths[same] == foretold[same] && bits_of(run.depths[same]) == bits_of(foretold[same])) ++same;
-  return same;
+  const auto differs = [&](std::uint32_t k) { return (bits_of(run.depth(k)) ^ bits_of(foretold[k])) | static_cast<std::uint64_t>(!(run.depth(k) == foretold[k])); };
+  std::uint64_t any = 0;
+  for (std::uint32_t k = 0; k < run.count; ++k) any |= differs(k);
+  if (any == 0) return run.count;
+  std::uint32_t first = 0;
+  while (differs(first) == 0) ++first;
+  return first;
 }
 
 void BlockEncoder::State::write(const LoggedRun& run) {
@@ -136,7 +136,7 @@ void BlockEncoder::State::write(const LoggedRun& run) {
   const std::int32_t y = foreteller.whole(slot_of("y")), polygon = foreteller.whole(slot_of("polygon"));
   for (std::uint32_t k = foretold; k < run.count; ++k) {
     const std::int32_t x = run.x + static_cast<std::int32_t>(k);
-    const double z = run.depths[k];
+    const double z = run.depth(k);
     if (run.painted) {
       write(steps.paint, PixelPaint{x, y, z, polygon});
       continue;
@@ -158,7 +158,7 @@ void BlockEncoder::State::write_run(const LoggedRun& run, std::uint32_t count) {
   of_row = 0;
   put_u8(columns[counts_column], static_cast<std::uint8_t>(count));
   foreteller.set_whole(slot_of("x"), end - 1);
-  foreteller.set_real(slot_of("z"), run.depths[count - 1]);
+  foreteller.set_real(slot_of("z"), run.depth(count - 1));
   packed.info.touch(run.x, end, foreteller.whole(slot_of("y")));
   if (run.painted) {
     packed.info.steps.add(steps.paint);

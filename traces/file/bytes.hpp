@@ -1,6 +1,7 @@
 // Little-endian numbers in byte streams; readers that never read past the end.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -21,7 +22,9 @@ inline void put_u8(Bytes& out, std::uint8_t value) { out.push_back(value); }
 
 template <class Unsigned>
 void put_fixed(Bytes& out, Unsigned value) {
-  for (std::size_t i = 0; i < sizeof value; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+  std::array<std::uint8_t, sizeof(Unsigned)> bytes;
+  for (std::size_t i = 0; i < sizeof value; ++i) bytes[i] = static_cast<std::uint8_t>(value >> (8 * i));
+  out.insert(out.end(), bytes.begin(), bytes.end());
 }
 inline void put_u32(Bytes& out, std::uint32_t value) { put_fixed(out, value); }
 inline void put_u64(Bytes& out, std::uint64_t value) { put_fixed(out, value); }

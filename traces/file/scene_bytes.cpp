@@ -61,6 +61,7 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
 
 Bytes scene_to_bytes(const Scene& scene) {
   Bytes out;
+  out.reserve(1024 + scene.points.size() * 28 + scene.polygons.size() * 16 + scene.facets.size() * 8 + scene.corners.size() * 4);
   put_text(out, scene.name);
   put_text(out, scene.source);
   put_text(out, camera_to_json(scene.camera).dump());

@@ -31,7 +31,13 @@ struct LoggedRun {
   std::int32_t x = 0;  ///< of the first pixel
   std::uint32_t count = 0;
   std::uint64_t nearer = 0;  ///< bit k: the k-th pixel's compare; of painted pixels, 0
-  std::array<double, run_limit> depths;  ///< `count` of them
+  const std::uint8_t* depths = nullptr;  ///< where `count` doubles stand in the log, without regard to alignment
+
+  double depth(std::uint32_t pixel) const {
+    double z;
+    std::memcpy(&z, depths + pixel * sizeof z, sizeof z);
+    return z;
+  }
 };
 
 /// The steps by which a run's events were recorded when they last came one by one.
@@ -96,7 +102,7 @@ class EventLog {
         std::memcpy(&head, at, sizeof head);
         at += sizeof head;
         logged.painted = kind != 0, logged.x = head.x, logged.count = head.count, logged.nearer = head.nearer;
-        std::memcpy(logged.depths.data(), at, head.count * sizeof(double));
+        logged.depths = at;
         at += head.count * sizeof(double);
         run(logged);
       } else {
@@ -230,7 +236,8 @@ class EventLog {
   bool in_span_ = false;
   std::uint64_t nearer_ = 0;
   std::int32_t x_ = 0, y_ = 0, polygon_ = 0;  ///< of the next pixel
-  std::array<double, codec::run_limit> depths_{};  ///< of those that wait, and of the pixel at work
+  // Of those that wait, and of the pixel at work: not in the log itself, as a compiler takes what is written there for anything.
+  std::array<double, codec::run_limit> depths_{};
   codec::RunSteps steps_;
 };
 
