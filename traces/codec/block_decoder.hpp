@@ -34,7 +34,7 @@ class BlockDecoder {
     static constexpr auto take = []<std::size_t... K>(std::index_sequence<K...>) {
       return std::array<Take, kind_count>{
           [](BlockDecoder& self, std::uint8_t step, bool missed, Visit& function) -> bool {
-            return function(step, self.take_one<std::variant_alternative_t<K, Event>>(step, missed));
+            return function(step, self.take_one<KindAt<K>>(step, missed));
           }...};
     }
     (std::make_index_sequence<kind_count>{});

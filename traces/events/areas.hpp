@@ -31,7 +31,7 @@ template <>
 inline constexpr KindText kind_text<AreaBegin>{"area_begin", "work on an area of the picture begins"};
 template <>
 inline constexpr auto fields_of<AreaBegin> =
-    std::tuple{Field{"area", &AreaBegin::area, "index", "the area, numbered in the order of work", Guess::next},
+    Fields{Field{"area", &AreaBegin::area, "index", "the area, numbered in the order of work", Guess::next},
                Field{"parent", &AreaBegin::parent, "index", "the area it is a quarter of, -1 for the whole picture"},
                Field{"first_column", &AreaBegin::first_column, "px", "its first column"},
                Field{"first_row", &AreaBegin::first_row, "row", "its first row"},
@@ -41,7 +41,7 @@ inline constexpr auto fields_of<AreaBegin> =
 template <>
 inline constexpr KindText kind_text<AreaBin>{"area_bin", "a polygon is put into one of the four bins of an area"};
 template <>
-inline constexpr auto fields_of<AreaBin> = std::tuple{
+inline constexpr auto fields_of<AreaBin> = Fields{
     Field{"piece", &AreaBin::piece, "index", "the polygon's piece"},
     Field{"crossings", &AreaBin::crossings, "1", "edges of the polygon that meet the area; -1 when the box decided"},
     Field{"corners_inside", &AreaBin::corners_inside, "1",
@@ -52,7 +52,7 @@ template <>
 inline constexpr KindText kind_text<AreaDecide>{"area_decide", "what is done with an area"};
 template <>
 inline constexpr auto fields_of<AreaDecide> =
-    std::tuple{Field{"area", &AreaDecide::area, "index", "the area"}, Field{"what", &AreaDecide::what, "1", "the case"},
+    Fields{Field{"area", &AreaDecide::area, "index", "the area"}, Field{"what", &AreaDecide::what, "1", "the case"},
                Field{"piece", &AreaDecide::piece, "index", "the piece that fills it, -1 if none does"}};
 
 }  // namespace zstep

@@ -40,7 +40,7 @@ template <>
 inline constexpr KindText kind_text<CurveBegin>{"curve_begin", "work on a curve of the surface begins"};
 template <>
 inline constexpr auto fields_of<CurveBegin> =
-    std::tuple{Field{"curve", &CurveBegin::curve, "index", "the curve, numbered in the order in which curves are drawn",
+    Fields{Field{"curve", &CurveBegin::curve, "index", "the curve, numbered in the order in which curves are drawn",
                      Guess::next},
                Field{"row", &CurveBegin::row, "index", "the row of the surface's grid, or the column"},
                Field{"across", &CurveBegin::across, "1", "it is a curve of constant x"},
@@ -50,14 +50,14 @@ template <>
 inline constexpr KindText kind_text<CurveSegment>{"curve_segment", "a piece of the curve between two sampled points"};
 template <>
 inline constexpr auto fields_of<CurveSegment> =
-    std::tuple{Field{"vertex_0", &CurveSegment::vertex_0, "index", "the point it comes from"},
+    Fields{Field{"vertex_0", &CurveSegment::vertex_0, "index", "the point it comes from"},
                Field{"vertex_1", &CurveSegment::vertex_1, "index", "the point it goes to"}};
 
 template <>
 inline constexpr KindText kind_text<HorizonTest>{"horizon_test",
                                                  "a point of the curve is held against the horizons of its column"};
 template <>
-inline constexpr auto fields_of<HorizonTest> = std::tuple{
+inline constexpr auto fields_of<HorizonTest> = Fields{
     Field{"x", &HorizonTest::x, "px", "the column", Guess::next},
     Field{"y_curve", &HorizonTest::y_curve, "px", "row of the curve there, not rounded"},
     Field{"verdict", &HorizonTest::verdict, "1", "above the upper horizon, below the lower one, or hidden between"}};
@@ -66,14 +66,14 @@ template <>
 inline constexpr KindText kind_text<HorizonMove>{"horizon_move", "a horizon takes a new value"};
 template <>
 inline constexpr auto fields_of<HorizonMove> =
-    std::tuple{Field{"x", &HorizonMove::x, "px", "the column"},
+    Fields{Field{"x", &HorizonMove::x, "px", "the column"},
                Field{"upper", &HorizonMove::upper, "1", "it is the upper horizon"},
                Field{"y_curve", &HorizonMove::y_curve, "px", "its row from here on"}};
 
 template <>
 inline constexpr KindText kind_text<HorizonCross>{"horizon_cross", "the curve crosses a horizon between two columns"};
 template <>
-inline constexpr auto fields_of<HorizonCross> = std::tuple{
+inline constexpr auto fields_of<HorizonCross> = Fields{
     Field{"upper", &HorizonCross::upper, "1", "it is the upper horizon"},
     Field{"x_at", &HorizonCross::x_at, "px", "x of the crossing"}, Field{"y_at", &HorizonCross::y_at, "px", "its row"}};
 
@@ -81,7 +81,7 @@ template <>
 inline constexpr KindText kind_text<LineBegin>{"line_begin", "work on an edge of the mesh begins"};
 template <>
 inline constexpr auto fields_of<LineBegin> =
-    std::tuple{Field{"line", &LineBegin::line, "index", "the edge", Guess::next},
+    Fields{Field{"line", &LineBegin::line, "index", "the edge", Guess::next},
                Field{"vertex_0", &LineBegin::vertex_0, "index", "its one end"},
                Field{"vertex_1", &LineBegin::vertex_1, "index", "its other end"},
                Field{"left_facet", &LineBegin::left_facet, "index", "the facet on its left, -1 if none"},
@@ -92,7 +92,7 @@ inline constexpr auto fields_of<LineBegin> =
 template <>
 inline constexpr KindText kind_text<LineAgainst>{"line_against", "an edge is held against a face that may cover it"};
 template <>
-inline constexpr auto fields_of<LineAgainst> = std::tuple{
+inline constexpr auto fields_of<LineAgainst> = Fields{
     Field{"line", &LineAgainst::line, "index", "the edge"}, Field{"facet", &LineAgainst::facet, "index", "the face"},
     Field{"outcome", &LineAgainst::outcome, "1",
           "extents apart, its own face, in front of the face, behind it but beside, or covered in part"}};
@@ -102,7 +102,7 @@ inline constexpr KindText kind_text<LineCross>{
     "line_cross", "an edge crosses an edge of a face on the picture, or the face's plane in space"};
 template <>
 inline constexpr auto fields_of<LineCross> =
-    std::tuple{Field{"line", &LineCross::line, "index", "the edge"},
+    Fields{Field{"line", &LineCross::line, "index", "the edge"},
                Field{"facet", &LineCross::facet, "index", "the face"},
                Field{"t", &LineCross::t, "1", "where on the edge, 0 to 1"},
                Field{"x_at", &LineCross::x_at, "px", "there"},
@@ -112,7 +112,7 @@ inline constexpr auto fields_of<LineCross> =
 template <>
 inline constexpr KindText kind_text<LineHide>{"line_hide", "a stretch of an edge is hidden by a face"};
 template <>
-inline constexpr auto fields_of<LineHide> = std::tuple{
+inline constexpr auto fields_of<LineHide> = Fields{
     Field{"line", &LineHide::line, "index", "the edge"}, Field{"facet", &LineHide::facet, "index", "the face"},
     Field{"t_0", &LineHide::t_0, "1", "from"}, Field{"t_1", &LineHide::t_1, "1", "to"}};
 
@@ -120,7 +120,7 @@ template <>
 inline constexpr KindText kind_text<LinePiece>{"line_piece", "a piece of an edge, visible or hidden"};
 template <>
 inline constexpr auto fields_of<LinePiece> =
-    std::tuple{Field{"line", &LinePiece::line, "index", "the edge"}, Field{"t_0", &LinePiece::t_0, "1", "from"},
+    Fields{Field{"line", &LinePiece::line, "index", "the edge"}, Field{"t_0", &LinePiece::t_0, "1", "from"},
                Field{"t_1", &LinePiece::t_1, "1", "to"}, Field{"visible", &LinePiece::visible, "1", "it is seen"}};
 
 }  // namespace zstep

@@ -1,12 +1,13 @@
 // A described field: what an event's member is called, measured in, and how well it can be guessed.
 //
-// Every event in vocabulary.hpp lists its fields once, as a tuple of Field. The binary codec, JSONL in and out and the
+// Every event in vocabulary.hpp lists its fields once, as Fields. The binary codec, JSONL in and out and the
 // documentation table are all generated from that list; nothing else in zstep repeats it.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
-#include <tuple>
+#include <type_traits>
+#include <utility>
 
 namespace zstep {
 
@@ -33,6 +34,27 @@ struct Field {
       : name(name_), member(member_), unit(unit_), meaning(meaning_), guess(guess_) {}
 };
 
+/// Several fields of an event, one after another: what a std::tuple is, in a form that a compiler reads in no time.
+namespace detail {
+template <std::size_t place, class Field>
+struct PlacedField {
+  Field field;
+};
+template <class Places, class... Field>
+struct FieldsAt;
+template <std::size_t... place, class... Field>
+struct FieldsAt<std::index_sequence<place...>, Field...> : PlacedField<place, Field>... {};
+}  // namespace detail
+template <class... Field>
+struct Fields : detail::FieldsAt<std::index_sequence_for<Field...>, Field...> {
+  static constexpr std::size_t count = sizeof...(Field);
+  constexpr explicit Fields(Field... field) : detail::FieldsAt<std::index_sequence_for<Field...>, Field...>{{field}...} {}
+};
+template <std::size_t place, class Field>
+constexpr const Field& field_in(const detail::PlacedField<place, Field>& placed) {
+  return placed.field;
+}
+
 /// The fields of an event, in file order. Specialised in vocabulary.hpp for every event.
 template <class Event>
 inline constexpr auto fields_of = nullptr;
@@ -49,9 +71,13 @@ inline constexpr KindText kind_text{};
 template <class Enumeration>
 inline constexpr auto words_of = nullptr;
 
+template <class Event>
+inline constexpr std::size_t field_count = std::remove_const_t<decltype(fields_of<Event>)>::count;
+
 template <class Event, class Function>
 constexpr void for_each_field(Function&& function) {
-  std::apply([&](const auto&... field) { (function(field), ...); }, fields_of<Event>);
+  [&]<std::size_t... place>(std::index_sequence<place...>) { (function(field_in<place>(fields_of<Event>)), ...); }
+  (std::make_index_sequence<field_count<Event>>{});
 }
 
 }  // namespace zstep

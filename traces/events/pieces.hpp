@@ -49,13 +49,13 @@ inline constexpr KindText kind_text<TablesBegin>{
     "tables_begin", "edges, vertices and pieces of all polygons are kept from here on, until the run ends"};
 template <>
 inline constexpr auto fields_of<TablesBegin> =
-    std::tuple{Field{"polygons", &TablesBegin::polygons, "1", "how many polygons the scene has"}};
+    Fields{Field{"polygons", &TablesBegin::polygons, "1", "how many polygons the scene has"}};
 
 template <>
 inline constexpr KindText kind_text<PieceMake>{"piece_make", "the outline so far becomes a piece"};
 template <>
 inline constexpr auto fields_of<PieceMake> =
-    std::tuple{Field{"piece", &PieceMake::piece, "index", "the piece, numbered in the order in which pieces are made",
+    Fields{Field{"piece", &PieceMake::piece, "index", "the piece, numbered in the order in which pieces are made",
                      Guess::next},
                Field{"polygon", &PieceMake::polygon, "index", "the polygon it is a piece of"},
                Field{"parent", &PieceMake::parent, "index", "the piece it was cut from, -1 if it is whole"}};
@@ -63,7 +63,7 @@ inline constexpr auto fields_of<PieceMake> =
 template <>
 inline constexpr KindText kind_text<PlaneEquation>{"plane_equation", "the plane of a piece: A x + B y + C z + D = 0"};
 template <>
-inline constexpr auto fields_of<PlaneEquation> = std::tuple{
+inline constexpr auto fields_of<PlaneEquation> = Fields{
     Field{"piece", &PlaneEquation::piece, "index", "the piece"}, Field{"plane_a", &PlaneEquation::plane_a, "1", "A"},
     Field{"plane_b", &PlaneEquation::plane_b, "1", "B"}, Field{"plane_c", &PlaneEquation::plane_c, "1", "C"},
     Field{"plane_d", &PlaneEquation::plane_d, "1", "D"}};
@@ -71,7 +71,7 @@ inline constexpr auto fields_of<PlaneEquation> = std::tuple{
 template <>
 inline constexpr KindText kind_text<Extent>{"extent", "the bounding box of a piece"};
 template <>
-inline constexpr auto fields_of<Extent> = std::tuple{Field{"piece", &Extent::piece, "index", "the piece"},
+inline constexpr auto fields_of<Extent> = Fields{Field{"piece", &Extent::piece, "index", "the piece"},
                                                      Field{"x_min", &Extent::x_min, "px", "its least x"},
                                                      Field{"x_max", &Extent::x_max, "px", "its greatest x"},
                                                      Field{"y_min", &Extent::y_min, "px", "its least y"},
@@ -83,7 +83,7 @@ template <>
 inline constexpr KindText kind_text<PlaneDepth>{
     "plane_depth", "the depth of a piece's plane at a point of the raster: z = -(A x + B y + D)/C"};
 template <>
-inline constexpr auto fields_of<PlaneDepth> = std::tuple{
+inline constexpr auto fields_of<PlaneDepth> = Fields{
     Field{"piece", &PlaneDepth::piece, "index", "the piece"}, Field{"x_at", &PlaneDepth::x_at, "px", "x of the point"},
     Field{"y_at", &PlaneDepth::y_at, "px", "y of the point"}, Field{"z", &PlaneDepth::z, "depth", "the depth there"}};
 
@@ -91,7 +91,7 @@ template <>
 inline constexpr KindText kind_text<VertexSide>{"vertex_side", "a vertex is held against the plane of a piece"};
 template <>
 inline constexpr auto fields_of<VertexSide> =
-    std::tuple{Field{"vertex", &VertexSide::vertex, "index", "the vertex"},
+    Fields{Field{"vertex", &VertexSide::vertex, "index", "the vertex"},
                Field{"plane_of", &VertexSide::plane_of, "index", "the piece whose plane it is"},
                Field{"value", &VertexSide::value, "1", "A x + B y + C z + D at the vertex"},
                Field{"side", &VertexSide::side, "1", "where it lies"}};
@@ -100,7 +100,7 @@ template <>
 inline constexpr KindText kind_text<SideTest>{"side_test", "a piece is held against the plane of another"};
 template <>
 inline constexpr auto fields_of<SideTest> =
-    std::tuple{Field{"piece", &SideTest::piece, "index", "the piece"},
+    Fields{Field{"piece", &SideTest::piece, "index", "the piece"},
                Field{"plane_of", &SideTest::plane_of, "index", "the piece whose plane it is"},
                Field{"least", &SideTest::least, "1", "the least of A x + B y + C z + D over its vertices"},
                Field{"greatest", &SideTest::greatest, "1", "the greatest"},
@@ -111,7 +111,7 @@ inline constexpr KindText kind_text<ExtentTest>{"extent_test",
                                                 "the extents of two pieces along an axis: do they overlap?"};
 template <>
 inline constexpr auto fields_of<ExtentTest> =
-    std::tuple{Field{"piece", &ExtentTest::piece, "index", "the one"},
+    Fields{Field{"piece", &ExtentTest::piece, "index", "the one"},
                Field{"other", &ExtentTest::other, "index", "the other"},
                Field{"axis", &ExtentTest::axis, "1", "the axis"},
                Field{"low", &ExtentTest::low, "1", "least coordinate of the one"},
@@ -123,7 +123,7 @@ inline constexpr auto fields_of<ExtentTest> =
 template <>
 inline constexpr KindText kind_text<OverlapTest>{"overlap_test", "the projections of two pieces: do they overlap?"};
 template <>
-inline constexpr auto fields_of<OverlapTest> = std::tuple{
+inline constexpr auto fields_of<OverlapTest> = Fields{
     Field{"piece", &OverlapTest::piece, "index", "the one"}, Field{"other", &OverlapTest::other, "index", "the other"},
     Field{"overlap", &OverlapTest::overlap, "1", "they overlap"},
     Field{"x_at", &OverlapTest::x_at, "px", "a point inside both; NaN without overlap"},
@@ -134,7 +134,7 @@ inline constexpr KindText kind_text<SplitVertex>{"split_vertex",
                                                  "an edge of a piece crosses a plane and gets a new vertex"};
 template <>
 inline constexpr auto fields_of<SplitVertex> =
-    std::tuple{Field{"vertex_0", &SplitVertex::vertex_0, "index", "one end of the edge"},
+    Fields{Field{"vertex_0", &SplitVertex::vertex_0, "index", "one end of the edge"},
                Field{"vertex_1", &SplitVertex::vertex_1, "index", "the other"},
                Field{"t", &SplitVertex::t, "1", "d_0/(d_0 - d_1), from the first end"},
                Field{"vertex", &SplitVertex::vertex, "index", "the new vertex", Guess::next},
@@ -147,14 +147,14 @@ template <>
 inline constexpr KindText kind_text<PieceDraw>{"piece_draw", "a piece is drawn"};
 template <>
 inline constexpr auto fields_of<PieceDraw> =
-    std::tuple{Field{"piece", &PieceDraw::piece, "index", "the piece"},
+    Fields{Field{"piece", &PieceDraw::piece, "index", "the piece"},
                Field{"polygon", &PieceDraw::polygon, "index", "the polygon it is a piece of"}};
 
 template <>
 inline constexpr KindText kind_text<Saved>{"saved", "tests that coherence, an extent or the order of drawing made needless"};
 template <>
 inline constexpr auto fields_of<Saved> =
-    std::tuple{Field{"coherence", &Saved::coherence, "1", "thanks to which coherence; or to extents, or to the order of drawing"},
+    Fields{Field{"coherence", &Saved::coherence, "1", "thanks to which coherence; or to extents, or to the order of drawing"},
                Field{"tests", &Saved::tests, "1", "how many tests were not made"}};
 
 }  // namespace zstep

@@ -24,12 +24,12 @@ inline constexpr KindText kind_text<BuffersClear>{"buffers_clear",
                                                   "the frame becomes background, every depth becomes z"};
 template <>
 inline constexpr auto fields_of<BuffersClear> =
-    std::tuple{Field{"z", &BuffersClear::z, "depth", "the depth that means nothing was drawn"}};
+    Fields{Field{"z", &BuffersClear::z, "depth", "the depth that means nothing was drawn"}};
 
 template <>
 inline constexpr KindText kind_text<DepthInterpolate>{"depth_interpolate", "the polygon's depth at a pixel"};
 template <>
-inline constexpr auto fields_of<DepthInterpolate> = std::tuple{
+inline constexpr auto fields_of<DepthInterpolate> = Fields{
     Field{"x", &DepthInterpolate::x, "px", "column", Guess::next}, Field{"y", &DepthInterpolate::y, "px", "row"},
     Field{"z", &DepthInterpolate::z, "depth", "depth of the polygon at the pixel's centre", Guess::formula}};
 
@@ -37,7 +37,7 @@ template <>
 inline constexpr KindText kind_text<DepthCompare>{"depth_compare", "a new depth is held against the stored one"};
 template <>
 inline constexpr auto fields_of<DepthCompare> =
-    std::tuple{Field{"x", &DepthCompare::x, "px", "column"}, Field{"y", &DepthCompare::y, "px", "row"},
+    Fields{Field{"x", &DepthCompare::x, "px", "column"}, Field{"y", &DepthCompare::y, "px", "row"},
                Field{"z", &DepthCompare::z, "depth", "the new depth"},
                Field{"nearer", &DepthCompare::nearer, "1", "it is strictly smaller than the stored one"}};
 
@@ -45,14 +45,14 @@ template <>
 inline constexpr KindText kind_text<DepthWrite>{"depth_write", "the depth buffer takes a depth"};
 template <>
 inline constexpr auto fields_of<DepthWrite> =
-    std::tuple{Field{"x", &DepthWrite::x, "px", "column"}, Field{"y", &DepthWrite::y, "px", "row"},
+    Fields{Field{"x", &DepthWrite::x, "px", "column"}, Field{"y", &DepthWrite::y, "px", "row"},
                Field{"z", &DepthWrite::z, "depth", "the depth stored"}};
 
 template <>
 inline constexpr KindText kind_text<PixelWrite>{"pixel_write", "the framebuffer takes a polygon's colour"};
 template <>
 inline constexpr auto fields_of<PixelWrite> =
-    std::tuple{Field{"x", &PixelWrite::x, "px", "column"}, Field{"y", &PixelWrite::y, "px", "row"},
+    Fields{Field{"x", &PixelWrite::x, "px", "column"}, Field{"y", &PixelWrite::y, "px", "row"},
                Field{"polygon", &PixelWrite::polygon, "index", "the polygon whose colour is stored"}};
 
 // --- Without a compare, in colours of their own, in two passes
@@ -78,7 +78,7 @@ inline constexpr KindText kind_text<PixelPaint>{"pixel_paint",
                                                 "kept beside it, so that methods can be compared"};
 template <>
 inline constexpr auto fields_of<PixelPaint> =
-    std::tuple{Field{"x", &PixelPaint::x, "px", "column", Guess::next}, Field{"y", &PixelPaint::y, "px", "row"},
+    Fields{Field{"x", &PixelPaint::x, "px", "column", Guess::next}, Field{"y", &PixelPaint::y, "px", "row"},
                Field{"z", &PixelPaint::z, "depth", "depth of the polygon at the pixel's centre", Guess::formula},
                Field{"polygon", &PixelPaint::polygon, "index", "the polygon whose colour is stored"}};
 
@@ -86,7 +86,7 @@ template <>
 inline constexpr KindText kind_text<ColorWrite>{"color_write", "the frame takes a colour that is not a polygon's own"};
 template <>
 inline constexpr auto fields_of<ColorWrite> =
-    std::tuple{Field{"x", &ColorWrite::x, "px", "column"}, Field{"y", &ColorWrite::y, "px", "row"},
+    Fields{Field{"x", &ColorWrite::x, "px", "column"}, Field{"y", &ColorWrite::y, "px", "row"},
                Field{"r8", &ColorWrite::r8, "1", "red, 0 to 255"}, Field{"g8", &ColorWrite::g8, "1", "green"},
                Field{"b8", &ColorWrite::b8, "1", "blue"}};
 
@@ -96,7 +96,7 @@ inline constexpr KindText kind_text<ColorBlend>{
     "a polygon's colour is laid over the frame's: opacity * its colour + (1 - opacity) * what was there"};
 template <>
 inline constexpr auto fields_of<ColorBlend> =
-    std::tuple{Field{"x", &ColorBlend::x, "px", "column"},
+    Fields{Field{"x", &ColorBlend::x, "px", "column"},
                Field{"y", &ColorBlend::y, "px", "row"},
                Field{"polygon", &ColorBlend::polygon, "index", "the polygon"},
                Field{"opacity", &ColorBlend::opacity, "1", "0 to 1"},
@@ -108,14 +108,14 @@ template <>
 inline constexpr KindText kind_text<PassBegin>{
     "pass_begin", "the scene is drawn as the eye or as the light sees it; the buffers are that one's from here on"};
 template <>
-inline constexpr auto fields_of<PassBegin> = std::tuple{Field{"pass", &PassBegin::pass, "1", "whose"}};
+inline constexpr auto fields_of<PassBegin> = Fields{Field{"pass", &PassBegin::pass, "1", "whose"}};
 
 template <>
 inline constexpr KindText kind_text<ShadowCompare>{"shadow_compare",
                                                    "a point that the eye sees is held against the shadow buffer"};
 template <>
 inline constexpr auto fields_of<ShadowCompare> =
-    std::tuple{Field{"x", &ShadowCompare::x, "px", "column of the eye's picture"},
+    Fields{Field{"x", &ShadowCompare::x, "px", "column of the eye's picture"},
                Field{"y", &ShadowCompare::y, "px", "its row"},
                Field{"x_light", &ShadowCompare::x_light, "px", "column in the light's picture, not rounded"},
                Field{"y_light", &ShadowCompare::y_light, "px", "row there"},

@@ -36,14 +36,14 @@ template <>
 inline constexpr KindText kind_text<PolygonBegin>{"polygon_begin", "work on a polygon begins"};
 template <>
 inline constexpr auto fields_of<PolygonBegin> =
-    std::tuple{Field{"polygon", &PolygonBegin::polygon, "index", "the polygon, in file order", Guess::told},
+    Fields{Field{"polygon", &PolygonBegin::polygon, "index", "the polygon, in file order", Guess::told},
                Field{"facet", &PolygonBegin::facet, "index", "the planar piece of it", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<FacingTest>{"facing_test",
                                                 "the back-face test, in the four formulations of the notes"};
 template <>
-inline constexpr auto fields_of<FacingTest> = std::tuple{
+inline constexpr auto fields_of<FacingTest> = Fields{
     Field{"determinant", &FacingTest::determinant, "view^3",
           "V0 . (V1 x V2) summed over the fan, in viewing coordinates; negative faces away", Guess::formula},
     Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3", "A x + B y + C z + D at the eye; negative faces away", Guess::formula},
@@ -57,21 +57,21 @@ inline constexpr KindText kind_text<PolygonReject>{"polygon_reject",
                                                    "a polygon is dropped before it reaches the raster"};
 template <>
 inline constexpr auto fields_of<PolygonReject> =
-    std::tuple{Field{"polygon", &PolygonReject::polygon, "index", "the polygon"},
+    Fields{Field{"polygon", &PolygonReject::polygon, "index", "the polygon"},
                Field{"reason", &PolygonReject::reason, "1", "why", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<ClipTest>{"clip_test", "the outcodes of a polygon's vertices, or-ed and and-ed"};
 template <>
 inline constexpr auto fields_of<ClipTest> =
-    std::tuple{Field{"outside_some", &ClipTest::outside_some, "bits",
+    Fields{Field{"outside_some", &ClipTest::outside_some, "bits",
                      "bit k: some vertex is outside plane k (near, far, left, right, bottom, top)", Guess::formula},
                Field{"outside_all", &ClipTest::outside_all, "bits", "bit k: all vertices are outside plane k", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ClipVertex>{"clip_vertex", "a vertex is held against one plane of the view volume"};
 template <>
-inline constexpr auto fields_of<ClipVertex> = std::tuple{
+inline constexpr auto fields_of<ClipVertex> = Fields{
     Field{"plane", &ClipVertex::plane, "1", "the plane"}, Field{"vertex", &ClipVertex::vertex, "index", "the vertex"},
     Field{"distance", &ClipVertex::distance, "clip",
           "z_v - near, far - z_v, w_c + x_c and so on; not negative is inside"},
@@ -82,7 +82,7 @@ inline constexpr KindText kind_text<ClipCross>{"clip_cross",
                                                "an edge crosses a plane of the view volume and gets a new vertex"};
 template <>
 inline constexpr auto fields_of<ClipCross> =
-    std::tuple{Field{"plane", &ClipCross::plane, "1", "the plane"},
+    Fields{Field{"plane", &ClipCross::plane, "1", "the plane"},
                Field{"vertex_inside", &ClipCross::vertex_inside, "index", "the end that is kept"},
                Field{"vertex_outside", &ClipCross::vertex_outside, "index", "the end that is cut off"},
                Field{"t", &ClipCross::t, "1", "d_in / (d_in - d_out), from the kept end"},
@@ -96,6 +96,6 @@ inline constexpr KindText kind_text<OutlineVertex>{"outline_vertex",
                                                    "a vertex of the polygon as it is drawn, after clipping"};
 template <>
 inline constexpr auto fields_of<OutlineVertex> =
-    std::tuple{Field{"vertex", &OutlineVertex::vertex, "index", "the vertex", Guess::told}};
+    Fields{Field{"vertex", &OutlineVertex::vertex, "index", "the vertex", Guess::told}};
 
 }  // namespace zstep

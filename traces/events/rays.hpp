@@ -33,7 +33,7 @@ struct RayEnd { std::int32_t ray, nearest_facet; double t; std::int32_t tests; d
 template <>
 inline constexpr KindText kind_text<BoxMake>{"box_make", "a box of a hierarchy of boxes, or the box of one facet"};
 template <>
-inline constexpr auto fields_of<BoxMake> = std::tuple{
+inline constexpr auto fields_of<BoxMake> = Fields{
     Field{"box", &BoxMake::box, "index", "the box, numbered in the order in which boxes are made", Guess::next},
     Field{"parent", &BoxMake::parent, "index", "the box around it, -1 if there is none"},
     Field{"x_min", &BoxMake::x_min, "world", "its least x"},
@@ -47,12 +47,12 @@ template <>
 inline constexpr KindText kind_text<BoxHold>{"box_hold", "a facet is in a box, and in no box inside it"};
 template <>
 inline constexpr auto fields_of<BoxHold> =
-    std::tuple{Field{"box", &BoxHold::box, "index", "the box"}, Field{"facet", &BoxHold::facet, "index", "the facet"}};
+    Fields{Field{"box", &BoxHold::box, "index", "the box"}, Field{"facet", &BoxHold::facet, "index", "the facet"}};
 
 template <>
 inline constexpr KindText kind_text<GridMake>{"grid_make", "space is divided into equal cells"};
 template <>
-inline constexpr auto fields_of<GridMake> = std::tuple{Field{"cells_x", &GridMake::cells_x, "1", "cells along x"},
+inline constexpr auto fields_of<GridMake> = Fields{Field{"cells_x", &GridMake::cells_x, "1", "cells along x"},
                                                        Field{"cells_y", &GridMake::cells_y, "1", "cells along y"},
                                                        Field{"cells_z", &GridMake::cells_z, "1", "cells along z"},
                                                        Field{"x_min", &GridMake::x_min, "world", "least x"},
@@ -65,7 +65,7 @@ inline constexpr auto fields_of<GridMake> = std::tuple{Field{"cells_x", &GridMak
 template <>
 inline constexpr KindText kind_text<CellHold>{"cell_hold", "a facet meets a cell"};
 template <>
-inline constexpr auto fields_of<CellHold> = std::tuple{Field{"cell_x", &CellHold::cell_x, "index", "the cell along x"},
+inline constexpr auto fields_of<CellHold> = Fields{Field{"cell_x", &CellHold::cell_x, "index", "the cell along x"},
                                                        Field{"cell_y", &CellHold::cell_y, "index", "along y"},
                                                        Field{"cell_z", &CellHold::cell_z, "index", "along z"},
                                                        Field{"facet", &CellHold::facet, "index", "the facet"}};
@@ -74,7 +74,7 @@ template <>
 inline constexpr KindText kind_text<RayBegin>{"ray_begin", "a ray is cast: X = X_0 + t dX"};
 template <>
 inline constexpr auto fields_of<RayBegin> =
-    std::tuple{Field{"ray", &RayBegin::ray, "index", "the ray, numbered in the order of work", Guess::next},
+    Fields{Field{"ray", &RayBegin::ray, "index", "the ray, numbered in the order of work", Guess::next},
                Field{"parent", &RayBegin::parent, "index", "the ray it comes from, -1 for a ray from the eye"},
                Field{"role", &RayBegin::role, "1", "why it is cast"},
                Field{"x", &RayBegin::x, "px", "column of the pixel it is cast for", Guess::next},
@@ -89,7 +89,7 @@ inline constexpr auto fields_of<RayBegin> =
 template <>
 inline constexpr KindText kind_text<CellVisit>{"cell_visit", "the ray enters a cell"};
 template <>
-inline constexpr auto fields_of<CellVisit> = std::tuple{
+inline constexpr auto fields_of<CellVisit> = Fields{
     Field{"cell_x", &CellVisit::cell_x, "index", "the cell along x"},
     Field{"cell_y", &CellVisit::cell_y, "index", "along y"}, Field{"cell_z", &CellVisit::cell_z, "index", "along z"},
     Field{"t_enter", &CellVisit::t_enter, "1", "t where it enters"},
@@ -99,7 +99,7 @@ template <>
 inline constexpr KindText kind_text<BoxTest>{"box_test", "the ray is held against a box"};
 template <>
 inline constexpr auto fields_of<BoxTest> =
-    std::tuple{Field{"box", &BoxTest::box, "index", "the box"},
+    Fields{Field{"box", &BoxTest::box, "index", "the box"},
                Field{"t_enter", &BoxTest::t_enter, "1", "t where it enters the slabs"},
                Field{"t_leave", &BoxTest::t_leave, "1", "t where it leaves them"},
                Field{"hit", &BoxTest::hit, "1", "there is something to be found inside"}};
@@ -109,7 +109,7 @@ inline constexpr KindText kind_text<RayPlane>{
     "ray_plane", "the ray meets the plane of a facet: t = -(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ)"};
 template <>
 inline constexpr auto fields_of<RayPlane> =
-    std::tuple{Field{"facet", &RayPlane::facet, "index", "the facet", Guess::next},
+    Fields{Field{"facet", &RayPlane::facet, "index", "the facet", Guess::next},
                Field{"numerator", &RayPlane::numerator, "1", "-(A X_0 + B Y_0 + C Z_0 + D)"},
                Field{"denominator", &RayPlane::denominator, "1", "A dX + B dY + C dZ"},
                Field{"t", &RayPlane::t, "1", "t; NaN when the ray runs along the plane"}};
@@ -119,7 +119,7 @@ inline constexpr KindText kind_text<RayHit>{
     "ray_hit", "the point where the ray meets a plane is held against the facet's outline"};
 template <>
 inline constexpr auto fields_of<RayHit> =
-    std::tuple{Field{"facet", &RayHit::facet, "index", "the facet"},
+    Fields{Field{"facet", &RayHit::facet, "index", "the facet"},
                Field{"t", &RayHit::t, "1", "t"},
                Field{"x_hit", &RayHit::x_hit, "world", "the point"},
                Field{"y_hit", &RayHit::y_hit, "world", "the point"},
@@ -131,7 +131,7 @@ template <>
 inline constexpr KindText kind_text<RayEnd>{"ray_end", "all that the ray can meet has been tested"};
 template <>
 inline constexpr auto fields_of<RayEnd> =
-    std::tuple{Field{"ray", &RayEnd::ray, "index", "the ray"},
+    Fields{Field{"ray", &RayEnd::ray, "index", "the ray"},
                Field{"nearest_facet", &RayEnd::nearest_facet, "index", "the facet it meets first, -1 if none"},
                Field{"t", &RayEnd::t, "1", "t there"},
                Field{"tests", &RayEnd::tests, "1", "facets it was tested against"},

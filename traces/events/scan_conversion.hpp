@@ -38,7 +38,7 @@ inline constexpr KindText kind_text<EdgeTableInsert>{"edge_table_insert",
                                                      "an edge goes into the bucket of its first scan line"};
 template <>
 inline constexpr auto fields_of<EdgeTableInsert> =
-    std::tuple{Field{"edge", &EdgeTableInsert::edge, "index", "the edge, numbered in order of insertion", Guess::told},
+    Fields{Field{"edge", &EdgeTableInsert::edge, "index", "the edge, numbered in order of insertion", Guess::told},
                Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds", Guess::told},
                Field{"vertex_0", &EdgeTableInsert::vertex_0, "index", "its end with the smaller y", Guess::told},
                Field{"vertex_1", &EdgeTableInsert::vertex_1, "index", "its end with the larger y", Guess::told},
@@ -54,7 +54,7 @@ inline constexpr KindText kind_text<EdgeTableSkip>{"edge_table_skip",
                                                    "an edge meets no scan line and stays out of the table"};
 template <>
 inline constexpr auto fields_of<EdgeTableSkip> =
-    std::tuple{Field{"vertex_0", &EdgeTableSkip::vertex_0, "index", "one end", Guess::told},
+    Fields{Field{"vertex_0", &EdgeTableSkip::vertex_0, "index", "one end", Guess::told},
                Field{"vertex_1", &EdgeTableSkip::vertex_1, "index", "the other end", Guess::told},
                Field{"why", &EdgeTableSkip::why, "1", "horizontal, or too short to meet a scan line", Guess::formula}};
 
@@ -62,25 +62,25 @@ template <>
 inline constexpr KindText kind_text<ScanLineBegin>{"scan_line_begin", "work on a scan line begins"};
 template <>
 inline constexpr auto fields_of<ScanLineBegin> =
-    std::tuple{Field{"y", &ScanLineBegin::y, "row", "the scan line", Guess::told}};
+    Fields{Field{"y", &ScanLineBegin::y, "row", "the scan line", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<EdgeEnter>{"edge_enter",
                                                "an edge moves from the edge table to the active edge list"};
 template <>
 inline constexpr auto fields_of<EdgeEnter> =
-    std::tuple{Field{"edge", &EdgeEnter::edge, "index", "the edge", Guess::told},
+    Fields{Field{"edge", &EdgeEnter::edge, "index", "the edge", Guess::told},
                Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<EdgeRetire>{"edge_retire", "an edge that ends leaves the active edge list"};
 template <>
-inline constexpr auto fields_of<EdgeRetire> = std::tuple{Field{"edge", &EdgeRetire::edge, "index", "the edge", Guess::told}};
+inline constexpr auto fields_of<EdgeRetire> = Fields{Field{"edge", &EdgeRetire::edge, "index", "the edge", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<EdgeStep>{"edge_step", "an active edge moves to the next scan line"};
 template <>
-inline constexpr auto fields_of<EdgeStep> = std::tuple{Field{"edge", &EdgeStep::edge, "index", "the edge", Guess::told},
+inline constexpr auto fields_of<EdgeStep> = Fields{Field{"edge", &EdgeStep::edge, "index", "the edge", Guess::told},
                                                        Field{"x_edge", &EdgeStep::x_edge, "px", "its x there", Guess::formula},
                                                        Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there", Guess::formula}};
 
@@ -88,13 +88,13 @@ template <>
 inline constexpr KindText kind_text<EdgeSwap>{"edge_swap", "two neighbours in the active edge list change places"};
 template <>
 inline constexpr auto fields_of<EdgeSwap> =
-    std::tuple{Field{"place", &EdgeSwap::place, "index", "the left one of the two places"}};
+    Fields{Field{"place", &EdgeSwap::place, "index", "the left one of the two places"}};
 
 template <>
 inline constexpr KindText kind_text<SpanBegin>{"span_begin", "the pixels between two active edges"};
 template <>
 inline constexpr auto fields_of<SpanBegin> =
-    std::tuple{Field{"left_edge", &SpanBegin::left_edge, "index", "the edge on the left", Guess::told},
+    Fields{Field{"left_edge", &SpanBegin::left_edge, "index", "the edge on the left", Guess::told},
                Field{"right_edge", &SpanBegin::right_edge, "index", "the edge on the right", Guess::told},
                Field{"y", &SpanBegin::y, "row", "the scan line"},
                Field{"first", &SpanBegin::first, "px", "the first pixel", Guess::formula},

@@ -16,7 +16,7 @@ namespace detail {
 
 constexpr std::size_t count_fields() {
   std::size_t count = 0;
-  for_each_kind([&]<class E>() { count += std::tuple_size_v<std::remove_const_t<decltype(fields_of<E>)>>; });
+  for_each_kind([&]<class E>() { count += field_count<E>; });
   return count;
 }
 
@@ -76,12 +76,9 @@ inline constexpr std::size_t slot_at = detail::slots.of_field[detail::slots.firs
 /// The name of a register.
 constexpr std::string_view slot_name(std::size_t slot) { return detail::slots.name[slot]; }
 
-template <class E>
-inline constexpr std::size_t field_count = std::tuple_size_v<std::remove_const_t<decltype(fields_of<E>)>>;
-
 /// The I-th field of an event, as a constant.
 template <class E, std::size_t I>
-inline constexpr auto field_at = std::get<I>(fields_of<E>);
+inline constexpr auto field_at = field_in<I>(fields_of<E>);
 
 template <class E, std::size_t I>
 using FieldValue = typename std::remove_const_t<decltype(field_at<E, I>)>::value_type;

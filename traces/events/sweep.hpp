@@ -23,7 +23,7 @@ inline constexpr KindText kind_text<FlagFlip>{"flag_flip",
                                               "the sweep crosses an edge and its polygon's in/out flag flips"};
 template <>
 inline constexpr auto fields_of<FlagFlip> =
-    std::tuple{Field{"edge", &FlagFlip::edge, "index", "the edge"},
+    Fields{Field{"edge", &FlagFlip::edge, "index", "the edge"},
                Field{"piece", &FlagFlip::piece, "index", "the row of the polygon table"},
                Field{"inside", &FlagFlip::inside, "1", "the flag from here on"}};
 
@@ -32,7 +32,7 @@ inline constexpr KindText kind_text<SpanFlags>{
     "span_flags", "a stretch of the scan line between two crossings, and how many flags are true on it"};
 template <>
 inline constexpr auto fields_of<SpanFlags> =
-    std::tuple{Field{"y", &SpanFlags::y, "row", "the scan line"},
+    Fields{Field{"y", &SpanFlags::y, "row", "the scan line"},
                Field{"x_left", &SpanFlags::x_left, "px", "where it begins"},
                Field{"x_right", &SpanFlags::x_right, "px", "where it ends"},
                Field{"first", &SpanFlags::first, "px", "its first pixel"},
@@ -43,7 +43,7 @@ template <>
 inline constexpr KindText kind_text<ImpliedEdge>{
     "implied_edge", "two polygons penetrate each other: where their planes meet on this scan line"};
 template <>
-inline constexpr auto fields_of<ImpliedEdge> = std::tuple{
+inline constexpr auto fields_of<ImpliedEdge> = Fields{
     Field{"piece", &ImpliedEdge::piece, "index", "the one"}, Field{"other", &ImpliedEdge::other, "index", "the other"},
     Field{"x_at", &ImpliedEdge::x_at, "px", "where the depths are equal"},
     Field{"z", &ImpliedEdge::z, "depth", "the depth there"}};
@@ -52,7 +52,7 @@ template <>
 inline constexpr KindText kind_text<SpanWinner>{"span_winner", "the polygon that is seen on a stretch"};
 template <>
 inline constexpr auto fields_of<SpanWinner> =
-    std::tuple{Field{"piece", &SpanWinner::piece, "index", "its row of the polygon table"},
+    Fields{Field{"piece", &SpanWinner::piece, "index", "its row of the polygon table"},
                Field{"first", &SpanWinner::first, "px", "the first pixel"},
                Field{"last", &SpanWinner::last, "px", "the last pixel"}};
 
@@ -60,7 +60,7 @@ template <>
 inline constexpr KindText kind_text<CoverageAdd>{"coverage_add", "the part of a pixel's area that a polygon covers"};
 template <>
 inline constexpr auto fields_of<CoverageAdd> =
-    std::tuple{Field{"x", &CoverageAdd::x, "px", "column"}, Field{"y", &CoverageAdd::y, "px", "row"},
+    Fields{Field{"x", &CoverageAdd::x, "px", "column"}, Field{"y", &CoverageAdd::y, "px", "row"},
                Field{"owner", &CoverageAdd::owner, "index", "the polygon; -1 is the background"},
                Field{"coverage", &CoverageAdd::coverage, "1", "share of the pixel, 0 to 1"}};
 

@@ -19,7 +19,7 @@ template <>
 inline constexpr KindText kind_text<ViewTransform>{"view_transform", "a vertex goes from world to viewing coordinates"};
 template <>
 inline constexpr auto fields_of<ViewTransform> =
-    std::tuple{Field{"vertex", &ViewTransform::vertex, "index", "the vertex", Guess::next},
+    Fields{Field{"vertex", &ViewTransform::vertex, "index", "the vertex", Guess::next},
                Field{"x_v", &ViewTransform::x_v, "view", "to the right of the eye", Guess::formula},
                Field{"y_v", &ViewTransform::y_v, "view", "above the eye", Guess::formula},
                Field{"z_v", &ViewTransform::z_v, "view", "away from the eye", Guess::formula}};
@@ -29,7 +29,7 @@ inline constexpr KindText kind_text<Projection>{"projection",
                                                 "a vertex goes from viewing coordinates to the projection plane"};
 template <>
 inline constexpr auto fields_of<Projection> =
-    std::tuple{Field{"vertex", &Projection::vertex, "index", "the vertex"},
+    Fields{Field{"vertex", &Projection::vertex, "index", "the vertex"},
                Field{"x_p", &Projection::x_p, "plane", "x on the projection plane", Guess::formula},
                Field{"y_p", &Projection::y_p, "plane", "y on the projection plane", Guess::formula},
                Field{"z", &Projection::z, "depth", "the depth that will be interpolated", Guess::formula}};
@@ -39,7 +39,7 @@ inline constexpr KindText kind_text<ViewportTransform>{"viewport_transform",
                                                        "a vertex goes from the window to the raster"};
 template <>
 inline constexpr auto fields_of<ViewportTransform> =
-    std::tuple{Field{"vertex", &ViewportTransform::vertex, "index", "the vertex"},
+    Fields{Field{"vertex", &ViewportTransform::vertex, "index", "the vertex"},
                Field{"x_s", &ViewportTransform::x_s, "px", "column, pixel centres at integers", Guess::formula},
                Field{"y_s", &ViewportTransform::y_s, "px", "row, pixel centres at integers", Guess::formula}};
 

@@ -28,22 +28,7 @@ namespace zstep {
 
 // --- All of them
 
-/// Any one event. The index of the alternative is the kind's number inside this program; files know kinds by name.
-using Event =
-    std::variant<BuffersClear, ViewTransform, Projection, ViewportTransform, PolygonBegin, FacingTest, PolygonReject,
-                 ClipTest, ClipVertex, ClipCross, OutlineVertex, EdgeTableInsert, EdgeTableSkip, ScanLineBegin,
-                 EdgeEnter, EdgeRetire, EdgeStep, EdgeSwap, SpanBegin, DepthInterpolate, DepthCompare, DepthWrite,
-                 PixelWrite, PixelPaint, ColorWrite, ColorBlend, PassBegin, ShadowCompare, TablesBegin, PieceMake,
-                 PlaneEquation, Extent, PlaneDepth, VertexSide, SideTest, ExtentTest, OverlapTest, SplitVertex,
-                 PieceDraw, Saved, ListInsert, ListRemove, ListMark, PairBegin, RootCandidate, NodeMake, NodeAdd,
-                 EyeSide, NodeSkip, FlagFlip, SpanFlags, ImpliedEdge, SpanWinner, CoverageAdd, AreaBegin, AreaBin,
-                 AreaDecide, BoxMake, BoxHold, GridMake, CellHold, RayBegin, CellVisit, BoxTest, RayPlane, RayHit,
-                 RayEnd, CurveBegin, CurveSegment, HorizonTest, HorizonMove, HorizonCross, LineBegin, LineAgainst,
-                 LineCross, LineHide, LinePiece>;
-
-inline constexpr std::size_t kind_count = std::variant_size_v<Event>;
-
-// X(Kind) for every kind: where a template is to be compiled for each of them.
+// X(Kind) for every kind, in the order of their numbers. What follows is made from it without recursion: nearly every file includes this.
 // clang-format off
 #define ZSTEP_EVERY_KIND(X) \
   X(BuffersClear) X(ViewTransform) X(Projection) X(ViewportTransform) X(PolygonBegin) X(FacingTest) \
@@ -59,28 +44,55 @@ inline constexpr std::size_t kind_count = std::variant_size_v<Event>;
   X(LineCross) X(LineHide) X(LinePiece)
 // clang-format on
 
-#define ZSTEP_COUNT_KIND(E) +1
-static_assert(ZSTEP_EVERY_KIND(ZSTEP_COUNT_KIND) == kind_count);
-#undef ZSTEP_COUNT_KIND
 
 namespace detail {
-template <class E, std::size_t I = 0>
-constexpr std::size_t index_in_vocabulary() {
-  if constexpr (std::is_same_v<E, std::variant_alternative_t<I, Event>>) return I;
-  else return index_in_vocabulary<E, I + 1>();
-}
+
+#define ZSTEP_NAME_KIND(E) E,
+enum class KindNumber : std::uint8_t { ZSTEP_EVERY_KIND(ZSTEP_NAME_KIND) count };
+#undef ZSTEP_NAME_KIND
+
+#define ZSTEP_LIST_KIND(E) , E
+template <class, class... Kinds>
+struct AnyOf {
+  using type = std::variant<Kinds...>;
+};
+using AnyKind = AnyOf<void ZSTEP_EVERY_KIND(ZSTEP_LIST_KIND)>::type;
+#undef ZSTEP_LIST_KIND
+
+template <std::size_t number>
+struct KindAt;
+#define ZSTEP_NUMBER_KIND(E)                               \
+  template <>                                              \
+  struct KindAt<static_cast<std::size_t>(KindNumber::E)> { \
+    using type = E;                                        \
+  };
+ZSTEP_EVERY_KIND(ZSTEP_NUMBER_KIND)
+#undef ZSTEP_NUMBER_KIND
+
 }  // namespace detail
+
+/// Any one event. The index of the alternative is the kind's number inside this program; files know kinds by name.
+using Event = detail::AnyKind;
+
+inline constexpr std::size_t kind_count = static_cast<std::size_t>(detail::KindNumber::count);
+
+/// The kind of a number.
+template <std::size_t number>
+using KindAt = typename detail::KindAt<number>::type;
 
 /// The number of an event's kind: its index in Event.
 template <class E>
-inline constexpr std::uint8_t kind_of = static_cast<std::uint8_t>(detail::index_in_vocabulary<E>());
+inline constexpr std::uint8_t kind_of = E::is_no_event;
+#define ZSTEP_NUMBER_KIND(E) \
+  template <>                \
+  inline constexpr std::uint8_t kind_of<E> = static_cast<std::uint8_t>(detail::KindNumber::E);
+ZSTEP_EVERY_KIND(ZSTEP_NUMBER_KIND)
+#undef ZSTEP_NUMBER_KIND
 
 /// Calls `function.template operator()<E>()` for every kind of event, in order.
 template <class Function>
 constexpr void for_each_kind(Function&& function) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (function.template operator()<std::variant_alternative_t<I, Event>>(), ...);
-  }
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (function.template operator()<KindAt<I>>(), ...); }
   (std::make_index_sequence<kind_count>{});
 }
 

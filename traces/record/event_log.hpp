@@ -84,11 +84,11 @@ class EventLog {
   void for_each(Run&& run, One&& one, End&& end) const {
     using Give = void (*)(std::uint8_t, const std::uint8_t*, std::remove_reference_t<One>&);
     static constexpr auto give = []<std::size_t... K>(std::index_sequence<K...>) {
-      return std::array<Give, kind_count>{&EventLog::give_one<std::variant_alternative_t<K, Event>, One>...};
+      return std::array<Give, kind_count>{&EventLog::give_one<KindAt<K>, One>...};
     }
     (std::make_index_sequence<kind_count>{});
     static constexpr auto sizes = []<std::size_t... K>(std::index_sequence<K...>) {
-      return std::array<std::size_t, kind_count>{sizeof(std::variant_alternative_t<K, Event>)...};
+      return std::array<std::size_t, kind_count>{sizeof(KindAt<K>)...};
     }
     (std::make_index_sequence<kind_count>{});
     codec::LoggedRun logged;
