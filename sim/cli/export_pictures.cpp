@@ -71,8 +71,9 @@ int sheet(const Trace& trace, const ExportOptions& options) {
   if (count > most_on_a_sheet) throw InputError("--steps", fmt::format("are more than {}", most_on_a_sheet), "name fewer");
   PictureOptions pictures = how(options, 400, 340);
   if (pictures.pane.empty()) pictures.pane = "frame";
-  const std::int64_t columns = std::min(count, options.columns.value_or(std::max<std::int64_t>(1, std::llround(std::ceil(std::sqrt(static_cast<double>(count) * 1.2))))));
-  const std::int64_t rows = (count + columns - 1) / columns;
+  const std::int64_t wide = std::min(count, options.columns.value_or(std::max<std::int64_t>(1, std::llround(std::ceil(std::sqrt(static_cast<double>(count) * 1.2))))));
+  const std::int64_t rows = (count + wide - 1) / wide;
+  const std::int64_t columns = options.columns ? wide : (count + rows - 1) / rows;  // no row much shorter than the others
   if (columns * pictures.width > 2 * longest_side || rows * pictures.height > 2 * longest_side) throw InputError("--size-window", "makes a sheet that is too large", "give fewer or smaller pictures");
   const Image image = contact_sheet(trace, steps, pictures, static_cast<int>(columns));
   write_png(options.out, image.width, image.height, image.rgb);

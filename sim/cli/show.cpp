@@ -80,10 +80,10 @@ std::int64_t step_of(const Trace& trace, const std::string& at, const std::strin
 
 int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   check_can_show(options);
-  [[maybe_unused]] const std::optional<std::int64_t> at = options.at.empty() ? std::nullopt : std::optional(step_of(trace, options.at));
+  [[maybe_unused]] const std::int64_t at = options.at.empty() ? -1 : step_of(trace, options.at);
 #if ZSTEP_HAS_VIEWER
   ViewerOptions viewer;
-  if (at) viewer.at = *at;
+  if (at >= 0) viewer.at = at;
   if (!options.screenshot.empty()) viewer.screenshot = options.screenshot;
   if (options.screenshot.empty() && !options.pane.empty()) throw InputError("--pane", "is of a screenshot", "add --screenshot FILE.png");
   viewer.pane = options.pane;

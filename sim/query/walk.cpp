@@ -30,9 +30,10 @@ bool Walk::enter_block() {
         position_ = begins->position - 1;
       }
     }
-    const BlockInfo& info = trace_.impl().blocks[trace_.impl().block_of(position_ + 1)].info;
+    const std::size_t block = trace_.impl().block_of(position_ + 1);
+    const BlockInfo& info = trace_.impl().blocks[block].info;
     const std::int64_t end = std::min(part_.last, info.first_position + info.count);
-    const bool pixel_may = !part_.x || !part_.y || info.tiles.touched(*part_.x, *part_.y);
+    const bool pixel_may = !part_.x || !part_.y || trace_.impl().last_touch(block, {*part_.x, *part_.y}) > position_;
     const bool kind_may = std::any_of(steps_.begin(), steps_.end(), [&](std::uint8_t step) { return info.steps.has(step); });
     if (pixel_may && kind_may) {
       if (position_ != known_to_) begin_context();

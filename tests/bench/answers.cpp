@@ -67,13 +67,14 @@ std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& tr
 }
 
 std::int64_t scan_by_sql(const Trace& trace) {
-  const auto records = [&](std::uint8_t kind) {
-    return std::any_of(trace.header().page.begin(), trace.header().page.end(), [&](const StepInfo& step) { return step.kind == kind; });
-  };
-  const std::string table = records(kind_of<DepthCompare>) ? "depth_compare" : "pixel_paint";
+  // The table with the most rows, of those that methods fill by the pixel or by the facet.
+  const std::string table = trace.has(kind_of<DepthCompare>) ? "count(*), sum(x), sum(z) from depth_compare"
+                            : trace.has(kind_of<RayPlane>)   ? "count(*), sum(facet), sum(t) from ray_plane"
+                            : trace.has(kind_of<PixelPaint>) ? "count(*), sum(x), sum(z) from pixel_paint"
+                                                             : "count(*), sum(edge), sum(x_edge) from edge_step";
   std::int64_t rows = 0;
   query::Database database(trace);
-  database.run("select count(*), sum(x), sum(z) from " + table, {}, [](const std::vector<std::string>&) {},
+  database.run("select " + table, {}, [](const std::vector<std::string>&) {},
                [&](std::span<const query::Value> values) {
                  if (const auto* count = std::get_if<std::int64_t>(&values[0])) rows = *count;
                  return true;

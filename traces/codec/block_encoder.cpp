@@ -97,8 +97,7 @@ void BlockEncoder::State::follow_row(std::uint8_t step, bool foretold) {
 template <class E>
 void BlockEncoder::State::write(std::uint8_t step, const E& event) {
   E guessed;
-  foreteller.guess_all(guessed);
-  const bool foretold = same_fields(guessed, event);
+  const bool foretold = foreteller.guess_all(guessed) && same_fields(guessed, event);
   tokens.push_back(foretold ? step : static_cast<std::uint8_t>(step | missed_bit));
   if (!foretold) write_misses(event);
   follow_row<E>(step, foretold);

@@ -1,12 +1,13 @@
 #include "traces/codec/facts.hpp"
 
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
 namespace zstep::codec {
 
 namespace {
-constexpr std::size_t vertices_at_hand = 2048;  // a power of two
+constexpr std::size_t vertices_at_hand = 2048, planes_at_hand = 16384;  // powers of two
 }
 
 Facts::Facts(const Scene& scene, const Conventions& conventions)
@@ -74,6 +75,27 @@ std::span<const std::int32_t> Facts::corners(std::int32_t facet) const {
   if (facet < 0 || static_cast<std::size_t>(facet) >= scene_->facets.size()) return {};
   const Facet& found = scene_->facets[static_cast<std::size_t>(facet)];
   return std::span(scene_->corners).subspan(static_cast<std::size_t>(found.first_corner), static_cast<std::size_t>(found.corner_count));
+}
+
+const FacetPlane& Facts::plane(std::int32_t facet) const {
+  if (planes_at_hand_.empty()) planes_at_hand_.resize(planes_at_hand);
+  FacetPlane& plane = planes_at_hand_[static_cast<std::size_t>(facet) % planes_at_hand];
+  if (plane.facet == facet) return plane;
+  plane = {facet, glm::dvec3(0), 0};
+  const std::span<const std::int32_t> of_facet = corners(facet);
+  if (of_facet.size() < 3) return plane;
+  const auto point = [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; };
+  const glm::dvec3 first = point(0);
+  glm::dvec3 normal(0), sum(0);
+  for (std::size_t i = 0; i < of_facet.size(); ++i) {
+    normal += glm::cross(point(i) - first, point(i + 1 < of_facet.size() ? i + 1 : 0) - first);
+    sum += point(i);
+  }
+  const double length = glm::length(normal);
+  if (!(length > 0)) return plane;
+  plane.normal = normal / length;
+  plane.d = -glm::dot(plane.normal, sum / static_cast<double>(of_facet.size()));
+  return plane;
 }
 
 }  // namespace zstep::codec

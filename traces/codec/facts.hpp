@@ -25,6 +25,13 @@ struct VertexFacts {
   std::int32_t outside = 0;  ///< bit k: it is outside plane k (near, far, left, right, bottom, top)
 };
 
+/// A x + B y + C z + D = 0, the normal of length 1; all zero where a facet has none.
+struct FacetPlane {
+  std::int32_t facet = -1;
+  glm::dvec3 normal{0};
+  double d = 0;
+};
+
 class Facts {
  public:
   /// The scene must live as long as this does.
@@ -47,6 +54,8 @@ class Facts {
 
   /// The corners of a facet, indices into the scene's points; none for a facet that does not exist.
   std::span<const std::int32_t> corners(std::int32_t facet) const;
+  /// The plane of a facet in the world: Newell's normal, through the mean of its corners.
+  const FacetPlane& plane(std::int32_t facet) const;
 
  private:
   std::int32_t outcode(glm::dvec3 view) const;
@@ -54,8 +63,9 @@ class Facts {
   const Scene* scene_;
   bool increments_, inclusive_, viewed_, orthographic_, view_depth_;
   double d_, window_x_, window_y_, near_, far_, a_, b_, width_, height_;
-  // The last vertices that were asked for, each in the place its number says; what they are depends on the scene alone.
+  // The last that were asked for, each in the place its number says; what they are depends on the scene alone.
   mutable std::vector<VertexFacts> at_hand_;
+  mutable std::vector<FacetPlane> planes_at_hand_;
 };
 
 }  // namespace zstep::codec

@@ -28,6 +28,7 @@ void Foreteller::forget() {
   keeps_all_ = false;
   begin_polygon({});
   last_inserted_ = -1;
+  ray_from_ = ray_along_ = glm::dvec3(0);
 }
 
 // --- Vertices
@@ -222,6 +223,26 @@ void Foreteller::evaluate(EdgeTableSkip& event) const {
   glm::dvec3 from, to;
   const bool known = find_raster(event.vertex_0, from) && find_raster(event.vertex_1, to);
   event.why = known && from.y == to.y ? EdgeSkip::horizontal : EdgeSkip::between_rows;
+}
+
+// --- Rays
+
+void Foreteller::evaluate(RayPlane& event) const {
+  event.numerator = event.denominator = event.t = 0;
+  if (event.facet < 0 || static_cast<std::size_t>(event.facet) >= facts_->scene().facets.size()) return;
+  const FacetPlane& plane = facts_->plane(event.facet);
+  const glm::dvec3 &normal = plane.normal, &from = ray_from_, &along = ray_along_;
+  event.numerator = -(normal.x * from.x + normal.y * from.y + normal.z * from.z + plane.d);
+  event.denominator = normal.x * along.x + normal.y * along.y + normal.z * along.z;
+  constexpr double edge_on_sine = 1e-12;
+  const bool in_plane = event.denominator * event.denominator <= edge_on_sine * edge_on_sine * glm::dot(along, along);
+  event.t = in_plane ? std::numeric_limits<double>::quiet_NaN() : event.numerator / event.denominator;
+}
+
+void Foreteller::evaluate(RayHit& event) const {
+  event.t = real_[slot_of("t")];
+  const glm::dvec3 point = ray_from_ + event.t * ray_along_;
+  event.x_hit = point.x, event.y_hit = point.y, event.z_hit = point.z;
 }
 
 }  // namespace zstep::codec

@@ -56,10 +56,17 @@ class Foreteller {
     if constexpr (requires { note(event); }) note(event);
   }
 
-  /// The next event wholly as guessed.
+  /// The next event wholly as guessed; false when a guess is no value that its field can have.
   template <class E>
-  void guess_all(E& event) {
-    for_each_index<E>([&]<std::size_t I>() { event.*field_at<E, I>.member = static_cast<FieldValue<E, I>>(guess<E, I>(event)); });
+  bool guess_all(E& event) {
+    bool possible = true;
+    for_each_index<E>([&]<std::size_t I>() {
+      using Value = FieldValue<E, I>;
+      const auto value = guess<E, I>(event);
+      if constexpr (std::is_same_v<Value, bool>) possible = possible && (value == 0 || value == 1);
+      event.*field_at<E, I>.member = static_cast<Value>(value);
+    });
+    return possible;
   }
 
   // --- Of the span at work
@@ -106,6 +113,8 @@ class Foreteller {
   void evaluate(EdgeEnter& event);
   void evaluate(EdgeStep& event);
   void evaluate(SpanBegin& event);
+  void evaluate(RayPlane& event) const;
+  void evaluate(RayHit& event) const;
   void evaluate(DepthInterpolate& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }
   void evaluate(PixelPaint& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }
   // What events change besides their registers.
@@ -124,6 +133,7 @@ class Foreteller {
   void note(const EdgeStep& event);
   void note(const EdgeSwap& event) { edges_.swap(event.place); }
   void note(const SpanBegin& event);
+  void note(const RayBegin& event) { ray_from_ = {event.x_0, event.y_0, event.z_0}, ray_along_ = {event.dir_x, event.dir_y, event.dir_z}; }
 
   /// Forgets what belongs to the polygon or piece before.
   void begin_polygon(std::span<const std::int32_t> corners);
@@ -153,6 +163,7 @@ class Foreteller {
   bool in_rows_ = false;  ///< scan lines of the table have begun
   bool in_span_ = false;
   SpanBegin span_{};
+  glm::dvec3 ray_from_{0}, ray_along_{0};  ///< X_0 and dX of the ray that the block told of last
 };
 
 }  // namespace zstep::codec

@@ -110,9 +110,9 @@ inline constexpr KindText kind_text<RayPlane>{
 template <>
 inline constexpr auto fields_of<RayPlane> =
     Fields{Field{"facet", &RayPlane::facet, "index", "the facet", Guess::next},
-               Field{"numerator", &RayPlane::numerator, "1", "-(A X_0 + B Y_0 + C Z_0 + D)"},
-               Field{"denominator", &RayPlane::denominator, "1", "A dX + B dY + C dZ"},
-               Field{"t", &RayPlane::t, "1", "t; NaN when the ray runs along the plane"}};
+               Field{"numerator", &RayPlane::numerator, "1", "-(A X_0 + B Y_0 + C Z_0 + D)", Guess::formula},
+               Field{"denominator", &RayPlane::denominator, "1", "A dX + B dY + C dZ", Guess::formula},
+               Field{"t", &RayPlane::t, "1", "t; NaN when the ray runs along the plane", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<RayHit>{
@@ -120,10 +120,10 @@ inline constexpr KindText kind_text<RayHit>{
 template <>
 inline constexpr auto fields_of<RayHit> =
     Fields{Field{"facet", &RayHit::facet, "index", "the facet"},
-               Field{"t", &RayHit::t, "1", "t"},
-               Field{"x_hit", &RayHit::x_hit, "world", "the point"},
-               Field{"y_hit", &RayHit::y_hit, "world", "the point"},
-               Field{"z_hit", &RayHit::z_hit, "world", "the point"},
+               Field{"t", &RayHit::t, "1", "t", Guess::formula},
+               Field{"x_hit", &RayHit::x_hit, "world", "the point", Guess::formula},
+               Field{"y_hit", &RayHit::y_hit, "world", "the point", Guess::formula},
+               Field{"z_hit", &RayHit::z_hit, "world", "the point", Guess::formula},
                Field{"inside", &RayHit::inside, "1", "it lies inside the outline"},
                Field{"nearest", &RayHit::nearest, "1", "it is nearer than any before"}};
 

@@ -68,7 +68,7 @@ class EventLog {
     put_one(step, event);
     return count_ - block_begin_ > block_events - longest_run;
   }
-  /// Whether the block may end here, if work on another polygon begins: guesses start anew with a block, and lose least there.
+  /// Whether the block may end here, if work on another polygon or ray begins: guesses start anew with a block, and lose least there.
   bool may_end_block() const { return count_ - block_begin_ > block_events / 2; }
 
   std::uint32_t count() const { return count_; }  ///< events, without those of a run that goes on

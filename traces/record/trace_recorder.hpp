@@ -29,7 +29,7 @@ class TraceRecorder {
 
   template <class E>
   void operator()(Step<E> step, const E& event) {
-    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) {
+    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw> || std::is_same_v<E, RayBegin>) {
       if (log_.may_end_block()) end_block();
     }
     if (log_.put(step.id, event)) [[unlikely]]
