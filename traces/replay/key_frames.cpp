@@ -18,7 +18,7 @@ bool same_ways(const std::vector<VertexWay>& one, const VertexWay* other) {
 }  // namespace
 
 KeyFrames::KeyFrames(const Beginning& beginning, std::int64_t end, std::int64_t spacing, std::size_t budget)
-    : beginning_(&beginning), points_(beginning.points()), end_(end), spacing_(spacing), budget_(budget) {
+    : beginning_(&beginning), points_(beginning.points()), end_(end), spacing_(spacing), next_due_(spacing), budget_(budget) {
   if (next_due() <= end_) beginning_->begin_pictures(last_);
 }
 
@@ -30,6 +30,10 @@ void KeyFrames::set_pictures(Frame& frame, std::size_t n, const State& before, c
 }
 
 void KeyFrames::add(const State& state) {
+  if (std::exchange(points_changed_, false) && many_points()) {
+    next_due_ = state.position + spacing_;
+    return;
+  }
   const auto scene_points_end = state.vertices.begin() + static_cast<std::ptrdiff_t>(points_);
   Frame frame;
   frame.position = state.position;
@@ -37,7 +41,7 @@ void KeyFrames::add(const State& state) {
   if (!points_at_hand_ && !frames_.empty() && same_ways(*frames_.back().points, state.vertices.data())) points_at_hand_ = frames_.back().points;
   if (!points_at_hand_) {
     points_at_hand_ = std::make_shared<const std::vector<VertexWay>>(state.vertices.begin(), scene_points_end);
-    bytes_ += points_ * sizeof(VertexWay);
+    bytes_ += bytes_of_points();
   }
   frame.points = points_at_hand_;
   frame.made.assign(scene_points_end, state.vertices.end());
@@ -45,7 +49,8 @@ void KeyFrames::add(const State& state) {
   bytes_ += frame.bytes;
   frames_.push_back(std::move(frame));
   if (bytes_ > budget_ && frames_.size() > 2) thin_out();
-  if (next_due() <= end_) last_.picture = state.picture, last_.light = state.light;
+  next_due_ = state.position + spacing_;
+  if (next_due_ <= end_) last_.picture = state.picture, last_.light = state.light;
   else last_ = State();
 }
 
@@ -93,7 +98,7 @@ void KeyFrames::thin_out() {
     frame.light.apply_to(now.light);
     if (i % 2 == 0 && i + 1 < frames_.size()) continue;
     set_pictures(frame, kept.size(), before, now);
-    if (kept.empty() || kept.back().points != frame.points) bytes_ += points_ * sizeof(VertexWay);
+    if (kept.empty() || kept.back().points != frame.points) bytes_ += bytes_of_points();
     bytes_ += frame.bytes;
     before.picture = now.picture, before.light = now.light;
     kept.push_back(std::move(frame));
