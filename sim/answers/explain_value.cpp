@@ -65,10 +65,10 @@ Step step_of_row(const Trace& trace, const Machine& machine, const Question& que
   const auto number = question.where.empty() ? -1 : question.where.front().second;
   if (asks_for(question, kind_of<EdgeStep>)) return step_of_active_edge(trace, machine, at, number);
   if (asks_for(question, kind_of<EdgeTableInsert>)) return step_of_edge(trace, machine, at, number);
-  if (asks_for(question, kind_of<PlaneEquation>)) return step_of_plane(trace, machine, at, number);
+  if (asks_for(question, kind_of<PlaneEquation>)) return step_of_plane(machine, number);
   std::int64_t from = at + 1;
   if (asks_for(question, kind_of<Extent>))
-    if (const Step plane = step_of_plane(trace, machine, at, number)) from = std::min(from, *plane + 2);  // it follows its plane
+    if (const Step plane = step_of_plane(machine, number)) from = std::min(from, *plane + 2);  // it follows its plane
   return trace.previous(from, [&](const RecordedEvent& recorded) { return matches(recorded.event, question); });
 }
 

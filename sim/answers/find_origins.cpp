@@ -154,20 +154,10 @@ Step step_of_active_edge(const Trace& trace, const Machine& machine, std::int64_
   return moved ? moved : step_of_edge(trace, machine, at, edge);
 }
 
-Step step_of_plane(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t piece) {
-  const auto wanted = [&](const PlaneEquation& e) { return e.piece == piece; };
-  const auto marks = trace.polygons();
+Step step_of_plane(const Machine& machine, std::int32_t piece) {
   const auto number = static_cast<std::size_t>(piece);
-  const bool whole = number < machine.pieces.size() && machine.pieces[number].parent < 0;
-  if (!whole || !machine.tree.empty() || marks.empty()) return find_last<PlaneEquation>(trace, at, wanted);
-  // Pieces are made in the order of the polygons, at most one each: halve until its polygon is found.
-  const auto before = [&](const PolygonMark& mark) {
-    const auto made = find_first<PieceMake>(trace, mark.position, [](const PieceMake&) { return true; });
-    return made && *made <= at && std::get<PieceMake>(trace.event(*made).event).piece < piece;
-  };
-  const auto mark = std::partition_point(marks.begin(), marks.end(), before);
-  const Step found = mark == marks.end() ? std::nullopt : find_first<PlaneEquation>(trace, mark->position, wanted);
-  return found && *found <= at ? found : find_last<PlaneEquation>(trace, at, wanted);
+  const bool found = piece >= 0 && number < machine.pieces.size() && machine.pieces[number].plane_step > 0;
+  return found ? Step(machine.pieces[number].plane_step) : std::nullopt;
 }
 
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light) {

@@ -47,7 +47,7 @@ Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, s
 Step step_of_active_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge);
 
 /// Where the plane of a piece was found.
-Step step_of_plane(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t piece);
+Step step_of_plane(const Machine& machine, std::int32_t piece);
 
 /// The last step at or before `at` that gave a pixel of the buffer in use then its depth. `light`: of the light's picture.
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light);

@@ -222,4 +222,11 @@ inline void apply_machine(const ShadowCompare& event, Machine& machine) {
   machine.shadow = event;
 }
 
+/// The same where the step is known: where a plane was found is asked for long after, and nothing else says it.
+template <class E>
+void apply_machine(const E& event, Machine& machine, std::int64_t step) {
+  apply_machine(event, machine);
+  if constexpr (std::is_same_v<E, PlaneEquation>) machine.pieces.edit()[static_cast<std::size_t>(event.piece)].plane_step = step;
+}
+
 }  // namespace zstep

@@ -47,7 +47,7 @@ struct Replay::Impl {
         if (event.vertex >= 0 && static_cast<std::size_t>(event.vertex) < points) key_frames.point_changes();
       }
       apply_stores(event, state, points, old_values);
-      apply_machine(event, state.machine);
+      apply_machine(event, state.machine, position);
     } catch (const Impossible& error) {
       refused = true;
       impossible(position, error);
@@ -137,7 +137,7 @@ struct Replay::Impl {
     auto fragment = state.machine.fragment;
     state.machine = check_points.back().second;
     for (std::int64_t position = check_points.back().first + 1; position <= target; ++position) {
-      std::visit([&](const auto& event) { apply_machine(event, state.machine); }, trace->event(position).event);
+      std::visit([&](const auto& event) { apply_machine(event, state.machine, position); }, trace->event(position).event);
     }
     state.machine.fragment = fragment;
     state.position = target;

@@ -17,10 +17,11 @@ struct Piece {
   std::int32_t polygon = -1, parent = -1;
   std::vector<std::int32_t> outline;  ///< indices into State::vertices
   std::optional<PlaneEquation> plane;
+  std::int64_t plane_step = 0;  ///< that found it
   std::optional<Extent> extent;
   bool cut = false;         ///< pieces of it replace it
   std::int32_t drawn = -1;  ///< it was the n-th piece to be drawn, from 0
-  auto members() const { return std::tie(polygon, parent, outline, plane, extent, cut, drawn); }
+  auto members() const { return std::tie(polygon, parent, outline, plane, plane_step, extent, cut, drawn); }
 };
 
 /// An entry of depth sort's list.

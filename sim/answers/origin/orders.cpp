@@ -48,7 +48,7 @@ std::int32_t corner_with(const Work& work, const Piece& piece, const PlaneEquati
 Number Work::extent(std::int32_t number, std::string_view name) {
   const auto axis = static_cast<std::size_t>(axis_of(name));
   const auto value = extent_value(*this, number, axis, name.ends_with("max"));
-  const auto step = find_last<Extent>(trace, step_of_plane(trace, machine(), at(), number).value_or(at()) + 1, [&](const Extent& e) { return e.piece == number; });
+  const auto step = find_last<Extent>(trace, step_of_plane(machine(), number).value_or(at()) + 1, [&](const Extent& e) { return e.piece == number; });
   return field(step, name, value.value_or(0));
 }
 

@@ -94,7 +94,7 @@ std::vector<Given> plane_at(const std::function<Number(char)>& plane, const std:
 Number Work::plane(std::int32_t number, char letter) {
   const Piece* piece = piece_at(*this, number);
   if (!piece || !piece->plane) return 0;
-  const Step step = step_of_plane(trace, machine(), at(), number);
+  const Step step = step_of_plane(machine(), number);
   return field(step, field_of(letter), value_of(*piece->plane, letter));
 }
 
