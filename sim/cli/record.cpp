@@ -49,7 +49,7 @@ int record(const RecordOptions& options) {
   } catch (const Interrupted&) {
     // What was recorded so far is kept: the file ends as every trace does.
   }
-  recorder.on_write(nullptr);
+  recorder.on_block(nullptr);
   recorder.finish();
   if (!picture) {
     fmt::print(stderr, "{}: stopped by Ctrl-C after {}; the file holds them and can be opened\n", path, counted(recorder.size(), "step", "steps"));

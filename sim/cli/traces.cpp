@@ -44,7 +44,7 @@ Trace record_to_memory(const Run& run) {
     watch.attach(recorder);
     run.method->record(run.scene, run.conventions, recorder);
   }
-  recorder.on_write(nullptr);
+  recorder.on_block(nullptr);
   recorder.finish();
   return Trace::from_bytes(recorder.take_bytes(), run.scene.name);
 }
@@ -84,7 +84,7 @@ std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
     const Conventions conventions = for_method(other, trace.header().conventions);
     if (!can_draw(other, trace.scene(), conventions)) continue;
     TraceRecorder recorder(header_for(other, conventions), trace.scene());
-    recorder.on_write([](std::int64_t events) {
+    recorder.on_block([](std::int64_t events) {
       if (events > patience) throw TooLong{};
     });
     bool whole = true;
@@ -93,7 +93,7 @@ std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
     } catch (const TooLong&) {
       whole = false;
     }
-    recorder.on_write(nullptr);
+    recorder.on_block(nullptr);
     recorder.finish();
     return OtherRun{Trace::from_bytes(recorder.take_bytes(), trace.scene().name), whole};
   }

@@ -50,7 +50,7 @@ Watch::~Watch() {
 bool Watch::interrupted() const { return pressed != 0; }
 
 void Watch::attach(TraceRecorder& recorder) {
-  recorder.on_write([this](std::int64_t events) { tick(events); });
+  recorder.on_block([this](std::int64_t events) { tick(events); });
 }
 
 bool Watch::due() const {

@@ -197,16 +197,12 @@ void BlockEncoder::State::end() {
   }
 }
 
-void BlockEncoder::pack(const EventLog& log, const std::function<void(const Packed&)>& take) {
+const BlockEncoder::Packed& BlockEncoder::pack(const EventLog& log) {
   State& block = *state_;
   block.begin();
-  log.for_each([&](const LoggedRun& run) { block.write(run); },
-               [&](std::uint8_t step, const auto& event) { block.write(step, event); },
-               [&] {
-                 block.end();
-                 take(block.packed);
-                 block.begin();
-               });
+  log.for_each([&](const LoggedRun& run) { block.write(run); }, [&](std::uint8_t step, const auto& event) { block.write(step, event); });
+  block.end();
+  return block.packed;
 }
 
 }  // namespace zstep

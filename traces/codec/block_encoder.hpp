@@ -5,7 +5,6 @@
 // The pixels of a span, foretold whole, are runs: one token for up to 64 of them, their number, and a bit for the outcome of each compare.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "traces/codec/block_info.hpp"
@@ -26,8 +25,8 @@ class BlockEncoder {
     BlockInfo info;
     Bytes bytes;  ///< before compression
   };
-  /// Packs the blocks of a log, as those that follow the ones before. What is given to `take` lives until it returns.
-  void pack(const EventLog& log, const std::function<void(const Packed&)>& take);
+  /// Packs what stands in a log that was closed, as the block that follows the one before. It lives until the next.
+  const Packed& pack(const EventLog& log);
 
  private:
   struct State;

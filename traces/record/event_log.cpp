@@ -16,10 +16,9 @@ constexpr std::size_t largest_event() {
 
 }  // namespace
 
-// Room for the largest events with an end of the block after each, more than a run of one pixel takes; what is not needed is never touched,
-// and costs no memory.
-EventLog::EventLog() : bytes_(new std::uint8_t[log_events * (largest_event() + 4)]), end_(bytes_.get()) {
-  static_assert(2 + sizeof(RunHead) + sizeof(double) + 2 <= largest_event() + 4);
+// Room for a block of the largest events; what is not needed is never touched, and costs no memory.
+EventLog::EventLog() : bytes_(new std::uint8_t[block_events * (largest_event() + 2)]), end_(bytes_.get()) {
+  static_assert(2 + sizeof(RunHead) + sizeof(double) <= largest_event() + 2, "a run of one pixel takes no more than an event");
 }
 
 void EventLog::close_run() {
@@ -45,27 +44,22 @@ void EventLog::close_run() {
   if (stage == Stage::depth_written) append(steps_.fragment[2], DepthWrite{x, y, z});
 }
 
-void EventLog::end_block() {
+void EventLog::close() {
   close_run();
   in_span_ = false;
   steps_ = {};
-  if (count_ == block_begin_) return;
-  end_[0] = end_mark, end_[1] = 0;
-  end_ += 2;
-  block_begin_ = count_;
 }
 
 void EventLog::clear() {
-  end_block();
+  close();
   end_ = bytes_.get();
-  count_ = block_begin_ = 0;
+  count_ = 0;
 }
 
 void EventLog::swap(EventLog& other) noexcept {
   std::swap(bytes_, other.bytes_);
   std::swap(end_, other.end_);
   std::swap(count_, other.count_);
-  std::swap(block_begin_, other.block_begin_);
 }
 
 }  // namespace zstep

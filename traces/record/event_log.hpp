@@ -1,4 +1,4 @@
-// What a run has recorded lately, block after block: events as they came, and the pixels of a span already drawn together into runs.
+// What a run has recorded since the last block: events as they came, and the pixels of a span already drawn together into runs.
 //
 // This is the half of recording that runs within the method that is recorded, so it does little: it sees whether pixels follow one another
 // along their span, and copies everything else. Whether the depths are those that the span foretells is the packer's to find out. The other half, packing, may be another thread's (codec/block_encoder.hpp).
@@ -15,7 +15,6 @@
 namespace zstep {
 
 inline constexpr std::uint32_t block_events = 1u << 14;  ///< the most that a block holds
-inline constexpr std::uint32_t log_events = 1u << 15;    ///< the most that a log holds
 
 namespace codec {
 
@@ -61,27 +60,25 @@ class EventLog {
  public:
   EventLog();
 
-  /// True when the block must end before the next event.
+  /// True when the next event needs an empty log.
   template <class E>
   bool put(std::uint8_t step, const E& event) {
     if (take(step, event)) return false;
     put_one(step, event);
-    return count_ - block_begin_ > block_events - longest_run;
+    return count_ > block_events - longest_run;
   }
   /// Whether the block may end here, if work on another polygon or ray begins: guesses start anew with a block, and lose least there.
-  bool may_end_block() const { return count_ - block_begin_ > block_events / 2; }
+  bool may_end() const { return count_ > block_events / 2; }
 
   std::uint32_t count() const { return count_; }  ///< events, without those of a run that goes on
-  /// Ends the block at work; afterwards all that was put is in count() and for_each().
-  void end_block();
-  /// Whether another block may find no room.
-  bool full() const { return count_ > log_events - block_events; }
+  /// Ends the run at work; afterwards all that was put is in count() and for_each().
+  void close();
   void clear();
   void swap(EventLog& other) noexcept;
 
-  /// Calls run(const LoggedRun&), one(step, const E&) and, where a block ends, end() for what stands in the log, in order.
-  template <class Run, class One, class End>
-  void for_each(Run&& run, One&& one, End&& end) const {
+  /// Calls run(const LoggedRun&) and one(step, const E&) for what stands in the log, in order.
+  template <class Run, class One>
+  void for_each(Run&& run, One&& one) const {
     using Give = void (*)(std::uint8_t, const std::uint8_t*, std::remove_reference_t<One>&);
     static constexpr auto give = []<std::size_t... K>(std::index_sequence<K...>) {
       return std::array<Give, kind_count>{&EventLog::give_one<KindAt<K>, One>...};
@@ -95,9 +92,7 @@ class EventLog {
     for (const std::uint8_t* at = bytes_.get(); at != end_;) {
       const std::uint8_t step = at[0], kind = at[1];
       at += 2;
-      if (step == end_mark) {
-        end();
-      } else if (step == run_mark) {
+      if (step == run_mark) {
         RunHead head;
         std::memcpy(&head, at, sizeof head);
         at += sizeof head;
@@ -114,7 +109,7 @@ class EventLog {
 
  private:
   static constexpr std::uint32_t longest_run = 4 * codec::run_limit + 8;  ///< events of a run at work, and of what ends it
-  static constexpr std::uint8_t run_mark = 0xfe, end_mark = 0xff;         ///< in the place of a step: pixels; a block ends
+  static constexpr std::uint8_t run_mark = 0xff;                          ///< in the place of a step: pixels
   struct RunHead {
     std::int32_t x;
     std::uint32_t count;
@@ -226,7 +221,7 @@ class EventLog {
 
   std::unique_ptr<std::uint8_t[]> bytes_;
   std::uint8_t* end_ = nullptr;
-  std::uint32_t count_ = 0, block_begin_ = 0;
+  std::uint32_t count_ = 0;
 
   // The pixels of a span as they come in.
   Stage stage_ = Stage::closed;

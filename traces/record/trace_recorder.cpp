@@ -64,10 +64,8 @@ struct TraceRecorder::Sink {
     write(bytes);
   }
 
-  void write_blocks(const EventLog& log) {
-    encoder.pack(log, [this](const BlockEncoder::Packed& block) { write_block(block); });
-  }
-  void write_block(const BlockEncoder::Packed& block) {
+  void write_block(const EventLog& log) {
+    const BlockEncoder::Packed& block = encoder.pack(log);
     Bytes info;
     put_block_info(info, block.info);
     const Bytes frame = compress(block.bytes, Compression::fast);
@@ -103,24 +101,20 @@ TraceRecorder::TraceRecorder(const Header& header, const Scene& scene)
 
 TraceRecorder::~TraceRecorder() = default;
 
-void TraceRecorder::end_block() {
-  log_.end_block();
-  if (log_.full()) write_blocks();
-}
-
-void TraceRecorder::write_blocks() {
+void TraceRecorder::write_block() {
+  log_.close();
   before_ += log_.count();
   sink_->beside.wait_for_room();
-  EventLog& log = sink_->at_work[sink_->next_log++ % logs_at_work];  // its blocks are written, or there were no room
+  EventLog& log = sink_->at_work[sink_->next_log++ % logs_at_work];  // its block is written, or there were no room
   log.swap(log_);
   log_.clear();
-  sink_->beside.begin([sink = sink_.get(), &log] { sink->write_blocks(log); });
-  if (on_write_) on_write_(size());
+  sink_->beside.begin([sink = sink_.get(), &log] { sink->write_block(log); });
+  if (on_block_) on_block_(size());
 }
 
 void TraceRecorder::finish() {
-  log_.end_block();
-  if (log_.count() > 0) write_blocks();
+  log_.close();
+  if (log_.count() > 0) write_block();
   sink_->beside.wait();
   const std::uint64_t offset = sink_->written;
   Bytes index;

@@ -16,7 +16,7 @@ namespace zstep {
 
 class TraceRecorder {
  public:
-  /// To a file, written block by block under its own name, so that a killed recording keeps all but what the log held.
+  /// To a file, written block by block under its own name, so that a killed recording keeps all but its last few.
   /// Throws InputError when the file cannot be written. The scene must live as long as the recorder does: it foretells events.
   TraceRecorder(const std::filesystem::path& path, const Header& header, const Scene& scene);
   TraceRecorder(const std::filesystem::path& path, const Header& header, Scene&& scene) = delete;
@@ -30,18 +30,18 @@ class TraceRecorder {
   template <class E>
   void operator()(Step<E> step, const E& event) {
     if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw> || std::is_same_v<E, RayBegin>) {
-      if (log_.may_end_block()) end_block();
+      if (log_.may_end()) write_block();
     }
     if (log_.put(step.id, event)) [[unlikely]]
-      end_block();
+      write_block();
   }
 
   /// Events recorded so far, without those of a span that is at work.
   std::int64_t size() const { return before_ + log_.count(); }
 
-  /// Called now and then, when blocks are written, with the number of events so far: for progress, or to stop the run by throwing.
-  /// finish() may still be called after that.
-  void on_write(std::function<void(std::int64_t)> callback) { on_write_ = std::move(callback); }
+  /// Called after every block with the number of events so far: for progress, or to stop the run by throwing. finish()
+  /// may still be called after that.
+  void on_block(std::function<void(std::int64_t)> callback) { on_block_ = std::move(callback); }
 
   /// Writes the last block and the index. Call it when the run is over: without it the file is as a killed run leaves
   /// it.
@@ -52,13 +52,12 @@ class TraceRecorder {
 
  private:
   struct Sink;
-  void end_block();
-  void write_blocks();
+  void write_block();
 
   std::unique_ptr<Sink> sink_;
   EventLog log_;
-  std::int64_t before_ = 0;  ///< events that were in the log before
-  std::function<void(std::int64_t)> on_write_;
+  std::int64_t before_ = 0;  ///< events of the blocks before
+  std::function<void(std::int64_t)> on_block_;
 };
 
 /// Records an event whose kind is known only at run time (JSONL in, tests).
