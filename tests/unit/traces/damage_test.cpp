@@ -97,6 +97,34 @@ TEST_CASE("damage: no flipped byte goes unnoticed") {
   }
 }
 
+TEST_CASE("damage: a flipped byte costs its block and no other") {
+  std::vector<RecordedEvent> events;
+  for (std::uint32_t i = 0; i < 3 * block_events; ++i) events.push_back({step_of(kind_of<PixelWrite>), PixelWrite{static_cast<std::int32_t>(i % 16), static_cast<std::int32_t>(i / 16 % 12), 1}});
+  const Bytes whole = recorded_bytes(events);
+  const Trace undamaged = Trace::from_bytes(whole, "whole");
+  const auto& blocks = undamaged.impl().blocks;
+  REQUIRE(blocks.size() > 2);
+  const ChunkPlace place = blocks[1].place;
+  // Every byte of its head, and now and then one of what follows.
+  for (std::uint64_t at = place.offset; at < place.end(); at += at < place.offset + chunk_head_size + 40 ? 1 : 7) {
+    Bytes flipped = whole;
+    flipped[static_cast<std::size_t>(at)] ^= 0x10;
+    const Trace trace = Trace::from_bytes(std::move(flipped), "flipped");
+    CAPTURE(at);
+    REQUIRE(trace.size() == undamaged.size());
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+      const BlockInfo& info = blocks[block].info;
+      std::int64_t read = 0;
+      const auto read_block = [&] {
+        trace.visit(info.first_position, info.first_position + info.count, [&](std::int64_t, std::uint8_t, const auto&) { return ++read, true; });
+      };
+      if (block == 1) CHECK_THROWS_AS(read_block(), InputError);
+      else read_block();
+      REQUIRE(read == (block == 1 ? 0 : static_cast<std::int64_t>(info.count)));
+    }
+  }
+}
+
 TEST_CASE("damage: another version says so") {
   Bytes bytes = recorded_bytes({});
   bytes[8] = 9;
