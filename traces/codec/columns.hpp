@@ -22,15 +22,6 @@ constexpr std::string_view column_name(std::size_t column) {
   return slot_name(column);
 }
 
-/// How far a float64's bits are from the guess's, small for numbers that are close: their difference as whole numbers, zigzag.
-inline std::uint64_t difference(std::uint64_t bits, std::uint64_t guess) {
-  const std::uint64_t apart = bits - guess;
-  return (apart << 1) ^ (0 - (apart >> 63));
-}
-inline std::uint64_t undo_difference(std::uint64_t difference, std::uint64_t guess) {
-  return guess + ((difference >> 1) ^ (0 - (difference & 1u)));
-}
-
 inline void put_low_bytes(Bytes& out, std::uint64_t value, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }

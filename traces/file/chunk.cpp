@@ -28,13 +28,17 @@ Tag take_tag(ByteReader& in) {
 
 }  // namespace
 
+void put_chunk(Bytes& out, const Tag& tag, std::span<const std::uint8_t> bytes) {
+  put_tag(out, tag);
+  put_u64(out, bytes.size());
+  put_u64(out, checksum_of(tag, bytes));
+  out.insert(out.end(), bytes.begin(), bytes.end());
+}
+
 Bytes make_chunk(const Tag& tag, std::span<const std::uint8_t> bytes) {
   Bytes chunk;
   chunk.reserve(chunk_head_size + bytes.size());
-  put_tag(chunk, tag);
-  put_u64(chunk, bytes.size());
-  put_u64(chunk, checksum_of(tag, bytes));
-  chunk.insert(chunk.end(), bytes.begin(), bytes.end());
+  put_chunk(chunk, tag, bytes);
   return chunk;
 }
 
@@ -89,11 +93,11 @@ std::optional<std::uint64_t> index_offset(const ByteSource& source) {
 Bytes compress(std::span<const std::uint8_t> bytes, Compression how) {
   // Kept from block to block: to make one takes longer than to use it.
   thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
-  Bytes out(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compressCCtx(context.get(), out.data(), out.size(), bytes.data(), bytes.size(), how == Compression::fast ? -3 : 1);
+  const std::size_t most = ZSTD_compressBound(bytes.size());
+  const std::unique_ptr<std::uint8_t[]> frame(new std::uint8_t[most]);  // memory that is not touched costs nothing
+  const std::size_t size = ZSTD_compressCCtx(context.get(), frame.get(), most, bytes.data(), bytes.size(), how == Compression::fast ? -3 : 1);
   if (ZSTD_isError(size)) throw std::runtime_error(ZSTD_getErrorName(size));
-  out.resize(size);
-  return out;
+  return Bytes(frame.get(), frame.get() + size);
 }
 
 Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit) {

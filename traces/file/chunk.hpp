@@ -20,7 +20,7 @@
 
 namespace zstep {
 
-inline constexpr std::uint32_t trace_version = 3;
+inline constexpr std::uint32_t trace_version = 4;
 inline constexpr std::array<std::uint8_t, 8> trace_signature{'z', 't', 'r', 'a', 'c', 'e', '\r', '\n'};
 inline constexpr std::size_t chunk_head_size = 20;
 inline constexpr std::size_t trailer_size = 20;
@@ -46,6 +46,7 @@ struct ChunkPlace {
 };
 
 /// A chunk, head and all, ready to be written.
+void put_chunk(Bytes& out, const Tag& tag, std::span<const std::uint8_t> bytes);
 Bytes make_chunk(const Tag& tag, std::span<const std::uint8_t> bytes);
 Bytes make_signature();
 Bytes make_trailer(std::uint64_t index_offset);

@@ -1,6 +1,7 @@
 #include "traces/file/scene_bytes.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "traces/events/slots.hpp"
 #include "traces/file/header_json.hpp"
@@ -57,43 +58,123 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
   }
 }
 
+// --- Columns: numbers of one kind in a row, each as what it is more than the one before, so that regular scenes take little room.
+
+/// What is written of them: each number's difference to `last`, as a zigzag varint.
+class Wholes {
+ public:
+  explicit Wholes(Bytes& out) : out_(out) {}
+  Wholes(const Wholes&) = delete;
+  Wholes& operator=(const Wholes&) = delete;
+  ~Wholes() { flush(); }
+
+  void put(std::int64_t value, std::uint32_t& last) {
+    if (at_ > at_hand_.size() - longest) flush();
+    std::uint32_t left = zigzag(static_cast<std::int32_t>(static_cast<std::uint32_t>(value) - last));
+    for (; left >= 0x80; left >>= 7) at_hand_[at_++] = static_cast<std::uint8_t>(left | 0x80);
+    at_hand_[at_++] = static_cast<std::uint8_t>(left);
+    last = static_cast<std::uint32_t>(value);
+  }
+
+ private:
+  static constexpr std::size_t longest = 5;
+  void flush() {
+    out_.insert(out_.end(), at_hand_.begin(), at_hand_.begin() + static_cast<std::ptrdiff_t>(at_));
+    at_ = 0;
+  }
+
+  Bytes& out_;
+  std::array<std::uint8_t, 4096> at_hand_;  ///< what comes next, as a vector asks at each byte whether it has room
+  std::size_t at_ = 0;
+};
+
+void put_wholes(Bytes& out, std::size_t count, const auto& value_at) {
+  Wholes column(out);
+  for (std::uint32_t i = 0, last = 0; i < count; ++i) column.put(value_at(i), last);
+}
+
+std::int32_t take_whole(ByteReader& in, std::uint32_t& last) {
+  last += static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(in.varint())));
+  return static_cast<std::int32_t>(last);
+}
+
+void take_wholes(ByteReader& in, std::size_t count, const auto& put) {
+  for (std::uint32_t i = 0, last = 0; i < count; ++i) put(i, take_whole(in, last));
+}
+
+/// One coordinate of the points: the differences of the float64s' bits, zigzag, first the lowest byte of all of them, then the next of all …
+void put_coordinates(Bytes& out, const std::vector<glm::dvec3>& points, int axis) {
+  const std::size_t begin = out.size(), count = points.size();
+  out.resize(begin + 8 * count);
+  std::uint8_t* const bytes = out.data() + begin;
+  std::uint64_t last = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t bits = bits_of(points[i][axis]);
+    const std::uint64_t more = difference(bits, last);
+    for (std::size_t k = 0; k < 8; ++k) bytes[k * count + i] = static_cast<std::uint8_t>(more >> (8 * k));
+    last = bits;
+  }
+}
+
+void take_coordinates(ByteReader& in, std::vector<glm::dvec3>& points, int axis) {
+  const std::size_t count = points.size();
+  const std::uint8_t* const bytes = in.take(8 * count).data();
+  std::uint64_t last = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t more = 0;
+    for (std::size_t k = 0; k < 8; ++k) more |= std::uint64_t{bytes[k * count + i]} << (8 * k);
+    last = undo_difference(more, last);
+    points[i][axis] = double_of(last);
+  }
+}
+
 }  // namespace
 
 Bytes scene_to_bytes(const Scene& scene) {
   Bytes out;
-  out.reserve(1024 + scene.points.size() * 28 + scene.polygons.size() * 16 + scene.facets.size() * 8 + scene.corners.size() * 4);
+  out.reserve(1024 + scene.points.size() * 28 + scene.polygons.size() * 25 + scene.facets.size() * 10 + scene.corners.size() * 5);
   put_text(out, scene.name);
   put_text(out, scene.source);
   put_text(out, camera_to_json(scene.camera).dump());
   put_text(out, raster_to_json(scene.raster).dump());
   put_color(out, scene.background);
   put_varint(out, scene.points.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const glm::dvec3& point : scene.points) put_u64(out, bits_of(point[axis]));
-  }
+  for (int axis = 0; axis < 3; ++axis) put_coordinates(out, scene.points, axis);
   put_varint(out, scene.point_lines.size());
-  for (const std::int32_t line : scene.point_lines) put_varint(out, zigzag(line));
-  put_varint(out, scene.polygons.size());
-  for (const Polygon& polygon : scene.polygons) {
-    put_color(out, polygon.color);
-    put_varint(out, zigzag(polygon.source_line));
-    put_text(out, polygon.name);
-  }
-  put_varint(out, scene.facets.size());
-  for (const Facet& facet : scene.facets) {
-    put_varint(out, zigzag(facet.polygon));
-    put_varint(out, zigzag(facet.corner_count));
-    for (std::int32_t i = 0; i < facet.corner_count; ++i) {
-      put_varint(out, zigzag(scene.corners[static_cast<std::size_t>(facet.first_corner + i)]));
+  put_wholes(out, scene.point_lines.size(), [&](std::size_t i) { return scene.point_lines[i]; });
+
+  const std::vector<Polygon>& polygons = scene.polygons;
+  put_varint(out, polygons.size());
+  {
+    Wholes columns(out);
+    std::uint32_t red = 0, green = 0, blue = 0, line = 0, length = 0;
+    for (const Polygon& polygon : polygons) {
+      columns.put(polygon.color.red, red), columns.put(polygon.color.green, green), columns.put(polygon.color.blue, blue);
+      columns.put(polygon.source_line, line);
+      columns.put(static_cast<std::int64_t>(polygon.name.size()), length);
     }
   }
+  for (const Polygon& polygon : polygons) out.insert(out.end(), polygon.name.begin(), polygon.name.end());
+
+  const std::vector<Facet>& facets = scene.facets;
+  put_varint(out, facets.size());
+  put_wholes(out, facets.size(), [&](std::size_t i) { return facets[i].polygon; });
+  put_wholes(out, facets.size(), [&](std::size_t i) { return facets[i].corner_count; });
+  std::size_t corners = 0;
+  for (const Facet& facet : facets) corners += static_cast<std::size_t>(facet.corner_count);
+  put_varint(out, corners);
+  auto facet = facets.begin();
+  std::int32_t of_facet = 0;
+  put_wholes(out, corners, [&](std::size_t) {
+    while (of_facet == facet->corner_count) ++facet, of_facet = 0;
+    return scene.corners[static_cast<std::size_t>(facet->first_corner + of_facet++)];
+  });
   if (has_extras(scene)) put_extras(out, scene);
   return out;
 }
 
 Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes);
-  const auto whole = [&] { return unzigzag(static_cast<std::uint32_t>(in.varint())); };
   const auto document = [&] {
     const std::string text = in.text();
     if (text.size() > document_limit) throw MalformedBytes("a camera, raster or light of more than 4 KiB");
@@ -116,27 +197,41 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   scene.raster = raster_from_json(document());
   scene.background = take_color(in);
   scene.points.resize(count(24, most_points));
-  for (int axis = 0; axis < 3; ++axis) {
-    for (glm::dvec3& point : scene.points) point[axis] = double_of(in.u64());
-  }
+  for (int axis = 0; axis < 3; ++axis) take_coordinates(in, scene.points, axis);
   scene.point_lines.resize(count(1, most_points));
-  for (std::int32_t& line : scene.point_lines) line = whole();
-  scene.polygons.resize(count(5, most_polygons));
-  for (Polygon& polygon : scene.polygons) {
-    polygon.color = take_color(in);
-    polygon.source_line = whole();
-    polygon.name = in.text();
+  take_wholes(in, scene.point_lines.size(), [&](std::size_t i, std::int32_t line) { scene.point_lines[i] = line; });
+
+  std::vector<Polygon>& polygons = scene.polygons;
+  polygons.resize(count(5, most_polygons));
+  std::vector<std::uint32_t> lengths;
+  lengths.reserve(polygons.size());
+  std::uint32_t red = 0, green = 0, blue = 0, line = 0, length = 0;
+  for (Polygon& polygon : polygons) {
+    polygon.color.red = static_cast<std::uint8_t>(take_whole(in, red));
+    polygon.color.green = static_cast<std::uint8_t>(take_whole(in, green));
+    polygon.color.blue = static_cast<std::uint8_t>(take_whole(in, blue));
+    polygon.source_line = take_whole(in, line);
+    take_whole(in, length);
+    lengths.push_back(length);
   }
-  scene.facets.resize(count(2, most_facets));
-  for (Facet& facet : scene.facets) {
-    facet.polygon = whole();
-    facet.first_corner = static_cast<std::int32_t>(scene.corners.size());
-    facet.corner_count = whole();
-    if (facet.corner_count < 0 || static_cast<std::size_t>(facet.corner_count) > in.left() ||
-        scene.corners.size() + static_cast<std::size_t>(facet.corner_count) > static_cast<std::size_t>(most_corners))
-      throw MalformedBytes("a facet with more corners than the data");
-    for (std::int32_t i = 0; i < facet.corner_count; ++i) scene.corners.push_back(whole());
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const std::span<const std::uint8_t> name = in.take(lengths[i]);
+    polygons[i].name.assign(name.begin(), name.end());
   }
+
+  std::vector<Facet>& facets = scene.facets;
+  facets.resize(count(2, most_facets));
+  take_wholes(in, facets.size(), [&](std::size_t i, std::int32_t polygon) { facets[i].polygon = polygon; });
+  std::int64_t corners = 0;
+  take_wholes(in, facets.size(), [&](std::size_t i, std::int32_t corner_count) {
+    facets[i].first_corner = static_cast<std::int32_t>(corners);
+    facets[i].corner_count = corner_count;
+    corners += corner_count;
+    if (corner_count < 0 || corners > most_corners) throw MalformedBytes("a facet with more corners than the data");
+  });
+  scene.corners.resize(count(1, most_corners));
+  if (corners != static_cast<std::int64_t>(scene.corners.size())) throw MalformedBytes("a facet with more corners than the data");
+  take_wholes(in, scene.corners.size(), [&](std::size_t i, std::int32_t corner) { scene.corners[i] = corner; });
   if (!in.empty()) take_extras(in, document(), scene);
   if (!in.empty()) throw MalformedBytes("the scene is followed by something");
   check_scene(scene);

@@ -56,11 +56,9 @@ struct TraceRecorder::Sink {
   /// All at once, so that a file that was begun is one that can be opened.
   void write_head(const Header& header, const Scene& scene) {
     const std::string json = header_to_json(header).dump();
-    const Bytes head = make_chunk(head_tag, compress({reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}));
-    const Bytes body = make_chunk(scene_tag, compress(scene_to_bytes(scene)));
     Bytes bytes = make_signature();
-    bytes.insert(bytes.end(), head.begin(), head.end());
-    bytes.insert(bytes.end(), body.begin(), body.end());
+    put_chunk(bytes, head_tag, compress({reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}));
+    put_chunk(bytes, scene_tag, compress(scene_to_bytes(scene)));
     write(bytes);
   }
 
