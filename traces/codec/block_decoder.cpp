@@ -45,15 +45,9 @@ BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t c
 }
 
 const Row& BlockDecoder::take_row(std::uint8_t token) {
-  if ((token & missed_bit) != 0 || !row_.steps.known()) throw MalformedBytes("a scan line that cannot be");
+  if ((token & missed_bit) != 0 || !row_.steps.known() || !foreteller_.guess_row(row_)) throw MalformedBytes("a scan line that cannot be");
   count_down(Row::events());
-  const auto take = [this](auto& event) {
-    foreteller_.guess_all(event);
-    foreteller_.learn(event);
-  };
-  take(row_.line);
-  for (EdgeStep& edge : row_.edges) take(edge);
-  take(row_.span);
+  foreteller_.learn_row(row_);
   return row_;
 }
 

@@ -11,18 +11,17 @@ namespace zstep {
 using namespace codec;
 
 struct BlockEncoder::State {
-  State(const Scene& scene, const Header& header) : facts(scene, header.conventions), foreteller(facts), row(header.page) {}
+  State(const Scene& scene, const Header& header) : facts(scene, header.conventions), foreteller(facts), row(RowSteps(header.page)) {}
 
   /// One event by its token, and its fields as far as they were not foretold.
   template <class E>
   void write(std::uint8_t step, const E& event);
+  void write(const LoggedRow& logged);
   void write(const LoggedRun& run);
   void write_run(const LoggedRun& run, std::uint32_t count);
   std::uint32_t count_foretold(const LoggedRun& run) const;
   template <class E>
   void write_misses(const E& event);
-  template <class E>
-  void follow_row(std::uint8_t step, bool foretold);
   void begin();
   void end();
 
@@ -30,8 +29,7 @@ struct BlockEncoder::State {
   Foreteller foreteller;
   std::int64_t first_position = 0;  ///< of the block at work
   RunSteps steps;
-  RowSteps row;
-  int of_row = 0;  ///< so many of the last tokens begin a row
+  Row row;
   Packed packed;
   Bytes tokens;
   std::array<Bytes, column_count> columns;
@@ -78,29 +76,12 @@ void BlockEncoder::State::write_misses(const E& event) {
   });
 }
 
-/// When the last four tokens are a row's, and all was foretold, they become one.
-template <class E>
-void BlockEncoder::State::follow_row(std::uint8_t step, bool foretold) {
-  if constexpr (std::is_same_v<E, ScanLineBegin>) {
-    of_row = foretold && row.known() && step == row.line ? 1 : 0;
-  } else if constexpr (std::is_same_v<E, EdgeStep>) {
-    of_row = foretold && (of_row == 1 || of_row == 2) && step == row.edge ? of_row + 1 : 0;
-  } else {
-    if (std::is_same_v<E, SpanBegin> && foretold && of_row == 3 && step == row.span) {
-      tokens.resize(tokens.size() - 4);
-      tokens.push_back(row_token);
-    }
-    of_row = 0;
-  }
-}
-
 template <class E>
 void BlockEncoder::State::write(std::uint8_t step, const E& event) {
   E guessed;
   const bool foretold = foreteller.guess_all(guessed) && same_fields(guessed, event);
   tokens.push_back(foretold ? step : static_cast<std::uint8_t>(step | missed_bit));
   if (!foretold) write_misses(event);
-  follow_row<E>(step, foretold);
   foreteller.learn(event);
   steps.learn<E>(step);
   packed.info.steps.add(step);
@@ -113,6 +94,20 @@ void BlockEncoder::State::write(std::uint8_t step, const E& event) {
     packed.info.marks.push_back({packed.info.count, event.polygon, {}});
   }
   ++packed.info.count;
+}
+
+void BlockEncoder::State::write(const LoggedRow& logged) {
+  const std::array<std::uint8_t, 4> steps_of_row{row.steps.line, row.steps.edge, row.steps.edge, row.steps.span};
+  const bool foretold = logged.steps == steps_of_row && foreteller.guess_row(row) && same_fields(row.line, logged.line) &&
+                        same_fields(row.edges[0], logged.edges[0]) && same_fields(row.edges[1], logged.edges[1]) && same_fields(row.span, logged.span);
+  if (!foretold) {
+    write(logged.steps[0], logged.line), write(logged.steps[1], logged.edges[0]), write(logged.steps[2], logged.edges[1]), write(logged.steps[3], logged.span);
+    return;
+  }
+  tokens.push_back(row_token);
+  foreteller.learn_row(row);
+  for (const std::uint8_t step : steps_of_row) packed.info.steps.add(step);
+  packed.info.count += Row::events();
 }
 
 // To the bit; what is not a number never is, as which one it is depends on the compiler.
@@ -154,7 +149,6 @@ void BlockEncoder::State::write_run(const LoggedRun& run, std::uint32_t count) {
   const std::int32_t end = run.x + static_cast<std::int32_t>(count);
   const std::uint64_t nearer = run.nearer & (~std::uint64_t{0} >> (64 - count));
   tokens.push_back(run.painted ? paints_token : fragments_token);
-  of_row = 0;
   put_u8(columns[counts_column], static_cast<std::uint8_t>(count));
   foreteller.set_whole(slot_of("x"), end - 1);
   foreteller.set_real(slot_of("z"), run.depth(count - 1));
@@ -177,7 +171,6 @@ void BlockEncoder::State::begin() {
   packed.bytes.clear();
   foreteller.forget();
   steps = RunSteps{};
-  of_row = 0;
   tokens.clear();
   for (Bytes& column : columns) column.clear();
 }
@@ -200,7 +193,7 @@ void BlockEncoder::State::end() {
 const BlockEncoder::Packed& BlockEncoder::pack(const EventLog& log) {
   State& block = *state_;
   block.begin();
-  log.for_each([&](const LoggedRun& run) { block.write(run); }, [&](std::uint8_t step, const auto& event) { block.write(step, event); });
+  log.for_each([&](const LoggedRow& row) { block.write(row); }, [&](const LoggedRun& run) { block.write(run); }, [&](std::uint8_t step, const auto& event) { block.write(step, event); });
   block.end();
   return block.packed;
 }

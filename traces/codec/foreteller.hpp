@@ -17,6 +17,8 @@
 
 namespace zstep::codec {
 
+struct Row;
+
 class Foreteller {
  public:
   /// `facts` must live as long as this does.
@@ -69,6 +71,10 @@ class Foreteller {
     return possible;
   }
 
+  /// The next scan line as it mostly is; false when the block does not tell enough of it.
+  bool guess_row(Row& row) const;
+  void learn_row(const Row& row);
+
   // --- Of the span at work
   bool in_span() const { return in_span_; }
   const SpanBegin& span() const { return span_; }
@@ -113,6 +119,8 @@ class Foreteller {
   void evaluate(EdgeEnter& event);
   void evaluate(EdgeStep& event);
   void evaluate(SpanBegin& event);
+  /// All of a span that follows from where its ends are.
+  void fill_span(SpanBegin& event, double x_left, double z_left, double x_right, double z_right) const;
   void evaluate(RayPlane& event) const;
   void evaluate(RayHit& event) const;
   void evaluate(DepthInterpolate& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }

@@ -44,7 +44,7 @@ std::int32_t KnownEdges::to_enter(std::int32_t row) const {
 std::int32_t KnownEdges::place_for(const KnownEdge& edge) const {
   const std::size_t end = std::min(active_.size(), places_limit);
   for (std::size_t place = 0; place < end; ++place) {
-    const KnownEdge* other = const_cast<KnownEdges*>(this)->at(active_[place]);
+    const KnownEdge* other = at(active_[place]);
     if (other == nullptr) continue;
     if (edge.x != other->x ? edge.x < other->x : edge.dx_dy < other->dx_dy) return static_cast<std::int32_t>(place);
   }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -28,15 +29,24 @@ class KnownEdges {
   void clear();
 
   /// An edge of the table; nullptr when this block has not told of it.
-  KnownEdge* at(std::int32_t number) {
+  const KnownEdge* at(std::int32_t number) const {
     const std::int64_t place = std::int64_t{number} - base_;
     return place >= 0 && place < static_cast<std::int64_t>(edges_.size()) ? &edges_[static_cast<std::size_t>(place)] : nullptr;
   }
+  KnownEdge* at(std::int32_t number) { return const_cast<KnownEdge*>(std::as_const(*this).at(number)); }
   void insert(std::int32_t number, const KnownEdge& edge);
   /// The number that the next edge will have if the table goes on as it does.
   std::int32_t next_number() const;
   /// The smallest first row of the edges in the table; -1 when there are none.
   std::int32_t first_row() const { return edges_.empty() ? -1 : first_row_; }
+
+  /// The first two active edges; nullptr where the block has not told of both.
+  std::pair<const KnownEdge*, const KnownEdge*> first_two() const {
+    if (active_.size() < 2) return {};
+    const KnownEdge *one = at(active_[0]), *other = at(active_[1]);
+    return one != nullptr && other != nullptr ? std::pair{one, other} : std::pair<const KnownEdge*, const KnownEdge*>{};
+  }
+  std::int32_t number(const KnownEdge& edge) const { return base_ + static_cast<std::int32_t>(&edge - edges_.data()); }
 
   void begin_row();
 

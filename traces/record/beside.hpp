@@ -1,6 +1,7 @@
 // Work that is done beside the caller's own, one piece after another.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -44,34 +45,37 @@ class Beside {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       pieces_.push(std::move(work));
+      ++unfinished_;
     }
     changed_.notify_all();
   }
 
  private:
   void wait_until_at_most(std::size_t count) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    await(lock, [&] { return pieces_.size() <= count; });
-    if (fault_) std::rethrow_exception(std::exchange(fault_, nullptr));
+    await([&] { return unfinished_ <= count; });
+    if (!faulty_) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    faulty_ = false;
+    std::rethrow_exception(std::exchange(fault_, nullptr));
   }
-  /// To be put to sleep and woken takes longer than most waits here, so one looks some times first.
+  /// To be put to sleep and woken takes longer than most waits here, so one looks some times first, without the other's having to wait.
   template <class Condition>
-  void await(std::unique_lock<std::mutex>& lock, Condition&& condition) {
-    for (int look = 0; look < 64 && !condition(); ++look) {
-      lock.unlock();
+  void await(Condition&& condition) {
+    for (int look = 0; look < looks; ++look) {
+      if (condition()) return;
       std::this_thread::yield();
-      lock.lock();
     }
+    std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait(lock, condition);
   }
 
   void run() {
-    std::unique_lock<std::mutex> lock(mutex_);
     for (;;) {
-      await(lock, [this] { return ends_ || !pieces_.empty(); });
+      await([this] { return ends_ || unfinished_ > 0; });
+      std::unique_lock<std::mutex> lock(mutex_);
       if (pieces_.empty()) return;
-      if (!fault_) {
-        const std::function<void()>& work = pieces_.front();  // stays where it is until it is popped
+      const std::function<void()>& work = pieces_.front();  // stays where it is until it is popped
+      if (!faulty_) {
         lock.unlock();
         std::exception_ptr fault;
         try {
@@ -81,18 +85,25 @@ class Beside {
         }
         lock.lock();
         fault_ = fault;
+        faulty_ = fault != nullptr;
       }
       pieces_.pop();
+      --unfinished_;
+      lock.unlock();
       changed_.notify_all();
     }
   }
+
+  static constexpr int looks = 640;  ///< less than a millisecond
 
   std::size_t most_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::queue<std::function<void()>> pieces_;  ///< the first is at work
   std::exception_ptr fault_;
-  bool ends_ = false;
+  // What is waited for: read without the lock, and changed under it, so that nobody goes to sleep just before.
+  std::atomic<std::size_t> unfinished_ = 0;
+  std::atomic<bool> faulty_ = false, ends_ = false;
   std::thread thread_;
 };
 

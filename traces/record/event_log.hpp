@@ -5,9 +5,12 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <type_traits>
+#include <utility>
 
 #include "traces/events/slots.hpp"
 #include "traces/events/vocabulary.hpp"
@@ -37,6 +40,14 @@ struct LoggedRun {
     std::memcpy(&z, depths + pixel * sizeof z, sizeof z);
     return z;
   }
+};
+
+/// A scan line that begins, two active edges that step, and a span that begins.
+struct LoggedRow {
+  std::array<std::uint8_t, 4> steps;
+  ScanLineBegin line;
+  std::array<EdgeStep, 2> edges;
+  SpanBegin span;
 };
 
 /// The steps by which a run's events were recorded when they last came one by one.
@@ -76,9 +87,9 @@ class EventLog {
   void clear();
   void swap(EventLog& other) noexcept;
 
-  /// Calls run(const LoggedRun&) and one(step, const E&) for what stands in the log, in order.
-  template <class Run, class One>
-  void for_each(Run&& run, One&& one) const {
+  /// Calls row(const LoggedRow&), run(const LoggedRun&) and one(step, const E&) for what stands in the log, in order.
+  template <class Row, class Run, class One>
+  void for_each(Row&& row, Run&& run, One&& one) const {
     using Give = void (*)(std::uint8_t, const std::uint8_t*, std::remove_reference_t<One>&);
     static constexpr auto give = []<std::size_t... K>(std::index_sequence<K...>) {
       return std::array<Give, kind_count>{&EventLog::give_one<KindAt<K>, One>...};
@@ -88,21 +99,24 @@ class EventLog {
       return std::array<std::size_t, kind_count>{sizeof(KindAt<K>)...};
     }
     (std::make_index_sequence<kind_count>{});
-    codec::LoggedRun logged;
+    codec::LoggedRow logged_row;
+    codec::LoggedRun logged_run;
     for (const std::uint8_t* at = bytes_.get(); at != end_;) {
       const std::uint8_t step = at[0], kind = at[1];
-      at += 2;
       if (step == run_mark) {
         RunHead head;
-        std::memcpy(&head, at, sizeof head);
-        at += sizeof head;
-        logged.painted = kind != 0, logged.x = head.x, logged.count = head.count, logged.nearer = head.nearer;
-        logged.depths = at;
+        std::memcpy(&head, at + 2, sizeof head);
+        at += 2 + sizeof head;
+        logged_run.painted = kind != 0, logged_run.x = head.x, logged_run.count = head.count, logged_run.nearer = head.nearer;
+        logged_run.depths = at;
         at += head.count * sizeof(double);
-        run(logged);
+        run(logged_run);
+      } else if (kind == kind_of<ScanLineBegin> && row_stands(at)) {
+        take_row(at, logged_row);
+        row(logged_row);
       } else {
-        give[kind](step, at, one);
-        at += sizes[kind];
+        give[kind](step, at + 2, one);
+        at += 2 + sizes[kind];
       }
     }
   }
@@ -115,6 +129,23 @@ class EventLog {
     std::uint32_t count;
     std::uint64_t nearer;
   };
+
+  template <class E>
+  static constexpr std::size_t logged_size = 2 + sizeof(E);
+  static constexpr std::size_t edges_at = logged_size<ScanLineBegin>, span_at = edges_at + 2 * logged_size<EdgeStep>, row_size = span_at + logged_size<SpanBegin>;
+  bool row_stands(const std::uint8_t* at) const {
+    const auto is = [&]<class E>(std::size_t offset, std::type_identity<E>) { return at[offset] != run_mark && at[offset + 1] == kind_of<E>; };
+    const std::type_identity<EdgeStep> edge;
+    return static_cast<std::size_t>(end_ - at) >= row_size && is(edges_at, edge) && is(edges_at + logged_size<EdgeStep>, edge) && is(span_at, std::type_identity<SpanBegin>{});
+  }
+  static void take_row(const std::uint8_t*& at, codec::LoggedRow& row) {
+    const auto take = [&](std::size_t place, auto& event) {
+      row.steps[place] = at[0];
+      std::memcpy(&event, at + 2, sizeof event);
+      at += 2 + sizeof event;
+    };
+    take(0, row.line), take(1, row.edges[0]), take(2, row.edges[1]), take(3, row.span);
+  }
 
   template <class E, class One>
   static void give_one(std::uint8_t step, const std::uint8_t* bytes, std::remove_reference_t<One>& one) {
@@ -229,11 +260,36 @@ class EventLog {
   bool painting_ = false;     ///< they are painted, and more may follow
   bool painted_ = false;
   bool in_span_ = false;
+  // Of the next pixel. x_ and y_ stand apart: together they would be read as one word, which waits until x_, just written, is in memory.
+  std::int32_t x_ = 0, polygon_ = 0;
   std::uint64_t nearer_ = 0;
-  std::int32_t x_ = 0, y_ = 0, polygon_ = 0;  ///< of the next pixel
+  std::int32_t y_ = 0;
   // Of those that wait, and of the pixel at work: not in the log itself, as a compiler takes what is written there for anything.
   std::array<double, codec::run_limit> depths_{};
   codec::RunSteps steps_;
 };
+
+inline void EventLog::close_run() {
+  const Stage stage = std::exchange(stage_, Stage::closed);
+  const std::uint32_t pixels = std::exchange(pixels_, 0);
+  const std::uint64_t nearer = std::exchange(nearer_, 0);
+  const bool painted = painted_;
+  painting_ = painted_ = false;
+  if (pixels > 0) {
+    const RunHead head{x_ - static_cast<std::int32_t>(pixels), pixels, nearer & (~std::uint64_t{0} >> (64 - pixels))};
+    end_[0] = run_mark, end_[1] = painted;
+    std::memcpy(end_ + 2, &head, sizeof head);
+    std::memcpy(end_ + 2 + sizeof head, depths_.data(), pixels * sizeof(double));
+    end_ += 2 + sizeof head + pixels * sizeof(double);
+    count_ += painted ? pixels : 2 * (pixels + static_cast<std::uint32_t>(std::popcount(head.nearer)));
+  }
+  if (stage <= Stage::ready) return;
+  // A pixel that was told in part: its events one by one.
+  const std::int32_t x = x_, y = y_;
+  const double z = depths_[pixels];
+  append(steps_.fragment[0], DepthInterpolate{x, y, z});
+  if (stage > Stage::interpolated) append(steps_.fragment[1], DepthCompare{x, y, z, true});
+  if (stage == Stage::depth_written) append(steps_.fragment[2], DepthWrite{x, y, z});
+}
 
 }  // namespace zstep
