@@ -15,7 +15,7 @@ struct NoLog {
   void ink(std::size_t, std::uint32_t) {}
   void vertex(std::size_t, const VertexWay&) {}
   void vertex_added() {}
-  void vertices_dropped(const std::vector<VertexWay>&, std::size_t) {}
+  void vertices_dropped(const SharedChunks<VertexWay>&) {}
   void fragment(const std::optional<Fragment>&) {}
   void picture(bool, const Picture&) {}
 };
@@ -44,7 +44,7 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     if (index < 0 || static_cast<std::size_t>(index) >= state.vertices.size())
       throw Impossible(fmt::format("there is no vertex {}", index));
     log.vertex(static_cast<std::size_t>(index), state.vertices[static_cast<std::size_t>(index)]);
-    return state.vertices[static_cast<std::size_t>(index)];
+    return state.vertices.edit(static_cast<std::size_t>(index));
   };
   const auto set_fragment = [&](const std::optional<Fragment>& fragment) {
     log.fragment(state.machine.fragment);
@@ -97,7 +97,7 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
   } else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw> ||
                        std::is_same_v<E, TablesBegin>) {
     if (state.vertices.size() > points && !state.machine.keeps_all) {
-      log.vertices_dropped(state.vertices, points);
+      log.vertices_dropped(state.vertices);
       state.vertices.resize(points);
     }
     set_fragment(std::nullopt);

@@ -40,13 +40,15 @@ void Beginning::begin_pictures(State& state) const {
 
 void Beginning::begin_vertices(State& state) const {
   const std::size_t points = scene_->points.size();
-  state.vertices.assign(points, VertexWay{});
+  state.vertices = {};
+  state.vertices.resize(points);
   if (scene_->camera.kind != Camera::Kind::screen) return;
   for (std::size_t i = 0; i < points; ++i) {
     const glm::dvec3& point = scene_->points[i];
-    state.vertices[i].stage = VertexWay::on_raster;
-    state.vertices[i].plane = point;
-    state.vertices[i].raster = {point.x, point.y};
+    VertexWay& way = state.vertices.edit(i);
+    way.stage = VertexWay::on_raster;
+    way.plane = point;
+    way.raster = {point.x, point.y};
   }
 }
 

@@ -1,24 +1,20 @@
 #include "traces/replay/key_frames.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
+
+#include "traces/replay/same.hpp"
 
 namespace zstep {
 
 namespace {
 
-bool same_ways(const std::vector<VertexWay>& one, const VertexWay* other) {
-  return std::equal(one.begin(), one.end(), other, [](const VertexWay& a, const VertexWay& b) {
-    return a.stage == b.stage && std::memcmp(&a.view, &b.view, sizeof a.view) == 0 && std::memcmp(&a.plane, &b.plane, sizeof a.plane) == 0 &&
-           std::memcmp(&a.raster, &b.raster, sizeof a.raster) == 0 && std::memcmp(&a.world, &b.world, sizeof a.world) == 0;
-  });
-}
+bool same_way(const VertexWay& one, const VertexWay& other) { return same(one, other); }
 
 }  // namespace
 
 KeyFrames::KeyFrames(const Beginning& beginning, std::int64_t end, std::int64_t spacing, std::size_t budget)
-    : beginning_(&beginning), points_(beginning.points()), end_(end), spacing_(spacing), next_due_(spacing), budget_(budget) {
+    : beginning_(&beginning), end_(end), spacing_(spacing), next_due_(spacing), budget_(budget) {
   if (next_due() <= end_) beginning_->begin_pictures(last_);
 }
 
@@ -26,27 +22,20 @@ void KeyFrames::set_pictures(Frame& frame, std::size_t n, const State& before, c
   const bool whole = n % group == 0;
   frame.picture = PictureChange(whole ? nullptr : &before.picture, now.picture);
   frame.light = PictureChange(whole ? nullptr : &before.light, now.light);
-  frame.bytes = sizeof(Frame) + frame.made.size() * sizeof(VertexWay) + frame.picture.bytes() + frame.light.bytes();
 }
 
 void KeyFrames::add(const State& state) {
-  if (std::exchange(points_changed_, false) && many_points()) {
-    next_due_ = state.position + spacing_;
-    return;
-  }
-  const auto scene_points_end = state.vertices.begin() + static_cast<std::ptrdiff_t>(points_);
   Frame frame;
   frame.position = state.position;
   frame.machine = state.machine;
-  if (!points_at_hand_ && !frames_.empty() && same_ways(*frames_.back().points, state.vertices.data())) points_at_hand_ = frames_.back().points;
-  if (!points_at_hand_) {
-    points_at_hand_ = std::make_shared<const std::vector<VertexWay>>(state.vertices.begin(), scene_points_end);
-    bytes_ += bytes_of_points();
+  frame.vertices = state.vertices;
+  if (!frames_.empty()) {
+    const SharedChunks<VertexWay>& before = frames_.back().vertices;
+    frame.vertices.share(before, same_way);  // where the state was stepped to anew
+    bytes_ += before.bytes_beyond(frame.vertices);
   }
-  frame.points = points_at_hand_;
-  frame.made.assign(scene_points_end, state.vertices.end());
   set_pictures(frame, frames_.size(), last_, state);
-  bytes_ += frame.bytes;
+  bytes_ += frame.bytes();
   frames_.push_back(std::move(frame));
   if (bytes_ > budget_ && frames_.size() > 2) thin_out();
   next_due_ = state.position + spacing_;
@@ -75,16 +64,12 @@ void KeyFrames::restore_before(std::int64_t position, State& state) {
     state.position = 0;
     state.machine = Machine();
     beginning_->begin_vertices(state);
-    points_at_hand_ = nullptr;
     return;
   }
   const Frame& frame = frames_[count - 1];
   state.position = frame.position;
   state.machine = frame.machine;
-  state.vertices.resize(points_);
-  if (points_at_hand_ != frame.points) state.vertices = *frame.points;
-  state.vertices.insert(state.vertices.end(), frame.made.begin(), frame.made.end());
-  points_at_hand_ = frame.points;
+  state.vertices = frame.vertices;
 }
 
 void KeyFrames::thin_out() {
@@ -98,8 +83,8 @@ void KeyFrames::thin_out() {
     frame.light.apply_to(now.light);
     if (i % 2 == 0 && i + 1 < frames_.size()) continue;
     set_pictures(frame, kept.size(), before, now);
-    if (kept.empty() || kept.back().points != frame.points) bytes_ += bytes_of_points();
-    bytes_ += frame.bytes;
+    if (!kept.empty()) bytes_ += kept.back().vertices.bytes_beyond(frame.vertices);
+    bytes_ += frame.bytes();
     before.picture = now.picture, before.light = now.light;
     kept.push_back(std::move(frame));
   }

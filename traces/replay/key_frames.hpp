@@ -21,46 +21,34 @@ class KeyFrames {
 
   /// Where the next frame is due; frames stand in the order of their positions.
   std::int64_t next_due() const { return next_due_; }
-  /// A frame at this state; none while the points of a large scene go on, as each would need a copy of them all.
+  /// A frame at this state.
   void add(const State& state);
-  /// To be told when a point of the scene goes on, of the one state that is given and restored here.
-  void point_changes() {
-    points_at_hand_ = nullptr;
-    points_changed_ = true;
-  }
 
   /// The last position up to this one at which a frame stands, or 0.
   std::int64_t before(std::int64_t position) const;
   /// Makes the state what it was there.
   void restore_before(std::int64_t position, State& state);
-  std::size_t bytes() const { return bytes_; }
+  std::size_t bytes() const { return bytes_; }  ///< beyond what the state itself holds
 
  private:
   struct Frame {
     std::int64_t position = 0;
     Machine machine;
-    std::shared_ptr<const std::vector<VertexWay>> points;  ///< shared by frames between which no scene point went on
-    std::vector<VertexWay> made;                           ///< the vertices beyond the scene's points
+    SharedChunks<VertexWay> vertices;
     PictureChange picture, light;
-    std::size_t bytes = 0;  ///< without the points that it shares
+    std::size_t bytes() const { return sizeof(Frame) + picture.bytes() + light.bytes(); }  ///< without vertices, which frames share
   };
   static constexpr std::size_t group = 16;
   /// The changes of the n-th frame from what it is told from: the pictures of the frame before, or nothing.
   static void set_pictures(Frame& frame, std::size_t n, const State& before, const State& now);
   std::size_t count_before(std::int64_t position) const;
-  /// Of many points there is one copy, or few, whatever the budget: fewer frames would not make them less.
-  bool many_points() const { return points_ * sizeof(VertexWay) > budget_ / 16; }
-  std::size_t bytes_of_points() const { return many_points() ? 0 : points_ * sizeof(VertexWay); }
   void thin_out();
 
   const Beginning* beginning_;
-  std::size_t points_;  ///< of the scene
   std::int64_t end_, spacing_, next_due_;
   std::size_t budget_, bytes_ = 0;
   std::vector<Frame> frames_;
-  std::shared_ptr<const std::vector<VertexWay>> points_at_hand_;  ///< those that the state has now, if it is known
-  bool points_changed_ = false;                                   ///< since a frame was last due
-  State last_;                                                    ///< its pictures are those of the last frame, while more are to come
+  State last_;                 ///< its pictures are those of the last frame, while more are to come
 };
 
 }  // namespace zstep

@@ -43,9 +43,6 @@ struct Replay::Impl {
     try {
       // The stores first: they refuse before they change anything, and what they changed when the machine then refuses
       // is taken back by the callers.
-      if constexpr (std::is_same_v<E, ViewTransform> || std::is_same_v<E, Projection> || std::is_same_v<E, ViewportTransform>) {
-        if (event.vertex >= 0 && static_cast<std::size_t>(event.vertex) < points) key_frames.point_changes();
-      }
       apply_stores(event, state, points, old_values);
       apply_machine(event, state.machine, position);
     } catch (const Impossible& error) {

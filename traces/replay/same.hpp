@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "traces/events/slots.hpp"
+#include "traces/replay/shared_chunks.hpp"
 #include "traces/replay/shared_vector.hpp"
 
 namespace zstep {
@@ -92,6 +93,15 @@ bool same(const std::array<T, N>& a, const std::array<T, N>& b) {
 template <class T>
 bool same(const SharedVector<T>& a, const SharedVector<T>& b) {
   return a.shares_with(b) || same(a.all(), b.all());
+}
+
+template <class T>
+bool same(const SharedChunks<T>& a, const SharedChunks<T>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!same(a[i], b[i])) return false;
+  }
+  return true;
 }
 
 }  // namespace zstep

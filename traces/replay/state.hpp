@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "traces/events/vocabulary.hpp"
+#include "traces/replay/shared_chunks.hpp"
 #include "traces/replay/structures.hpp"
 #include "traces/scene.hpp"
 
@@ -103,7 +104,7 @@ struct State {
   Machine machine;
   Picture picture;  ///< frame (polygon indices, colours of their own where the method writes such) and depth
   Picture light;    ///< what the light sees; without pixels where the method makes no such pass
-  std::vector<VertexWay> vertices;  ///< scene points first, then the vertices that clipping and cutting made
+  SharedChunks<VertexWay> vertices;  ///< scene points first, then the vertices that clipping and cutting made
 
   /// The buffers that the pass at work writes to.
   Picture& picture_of_pass() { return machine.pass == Pass::light ? light : picture; }

@@ -22,10 +22,7 @@ class UndoLog {
   void ink(std::size_t pixel, std::uint32_t old) { add(Ink{pixel, old}); }
   void vertex(std::size_t index, const VertexWay& old) { add(Vertex{index, old}); }
   void vertex_added() { add(VertexAdded{}); }
-  void vertices_dropped(const std::vector<VertexWay>& vertices, std::size_t kept) {
-    add(VerticesDropped{std::make_shared<const std::vector<VertexWay>>(
-        vertices.begin() + static_cast<std::ptrdiff_t>(kept), vertices.end())});
-  }
+  void vertices_dropped(const SharedChunks<VertexWay>& old) { add(VerticesDropped{std::make_shared<const SharedChunks<VertexWay>>(old)}); }
   void fragment(const std::optional<Fragment>& old) { add(Pixel{old}); }
   void picture(bool light, const Picture& old) {
     pictures_bytes_ += old.depth.size() * (sizeof(double) + 2 * sizeof(std::int32_t));
@@ -72,7 +69,7 @@ class UndoLog {
   };
   struct VertexAdded {};
   struct VerticesDropped {
-    std::shared_ptr<const std::vector<VertexWay>> old;
+    std::shared_ptr<const SharedChunks<VertexWay>> old;
   };
   struct Pixel {
     std::optional<Fragment> old;
@@ -97,11 +94,9 @@ class UndoLog {
     picture_of(entry.light, state).polygon[entry.pixel] = entry.old;
   }
   static void restore(const Ink& entry, State& state) { state.picture.ink[entry.pixel] = entry.old; }
-  static void restore(const Vertex& entry, State& state) { state.vertices[entry.index] = entry.old; }
+  static void restore(const Vertex& entry, State& state) { state.vertices.edit(entry.index) = entry.old; }
   static void restore(const VertexAdded&, State& state) { state.vertices.pop_back(); }
-  static void restore(const VerticesDropped& entry, State& state) {
-    state.vertices.insert(state.vertices.end(), entry.old->begin(), entry.old->end());
-  }
+  static void restore(const VerticesDropped& entry, State& state) { state.vertices = *entry.old; }
   static void restore(const Pixel& entry, State& state) { state.machine.fragment = entry.old; }
   static void restore(const Whole& entry, State& state) { picture_of(entry.light, state) = *entry.old; }
 
