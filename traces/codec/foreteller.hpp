@@ -164,7 +164,8 @@ class Foreteller {
   std::vector<std::int32_t> outline_;         ///< as events told it
   std::size_t side_ = 0;                      ///< sides of the outline that went to the edge table or past it
   std::vector<VertexFacts> made_;             ///< vertices that the block made
-  std::vector<VertexFacts> corner_facts_;
+  std::vector<VertexFacts> corner_facts_;     ///< those of the facet at work, once looked at
+  bool looked_at_corners_ = false;
   bool keeps_all_ = false;
   KnownEdges edges_;
   std::int32_t last_inserted_ = -1;
@@ -176,4 +177,5 @@ class Foreteller {
 
 }  // namespace zstep::codec
 
+#include "traces/codec/foretell_polygons.hpp"
 #include "traces/codec/foretell_rows.hpp"

@@ -58,9 +58,10 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
   }
 }
 
-// --- Columns: numbers of one kind in a row, each as what it is more than the one before, so that regular scenes take little room.
+// --- Columns: whole numbers of one kind, each as what it is more than the one before (the first: than 0), so that regular scenes take
+// little room.
 
-/// What is written of them: each number's difference to `last`, as a zigzag varint.
+/// Zigzag varints of the differences.
 class Wholes {
  public:
   explicit Wholes(Bytes& out) : out_(out) {}
@@ -68,12 +69,13 @@ class Wholes {
   Wholes& operator=(const Wholes&) = delete;
   ~Wholes() { flush(); }
 
-  void put(std::int64_t value, std::uint32_t& last) {
+  void put(std::int32_t value) {
     if (at_ > at_hand_.size() - longest) flush();
-    std::uint32_t left = zigzag(static_cast<std::int32_t>(static_cast<std::uint32_t>(value) - last));
+    const auto now = static_cast<std::uint32_t>(value);
+    std::uint32_t left = zigzag(static_cast<std::int32_t>(now - last_));
     for (; left >= 0x80; left >>= 7) at_hand_[at_++] = static_cast<std::uint8_t>(left | 0x80);
     at_hand_[at_++] = static_cast<std::uint8_t>(left);
-    last = static_cast<std::uint32_t>(value);
+    last_ = now;
   }
 
  private:
@@ -86,20 +88,77 @@ class Wholes {
   Bytes& out_;
   std::array<std::uint8_t, 4096> at_hand_;  ///< what comes next, as a vector asks at each byte whether it has room
   std::size_t at_ = 0;
+  std::uint32_t last_ = 0;
 };
-
-void put_wholes(Bytes& out, std::size_t count, const auto& value_at) {
-  Wholes column(out);
-  for (std::uint32_t i = 0, last = 0; i < count; ++i) column.put(value_at(i), last);
-}
 
 std::int32_t take_whole(ByteReader& in, std::uint32_t& last) {
   last += static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(in.varint())));
   return static_cast<std::int32_t>(last);
 }
 
-void take_wholes(ByteReader& in, std::size_t count, const auto& put) {
-  for (std::uint32_t i = 0, last = 0; i < count; ++i) put(i, take_whole(in, last));
+/// Differences that repeat: zigzag varint, and a varint how often.
+class Runs {
+ public:
+  void put(std::int64_t value) {
+    const auto now = static_cast<std::uint32_t>(value), more = now - last_;
+    last_ = now;
+    if (count_ > 0 && more == more_) {
+      ++count_;
+      return;
+    }
+    end_run();
+    more_ = more, count_ = 1;
+  }
+  void end(Bytes& out) {
+    end_run();
+    out.insert(out.end(), bytes_.begin(), bytes_.end());
+  }
+
+ private:
+  void end_run() {
+    if (count_ == 0) return;
+    put_varint(bytes_, zigzag(static_cast<std::int32_t>(more_)));
+    put_varint(bytes_, count_);
+  }
+
+  Bytes bytes_;
+  std::uint32_t last_ = 0, more_ = 0;
+  std::uint64_t count_ = 0;
+};
+
+/// Calls put(i, value) for 0 … count - 1.
+void take_runs(ByteReader& in, std::size_t count, const auto& put) {
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < count;) {
+    const auto more = static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(in.varint())));
+    const std::uint64_t times = in.varint();
+    if (times == 0 || times > count - i) throw MalformedBytes("a column with another number of values than it says");
+    for (const std::size_t end = i + times; i < end; ++i) put(i, static_cast<std::int32_t>(last += more));
+  }
+}
+
+void put_low_bytes(std::uint8_t* to, std::uint64_t value, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(value >> (8 * i));
+}
+std::uint64_t low_bytes(const std::uint8_t* from, std::size_t count) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < count; ++i) value |= std::uint64_t{from[i]} << (8 * i);
+  return value;
+}
+
+/// Eight words as the bytes of eight others: byte k of word i becomes byte i of word k.
+void transpose(std::array<std::uint64_t, 8>& words) {
+  const auto exchange = [&](std::size_t apart, std::uint64_t mask) {  // blocks of apart x apart bytes, across the diagonal
+    for (std::size_t i = 0; i < 8; ++i) {
+      if ((i & apart) != 0) continue;
+      const std::uint64_t changed = ((words[i] >> (8 * apart)) ^ words[i + apart]) & mask;
+      words[i + apart] ^= changed;
+      words[i] ^= changed << (8 * apart);
+    }
+  };
+  exchange(4, 0x00000000ffffffff);
+  exchange(2, 0x0000ffff0000ffff);
+  exchange(1, 0x00ff00ff00ff00ff);
 }
 
 /// One coordinate of the points: the differences of the float64s' bits, zigzag, first the lowest byte of all of them, then the next of all …
@@ -108,11 +167,16 @@ void put_coordinates(Bytes& out, const std::vector<glm::dvec3>& points, int axis
   out.resize(begin + 8 * count);
   std::uint8_t* const bytes = out.data() + begin;
   std::uint64_t last = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint64_t bits = bits_of(points[i][axis]);
-    const std::uint64_t more = difference(bits, last);
-    for (std::size_t k = 0; k < 8; ++k) bytes[k * count + i] = static_cast<std::uint8_t>(more >> (8 * k));
-    last = bits;
+  for (std::size_t first = 0; first < count; first += 8) {
+    const std::size_t here = std::min<std::size_t>(8, count - first);
+    std::array<std::uint64_t, 8> words{};
+    for (std::size_t i = 0; i < here; ++i) {
+      const std::uint64_t bits = bits_of(points[first + i][axis]);
+      words[i] = difference(bits, last);
+      last = bits;
+    }
+    transpose(words);
+    for (std::size_t k = 0; k < 8; ++k) put_low_bytes(bytes + k * count + first, words[k], here);
   }
 }
 
@@ -120,11 +184,12 @@ void take_coordinates(ByteReader& in, std::vector<glm::dvec3>& points, int axis)
   const std::size_t count = points.size();
   const std::uint8_t* const bytes = in.take(8 * count).data();
   std::uint64_t last = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint64_t more = 0;
-    for (std::size_t k = 0; k < 8; ++k) more |= std::uint64_t{bytes[k * count + i]} << (8 * k);
-    last = undo_difference(more, last);
-    points[i][axis] = double_of(last);
+  for (std::size_t first = 0; first < count; first += 8) {
+    const std::size_t here = std::min<std::size_t>(8, count - first);
+    std::array<std::uint64_t, 8> words;
+    for (std::size_t k = 0; k < 8; ++k) words[k] = low_bytes(bytes + k * count + first, here);
+    transpose(words);
+    for (std::size_t i = 0; i < here; ++i) points[first + i][axis] = double_of(last = undo_difference(words[i], last));
   }
 }
 
@@ -132,7 +197,7 @@ void take_coordinates(ByteReader& in, std::vector<glm::dvec3>& points, int axis)
 
 Bytes scene_to_bytes(const Scene& scene) {
   Bytes out;
-  out.reserve(1024 + scene.points.size() * 28 + scene.polygons.size() * 25 + scene.facets.size() * 10 + scene.corners.size() * 5);
+  out.reserve(1024 + scene.points.size() * 24 + scene.corners.size() * 2);
   put_text(out, scene.name);
   put_text(out, scene.source);
   put_text(out, camera_to_json(scene.camera).dump());
@@ -141,34 +206,36 @@ Bytes scene_to_bytes(const Scene& scene) {
   put_varint(out, scene.points.size());
   for (int axis = 0; axis < 3; ++axis) put_coordinates(out, scene.points, axis);
   put_varint(out, scene.point_lines.size());
-  put_wholes(out, scene.point_lines.size(), [&](std::size_t i) { return scene.point_lines[i]; });
+  Runs lines;
+  for (const std::int32_t line : scene.point_lines) lines.put(line);
+  lines.end(out);
 
-  const std::vector<Polygon>& polygons = scene.polygons;
-  put_varint(out, polygons.size());
+  put_varint(out, scene.polygons.size());
+  std::array<Runs, 5> of_polygons;
+  for (const Polygon& polygon : scene.polygons) {
+    auto& [red, green, blue, line, length] = of_polygons;
+    red.put(polygon.color.red), green.put(polygon.color.green), blue.put(polygon.color.blue);
+    line.put(polygon.source_line), length.put(static_cast<std::int64_t>(polygon.name.size()));
+  }
+  for (Runs& column : of_polygons) column.end(out);
+  for (const Polygon& polygon : scene.polygons) out.insert(out.end(), polygon.name.begin(), polygon.name.end());
+
+  put_varint(out, scene.facets.size());
+  Runs of_facets, counts;
+  std::size_t corners = 0;
+  for (const Facet& facet : scene.facets) {
+    of_facets.put(facet.polygon), counts.put(facet.corner_count);
+    corners += static_cast<std::size_t>(facet.corner_count);
+  }
+  of_facets.end(out), counts.end(out);
+  put_varint(out, corners);
   {
-    Wholes columns(out);
-    std::uint32_t red = 0, green = 0, blue = 0, line = 0, length = 0;
-    for (const Polygon& polygon : polygons) {
-      columns.put(polygon.color.red, red), columns.put(polygon.color.green, green), columns.put(polygon.color.blue, blue);
-      columns.put(polygon.source_line, line);
-      columns.put(static_cast<std::int64_t>(polygon.name.size()), length);
+    Wholes column(out);
+    for (const Facet& facet : scene.facets) {
+      const std::int32_t* const first = scene.corners.data() + facet.first_corner;
+      for (std::int32_t i = 0; i < facet.corner_count; ++i) column.put(first[i]);
     }
   }
-  for (const Polygon& polygon : polygons) out.insert(out.end(), polygon.name.begin(), polygon.name.end());
-
-  const std::vector<Facet>& facets = scene.facets;
-  put_varint(out, facets.size());
-  put_wholes(out, facets.size(), [&](std::size_t i) { return facets[i].polygon; });
-  put_wholes(out, facets.size(), [&](std::size_t i) { return facets[i].corner_count; });
-  std::size_t corners = 0;
-  for (const Facet& facet : facets) corners += static_cast<std::size_t>(facet.corner_count);
-  put_varint(out, corners);
-  auto facet = facets.begin();
-  std::int32_t of_facet = 0;
-  put_wholes(out, corners, [&](std::size_t) {
-    while (of_facet == facet->corner_count) ++facet, of_facet = 0;
-    return scene.corners[static_cast<std::size_t>(facet->first_corner + of_facet++)];
-  });
   if (has_extras(scene)) put_extras(out, scene);
   return out;
 }
@@ -184,11 +251,11 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
       throw MalformedBytes(error.what());
     }
   };
-  // Held to their limits before memory is asked for: an element takes more of it than the byte or two it needs here.
-  const auto count = [&](std::size_t bytes_each, std::int64_t limit) {
-    const std::size_t value = in.count(bytes_each);
-    if (value > static_cast<std::size_t>(limit)) throw MalformedBytes("more of a kind than a scene can have");
-    return value;
+  // Held to their limits before memory is asked for.
+  const auto count = [&](std::int64_t limit) {
+    const std::uint64_t value = in.varint();
+    if (value > static_cast<std::uint64_t>(limit)) throw MalformedBytes("more of a kind than a scene can have");
+    return static_cast<std::size_t>(value);
   };
   Scene scene;
   scene.name = in.text();
@@ -196,42 +263,39 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   scene.camera = camera_from_json(document());
   scene.raster = raster_from_json(document());
   scene.background = take_color(in);
-  scene.points.resize(count(24, most_points));
+  const std::size_t points = count(most_points);
+  if (points > in.left() / 24) throw MalformedBytes("a count larger than the data");
+  scene.points.resize(points);
   for (int axis = 0; axis < 3; ++axis) take_coordinates(in, scene.points, axis);
-  scene.point_lines.resize(count(1, most_points));
-  take_wholes(in, scene.point_lines.size(), [&](std::size_t i, std::int32_t line) { scene.point_lines[i] = line; });
+  scene.point_lines.resize(count(most_points));
+  take_runs(in, scene.point_lines.size(), [&](std::size_t i, std::int32_t line) { scene.point_lines[i] = line; });
 
   std::vector<Polygon>& polygons = scene.polygons;
-  polygons.resize(count(5, most_polygons));
-  std::vector<std::uint32_t> lengths;
-  lengths.reserve(polygons.size());
-  std::uint32_t red = 0, green = 0, blue = 0, line = 0, length = 0;
-  for (Polygon& polygon : polygons) {
-    polygon.color.red = static_cast<std::uint8_t>(take_whole(in, red));
-    polygon.color.green = static_cast<std::uint8_t>(take_whole(in, green));
-    polygon.color.blue = static_cast<std::uint8_t>(take_whole(in, blue));
-    polygon.source_line = take_whole(in, line);
-    take_whole(in, length);
-    lengths.push_back(length);
-  }
+  polygons.resize(count(most_polygons));
+  for (const auto part : {&Color::red, &Color::green, &Color::blue})
+    take_runs(in, polygons.size(), [&](std::size_t i, std::int32_t value) { polygons[i].color.*part = static_cast<std::uint8_t>(value); });
+  take_runs(in, polygons.size(), [&](std::size_t i, std::int32_t line) { polygons[i].source_line = line; });
+  std::vector<std::uint32_t> lengths(polygons.size());
+  take_runs(in, polygons.size(), [&](std::size_t i, std::int32_t length) { lengths[i] = static_cast<std::uint32_t>(length); });
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const std::span<const std::uint8_t> name = in.take(lengths[i]);
     polygons[i].name.assign(name.begin(), name.end());
   }
 
   std::vector<Facet>& facets = scene.facets;
-  facets.resize(count(2, most_facets));
-  take_wholes(in, facets.size(), [&](std::size_t i, std::int32_t polygon) { facets[i].polygon = polygon; });
+  facets.resize(count(most_facets));
+  take_runs(in, facets.size(), [&](std::size_t i, std::int32_t polygon) { facets[i].polygon = polygon; });
   std::int64_t corners = 0;
-  take_wholes(in, facets.size(), [&](std::size_t i, std::int32_t corner_count) {
+  take_runs(in, facets.size(), [&](std::size_t i, std::int32_t corner_count) {
     facets[i].first_corner = static_cast<std::int32_t>(corners);
     facets[i].corner_count = corner_count;
     corners += corner_count;
     if (corner_count < 0 || corners > most_corners) throw MalformedBytes("a facet with more corners than the data");
   });
-  scene.corners.resize(count(1, most_corners));
-  if (corners != static_cast<std::int64_t>(scene.corners.size())) throw MalformedBytes("a facet with more corners than the data");
-  take_wholes(in, scene.corners.size(), [&](std::size_t i, std::int32_t corner) { scene.corners[i] = corner; });
+  if (static_cast<std::int64_t>(count(most_corners)) != corners) throw MalformedBytes("a facet with more corners than the data");
+  scene.corners.resize(static_cast<std::size_t>(corners));
+  std::uint32_t last = 0;
+  for (std::int32_t& corner : scene.corners) corner = take_whole(in, last);
   if (!in.empty()) take_extras(in, document(), scene);
   if (!in.empty()) throw MalformedBytes("the scene is followed by something");
   check_scene(scene);
