@@ -33,7 +33,7 @@ inline void must_be_in_table(const Machine& machine, std::int32_t edge) {
 }
 inline EdgeRow& edge_row(Machine& machine, std::int32_t edge) {
   must_be_in_table(machine, edge);
-  return machine.edge_table.edit()[static_cast<std::size_t>(edge)];
+  return machine.edge_table.edit(static_cast<std::size_t>(edge));
 }
 
 inline void must_exist(const char* what, std::int32_t number, std::size_t count) {
@@ -81,7 +81,7 @@ inline void apply_machine(const EdgeTableInsert& event, Machine& machine) {
     throw Impossible(
         fmt::format("edge {} enters the edge table where edge {} is due", event.edge, machine.edge_table.size()));
   }
-  machine.edge_table.edit().push_back({event, EdgeRow::Where::waiting});
+  machine.edge_table.push_back({event, EdgeRow::Where::waiting});
 }
 inline void apply_machine(const ScanLineBegin& event, Machine& machine) {
   if (machine.keeps_all && machine.piece == -1) detail::begin_polygon(machine, no_polygon);  // a line of them all

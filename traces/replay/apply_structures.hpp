@@ -12,21 +12,20 @@ inline void apply_machine(const TablesBegin&, Machine& machine) { machine.keeps_
 inline void apply_machine(const PieceMake& event, Machine& machine) {
   detail::must_be_due("piece", event.piece, machine.pieces.size());
   if (event.parent != -1) detail::must_exist("piece", event.parent, machine.pieces.size());
-  std::vector<Piece>& pieces = machine.pieces.edit();
-  if (event.parent != -1) pieces[static_cast<std::size_t>(event.parent)].cut = true;
+  if (event.parent != -1) machine.pieces.edit(static_cast<std::size_t>(event.parent)).cut = true;
   Piece piece;
   piece.polygon = event.polygon;
   piece.parent = event.parent;
   piece.outline.swap(machine.outline);
-  pieces.push_back(std::move(piece));
+  machine.pieces.push_back(std::move(piece));
 }
 inline void apply_machine(const PlaneEquation& event, Machine& machine) {
   detail::must_exist("piece", event.piece, machine.pieces.size());
-  machine.pieces.edit()[static_cast<std::size_t>(event.piece)].plane = event;
+  machine.pieces.edit(static_cast<std::size_t>(event.piece)).plane = event;
 }
 inline void apply_machine(const Extent& event, Machine& machine) {
   detail::must_exist("piece", event.piece, machine.pieces.size());
-  machine.pieces.edit()[static_cast<std::size_t>(event.piece)].extent = event;
+  machine.pieces.edit(static_cast<std::size_t>(event.piece)).extent = event;
 }
 inline void apply_machine(const PieceDraw& event, Machine& machine) {
   detail::must_exist("piece", event.piece, machine.pieces.size());
@@ -34,7 +33,7 @@ inline void apply_machine(const PieceDraw& event, Machine& machine) {
   machine.edge_table.clear();
   machine.active.clear();
   machine.piece = event.piece;
-  machine.pieces.edit()[static_cast<std::size_t>(event.piece)].drawn = machine.pieces_drawn++;
+  machine.pieces.edit(static_cast<std::size_t>(event.piece)).drawn = machine.pieces_drawn++;
 }
 inline void apply_machine(const Saved& event, Machine& machine) {
   machine.saved[static_cast<std::size_t>(event.coherence)] += event.tests;
@@ -45,8 +44,7 @@ inline void apply_machine(const Saved& event, Machine& machine) {
 inline void apply_machine(const ListInsert& event, Machine& machine) {
   if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.list.size())
     throw Impossible(fmt::format("the list has no place {}", event.place));
-  std::vector<ListEntry>& list = machine.list.edit();
-  list.insert(list.begin() + event.place, ListEntry{event.piece, false});
+  machine.list.insert(machine.list.begin() + event.place, ListEntry{event.piece, false});
 }
 namespace detail {
 inline std::size_t place_in_list(const Machine& machine, std::int32_t piece) {
@@ -58,11 +56,10 @@ inline std::size_t place_in_list(const Machine& machine, std::int32_t piece) {
 }  // namespace detail
 inline void apply_machine(const ListRemove& event, Machine& machine) {
   const std::size_t place = detail::place_in_list(machine, event.piece);
-  std::vector<ListEntry>& list = machine.list.edit();
-  list.erase(list.begin() + static_cast<std::ptrdiff_t>(place));
+  machine.list.erase(machine.list.begin() + static_cast<std::ptrdiff_t>(place));
 }
 inline void apply_machine(const ListMark& event, Machine& machine) {
-  machine.list.edit()[detail::place_in_list(machine, event.piece)].marked = true;
+  machine.list[detail::place_in_list(machine, event.piece)].marked = true;
 }
 inline void apply_machine(const PairBegin& event, Machine& machine) {
   detail::begin_polygon(machine, no_polygon);  // two pieces are at work, not one polygon
@@ -72,29 +69,28 @@ inline void apply_machine(const PairBegin& event, Machine& machine) {
 inline void apply_machine(const NodeMake& event, Machine& machine) {
   detail::must_be_due("node", event.node, machine.tree.size());
   if (event.parent != -1) detail::must_exist("node", event.parent, machine.tree.size());
-  std::vector<TreeNode>& tree = machine.tree.edit();
   if (event.parent != -1) {
-    TreeNode& parent = tree[static_cast<std::size_t>(event.parent)];
+    TreeNode& parent = machine.tree.edit(static_cast<std::size_t>(event.parent));
     (event.front ? parent.front_child : parent.back_child) = event.node;
   }
   TreeNode node;
   node.parent = event.parent;
   node.pieces.push_back(event.piece);
-  tree.push_back(std::move(node));
+  machine.tree.push_back(std::move(node));
   machine.node = event.node;
 }
 inline void apply_machine(const NodeAdd& event, Machine& machine) {
   detail::must_exist("node", event.node, machine.tree.size());
-  machine.tree.edit()[static_cast<std::size_t>(event.node)].pieces.push_back(event.piece);
+  machine.tree.edit(static_cast<std::size_t>(event.node)).pieces.push_back(event.piece);
 }
 inline void apply_machine(const EyeSide& event, Machine& machine) {
   detail::must_exist("node", event.node, machine.tree.size());
-  machine.tree.edit()[static_cast<std::size_t>(event.node)].eye = event;
+  machine.tree.edit(static_cast<std::size_t>(event.node)).eye = event;
   machine.node = event.node;
 }
 inline void apply_machine(const NodeSkip& event, Machine& machine) {
   detail::must_exist("node", event.node, machine.tree.size());
-  TreeNode& node = machine.tree.edit()[static_cast<std::size_t>(event.node)];
+  TreeNode& node = machine.tree.edit(static_cast<std::size_t>(event.node));
   (event.front ? node.front_skipped : node.back_skipped) = true;
 }
 
@@ -120,28 +116,28 @@ inline void apply_machine(const CoverageAdd& event, Machine& machine) {
 inline void apply_machine(const AreaBegin& event, Machine& machine) {
   detail::must_be_due("area", event.area, machine.areas.size());
   detail::begin_polygon(machine, no_polygon);  // all are gathered
-  machine.areas.edit().push_back({event, std::nullopt});
+  machine.areas.push_back({event, std::nullopt});
   machine.area = event.area;
   machine.bins.clear();
 }
 inline void apply_machine(const AreaBin& event, Machine& machine) { machine.bins.push_back(event); }
 inline void apply_machine(const AreaDecide& event, Machine& machine) {
   detail::must_exist("area", event.area, machine.areas.size());
-  machine.areas.edit()[static_cast<std::size_t>(event.area)].decided = event;
+  machine.areas.edit(static_cast<std::size_t>(event.area)).decided = event;
 }
 
 // --- Rays and boxes
 
 inline void apply_machine(const BoxMake& event, Machine& machine) {
   detail::must_be_due("box", event.box, machine.boxes.size());
-  machine.boxes.edit().push_back({event, {}});
+  machine.boxes.push_back({event, {}});
 }
 inline void apply_machine(const BoxHold& event, Machine& machine) {
   detail::must_exist("box", event.box, machine.boxes.size());
-  machine.boxes.edit()[static_cast<std::size_t>(event.box)].facets.push_back(event.facet);
+  machine.boxes.edit(static_cast<std::size_t>(event.box)).facets.push_back(event.facet);
 }
 inline void apply_machine(const GridMake& event, Machine& machine) { machine.grid = event; }
-inline void apply_machine(const CellHold& event, Machine& machine) { machine.cells.edit().push_back(event); }
+inline void apply_machine(const CellHold& event, Machine& machine) { machine.cells.push_back(event); }
 inline void apply_machine(const RayBegin& event, Machine& machine) {
   RayWork& rays = machine.rays;
   if (event.role == RayRole::eye) rays.tree.clear();
@@ -197,18 +193,18 @@ inline void apply_machine(const HorizonMove& event, Machine& machine) {
 inline void apply_machine(const LineBegin& event, Machine& machine) {
   detail::must_be_due("line", event.line, machine.lines.size());
   detail::begin_polygon(machine, no_polygon);
-  machine.lines.edit().push_back({event, {}, {}});
+  machine.lines.push_back({event, {}, {}});
   machine.line = event.line;
   machine.against.reset();
 }
 inline void apply_machine(const LineAgainst& event, Machine& machine) { machine.against = event; }
 inline void apply_machine(const LineHide& event, Machine& machine) {
   detail::must_exist("line", event.line, machine.lines.size());
-  machine.lines.edit()[static_cast<std::size_t>(event.line)].hidden.push_back(event);
+  machine.lines.edit(static_cast<std::size_t>(event.line)).hidden.push_back(event);
 }
 inline void apply_machine(const LinePiece& event, Machine& machine) {
   detail::must_exist("line", event.line, machine.lines.size());
-  machine.lines.edit()[static_cast<std::size_t>(event.line)].pieces.push_back(event);
+  machine.lines.edit(static_cast<std::size_t>(event.line)).pieces.push_back(event);
 }
 
 // --- Passes
@@ -226,7 +222,7 @@ inline void apply_machine(const ShadowCompare& event, Machine& machine) {
 template <class E>
 void apply_machine(const E& event, Machine& machine, std::int64_t step) {
   apply_machine(event, machine);
-  if constexpr (std::is_same_v<E, PlaneEquation>) machine.pieces.edit()[static_cast<std::size_t>(event.piece)].plane_step = step;
+  if constexpr (std::is_same_v<E, PlaneEquation>) machine.pieces.edit(static_cast<std::size_t>(event.piece)).plane_step = step;
 }
 
 }  // namespace zstep

@@ -36,11 +36,16 @@ void KeyFrames::add(const State& state) {
   }
   set_pictures(frame, frames_.size(), last_, state);
   bytes_ += frame.bytes();
+  if (frames_.size() % group == 0) {
+    last_.picture = state.picture, last_.light = state.light;
+  } else {
+    frame.picture.apply_to(last_.picture);
+    frame.light.apply_to(last_.light);
+  }
   frames_.push_back(std::move(frame));
   if (bytes_ > budget_ && frames_.size() > 2) thin_out();
   next_due_ = state.position + spacing_;
-  if (next_due_ <= end_) last_.picture = state.picture, last_.light = state.light;
-  else last_ = State();
+  if (next_due_ > end_) last_ = State();
 }
 
 std::size_t KeyFrames::count_before(std::int64_t position) const {

@@ -16,7 +16,7 @@ namespace zstep {
 namespace {
 
 constexpr std::size_t key_frame_budget = std::size_t{48} << 20;  // bytes
-constexpr std::int64_t most_key_frames = 96;
+constexpr std::int64_t most_key_frames = 192;
 constexpr std::int64_t few_events = 64;  // that are better asked for one by one
 constexpr std::size_t picture_budget = std::size_t{64} << 20;    // bytes of whole pictures in the undo log
 

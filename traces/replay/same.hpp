@@ -14,7 +14,6 @@
 
 #include "traces/events/slots.hpp"
 #include "traces/replay/shared_chunks.hpp"
-#include "traces/replay/shared_vector.hpp"
 
 namespace zstep {
 
@@ -46,7 +45,7 @@ bool same(const std::vector<T>& a, const std::vector<T>& b);
 template <class T, std::size_t N>
 bool same(const std::array<T, N>& a, const std::array<T, N>& b);
 template <class T>
-bool same(const SharedVector<T>& a, const SharedVector<T>& b);
+bool same(const SharedChunks<T>& a, const SharedChunks<T>& b);
 
 template <class T>
 requires Described<T> || ListsMembers<T>
@@ -91,12 +90,8 @@ bool same(const std::array<T, N>& a, const std::array<T, N>& b) {
 }
 
 template <class T>
-bool same(const SharedVector<T>& a, const SharedVector<T>& b) {
-  return a.shares_with(b) || same(a.all(), b.all());
-}
-
-template <class T>
 bool same(const SharedChunks<T>& a, const SharedChunks<T>& b) {
+  if (a.shares_with(b)) return true;
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!same(a[i], b[i])) return false;

@@ -62,7 +62,7 @@ struct Machine {
   std::optional<ClipTest> clip_test;
   std::optional<Reject> rejected;
   std::vector<std::int32_t> outline;  ///< its vertices as drawn (indices into vertices)
-  SharedVector<EdgeRow> edge_table;   ///< by edge number; buckets by entry.first_row
+  SharedChunks<EdgeRow> edge_table;   ///< by edge number; buckets by entry.first_row
   std::vector<ActiveEdge> active;     ///< left to right
   std::optional<std::int32_t> scan_line;
   std::optional<SpanBegin> span;
@@ -71,22 +71,22 @@ struct Machine {
   // The whole run.
   bool keeps_all = false;  ///< edges, vertices and pieces of all polygons are kept (tables_begin)
   Pass pass = Pass::eye;
-  SharedVector<Piece> pieces;
+  SharedChunks<Piece> pieces;
   std::int32_t pieces_drawn = 0;
-  SharedVector<ListEntry> list;   ///< depth sort's, from the front
+  std::vector<ListEntry> list;    ///< depth sort's, from the front
   std::optional<PairBegin> pair;  ///< under test
-  SharedVector<TreeNode> tree;    ///< node 0 is the root
+  SharedChunks<TreeNode> tree;    ///< node 0 is the root
   std::int32_t node = -1;         ///< at work
   Sweep sweep;                    ///< along the scan line
-  SharedVector<AreaRow> areas;    ///< by number
+  SharedChunks<AreaRow> areas;    ///< by number
   std::int32_t area = -1;         ///< at work
   std::vector<AreaBin> bins;      ///< of that area
-  SharedVector<BoxRow> boxes;     ///< by number
+  SharedChunks<BoxRow> boxes;     ///< by number
   std::optional<GridMake> grid;
-  SharedVector<CellHold> cells;  ///< what the grid's cells hold
+  SharedChunks<CellHold> cells;  ///< what the grid's cells hold
   RayWork rays;
   HorizonWork horizon;
-  SharedVector<LineRow> lines;                                   ///< by number
+  SharedChunks<LineRow> lines;                                   ///< by number
   std::int32_t line = -1;                                        ///< at work
   std::optional<LineAgainst> against;                            ///< the face that line was last held against
   std::optional<ShadowCompare> shadow;                           ///< the last one

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "traces/events/vocabulary.hpp"
-#include "traces/replay/shared_vector.hpp"
+#include "traces/replay/shared_chunks.hpp"
 
 namespace zstep {
 

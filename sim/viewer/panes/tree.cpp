@@ -18,7 +18,7 @@ const Event* event_of(const Session& s) { return s.event() ? &s.event()->event :
 std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
 
 /// Nodes of each subtree. A child is made after its parent, so it has the larger number.
-std::vector<std::int32_t> subtree_sizes(const SharedVector<TreeNode>& tree) {
+std::vector<std::int32_t> subtree_sizes(const SharedChunks<TreeNode>& tree) {
   std::vector<std::int32_t> sizes(tree.size(), 1);
   for (std::size_t node = tree.size(); node-- > 1;)
     if (tree[node].parent >= 0) sizes[at(tree[node].parent)] += sizes[node];
@@ -45,7 +45,7 @@ struct Place {
 };
 
 /// In-order columns: front subtree, node, back subtree.
-std::vector<Place> places_of(const SharedVector<TreeNode>& tree) {
+std::vector<Place> places_of(const SharedChunks<TreeNode>& tree) {
   std::vector<Place> places(tree.size());
   std::vector<std::pair<std::int32_t, bool>> stack;
   float column = 0;

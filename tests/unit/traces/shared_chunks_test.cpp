@@ -1,0 +1,104 @@
+// A vector in shared pieces is a vector: whatever happens to one copy, the others stay as they were.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <random>
+#include <vector>
+
+#include "traces/replay/shared_chunks.hpp"
+
+using namespace zstep;
+
+namespace {
+
+/// So large that a chunk holds few of them.
+struct Item {
+  int value = 0;
+  std::array<char, 8000> rest{};
+};
+static_assert(SharedChunks<Item>::chunk_size == 4);
+
+struct Copy {
+  SharedChunks<Item> shared;
+  std::vector<int> plain;
+};
+
+bool agree(const Copy& copy) {
+  if (copy.shared.size() != copy.plain.size() || copy.shared.empty() != copy.plain.empty()) return false;
+  std::size_t i = 0;
+  for (const Item& item : copy.shared) {
+    if (item.value != copy.plain[i] || copy.shared[i].value != copy.plain[i]) return false;
+    ++i;
+  }
+  return i == copy.plain.size() && (copy.plain.empty() || copy.shared.back().value == copy.plain.back());
+}
+
+}  // namespace
+
+TEST_CASE("law: copies of a shared vector are each what a vector would be, after any 4000 changes") {
+  std::mt19937 random(1);
+  const auto below = [&](std::size_t end) { return static_cast<std::size_t>(random() % end); };
+  std::array<Copy, 4> copies;
+  for (int change = 0; change < 4000; ++change) {
+    Copy& copy = copies[below(copies.size())];
+    const int value = change + 1;
+    switch (below(8)) {
+      case 0:
+      case 1:
+        copy.shared.push_back(Item{value, {}}), copy.plain.push_back(value);
+        break;
+      case 2:
+        if (!copy.plain.empty()) copy.shared.pop_back(), copy.plain.pop_back();
+        break;
+      case 3:
+      case 4:
+        if (!copy.plain.empty()) {
+          const std::size_t at = below(copy.plain.size());
+          copy.shared.edit(at).value = value, copy.plain[at] = value;
+        }
+        break;
+      case 5: {
+        const std::size_t size = below(20);
+        copy.shared.resize(size), copy.plain.resize(size);
+        break;
+      }
+      case 6:
+        if (below(8) == 0) copy.shared.clear(), copy.plain.clear();
+        break;
+      default: {
+        const Copy& other = copies[below(copies.size())];
+        copy = other;
+        CHECK(copy.shared.shares_with(other.shared));
+        CHECK(copy.shared.bytes_beyond(other.shared) == 0);
+      }
+    }
+    CAPTURE(change);
+    for (const Copy& each : copies) REQUIRE(agree(each));
+  }
+}
+
+TEST_CASE("shared chunks: what is the same is shared again, and only what differs is counted") {
+  SharedChunks<Item> one;
+  for (int i = 0; i < 12; ++i) one.push_back(Item{i, {}});
+  SharedChunks<Item> other = one;
+  for (std::size_t i = 0; i < 12; ++i) other.edit(i).value = static_cast<int>(i);  // three chunks of its own, no value new
+  other.edit(5).value = 50;
+  CHECK(other.bytes_beyond(one) == 12 * sizeof(Item));
+  other.share(one, [](const Item& a, const Item& b) { return a.value == b.value; });
+  CHECK(other.bytes_beyond(one) == 4 * sizeof(Item));
+  CHECK(other[5].value == 50);
+  CHECK(one[5].value == 5);
+}
+
+TEST_CASE("shared chunks: what was never touched takes no memory") {
+  SharedChunks<Item> items;
+  items.resize(100);
+  const SharedChunks<Item> untouched;
+  CHECK(items.bytes_beyond(untouched) == 0);
+  CHECK(items[99].value == 0);
+  items.edit(50).value = 1;
+  CHECK(items.bytes_beyond(untouched) == 4 * sizeof(Item));
+  items.resize(0);
+  items.resize(100);
+  CHECK(items[50].value == 0);
+}
