@@ -80,11 +80,11 @@ std::vector<Workload> workloads() {
          return scene;
        },
        both_sides},
-      {"ray-casting, teapot:8, 96x72", "ray-casting", [] { return teapot_at(8, 96, 72); }},
-      {"warnock, teapot:8, 320x240", "warnock", [] { return teapot_at(8, 320, 240); }},
-      {"bsp, teapot:8, 1024x768", "bsp", [] { return teapot_at(8, 1024, 768); }},
-      {"depth-sort, teapot:8, 1024x768", "depth-sort", [] { return teapot_at(8, 1024, 768); }},
-      {"scan-line, teapot:16, 1024x768", "scan-line", [] { return teapot_at(16, 1024, 768); }},
+      {"ray-casting, teapot:8, 320x240", "ray-casting", [] { return teapot_at(8, 320, 240); }},
+      {"warnock, 48 copies, 1024x768", "warnock", [] { return bench::crowd(bench::teapot(8), 48, 1024, 768); }, both_sides},
+      {"bsp, teapot:20, 1024x768", "bsp", [] { return teapot_at(20, 1024, 768); }},
+      {"depth-sort, teapot:60, 1024x768", "depth-sort", [] { return teapot_at(60, 1024, 768); }},
+      {"scan-line, 16 copies, 1024x768", "scan-line", [] { return bench::crowd(bench::teapot(8), 16, 1024, 768); }, both_sides},
   };
 }
 
