@@ -1,5 +1,9 @@
 #include "traces/codec/facts.hpp"
 
+#include <algorithm>
+#include <limits>
+
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -96,6 +100,33 @@ const FacetPlane& Facts::plane(std::int32_t facet) const {
   plane.normal = normal / length;
   plane.d = -glm::dot(plane.normal, sum / static_cast<double>(of_facet.size()));
   return plane;
+}
+
+FacetPlane Facts::plane_by_parts(std::int32_t facet) const {
+  FacetPlane plane{facet, glm::dvec3(0), 0};
+  const std::span<const std::int32_t> of_facet = corners(facet);
+  if (of_facet.size() < 3) return plane;
+  const auto point = [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; };
+  const glm::dvec3 first = point(0);
+  glm::dvec3 normal(0), mean(0);
+  for (std::size_t i = 0; i < of_facet.size(); ++i) {
+    normal += glm::cross(point(i) - first, point(i + 1 < of_facet.size() ? i + 1 : 0) - first);
+    mean += point(i) / static_cast<double>(of_facet.size());
+  }
+  const double length = glm::length(normal);
+  if (!(length > 0)) return plane;
+  plane.normal = normal / length;
+  plane.d = -glm::dot(plane.normal, mean);
+  return plane;
+}
+
+double Facts::tolerance() const {
+  if (tolerance_ >= 0) return tolerance_;
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const glm::dvec3& point : scene_->points) low = glm::min(low, point), high = glm::max(high, point);
+  const glm::dvec3 far = glm::max(glm::abs(low), glm::abs(high));
+  tolerance_ = scene_->points.empty() ? 0 : 1e-9 * glm::length(high - low) + 1e-14 * std::max(far.x, std::max(far.y, far.z));
+  return tolerance_;
 }
 
 }  // namespace zstep::codec

@@ -56,6 +56,11 @@ class Facts {
   std::span<const std::int32_t> corners(std::int32_t facet) const;
   /// The plane of a facet in the world: Newell's normal, through the mean of its corners.
   const FacetPlane& plane(std::int32_t facet) const;
+  /// The same as BSP trees compute it: the corners divided by their number before they are added.
+  FacetPlane plane_by_parts(std::int32_t facet) const;
+  /// How near to a plane a point lies on it, in a BSP tree of the scene: 1e-9 of the diagonal of the box around the points, and 1e-14 of
+  /// the farthest coordinate.
+  double tolerance() const;
 
  private:
   std::int32_t outcode(glm::dvec3 view) const;
@@ -66,6 +71,7 @@ class Facts {
   // The last that were asked for, each in the place its number says; what they are depends on the scene alone.
   mutable std::vector<VertexFacts> at_hand_;
   mutable std::vector<FacetPlane> planes_at_hand_;
+  mutable double tolerance_ = -1;  ///< once asked for
 };
 
 }  // namespace zstep::codec

@@ -1,4 +1,4 @@
-// Guesses about vertices, polygons, the edge table and rays; in a header, as foretell_rows.hpp is, since scenes of small polygons are mostly
+// Guesses about vertices, polygons, the edge table, pairs of pieces and rays; in a header, as foretell_rows.hpp is, since scenes of small polygons are mostly
 // that. Part of foreteller.hpp.
 #pragma once
 
@@ -15,13 +15,19 @@ namespace zstep::codec {
 
 namespace detail {
 
-inline constexpr std::size_t corners_limit = 32, made_limit = 64, outline_limit = 4096;
+inline constexpr std::size_t corners_limit = 32, made_limit = 64, cuts_limit = 256, outline_limit = 4096;
 
 /// The first row at or below y, limited to the raster.
 inline std::int32_t row_from(double y, std::int32_t height) {
   if (!(y > 0)) return 0;
   if (y >= height) return height;
   return static_cast<std::int32_t>(std::ceil(y));
+}
+
+/// Where something lies whose values of a plane go from `least` to `greatest`.
+inline Side side_of(double least, double greatest, double tolerance) {
+  const bool behind = least < -tolerance, front = greatest > tolerance;
+  return behind ? (front ? Side::crossing : Side::behind) : front ? Side::front : Side::on;
 }
 
 }  // namespace detail
@@ -51,6 +57,7 @@ inline void Foreteller::note(const ClipCross& event) {
 }
 
 inline void Foreteller::note(const SplitVertex& event) {
+  if (cuts_.size() < detail::cuts_limit) cuts_.push_back({event.vertex, {event.x_cut, event.y_cut, event.z_cut}});
   if (made_.size() >= detail::made_limit || event.space != Space::raster) return;
   VertexFacts facts;
   facts.vertex = event.vertex;
@@ -223,6 +230,82 @@ inline void Foreteller::evaluate(EdgeTableSkip& event) const {
   glm::dvec3 from, to;
   const bool known = find_raster(event.vertex_0, from) && find_raster(event.vertex_1, to);
   event.why = known && from.y == to.y ? EdgeSkip::horizontal : EdgeSkip::between_rows;
+}
+
+// --- Pieces against a plane
+
+inline void Foreteller::tell(VertexSide& event) const {
+  // The next piece is mostly a whole facet of its number.
+  const std::span<const std::int32_t> next = facts_->corners(held_ < std::numeric_limits<std::int32_t>::max() ? held_ + 1 : held_);
+  event.vertex = sides_ < next.size() ? next[sides_] : whole_[slot_of("vertex")];
+}
+
+inline void Foreteller::evaluate(VertexSide& event) {
+  const bool told = event.plane_of == divider_.facet;
+  if (!told && event.plane_of != of_facet_.facet) of_facet_ = facts_->plane_by_parts(event.plane_of);
+  const FacetPlane& plane = told ? divider_ : of_facet_;
+  glm::dvec3 point(0);
+  if (facts_->is_point(event.vertex)) point = facts_->scene().points[static_cast<std::size_t>(event.vertex)];
+  else
+    for (const Cut& cut : cuts_)
+      if (cut.vertex == event.vertex) point = cut.point;
+  event.value = plane.normal.x * point.x + plane.normal.y * point.y + plane.normal.z * point.z + plane.d;
+  event.side = detail::side_of(event.value, event.value, facts_->tolerance());
+}
+
+inline void Foreteller::note(const VertexSide& event) {
+  least_ = sides_ == 0 || event.value < least_ ? event.value : least_;
+  greatest_ = sides_ == 0 || event.value > greatest_ ? event.value : greatest_;
+  ++sides_;
+}
+
+inline void Foreteller::tell(SideTest& event) const {
+  event.piece = sides_ > 0 && held_ < std::numeric_limits<std::int32_t>::max() ? held_ + 1 : whole_[slot_of("piece")];
+  event.plane_of = whole_[slot_of("plane_of")];
+}
+
+inline void Foreteller::evaluate(SideTest& event) const {
+  event.least = sides_ > 0 ? least_ : real_[slot_of("least")];
+  event.greatest = sides_ > 0 ? greatest_ : real_[slot_of("greatest")];
+  event.side = detail::side_of(event.least, event.greatest, facts_->tolerance());
+}
+
+inline void Foreteller::note(const SideTest& event) {
+  held_ = event.piece;
+  sides_ = 0;
+}
+
+// --- Pairs of pieces
+
+inline void Foreteller::note(const Extent& event) {
+  extents_.learn(event.piece, Axis::x, {event.x_min, event.x_max});
+  extents_.learn(event.piece, Axis::y, {event.y_min, event.y_max});
+  extents_.learn(event.piece, Axis::z, {event.z_min, event.z_max});
+}
+
+inline void Foreteller::tell(PairBegin& event) const {
+  event.piece = whole_[slot_of("piece")];
+  event.other = extents_.after(held_against_);
+}
+
+inline void Foreteller::note(const PairBegin& event) {
+  extents_.learn_after(held_against_, event.other);
+  held_against_ = event.other;
+  next_axis_ = Axis::x;
+}
+
+inline void Foreteller::tell(ExtentTest& event) const { event.axis = next_axis_; }
+
+inline void Foreteller::evaluate(ExtentTest& event) const {
+  const KnownExtents::Range one = extents_.of(event.piece, event.axis), other = extents_.of(event.other, event.axis);
+  event.low = one.low, event.high = one.high, event.other_low = other.low, event.other_high = other.high;
+  event.overlap = event.low < event.other_high && event.other_low < event.high;
+}
+
+inline void Foreteller::note(const ExtentTest& event) {
+  extents_.learn(event.piece, event.axis, {event.low, event.high});
+  extents_.learn(event.other, event.axis, {event.other_low, event.other_high});
+  next_axis_ = event.axis == Axis::x ? Axis::y : Axis::z;
 }
 
 // --- Rays

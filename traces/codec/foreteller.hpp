@@ -12,6 +12,7 @@
 #include "traces/codec/depths_along.hpp"
 #include "traces/codec/facts.hpp"
 #include "traces/codec/known_edges.hpp"
+#include "traces/codec/known_extents.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/record/event_log.hpp"
 
@@ -108,6 +109,10 @@ class Foreteller {
   void tell(EdgeRetire& event);
   void tell(EdgeStep& event) const;
   void tell(SpanBegin& event) const;
+  void tell(PairBegin& event) const;
+  void tell(VertexSide& event) const;
+  void tell(SideTest& event) const;
+  void tell(ExtentTest& event) const;
   // Fields by formula.
   void evaluate(ViewTransform& event) const;
   void evaluate(Projection& event) const;
@@ -121,6 +126,9 @@ class Foreteller {
   void evaluate(SpanBegin& event);
   /// All of a span that follows from where its ends are.
   void fill_span(SpanBegin& event, double x_left, double z_left, double x_right, double z_right) const;
+  void evaluate(ExtentTest& event) const;
+  void evaluate(VertexSide& event);
+  void evaluate(SideTest& event) const;
   void evaluate(RayPlane& event) const;
   void evaluate(RayHit& event) const;
   void evaluate(DepthInterpolate& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }
@@ -141,6 +149,12 @@ class Foreteller {
   void note(const EdgeStep& event);
   void note(const EdgeSwap& event) { edges_.swap(event.place); }
   void note(const SpanBegin& event);
+  void note(const Extent& event);
+  void note(const PlaneEquation& event) { divider_ = {event.piece, {event.plane_a, event.plane_b, event.plane_c}, event.plane_d}; }
+  void note(const VertexSide& event);
+  void note(const SideTest& event);
+  void note(const PairBegin& event);
+  void note(const ExtentTest& event);
   void note(const RayBegin& event) { ray_from_ = {event.x_0, event.y_0, event.z_0}, ray_along_ = {event.dir_x, event.dir_y, event.dir_z}; }
 
   /// Forgets what belongs to the polygon or piece before.
@@ -172,6 +186,19 @@ class Foreteller {
   bool in_rows_ = false;  ///< scan lines of the table have begun
   bool in_span_ = false;
   SpanBegin span_{};
+  FacetPlane divider_;                 ///< the plane that the block told of last, by the number of its piece
+  FacetPlane of_facet_;                ///< one that it did not tell of; what it is depends on the scene alone
+  std::int32_t held_ = -1;             ///< the piece that was last held against it
+  std::size_t sides_ = 0;              ///< vertices of the next one that were
+  double least_ = 0, greatest_ = 0;    ///< of their values
+  struct Cut {
+    std::int32_t vertex;
+    glm::dvec3 point;
+  };
+  std::vector<Cut> cuts_;              ///< vertices that cutting made, in the space where it cut
+  KnownExtents extents_;
+  std::int32_t held_against_ = -1;  ///< the other piece of the last pair
+  Axis next_axis_ = Axis::x;        ///< on which a pair is tested next
   glm::dvec3 ray_from_{0}, ray_along_{0};  ///< X_0 and dX of the ray that the block told of last
 };
 

@@ -91,20 +91,20 @@ template <>
 inline constexpr KindText kind_text<VertexSide>{"vertex_side", "a vertex is held against the plane of a piece"};
 template <>
 inline constexpr auto fields_of<VertexSide> =
-    Fields{Field{"vertex", &VertexSide::vertex, "index", "the vertex"},
+    Fields{Field{"vertex", &VertexSide::vertex, "index", "the vertex", Guess::told},
                Field{"plane_of", &VertexSide::plane_of, "index", "the piece whose plane it is"},
-               Field{"value", &VertexSide::value, "1", "A x + B y + C z + D at the vertex"},
-               Field{"side", &VertexSide::side, "1", "where it lies"}};
+               Field{"value", &VertexSide::value, "1", "A x + B y + C z + D at the vertex", Guess::formula},
+               Field{"side", &VertexSide::side, "1", "where it lies", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<SideTest>{"side_test", "a piece is held against the plane of another"};
 template <>
 inline constexpr auto fields_of<SideTest> =
-    Fields{Field{"piece", &SideTest::piece, "index", "the piece"},
-               Field{"plane_of", &SideTest::plane_of, "index", "the piece whose plane it is"},
-               Field{"least", &SideTest::least, "1", "the least of A x + B y + C z + D over its vertices"},
-               Field{"greatest", &SideTest::greatest, "1", "the greatest"},
-               Field{"side", &SideTest::side, "1", "where it lies; crossing is on both sides"}};
+    Fields{Field{"piece", &SideTest::piece, "index", "the piece", Guess::told},
+               Field{"plane_of", &SideTest::plane_of, "index", "the piece whose plane it is", Guess::told},
+               Field{"least", &SideTest::least, "1", "the least of A x + B y + C z + D over its vertices", Guess::formula},
+               Field{"greatest", &SideTest::greatest, "1", "the greatest", Guess::formula},
+               Field{"side", &SideTest::side, "1", "where it lies; crossing is on both sides", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ExtentTest>{"extent_test",
@@ -113,12 +113,12 @@ template <>
 inline constexpr auto fields_of<ExtentTest> =
     Fields{Field{"piece", &ExtentTest::piece, "index", "the one"},
                Field{"other", &ExtentTest::other, "index", "the other"},
-               Field{"axis", &ExtentTest::axis, "1", "the axis"},
-               Field{"low", &ExtentTest::low, "1", "least coordinate of the one"},
-               Field{"high", &ExtentTest::high, "1", "its greatest"},
-               Field{"other_low", &ExtentTest::other_low, "1", "least coordinate of the other"},
-               Field{"other_high", &ExtentTest::other_high, "1", "its greatest"},
-               Field{"overlap", &ExtentTest::overlap, "1", "they overlap"}};
+               Field{"axis", &ExtentTest::axis, "1", "the axis", Guess::told},
+               Field{"low", &ExtentTest::low, "1", "least coordinate of the one", Guess::formula},
+               Field{"high", &ExtentTest::high, "1", "its greatest", Guess::formula},
+               Field{"other_low", &ExtentTest::other_low, "1", "least coordinate of the other", Guess::formula},
+               Field{"other_high", &ExtentTest::other_high, "1", "its greatest", Guess::formula},
+               Field{"overlap", &ExtentTest::overlap, "1", "they overlap", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<OverlapTest>{"overlap_test", "the projections of two pieces: do they overlap?"};
