@@ -134,7 +134,7 @@ VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int
 
 Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge) {
   if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size()) return std::nullopt;
-  const EdgeTableInsert entry = machine.edge_table[static_cast<std::size_t>(edge)].entry;
+  const EdgeTableInsert entry = machine.edge_table[static_cast<std::size_t>(edge)];
   const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
   const std::int64_t soon = std::max<std::int64_t>(1, at - near);
   if (const auto found = find_last<EdgeTableInsert>(trace, at, wanted, [](const Event&) { return false; }, soon)) return found;

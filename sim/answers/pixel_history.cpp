@@ -24,7 +24,7 @@ std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
 /// Of a method that goes through all polygons at once, the one whose span is being filled.
 std::int32_t polygon_at_work(const Machine& machine) {
   const auto edge = machine.span ? static_cast<std::size_t>(machine.span->left_edge) : machine.edge_table.size();
-  return edge < machine.edge_table.size() ? machine.edge_table[edge].entry.polygon : machine.polygon;
+  return edge < machine.edge_table.size() ? machine.edge_table[edge].polygon : machine.polygon;
 }
 
 bool page_has(const Trace& trace, std::uint8_t kind) {

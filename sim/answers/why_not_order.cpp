@@ -57,7 +57,7 @@ void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t la
   const Piece &mine = machine.pieces[static_cast<std::size_t>(piece)], &its = machine.pieces[static_cast<std::size_t>(other)];
   if (mine.extent && its.extent)
     verdict.formulas.push_back(fmt::format("farthest {} of {} = {}, of {} = {}; drawn as number {} and {}", q.z, label(piece), told(mine.extent->z_max), label(other),
-                                           told(its.extent->z_max), mine.drawn + 1, its.drawn + 1));
+                                           told(its.extent->z_max), machine.draw_places[static_cast<std::size_t>(piece)] + 1, machine.draw_places[static_cast<std::size_t>(other)] + 1));
 }
 
 }  // namespace zstep::answers

@@ -46,14 +46,14 @@ const VertexWay& way(const Moment& moment, double vertex, VertexWay::Stage stage
   return found;
 }
 
-const EdgeRow& edge_row(const Moment& moment, double edge) {
+const EdgeTableInsert& edge_row(const Moment& moment, double edge) {
   const auto& table = moment.state().machine.edge_table;
   return table[index(moment, edge, table.size(), "edge in the edge table")];
 }
 
 /// x and depth of an edge where it is now: on the current scan line if it is active, else where the table has it.
 glm::dvec2 edge_now(const Moment& moment, double edge) {
-  const EdgeTableInsert& entry = edge_row(moment, edge).entry;
+  const EdgeTableInsert& entry = edge_row(moment, edge);
   for (const ActiveEdge& active : moment.state().machine.active) {
     if (active.edge == entry.edge) return {active.x, active.z};
   }
@@ -126,7 +126,7 @@ double radians(double degrees) { return degrees * (3.14159265358979323846 / 180)
 #define OF_EDGE(member, meaning)                                                                      \
   KnownFunction {                                                                                     \
 #member, 1, Type::number,                                                                         \
-        [](const Moment& m, Args a) { return Quantity::of(edge_row(m, a[0]).entry.member); }, meaning \
+        [](const Moment& m, Args a) { return Quantity::of(edge_row(m, a[0]).member); }, meaning \
   }
 #define OF_PLANE(name, member, meaning)                                                                         \
   KnownFunction {                                                                                               \

@@ -31,9 +31,9 @@ inline void must_be_in_table(const Machine& machine, std::int32_t edge) {
   if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size())
     throw Impossible(fmt::format("edge {} is not in the edge table", edge));
 }
-inline EdgeRow& edge_row(Machine& machine, std::int32_t edge) {
+inline EdgeStage& stage_of(Machine& machine, std::int32_t edge) {
   must_be_in_table(machine, edge);
-  return machine.edge_table.edit(static_cast<std::size_t>(edge));
+  return machine.edge_stages.edit(static_cast<std::size_t>(edge));
 }
 
 inline void must_exist(const char* what, std::int32_t number, std::size_t count) {
@@ -57,6 +57,7 @@ inline void begin_polygon(Machine& machine, std::int32_t polygon) {
   machine.span.reset();
   if (machine.keeps_all) return;
   machine.edge_table.clear();
+  machine.edge_stages.clear();
   machine.active.clear();
 }
 
@@ -81,7 +82,8 @@ inline void apply_machine(const EdgeTableInsert& event, Machine& machine) {
     throw Impossible(
         fmt::format("edge {} enters the edge table where edge {} is due", event.edge, machine.edge_table.size()));
   }
-  machine.edge_table.push_back({event, EdgeRow::Where::waiting});
+  machine.edge_table.push_back(event);
+  machine.edge_stages.push_back(EdgeStage::waiting);
 }
 inline void apply_machine(const ScanLineBegin& event, Machine& machine) {
   if (machine.keeps_all && machine.piece == -1) detail::begin_polygon(machine, no_polygon);  // a line of them all
@@ -91,18 +93,18 @@ inline void apply_machine(const ScanLineBegin& event, Machine& machine) {
 }
 inline void apply_machine(const EdgeEnter& event, Machine& machine) {
   detail::must_be_in_table(machine, event.edge);
-  if (machine.edge_table[static_cast<std::size_t>(event.edge)].where == EdgeRow::Where::active)
+  if (machine.edge_stages[static_cast<std::size_t>(event.edge)] == EdgeStage::active)
     throw Impossible(fmt::format("edge {} enters the active edge list twice", event.edge));
   if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.active.size())
     throw Impossible(fmt::format("the active edge list has no place {}", event.place));
-  EdgeRow& row = detail::edge_row(machine, event.edge);
-  row.where = EdgeRow::Where::active;
+  detail::stage_of(machine, event.edge) = EdgeStage::active;
+  const EdgeTableInsert& entry = machine.edge_table[static_cast<std::size_t>(event.edge)];
   machine.active.insert(machine.active.begin() + event.place,
-                        ActiveEdge{event.edge, row.entry.x_edge, row.entry.z_edge});
+                        ActiveEdge{event.edge, entry.x_edge, entry.z_edge});
 }
 inline void apply_machine(const EdgeRetire& event, Machine& machine) {
   const std::size_t place = detail::place_of(machine, event.edge);
-  detail::edge_row(machine, event.edge).where = EdgeRow::Where::retired;
+  detail::stage_of(machine, event.edge) = EdgeStage::retired;
   machine.active.erase(machine.active.begin() + static_cast<std::ptrdiff_t>(place));
 }
 inline void apply_machine(const EdgeStep& event, Machine& machine) {

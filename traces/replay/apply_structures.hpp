@@ -18,6 +18,7 @@ inline void apply_machine(const PieceMake& event, Machine& machine) {
   piece.parent = event.parent;
   piece.outline.swap(machine.outline);
   machine.pieces.push_back(std::move(piece));
+  machine.draw_places.push_back(-1);
 }
 inline void apply_machine(const PlaneEquation& event, Machine& machine) {
   detail::must_exist("piece", event.piece, machine.pieces.size());
@@ -31,9 +32,10 @@ inline void apply_machine(const PieceDraw& event, Machine& machine) {
   detail::must_exist("piece", event.piece, machine.pieces.size());
   detail::begin_polygon(machine, event.polygon);
   machine.edge_table.clear();
+  machine.edge_stages.clear();
   machine.active.clear();
   machine.piece = event.piece;
-  machine.pieces.edit(static_cast<std::size_t>(event.piece)).drawn = machine.pieces_drawn++;
+  machine.draw_places.edit(static_cast<std::size_t>(event.piece)) = machine.pieces_drawn++;
 }
 inline void apply_machine(const Saved& event, Machine& machine) {
   machine.saved[static_cast<std::size_t>(event.coherence)] += event.tests;
@@ -44,22 +46,24 @@ inline void apply_machine(const Saved& event, Machine& machine) {
 inline void apply_machine(const ListInsert& event, Machine& machine) {
   if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.list.size())
     throw Impossible(fmt::format("the list has no place {}", event.place));
-  machine.list.insert(machine.list.begin() + event.place, ListEntry{event.piece, false});
+  machine.list.insert(static_cast<std::size_t>(event.place), ListEntry{event.piece, false});
 }
 namespace detail {
 inline std::size_t place_in_list(const Machine& machine, std::int32_t piece) {
-  for (std::size_t place = 0; place < machine.list.size(); ++place) {
-    if (machine.list[place].piece == piece) return place;
+  std::size_t place = 0;
+  for (const ListEntry& entry : machine.list) {
+    if (entry.piece == piece) return place;
+    ++place;
   }
   throw Impossible(fmt::format("piece {} is not in the list", piece));
 }
 }  // namespace detail
 inline void apply_machine(const ListRemove& event, Machine& machine) {
   const std::size_t place = detail::place_in_list(machine, event.piece);
-  machine.list.erase(machine.list.begin() + static_cast<std::ptrdiff_t>(place));
+  machine.list.erase(place);
 }
 inline void apply_machine(const ListMark& event, Machine& machine) {
-  machine.list[detail::place_in_list(machine, event.piece)].marked = true;
+  machine.list.edit(detail::place_in_list(machine, event.piece)).marked = true;
 }
 inline void apply_machine(const PairBegin& event, Machine& machine) {
   detail::begin_polygon(machine, no_polygon);  // two pieces are at work, not one polygon

@@ -1,6 +1,7 @@
 // Equality to the bit: NaN equals itself, and -0 is not 0. States are compared so.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -14,6 +15,7 @@
 
 #include "traces/events/slots.hpp"
 #include "traces/replay/shared_chunks.hpp"
+#include "traces/replay/shared_list.hpp"
 
 namespace zstep {
 
@@ -46,6 +48,8 @@ template <class T, std::size_t N>
 bool same(const std::array<T, N>& a, const std::array<T, N>& b);
 template <class T>
 bool same(const SharedChunks<T>& a, const SharedChunks<T>& b);
+template <class T>
+bool same(const SharedList<T>& a, const SharedList<T>& b);
 
 template <class T>
 requires Described<T> || ListsMembers<T>
@@ -91,12 +95,11 @@ bool same(const std::array<T, N>& a, const std::array<T, N>& b) {
 
 template <class T>
 bool same(const SharedChunks<T>& a, const SharedChunks<T>& b) {
-  if (a.shares_with(b)) return true;
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!same(a[i], b[i])) return false;
-  }
-  return true;
+  return a.shares_with(b) || std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& one, const T& other) { return same(one, other); });
+}
+template <class T>
+bool same(const SharedList<T>& a, const SharedList<T>& b) {
+  return a.shares_with(b) || std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& one, const T& other) { return same(one, other); });
 }
 
 }  // namespace zstep

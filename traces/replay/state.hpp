@@ -12,6 +12,7 @@
 
 #include "traces/events/vocabulary.hpp"
 #include "traces/replay/shared_chunks.hpp"
+#include "traces/replay/shared_list.hpp"
 #include "traces/replay/structures.hpp"
 #include "traces/scene.hpp"
 
@@ -28,13 +29,8 @@ struct VertexWay {
   auto members() const { return std::tie(stage, view, plane, raster, world); }
 };
 
-/// A row of the edge table.
-struct EdgeRow {
-  enum class Where : std::uint8_t { waiting, active, retired };
-  EdgeTableInsert entry{};
-  Where where = Where::waiting;
-  auto members() const { return std::tie(entry, where); }
-};
+/// Where an edge of the edge table has got to.
+enum class EdgeStage : std::uint8_t { waiting, active, retired };
 
 /// An entry of the active edge list: its x and depth on the current scan line.
 struct ActiveEdge {
@@ -62,7 +58,9 @@ struct Machine {
   std::optional<ClipTest> clip_test;
   std::optional<Reject> rejected;
   std::vector<std::int32_t> outline;  ///< its vertices as drawn (indices into vertices)
-  SharedChunks<EdgeRow> edge_table;   ///< by edge number; buckets by entry.first_row
+  // What changes often stands apart from what does not, so that copies share the most.
+  SharedChunks<EdgeTableInsert> edge_table;  ///< by edge number; buckets by first_row
+  SharedChunks<EdgeStage> edge_stages;       ///< likewise by number
   std::vector<ActiveEdge> active;     ///< left to right
   std::optional<std::int32_t> scan_line;
   std::optional<SpanBegin> span;
@@ -72,8 +70,9 @@ struct Machine {
   bool keeps_all = false;  ///< edges, vertices and pieces of all polygons are kept (tables_begin)
   Pass pass = Pass::eye;
   SharedChunks<Piece> pieces;
+  SharedChunks<std::int32_t> draw_places;  ///< by piece: it was the n-th to be drawn, from 0; -1 before
   std::int32_t pieces_drawn = 0;
-  std::vector<ListEntry> list;    ///< depth sort's, from the front
+  SharedList<ListEntry> list;     ///< depth sort's, from the front
   std::optional<PairBegin> pair;  ///< under test
   SharedChunks<TreeNode> tree;    ///< node 0 is the root
   std::int32_t node = -1;         ///< at work
@@ -93,8 +92,8 @@ struct Machine {
   std::array<std::int64_t, words_of<Coherence>.size()> saved{};  ///< tests, by coherence
 
   auto members() const {
-    return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, active, scan_line, span,
-                    fragment, keeps_all, pass, pieces, pieces_drawn, list, pair, tree, node, sweep, areas, area, bins,
+    return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active, scan_line, span,
+                    fragment, keeps_all, pass, pieces, draw_places, pieces_drawn, list, pair, tree, node, sweep, areas, area, bins,
                     boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
   }
 };

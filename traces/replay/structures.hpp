@@ -19,9 +19,8 @@ struct Piece {
   std::optional<PlaneEquation> plane;
   std::int64_t plane_step = 0;  ///< that found it
   std::optional<Extent> extent;
-  bool cut = false;         ///< pieces of it replace it
-  std::int32_t drawn = -1;  ///< it was the n-th piece to be drawn, from 0
-  auto members() const { return std::tie(polygon, parent, outline, plane, plane_step, extent, cut, drawn); }
+  bool cut = false;  ///< pieces of it replace it
+  auto members() const { return std::tie(polygon, parent, outline, plane, plane_step, extent, cut); }
 };
 
 /// An entry of depth sort's list.

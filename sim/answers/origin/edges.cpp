@@ -6,7 +6,7 @@ namespace {
 
 const EdgeTableInsert* row_of(const Work& work, std::int32_t edge) {
   const auto at = static_cast<std::size_t>(edge);
-  return edge >= 0 && at < work.machine().edge_table.size() ? &work.machine().edge_table[at].entry : nullptr;
+  return edge >= 0 && at < work.machine().edge_table.size() ? &work.machine().edge_table[at] : nullptr;
 }
 
 constexpr const char* axis_names[] = {"x", "y", "z"};

@@ -32,7 +32,7 @@ Mark mark_of(const Machine& machine, const RecordedEvent* event, std::size_t pla
 std::string label_of(const Session& s, std::int32_t edge) {
   const auto at = static_cast<std::size_t>(edge);
   const auto& table = s.state().machine.edge_table;
-  return edge >= 0 && at < table.size() ? edge_label(s.scene(), table[at].entry) : fmt::format("e{}", edge);
+  return edge >= 0 && at < table.size() ? edge_label(s.scene(), table[at]) : fmt::format("e{}", edge);
 }
 
 /// The name of an edge; with its polygon's colour where the list holds edges of several.
@@ -41,7 +41,7 @@ TableCell name_of(const Session& s, std::int32_t edge) {
   TableCell cell(label_of(s, edge));
   const auto at = static_cast<std::size_t>(edge);
   if (!machine.keeps_all || edge < 0 || at >= machine.edge_table.size()) return cell;
-  const auto polygon = static_cast<std::size_t>(machine.edge_table[at].entry.polygon);
+  const auto polygon = static_cast<std::size_t>(machine.edge_table[at].polygon);
   if (polygon < s.scene().polygons.size()) cell.chip = to_im(opaque(s.scene().polygons[polygon].color));
   return cell;
 }
@@ -51,8 +51,8 @@ std::vector<TableRow> waiting_rows(const Session& s) {
   constexpr std::size_t enough = 24;
   const Machine& machine = s.state().machine;
   std::vector<const EdgeTableInsert*> waiting;
-  for (const EdgeRow& row : machine.edge_table)
-    if (row.where == EdgeRow::Where::waiting) waiting.push_back(&row.entry);
+  for (const EdgeTableInsert& entry : machine.edge_table)
+    if (machine.edge_stages[static_cast<std::size_t>(entry.edge)] == EdgeStage::waiting) waiting.push_back(&entry);
   const auto sooner = [](const EdgeTableInsert* a, const EdgeTableInsert* b) { return std::make_pair(a->first_row, a->edge) < std::make_pair(b->first_row, b->edge); };
   const std::size_t count = std::min(enough, waiting.size());
   std::partial_sort(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count), waiting.end(), sooner);
@@ -76,7 +76,7 @@ TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   const Machine& machine = s.state().machine;
   TableRow row;
   const auto at = static_cast<std::size_t>(active.edge);
-  const EdgeTableInsert* entry = active.edge >= 0 && at < machine.edge_table.size() ? &machine.edge_table[at].entry : nullptr;
+  const EdgeTableInsert* entry = active.edge >= 0 && at < machine.edge_table.size() ? &machine.edge_table[at] : nullptr;
   const auto asks = [&](const char* field) { return answers::made_by<EdgeStep, EdgeTableInsert>(s.position(), field, {{"edge", active.edge}}); };
   row.cells = {name_of(s, active.edge), TableCell(active.x, asks("x_edge")), TableCell(active.z, asks("z_edge"))};
   if (entry) row.cells.emplace_back(static_cast<double>(entry->end_row), answers::made_by<EdgeTableInsert>(s.position(), "end_row", {{"edge", active.edge}}));

@@ -142,13 +142,14 @@ void draw_list(Ui& ui) {
   const Rows rows = lay_out_rows(ui);
   draw_axis(ui, rows);
   // The first of the list is P: it stays in sight while the others scroll.
-  const bool testing = entries[0].piece == rows.p;
+  auto entry = entries.begin();
+  const bool testing = entry->piece == rows.p;
   ImVec2 top = ImGui::GetCursorScreenPos();
-  draw_row(ui, rows, entries[0]);
+  draw_row(ui, rows, *entry);
   if (testing) draw_reach(ui, rows, top);
   ImGui::BeginChild("others", {0, 0}, false, ImGuiWindowFlags_None);
   top = ImGui::GetCursorScreenPos();
-  for (std::size_t i = 1; i < entries.size(); ++i) draw_row(ui, rows, entries[i]);
+  while (++entry != entries.end()) draw_row(ui, rows, *entry);
   if (testing) draw_reach(ui, rows, top);
   ImGui::EndChild();
 }

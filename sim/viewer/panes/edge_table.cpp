@@ -20,21 +20,21 @@ std::optional<std::int32_t> edge_now(const RecordedEvent* event) {
   return std::nullopt;
 }
 
-std::string state_word(const EdgeRow& row, bool now, const RecordedEvent* event) {
+std::string state_word(EdgeStage stage, bool now, const RecordedEvent* event) {
   if (now && std::holds_alternative<EdgeTableInsert>(event->event)) return "\u2190 new";
   if (now && std::holds_alternative<EdgeEnter>(event->event)) return "\u2192 enters";
   if (now && std::holds_alternative<EdgeRetire>(event->event)) return "\u2717 leaves";
-  switch (row.where) {
-    case EdgeRow::Where::waiting: return "waits";
-    case EdgeRow::Where::active: return "active";
-    case EdgeRow::Where::retired: return "done";
+  switch (stage) {
+    case EdgeStage::waiting: return "waits";
+    case EdgeStage::active: return "active";
+    case EdgeStage::retired: return "done";
   }
   return "";
 }
 
 /// The same in one character.
-std::string state_sign(const EdgeRow& row, bool now, const RecordedEvent* event) {
-  const std::string word = state_word(row, now, event);
+std::string state_sign(EdgeStage stage, bool now, const RecordedEvent* event) {
+  const std::string word = state_word(stage, now, event);
   if (word == "waits") return "\u00b7";
   if (word == "active") return "\u25b6";
   if (word == "done") return "\u2713";
@@ -49,16 +49,17 @@ void draw(Ui& ui) {
   if (machine.edge_table.empty())
     return say_empty(ui, machine.rejected ? fmt::format("Empty: polygon {} was dropped before it got here.", polygon_label(s.scene(), machine.polygon))
                                           : fmt::format("Empty: the edges of polygon {} are not in it yet.", polygon_label(s.scene(), machine.polygon)));
-  std::vector<const EdgeRow*> order;
-  for (const EdgeRow& row : machine.edge_table) order.push_back(&row);
-  std::stable_sort(order.begin(), order.end(), [](const EdgeRow* a, const EdgeRow* b) {
-    return std::make_pair(a->entry.first_row, a->entry.x_edge) < std::make_pair(b->entry.first_row, b->entry.x_edge);
+  std::vector<const EdgeTableInsert*> order;
+  for (const EdgeTableInsert& entry : machine.edge_table) order.push_back(&entry);
+  std::stable_sort(order.begin(), order.end(), [](const EdgeTableInsert* a, const EdgeTableInsert* b) {
+    return std::make_pair(a->first_row, a->x_edge) < std::make_pair(b->first_row, b->x_edge);
   });
   const auto now = edge_now(s.event());
   std::vector<TableRow> rows;
   std::optional<std::int32_t> bucket;
-  for (const EdgeRow* row : order) {
-    const EdgeTableInsert& e = row->entry;
+  for (const EdgeTableInsert* entry : order) {
+    const EdgeTableInsert& e = *entry;
+    const EdgeStage stage = machine.edge_stages[static_cast<std::size_t>(e.edge)];
     TableRow out;
     const bool is_now = now == e.edge;
     const auto asks = [&](const char* field) { return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}}); };
@@ -68,10 +69,10 @@ void draw(Ui& ui) {
                  TableCell(polygon_label(s.scene(), e.polygon),
                            e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < s.scene().polygons.size()
                                ? to_im(opaque(s.scene().polygons[static_cast<std::size_t>(e.polygon)].color)) : 0),
-                 state_word(*row, is_now, s.event())};
+                 state_word(stage, is_now, s.event())};
     bucket = e.first_row;
-    out.cells.back().brief = state_sign(*row, is_now, s.event());
-    out.look = is_now ? TableRow::Look::now : row->where == EdgeRow::Where::retired ? TableRow::Look::gone : TableRow::Look::plain;
+    out.cells.back().brief = state_sign(stage, is_now, s.event());
+    out.look = is_now ? TableRow::Look::now : stage == EdgeStage::retired ? TableRow::Look::gone : TableRow::Look::plain;
     out.lit = s.lit_edge() == e.edge;
     out.key = e.edge;
     rows.push_back(std::move(out));

@@ -155,7 +155,7 @@ void draw_pieces(const View& v) {
     const bool lit = number == now;
     const auto polygon = at(piece.polygon);
     const Pixel32 own = polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
-    const bool painted = piece.drawn >= 0;
+    const bool painted = v.m.draw_places[at(number)] >= 0;
     if (lit)
       for (std::size_t k = 0; k < points.size(); ++k) v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now, 9);
     for (std::size_t k = 0; k < points.size(); ++k)

@@ -70,7 +70,7 @@ void draw_geometry(Ui& ui, Canvas& canvas, const RasterMap& map) {
     for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, IM_COL32(40, 40, 40, 255), 200);
   }
   if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
-    const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)].entry;
+    const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)];
     line(e.vertex_0, e.vertex_1, 4, ui.colors().selected, 220);
   }
 }

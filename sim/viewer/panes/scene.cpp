@@ -105,7 +105,7 @@ void draw_polygon(Ui& ui, Canvas& canvas, const RasterMap& map) {
     }
   }
   if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
-    const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)].entry;
+    const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)];
     const auto a = on_raster(scene, s.state(), e.vertex_0), b = on_raster(scene, s.state(), e.vertex_1);
     if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 5, to_pixel(c.selected));
   }

@@ -94,7 +94,7 @@ void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
     const auto at = static_cast<std::size_t>(edge.edge);
     if (at >= m.edge_table.size()) continue;
     const bool now = flip && flip->edge == edge.edge, lit = s.lit_edge() == edge.edge;
-    tick(edge.x, edge_label(s.scene(), m.edge_table[at].entry), now ? c.now : lit ? c.selected : c.text, now || lit ? 3.0f : 1.0f);
+    tick(edge.x, edge_label(s.scene(), m.edge_table[at]), now ? c.now : lit ? c.selected : c.text, now || lit ? 3.0f : 1.0f);
   }
   for (const ImpliedEdge& implied : m.sweep.implied) {
     const float x = strip.x(implied.x_at), y = (strip.at.y + strip.end.y) / 2, half = ui.em * 0.3f;
@@ -132,7 +132,7 @@ bool with_line_buffer(const Session& s) {
 bool is_active(const Machine& m, std::int32_t polygon) {
   return std::any_of(m.active.begin(), m.active.end(), [&](const ActiveEdge& edge) {
     const auto at = static_cast<std::size_t>(edge.edge);
-    return at < m.edge_table.size() && m.edge_table[at].entry.polygon == polygon;
+    return at < m.edge_table.size() && m.edge_table[at].polygon == polygon;
   });
 }
 

@@ -189,7 +189,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stre
   std::optional<std::pair<std::int32_t, std::int32_t>> lit;
   const auto& table = s.state().machine.edge_table;
   if (const auto edge = s.lit_edge(); edge && static_cast<std::size_t>(*edge) < table.size())
-    lit = {table[static_cast<std::size_t>(*edge)].entry.first_row, table[static_cast<std::size_t>(*edge)].entry.end_row};
+    lit = {table[static_cast<std::size_t>(*edge)].first_row, table[static_cast<std::size_t>(*edge)].end_row};
   float labelled_to = strip.at.x;
   const float needed = text_size(ui, font, "y 000").x + 6;
   for (std::size_t i = 0; i < stretch.lines.size(); ++i) {

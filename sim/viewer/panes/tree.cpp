@@ -125,7 +125,7 @@ void draw_whole(Ui& ui) {
     if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);
     std::int32_t drawn = -1;
     for (const std::int32_t piece : one.pieces)
-      if (at(piece) < m.pieces.size()) drawn = std::max(drawn, m.pieces[at(piece)].drawn);
+      if (at(piece) < m.pieces.size()) drawn = std::max(drawn, m.draw_places[at(piece)]);
     if (drawn >= 0) draw_text(ui, {std::round(end.x - half * 0.6f), end.y + 1}, ui.fonts.small, c.changed, fmt::format("#{}", drawn + 1));
   }
   const std::string long_text = "+ in front, \u2212 behind   arrow: the eye's side   #1: drawn first";

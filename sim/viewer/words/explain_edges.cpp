@@ -8,7 +8,7 @@ namespace {
 
 const EdgeTableInsert* entry_of(const Telling& t, std::int32_t edge) {
   const auto at = static_cast<std::size_t>(edge);
-  return edge >= 0 && at < t.machine.edge_table.size() ? &t.machine.edge_table[at].entry : nullptr;
+  return edge >= 0 && at < t.machine.edge_table.size() ? &t.machine.edge_table[at] : nullptr;
 }
 
 std::string named(const Telling& t, std::int32_t edge) {
@@ -94,8 +94,8 @@ void tell(Telling& t, const EdgeTableSkip& e) {
 }
 
 void tell(Telling& t, const ScanLineBegin& e) {
-  const auto waiting = std::count_if(t.machine.edge_table.begin(), t.machine.edge_table.end(), [&](const EdgeRow& row) {
-    return row.where == EdgeRow::Where::waiting && row.entry.first_row == e.y;
+  const auto waiting = std::count_if(t.machine.edge_table.begin(), t.machine.edge_table.end(), [&](const EdgeTableInsert& entry) {
+    return t.machine.edge_stages[static_cast<std::size_t>(entry.edge)] == EdgeStage::waiting && entry.first_row == e.y;
   });
   t.say(fmt::format("Scan line y = {} of {}: {} active from the line before, {} waiting in its bucket.", e.y, all_at_once(t) ? "all polygons" : t.here(),
                     t.machine.active.size() == 1 ? "1 edge" : fmt::format("{} edges", t.machine.active.size()), waiting));

@@ -13,7 +13,7 @@ std::string name(const Telling& t, std::int32_t piece) { return piece_label(t.sc
 
 std::string edge(const Telling& t, std::int32_t number) {
   const auto at = static_cast<std::size_t>(number);
-  return number >= 0 && at < t.machine.edge_table.size() ? edge_label(t.scene, t.machine.edge_table[at].entry) : fmt::format("e{}", number);
+  return number >= 0 && at < t.machine.edge_table.size() ? edge_label(t.scene, t.machine.edge_table[at]) : fmt::format("e{}", number);
 }
 
 std::string names_inside(const Telling& t) {

@@ -37,7 +37,7 @@ std::map<std::int32_t, Line> lines_of(const Trace& trace) {
       last = *machine.scan_line;
       for (const ActiveEdge& active : machine.active) {
         if (!line.active.empty()) line.active += ' ';
-        line.active += name_of(machine.edge_table[static_cast<std::size_t>(active.edge)].entry);
+        line.active += name_of(machine.edge_table[static_cast<std::size_t>(active.edge)]);
       }
     }
     if (const auto* stretch = std::get_if<SpanFlags>(&event)) line.stretches += std::to_string(stretch->flags);

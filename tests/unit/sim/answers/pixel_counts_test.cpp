@@ -42,7 +42,7 @@ std::map<Count, Table> by_hand(const Trace& trace, std::int64_t position) {
     std::optional<std::int32_t> colour;
     if (const auto* compare = std::get_if<DepthCompare>(&event)) {
       all[Count::failed][pixel] += !compare->nearer;
-      there[pixel].insert(machine.span ? machine.edge_table[static_cast<std::size_t>(machine.span->left_edge)].entry.polygon : machine.polygon);
+      there[pixel].insert(machine.span ? machine.edge_table[static_cast<std::size_t>(machine.span->left_edge)].polygon : machine.polygon);
     }
     if (const auto* write = std::get_if<PixelWrite>(&event)) colour = write->polygon;
     if (const auto* paint = std::get_if<PixelPaint>(&event)) colour = paint->polygon;

@@ -1,11 +1,13 @@
-// A vector in shared pieces is a vector: whatever happens to one copy, the others stay as they were.
+// Vectors and lists in shared pieces are vectors and lists: whatever happens to one copy, the others stay as they were.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <vector>
 
 #include "traces/replay/shared_chunks.hpp"
+#include "traces/replay/shared_list.hpp"
 
 using namespace zstep;
 
@@ -101,4 +103,42 @@ TEST_CASE("shared chunks: what was never touched takes no memory") {
   items.resize(0);
   items.resize(100);
   CHECK(items[50].value == 0);
+}
+
+TEST_CASE("law: copies of a shared list are each what a vector would be, after any 6000 changes") {
+  std::mt19937 random(2);
+  const auto below = [&](std::size_t end) { return static_cast<std::size_t>(random() % end); };
+  struct Both {
+    SharedList<int> shared;
+    std::vector<int> plain;
+  };
+  std::array<Both, 3> copies;
+  std::size_t longest = 0;
+  for (int change = 0; change < 6000; ++change) {
+    Both& copy = copies[below(copies.size())];
+    std::vector<int>& plain = copy.plain;
+    const std::size_t what = below(200);
+    if (what == 0) {
+      const Both& other = copies[below(copies.size())];
+      copy = other;
+      CHECK(copy.shared.shares_with(other.shared));
+    } else if (what < 20 && !plain.empty()) {
+      const std::size_t at = below(plain.size());
+      copy.shared.erase(at), plain.erase(plain.begin() + static_cast<std::ptrdiff_t>(at));
+    } else if (what < 40 && !plain.empty()) {
+      const std::size_t at = below(plain.size());
+      copy.shared.edit(at) = change, plain[at] = change;
+    } else {
+      const std::size_t at = below(plain.size() + 1);
+      copy.shared.insert(at, change), plain.insert(plain.begin() + static_cast<std::ptrdiff_t>(at), change);
+    }
+    longest = std::max(longest, plain.size());
+    CAPTURE(change);
+    for (const Both& each : copies) {
+      REQUIRE(each.shared.size() == each.plain.size());
+      REQUIRE(std::equal(each.shared.begin(), each.shared.end(), each.plain.begin(), each.plain.end()));
+      if (!each.plain.empty()) REQUIRE(each.shared[each.plain.size() / 2] == each.plain[each.plain.size() / 2]);
+    }
+  }
+  CHECK(longest > 2 * SharedList<int>::longest);  // it came in several pieces
 }
