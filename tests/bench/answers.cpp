@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <random>
 
@@ -10,6 +11,7 @@
 #include "sim/answers/why_not.hpp"
 #include "sim/query/database.hpp"
 #include "traces/error.hpp"
+#include "traces/file/visit.hpp"
 
 namespace zstep::bench {
 
@@ -66,15 +68,29 @@ std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& tr
           {"why not, the one that is seen, median; p99", there}};
 }
 
-std::int64_t scan_by_sql(const Trace& trace) {
-  // The table with the most rows, of those that methods fill by the pixel or by the facet.
-  const std::string table = trace.has(kind_of<DepthCompare>) ? "count(*), sum(x), sum(z) from depth_compare"
-                            : trace.has(kind_of<RayPlane>)   ? "count(*), sum(facet), sum(t) from ray_plane"
-                            : trace.has(kind_of<PixelPaint>) ? "count(*), sum(x), sum(z) from pixel_paint"
-                                                             : "count(*), sum(edge), sum(x_edge) from edge_step";
+LargestTable largest_table(const Trace& trace) {
+  std::array<std::int64_t, kind_count> rows{};
+  trace.visit(0, trace.size(), [&]<class E>(std::int64_t, std::uint8_t, const E&) {
+    ++rows[kind_of<E>];
+    return true;
+  });
+  const auto most = static_cast<std::uint8_t>(std::max_element(rows.begin(), rows.end()) - rows.begin());
+  std::string name, columns;
+  int taken = 0;
+  for_each_kind([&]<class E>() {
+    if (kind_of<E> != most) return;
+    name = kind_text<E>.name;
+    for_each_field<E>([&](const auto& field) {
+      if (taken++ < 2) columns += fmt::format(", sum({})", field.name);
+    });
+  });
+  return {name, fmt::format("select count(*){} from {}", columns, name)};
+}
+
+std::int64_t scan_by_sql(const Trace& trace, const LargestTable& table) {
   std::int64_t rows = 0;
   query::Database database(trace);
-  database.run("select " + table, {}, [](const std::vector<std::string>&) {},
+  database.run(table.question, {}, [](const std::vector<std::string>&) {},
                [&](std::span<const query::Value> values) {
                  if (const auto* count = std::get_if<std::int64_t>(&values[0])) rows = *count;
                  return true;

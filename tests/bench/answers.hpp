@@ -13,7 +13,12 @@ namespace zstep::bench {
 /// Names and values for a table.
 std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& trace, Replay& replay);
 
-/// Reads two columns of the trace's largest table; returns its rows.
-std::int64_t scan_by_sql(const Trace& trace);
+/// The table of the trace with the most rows, and a question for which two columns of it are read whole.
+struct LargestTable {
+  std::string name, question;
+};
+LargestTable largest_table(const Trace& trace);
+/// Asks it; returns the table's rows.
+std::int64_t scan_by_sql(const Trace& trace, const LargestTable& table);
 
 }  // namespace zstep::bench
