@@ -4,6 +4,7 @@
 // format: a method that computes otherwise makes larger files, and no others.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,6 +33,14 @@ struct FacetPlane {
   double d = 0;
 };
 
+/// What a piece is on the raster, (x_s, y_s, depth), that is a whole facet: its plane, the corners divided by their number before they are
+/// added, and its extents.
+struct RasterPiece {
+  std::int32_t piece = -1;
+  FacetPlane plane;
+  glm::dvec3 low{0}, high{0};
+};
+
 class Facts {
  public:
   /// The scene must live as long as this does.
@@ -58,19 +67,28 @@ class Facts {
   const FacetPlane& plane(std::int32_t facet) const;
   /// The same as BSP trees compute it: the corners divided by their number before they are added.
   FacetPlane plane_by_parts(std::int32_t facet) const;
+  /// A piece of a method that keeps all pieces in a table, if it numbers the facets that are neither turned away nor out of view in their
+  /// order; nullptr where there are not so many.
+  const RasterPiece* piece(std::int32_t number) const;
   /// How near to a plane a point lies on it, in a BSP tree of the scene: 1e-9 of the diagonal of the box around the points, and 1e-14 of
   /// the farthest coordinate.
   double tolerance() const;
 
  private:
   std::int32_t outcode(glm::dvec3 view) const;
+  std::array<double, 6> distances_inside(glm::dvec3 view) const;  ///< of the six planes of the view volume
+  bool in_view(std::span<const std::int32_t> outline) const;      ///< something of it is left by clipping
+  void number_pieces() const;
 
   const Scene* scene_;
-  bool increments_, inclusive_, viewed_, orthographic_, view_depth_;
+  bool increments_, inclusive_, cull_, viewed_, orthographic_, view_depth_;
   double d_, window_x_, window_y_, near_, far_, a_, b_, width_, height_;
   // The last that were asked for, each in the place its number says; what they are depends on the scene alone.
   mutable std::vector<VertexFacts> at_hand_;
   mutable std::vector<FacetPlane> planes_at_hand_;
+  mutable std::vector<std::int32_t> facets_of_pieces_;
+  mutable bool numbered_ = false;
+  mutable std::vector<RasterPiece> pieces_at_hand_;
   mutable double tolerance_ = -1;  ///< once asked for
 };
 

@@ -275,6 +275,16 @@ inline void Foreteller::note(const SideTest& event) {
   sides_ = 0;
 }
 
+inline void Foreteller::evaluate(PlaneDepth& event) const {
+  const RasterPiece* piece = facts_->piece(event.piece);
+  if (piece == nullptr) {
+    event.z = real_[slot_of("z")];
+    return;
+  }
+  const glm::dvec3& normal = piece->plane.normal;
+  event.z = -(normal.x * event.x_at + normal.y * event.y_at + piece->plane.d) / normal.z;
+}
+
 // --- Pairs of pieces
 
 inline void Foreteller::note(const Extent& event) {
@@ -296,8 +306,15 @@ inline void Foreteller::note(const PairBegin& event) {
 
 inline void Foreteller::tell(ExtentTest& event) const { event.axis = next_axis_; }
 
+inline KnownExtents::Range Foreteller::extent_of(std::int32_t piece, Axis axis) const {
+  if (const auto told = extents_.of(piece, axis)) return *told;
+  const auto i = static_cast<glm::length_t>(axis);
+  if (const RasterPiece* whole = facts_->piece(piece)) return {whole->low[i], whole->high[i]};
+  return {};
+}
+
 inline void Foreteller::evaluate(ExtentTest& event) const {
-  const KnownExtents::Range one = extents_.of(event.piece, event.axis), other = extents_.of(event.other, event.axis);
+  const KnownExtents::Range one = extent_of(event.piece, event.axis), other = extent_of(event.other, event.axis);
   event.low = one.low, event.high = one.high, event.other_low = other.low, event.other_high = other.high;
   event.overlap = event.low < event.other_high && event.other_low < event.high;
 }

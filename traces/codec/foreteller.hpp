@@ -126,7 +126,9 @@ class Foreteller {
   void evaluate(SpanBegin& event);
   /// All of a span that follows from where its ends are.
   void fill_span(SpanBegin& event, double x_left, double z_left, double x_right, double z_right) const;
+  void evaluate(PlaneDepth& event) const;
   void evaluate(ExtentTest& event) const;
+  KnownExtents::Range extent_of(std::int32_t piece, Axis axis) const;
   void evaluate(VertexSide& event);
   void evaluate(SideTest& event) const;
   void evaluate(RayPlane& event) const;

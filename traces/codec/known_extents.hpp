@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "traces/events/pieces.hpp"
@@ -15,10 +16,10 @@ class KnownExtents {
     double low = 0, high = 0;
   };
 
-  /// 0 … 0 where the block has not told of it.
-  Range of(std::int32_t piece, Axis axis) const {
+  /// Nothing where the block has not told of it.
+  std::optional<Range> of(std::int32_t piece, Axis axis) const {
     const Entry* entry = find(piece);
-    return entry != nullptr ? entry->ranges[static_cast<std::size_t>(axis)] : Range{};
+    return entry != nullptr ? entry->ranges[static_cast<std::size_t>(axis)] : std::nullopt;
   }
   void learn(std::int32_t piece, Axis axis, Range range) { take(piece).ranges[static_cast<std::size_t>(axis)] = range; }
 
@@ -35,7 +36,7 @@ class KnownExtents {
   static constexpr std::size_t most = 4096, places = 2 * most;  // more pieces are not remembered
   struct Entry {
     std::int32_t piece = -1, next = -1;
-    std::array<Range, 3> ranges{};
+    std::array<std::optional<Range>, 3> ranges{};
   };
 
   /// Where the index names this piece, or has room for it: an open hash table.

@@ -85,7 +85,7 @@ inline constexpr KindText kind_text<PlaneDepth>{
 template <>
 inline constexpr auto fields_of<PlaneDepth> = Fields{
     Field{"piece", &PlaneDepth::piece, "index", "the piece"}, Field{"x_at", &PlaneDepth::x_at, "px", "x of the point"},
-    Field{"y_at", &PlaneDepth::y_at, "px", "y of the point"}, Field{"z", &PlaneDepth::z, "depth", "the depth there"}};
+    Field{"y_at", &PlaneDepth::y_at, "px", "y of the point"}, Field{"z", &PlaneDepth::z, "depth", "the depth there", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<VertexSide>{"vertex_side", "a vertex is held against the plane of a piece"};

@@ -1,0 +1,62 @@
+// What a trace takes. Events are foretold from the scene and from one another (docs/trace-format.md, "Guesses"); a method that computes
+// otherwise than its guesses say makes no wrong trace, only a large one, so its size is held against what it was when both agreed.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
+#include "traces/file/trace_impl.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+using namespace zstep;
+
+namespace {
+
+struct Recorded {
+  double events = 0, bytes = 0;
+};
+
+Recorded record(const std::string& name, const std::string& mesh, std::int32_t width, std::int32_t height) {
+  ViewOptions view;
+  view.width = width, view.height = height;
+  const Scene scene = look_at_scene(load_scene(mesh).scene, view);
+  const Method& taught = method(name);
+  TraceRecorder recorder(header_for(taught, Conventions()), scene);
+  taught.record(scene, Conventions(), recorder);
+  recorder.finish();
+  const Trace trace = Trace::from_bytes(recorder.take_bytes(), "size");
+  Recorded recorded{static_cast<double>(trace.size()), 0};
+  for (const auto& block : trace.impl().blocks) recorded.bytes += static_cast<double>(block.place.size);
+  return recorded;
+}
+
+}  // namespace
+
+TEST_CASE("law: a trace takes no more bytes an event than its guesses leave over") {
+  struct Subject {
+    const char *method, *mesh;
+    double most;  ///< bytes an event, a third more than was measured
+  };
+  for (const Subject& subject : {Subject{"z-buffer", "teapot:4", 0.3}, Subject{"bsp", "teapot:4", 3}, Subject{"depth-sort", "teapot:12", 1.36},
+                                 Subject{"warnock", "teapot:4", 2.75}, Subject{"scan-line", "teapot:4", 5.3}, Subject{"ray-casting", "teapot:2", 0.27}}) {
+    const Recorded recorded = record(subject.method, subject.mesh, 160, 120);
+    const std::string name = subject.method;
+    CAPTURE(name);
+    CAPTURE(recorded.events);
+    CHECK(recorded.bytes / recorded.events <= subject.most);
+  }
+}
+
+TEST_CASE("codec: a facet without corners is nobody's piece") {
+  Scene scene = load_scene("pyramid-behind").scene;
+  scene.facets.insert(scene.facets.begin(), Facet{0, 0, 0});
+  TraceRecorder recorder(header_for(method("warnock"), Conventions()), scene);
+  const Page page = method("warnock").page();
+  for (const StepInfo& step : page)
+    if (step.kind == kind_of<PlaneDepth>) record_any(recorder, step.id, PlaneDepth{0, 1, 2, 0.5});
+  recorder.finish();
+  const Trace trace = Trace::from_bytes(recorder.take_bytes(), "no corners");
+  REQUIRE(trace.size() > 0);
+  CHECK(std::get<PlaneDepth>(trace.event(1).event).z == 0.5);
+}
