@@ -15,7 +15,7 @@ struct NoLog {
   void ink(std::size_t, std::uint32_t) {}
   void vertex(std::size_t, const VertexWay&) {}
   void vertex_added() {}
-  void vertices_dropped(const SharedChunks<VertexWay>&) {}
+  void vertices_dropped(const SharedChunks<VertexWay>&, std::size_t) {}
   void fragment(const std::optional<Fragment>&) {}
   void picture(bool, const Picture&) {}
 };
@@ -97,7 +97,7 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
   } else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw> ||
                        std::is_same_v<E, TablesBegin>) {
     if (state.vertices.size() > points && !state.machine.keeps_all) {
-      log.vertices_dropped(state.vertices);
+      log.vertices_dropped(state.vertices, points);
       state.vertices.resize(points);
     }
     set_fragment(std::nullopt);

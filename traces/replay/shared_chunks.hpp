@@ -20,9 +20,8 @@ class SharedChunks {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   const T& operator[](std::size_t i) const {
-    static const T untouched{};
     const Chunk& chunk = chunks_[i / chunk_size];
-    return chunk ? (*chunk)[i % chunk_size] : untouched;
+    return chunk ? (*chunk)[i % chunk_size] : untouched_;
   }
   const T& back() const { return (*this)[size_ - 1]; }
 
@@ -101,6 +100,8 @@ class SharedChunks {
     else if (chunk.use_count() > 1) chunk = std::make_shared<std::vector<T>>(*chunk);
     return *chunk;
   }
+
+  inline static const T untouched_{};
 
   std::size_t size_ = 0;
   std::vector<Chunk> chunks_;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <variant>
+#include <utility>
 #include <vector>
 
 #include "traces/replay/state.hpp"
@@ -22,7 +23,12 @@ class UndoLog {
   void ink(std::size_t pixel, std::uint32_t old) { add(Ink{pixel, old}); }
   void vertex(std::size_t index, const VertexWay& old) { add(Vertex{index, old}); }
   void vertex_added() { add(VertexAdded{}); }
-  void vertices_dropped(const SharedChunks<VertexWay>& old) { add(VerticesDropped{std::make_shared<const SharedChunks<VertexWay>>(old)}); }
+  /// Those from the `kept`-th on.
+  void vertices_dropped(const SharedChunks<VertexWay>& vertices, std::size_t kept) {
+    std::vector<VertexWay> old;
+    for (std::size_t i = kept; i < vertices.size(); ++i) old.push_back(vertices[i]);
+    add(VerticesDropped{std::make_shared<const std::vector<VertexWay>>(std::move(old))});
+  }
   void fragment(const std::optional<Fragment>& old) { add(Pixel{old}); }
   void picture(bool light, const Picture& old) {
     pictures_bytes_ += old.depth.size() * (sizeof(double) + 2 * sizeof(std::int32_t));
@@ -69,7 +75,7 @@ class UndoLog {
   };
   struct VertexAdded {};
   struct VerticesDropped {
-    std::shared_ptr<const SharedChunks<VertexWay>> old;
+    std::shared_ptr<const std::vector<VertexWay>> old;
   };
   struct Pixel {
     std::optional<Fragment> old;
@@ -96,7 +102,9 @@ class UndoLog {
   static void restore(const Ink& entry, State& state) { state.picture.ink[entry.pixel] = entry.old; }
   static void restore(const Vertex& entry, State& state) { state.vertices.edit(entry.index) = entry.old; }
   static void restore(const VertexAdded&, State& state) { state.vertices.pop_back(); }
-  static void restore(const VerticesDropped& entry, State& state) { state.vertices = *entry.old; }
+  static void restore(const VerticesDropped& entry, State& state) {
+    for (const VertexWay& way : *entry.old) state.vertices.push_back(way);
+  }
   static void restore(const Pixel& entry, State& state) { state.machine.fragment = entry.old; }
   static void restore(const Whole& entry, State& state) { picture_of(entry.light, state) = *entry.old; }
 
