@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "traces/codec/foretell.hpp"
+
 namespace zstep {
 
 using namespace codec;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "traces/codec/columns.hpp"
-#include "traces/codec/foreteller.hpp"
+#include "traces/codec/foretell.hpp"
 #include "traces/codec/runs.hpp"
 
 namespace zstep {

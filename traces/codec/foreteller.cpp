@@ -1,4 +1,4 @@
-#include "traces/codec/foreteller.hpp"
+#include "traces/codec/foretell.hpp"
 
 namespace zstep::codec {
 

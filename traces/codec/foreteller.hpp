@@ -2,6 +2,9 @@
 //
 // Encoder and decoder walk an event's fields in order. What is guessed right is not stored. A guess may use what the file's header and
 // scene state and what the block's earlier events told, and nothing else, so that each block is read without the others.
+//
+// The guesses themselves stand in foretell_polygons.hpp, foretell_rows.hpp and foretell_pieces.hpp, to be compiled into the loops that ask for
+// them: encoder and decoder include foretell.hpp.
 #pragma once
 
 #include <array>
@@ -205,6 +208,3 @@ class Foreteller {
 };
 
 }  // namespace zstep::codec
-
-#include "traces/codec/foretell_polygons.hpp"
-#include "traces/codec/foretell_rows.hpp"
