@@ -87,7 +87,7 @@ TEST_CASE("replay: a long run, sought and stepped at random, agrees with a plain
   CHECK(wanderer.state().picture == picture);
   std::mt19937 random(9);
   std::vector<std::int64_t> places;
-  for (int i = 0; i < 25; ++i)
+  for (int i = 0; i < 40; ++i)
     places.push_back(static_cast<std::int64_t>(random() % static_cast<unsigned>(trace.size())));
   std::sort(places.begin(), places.end());
   std::vector<State> plain;
@@ -98,7 +98,7 @@ TEST_CASE("replay: a long run, sought and stepped at random, agrees with a plain
       plain.push_back(ahead.state());
     }
   }
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const std::size_t which = random() % places.size();
     switch (random() % 3) {
       case 0:
