@@ -113,7 +113,7 @@ void add_export(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("export", "Write a buffer of any step as a table, a sheet of pictures, or a film");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   command->add_option("-o,--out", options->out, "What to write; its extension says in which form")->type_name("FILE")->required();
-  command->add_option("--at", options->at, "At this step or bookmark (default: the end)")->type_name("STEP|BOOKMARK");
+  command->add_option("--at", options->at, "At this step, part of the trace or bookmark (default: the end)")->type_name("STEP|PERCENT%|BOOKMARK");
   command->add_option("--buffer", options->buffer, "Which buffer, as .npy or .csv (default depth)")->type_name(buffers);
   add_whole(*command, "--sheet", options->sheet, 1, "A contact sheet of so many steps, evenly apart")->type_name("N")->group("Pictures");
   command->add_option("--steps", options->steps, "Of these steps and bookmarks")->type_name("A,B,...")->group("Pictures");

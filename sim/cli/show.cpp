@@ -1,6 +1,10 @@
 #include "sim/cli/show.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,7 +22,7 @@ namespace zstep::cli {
 
 void add_show_options(CLI::App& command, ShowOptions& options) {
   options.command = &command;
-  command.add_option("--at", options.at, "Open at this step (0 is before the first), or at this bookmark")->type_name("STEP|BOOKMARK")->group("Viewer");
+  command.add_option("--at", options.at, "Open at this step (0 is before the first), at this part of the trace, or at this bookmark")->type_name("STEP|PERCENT%|BOOKMARK")->group("Viewer");
   command.add_option("--screenshot", options.screenshot, "Write the window as a picture instead of opening it; needs no display")->type_name("FILE.png")->group("Viewer");
   command.add_option("--pane", options.pane, "The screenshot shows one pane: frame, depth, pseudo-code, ...")->type_name("PANE")->group("Viewer");
   const auto take_size = [&options](const std::string& text) {
@@ -64,6 +68,21 @@ void check_can_show(const ShowOptions& options) {
 #endif
 }
 
+namespace {
+
+/// "37.5%" or "37.5 %" as 37.5; nothing for what does not look so.
+std::optional<double> percentage(std::string_view text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  text.remove_suffix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
 std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option) {
   if (std::all_of(at.begin(), at.end(), [](char c) { return c >= '0' && c <= '9'; })) {
     const std::int64_t step = parse_whole(option, at, 0);
@@ -72,10 +91,14 @@ std::int64_t step_of(const Trace& trace, const std::string& at, const std::strin
   }
   const places::Bookmarks marks(trace);
   if (const auto step = marks.find(at)) return *step;
+  if (const auto percent = percentage(at)) {
+    if (!(*percent >= 0 && *percent <= 100)) throw InputError(option, fmt::format("'{}' is no part of a trace", at), "give 0% to 100%");
+    return std::llround(*percent / 100 * static_cast<double>(trace.size()));
+  }
   std::vector<std::string> names;
   for (const places::Bookmark& mark : marks.all()) names.push_back(mark.name);
   throw InputError(option, fmt::format("'{}' is no step, and no bookmark of {} is called so", at, trace.name()),
-                   names.empty() ? "it has none; give a step, or set one in the viewer with Ctrl+B" : did_you_mean(at, names, "its bookmarks are " + enumerate(names, "and")));
+                   names.empty() ? "it has none; give a step or a percentage, or set one in the viewer with Ctrl+B" : did_you_mean(at, names, "its bookmarks are " + enumerate(names, "and")));
 }
 
 int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {

@@ -94,6 +94,32 @@ TEST_CASE("export: tables of any step are what the replay holds there") {
   must(folder, "export light.ztrace --buffer light-depth -o l.npy", "light-depth");
 }
 
+TEST_CASE("a place in a trace is a step, a percentage or a bookmark") {
+  const Folder folder;
+  REQUIRE(run(folder, "record delhi -o run.ztrace").code == 0);  // 252 steps
+  must(folder, "export run.ztrace --at 126 -o step.csv", "wrote step.csv");
+  const std::string half = text_of(folder / "step.csv");
+  for (const char* at : {"50%", "'50 %'", "49.9%", "50.1%"}) {
+    CAPTURE(at);
+    must(folder, std::string("export run.ztrace --at ") + at + " -o part.csv", "wrote part.csv");
+    CHECK(text_of(folder / "part.csv") == half);
+  }
+  must(folder, "export run.ztrace --at 0% -o begin.csv", "wrote begin.csv");
+  must(folder, "export run.ztrace --at 100% -o end.csv", "wrote end.csv");
+  must(folder, "export run.ztrace -o whole.csv", "wrote whole.csv");
+  CHECK(text_of(folder / "end.csv") == text_of(folder / "whole.csv"));
+  CHECK(text_of(folder / "begin.csv") != half);
+  CHECK(text_of(folder / "end.csv") != half);
+  for (const char* at : {"101%", "-1%", "nan%"}) {
+    CAPTURE(at);
+    refused(folder, std::string("export run.ztrace --at=") + at + " -o x.csv", std::string("--at: '") + at + "' is no part of a trace; give 0% to 100%");
+  }
+  refused(folder, "export run.ztrace --at=% -o x.csv", "is no step, and no bookmark");
+  write_text(folder / "run.ztrace.marks", "126 9%\n");
+  must(folder, "export run.ztrace --at 9% -o marked.csv", "wrote marked.csv");
+  CHECK(text_of(folder / "marked.csv") == half);  // a name that was given counts first
+}
+
 TEST_CASE("export: a pane, a sheet, and a sheet of bookmarks") {
   const Folder folder;
   REQUIRE(run(folder, "record delhi -o run.ztrace").code == 0);
