@@ -36,10 +36,10 @@ Recorded record(const std::string& name, const std::string& mesh, std::int32_t w
 TEST_CASE("law: a trace takes no more bytes an event than its guesses leave over") {
   struct Subject {
     const char *method, *mesh;
-    double most;  ///< bytes an event, a third more than was measured
+    double most;  ///< bytes an event: a little more than was measured, and less than without the guesses for its pieces
   };
-  for (const Subject& subject : {Subject{"z-buffer", "teapot:4", 0.3}, Subject{"bsp", "teapot:4", 3}, Subject{"depth-sort", "teapot:12", 1.36},
-                                 Subject{"warnock", "teapot:4", 2.75}, Subject{"scan-line", "teapot:4", 5.3}, Subject{"ray-casting", "teapot:2", 0.27}}) {
+  for (const Subject& subject : {Subject{"z-buffer", "teapot:4", 0.24}, Subject{"bsp", "teapot:4", 2.4}, Subject{"depth-sort", "teapot:12", 1.1},
+                                 Subject{"warnock", "teapot:4", 2.2}, Subject{"scan-line", "teapot:4", 4.1}, Subject{"ray-casting", "teapot:2", 0.21}}) {
     const Recorded recorded = record(subject.method, subject.mesh, 160, 120);
     const std::string name = subject.method;
     CAPTURE(name);
