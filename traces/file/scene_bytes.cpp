@@ -61,35 +61,12 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
 // --- Columns: whole numbers of one kind, each as what it is more than the one before (the first: than 0), so that regular scenes take
 // little room.
 
-/// Zigzag varints of the differences.
-class Wholes {
- public:
-  explicit Wholes(Bytes& out) : out_(out) {}
-  Wholes(const Wholes&) = delete;
-  Wholes& operator=(const Wholes&) = delete;
-  ~Wholes() { flush(); }
-
-  void put(std::int32_t value) {
-    if (at_ > at_hand_.size() - longest) flush();
-    const auto now = static_cast<std::uint32_t>(value);
-    std::uint32_t left = zigzag(static_cast<std::int32_t>(now - last_));
-    for (; left >= 0x80; left >>= 7) at_hand_[at_++] = static_cast<std::uint8_t>(left | 0x80);
-    at_hand_[at_++] = static_cast<std::uint8_t>(left);
-    last_ = now;
-  }
-
- private:
-  static constexpr std::size_t longest = 5;
-  void flush() {
-    out_.insert(out_.end(), at_hand_.begin(), at_hand_.begin() + static_cast<std::ptrdiff_t>(at_));
-    at_ = 0;
-  }
-
-  Bytes& out_;
-  std::array<std::uint8_t, 4096> at_hand_;  ///< what comes next, as a vector asks at each byte whether it has room
-  std::size_t at_ = 0;
-  std::uint32_t last_ = 0;
-};
+/// A zigzag varint of the difference.
+void put_whole(Bytes& out, std::int32_t value, std::uint32_t& last) {
+  const auto now = static_cast<std::uint32_t>(value);
+  put_varint(out, zigzag(static_cast<std::int32_t>(now - last)));
+  last = now;
+}
 
 std::int32_t take_whole(ByteReader& in, std::uint32_t& last) {
   last += static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(in.varint())));
@@ -229,12 +206,10 @@ Bytes scene_to_bytes(const Scene& scene) {
   }
   of_facets.end(out), counts.end(out);
   put_varint(out, corners);
-  {
-    Wholes column(out);
-    for (const Facet& facet : scene.facets) {
-      const std::int32_t* const first = scene.corners.data() + facet.first_corner;
-      for (std::int32_t i = 0; i < facet.corner_count; ++i) column.put(first[i]);
-    }
+  std::uint32_t last = 0;
+  for (const Facet& facet : scene.facets) {
+    const std::int32_t* const first = scene.corners.data() + facet.first_corner;
+    for (std::int32_t i = 0; i < facet.corner_count; ++i) put_whole(out, first[i], last);
   }
   if (has_extras(scene)) put_extras(out, scene);
   return out;
