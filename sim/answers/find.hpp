@@ -49,20 +49,52 @@ bool records(const Trace& trace) {
   return false;
 }
 
-/// The step in (from, end) whose event E has this number, where the numbers of all E in there go up. By halving, so that few
-/// blocks are read.
+/// A step and its event.
+template <class E>
+struct Found {
+  std::int64_t step = 0;
+  E event{};
+};
+/// The first step in (from, end) whose event E is meant.
+template <class E, class Meant>
+std::optional<Found<E>> next_that(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
+  Found<E> found;
+  const auto step = trace.next(from, [&](const RecordedEvent& recorded) {
+    const E& event = std::get<E>(recorded.event);
+    if (!is_meant(event)) return false;
+    found.event = event;
+    return true;
+  }, Trace::Among({}, kind_of<E>, end - 1));
+  if (!step) return std::nullopt;
+  found.step = *step;
+  return found;
+}
+template <class E>
+std::optional<Found<E>> next_event(const Trace& trace, std::int64_t from, std::int64_t end) {
+  return next_that<E>(trace, from, end, [](const E&) { return true; });
+}
+
+/// The first step in (from, end) whose event E satisfies `beyond`, where all E that follow do so, too. By leaps and then by halving, so
+/// that few blocks are read; what is near is found soonest.
+template <class E, class Beyond>
+std::optional<Found<E>> first_beyond(const Trace& trace, std::int64_t from, std::int64_t end, const Beyond& beyond) {
+  constexpr std::int64_t block = 16384;  // what is not larger is read from its beginning to its end
+  std::int64_t low = from, high = end, leap = block;  // no E up to `low` is beyond; one after it, or the first after `high`, is
+  while (high - low > block) {
+    const std::int64_t near_middle = low + std::min(leap, (high - low) / 2), begin = trace.begin_of_block(near_middle);
+    const std::int64_t middle = begin > low ? begin : near_middle;
+    const auto found = next_event<E>(trace, middle, end);
+    if (!found || beyond(found->event)) high = middle, leap = end;
+    else low = found->step, leap = std::min(4 * leap, end);
+  }
+  return next_that<E>(trace, low, end, beyond);
+}
+
+/// The step in (from, end) whose event E has this number, where the numbers of all E in there go up.
 template <class E>
 std::optional<std::int64_t> numbered(const Trace& trace, std::int64_t from, std::int64_t end, std::int32_t E::*number, std::int32_t wanted) {
-  std::int64_t low = from, high = end;  // what is wanted lies in (low, high]
-  while (low < high) {
-    const std::int64_t middle = low + (high - low) / 2;
-    const auto found = next_of<E>(trace, middle, std::min(end, high + 1));
-    const std::optional<E> event = found ? event_at<E>(trace, *found) : std::nullopt;
-    if (!event || (*event).*number > wanted) high = middle;
-    else if ((*event).*number == wanted) return found;
-    else low = *found;
-  }
-  return std::nullopt;
+  const auto found = first_beyond<E>(trace, from, end, [&](const E& event) { return event.*number >= wanted; });
+  return found && found->event.*number == wanted ? std::optional(found->step) : std::nullopt;
 }
 
 /// The step after which the buffers are the eye's: 0, unless the run draws what its light sees first.

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "sim/answers/find.hpp"
+#include "traces/file/visit.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -18,67 +19,37 @@ bool is(const Event& event) {
 
 bool begins_work(const Event& event) { return is<PolygonBegin>(event) || is<PieceDraw>(event); }
 
-std::optional<std::int32_t> vertex_of(const Event& event) {
-  if (const auto* e = std::get_if<ViewTransform>(&event)) return e->vertex;
-  if (const auto* e = std::get_if<Projection>(&event)) return e->vertex;
-  if (const auto* e = std::get_if<ViewportTransform>(&event)) return e->vertex;
-  return std::nullopt;
-}
-
-/// All vertices are viewed in one go, in their order: a stretch of the trace that is halved until the vertex is found. What lies
-/// in [low, high] but is of no vertex comes before the stretch up to `ahead`, and behind it from there.
+/// All vertices are viewed in one go, in their order: where in the trace.
 struct Stretch {
-  std::int64_t low = 1, high = 1;
-  bool tree_first = false;  ///< steps of building a tree come before it
-  bool all_before = false;  ///< whatever is of no vertex does
+  std::int64_t low = 0, high = 0;
 };
 
 Stretch viewing_stretch(const Trace& trace, const Machine& machine) {
   const auto marks = trace.polygons();
   const auto facets = trace.scene().facets.size();
-  if (trace.scene().light && machine.pass == Pass::eye && marks.size() > facets && facets > 0)
-    return {marks[facets - 1].position, marks[facets].position, false, true};  // the second pass of a shadow buffer
-  const auto first = trace.size() > 0 ? trace.event(1).event : Event{};
-  if (is<TablesBegin>(first) && !marks.empty()) return {marks.back().position, trace.size(), true, false};
-  const auto most = static_cast<std::int64_t>(3 * trace.scene().points.size()) + 8;
-  return {1, std::min(trace.size(), marks.empty() ? most : marks.front().position), false, false};
-}
-
-/// Does the step come before the viewing of this vertex?
-bool before_viewing(const Trace& trace, const Stretch& stretch, std::int64_t step, std::int32_t vertex) {
-  const RecordedEvent recorded = trace.event(step);
-  if (const auto found = vertex_of(recorded.event)) return *found < vertex;
-  if (stretch.all_before || is<BuffersClear>(recorded.event) || is<TablesBegin>(recorded.event) || is<PassBegin>(recorded.event)) return true;
-  if (!stretch.tree_first) return false;
-  const StepInfo* info = find_step(trace.header().page, recorded.step);
-  return info && (info->module == "bsp_build" || info->module == "cutting");
+  const Stretch between{facets > 0 && marks.size() >= facets ? marks[facets - 1].position : 0, marks.size() > facets ? marks[facets].position : trace.size()};
+  if (trace.scene().light && machine.pass == Pass::eye && marks.size() > facets && facets > 0) return between;  // the second pass of a shadow buffer
+  // A tree is built of all facets before its vertices are viewed, and then its pieces are drawn.
+  if (trace.size() > 0 && is<TablesBegin>(trace.event(1).event) && !marks.empty()) return between;
+  return {0, marks.empty() ? trace.size() : marks.front().position};
 }
 
 Step viewed_in(const Trace& trace, const Stretch& stretch, std::int32_t vertex) {
-  std::int64_t low = stretch.low, high = stretch.high;
-  while (low < high) {
-    const std::int64_t middle = low + (high - low) / 2;
-    if (before_viewing(trace, stretch, middle, vertex)) low = middle + 1;
-    else high = middle;
-  }
-  const Event event = low <= trace.size() ? trace.event(low).event : Event{};
-  const auto* found = std::get_if<ViewTransform>(&event);
-  return found && found->vertex == vertex ? Step(low) : std::nullopt;
+  return numbered(trace, stretch.low, stretch.high + 1, &ViewTransform::vertex, vertex);
 }
 
 /// The vertex is projected right after it was viewed, or soon after clipping made it.
 void find_projection(const Trace& trace, std::int64_t from, std::int64_t at, std::int32_t vertex, VertexSteps& steps) {
-  const std::int64_t last = std::min(trace.size(), at);
-  for (std::int64_t step = from; step <= last; ++step) {
-    const Event event = trace.event(step).event;
-    if (const auto* projected = std::get_if<Projection>(&event); projected && projected->vertex == vertex) steps.projected = step;
-    if (const auto* placed = std::get_if<ViewportTransform>(&event); placed && placed->vertex == vertex) {
-      steps.on_raster = step;
-      return;
+  trace.visit(from - 1, at, [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
+    if constexpr (std::is_same_v<E, Projection>) {
+      if (event.vertex == vertex) steps.projected = step;
+    } else if constexpr (std::is_same_v<E, ViewportTransform>) {
+      if (event.vertex == vertex) steps.on_raster = step;
+    } else if constexpr (std::is_same_v<E, ViewTransform>) {
+      if (event.vertex != vertex) return false;
     }
-    if (const auto* next = std::get_if<ViewTransform>(&event); next && next->vertex != vertex) return;
-    if (begins_work(event)) return;
-  }
+    return !steps.on_raster && !std::is_same_v<E, PolygonBegin> && !std::is_same_v<E, PieceDraw>;
+  });
 }
 
 bool same_edge(const EdgeTableInsert& a, const EdgeTableInsert& b) {
@@ -122,7 +93,10 @@ VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int
       return steps;
     }
     const SplitVertex cut = std::get<SplitVertex>(trace.event(*steps.made).event);
-    if (cut.space == Space::world) steps.viewed = find_first<ViewTransform>(trace, *steps.made, viewing);
+    if (cut.space == Space::world) {
+      steps.viewed = viewed_in(trace, viewing_stretch(trace, machine), vertex);
+      if (!steps.viewed) steps.viewed = find_first<ViewTransform>(trace, *steps.made, viewing);
+    }
   } else if (trace.scene().camera.kind != Camera::Kind::screen) {
     steps.viewed = viewed_in(trace, viewing_stretch(trace, machine), vertex);
     if (!steps.viewed) steps.viewed = find_last<ViewTransform>(trace, at, viewing);
@@ -138,9 +112,9 @@ Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, s
   const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
   const std::int64_t soon = std::max<std::int64_t>(1, at - near);
   if (const auto found = find_last<EdgeTableInsert>(trace, at, wanted, [](const Event&) { return false; }, soon)) return found;
-  // A polygon's edges follow its beginning, those of all at once the last of the polygons.
-  const auto marks = trace.polygons();
-  if (machine.keeps_all && machine.piece == -1 && !marks.empty()) return find_first<EdgeTableInsert>(trace, std::min(marks.back().position, at), wanted);
+  // A polygon's edges follow its beginning, those of all at once the last of the polygons, and their numbers go up.
+  if (machine.keeps_all && machine.piece == -1)
+    if (const auto found = numbered(trace, last_mark(trace), at + 1, &EdgeTableInsert::edge, edge)) return found;
   return find_first<EdgeTableInsert>(trace, begin_of_work(trace, machine, at), wanted);
 }
 

@@ -20,44 +20,30 @@ bool lies_in(const AreaBegin& part, const AreaBegin& whole) {
   return part.first_column >= whole.first_column && part.end_column <= whole.end_column && part.first_row >= whole.first_row && part.end_row <= whole.end_row;
 }
 
-/// The quarter of an area that holds the pixel. Quarters are settled one after the other, so the place is found by halving.
-std::optional<std::int64_t> quarter_with(const Trace& trace, const AreaThere& whole, Trace::Pixel pixel) {
+/// The quarter of an area that holds the pixel.
+std::optional<Found<AreaBegin>> quarter_with(const Trace& trace, const AreaThere& whole, Trace::Pixel pixel) {
   const std::int64_t end = trace.size() + 1;
-  const auto first = next_of<AreaBegin>(trace, whole.decided, end);
-  if (!first) return std::nullopt;
-  const AreaBegin corner = *event_at<AreaBegin>(trace, *first);
-  if (holds(corner, pixel)) return first;
-  // Where it was split is told by the first quarter; one column or row is not split.
+  const auto first = next_event<AreaBegin>(trace, whole.decided, end);
+  if (!first || holds(first->event, pixel)) return first;
+  // Where it was split is told by the first quarter; one column or row is not split. Quarters are settled one after the other.
+  const AreaBegin& corner = first->event;
   const std::int32_t column = corner.end_column < whole.area.end_column ? corner.end_column : whole.area.end_column;
   const std::int32_t row = corner.end_row < whole.area.end_row ? corner.end_row : whole.area.end_row;
   const auto place = [&](const AreaBegin& part) { return lies_in(part, whole.area) ? (part.first_column >= column) + 2 * (part.first_row >= row) : 4; };
   const int wanted = (pixel.x >= column) + 2 * (pixel.y >= row);
-  std::int64_t low = *first, high = end;
-  while (low < high) {
-    const std::int64_t middle = low + (high - low) / 2;
-    const auto found = next_of<AreaBegin>(trace, middle, end);
-    if (!found || place(*event_at<AreaBegin>(trace, *found)) >= wanted) high = middle;
-    else low = *found;
-  }
-  const auto found = next_of<AreaBegin>(trace, low, end);
-  if (!found || !holds(*event_at<AreaBegin>(trace, *found), pixel)) return std::nullopt;
-  return found;
+  const auto found = first_beyond<AreaBegin>(trace, first->step, end, [&](const AreaBegin& part) { return place(part) >= wanted; });
+  return found && holds(found->event, pixel) ? found : std::nullopt;
 }
 
 /// From the whole picture to the area that was settled at the pixel.
 std::vector<AreaThere> areas_around(const Asked& q) {
   std::vector<AreaThere> chain;
   const std::int64_t end = q.trace.size() + 1;
-  auto step = next_of<AreaBegin>(q.trace, last_mark(q.trace), end);
-  while (step && chain.size() < 64) {
-    AreaThere there;
-    there.begin = *step, there.area = *event_at<AreaBegin>(q.trace, *step);
-    const auto decided = next_of<AreaDecide>(q.trace, *step, end);
+  for (auto area = next_event<AreaBegin>(q.trace, last_mark(q.trace), end); area && chain.size() < 64; area = quarter_with(q.trace, chain.back(), q.pixel)) {
+    const auto decided = next_event<AreaDecide>(q.trace, area->step, end);
     if (!decided) break;
-    there.decided = *decided, there.decide = *event_at<AreaDecide>(q.trace, *decided);
-    chain.push_back(there);
-    if (there.decide.what != AreaCase::subdivide) break;
-    step = quarter_with(q.trace, there, q.pixel);
+    chain.push_back({area->step, decided->step, area->event, decided->event});
+    if (decided->event.what != AreaCase::subdivide) break;
   }
   return chain;
 }
@@ -78,20 +64,17 @@ std::vector<std::int32_t> pieces_of(const Asked& q, const std::vector<FacetThere
   return pieces;
 }
 
-/// The bin that the polygon was put into last on the way down; what is not disjoint before what is.
+/// The bin that the polygon was put into last on the way down; what is not disjoint before what is. Looked for on the way up, as the
+/// areas near the pixel hold few polygons.
 std::optional<BinThere> last_bin(const Asked& q, const std::vector<AreaThere>& chain, const std::vector<std::int32_t>& pieces) {
-  std::optional<BinThere> last;
-  for (std::size_t k = 0; k < chain.size(); ++k) {
-    bool known = false;
-    for (std::int64_t step = chain[k].begin + 1; step < chain[k].decided; ++step) {
-      const auto bin = event_at<AreaBin>(q.trace, step);
-      if (!bin || std::find(pieces.begin(), pieces.end(), bin->piece) == pieces.end()) continue;
-      if (known && bin->bin == Bin::disjoint) continue;
-      last = BinThere{step, *bin, k};
-      known = true;
-    }
+  for (std::size_t k = chain.size(); k-- > 0;) {
+    std::optional<BinThere> last;
+    const auto is_mine = [&](const AreaBin& bin) { return std::find(pieces.begin(), pieces.end(), bin.piece) != pieces.end(); };
+    for (auto bin = next_that<AreaBin>(q.trace, chain[k].begin, chain[k].decided, is_mine); bin; bin = next_that<AreaBin>(q.trace, bin->step, chain[k].decided, is_mine))
+      if (!(last && bin->event.bin == Bin::disjoint)) last = BinThere{bin->step, bin->event, k};
+    if (last) return last;
   }
-  return last;
+  return std::nullopt;
 }
 
 std::string area_text(const AreaBegin& area) {

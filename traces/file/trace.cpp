@@ -144,6 +144,8 @@ const RecordedEvent& Trace::event(std::int64_t position) const {
   return (*impl_->events(block))[static_cast<std::size_t>(position - 1 - impl_->blocks[block].info.first_position)];
 }
 
+std::int64_t Trace::begin_of_block(std::int64_t position) const { return impl_->blocks[impl_->block_of(position)].info.first_position; }
+
 std::optional<Trace::Pixel> pixel_of(const Event& event) {
   return std::visit(
       []<class E>(const E& known) -> std::optional<Trace::Pixel> {

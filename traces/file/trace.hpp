@@ -54,6 +54,9 @@ class Trace {
   /// events of other blocks are asked for. Not thread-safe.
   const RecordedEvent& event(std::int64_t position) const;
 
+  /// The position from which events on to this one (1 … size()) are read at the least cost: each block is decoded from its beginning.
+  std::int64_t begin_of_block(std::int64_t position) const;
+
   /// Calls visit(position, step id, const E& event) for the events leading to positions first+1 … last, in order, until
   /// it returns false. Much faster than event() in a loop. Defined in traces/file/visit.hpp.
   template <class Visit>

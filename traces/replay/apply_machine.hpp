@@ -20,9 +20,14 @@ struct Impossible : std::runtime_error {
 
 namespace detail {
 
-inline std::size_t place_of(const Machine& machine, std::int32_t edge) {
-  for (std::size_t place = 0; place < machine.active.size(); ++place) {
-    if (machine.active[place].edge == edge) return place;
+/// Edges step and retire from left to right, so the next one that is asked for mostly stands beside the last.
+inline std::size_t place_of(Machine& machine, std::int32_t edge) {
+  const std::size_t count = machine.active.size();
+  for (std::size_t looked = 0, place = machine.looked_up; looked < count; ++looked, ++place) {
+    if (place >= count) place = 0;
+    if (machine.active[place].edge != edge) continue;
+    machine.looked_up = place;
+    return place;
   }
   throw Impossible(fmt::format("edge {} is not in the active edge list", edge));
 }

@@ -62,6 +62,7 @@ struct Machine {
   SharedChunks<EdgeTableInsert> edge_table;  ///< by edge number; buckets by first_row
   SharedChunks<EdgeStage> edge_stages;       ///< likewise by number
   std::vector<ActiveEdge> active;     ///< left to right
+  std::size_t looked_up = 0;          ///< a place in it, from which the next edge is looked for: no part of the state
   std::optional<std::int32_t> scan_line;
   std::optional<SpanBegin> span;
   std::optional<Fragment> fragment;

@@ -52,7 +52,11 @@ void Datum::at_source(std::string source) { work_.chain.links[link_].source = st
 
 std::string Work::depth_name() const { return depth_symbol(scene, conventions); }
 std::string Work::label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
-std::string Work::piece(std::int32_t number) const { return piece_label(scene, machine(), number); }
+const std::string& Work::piece(std::int32_t number) const {
+  const auto [known, is_new] = pieces_.try_emplace(number);
+  if (is_new) known->second = piece_label(scene, machine(), number);
+  return known->second;
+}
 std::string Work::vertex_name(std::int32_t vertex) const { return vertex_label(scene, vertex); }
 
 std::string Work::step_name(std::int64_t step) const {
@@ -131,7 +135,7 @@ void Work::run_later() {
     const Later next = std::move(later_.front());
     later_.pop_front();
     replay_.go_to(next.step);
-    vertices_.clear();
+    vertices_.clear(), pieces_.clear();
     current_ = next.parent;
     const Number number = field(next.step, next.name);
     if (number.link < 0 || next.parent < 0) continue;

@@ -78,7 +78,7 @@ class Work {
   std::int64_t at() const { return replay_.position(); }
   std::string depth_name() const;
   std::string label(std::int32_t polygon) const;
-  std::string piece(std::int32_t number) const;
+  const std::string& piece(std::int32_t number) const;
   std::string step_name(std::int64_t step) const;
 
   /// A field of the event at a step, with all that is behind it. Integers and choices are numbers here, too.
@@ -132,7 +132,8 @@ class Work {
   struct Later { std::int64_t step; std::string name, symbol; std::int32_t parent; };
   Replay& replay_;
   std::map<std::pair<std::int64_t, std::string>, std::int32_t> links_;
-  std::map<std::int32_t, VertexSteps> vertices_;
+  std::map<std::int32_t, VertexSteps> vertices_;  ///< as far as the state has them, and so the names of pieces
+  mutable std::map<std::int32_t, std::string> pieces_;
   std::deque<Later> later_;
   std::int32_t current_ = -1;
   std::size_t numbers_ = 0;
