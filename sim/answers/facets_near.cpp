@@ -21,7 +21,7 @@ struct Squares {
 
 FacetsNear::FacetsNear(const Trace& trace) {
   const Scene& scene = trace.scene();
-  const codec::Facts facts(scene, trace.header().conventions);
+  const codec::Facts facts(scene, trace.header());
   squares_across_ = static_cast<std::int32_t>(std::ceil(scene.raster.width / side));
   const auto squares_down = static_cast<std::int32_t>(std::ceil(scene.raster.height / side));
   const double nearest = scene.camera.near;

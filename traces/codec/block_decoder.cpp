@@ -67,7 +67,7 @@ FragmentRun BlockDecoder::take_fragments(std::uint8_t token) {
   run.count = take_count(token);
   run.x = foreteller_.whole(slot_of("x")) - static_cast<std::int32_t>(run.count) + 1;
   run.y = foreteller_.whole(slot_of("y"));
-  run.nearer = take_low_bytes(columns_[nearer_column], (run.count + 7) / 8);
+  run.nearer = columns_[nearer_column].low_bytes((run.count + 7) / 8);
   if (run.count < run_limit && run.nearer >> run.count != 0) throw MalformedBytes("an outcome of a compare that was not made");
   run.polygon = foreteller_.whole(slot_of("polygon"));
   run.steps = steps_.fragment;

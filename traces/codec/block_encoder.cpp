@@ -11,7 +11,7 @@ namespace zstep {
 using namespace codec;
 
 struct BlockEncoder::State {
-  State(const Scene& scene, const Header& header) : facts(scene, header.conventions), foreteller(facts), row(RowSteps(header.page)) {}
+  State(const Scene& scene, const Header& header) : facts(scene, header), foreteller(facts), row(RowSteps(header.page)) {}
 
   /// One event by its token, and its fields as far as they were not foretold.
   template <class E>
@@ -24,6 +24,7 @@ struct BlockEncoder::State {
   void write_misses(const E& event);
   void begin();
   void end();
+  void put_token(std::uint8_t token) { tokens[token_count++] = token; }
 
   Facts facts;
   Foreteller foreteller;
@@ -31,7 +32,8 @@ struct BlockEncoder::State {
   RunSteps steps;
   Row row;
   Packed packed;
-  Bytes tokens;
+  std::array<std::uint8_t, block_events> tokens;  ///< one for each event or for several
+  std::size_t token_count = 0;
   std::array<Bytes, column_count> columns;
 };
 
@@ -80,7 +82,7 @@ template <class E>
 void BlockEncoder::State::write(std::uint8_t step, const E& event) {
   E guessed;
   const bool foretold = foreteller.guess_all(guessed) && same_fields(guessed, event);
-  tokens.push_back(foretold ? step : static_cast<std::uint8_t>(step | missed_bit));
+  put_token(foretold ? step : static_cast<std::uint8_t>(step | missed_bit));
   if (!foretold) write_misses(event);
   foreteller.learn(event);
   steps.learn<E>(step);
@@ -104,7 +106,7 @@ void BlockEncoder::State::write(const LoggedRow& logged) {
     write(logged.steps[0], logged.line), write(logged.steps[1], logged.edges[0]), write(logged.steps[2], logged.edges[1]), write(logged.steps[3], logged.span);
     return;
   }
-  tokens.push_back(row_token);
+  put_token(row_token);
   foreteller.learn_row(row);
   for (const std::uint8_t step : steps_of_row) packed.info.steps.add(step);
   packed.info.count += Row::events();
@@ -148,7 +150,7 @@ void BlockEncoder::State::write(const LoggedRun& run) {
 void BlockEncoder::State::write_run(const LoggedRun& run, std::uint32_t count) {
   const std::int32_t end = run.x + static_cast<std::int32_t>(count);
   const std::uint64_t nearer = run.nearer & (~std::uint64_t{0} >> (64 - count));
-  tokens.push_back(run.painted ? paints_token : fragments_token);
+  put_token(run.painted ? paints_token : fragments_token);
   put_u8(columns[counts_column], static_cast<std::uint8_t>(count));
   foreteller.set_whole(slot_of("x"), end - 1);
   foreteller.set_real(slot_of("z"), run.depth(count - 1));
@@ -171,15 +173,15 @@ void BlockEncoder::State::begin() {
   packed.bytes.clear();
   foreteller.forget();
   steps = RunSteps{};
-  tokens.clear();
+  token_count = 0;
   for (Bytes& column : columns) column.clear();
 }
 
 void BlockEncoder::State::end() {
   first_position += packed.info.count;
   put_varint(packed.bytes, packed.info.count);
-  put_varint(packed.bytes, tokens.size());
-  packed.bytes.insert(packed.bytes.end(), tokens.begin(), tokens.end());
+  put_varint(packed.bytes, token_count);
+  packed.bytes.insert(packed.bytes.end(), tokens.data(), tokens.data() + token_count);
   for (std::size_t column = 0; column < column_count; ++column) {
     const Bytes& bytes = columns[column];
     if (bytes.empty()) continue;

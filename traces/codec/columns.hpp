@@ -33,16 +33,10 @@ inline void put_counted(Bytes& out, std::uint64_t value) {
   put_low_bytes(out, value, count);
 }
 
-inline std::uint64_t take_low_bytes(ByteReader& in, std::size_t count) {
-  std::uint64_t value = 0;
-  const auto bytes = in.take(count);
-  for (std::size_t i = 0; i < count; ++i) value |= std::uint64_t{bytes[i]} << (8 * i);
-  return value;
-}
 inline std::uint64_t take_counted(ByteReader& in) {
   const std::size_t count = in.u8();
   if (count > 8) throw MalformedBytes("a number of more than eight bytes");
-  return take_low_bytes(in, count);
+  return in.low_bytes(count);
 }
 
 }  // namespace zstep::codec

@@ -2,26 +2,26 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "traces/events/vocabulary.hpp"
+
 namespace zstep::codec {
 
-namespace {
-constexpr std::size_t vertices_at_hand = 2048, planes_at_hand = 16384;  // powers of two
-}
-
-Facts::Facts(const Scene& scene, const Conventions& conventions)
+Facts::Facts(const Scene& scene, const Header& header)
     : scene_(&scene),
-      increments_(conventions.interpolation == Conventions::Interpolation::increments),
-      inclusive_(conventions.coverage == Conventions::Coverage::inclusive),
-      cull_(conventions.cull),
+      increments_(header.conventions.interpolation == Conventions::Interpolation::increments),
+      inclusive_(header.conventions.coverage == Conventions::Coverage::inclusive),
+      cull_(header.conventions.cull),
       viewed_(scene.camera.kind != Camera::Kind::screen),
       orthographic_(scene.camera.kind == Camera::Kind::orthographic),
-      view_depth_(conventions.depth == Conventions::Depth::view),
+      view_depth_(header.conventions.depth == Conventions::Depth::view),
+      one_table_(std::any_of(header.page.begin(), header.page.end(), [](const StepInfo& step) { return step.kind == kind_of<FlagFlip>; })),
       d_(scene.camera.d),
       window_x_(scene.camera.window * scene.raster.width / scene.raster.height),
       window_y_(scene.camera.window),
@@ -65,10 +65,7 @@ VertexFacts Facts::from_view(std::int32_t vertex, glm::dvec3 view) const {
   return facts;
 }
 
-const VertexFacts& Facts::of_point(std::int32_t vertex) const {
-  if (at_hand_.empty()) at_hand_.resize(vertices_at_hand);
-  VertexFacts& facts = at_hand_[static_cast<std::size_t>(vertex) % vertices_at_hand];
-  if (facts.vertex == vertex) return facts;
+void Facts::find_out(std::int32_t vertex, VertexFacts& facts) const {
   const glm::dvec3& point = scene_->points[static_cast<std::size_t>(vertex)];
   if (viewed_) {
     facts = from_view(vertex, glm::dvec3(scene_->camera.view * glm::dvec4(point, 1)));
@@ -77,7 +74,6 @@ const VertexFacts& Facts::of_point(std::int32_t vertex) const {
     facts.plane = point;
     facts.raster = {point.x, point.y};
   }
-  return facts;
 }
 
 std::span<const std::int32_t> Facts::corners(std::int32_t facet) const {
@@ -87,8 +83,7 @@ std::span<const std::int32_t> Facts::corners(std::int32_t facet) const {
 }
 
 const FacetPlane& Facts::plane(std::int32_t facet) const {
-  if (planes_at_hand_.empty()) planes_at_hand_.resize(planes_at_hand);
-  FacetPlane& plane = planes_at_hand_[static_cast<std::size_t>(facet) % planes_at_hand];
+  FacetPlane& plane = facet_planes_.at(facet);
   if (plane.facet == facet) return plane;
   plane = {facet, glm::dvec3(0), 0};
   const std::span<const std::int32_t> of_facet = corners(facet);
@@ -133,15 +128,9 @@ FacetPlane Facts::plane_by_parts(std::int32_t facet) const {
   return plane_through(facet, of_facet.size(), [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; });
 }
 
-bool Facts::in_view(std::span<const std::int32_t> outline) const {
-  std::int32_t outside_some = 0, outside_all = (1 << 6) - 1;
+std::vector<glm::dvec3> Facts::clipped(std::span<const std::int32_t> outline, std::int32_t outside_some) const {
   std::vector<glm::dvec3> polygon;
-  for (const std::int32_t corner : outline) {
-    const VertexFacts& facts = of_point(corner);
-    outside_some |= facts.outside, outside_all &= facts.outside;
-    polygon.push_back(facts.view);
-  }
-  if (outside_some == 0 || outside_all != 0) return outside_some == 0;
+  for (const std::int32_t corner : outline) polygon.push_back(of_point(corner).view);
   for (std::size_t plane = 0; plane < 6; ++plane) {
     if ((outside_some >> plane & 1) == 0) continue;
     std::vector<glm::dvec3> kept;  // Sutherland and Hodgman
@@ -154,7 +143,22 @@ bool Facts::in_view(std::span<const std::int32_t> outline) const {
     }
     polygon = std::move(kept);
   }
-  return polygon.size() >= 3;
+  return polygon;
+}
+
+bool Facts::in_view(std::span<const std::int32_t> outline) const {
+  const Outside outside = outside_of(outline);
+  if (outside.some == 0 || outside.all != 0) return outside.some == 0;
+  return clipped(outline, outside.some).size() >= 3;
+}
+
+Facts::Outside Facts::outside_of(std::span<const std::int32_t> outline) const {
+  Outside outside{0, (1 << 6) - 1};
+  for (const std::int32_t corner : outline) {
+    const std::int32_t of_corner = of_point(corner).outside;
+    outside.some |= of_corner, outside.all &= of_corner;
+  }
+  return outside;
 }
 
 void Facts::number_pieces() const {
@@ -175,25 +179,113 @@ void Facts::number_pieces() const {
   }
 }
 
-const RasterPiece* Facts::piece(std::int32_t number) const {
+std::span<const std::int32_t> Facts::corners_of_piece(std::int32_t piece) const {
   if (!numbered_) number_pieces();
-  if (number < 0 || static_cast<std::size_t>(number) >= facets_of_pieces_.size()) return nullptr;
-  if (pieces_at_hand_.empty()) pieces_at_hand_.resize(planes_at_hand);
-  RasterPiece& piece = pieces_at_hand_[static_cast<std::size_t>(number) % planes_at_hand];
-  if (piece.piece == number) return &piece;
-  const std::span<const std::int32_t> of_facet = corners(facets_of_pieces_[static_cast<std::size_t>(number)]);
-  const auto corner = [&](std::size_t i) {
-    const VertexFacts& facts = of_point(of_facet[i]);
-    return glm::dvec3(facts.raster, facts.plane.z);
-  };
-  piece.piece = number;
-  piece.plane = plane_through(number, of_facet.size(), corner);
-  for (std::size_t i = 0; i < of_facet.size(); ++i) {
-    const glm::dvec3 here = corner(i);
-    piece.low = i == 0 ? here : glm::min(piece.low, here);
-    piece.high = i == 0 ? here : glm::max(piece.high, here);
+  if (piece < 0 || static_cast<std::size_t>(piece) >= facets_of_pieces_.size()) return {};
+  return corners(facets_of_pieces_[static_cast<std::size_t>(piece)]);
+}
+
+glm::dvec3 Facts::on_raster(std::int32_t point) const {
+  const VertexFacts& facts = of_point(point);
+  return {facts.raster, facts.plane.z};
+}
+
+bool Facts::find_out(std::int32_t piece, FacetPlane& plane) const {
+  const std::vector<glm::dvec3> corners = raster_outline(piece);
+  if (corners.empty()) return false;
+  plane = plane_through(piece, corners.size(), [&](std::size_t i) { return corners[i]; });
+  return true;
+}
+
+bool Facts::find_out(std::int32_t piece, PieceExtent& extent) const {
+  const std::vector<glm::dvec3> corners = raster_outline(piece);
+  if (corners.empty()) return false;
+  extent = {piece, corners[0], corners[0]};
+  for (const glm::dvec3& corner : corners) extent.low = glm::min(extent.low, corner), extent.high = glm::max(extent.high, corner);
+  return true;
+}
+
+std::int32_t Facts::next_by_depth(std::int32_t piece) const {
+  if (!numbered_) number_pieces();
+  if (next_by_depth_.size() != facets_of_pieces_.size()) {
+    const std::size_t count = facets_of_pieces_.size();
+    std::vector<double> farthest(count);
+    std::vector<std::int32_t> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      order[i] = static_cast<std::int32_t>(i);
+      const PieceExtent* extent = extent_of_piece(order[i]);
+      const bool is_number = extent != nullptr && extent->high.z == extent->high.z;
+      farthest[i] = is_number ? extent->high.z : 0;
+    }
+    const auto at = [](std::int32_t number) { return static_cast<std::size_t>(number); };
+    const auto polygon = [&](std::int32_t number) { return scene_->facets[at(facets_of_pieces_[at(number)])].polygon; };
+    std::sort(order.begin(), order.end(), [&](std::int32_t one, std::int32_t other) {
+      if (farthest[at(one)] != farthest[at(other)]) return farthest[at(one)] > farthest[at(other)];
+      return polygon(one) != polygon(other) ? polygon(one) > polygon(other) : one > other;
+    });
+    next_by_depth_.assign(count, -1);
+    for (std::size_t i = 1; i < count; ++i) next_by_depth_[at(order[i - 1])] = order[i];
   }
-  return &piece;
+  return piece >= 0 && static_cast<std::size_t>(piece) < next_by_depth_.size() ? next_by_depth_[static_cast<std::size_t>(piece)] : -1;
+}
+
+std::vector<glm::dvec3> Facts::raster_outline(std::int32_t piece) const {
+  const std::span<const std::int32_t> outline = corners_of_piece(piece);
+  const std::int32_t outside = viewed_ ? outside_of(outline).some : 0;
+  std::vector<glm::dvec3> corners;
+  if (outside == 0) {
+    for (const std::int32_t corner : outline) corners.push_back(on_raster(corner));
+    return corners;
+  }
+  for (const glm::dvec3& view : clipped(outline, outside)) {
+    const VertexFacts made = from_view(-1, view);
+    corners.push_back({made.raster, made.plane.z});
+  }
+  return corners;
+}
+
+bool Facts::find_out(std::int32_t piece, PieceSides& sides) const {
+  const std::vector<glm::dvec3> corners = raster_outline(piece);
+  if (corners.empty()) return false;
+  sides.piece = piece;
+  sides.count = corners.size() <= PieceSides::most ? static_cast<std::uint32_t>(corners.size()) : 0;
+  for (std::size_t i = 0; i < sides.count; ++i) {
+    PieceSides::Side& side = sides.sides[i] = {corners[i], corners[i + 1 < sides.count ? i + 1 : 0]};
+    if (side.start.y > side.end.y) std::swap(side.start, side.end);
+  }
+  return true;
+}
+
+template <class Each>
+void Facts::for_each_edge(std::int32_t piece, Each&& each) const {
+  const std::vector<glm::dvec3> corners = raster_outline(piece);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    TableEdge edge;
+    edge.start = corners[i], edge.end = corners[i + 1 < corners.size() ? i + 1 : 0];
+    if (edge.start.y > edge.end.y) std::swap(edge.start, edge.end);
+    edge.piece = piece;
+    if (row_from(edge.start.y, scene_->raster.height) < row_from(edge.end.y, scene_->raster.height)) each(edge);
+  }
+}
+
+bool Facts::find_out(std::int32_t edge, TableEdge& known) const {
+  if (!numbered_) number_pieces();
+  if (first_edges_.empty()) {
+    first_edges_.push_back(0);
+    for (std::size_t piece = 0; piece < facets_of_pieces_.size(); ++piece) {
+      std::int32_t count = 0;
+      for_each_edge(static_cast<std::int32_t>(piece), [&](const TableEdge&) { ++count; });
+      first_edges_.push_back(first_edges_.back() + count);
+    }
+  }
+  const auto beyond = std::upper_bound(first_edges_.begin(), first_edges_.end(), edge);
+  if (beyond == first_edges_.end()) return false;
+  std::int32_t number = *(beyond - 1);
+  for_each_edge(static_cast<std::int32_t>(beyond - 1 - first_edges_.begin()), [&](const TableEdge& one) {
+    if (number == edge) known = one, known.edge = edge;
+    ++number;
+  });
+  return true;
 }
 
 double Facts::tolerance() const {

@@ -19,6 +19,32 @@ inline Side side_of(double least, double greatest, double tolerance) {
 
 }  // namespace detail
 
+// --- What pieces are
+
+inline void Foreteller::evaluate(PlaneEquation& event) {
+  const FacetPlane* plane = &of_facet_;
+  if (!planes_in_world_) plane = facts_->plane_of_piece(event.piece);
+  else if (event.piece != of_facet_.facet) of_facet_ = facts_->plane_by_parts(event.piece);
+  static constexpr FacetPlane none;
+  if (plane == nullptr) plane = &none;
+  event.plane_a = plane->normal.x, event.plane_b = plane->normal.y, event.plane_c = plane->normal.z, event.plane_d = plane->d;
+}
+
+inline void Foreteller::note(const PlaneEquation& event) {
+  divider_ = {event.piece, {event.plane_a, event.plane_b, event.plane_c}, event.plane_d};
+  // Told of in the world, where trees are built, or on the raster: mostly as the one before.
+  PlaneEquation guessed = event;
+  evaluate(guessed);
+  if (guessed.plane_a != event.plane_a) planes_in_world_ = !planes_in_world_;
+}
+
+inline void Foreteller::evaluate(Extent& event) const {
+  static constexpr PieceExtent none;
+  const PieceExtent* extent = facts_->extent_of_piece(event.piece);
+  const auto& [piece, low, high] = extent != nullptr ? *extent : none;
+  event.x_min = low.x, event.x_max = high.x, event.y_min = low.y, event.y_max = high.y, event.z_min = low.z, event.z_max = high.z;
+}
+
 // --- Pieces against a plane
 
 inline void Foreteller::tell(VertexSide& event) const {
@@ -62,53 +88,56 @@ inline void Foreteller::note(const SideTest& event) {
   sides_ = 0;
 }
 
-inline void Foreteller::evaluate(PlaneDepth& event) const {
-  const RasterPiece* piece = facts_->piece(event.piece);
-  if (piece == nullptr) {
-    event.z = real_[slot_of("z")];
-    return;
-  }
-  const glm::dvec3& normal = piece->plane.normal;
-  event.z = -(normal.x * event.x_at + normal.y * event.y_at + piece->plane.d) / normal.z;
-}
-
 // --- Pairs of pieces
 
-inline void Foreteller::note(const Extent& event) {
-  extents_.learn(event.piece, Axis::x, {event.x_min, event.x_max});
-  extents_.learn(event.piece, Axis::y, {event.y_min, event.y_max});
-  extents_.learn(event.piece, Axis::z, {event.z_min, event.z_max});
+/// What the scene tells needs not be remembered.
+inline void Foreteller::learn_extent(std::int32_t piece, Axis axis, Range range, Range guessed) {
+  if (bits_of(range.low) == bits_of(guessed.low) && bits_of(range.high) == bits_of(guessed.high)) return;
+  extents_.take(piece)[static_cast<std::size_t>(axis)] = range;
 }
 
-inline void Foreteller::tell(PairBegin& event) const {
-  event.piece = whole_[slot_of("piece")];
-  event.other = extents_.after(held_against_);
+inline Foreteller::Range Foreteller::extent_of(std::int32_t piece, Axis axis) const {
+  const auto* told = extents_.find(piece);
+  if (told != nullptr && (*told)[static_cast<std::size_t>(axis)]) return *(*told)[static_cast<std::size_t>(axis)];
+  const auto i = static_cast<glm::length_t>(axis);
+  if (const PieceExtent* whole = facts_->extent_of_piece(piece)) return {whole->low[i], whole->high[i]};
+  return {};
 }
+
+inline void Foreteller::note(const Extent& event) {
+  const std::array<Range, 3> told{Range{event.x_min, event.x_max}, {event.y_min, event.y_max}, {event.z_min, event.z_max}};
+  for (const Axis axis : {Axis::x, Axis::y, Axis::z}) learn_extent(event.piece, axis, told[static_cast<std::size_t>(axis)], extent_of(event.piece, axis));
+}
+
+inline std::int32_t Foreteller::after(std::int32_t piece) const {
+  if (const std::int32_t* next = followers_.find(piece)) return *next;
+  const std::int32_t nearer = facts_->next_by_depth(piece);
+  return nearer >= 0 ? nearer : piece;
+}
+
+inline void Foreteller::tell(PairBegin& event) const { event.piece = whole_[slot_of("piece")]; }
+
+inline void Foreteller::evaluate(PairBegin& event) const { event.other = after(event.piece == pair_.piece ? pair_.other : event.piece); }
 
 inline void Foreteller::note(const PairBegin& event) {
-  extents_.learn_after(held_against_, event.other);
-  held_against_ = event.other;
+  const std::int32_t before = event.piece == pair_.piece ? pair_.other : event.piece;
+  if (event.other != after(before)) followers_.take(before) = event.other;
+  pair_ = event;
   next_axis_ = Axis::x;
 }
 
 inline void Foreteller::tell(ExtentTest& event) const { event.axis = next_axis_; }
 
-inline KnownExtents::Range Foreteller::extent_of(std::int32_t piece, Axis axis) const {
-  if (const auto told = extents_.of(piece, axis)) return *told;
-  const auto i = static_cast<glm::length_t>(axis);
-  if (const RasterPiece* whole = facts_->piece(piece)) return {whole->low[i], whole->high[i]};
-  return {};
-}
-
-inline void Foreteller::evaluate(ExtentTest& event) const {
-  const KnownExtents::Range one = extent_of(event.piece, event.axis), other = extent_of(event.other, event.axis);
+inline void Foreteller::evaluate(ExtentTest& event) {
+  extents_guessed_ = {extent_of(event.piece, event.axis), extent_of(event.other, event.axis)};
+  const auto& [one, other] = extents_guessed_;
   event.low = one.low, event.high = one.high, event.other_low = other.low, event.other_high = other.high;
   event.overlap = event.low < event.other_high && event.other_low < event.high;
 }
 
 inline void Foreteller::note(const ExtentTest& event) {
-  extents_.learn(event.piece, event.axis, {event.low, event.high});
-  extents_.learn(event.other, event.axis, {event.other_low, event.other_high});
+  learn_extent(event.piece, event.axis, {event.low, event.high}, extents_guessed_[0]);
+  learn_extent(event.other, event.axis, {event.other_low, event.other_high}, extents_guessed_[1]);
   next_axis_ = event.axis == Axis::x ? Axis::y : Axis::z;
 }
 

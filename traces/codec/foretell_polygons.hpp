@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,13 +15,6 @@ namespace zstep::codec {
 namespace detail {
 
 inline constexpr std::size_t corners_limit = 32, made_limit = 64, cuts_limit = 256, outline_limit = 4096;
-
-/// The first row at or below y, limited to the raster.
-inline std::int32_t row_from(double y, std::int32_t height) {
-  if (!(y > 0)) return 0;
-  if (y >= height) return height;
-  return static_cast<std::int32_t>(std::ceil(y));
-}
 
 }  // namespace detail
 
@@ -196,8 +188,8 @@ inline void Foreteller::evaluate(EdgeTableInsert& event) const {
   KnownEdge edge;
   if (!find_raster(event.vertex_0, edge.start) || !find_raster(event.vertex_1, edge.end)) return;
   const std::int32_t height = facts_->scene().raster.height;
-  event.first_row = detail::row_from(edge.start.y, height);
-  event.end_row = detail::row_from(edge.end.y, height);
+  event.first_row = row_from(edge.start.y, height);
+  event.end_row = row_from(edge.end.y, height);
   event.x_edge = edge.x_at(event.first_row);
   event.z_edge = edge.z_at(event.first_row);
   event.dx_dy = (edge.end.x - edge.start.x) / (edge.end.y - edge.start.y);
@@ -206,7 +198,8 @@ inline void Foreteller::evaluate(EdgeTableInsert& event) const {
 
 inline void Foreteller::note(const EdgeTableInsert& event) {
   KnownEdge edge;
-  edge.has_ends = find_raster(event.vertex_0, edge.start) && find_raster(event.vertex_1, edge.end);
+  find_raster(event.vertex_0, edge.start);
+  find_raster(event.vertex_1, edge.end);
   edge.first_row = event.first_row, edge.end_row = event.end_row;
   edge.x = event.x_edge, edge.z = event.z_edge;
   edge.dx_dy = event.dx_dy, edge.dz_dy = event.dz_dy;

@@ -66,14 +66,13 @@ inline void Foreteller::tell(EdgeStep& event) const {
 
 inline void Foreteller::evaluate(EdgeStep& event) {
   const KnownEdge* edge = edges_.at(event.edge);
-  if (edge == nullptr) {
-    event.x_edge = event.z_edge = 0;
-  } else if (facts_->increments()) {
+  const std::int32_t y = whole_[slot_of("y")];
+  if (edge != nullptr && facts_->increments()) {
     event.x_edge = edge->x + edge->dx_dy, event.z_edge = edge->z + edge->dz_dy;
-  } else {
-    const std::int32_t y = whole_[slot_of("y")];
-    event.x_edge = edge->x_at(y), event.z_edge = edge->z_at(y);
+    return;
   }
+  const EdgeLine* line = edge != nullptr ? edge : static_cast<const EdgeLine*>(facts_->edge_of_table(event.edge));
+  event.x_edge = line != nullptr ? line->x_at(y) : 0, event.z_edge = line != nullptr ? line->z_at(y) : 0;
 }
 
 inline void Foreteller::note(const EdgeStep& event) {

@@ -10,12 +10,17 @@ void Foreteller::forget() {
   begin_polygon({});
   last_inserted_ = -1;
   divider_ = {};
+  planes_in_world_ = false;
   held_ = -1;
   sides_ = 0;
   cuts_.clear();
-  extents_.clear();
-  held_against_ = -1;
+  extents_.clear(), followers_.clear();
+  pair_ = {-1, -1};
   next_axis_ = Axis::x;
+  areas_.clear();
+  painted_ = -1;
+  sweep_.clear();
+  begin_depths(false, {}, 0);
   ray_from_ = ray_along_ = glm::dvec3(0);
 }
 

@@ -3,19 +3,22 @@
 // Encoder and decoder walk an event's fields in order. What is guessed right is not stored. A guess may use what the file's header and
 // scene state and what the block's earlier events told, and nothing else, so that each block is read without the others.
 //
-// The guesses themselves stand in foretell_polygons.hpp, foretell_rows.hpp and foretell_pieces.hpp, to be compiled into the loops that ask for
-// them: encoder and decoder include foretell.hpp.
+// The guesses themselves stand in foretell_polygons.hpp, foretell_rows.hpp, foretell_pieces.hpp and foretell_areas.hpp, to be compiled into the
+// loops that ask for them: encoder and decoder include foretell.hpp.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "traces/codec/by_piece.hpp"
 #include "traces/codec/depths_along.hpp"
 #include "traces/codec/facts.hpp"
+#include "traces/codec/known_areas.hpp"
 #include "traces/codec/known_edges.hpp"
-#include "traces/codec/known_extents.hpp"
+#include "traces/codec/known_sweep.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/record/event_log.hpp"
 
@@ -116,6 +119,9 @@ class Foreteller {
   void tell(VertexSide& event) const;
   void tell(SideTest& event) const;
   void tell(ExtentTest& event) const;
+  void tell(AreaBin& event) const;
+  void tell(SpanFlags& event) const;
+  void tell(PlaneDepth& event) const;
   // Fields by formula.
   void evaluate(ViewTransform& event) const;
   void evaluate(Projection& event) const;
@@ -129,15 +135,27 @@ class Foreteller {
   void evaluate(SpanBegin& event);
   /// All of a span that follows from where its ends are.
   void fill_span(SpanBegin& event, double x_left, double z_left, double x_right, double z_right) const;
+  void evaluate(AreaBin& event) const;
+  void evaluate(FlagFlip& event) const;
+  void evaluate(SpanFlags& event) const;
   void evaluate(PlaneDepth& event) const;
-  void evaluate(ExtentTest& event) const;
-  KnownExtents::Range extent_of(std::int32_t piece, Axis axis) const;
+  void evaluate(PlaneEquation& event);
+  void evaluate(Extent& event) const;
+  void evaluate(PairBegin& event) const;
+  void evaluate(ExtentTest& event);
+  struct Range {
+    double low = 0, high = 0;
+  };
+  Range extent_of(std::int32_t piece, Axis axis) const;
+  void learn_extent(std::int32_t piece, Axis axis, Range range, Range guessed);
+  /// The piece that comes after this one among those that others are held against; itself where that is not known.
+  std::int32_t after(std::int32_t piece) const;
   void evaluate(VertexSide& event);
   void evaluate(SideTest& event) const;
   void evaluate(RayPlane& event) const;
   void evaluate(RayHit& event) const;
   void evaluate(DepthInterpolate& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }
-  void evaluate(PixelPaint& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }
+  void evaluate(PixelPaint& event) const;
   // What events change besides their registers.
   void note(const TablesBegin& event);
   void note(const PolygonBegin& event);
@@ -155,13 +173,22 @@ class Foreteller {
   void note(const EdgeSwap& event) { edges_.swap(event.place); }
   void note(const SpanBegin& event);
   void note(const Extent& event);
-  void note(const PlaneEquation& event) { divider_ = {event.piece, {event.plane_a, event.plane_b, event.plane_c}, event.plane_d}; }
+  void note(const PlaneEquation& event);
   void note(const VertexSide& event);
   void note(const SideTest& event);
   void note(const PairBegin& event);
   void note(const ExtentTest& event);
+  void note(const AreaBegin& event);
+  void note(const AreaBin& event);
+  void note(const AreaDecide& event);
+  void note(const FlagFlip& event);
+  void note(const SpanFlags& event);
+  void note(const SpanWinner& event);
+  void note(const PlaneDepth& event);
   void note(const RayBegin& event) { ray_from_ = {event.x_0, event.y_0, event.z_0}, ray_along_ = {event.dir_x, event.dir_y, event.dir_z}; }
 
+  /// From now on depths are asked for at these points, of pieces inside on a line or of those of an area.
+  void begin_depths(bool on_line, const std::array<glm::dvec2, 4>& points, std::size_t count);
   /// Forgets what belongs to the polygon or piece before.
   void begin_polygon(std::span<const std::int32_t> corners);
   /// The ends of the next side of the outline, as far as they are known.
@@ -192,6 +219,7 @@ class Foreteller {
   bool in_span_ = false;
   SpanBegin span_{};
   FacetPlane divider_;                 ///< the plane that the block told of last, by the number of its piece
+  bool planes_in_world_ = false;       ///< that is where the block told of it
   FacetPlane of_facet_;                ///< one that it did not tell of; what it is depends on the scene alone
   std::int32_t held_ = -1;             ///< the piece that was last held against it
   std::size_t sides_ = 0;              ///< vertices of the next one that were
@@ -201,9 +229,18 @@ class Foreteller {
     glm::dvec3 point;
   };
   std::vector<Cut> cuts_;              ///< vertices that cutting made, in the space where it cut
-  KnownExtents extents_;
-  std::int32_t held_against_ = -1;  ///< the other piece of the last pair
+  ByPiece<std::array<std::optional<Range>, 3>> extents_;  ///< by axis, where they are not those of the scene
+  std::array<Range, 2> extents_guessed_{};                ///< of the extent test at work
+  ByPiece<std::int32_t> followers_;
+  PairBegin pair_{-1, -1};  ///< the last one
   Axis next_axis_ = Axis::x;        ///< on which a pair is tested next
+  KnownAreas areas_;
+  KnownSweep sweep_;
+  std::int32_t painted_ = -1;  ///< the piece that an area or a stretch was given to
+  bool depths_on_line_ = false;
+  std::array<glm::dvec2, 4> depth_points_{};
+  std::size_t depth_point_count_ = 0;              ///< 0: not known
+  std::size_t depth_point_ = 0, depth_place_ = 0;  ///< of the next one: which point, of which piece in the list
   glm::dvec3 ray_from_{0}, ray_along_{0};  ///< X_0 and dX of the ray that the block told of last
 };
 

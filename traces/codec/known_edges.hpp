@@ -6,21 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include <glm/vec3.hpp>
+#include "traces/codec/facts.hpp"
 
 namespace zstep::codec {
 
-struct KnownEdge {
-  bool has_ends = false;            ///< where its ends are is known
-  glm::dvec3 start{0}, end{0};      ///< (x_s, y_s, depth) of the two
+struct KnownEdge : EdgeLine {
   std::int32_t first_row = 0, end_row = 0;
   double x = 0, z = 0;              ///< where it met the last scan line that told of it
   double dx_dy = 0, dz_dy = 0;
   bool entered = false;
-
-  /// x = x_0 + (x_1 - x_0)(y - y_0)/(y_1 - y_0), and z likewise.
-  double x_at(std::int32_t row) const { return start.x + (end.x - start.x) * (row - start.y) / (end.y - start.y); }
-  double z_at(std::int32_t row) const { return start.z + (end.z - start.z) * (row - start.y) / (end.y - start.y); }
 };
 
 class KnownEdges {

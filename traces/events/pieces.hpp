@@ -64,28 +64,28 @@ template <>
 inline constexpr KindText kind_text<PlaneEquation>{"plane_equation", "the plane of a piece: A x + B y + C z + D = 0"};
 template <>
 inline constexpr auto fields_of<PlaneEquation> = Fields{
-    Field{"piece", &PlaneEquation::piece, "index", "the piece"}, Field{"plane_a", &PlaneEquation::plane_a, "1", "A"},
-    Field{"plane_b", &PlaneEquation::plane_b, "1", "B"}, Field{"plane_c", &PlaneEquation::plane_c, "1", "C"},
-    Field{"plane_d", &PlaneEquation::plane_d, "1", "D"}};
+    Field{"piece", &PlaneEquation::piece, "index", "the piece"}, Field{"plane_a", &PlaneEquation::plane_a, "1", "A", Guess::formula},
+    Field{"plane_b", &PlaneEquation::plane_b, "1", "B", Guess::formula}, Field{"plane_c", &PlaneEquation::plane_c, "1", "C", Guess::formula},
+    Field{"plane_d", &PlaneEquation::plane_d, "1", "D", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<Extent>{"extent", "the bounding box of a piece"};
 template <>
 inline constexpr auto fields_of<Extent> = Fields{Field{"piece", &Extent::piece, "index", "the piece"},
-                                                     Field{"x_min", &Extent::x_min, "px", "its least x"},
-                                                     Field{"x_max", &Extent::x_max, "px", "its greatest x"},
-                                                     Field{"y_min", &Extent::y_min, "px", "its least y"},
-                                                     Field{"y_max", &Extent::y_max, "px", "its greatest y"},
-                                                     Field{"z_min", &Extent::z_min, "depth", "its least depth"},
-                                                     Field{"z_max", &Extent::z_max, "depth", "its greatest depth"}};
+                                                     Field{"x_min", &Extent::x_min, "px", "its least x", Guess::formula},
+                                                     Field{"x_max", &Extent::x_max, "px", "its greatest x", Guess::formula},
+                                                     Field{"y_min", &Extent::y_min, "px", "its least y", Guess::formula},
+                                                     Field{"y_max", &Extent::y_max, "px", "its greatest y", Guess::formula},
+                                                     Field{"z_min", &Extent::z_min, "depth", "its least depth", Guess::formula},
+                                                     Field{"z_max", &Extent::z_max, "depth", "its greatest depth", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<PlaneDepth>{
     "plane_depth", "the depth of a piece's plane at a point of the raster: z = -(A x + B y + D)/C"};
 template <>
 inline constexpr auto fields_of<PlaneDepth> = Fields{
-    Field{"piece", &PlaneDepth::piece, "index", "the piece"}, Field{"x_at", &PlaneDepth::x_at, "px", "x of the point"},
-    Field{"y_at", &PlaneDepth::y_at, "px", "y of the point"}, Field{"z", &PlaneDepth::z, "depth", "the depth there", Guess::formula}};
+    Field{"piece", &PlaneDepth::piece, "index", "the piece", Guess::told}, Field{"x_at", &PlaneDepth::x_at, "px", "x of the point", Guess::told},
+    Field{"y_at", &PlaneDepth::y_at, "px", "y of the point", Guess::told}, Field{"z", &PlaneDepth::z, "depth", "the depth there", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<VertexSide>{"vertex_side", "a vertex is held against the plane of a piece"};

@@ -24,8 +24,8 @@ inline constexpr KindText kind_text<FlagFlip>{"flag_flip",
 template <>
 inline constexpr auto fields_of<FlagFlip> =
     Fields{Field{"edge", &FlagFlip::edge, "index", "the edge"},
-               Field{"piece", &FlagFlip::piece, "index", "the row of the polygon table"},
-               Field{"inside", &FlagFlip::inside, "1", "the flag from here on"}};
+               Field{"piece", &FlagFlip::piece, "index", "the row of the polygon table", Guess::formula},
+               Field{"inside", &FlagFlip::inside, "1", "the flag from here on", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<SpanFlags>{
@@ -33,11 +33,11 @@ inline constexpr KindText kind_text<SpanFlags>{
 template <>
 inline constexpr auto fields_of<SpanFlags> =
     Fields{Field{"y", &SpanFlags::y, "row", "the scan line"},
-               Field{"x_left", &SpanFlags::x_left, "px", "where it begins"},
-               Field{"x_right", &SpanFlags::x_right, "px", "where it ends"},
-               Field{"first", &SpanFlags::first, "px", "its first pixel"},
-               Field{"last", &SpanFlags::last, "px", "its last pixel; smaller than the first when none lies between"},
-               Field{"flags", &SpanFlags::flags, "1", "how many flags are true"}};
+               Field{"x_left", &SpanFlags::x_left, "px", "where it begins", Guess::told},
+               Field{"x_right", &SpanFlags::x_right, "px", "where it ends", Guess::told},
+               Field{"first", &SpanFlags::first, "px", "its first pixel", Guess::formula},
+               Field{"last", &SpanFlags::last, "px", "its last pixel; smaller than the first when none lies between", Guess::formula},
+               Field{"flags", &SpanFlags::flags, "1", "how many flags are true", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ImpliedEdge>{

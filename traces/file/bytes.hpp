@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -73,17 +74,12 @@ class ByteReader {
     need(1);
     return *at_++;
   }
-  std::uint32_t u32() { return fixed<std::uint32_t>(); }
-  std::uint64_t u64() { return fixed<std::uint64_t>(); }
+  std::uint32_t u32() { return static_cast<std::uint32_t>(low_bytes(sizeof(std::uint32_t))); }
+  std::uint64_t u64() { return low_bytes(sizeof(std::uint64_t)); }
 
   std::uint64_t varint() {
-    std::uint64_t value = 0;
-    for (unsigned shift = 0; shift < 64; shift += 7) {
-      const std::uint8_t byte = u8();
-      value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
-      if (byte < 0x80) return value;
-    }
-    throw MalformedBytes("a number of more than 64 bits");
+    if (at_ != end_ && *at_ < 0x80) return *at_++;  // most numbers are small
+    return long_varint();
   }
   /// A count of things that take at least `bytes_each` bytes: never more than the bytes left could hold.
   std::size_t count(std::size_t bytes_each = 1) {
@@ -97,6 +93,19 @@ class ByteReader {
     at_ += size;
     return taken;
   }
+  /// The number that the next `size` bytes are, at most eight, the lowest first.
+  std::uint64_t low_bytes(std::size_t size) {
+    need(size);
+    std::uint64_t value = 0;
+    if (std::endian::native == std::endian::little && left() >= sizeof value) {
+      std::memcpy(&value, at_, sizeof value);
+      value = size == 0 ? 0 : value & (~std::uint64_t{0} >> (8 * (sizeof value - size)));
+    } else {
+      for (std::size_t i = 0; i < size; ++i) value |= std::uint64_t{at_[i]} << (8 * i);
+    }
+    at_ += size;
+    return value;
+  }
   std::string text() {
     const auto taken = take(count());
     return {taken.begin(), taken.end()};
@@ -106,14 +115,14 @@ class ByteReader {
   void need(std::size_t size) const {
     if (left() < size) throw MalformedBytes("the data ends too early");
   }
-  template <class Unsigned>
-  Unsigned fixed() {
-    need(sizeof(Unsigned));
-    Unsigned value = 0;
-    for (std::size_t i = 0; i < sizeof value; ++i)
-      value |= static_cast<Unsigned>(static_cast<Unsigned>(at_[i]) << (8 * i));
-    at_ += sizeof value;
-    return value;
+  std::uint64_t long_varint() {
+    std::uint64_t value = 0;
+    for (unsigned shift = 0; shift < 64; shift += 7) {
+      const std::uint8_t byte = u8();
+      value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+      if (byte < 0x80) return value;
+    }
+    throw MalformedBytes("a number of more than 64 bits");
   }
 
   const std::uint8_t* at_ = nullptr;

@@ -20,7 +20,7 @@
 
 namespace zstep {
 
-inline constexpr std::uint32_t trace_version = 4;
+inline constexpr std::uint32_t trace_version = 5;
 inline constexpr std::array<std::uint8_t, 8> trace_signature{'z', 't', 'r', 'a', 'c', 'e', '\r', '\n'};
 inline constexpr std::size_t chunk_head_size = 20;
 inline constexpr std::size_t trailer_size = 20;

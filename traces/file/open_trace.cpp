@@ -81,7 +81,7 @@ std::uint64_t read_head(Trace::Impl& trace) {
   if (!scene || scene->tag != scene_tag) throw MalformedBytes("its scene is missing");
   trace.scene = scene_from_bytes(decompress(read_chunk(source, *scene), scene_limit));
   trace.meanings.emplace(trace.header.page);
-  trace.facts.emplace(trace.scene, trace.header.conventions);
+  trace.facts.emplace(trace.scene, trace.header);
   return scene->end();
 }
 
