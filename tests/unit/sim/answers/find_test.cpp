@@ -75,9 +75,14 @@ TEST_SUITE("searches by leaps") {
 
   TEST_CASE("where vertices were viewed and edges entered the table: the steps that say so") {
     // A tree of all facets, one edge table of all polygons, and polygons one by one.
-    for (const auto& [name, mesh] : {std::pair<std::string, const char*>{"bsp", "teapot:6"}, {"scan-line", "teapot:8"}, {"z-buffer", "teapot:8"}}) {
+    struct Subject {
+      std::string method;
+      const char* mesh;
+    };
+    for (const Subject& subject : {Subject{"bsp", "teapot:6"}, Subject{"scan-line", "teapot:8"}, Subject{"z-buffer", "teapot:8"}}) {
+      const std::string& name = subject.method;
       CAPTURE(name);
-      const Trace trace = record(name, mesh, 240, 180);
+      const Trace trace = record(name, subject.mesh, 240, 180);
       REQUIRE(trace.size() > 50000);
       std::map<std::int32_t, std::int64_t> viewed, made;
       trace.visit(0, trace.size(), [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
@@ -89,11 +94,12 @@ TEST_SUITE("searches by leaps") {
       CHECK(made.empty() == (name != "bsp"));
       Replay replay(trace);
       replay.go_to(trace.size());
-      for (const auto& [vertex, step] : viewed) {
+      for (const auto& view : viewed) {
+        const std::int32_t vertex = view.first;
         if (vertex % 23 != 0) continue;
         CAPTURE(vertex);
         const answers::VertexSteps steps = answers::steps_of_vertex(trace, replay.state().machine, trace.size(), vertex);
-        CHECK(steps.viewed == step);
+        CHECK(steps.viewed == view.second);
         CHECK(std::holds_alternative<Projection>(trace.event(steps.projected.value()).event));
         CHECK(std::holds_alternative<ViewportTransform>(trace.event(steps.on_raster.value()).event));
         CHECK(steps.made.has_value() == made.contains(vertex));
