@@ -48,7 +48,7 @@ inline void Foreteller::note(const AreaBegin& event) {
   areas_.begin(event);
   painted_ = -1;
   const detail::Rectangle area(event);
-  const bool is_pixel = event.end_column - event.first_column == 1 && event.end_row - event.first_row == 1;
+  const bool is_pixel = std::int64_t{event.end_column} - event.first_column == 1 && std::int64_t{event.end_row} - event.first_row == 1;
   if (is_pixel) begin_depths(false, {{{static_cast<double>(event.first_column), static_cast<double>(event.first_row)}}}, 1);
   else begin_depths(false, {{{area.left, area.top}, {area.right, area.top}, {area.left, area.bottom}, {area.right, area.bottom}}}, 4);
 }
