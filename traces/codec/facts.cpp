@@ -185,20 +185,15 @@ std::span<const std::int32_t> Facts::corners_of_piece(std::int32_t piece) const 
   return corners(facets_of_pieces_[static_cast<std::size_t>(piece)]);
 }
 
-glm::dvec3 Facts::on_raster(std::int32_t point) const {
-  const VertexFacts& facts = of_point(point);
-  return {facts.raster, facts.plane.z};
-}
-
 bool Facts::find_out(std::int32_t piece, FacetPlane& plane) const {
-  const std::vector<glm::dvec3> corners = raster_outline(piece);
+  const std::span<const glm::dvec3> corners = raster_outline(piece);
   if (corners.empty()) return false;
   plane = plane_through(piece, corners.size(), [&](std::size_t i) { return corners[i]; });
   return true;
 }
 
 bool Facts::find_out(std::int32_t piece, PieceExtent& extent) const {
-  const std::vector<glm::dvec3> corners = raster_outline(piece);
+  const std::span<const glm::dvec3> corners = raster_outline(piece);
   if (corners.empty()) return false;
   extent = {piece, corners[0], corners[0]};
   for (const glm::dvec3& corner : corners) extent.low = glm::min(extent.low, corner), extent.high = glm::max(extent.high, corner);
@@ -229,23 +224,26 @@ std::int32_t Facts::next_by_depth(std::int32_t piece) const {
   return piece >= 0 && static_cast<std::size_t>(piece) < next_by_depth_.size() ? next_by_depth_[static_cast<std::size_t>(piece)] : -1;
 }
 
-std::vector<glm::dvec3> Facts::raster_outline(std::int32_t piece) const {
-  const std::span<const std::int32_t> outline = corners_of_piece(piece);
-  const std::int32_t outside = viewed_ ? outside_of(outline).some : 0;
-  std::vector<glm::dvec3> corners;
-  if (outside == 0) {
-    for (const std::int32_t corner : outline) corners.push_back(on_raster(corner));
-    return corners;
+std::span<const glm::dvec3> Facts::raster_outline(std::int32_t piece) const {
+  const std::span<const std::int32_t> corners = corners_of_piece(piece);
+  outline_.clear();
+  std::int32_t outside = 0;
+  for (const std::int32_t corner : corners) {
+    const VertexFacts& facts = of_point(corner);
+    outside |= facts.outside;
+    outline_.emplace_back(facts.raster, facts.plane.z);
   }
-  for (const glm::dvec3& view : clipped(outline, outside)) {
+  if (outside == 0) return outline_;
+  outline_.clear();
+  for (const glm::dvec3& view : clipped(corners, outside)) {
     const VertexFacts made = from_view(-1, view);
-    corners.push_back({made.raster, made.plane.z});
+    outline_.emplace_back(made.raster, made.plane.z);
   }
-  return corners;
+  return outline_;
 }
 
 bool Facts::find_out(std::int32_t piece, PieceSides& sides) const {
-  const std::vector<glm::dvec3> corners = raster_outline(piece);
+  const std::span<const glm::dvec3> corners = raster_outline(piece);
   if (corners.empty()) return false;
   sides.piece = piece;
   sides.count = corners.size() <= PieceSides::most ? static_cast<std::uint32_t>(corners.size()) : 0;
@@ -258,7 +256,7 @@ bool Facts::find_out(std::int32_t piece, PieceSides& sides) const {
 
 template <class Each>
 void Facts::for_each_edge(std::int32_t piece, Each&& each) const {
-  const std::vector<glm::dvec3> corners = raster_outline(piece);
+  const std::span<const glm::dvec3> corners = raster_outline(piece);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     TableEdge edge;
     edge.start = corners[i], edge.end = corners[i + 1 < corners.size() ? i + 1 : 0];

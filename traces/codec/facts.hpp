@@ -149,11 +149,11 @@ class Facts {
   void number_pieces() const;
   /// The corners of the facet that is this piece; none where there are not so many.
   std::span<const std::int32_t> corners_of_piece(std::int32_t piece) const;
-  std::vector<glm::dvec3> raster_outline(std::int32_t piece) const;  ///< what clipping leaves of it, (x_s, y_s, depth)
+  /// What clipping leaves of it, (x_s, y_s, depth); until the next is asked for.
+  std::span<const glm::dvec3> raster_outline(std::int32_t piece) const;
   /// Calls each(edge) for the edges of a piece that meet a row.
   template <class Each>
   void for_each_edge(std::int32_t piece, Each&& each) const;
-  glm::dvec3 on_raster(std::int32_t point) const;
 
   const Scene* scene_;
   bool increments_, inclusive_, cull_, viewed_, orthographic_, view_depth_, one_table_;
@@ -182,6 +182,7 @@ class Facts {
   mutable AtHand<PieceExtent, 16384> piece_extents_;
   mutable AtHand<PieceSides, 8192> piece_sides_;
   mutable AtHand<TableEdge, 8192> table_edges_;
+  mutable std::vector<glm::dvec3> outline_;
   mutable std::vector<std::int32_t> facets_of_pieces_;
   mutable std::vector<std::int32_t> first_edges_;  ///< in the table, of each piece
   mutable std::vector<std::int32_t> next_by_depth_;
