@@ -96,8 +96,8 @@ Verdict why_behind(Asked& q, const Line& line, const std::vector<Row>& rows) {
                               tie ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} comes first in the file", other, other)
                                   : fmt::format("its flag is in, but {} is in front on this stretch of the line, here by \u0394{} = {}", other, q.z, told(gap)));
   verdict.other = line.owner, verdict.gap = gap;
-  verdict.formulas.push_back(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", q.z, q.name, number(p.plane_a), q.pixel.x, number(p.plane_b), q.pixel.y,
-                                         number(p.plane_d), number(p.plane_c), told(z)));
+  verdict.formulas.push_back(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", q.z, q.name, factor(p.plane_a), q.pixel.x, factor(p.plane_b), q.pixel.y,
+                                         number(p.plane_d), factor(p.plane_c), told(z)));
   verdict.formulas.push_back(difference(q.z, q.name, other, z, line.z));
   verdict.chain.push_back({line.flip_before, q.polygon, fmt::format("the flag of {} turns to in", q.name)});
   verdict.chain.push_back({line.stretch, no_polygon, "the stretch of the line around the pixel"});

@@ -28,7 +28,8 @@ PlaneEquation turned(PlaneEquation plane) {
 double depth_of(const PlaneEquation& p, double x, double y) { return -(p.plane_a * x + p.plane_b * y + p.plane_d) / p.plane_c; }
 
 std::string equation(const PlaneEquation& p) {
-  return fmt::format("f(x, y, z) = {} x + {} y + {} z + {}", operand(p.plane_a), operand(p.plane_b), operand(p.plane_c), operand(p.plane_d));
+  return fmt::format("f(x, y, z) = {} x + {} y + {} z + {}", operand(p.plane_a, factor(p.plane_a)), operand(p.plane_b, factor(p.plane_b)),
+                     operand(p.plane_c, factor(p.plane_c)), operand(p.plane_d));
 }
 
 /// Computes the extremes again from the corners that the state knows.

@@ -34,7 +34,7 @@ void tell(Telling& t, const PieceMake& e) {
 
 void tell(Telling& t, const PlaneEquation& e) {
   t.say(fmt::format("The plane of {}: what lies on one side of it has A x + B y + C z + D > 0, on the other < 0.", t.piece(e.piece)));
-  t.formula(fmt::format("A = {}, B = {}, C = {}, D = {}", number(e.plane_a), number(e.plane_b), number(e.plane_c), number(e.plane_d)));
+  t.formula(fmt::format("A = {}, B = {}, C = {}, D = {}", factor(e.plane_a), factor(e.plane_b), factor(e.plane_c), number(e.plane_d)));
   t.value("A", e.plane_a);
   t.value("B", e.plane_b);
   t.value("C", e.plane_c);

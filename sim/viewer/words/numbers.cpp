@@ -53,6 +53,12 @@ std::string number(double value, int at_most_decimals, bool shorten) {
   return with_minus(text);
 }
 
+std::string factor(double value) {
+  const double magnitude = std::abs(value);
+  if (!(magnitude >= 1e-4 && magnitude < 0.1)) return number(value);
+  return number(value, usual_decimals - 1 - static_cast<int>(std::floor(std::log10(magnitude))), true);
+}
+
 int decimals_needed(std::span<const double> values, int at_most) {
   int needed = 0;
   for (const double value : values) {

@@ -17,6 +17,8 @@ std::string number(double value, int decimals);
 /// are written with an exponent ("1.2e−07").
 std::string number(double value, int at_most_decimals, bool shorten);
 inline std::string number(double value) { return number(value, usual_decimals, true); }
+/// The same for what is multiplied by columns and rows: four digits that count, however small it is ("−0.0004551").
+std::string factor(double value);
 
 /// The decimals a column needs so that different values look different and short ones stay short; at most `at_most`.
 int decimals_needed(std::span<const double> values, int at_most = usual_decimals);

@@ -20,6 +20,18 @@ TEST_CASE("numbers are short, true and with a real minus sign") {
   CHECK(number(1.25e-7) == "1.25e\u221207");
 }
 
+TEST_CASE("a small factor keeps four digits that count, so that its product with a column can be reckoned") {
+  CHECK(factor(0.25) == "0.25");
+  CHECK(factor(-1) == "\u22121");
+  CHECK(factor(1.0 / 3) == "0.3333");
+  CHECK(factor(0.0323456) == "0.03235");
+  CHECK(factor(-0.00045512) == "\u22120.0004551");
+  CHECK(factor(0.0625) == "0.0625");
+  CHECK(factor(0.0001) == "0.0001");
+  CHECK(factor(0.00001234) == "1.23e\u221205");
+  CHECK(factor(0) == "0");
+}
+
 TEST_CASE("infinity is never written as a large number") {
   const double inf = std::numeric_limits<double>::infinity();
   CHECK(number(inf) == "\u221e");
