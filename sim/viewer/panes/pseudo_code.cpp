@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/model/lines_near.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/words/numbers.hpp"
 
@@ -50,24 +51,6 @@ void draw_line(Ui& ui, const StepInfo& step, bool now) {
   if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
 }
 
-/// Presenter mode: the line at work, the lines it stands in, its neighbours in the same block and what it holds.
-std::vector<bool> near_to(const Page& page, std::size_t now) {
-  std::vector<bool> shown(page.size(), false);
-  shown[now] = true;
-  std::size_t first = now, last = now;
-  while (first > 0 && page[first - 1].indent >= page[now].indent) --first;
-  while (last + 1 < page.size() && page[last + 1].indent >= page[now].indent) ++last;
-  for (std::size_t i = first; i <= last; ++i) shown[i] = page[i].indent == page[now].indent;
-  for (std::size_t i = now + 1; i < page.size() && page[i].indent > page[now].indent; ++i) shown[i] = true;
-  std::uint8_t indent = page[now].indent;
-  for (std::size_t i = now; i-- > 0;)
-    if (page[i].indent < indent) {
-      indent = page[i].indent;
-      shown[i] = true;
-    }
-  return shown;
-}
-
 void draw(Ui& ui) {
   const Page& page = ui.session.header().page;
   if (page.empty()) return say_empty(ui, "This trace has no step table, so there is no pseudo-code to show.");
@@ -77,7 +60,7 @@ void draw(Ui& ui) {
   if (!event && ui.scroll_now) ImGui::SetScrollY(0);
   std::vector<bool> shown(page.size(), true);
   for (std::size_t i = 0; i < page.size(); ++i)
-    if (ui.presenter && event && event->step == page[i].id) shown = near_to(page, i);
+    if (ui.presenter && event && event->step == page[i].id) shown = lines_near(page, i);
   for (std::size_t i = 0; i < page.size(); ++i)
     if (shown[i]) draw_line(ui, page[i], event && event->step == page[i].id);
   ImGui::PopStyleVar();
