@@ -6,6 +6,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/golden/golden.hpp"
 #include "traces/file/trace_impl.hpp"
 #include "traces/record/trace_recorder.hpp"
 
@@ -22,11 +23,7 @@ Recorded record(const std::string& name, const std::string& mesh, double window)
   view.width = 160, view.height = 120;
   if (window > 0) view.window = window;
   const Scene scene = look_at_scene(load_scene(mesh).scene, view);
-  const Method& taught = method(name);
-  TraceRecorder recorder(header_for(taught, Conventions()), scene);
-  taught.record(scene, Conventions(), recorder);
-  recorder.finish();
-  const Trace trace = Trace::from_bytes(recorder.take_bytes(), "size");
+  const Trace trace = test::recorded_by(name, scene);
   Recorded recorded{static_cast<double>(trace.size()), 0};
   for (const auto& block : trace.impl().blocks) recorded.bytes += static_cast<double>(block.place.size);
   return recorded;

@@ -5,10 +5,10 @@
 #include <random>
 #include <string>
 
-#include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "sim/answers/find.hpp"
 #include "sim/answers/find_origins.hpp"
+#include "tests/golden/golden.hpp"
 #include "tests/unit/traces/some_trace.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/replay/replay.hpp"
@@ -36,16 +36,6 @@ Trace trace_of_boxes(std::vector<std::int64_t>& steps) {
   pass(60000);
   recorder.finish();
   return Trace::from_bytes(recorder.take_bytes(), "boxes");
-}
-
-Trace record(const std::string& name, const char* mesh, std::int32_t width, std::int32_t height) {
-  ViewOptions view;
-  view.width = width, view.height = height;
-  const Scene scene = look_at_scene(load_scene(mesh).scene, view);
-  TraceRecorder recorder(header_for(method(name), Conventions()), scene);
-  method(name).record(scene, Conventions(), recorder);
-  recorder.finish();
-  return Trace::from_bytes(recorder.take_bytes(), mesh);
 }
 
 }  // namespace
@@ -82,7 +72,9 @@ TEST_SUITE("searches by leaps") {
     for (const Subject& subject : {Subject{"bsp", "teapot:6"}, Subject{"scan-line", "teapot:8"}, Subject{"z-buffer", "teapot:8"}}) {
       const std::string& name = subject.method;
       CAPTURE(name);
-      const Trace trace = record(name, subject.mesh, 240, 180);
+      ViewOptions view;
+      view.width = 240, view.height = 180;
+      const Trace trace = test::recorded_by(name, look_at_scene(load_scene(subject.mesh).scene, view));
       REQUIRE(trace.size() > 50000);
       std::map<std::int32_t, std::int64_t> viewed, made;
       trace.visit(0, trace.size(), [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
@@ -94,12 +86,12 @@ TEST_SUITE("searches by leaps") {
       CHECK(made.empty() == (name != "bsp"));
       Replay replay(trace);
       replay.go_to(trace.size());
-      for (const auto& view : viewed) {
-        const std::int32_t vertex = view.first;
+      for (const auto& seen : viewed) {
+        const std::int32_t vertex = seen.first;
         if (vertex % 23 != 0) continue;
         CAPTURE(vertex);
         const answers::VertexSteps steps = answers::steps_of_vertex(trace, replay.state().machine, trace.size(), vertex);
-        CHECK(steps.viewed == view.second);
+        CHECK(steps.viewed == seen.second);
         CHECK(std::holds_alternative<Projection>(trace.event(steps.projected.value()).event));
         CHECK(std::holds_alternative<ViewportTransform>(trace.event(steps.on_raster.value()).event));
         CHECK(steps.made.has_value() == made.contains(vertex));
