@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "traces/file/trace.hpp"
+#include "traces/record/event_log.hpp"
 
 namespace zstep::answers {
 
@@ -78,7 +79,7 @@ std::optional<Found<E>> next_event(const Trace& trace, std::int64_t from, std::i
 /// that few blocks are read; what is near is found soonest.
 template <class E, class Beyond>
 std::optional<Found<E>> first_beyond(const Trace& trace, std::int64_t from, std::int64_t end, const Beyond& beyond) {
-  constexpr std::int64_t block = 16384;  // what is not larger is read from its beginning to its end
+  constexpr std::int64_t block = block_events;  // what is not larger is read from its beginning to its end
   std::int64_t low = from, high = end, leap = block;  // no E up to `low` is beyond; one after it, or the first after `high`, is
   while (high - low > block) {
     const std::int64_t near_middle = low + std::min(leap, (high - low) / 2), begin = trace.begin_of_block(near_middle);
