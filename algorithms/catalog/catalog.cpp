@@ -29,7 +29,8 @@ namespace {
 #define METHOD_DRAWN_BY(render_, module, ...)                                                          \
   Method {                                                                                             \
     __VA_ARGS__, .page = module::page, .taught = module::run<NullRecorder>, .render = render_,         \
-                 .count = module::run<CountRecorder>, .record = module::run<TraceRecorder>             \
+                 .count = module::run<CountRecorder>, .collect = module::run<CollectRecorder>,         \
+                 .record = module::run<TraceRecorder>                                                  \
   }
 #define METHOD(module, ...) METHOD_DRAWN_BY(module::run<NullRecorder>, module, __VA_ARGS__)
 

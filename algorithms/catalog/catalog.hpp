@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "algorithms/catalog/option.hpp"
+#include "traces/record/collect_recorder.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/scene.hpp"
@@ -44,6 +45,7 @@ struct Method {
   /// may fall to either side.
   Picture (*render)(const Scene&, const Conventions&, NullRecorder&) = nullptr;
   Picture (*count)(const Scene&, const Conventions&, CountRecorder&) = nullptr;
+  Picture (*collect)(const Scene&, const Conventions&, CollectRecorder&) = nullptr;
   Picture (*record)(const Scene&, const Conventions&, TraceRecorder&) = nullptr;
 };
 

@@ -37,7 +37,9 @@ struct BlockEncoder::State {
   std::array<Bytes, column_count> columns;
 };
 
-BlockEncoder::BlockEncoder(const Scene& scene, const Header& header) : state_(std::make_unique<State>(scene, header)) {}
+BlockEncoder::BlockEncoder(const Scene& scene, const Header& header, std::int64_t first_position) : state_(std::make_unique<State>(scene, header)) {
+  state_->first_position = first_position;
+}
 BlockEncoder::~BlockEncoder() = default;
 
 namespace {

@@ -17,8 +17,8 @@ inline constexpr std::uint8_t missed_bit = 0x80;
 
 class BlockEncoder {
  public:
-  /// The scene must live as long as the encoder does.
-  BlockEncoder(const Scene& scene, const Header& header);
+  /// The scene must live as long as the encoder does. `first_position`: how many events come before the first block.
+  BlockEncoder(const Scene& scene, const Header& header, std::int64_t first_position = 0);
   ~BlockEncoder();
 
   struct Packed {

@@ -54,7 +54,7 @@ inline void Foreteller::evaluate(EdgeEnter& event) {
   event.place = edge != nullptr ? edges_.place_for(*edge) : 0;
 }
 
-inline void Foreteller::tell(EdgeRetire& event) {
+inline void Foreteller::tell(EdgeRetire& event) const {
   const std::int32_t known = edges_.to_retire(whole_[slot_of("y")]);
   event.edge = known >= 0 ? known : whole_[slot_of("edge")];
 }

@@ -104,7 +104,8 @@ class Foreteller {
     return ways[static_cast<std::size_t>(static_cast<int>(I) + step)];
   }
 
-  // Fields that are told before an event.
+  // Fields that are told before an event. An encoder may ask twice for what a decoder asks once: to ask changes nothing that another
+  // answer depends on, but for what is remembered of the scene.
   void tell(PolygonBegin& event) const;
   void tell(PolygonReject& event) const;
   void tell(OutlineVertex& event) const;
@@ -112,7 +113,7 @@ class Foreteller {
   void tell(EdgeTableSkip& event) const;
   void tell(ScanLineBegin& event) const;
   void tell(EdgeEnter& event) const;
-  void tell(EdgeRetire& event);
+  void tell(EdgeRetire& event) const;
   void tell(EdgeStep& event) const;
   void tell(SpanBegin& event) const;
   void tell(PairBegin& event) const;

@@ -7,7 +7,7 @@ namespace zstep::codec {
 namespace {
 
 // Guesses look no farther than this, so that a block with thousands of active edges stays cheap.
-constexpr std::size_t look_ahead = 16, list_limit = 4096, places_limit = 64;
+constexpr std::size_t look_ahead = 16, list_limit = 4096, places_limit = 64, retire_limit = 1024;
 
 }  // namespace
 
@@ -51,10 +51,11 @@ std::int32_t KnownEdges::place_for(const KnownEdge& edge) const {
   return static_cast<std::int32_t>(active_.size());
 }
 
-std::int32_t KnownEdges::to_retire(std::int32_t row) {
-  for (const std::size_t end = std::min(active_.size(), retire_ + places_limit); retire_ < end; ++retire_) {
-    const KnownEdge* edge = at(active_[retire_]);
-    if (edge != nullptr && edge->end_row == row) return active_[retire_];
+std::int32_t KnownEdges::to_retire(std::int32_t row) const {
+  const std::size_t end = std::min(active_.size(), retire_ + retire_limit);
+  for (std::size_t place = retire_; place < end; ++place) {
+    const KnownEdge* edge = at(active_[place]);
+    if (edge != nullptr && edge->end_row == row) return active_[place];
   }
   return active_at(0);
 }
@@ -71,9 +72,11 @@ void KnownEdges::enter(std::int32_t number, std::int32_t place) {
 }
 
 void KnownEdges::retire(std::int32_t number) {
-  auto found = active_.begin() + static_cast<std::ptrdiff_t>(std::min(retire_, active_.size()));
-  if (found == active_.end() || *found != number) found = std::find(active_.begin(), active_.end(), number);
-  if (found != active_.end()) active_.erase(found);
+  auto found = std::find(active_.begin() + static_cast<std::ptrdiff_t>(std::min(retire_, active_.size())), active_.end(), number);
+  if (found == active_.end()) found = std::find(active_.begin(), active_.end(), number);
+  if (found == active_.end()) return;
+  retire_ = static_cast<std::size_t>(found - active_.begin());  // the next one on this row stands no further left
+  active_.erase(found);
 }
 
 void KnownEdges::swap(std::int32_t place) {

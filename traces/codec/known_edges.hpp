@@ -47,7 +47,7 @@ class KnownEdges {
   // --- Which edge an event will be about; -1 when that is not known.
   std::int32_t to_enter(std::int32_t row) const;
   std::int32_t place_for(const KnownEdge& edge) const;  ///< by x and then by slope
-  std::int32_t to_retire(std::int32_t row);
+  std::int32_t to_retire(std::int32_t row) const;
   std::int32_t to_step() const { return active_at(step_); }
   std::int32_t to_begin_span(std::size_t side) const { return active_at(span_ + side); }
 

@@ -10,12 +10,6 @@ namespace zstep {
 
 namespace {
 
-std::uint64_t checksum_of(const Tag& tag, std::span<const std::uint8_t> bytes) {
-  std::uint64_t seed = 0;
-  for (const char letter : tag) seed = seed << 8 | static_cast<std::uint8_t>(letter);
-  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
-}
-
 void put_tag(Bytes& out, const Tag& tag) {
   for (const char letter : tag) out.push_back(static_cast<std::uint8_t>(letter));
 }
@@ -27,6 +21,12 @@ Tag take_tag(ByteReader& in) {
 }
 
 }  // namespace
+
+std::uint64_t checksum_of(const Tag& tag, std::span<const std::uint8_t> bytes) {
+  std::uint64_t seed = 0;
+  for (const char letter : tag) seed = seed << 8 | static_cast<std::uint8_t>(letter);
+  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
+}
 
 void put_chunk(Bytes& out, const Tag& tag, std::span<const std::uint8_t> bytes) {
   put_tag(out, tag);
@@ -98,6 +98,16 @@ Bytes compress(std::span<const std::uint8_t> bytes, Compression how) {
   const std::size_t size = ZSTD_compressCCtx(context.get(), frame.get(), most, bytes.data(), bytes.size(), how == Compression::fast ? -3 : 1);
   if (ZSTD_isError(size)) throw std::runtime_error(ZSTD_getErrorName(size));
   return Bytes(frame.get(), frame.get() + size);
+}
+
+EventsChunk make_events_chunk(std::span<const std::uint8_t> info, std::span<const std::uint8_t> events) {
+  const Bytes frame = compress(events, Compression::fast);
+  EventsChunk chunk;
+  put_varint(chunk.bytes, info.size());
+  chunk.bytes.insert(chunk.bytes.end(), info.begin(), info.end());
+  chunk.frame_begins = chunk.bytes.size();
+  chunk.bytes.insert(chunk.bytes.end(), frame.begin(), frame.end());
+  return chunk;
 }
 
 Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit) {

@@ -20,7 +20,7 @@
 
 namespace zstep {
 
-inline constexpr std::uint32_t trace_version = 5;
+inline constexpr std::uint32_t trace_version = 6;
 inline constexpr std::array<std::uint8_t, 8> trace_signature{'z', 't', 'r', 'a', 'c', 'e', '\r', '\n'};
 inline constexpr std::size_t chunk_head_size = 20;
 inline constexpr std::size_t trailer_size = 20;
@@ -45,6 +45,9 @@ struct ChunkPlace {
   std::uint64_t end() const { return offset + chunk_head_size + size; }
 };
 
+/// Of a chunk's bytes.
+std::uint64_t checksum_of(const Tag& tag, std::span<const std::uint8_t> bytes);
+
 /// A chunk, head and all, ready to be written.
 void put_chunk(Bytes& out, const Tag& tag, std::span<const std::uint8_t> bytes);
 Bytes make_chunk(const Tag& tag, std::span<const std::uint8_t> bytes);
@@ -61,6 +64,13 @@ std::optional<std::uint64_t> index_offset(const ByteSource& source);
 /// One zstd frame: at level 1, or for what is written while a run goes on at -3, which takes half the time.
 enum class Compression : std::uint8_t { normal, fast };
 Bytes compress(std::span<const std::uint8_t> bytes, Compression how = Compression::normal);
+/// The chunk of a block, of its info and its events as they are packed.
+struct EventsChunk {
+  Bytes bytes;                   ///< without the chunk's head
+  std::size_t frame_begins = 0;  ///< in them
+};
+EventsChunk make_events_chunk(std::span<const std::uint8_t> info, std::span<const std::uint8_t> events);
+
 /// One zstd frame that states its size, at most `limit`; throws MalformedBytes otherwise (a bomb states its size, or
 /// lies).
 Bytes decompress(std::span<const std::uint8_t> frame, std::uint64_t limit);

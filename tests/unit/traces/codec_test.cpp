@@ -224,6 +224,8 @@ TEST_CASE("jsonl: what is wrong is said with its line") {
       "{\"step\":\"facing_test\",\"determinant\":1,\"plane_at_eye\":1,\"view_dot_normal\":1,\"projected_normal_z\":1,"
       "\"facing\":\"sideways\"}",
       "front, back, edge_on");
+  says("{\"step\":\"depth_write\",\"x\":900,\"y\":2,\"z\":1}", "column 900 lies outside the raster");
+  says("{\"step\":\"pixel_write\",\"x\":1,\"y\":2,\"polygon\":2}", "polygon 2 does not exist (there are 2)");
   says("{\"step\":\"paint\"}", "no step \"paint\"");
   says("[1]", "not a JSON object");
   says("{", "not JSON");

@@ -128,7 +128,7 @@ TEST_CASE("damage: a flipped byte costs its block and no other") {
 TEST_CASE("damage: another version says so") {
   Bytes bytes = recorded_bytes({});
   bytes[8] = 9;
-  CHECK(read_all(bytes).find("is a trace of version 9; this zstep " ZSTEP_VERSION " reads version 5") !=
+  CHECK(read_all(bytes).find("is a trace of version 9; this zstep " ZSTEP_VERSION " reads version 6") !=
         std::string::npos);
   CHECK(read_all({'P', 'K', 3, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0}).find("is not a zstep trace") != std::string::npos);
   CHECK(read_all({}).find("is not a zstep trace") != std::string::npos);
