@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "traces/codec/block_encoder.hpp"
 #include "traces/error.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/file/scene_bytes.hpp"
 #include "traces/file/trace_impl.hpp"
+#include "traces/record/journal.hpp"
 
 namespace zstep {
 
@@ -125,14 +127,8 @@ bool read_index(Trace::Impl& trace) {
   }
 }
 
-/// Walks the chunks as far as they are whole.
-void rebuild_index(Trace::Impl& trace, std::uint64_t offset) {
-  trace.blocks.clear();
-  trace.polygons.clear();
-  trace.boxes.clear();
-  trace.size = 0;
-  trace.steps = {};
-  bool damaged = false;
+/// Walks the chunks as far as they are whole, from this offset on; false when one is not as it was written.
+bool walk_blocks(Trace::Impl& trace, std::uint64_t& offset) {
   while (const auto place = chunk_at(*trace.source, offset)) {
     if (place->tag != events_tag) break;
     try {
@@ -141,10 +137,61 @@ void rebuild_index(Trace::Impl& trace, std::uint64_t offset) {
       ByteReader info_in(in.take(in.count()));
       add_block(trace, *place, take_block_info(info_in, trace.scene.raster), bytes.size() - in.left());
     } catch (const MalformedBytes&) {
-      damaged = true;
-      break;
+      return false;
     }
     offset = place->end();
+  }
+  return true;
+}
+
+/// A file up to some byte, and then other bytes.
+class ContinuedSource : public ByteSource {
+ public:
+  ContinuedSource(std::unique_ptr<ByteSource> source, std::uint64_t end, Bytes more) : source_(std::move(source)), end_(end), more_(std::move(more)) {}
+  std::uint64_t size() const override { return end_ + more_.size(); }
+  Bytes read(std::uint64_t offset, std::uint64_t size) const override {
+    const std::uint64_t of_file = offset < end_ ? std::min(size, end_ - offset) : 0;
+    Bytes bytes = of_file > 0 ? source_->read(offset, of_file) : Bytes();
+    if (of_file == size) return bytes;
+    const Bytes rest = more_.read(offset + of_file - end_, size - of_file);
+    bytes.insert(bytes.end(), rest.begin(), rest.end());
+    return bytes;
+  }
+
+ private:
+  std::unique_ptr<ByteSource> source_;
+  std::uint64_t end_;
+  MemorySource more_;
+};
+
+/// The blocks that a recording had in memory when it was killed, as they would have followed.
+Bytes blocks_in_journal(const Trace::Impl& trace, std::uint64_t head_end) {
+  Bytes chunks;
+  const std::vector<Bytes> logs = logs_in_journal(trace.name, checksum_of(head_tag, trace.source->read(0, head_end)), trace.blocks.size() + 1);
+  BlockEncoder encoder(trace.scene, trace.header, trace.size);
+  for (const Bytes& bytes : logs) {
+    const EventLog log(bytes, trace.meanings->kind);
+    if (log.count() == 0) break;
+    const BlockEncoder::Packed& block = encoder.pack(log);
+    Bytes info;
+    put_block_info(info, block.info);
+    put_chunk(chunks, events_tag, make_events_chunk(info, block.bytes).bytes);
+  }
+  return chunks;
+}
+
+/// Without an index: from the blocks themselves, those of the file and then those of its journal.
+void rebuild_index(Trace::Impl& trace, std::uint64_t head_end) {
+  trace.blocks.clear();
+  trace.polygons.clear();
+  trace.boxes.clear();
+  trace.size = 0;
+  trace.steps = {};
+  std::uint64_t offset = head_end;
+  const bool damaged = !walk_blocks(trace, offset);
+  if (trace.of_file && !damaged) {
+    trace.source = std::make_unique<ContinuedSource>(std::move(trace.source), offset, blocks_in_journal(trace, head_end));
+    walk_blocks(trace, offset);
   }
   trace.warnings.push_back(fmt::format("{}: the recording {}; {} events could be read", trace.name,
                                        damaged ? "is damaged" : "was cut off before its end", trace.size));
@@ -169,6 +216,7 @@ Trace Trace::open(const std::filesystem::path& path) {
   auto impl = std::make_unique<Impl>();
   impl->name = path.string();
   impl->source = std::make_unique<FileSource>(path);
+  impl->of_file = true;
   return Trace(std::move(impl));
 }
 

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -69,7 +71,14 @@ struct RunSteps {
 
 class EventLog {
  public:
+  static const std::size_t most_bytes;  ///< of a log
+
   EventLog();
+  /// In this memory, `most_bytes` long, which must live as long as the log does.
+  explicit EventLog(std::uint8_t* memory);
+  /// What stood in a log's memory, as far as a recording can have left it so: the first bytes of it that are whole events of the steps of
+  /// these kinds.
+  EventLog(std::span<const std::uint8_t> bytes, const std::array<std::uint8_t, 128>& kind_of_step);
 
   /// True when the next event needs an empty log.
   template <class E>
@@ -86,6 +95,7 @@ class EventLog {
   void close();
   void clear();
   void swap(EventLog& other) noexcept;
+  const std::uint8_t* memory() const { return begin_; }
 
   /// Calls row(const LoggedRow&), run(const LoggedRun&) and one(step, const E&) for what stands in the log, in order.
   template <class Row, class Run, class One>
@@ -101,7 +111,7 @@ class EventLog {
     (std::make_index_sequence<kind_count>{});
     codec::LoggedRow logged_row;
     codec::LoggedRun logged_run;
-    for (const std::uint8_t* at = bytes_.get(); at != end_;) {
+    for (const std::uint8_t* at = begin_; at != end_;) {
       const std::uint8_t step = at[0], kind = at[1];
       if (step == run_mark) {
         RunHead head;
@@ -123,7 +133,7 @@ class EventLog {
 
  private:
   static constexpr std::uint32_t longest_run = 4 * codec::run_limit + 8;  ///< events of a run at work, and of what ends it
-  static constexpr std::uint8_t run_mark = 0xff;                          ///< in the place of a step: pixels
+  static constexpr std::uint8_t run_mark = 0xff, end_mark = 0xfe;         ///< in the place of a step: pixels; nothing yet
   struct RunHead {
     std::int32_t x;
     std::uint32_t count;
@@ -198,6 +208,14 @@ class EventLog {
     stage_ = ++pixels_ == codec::run_limit ? Stage::closed : Stage::ready;
   }
 
+  /// What stands at the end of a log that is read: its bytes and events, 0 where nothing whole does.
+  struct Whole {
+    std::size_t size = 0;
+    std::uint32_t events = 0;
+  };
+  Whole whole_run(std::size_t left, const codec::RunSteps& steps) const;
+  Whole whole_event(std::size_t left, const std::array<std::uint8_t, 128>& kind_of_step, codec::RunSteps& steps) const;
+
   static bool same(double one, double other) { return std::memcmp(&one, &other, sizeof one) == 0; }
   /// An event that does not go on with a run.
   template <class E>
@@ -218,13 +236,14 @@ class EventLog {
 
   template <class E>
   void append(std::uint8_t step, const E& event) {
-    end_[0] = step, end_[1] = kind_of<E>;
+    std::uint8_t* const to = end_;  // as one variable, so that it is not read again after every byte written
+    to[1] = kind_of<E>;
     // Field by field: a copy as a whole would wait until the event's fields, just written, have reached memory.
     for_each_index<E>([&]<std::size_t I>() {
       const auto& value = event.*field_at<E, I>.member;
-      std::memcpy(end_ + 2 + (reinterpret_cast<const std::uint8_t*>(&value) - reinterpret_cast<const std::uint8_t*>(&event)), &value, sizeof value);
+      std::memcpy(to + 2 + (reinterpret_cast<const std::uint8_t*>(&value) - reinterpret_cast<const std::uint8_t*>(&event)), &value, sizeof value);
     });
-    end_ += 2 + sizeof event;
+    stands(step, logged_size<E>);
     ++count_;
     stage_ = Stage::closed;
 
@@ -250,7 +269,17 @@ class EventLog {
 
   void close_run();
 
-  std::unique_ptr<std::uint8_t[]> bytes_;
+  /// What was written after the first byte counts from now on. In this order, so that at every moment the memory holds whole events only.
+  void stands(std::uint8_t step, std::size_t size) {
+    std::uint8_t* const from = end_;
+    from[size] = end_mark;
+    std::atomic_signal_fence(std::memory_order_release);
+    from[0] = step;
+    end_ = from + size;
+  }
+
+  std::unique_ptr<std::uint8_t[]> own_;
+  std::uint8_t* begin_ = nullptr;
   std::uint8_t* end_ = nullptr;
   std::uint32_t count_ = 0;
 
@@ -277,10 +306,10 @@ inline void EventLog::close_run() {
   painting_ = painted_ = false;
   if (pixels > 0) {
     const RunHead head{x_ - static_cast<std::int32_t>(pixels), pixels, nearer & (~std::uint64_t{0} >> (64 - pixels))};
-    end_[0] = run_mark, end_[1] = painted;
+    end_[1] = painted;
     std::memcpy(end_ + 2, &head, sizeof head);
     std::memcpy(end_ + 2 + sizeof head, depths_.data(), pixels * sizeof(double));
-    end_ += 2 + sizeof head + pixels * sizeof(double);
+    stands(run_mark, 2 + sizeof head + pixels * sizeof(double));
     count_ += painted ? pixels : 2 * (pixels + static_cast<std::uint32_t>(std::popcount(head.nearer)));
   }
   if (stage <= Stage::ready) return;

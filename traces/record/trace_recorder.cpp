@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cstdio>
+#include <memory>
+#include <optional>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -11,28 +14,85 @@
 #include "traces/file/header_json.hpp"
 #include "traces/file/scene_bytes.hpp"
 #include "traces/record/beside.hpp"
+#include "traces/record/journal.hpp"
 
 namespace zstep {
 
 namespace {
 constexpr std::size_t logs_at_work = 3;
-}
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+File open_for(const std::filesystem::path& path, const char* mode) { return {std::fopen(path.string().c_str(), mode), &std::fclose}; }
+}  // namespace
+
+/// The file of a recording. It has its name once its head is written, so that whatever has that name can be opened, whenever the recording
+/// is killed; what had the name before is there until then. What is no ordinary file is written as it stands.
+class TraceRecorder::Output {
+ public:
+  explicit Output(const std::filesystem::path& path) : path_(path) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
+    const bool ordinary = status.type() == std::filesystem::file_type::regular, is_new = status.type() == std::filesystem::file_type::not_found;
+    if (is_new || (ordinary && open_for(path, "r+b") != nullptr)) {
+      begun_ = path.string() + ".begun";
+      file_ = open_for(begun_, "wb");
+    }
+    if (file_ == nullptr) {
+      begun_.clear();
+      file_ = open_for(path, "wb");
+    }
+    if (file_ == nullptr) throw InputError(path.string(), "cannot be written", "name a file in a folder that exists and is yours");
+    std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // what is written is written whole
+  }
+  ~Output() {
+    std::error_code ignored;
+    if (!begun_.empty()) std::filesystem::remove(begun_, ignored);
+  }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  void write(const Bytes& bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size() && std::fflush(file_.get()) == 0) return;
+    throw InputError(path_.string(), "the trace could not be written any further (is the disk full?)",
+                     "what was written so far can be opened; free some space or record to another place");
+  }
+  void head_is_written() {
+    if (begun_.empty()) return;
+    std::error_code error;
+    std::filesystem::rename(begun_, path_, error);
+    if (error) throw InputError(path_.string(), "cannot be written: " + error.message(), "name a file in a folder that is yours");
+    begun_.clear();
+  }
+  void close() {
+    if (std::fclose(file_.release()) != 0) throw InputError(path_.string(), "the end of the trace could not be written", "is the disk full?");
+  }
+
+ private:
+  std::filesystem::path path_, begun_;  ///< its name, and the one it has until then
+  File file_{nullptr, &std::fclose};
+};
 
 /// Where the bytes go, and the index that grows as they do. Logs are packed and written by another thread while the next ones are
 /// recorded; nothing else here is touched meanwhile.
 struct TraceRecorder::Sink {
-  std::filesystem::path path;
-  std::FILE* file = nullptr;
+  std::optional<Output> file;  ///< none: to memory
   Bytes memory;
   std::uint64_t written = 0;
   Bytes index;
   std::uint64_t blocks = 0;
   BlockEncoder encoder;
+  Journal journal;  ///< the memory of the logs at work and, after them, of the one that is recorded into
   std::array<EventLog, logs_at_work> at_work;  ///< in turn
   std::size_t next_log = 0;
   Beside beside{logs_at_work};  // ends first
 
-  Sink(const Header& header, const Scene& scene) : encoder(scene, header) {}
+  Sink(const Header& header, const Scene& scene, const std::filesystem::path& to)
+      : encoder(scene, header),
+        journal(to, logs_at_work + 1, EventLog::most_bytes),
+        at_work{EventLog(journal.log(0)), EventLog(journal.log(1)), EventLog(journal.log(2))} {
+    if (!to.empty()) file.emplace(to);
+  }
   Sink(const Sink&) = delete;
   Sink& operator=(const Sink&) = delete;
   ~Sink() {
@@ -40,16 +100,11 @@ struct TraceRecorder::Sink {
       beside.wait();
     } catch (...) {  // a recording that ends without finish() ends where it got to
     }
-    if (file != nullptr) std::fclose(file);
   }
 
   void write(const Bytes& bytes) {
-    if (file == nullptr) {
-      memory.insert(memory.end(), bytes.begin(), bytes.end());
-    } else if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0) {
-      throw InputError(path.string(), "the trace could not be written any further (is the disk full?)",
-                       "what was written so far can be opened; free some space or record to another place");
-    }
+    if (file) file->write(bytes);
+    else memory.insert(memory.end(), bytes.begin(), bytes.end());
     written += bytes.size();
   }
 
@@ -59,43 +114,34 @@ struct TraceRecorder::Sink {
     Bytes bytes = make_signature();
     put_chunk(bytes, head_tag, compress({reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}));
     put_chunk(bytes, scene_tag, compress(scene_to_bytes(scene)));
+    journal.belongs_to(checksum_of(head_tag, bytes));
     write(bytes);
+    if (file) file->head_is_written();
   }
 
   void write_block(const EventLog& log) {
     const BlockEncoder::Packed& block = encoder.pack(log);
     Bytes info;
     put_block_info(info, block.info);
-    const Bytes frame = compress(block.bytes, Compression::fast);
-    Bytes bytes;
-    put_varint(bytes, info.size());
-    bytes.insert(bytes.end(), info.begin(), info.end());
-
-    const std::size_t frame_begins = bytes.size();
-    bytes.insert(bytes.end(), frame.begin(), frame.end());
+    const EventsChunk chunk = make_events_chunk(info, block.bytes);
     put_varint(index, written);
-    put_varint(index, bytes.size());
-    put_varint(index, frame_begins);
+    put_varint(index, chunk.bytes.size());
+    put_varint(index, chunk.frame_begins);
     index.insert(index.end(), info.begin(), info.end());
     ++blocks;
-    write(make_chunk(events_tag, bytes));
+    write(make_chunk(events_tag, chunk.bytes));
   }
 };
 
 TraceRecorder::TraceRecorder(const std::filesystem::path& path, const Header& header, const Scene& scene)
-    : sink_(std::make_unique<Sink>(header, scene)) {
-  sink_->path = path;
-  sink_->file = std::fopen(path.string().c_str(), "wb");
-  if (sink_->file == nullptr)
-    throw InputError(path.string(), "cannot be written", "name a file in a folder that exists and is yours");
-  std::setvbuf(sink_->file, nullptr, _IONBF, 0);  // what is written is written whole
-  sink_->beside.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
+    : sink_(std::make_unique<Sink>(header, scene, path)), log_(sink_->journal.log(logs_at_work)) {
+  sink_->journal.holds(log_.memory(), 1);
+  // At once, so that what is killed can be opened; beside the run where that takes longer than the run's first blocks.
+  if (scene.points.size() + scene.corners.size() < 100'000) sink_->write_head(header, scene);
+  else sink_->beside.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
 }
 
-TraceRecorder::TraceRecorder(const Header& header, const Scene& scene)
-    : sink_(std::make_unique<Sink>(header, scene)) {
-  sink_->beside.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
-}
+TraceRecorder::TraceRecorder(const Header& header, const Scene& scene) : TraceRecorder(std::filesystem::path(), header, scene) {}
 
 TraceRecorder::~TraceRecorder() = default;
 
@@ -106,6 +152,7 @@ void TraceRecorder::write_block() {
   EventLog& log = sink_->at_work[sink_->next_log++ % logs_at_work];  // its block is written, or there were no room
   log.swap(log_);
   log_.clear();
+  sink_->journal.holds(log_.memory(), sink_->next_log + 1);
   sink_->beside.begin([sink = sink_.get(), &log] { sink->write_block(log); });
   if (on_block_) on_block_(size());
 }
@@ -120,11 +167,7 @@ void TraceRecorder::finish() {
   index.insert(index.end(), sink_->index.begin(), sink_->index.end());
   sink_->write(make_chunk(index_tag, compress(index)));
   sink_->write(make_trailer(offset));
-  if (sink_->file != nullptr) {
-    std::FILE* file = std::exchange(sink_->file, nullptr);
-    if (std::fclose(file) != 0)
-      throw InputError(sink_->path.string(), "the end of the trace could not be written", "is the disk full?");
-  }
+  if (sink_->file) sink_->file->close();
 }
 
 std::vector<std::uint8_t> TraceRecorder::take_bytes() { return std::move(sink_->memory); }
