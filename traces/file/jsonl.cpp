@@ -11,6 +11,7 @@
 
 #include "traces/error.hpp"
 #include "traces/events/slots.hpp"
+#include "traces/file/check_events.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/file/visit.hpp"
 
@@ -159,6 +160,7 @@ void read_jsonl(std::istream& in, const std::string& name,
   std::string line;
   TraceRecorder* recorder = nullptr;
   Header header;
+  std::optional<EventCheck> check;
   while (next_line(in, line)) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
@@ -177,7 +179,9 @@ void read_jsonl(std::istream& in, const std::string& name,
       if (recorder == nullptr) {
         header = header_from_json(document);
         if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
-        recorder = &begin(header, scene_from_json(document.at("scene")));
+        Scene scene = scene_from_json(document.at("scene"));
+        check.emplace(scene);
+        recorder = &begin(header, std::move(scene));
         continue;
       }
       if (!document.contains("step") || !document.at("step").is_string()) throw MalformedJson("\"step\" is missing");
@@ -185,7 +189,11 @@ void read_jsonl(std::istream& in, const std::string& name,
       const StepInfo* step = find_step(header.page, std::string_view(step_name));
       if (step == nullptr) throw MalformedJson(fmt::format("there is no step \"{}\" in the header's list", step_name));
       for_each_kind([&]<class E>() {
-        if (kind_of<E> == step->kind) record_any(*recorder, step->id, event_from<E>(document));
+        if (kind_of<E> != step->kind) return;
+        const E event = event_from<E>(document);
+        EventCheck of_one = *check;  // how often buffers are cleared is held against a block, once it is read
+        if (const std::string fault = of_one(event); !fault.empty()) throw MalformedJson(fault);
+        record_any(*recorder, step->id, event);
       });
     } catch (const MalformedJson& error) {
       fail(error.what(), recorder == nullptr
@@ -219,7 +227,7 @@ void import_jsonl(const std::filesystem::path& from, const std::filesystem::path
       return recorder.emplace(partial, header, kept);
     });
     recorder->finish();
-    // Numbers outside the scene are found when the events are read, so read them before anyone relies on them.
+    // What only a block as a whole tells is found when its events are read, so read them before anyone relies on them.
     const Trace trace = Trace::open(partial);
     trace.visit(0, trace.size(), [](std::int64_t, std::uint8_t, const auto&) { return true; });
   } catch (...) {

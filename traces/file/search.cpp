@@ -80,6 +80,13 @@ std::int64_t Trace::Impl::last_touch(std::size_t block, Trace::Pixel pixel) cons
 }
 
 std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& predicate, const Among& among) const {
+  return next_at(from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);
+}
+std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& predicate, const Among& among) const {
+  return previous_at(from, [&](std::int64_t, const RecordedEvent& recorded) { return predicate(recorded); }, among);
+}
+
+std::optional<std::int64_t> Trace::next_at(std::int64_t from, const PredicateAt& predicate, const Among& among) const {
   const StepSet steps = steps_of(header().page, among.kind);
   const std::int64_t end = std::min(size(), among.until.value_or(size()));
   for (std::int64_t position = std::max<std::int64_t>(from, 0); position < end;) {
@@ -87,7 +94,7 @@ std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& pred
     const BlockInfo& info = impl_->blocks[block].info;
     std::optional<std::int64_t> found;
     visit(position, std::min(end, last_meant(*impl_, block, steps, among.pixel)), search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
-            if (predicate(recorded)) found = at;
+            if (predicate(at, recorded)) found = at;
             return !found;
           }));
     if (found) return found;
@@ -96,7 +103,7 @@ std::optional<std::int64_t> Trace::next(std::int64_t from, const Predicate& pred
   return std::nullopt;
 }
 
-std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& predicate, const Among& among) const {
+std::optional<std::int64_t> Trace::previous_at(std::int64_t from, const PredicateAt& predicate, const Among& among) const {
   const StepSet steps = steps_of(header().page, among.kind);
   const std::int64_t begin = std::max<std::int64_t>(0, among.until.value_or(1) - 1);
   for (std::int64_t position = std::min(from - 1, size()); position > begin;) {
@@ -104,7 +111,7 @@ std::optional<std::int64_t> Trace::previous(std::int64_t from, const Predicate& 
     const std::int64_t block_begin = std::max(begin, impl_->blocks[block].info.first_position);
     std::optional<std::int64_t> found;
     visit(block_begin, std::min(position, last_meant(*impl_, block, steps, among.pixel)), search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
-            if (predicate(recorded)) found = at;
+            if (predicate(at, recorded)) found = at;
             return true;
           }));
     if (found) return found;

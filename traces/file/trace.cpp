@@ -29,6 +29,19 @@ std::int64_t Trace::size() const { return impl_->size; }
 const std::vector<std::string>& Trace::warnings() const { return impl_->warnings; }
 std::span<const PolygonMark> Trace::polygons() const { return impl_->polygons; }
 
+std::span<const RejectMark> Trace::rejects() const {
+  if (!impl_->rejects) {
+    std::vector<RejectMark> found;
+    scan(Among({}, kind_of<PolygonReject>), [&](std::int64_t position, const RecordedEvent& recorded) {
+      const auto& event = std::get<PolygonReject>(recorded.event);
+      found.push_back({position, event.polygon, event.reason});
+      return true;
+    });
+    impl_->rejects = std::move(found);
+  }
+  return *impl_->rejects;
+}
+
 bool Trace::has(std::uint8_t kind) const {
   return std::any_of(impl_->header.page.begin(), impl_->header.page.end(), [&](const StepInfo& step) { return step.kind == kind && impl_->steps.has(step.id); });
 }

@@ -30,6 +30,23 @@ struct PolygonMark {
   std::int32_t polygon = 0;
 };
 
+/// Where a polygon was dropped, and why.
+struct RejectMark {
+  std::int64_t position = 0;
+  std::int32_t polygon = 0;
+  Reject reason = Reject::back_facing;
+};
+
+/// How an event says which polygon it is about; `nothing`: only by what is at work.
+enum class Names : std::uint8_t { nothing, polygon, facet, piece };
+template <class E>
+inline constexpr Names names_polygon = [] {
+  if constexpr (requires(const E& event) { event.polygon; }) return Names::polygon;
+  else if constexpr (requires(const E& event) { event.facet; }) return Names::facet;
+  else if constexpr (requires(const E& event) { event.piece; }) return Names::piece;
+  else return Names::nothing;
+}();
+
 class Trace {
  public:
   /// Opens a .ztrace file, whole or cut off. Reads header, scene and index; events are read when they are asked for.
@@ -48,6 +65,14 @@ class Trace {
   std::int64_t size() const;                         ///< number of events
   const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
   std::span<const PolygonMark> polygons() const;     ///< all of them, by position
+  std::span<const RejectMark> rejects() const;       ///< likewise; they are read when they are first asked for
+  /// The polygon that is worked on at a position: the last that was begun, until what follows is about all of them (a tree, a list, areas,
+  /// rays, lines, scan lines of one table); then none, and later those whose pieces are drawn.
+  std::int32_t polygon_at_work(std::int64_t position) const;
+  std::int64_t end_of_turns() const;  ///< the position at which it is none any more; size() + 1 where that does not come
+  /// The polygon that an event names, by its number, its facet or its piece, no_polygon where that does not exist; nothing if it names none.
+  std::optional<std::int32_t> polygon_named(const Event& event) const;
+  std::int32_t polygon_of_piece(std::int32_t piece) const;  ///< by the piece_make events; no_polygon where there is none
   bool has(std::uint8_t kind) const;                 ///< whether some event is of this kind
 
   /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand; the reference lives until
@@ -80,6 +105,10 @@ class Trace {
   };
   std::optional<std::int64_t> next(std::int64_t from, const Predicate& predicate, const Among& among = {}) const;
   std::optional<std::int64_t> previous(std::int64_t from, const Predicate& predicate, const Among& among = {}) const;
+  /// The same with the position. The predicate must not ask the trace for events.
+  using PredicateAt = std::function<bool(std::int64_t, const RecordedEvent&)>;
+  std::optional<std::int64_t> next_at(std::int64_t from, const PredicateAt& predicate, const Among& among = {}) const;
+  std::optional<std::int64_t> previous_at(std::int64_t from, const PredicateAt& predicate, const Among& among = {}) const;
   /// All events that are meant, in order, until the visitor returns false. It must not ask the trace for others meanwhile.
   void scan(const Among& among, const std::function<bool(std::int64_t, const RecordedEvent&)>& visit) const;
   /// The same for events of one kind: condition(const E&).

@@ -28,6 +28,7 @@ struct Trace::Impl {
 
   std::string name;
   std::unique_ptr<ByteSource> source;
+  bool of_file = false;  ///< `name` is its path
   Header header;
   Scene scene;
   std::optional<StepMeanings> meanings;  ///< of the header
@@ -38,6 +39,13 @@ struct Trace::Impl {
   std::vector<std::string> warnings;
   std::int64_t size = 0;
   StepSet steps;  ///< that occur
+
+  /// When polygons come one after the other: the last of them that does, in `polygons`, and where what is about all of them begins.
+  struct Turns {
+    std::size_t last = 0;
+    std::int64_t end = 0;
+  };
+  const Turns& turns(const Trace& trace) const;
 
   /// The block that holds the event leading to this position.
   std::size_t block_of(std::int64_t position) const;
@@ -54,6 +62,11 @@ struct Trace::Impl {
   void check(const Block& block, const Bytes& packed) const;
   /// Turns what a damaged block throws into an InputError that says which events are lost.
   [[noreturn]] void damaged(std::size_t block, const std::string& what) const;
+
+  // Found out once somebody asks.
+  mutable std::optional<Turns> known_turns;
+  mutable std::optional<std::vector<std::int32_t>> polygon_by_piece;
+  mutable std::optional<std::vector<RejectMark>> rejects;
 
   mutable std::list<std::pair<std::size_t, Bytes>> packed_at_hand;
   mutable std::list<std::pair<std::size_t, Events>> events_at_hand;
