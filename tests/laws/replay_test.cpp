@@ -74,6 +74,30 @@ TEST_CASE("replay: every step of a small run is the same forwards and backwards"
   }
 }
 
+TEST_CASE("replay: a long way that is ended ends at a whole state, from which one can go on") {
+  Picture picture;
+  const Trace trace = recorded(soup(1500, 96, 2), {}, picture);
+  Replay plain(trace);
+  for (const double enough : {0.0, 0.3, 0.7, 2.0}) {
+    CAPTURE(enough);
+    Replay replay(trace);
+    double last = -1;
+    replay.go_to(trace.size(), [&](double share) {
+      CHECK(share >= 0);
+      CHECK(share < 1);
+      CHECK(share > last);
+      last = share;
+      return share >= enough;
+    });
+    CHECK((replay.position() < trace.size()) == (enough < 1));
+    CHECK((replay.position() == 0) == (enough == 0));
+    plain.go_to(replay.position());
+    CHECK(replay.state() == plain.state());
+    replay.go_to(trace.size());
+    CHECK(replay.state().picture == picture);
+  }
+}
+
 TEST_CASE("replay: a long run, sought and stepped at random, agrees with a plain run ahead") {
   Picture picture;
   Conventions conventions;

@@ -65,13 +65,23 @@ inline void apply_machine(const ListRemove& event, Machine& machine) {
 inline void apply_machine(const ListMark& event, Machine& machine) {
   machine.list.edit(detail::place_in_list(machine, event.piece)).marked = true;
 }
+namespace detail {
+/// What follows is about all polygons, or two of them.
+inline void leave_polygon(Machine& machine) {
+  if (machine.polygon != no_polygon) begin_polygon(machine, no_polygon);
+}
+}  // namespace detail
+inline void apply_machine(const VertexSide&, Machine& machine) { detail::leave_polygon(machine); }
+inline void apply_machine(const SideTest&, Machine& machine) { detail::leave_polygon(machine); }
+inline void apply_machine(const RootCandidate&, Machine& machine) { detail::leave_polygon(machine); }
 inline void apply_machine(const PairBegin& event, Machine& machine) {
-  detail::begin_polygon(machine, no_polygon);  // two pieces are at work, not one polygon
+  detail::begin_polygon(machine, no_polygon);
   machine.pair = event;
 }
 
 inline void apply_machine(const NodeMake& event, Machine& machine) {
   detail::must_be_due("node", event.node, machine.tree.size());
+  detail::leave_polygon(machine);
   if (event.parent != -1) detail::must_exist("node", event.parent, machine.tree.size());
   if (event.parent != -1) {
     TreeNode& parent = machine.tree.edit(static_cast<std::size_t>(event.parent));
@@ -134,15 +144,20 @@ inline void apply_machine(const AreaDecide& event, Machine& machine) {
 
 inline void apply_machine(const BoxMake& event, Machine& machine) {
   detail::must_be_due("box", event.box, machine.boxes.size());
+  detail::leave_polygon(machine);
   machine.boxes.push_back({event, {}});
 }
 inline void apply_machine(const BoxHold& event, Machine& machine) {
   detail::must_exist("box", event.box, machine.boxes.size());
   machine.boxes.edit(static_cast<std::size_t>(event.box)).facets.push_back(event.facet);
 }
-inline void apply_machine(const GridMake& event, Machine& machine) { machine.grid = event; }
+inline void apply_machine(const GridMake& event, Machine& machine) {
+  detail::leave_polygon(machine);
+  machine.grid = event;
+}
 inline void apply_machine(const CellHold& event, Machine& machine) { machine.cells.push_back(event); }
 inline void apply_machine(const RayBegin& event, Machine& machine) {
+  detail::leave_polygon(machine);
   RayWork& rays = machine.rays;
   if (event.role == RayRole::eye) rays.tree.clear();
   rays.tree.push_back({event, std::nullopt});

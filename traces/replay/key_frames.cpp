@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "traces/replay/memory.hpp"
 #include "traces/replay/same.hpp"
 
 namespace zstep {
@@ -32,7 +33,7 @@ void KeyFrames::add(const State& state) {
   if (!frames_.empty()) {
     const SharedChunks<VertexWay>& before = frames_.back().vertices;
     frame.vertices.share(before, same_way);  // where the state was stepped to anew
-    bytes_ += before.bytes_beyond(frame.vertices);
+    bytes_ += frames_.back().bytes_beyond(frame);
   }
   set_pictures(frame, frames_.size(), last_, state);
   bytes_ += frame.bytes();
@@ -46,6 +47,10 @@ void KeyFrames::add(const State& state) {
   if (bytes_ > budget_ && frames_.size() > 2) thin_out();
   next_due_ = state.position + spacing_;
   if (next_due_ > end_) last_ = State();
+}
+
+std::size_t KeyFrames::Frame::bytes_beyond(const Frame& later) const {
+  return heap_beyond(machine, later.machine) + heap_beyond(vertices, later.vertices);
 }
 
 std::size_t KeyFrames::count_before(std::int64_t position) const {
@@ -88,7 +93,7 @@ void KeyFrames::thin_out() {
     frame.light.apply_to(now.light);
     if (i % 2 == 0 && i + 1 < frames_.size()) continue;
     set_pictures(frame, kept.size(), before, now);
-    if (!kept.empty()) bytes_ += kept.back().vertices.bytes_beyond(frame.vertices);
+    if (!kept.empty()) bytes_ += kept.back().bytes_beyond(frame);
     bytes_ += frame.bytes();
     before.picture = now.picture, before.light = now.light;
     kept.push_back(std::move(frame));

@@ -15,7 +15,7 @@ namespace zstep {
 
 namespace {
 
-constexpr std::size_t key_frame_budget = std::size_t{48} << 20;  // bytes
+constexpr std::size_t key_frame_budget = std::size_t{96} << 20;  // bytes
 constexpr std::int64_t most_key_frames = 192;
 constexpr std::int64_t few_events = 64;  // that are better asked for one by one
 constexpr std::size_t picture_budget = std::size_t{64} << 20;    // bytes of whole pictures in the undo log
@@ -29,7 +29,7 @@ struct Replay::Impl {
         points(trace_.scene().points.size()),
         beginning(trace_),
         state(beginning.state()),
-        key_frames(beginning, trace->size(), std::max(tuning.key_frame_every, trace->size() / most_key_frames), key_frame_budget) {
+        key_frames(beginning, trace->size() - tuning.lead_in, std::max(tuning.key_frame_every, trace->size() / most_key_frames), key_frame_budget) {
     forget();
   }
 
@@ -85,17 +85,17 @@ struct Replay::Impl {
   }
 
   /// Ahead without one, leaving key frames.
-  void run_to(std::int64_t target) {
+  void run_to(std::int64_t target, const OnWay& on_way) {
     if (state.position >= target) return;
     refused = false;
     try {
-      run(target);
+      run(target, on_way);
     } catch (...) {
       if (refused) {
         // The refused event may be half applied: go once more from what is known to be whole.
         const std::int64_t whole = state.position;
         key_frames.restore_before(whole, state);
-        run(whole);
+        run(whole, nullptr);
       }
       forget();
       throw;
@@ -103,8 +103,10 @@ struct Replay::Impl {
     forget();
   }
 
-  void run(std::int64_t target) {
+  void run(std::int64_t target, const OnWay& on_way) {
+    const std::int64_t from = state.position;
     while (state.position < target) {
+      if (on_way && on_way(static_cast<double>(state.position - from) / static_cast<double>(target - from))) return;
       trace->visit(state.position, std::min(target, std::max(key_frames.next_due(), state.position + 1)), Ahead{*this});
       if (state.position >= key_frames.next_due()) key_frames.add(state);
     }
@@ -140,14 +142,14 @@ struct Replay::Impl {
     state.position = target;
   }
 
-  void seek(std::int64_t target) {
+  void seek(std::int64_t target, const OnWay& on_way) {
     const bool from_here = state.position <= target && state.position >= key_frames.before(target);
     if (!from_here) {
       key_frames.restore_before(target, state);
       forget();
     }
-    run_to(target - tuning.lead_in);
-    step_to(target);
+    run_to(target - tuning.lead_in, on_way);
+    if (state.position >= target - tuning.lead_in) step_to(target);  // else it was ended on the way
   }
 
   /// Nothing before this position can be undone.
@@ -176,12 +178,12 @@ Replay& Replay::operator=(Replay&&) noexcept = default;
 const Trace& Replay::trace() const { return *impl_->trace; }
 const State& Replay::state() const { return impl_->state; }
 
-void Replay::go_to(std::int64_t position) {
+void Replay::go_to(std::int64_t position, const OnWay& on_way) {
   position = std::clamp<std::int64_t>(position, 0, impl_->trace->size());
   const std::int64_t here = impl_->state.position;
   if (position >= here && position - here <= impl_->tuning.undo_window) impl_->step_to(position);
   else if (position < here && position >= impl_->check_points.front().first) impl_->back_to(position);
-  else impl_->seek(position);
+  else impl_->seek(position, on_way);
 }
 
 const RecordedEvent* Replay::current() const { return position() == 0 ? nullptr : &impl_->trace->event(position()); }

@@ -75,12 +75,11 @@ class SharedChunks {
   }
 
   bool shares_with(const SharedChunks& other) const { return size_ == other.size_ && chunks_ == other.chunks_; }
-  /// What this alone holds of both, in bytes.
-  std::size_t bytes_beyond(const SharedChunks& other) const {
-    std::size_t bytes = 0;
+  /// Calls each(const std::vector<T>&) for the chunks that this alone holds of both.
+  template <class Each>
+  void for_each_beyond(const SharedChunks& other, Each&& each) const {
     for (std::size_t i = 0; i < chunks_.size(); ++i)
-      if (chunks_[i] && !(i < other.chunks_.size() && other.chunks_[i] == chunks_[i])) bytes += chunks_[i]->size() * sizeof(T);
-    return bytes;
+      if (chunks_[i] && !(i < other.chunks_.size() && other.chunks_[i] == chunks_[i])) each(std::as_const(*chunks_[i]));
   }
   /// Shares the chunks whose items are the same as the other's: `same(const T&, const T&)`.
   template <class Same>

@@ -1,6 +1,7 @@
 // A list in pieces, which copies share until one of them changes, and into whose middle items go.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -78,6 +79,14 @@ class SharedList {
   }
 
   bool shares_with(const SharedList& other) const { return size_ == other.size_ && pieces_ == other.pieces_; }
+  /// Calls each(const std::vector<T>&) for the pieces that this alone holds of both.
+  template <class Each>
+  void for_each_beyond(const SharedList& other, Each&& each) const {
+    auto theirs = other.pieces_;
+    std::sort(theirs.begin(), theirs.end());
+    for (const Piece& piece : pieces_)
+      if (!std::binary_search(theirs.begin(), theirs.end(), piece)) each(std::as_const(*piece));
+  }
 
  private:
   using Piece = std::shared_ptr<std::vector<T>>;  ///< never empty

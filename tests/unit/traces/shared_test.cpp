@@ -6,6 +6,9 @@
 #include <random>
 #include <vector>
 
+#include "tests/unit/traces/some_trace.hpp"
+#include "traces/replay/beginning.hpp"
+#include "traces/replay/key_frames.hpp"
 #include "traces/replay/shared_chunks.hpp"
 #include "traces/replay/shared_list.hpp"
 
@@ -33,6 +36,12 @@ bool agree(const Copy& copy) {
     ++i;
   }
   return i == copy.plain.size() && (copy.plain.empty() || copy.shared.back().value == copy.plain.back());
+}
+
+std::size_t items_beyond(const SharedChunks<Item>& one, const SharedChunks<Item>& other) {
+  std::size_t items = 0;
+  one.for_each_beyond(other, [&](const std::vector<Item>& chunk) { items += chunk.size(); });
+  return items;
 }
 
 }  // namespace
@@ -71,7 +80,7 @@ TEST_CASE("law: copies of a shared vector are each what a vector would be, after
         const Copy& other = copies[below(copies.size())];
         copy = other;
         CHECK(copy.shared.shares_with(other.shared));
-        CHECK(copy.shared.bytes_beyond(other.shared) == 0);
+        CHECK(items_beyond(copy.shared, other.shared) == 0);
       }
     }
     CAPTURE(change);
@@ -85,9 +94,9 @@ TEST_CASE("shared chunks: what is the same is shared again, and only what differ
   SharedChunks<Item> other = one;
   for (std::size_t i = 0; i < 12; ++i) other.edit(i).value = static_cast<int>(i);  // three chunks of its own, no value new
   other.edit(5).value = 50;
-  CHECK(other.bytes_beyond(one) == 12 * sizeof(Item));
+  CHECK(items_beyond(other, one) == 12);
   other.share(one, [](const Item& a, const Item& b) { return a.value == b.value; });
-  CHECK(other.bytes_beyond(one) == 4 * sizeof(Item));
+  CHECK(items_beyond(other, one) == 4);
   CHECK(other[5].value == 50);
   CHECK(one[5].value == 5);
 }
@@ -96,13 +105,55 @@ TEST_CASE("shared chunks: what was never touched takes no memory") {
   SharedChunks<Item> items;
   items.resize(100);
   const SharedChunks<Item> untouched;
-  CHECK(items.bytes_beyond(untouched) == 0);
+  CHECK(items_beyond(items, untouched) == 0);
   CHECK(items[99].value == 0);
   items.edit(50).value = 1;
-  CHECK(items.bytes_beyond(untouched) == 4 * sizeof(Item));
+  CHECK(items_beyond(items, untouched) == 4);
   items.resize(0);
   items.resize(100);
   CHECK(items[50].value == 0);
+}
+
+TEST_CASE("shared list: what one copy alone holds is what was changed in it, wherever it stands by now") {
+  SharedList<int> one;
+  for (int i = 0; i < 3000; ++i) one.insert(one.size(), i);
+  SharedList<int> other = one;
+  const auto beyond = [](const SharedList<int>& a, const SharedList<int>& b) {
+    std::size_t items = 0;
+    a.for_each_beyond(b, [&](const std::vector<int>& piece) { items += piece.size(); });
+    return items;
+  };
+  CHECK(beyond(other, one) == 0);
+  for (int i = 0; i < 600; ++i) other.insert(0, -i);  // the first piece becomes others, and the rest moves up
+  CHECK(beyond(other, one) > 600);
+  CHECK(beyond(other, one) < 600 + 2 * SharedList<int>::longest);
+  CHECK(beyond(one, other) <= SharedList<int>::longest);
+}
+
+TEST_CASE("key frames: all that they hold counts, also lists that each has for itself, and no more of them stay than the budget bears") {
+  const Trace trace = record_events({});
+  const Beginning beginning(trace);
+  constexpr std::size_t budget = 4'000'000, entries = 10'000, each = entries * sizeof(ActiveEdge);
+  KeyFrames frames(beginning, 1000, 1, budget);
+  State state = beginning.state();
+  state.machine.active.resize(entries);
+  std::int64_t stored = 0;
+  for (std::int64_t position = 1; position <= 1000; ++position) {
+    if (frames.next_due() > position) continue;
+    state.position = position;
+    state.machine.active[0].edge = static_cast<std::int32_t>(position);
+    frames.add(state);
+    ++stored;
+    REQUIRE(frames.bytes() <= budget);
+  }
+  CHECK(stored >= static_cast<std::int64_t>(budget / each));
+  CHECK(frames.bytes() > budget / 4);
+  State found = beginning.state();
+  for (const std::int64_t wanted : {1, 300, 999}) {
+    frames.restore_before(wanted, found);
+    CHECK(found.position == frames.before(wanted));
+    if (found.position > 0) CHECK(found.machine.active[0].edge == found.position);
+  }
 }
 
 TEST_CASE("law: copies of a shared list are each what a vector would be, after any 6000 changes") {
