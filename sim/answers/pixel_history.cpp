@@ -27,6 +27,12 @@ std::int32_t polygon_at_work(const Machine& machine) {
   return edge < machine.edge_table.size() ? machine.edge_table[edge].polygon : machine.polygon;
 }
 
+/// Does the trace say of a compare what its two depths do not?
+bool contradicts(const Visit& visit) {
+  const bool compared = visit.outcome == Outcome::won || visit.outcome == Outcome::lost || visit.outcome == Outcome::tie;
+  return compared && visit.z && visit.stored && (*visit.z < *visit.stored) != (visit.outcome == Outcome::won);
+}
+
 bool page_has(const Trace& trace, std::uint8_t kind) {
   const Page& page = trace.header().page;
   return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
@@ -49,7 +55,9 @@ class History {
       for (; next_of_all_ < passed - of_all_.begin(); ++next_of_all_) change_all(of_all_[static_cast<std::size_t>(next_of_all_)].second);
       if (pass_ == Pass::eye) look_at(step, event);  // else a pixel of another picture
     }
+    find_there();
     add_rejected();
+    add_cut_off();
     std::stable_sort(visits_.begin(), visits_.end(), [](const Visit& a, const Visit& b) { return a.step < b.step; });
     find_who_came_over();
     return std::move(visits_);
@@ -96,10 +104,12 @@ class History {
       const Outcome outcome = compare->nearer ? Outcome::won : compare->z == depth_ ? Outcome::tie : Outcome::lost;
       Visit& visit = add(step, polygon_at(step), outcome);
       visit.z = compare->z, visit.stored = depth_, visit.stored_polygon = polygon_;
+      if (contradicts(visit)) visit.takes = false;  // until it is written
     } else if (const auto* depth = std::get_if<DepthWrite>(&event)) {
       depth_ = depth->z;
     } else if (const auto* write = std::get_if<PixelWrite>(&event)) {
       polygon_ = write->polygon;
+      if (!visits_.empty() && contradicts(visits_.back())) visits_.back().takes = true;
     } else if (const auto* paint = std::get_if<PixelPaint>(&event)) {
       if (!after_rays_) {  // else it is the nearest of the hits, which stand there already
         Visit& visit = add(step, paint->polygon, Outcome::painted);
@@ -135,42 +145,72 @@ class History {
     });
   }
 
-  /// Polygons that cover the pixel's centre and were not drawn.
-  void add_rejected() {
+  bool cut() const { return !trace_.warnings().empty(); }
+
+  /// Polygons that cover the pixel's centre.
+  void find_there() {
     const Scene& scene = trace_.scene();
-    if (!trace_.has(kind_of<PolygonReject>) || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
-    std::vector<bool> there(scene.polygons.size());
-    std::set<std::int32_t> facets;
+    there_.assign(scene.polygons.size(), false), towards_ = away_ = there_;
+    if ((!trace_.has(kind_of<PolygonReject>) && !cut()) || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
     for (const std::int32_t facet : facets_.near(pixel_)) {
       const auto at = compare::facet_at(scene, facet, false, pixel_.x, pixel_.y);
-      if (at && at->candidate.covers) there[static_cast<std::size_t>(at->candidate.polygon)] = true, facets.insert(facet);
+      if (!at || !at->candidate.covers) continue;
+      const bool away = trace_.header().conventions.cull && scene.camera.kind != Camera::Kind::screen && !compare::facet_at(scene, facet, true, pixel_.x, pixel_.y);
+      const auto polygon = static_cast<std::size_t>(at->candidate.polygon);
+      there_[polygon] = true, (away ? away_ : towards_)[polygon] = true;
+      facets_there_.insert(facet);
     }
-    if (facets.empty()) return;
+  }
 
-    // A polygon is rejected after work on it begins, and before work on another does.
+  /// Those of them that were not drawn.
+  void add_rejected() {
+    if (!trace_.has(kind_of<PolygonReject>) || facets_there_.empty()) return;
+
+    // A polygon is rejected after work on it begins, and before work on another does. A tree's back faces are rejected when their node is
+    // come to, between pieces that are drawn.
+    const bool tree = page_has(trace_, kind_of<EyeSide>);
     const auto marks = trace_.polygons();
     for (std::size_t i = 0; i < marks.size(); ++i) {
-      if (!there[static_cast<std::size_t>(marks[i].polygon)]) continue;
+      if (!there_[static_cast<std::size_t>(marks[i].polygon)]) continue;
       const std::int64_t end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
       std::int32_t facet = -1;
       trace_.visit(marks[i].position - 1, end, [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
         if constexpr (std::is_same_v<E, PolygonBegin>) facet = event.facet;
         if constexpr (std::is_same_v<E, PolygonReject>) {
-          const bool another = polygon_of_facet(scene, facet) == event.polygon && !facets.contains(facet);
-          if (event.polygon == marks[i].polygon && !another) add_rejected(step, event);
+          const bool another = polygon_of_facet(trace_.scene(), facet) == event.polygon && !facets_there_.contains(facet);
+          const bool by_node = tree && event.reason == Reject::back_facing;
+          if (event.polygon == marks[i].polygon && !another && !by_node) add_rejected({step, event.polygon, event.reason});
         }
         return !std::is_same_v<E, OutlineVertex> && !std::is_same_v<E, SpanBegin>;  // it was not rejected
       });
     }
-    if (!marks.empty()) return;
-    trace_.scan(Trace::Among({}, kind_of<PolygonReject>), [&](std::int64_t step, const RecordedEvent& recorded) {
-      const auto& reject = std::get<PolygonReject>(recorded.event);
-      if (there[static_cast<std::size_t>(reject.polygon)]) add_rejected(step, reject);
-      return true;
-    });
+    if (!marks.empty() && !tree) return;
+    std::vector<bool> of_node = away_;  // of a polygon that was cut one piece speaks for all
+    for (const RejectMark& reject : trace_.rejects()) {
+      const auto polygon = static_cast<std::size_t>(reject.polygon);
+      if (!tree && there_[polygon]) add_rejected(reject);
+      if (tree && reject.reason == Reject::back_facing && of_node[polygon]) add_rejected(reject), of_node[polygon] = false;
+    }
   }
-  void add_rejected(std::int64_t step, const PolygonReject& reject) {
-    Visit& visit = add(step, reject.polygon, Outcome::rejected);
+
+  /// Those of them whose turn did not come before the recording was cut off.
+  void add_cut_off() {
+    if (!cut() || trace_.size() == 0 || page_has(trace_, kind_of<LineBegin>) || page_has(trace_, kind_of<HorizonTest>)) return;
+    // Each polygon is compared at each pixel that it covers; by other methods what is settled is not looked at again.
+    const bool all_come = page_has(trace_, kind_of<DepthCompare>);
+    const bool settled = std::any_of(visits_.begin(), visits_.end(), [](const Visit& visit) { return visit.outcome != Outcome::rejected; });
+    if (settled && !all_come) return;
+    std::vector<bool> came(there_.size());
+    for (const Visit& visit : visits_)
+      if (visit.polygon != no_polygon) came[static_cast<std::size_t>(visit.polygon)] = true;
+    for (std::size_t polygon = 0; polygon < towards_.size(); ++polygon) {
+      if (!towards_[polygon] || came[polygon]) continue;
+      Visit& visit = add(trace_.size(), static_cast<std::int32_t>(polygon), Outcome::cut_off);
+      visit.sentence = fmt::format("{} covers pixel ({}, {}), but the recording was cut off before its turn there.", polygon_label(trace_.scene(), visit.polygon), pixel_.x, pixel_.y);
+    }
+  }
+  void add_rejected(const RejectMark& reject) {
+    Visit& visit = add(reject.position, reject.polygon, Outcome::rejected);
     visit.reason = words_of<Reject>[static_cast<std::size_t>(reject.reason)];
     std::replace(visit.reason.begin(), visit.reason.end(), '_', '-');
   }
@@ -194,6 +234,8 @@ class History {
   double depth_ = no_depth;  ///< what the pixel holds
   std::int32_t polygon_ = no_polygon;
   bool after_rays_ = false;
+  std::vector<bool> there_, towards_, away_;  ///< by polygon: it covers the pixel; with a facet that may be drawn; with one that is culled
+  std::set<std::int32_t> facets_there_;
   std::vector<Visit> visits_;
 };
 
@@ -211,6 +253,10 @@ void tell(Replay& replay, Visit& visit) {
 
 std::string depth_text(double z) { return std::isinf(z) ? "inf" : fmt::format("{:.9g}", z); }
 
+std::string contradiction_text(bool nearer, double z, double stored) {
+  return fmt::format("the trace says {}, but {} < {} is {}", nearer ? "nearer" : "not nearer", depth_text(z), depth_text(stored), z < stored ? "true" : "false");
+}
+
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit) {
   std::string text;
   switch (visit.outcome) {
@@ -223,7 +269,9 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
       break;
     case Outcome::colored: text = "the pixel's colour"; break;
     case Outcome::rejected: text = "not drawn: " + visit.reason; break;
+    case Outcome::cut_off: text = "the recording was cut off before its turn"; break;
   }
+  if (contradicts(visit)) text = contradiction_text(visit.outcome == Outcome::won, *visit.z, *visit.stored);
   if (!visit.over) return text;
   const Visit& other = history[*visit.over];
   return fmt::format("{}; {} comes over it at step {}", text, polygon_label(trace.scene(), other.polygon), grouped(other.step));

@@ -19,6 +19,7 @@ enum class Outcome : std::uint8_t {
   mixed,     ///< laid over what was there
   colored,   ///< the pixel got a colour that is no polygon's own
   rejected,  ///< it would cover the pixel, but was not drawn: culled, edge-on, out of view
+  cut_off,   ///< it covers the pixel, and the recording ends before its turn
 };
 
 /// One thing that happened to the pixel.
@@ -37,7 +38,8 @@ struct Visit {
   std::optional<std::size_t> over;    ///< the visit that next took the pixel from this one, by its place in the history
 };
 
-/// All that happened to a pixel, by step. Of polygons that were rejected only those that cover its centre.
+/// All that happened to a pixel, by step. Of polygons that were rejected only those that cover its centre; so, too, of those whose turn did
+/// not come before a recording was cut off, which stand at its last step.
 /// Throws InputError where the trace is damaged, or tells what cannot be.
 std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel);
 /// The same for who asks more than once, and keeps what tells which facets come near a pixel.
@@ -48,6 +50,9 @@ void tell(Replay& replay, Visit& visit);
 
 /// What came of a visit, in a few words: "behind by 0.03", "nearer; B comes over it at step 812".
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit);
+
+/// Of a compare whose outcome is not what its numbers give: "the trace says nearer, but 7 < 7 is false".
+std::string contradiction_text(bool nearer, double z, double stored);
 
 /// A depth with nine significant digits: those that two depths are told apart by are worth more than a short number.
 std::string depth_text(double z);

@@ -1,6 +1,7 @@
 // A polygon on the whole picture: where it is seen, or why nowhere.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "sim/answers/why_not_lines.hpp"
@@ -9,6 +10,13 @@ namespace zstep::answers {
 namespace {
 
 std::string count_text(std::size_t count, const char* one, const char* many) { return fmt::format("{} {}", grouped(static_cast<std::int64_t>(count)), count == 1 ? one : many); }
+
+/// Without links to steps that are not recorded, and in order.
+Verdict tidied(Verdict verdict) {
+  std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
+  std::stable_sort(verdict.chain.begin(), verdict.chain.end(), [](const Link& a, const Link& b) { return a.step < b.step; });
+  return verdict;
+}
 
 /// The pixel's own verdict, in a sentence that begins with the whole picture.
 Verdict with_pixel(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, const std::string& whole) {
@@ -44,8 +52,11 @@ std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& face
   return all;
 }
 
-/// "to Q at 12 pixels, to R at 3", the most first.
-std::string losses(const Asked& q, const std::vector<Covered>& all) {
+/// Was the recording cut off before the pixel was settled? Nothing was drawn there, or only what lies behind.
+bool is_pending(const Asked& q, const Covered& one) { return !q.trace.warnings().empty() && (one.owner == no_polygon || one.gap < 0); }
+
+/// "to Q at 12 pixels, to R at 3 pixels", the most first, where `to` is "to ".
+std::string losses(const Asked& q, const std::vector<Covered>& all, const char* to) {
   std::map<std::int32_t, std::size_t> count;
   for (const Covered& one : all) ++count[one.owner];
   std::vector<std::pair<std::int32_t, std::size_t>> sorted(count.begin(), count.end());
@@ -55,10 +66,22 @@ std::string losses(const Asked& q, const std::vector<Covered>& all) {
   std::size_t rest = 0;
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     if (k >= named) rest += sorted[k].second;
-    else text += fmt::format("{}to {} at {}", text.empty() ? "" : ", ", q.label(sorted[k].first), count_text(sorted[k].second, "pixel", "pixels"));
+    else text += fmt::format("{}{}{} at {}", text.empty() ? "" : ", ", to, q.label(sorted[k].first), count_text(sorted[k].second, "pixel", "pixels"));
   }
-  if (rest > 0) text += fmt::format(", to others at {}", count_text(rest, "pixel", "pixels"));
+  if (rest > 0) text += fmt::format(", {}others at {}", to, count_text(rest, "pixel", "pixels"));
   return text;
+}
+
+/// "it covers 9 pixels and loses them all, to Q at 9 pixels", as far as the recording goes.
+std::string fate(const Asked& q, const std::vector<Covered>& all) {
+  std::vector<Covered> lost;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(lost), [&](const Covered& one) { return !is_pending(q, one); });
+  const std::size_t pending = all.size() - lost.size();
+  const std::string covers = "it covers " + count_text(all.size(), "pixel", "pixels");
+  if (pending == 0) return fmt::format("{} and loses {}, {}", covers, all.size() == 1 ? "it" : "them all", losses(q, all, "to "));
+  if (lost.empty()) return fmt::format("{}, but the recording was cut off before its turn there", covers);
+  return fmt::format("{}; the recording was cut off before its turn at {}, and at the {} it lies behind what was drawn by then, {}", covers,
+                     grouped(static_cast<std::int64_t>(pending)), lost.size() == 1 ? "other" : "others", losses(q, lost, ""));
 }
 
 /// Where its facets were rejected one and all; else nullopt.
@@ -95,15 +118,13 @@ Verdict filled(Asked& q, const Picture& picture) {
     Verdict verdict = q.verdict(Why::not_covered, facets.empty() ? 0 : facets.front().mark, "as it is drawn it covers no pixel's centre");
     verdict.pixel.reset();
     for (const FacetThere& there : facets) verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
-    std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
     return verdict;
   }
   const Covered best = *std::min_element(all.begin(), all.end(), [](const Covered& a, const Covered& b) { return a.gap < b.gap; });
   Verdict verdict = why_not(q.trace, q.polygon, best.pixel, q.replay());
   const std::string covers = count_text(all.size(), "pixel", "pixels");
   verdict.sentence = (verdict.kind == Why::mixed ? fmt::format("{} takes no pixel for itself; it covers {}. Where it is nearest: ", q.name, covers)
-                                                 : fmt::format("{} is not seen anywhere: it covers {} and loses {}, {}. Where it comes nearest to being seen: ", q.name, covers,
-                                                               all.size() == 1 ? "it" : "them all", losses(q, all))) +
+                                                 : fmt::format("{} is not seen anywhere: {}. Where it comes nearest to being seen: ", q.name, fate(q, all))) +
                      verdict.sentence;
   return verdict;
 }
@@ -149,9 +170,9 @@ Verdict by_curves(Asked& q) {
 
 Verdict why_not(const Trace& trace, std::int32_t polygon, Replay* replay) {
   Asked q(trace, replay, polygon, {0, 0});
-  if (records<HorizonTest>(trace)) return by_curves(q);
-  if (records<LineBegin>(trace)) return by_lines(q);
-  return filled(q, Picture(q.state_at(trace.size()).picture));
+  if (records<HorizonTest>(trace)) return tidied(by_curves(q));
+  if (records<LineBegin>(trace)) return tidied(by_lines(q));
+  return tidied(filled(q, Picture(q.state_at(trace.size()).picture)));
 }
 
 }  // namespace zstep::answers

@@ -54,12 +54,28 @@ struct BinThere {
   std::size_t area = 0;  ///< in the chain
 };
 
+std::optional<std::int32_t> piece_of(const Asked& q, const FacetThere& there) {
+  if (there.mark == 0 || there.rejected()) return std::nullopt;
+  const auto make = next_of<PieceMake, AreaBegin>(q.trace, there.mark, next_mark(q.trace, there.mark));
+  const auto made = make ? event_at<PieceMake>(q.trace, *make) : std::nullopt;
+  return made ? std::optional(made->piece) : std::nullopt;
+}
+
+/// Of the facets that are drawn and cover the pixel, the nearest.
+const FacetThere* nearest_over_pixel(const std::vector<FacetThere>& facets) {
+  const FacetThere* nearest = nullptr;
+  for (const FacetThere& there : facets)
+    if (there.covers() && !there.rejected() && !there.away && (!nearest || there.at->candidate.z < nearest->at->candidate.z)) nearest = &there;
+  return nearest;
+}
+
+/// The pieces that can be seen at the pixel: of the facet over it, or, where there is none, of all.
 std::vector<std::int32_t> pieces_of(const Asked& q, const std::vector<FacetThere>& facets) {
   std::vector<std::int32_t> pieces;
+  const FacetThere* over = nearest_over_pixel(facets);
   for (const FacetThere& there : facets) {
-    if (there.mark == 0 || there.rejected()) continue;
-    const auto make = next_of<PieceMake, AreaBegin>(q.trace, there.mark, next_mark(q.trace, there.mark));
-    if (const auto made = make ? event_at<PieceMake>(q.trace, *make) : std::nullopt) pieces.push_back(made->piece);
+    if (over && &there != over) continue;
+    if (const auto piece = piece_of(q, there)) pieces.push_back(*piece);
   }
   return pieces;
 }
@@ -143,7 +159,11 @@ Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
   const auto bin = last_bin(q, chain, pieces_of(q, facets));
   auto verdict = why_by_facets(q, facets);
   const bool to_the_end = bin && bin->area + 1 == chain.size() && bin->bin.bin != Bin::disjoint;
-  if (!verdict) return to_the_end && owner ? why_behind(q, chain.back(), *bin, *owner) : not_recorded(q);
+  if (!verdict) {
+    verdict = to_the_end && owner ? why_behind(q, chain.back(), *bin, *owner) : not_recorded(q);
+    if (const FacetThere* over = nearest_over_pixel(facets)) verdict->facet = over->facet;
+    return *verdict;
+  }
   if (verdict->kind != Why::not_covered || !bin) return *verdict;
 
   const AreaThere& area = chain[bin->area];

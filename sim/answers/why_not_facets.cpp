@@ -26,7 +26,7 @@ void set_rejected(FacetThere& there, const Trace& trace, std::int64_t step) {
   there.reason = event_at<PolygonReject>(trace, step)->reason;
 }
 
-/// Methods that reject a polygon after all marks (a tree's nodes) or without any (rays).
+/// Methods that reject a polygon when they come to it in a tree, after other marks, or without any (rays).
 void find_rejected_elsewhere(Asked& q, std::vector<FacetThere>& facets) {
   const bool rays = records<RayBegin>(q.trace), tree = records<EyeSide>(q.trace);
   for (FacetThere& there : facets) {
@@ -34,12 +34,14 @@ void find_rejected_elsewhere(Asked& q, std::vector<FacetThere>& facets) {
     const auto corners = corners_of(q.scene, there.facet);
     const bool nothing = clipping::degenerate(q.scene, corners);
     if (!(rays && nothing) && !(tree && there.away)) continue;
-    const auto of_it = [&](const RecordedEvent& recorded) {
-      const auto* reject = std::get_if<PolygonReject>(&recorded.event);
-      return (reject && reject->polygon == q.polygon) || (rays && is_one_of<RayBegin>(recorded));
-    };
-    const auto step = q.trace.next(last_mark(q.trace), of_it);
-    if (step && event_at<PolygonReject>(q.trace, *step)) set_rejected(there, q.trace, *step);
+    const std::int64_t end = rays ? next_of<RayBegin>(q.trace, last_mark(q.trace), q.trace.size() + 1).value_or(q.trace.size() + 1) : q.trace.size() + 1;
+    // The pieces of a tree are drawn, or not, in the tree's order: others may be drawn before.
+    const std::int64_t from = rays ? last_mark(q.trace) : there.mark;
+    const auto rejects = q.trace.rejects();
+    const auto reject = std::find_if(rejects.begin(), rejects.end(), [&](const RejectMark& mark) {
+      return mark.polygon == q.polygon && mark.position > from && mark.position < end && (rays || mark.reason == Reject::back_facing);
+    });
+    if (reject != rejects.end()) set_rejected(there, q.trace, reject->position);
   }
 }
 
@@ -82,12 +84,17 @@ void add_beginning(const Asked& q, Verdict& verdict, const FacetThere& there) {
   if (there.mark > 0) verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
 }
 
-/// Facing away, whether a step says so or a ray's plane test alone.
+/// Facing away, whether a step says so or not: a ray's plane test alone, a tree's side that is skipped, a recording that ends before.
 bool culled(const FacetThere& there) { return there.rejected() ? there.reason == Reject::back_facing : there.away; }
+
+/// Facing away, and no step drops it.
+const char* away_text(const Asked& q) {
+  return records<RayBegin>(q.trace) ? "it faces away, and such are not met by rays from the eye" : "it faces away, and such are not drawn";
+}
 
 Verdict of_rejected(Asked& q, const FacetThere& there) {
   const Reject reason = culled(there) ? Reject::back_facing : there.reason;
-  Verdict verdict = q.verdict(kind_of_reason(reason), there.reject_step, there.rejected() ? reason_text(reason) : "it faces away, and such are not met by rays from the eye");
+  Verdict verdict = q.verdict(kind_of_reason(reason), there.reject_step, there.rejected() ? reason_text(reason) : away_text(q));
   add_beginning(q, verdict, there);
   if (reason == Reject::back_facing) add_facing(q, verdict, there);
   if (reason == Reject::outside && there.mark > 0)
@@ -95,7 +102,7 @@ Verdict of_rejected(Asked& q, const FacetThere& there) {
       verdict.chain.push_back({*test, q.polygon, "outcodes of its vertices"});
       q.add_formulas(verdict, *test);
     }
-  verdict.chain.push_back({there.reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
+  if (there.rejected()) verdict.chain.push_back({there.reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
   return verdict;
 }
 
@@ -125,6 +132,9 @@ Verdict of_cut(Asked& q, const FacetThere& there) {
   }
   return verdict;
 }
+
+/// Does a centre on an outline belong to one of two neighbours only? Spans that include both their ends draw it for both.
+bool half_open(const Asked& q) { return q.trace.header().conventions.coverage == Conventions::Coverage::top_left; }
 
 /// The nearer to being seen the higher.
 int rank(const FacetThere& there) {
@@ -164,7 +174,9 @@ std::vector<FacetThere> facets_there(Asked& q) {
 std::string beside_text(const Asked& q, const FacetThere& there) {
   if (!there.at) return fmt::format("no part of it is in view {}", q.where);
   const std::string far = number(there.at->candidate.edge);
-  if (there.at->candidate.edge <= compare::edge_tolerance) return "the pixel's centre lies on its outline, and the half-open rule gives it to the neighbour";
+  if (there.at->candidate.edge <= compare::edge_tolerance)
+    return half_open(q) ? "the pixel's centre lies on its outline, and the half-open rule gives it to the neighbour"
+                        : "the pixel's centre lies so near its outline that rounding decides, and it came to lie outside";
   if (there.at->in_square) return fmt::format("it covers the pixel only in part: the centre lies {} pixels outside its outline", far);
   return fmt::format("it does not cover the pixel's centre, which lies {} pixels outside its outline", far);
 }

@@ -23,24 +23,30 @@ void add_last(const Asked& q, Verdict& verdict, const std::vector<Touch>& touche
   verdict.chain.push_back({last->written, last->polygon, fmt::format("the pixel becomes {}, which is seen in the end", q.label(last->polygon))});
 }
 
+/// What was recorded as nearer and never written, or is nearer by its numbers and was recorded as not.
+std::string unwritten_text(const Touch& mine, double stored) {
+  if (mine.nearer != (mine.z < stored)) return fmt::format("at {} {}, and nothing was written", step_text(mine.step), contradiction_text(mine.nearer, mine.z, stored));
+  return fmt::format("at {} it was found to be nearer, but the trace does not say that it was written", step_text(mine.step));
+}
+
 /// It was compared and was not nearer than what stood there.
 Verdict why_lost(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
   const Touch* there = holder(touches, mine.step);
   if (!there) {
-    Verdict verdict = q.verdict(Why::lost, mine.step, "the trace says that it is not nearer, though nothing was drawn there before");
+    Verdict verdict = q.verdict(Why::lost, mine.step, mine.nearer ? unwritten_text(mine, no_depth) : "the trace says that it is not nearer, though nothing was drawn there before");
     q.add_formulas(verdict, mine.step, q.polygon);
     verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} loses the compare", q.name)});
     return verdict;
   }
-  const bool tie = mine.z == there->z;
+  const bool tie = mine.z == there->z, doubtful = mine.nearer || mine.z < there->z;
   const std::string other = q.label(there->polygon);
-  Verdict verdict = tie ? q.verdict(Why::tie, mine.step, fmt::format("at {} it is exactly as near as {}, which was there first, and of equals the first stays", step_text(mine.step), other))
-                        : q.verdict(Why::lost, mine.step, fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step_text(mine.step), other, q.z, told(mine.z - there->z)));
+  Verdict verdict = tie ? q.verdict(Why::tie, mine.step, doubtful ? unwritten_text(mine, there->z) : fmt::format("at {} it is exactly as near as {}, which was there first, and of equals the first stays", step_text(mine.step), other))
+                        : q.verdict(Why::lost, mine.step, doubtful ? unwritten_text(mine, there->z) : fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step_text(mine.step), other, q.z, told(mine.z - there->z)));
   verdict.other = there->polygon;
   q.add_formulas(verdict, mine.step, q.polygon, there);
   add_gap(q, verdict, mine.z, there->z);
   verdict.chain.push_back({there->written, there->polygon, fmt::format("the pixel becomes {}, {} = {}", other, q.z, told(there->z))});
-  verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} at {} = {} {}", q.name, q.z, told(mine.z), tie ? "is a tie" : "loses the compare")});
+  verdict.chain.push_back({mine.step, q.polygon, fmt::format("{} at {} = {} {}", q.name, q.z, told(mine.z), doubtful ? "is compared" : tie ? "is a tie" : "loses the compare")});
   add_last(q, verdict, touches);
   return verdict;
 }
@@ -54,6 +60,8 @@ Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine,
                                       : fmt::format("it was there from {} on, until {} was found to be nearer at {}", step_text(mine.written), other, step_text(next.step)));
   verdict.other = next.polygon;
   if (!painted) q.add_formulas(verdict, next.step, next.polygon, holder(touches, next.step));
+  if (const Touch* there = holder(touches, next.step); next.how == Touch::How::compared && there && next.z >= there->z)
+    verdict.sentence += fmt::format(" There {}.", contradiction_text(true, next.z, there->z));
   add_gap(q, verdict, mine.z, next.z);
   if (painted && *verdict.gap < 0) verdict.sentence += fmt::format(" {} is the nearer one there: the order was wrong for this pixel.", q.name);
   verdict.chain.push_back({mine.written, q.polygon, fmt::format("the pixel becomes {}, {} = {}", q.name, q.z, told(mine.z))});

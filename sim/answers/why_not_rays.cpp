@@ -170,7 +170,7 @@ void tell_ray(Asked& q, Verdict& verdict, const Ray& ray) {
     verdict.chain.push_back({plane->step, q.polygon, fmt::format("the ray and the plane of {}: t = {}", q.name, number(plane->event.t))});
     if (verdict.kind != Why::not_covered || !hit) verdict.step = plane->step;
     q.add_formulas(verdict, plane->step);
-    if (verdict.kind == Why::culled) verdict.formulas.push_back(fmt::format("dX\u00b7n = {} > 0: the plane's normal points the way the ray goes", number(plane->event.denominator)));
+    if (verdict.kind == Why::culled) verdict.formulas.push_back(fmt::format("A dX + B dY + C dZ = {} > 0: (A, B, C), which is n made 1 long, points the way the ray goes", number(plane->event.denominator)));
   }
   if (hit && verdict.kind == Why::not_covered) {
     verdict.step = hit->step;

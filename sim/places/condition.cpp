@@ -8,7 +8,6 @@
 namespace zstep::places {
 namespace {
 
-constexpr std::int64_t no_step = -1;
 
 /// Does the event write a colour or a depth to a pixel?
 bool writes(const Event& event) {
@@ -23,20 +22,13 @@ bool names_pixel(const Event& event, double x, double y) {
 
 }  // namespace
 
-double Condition::polygon_at_work(std::int64_t step) const {
-  const auto marks = trace_->polygons();
-  const auto after = std::upper_bound(marks.begin(), marks.end(), step, [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
-  return after == marks.begin() ? no_polygon : (after - 1)->polygon;
-}
-
-/// `and` and `or`: one side alone may settle it; else a side that is missing leaves nothing to say, one that is open all.
+/// `and` and `or`: one side alone may settle it; else a side that is missing leaves nothing to say.
 Condition::Value Condition::both_or_either(const Node& node, const Event& event, std::int64_t step) const {
   const bool settles = node.op == Op::or_;
   const Value first = evaluate(node.first, event, step);
   if (first.is == Value::Is::known && (first.number != 0) == settles) return first;
   const Value second = evaluate(node.second, event, step);
   if (second.is == Value::Is::known && (second.number != 0) == settles) return second;
-  if (first.is == Value::Is::open || second.is == Value::Is::open) return {Value::Is::open, 0};
   return {std::min(first.is, second.is), settles ? 0.0 : 1.0};
 }
 
@@ -47,8 +39,10 @@ Condition::Value Condition::evaluate(std::int32_t at, const Event& event, std::i
     case Op::constant: return {Value::Is::known, node.number};
     case Op::missing: return {Value::Is::missing, 0};
     case Op::field: return {Value::Is::known, node.read(event)};
-    case Op::step: return step == no_step ? Value{Value::Is::open, 0} : Value{Value::Is::known, static_cast<double>(step)};
-    case Op::at_work: return step == no_step ? Value{Value::Is::open, 0} : Value{Value::Is::known, polygon_at_work(step)};
+    case Op::step: return {Value::Is::known, static_cast<double>(step)};
+    case Op::at_work:
+      if (const auto named = trace_->polygon_named(event)) return {Value::Is::known, static_cast<double>(*named)};
+      return {Value::Is::known, static_cast<double>(trace_->polygon_at_work(step))};
     case Op::changes: return truth(writes(event) && names_pixel(event, node.number, node.row));
     case Op::touches: return truth(names_pixel(event, node.number, node.row));
     case Op::and_:
@@ -80,13 +74,6 @@ bool Condition::holds(std::int64_t step, const RecordedEvent& event) const {
   if (root < 0) return false;
   const Value value = evaluate(root, event.event, step);
   return value.is == Value::Is::known && value.number != 0;
-}
-
-bool Condition::may_hold(const RecordedEvent& event) const {
-  const std::int32_t root = root_of_step_[event.step];
-  if (root < 0) return false;
-  const Value value = evaluate(root, event.event, no_step);
-  return value.is == Value::Is::open || (value.is == Value::Is::known && value.number != 0);
 }
 
 std::vector<double> polygons_called(const Scene& scene, const std::string& name) {

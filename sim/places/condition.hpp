@@ -5,7 +5,7 @@
 // field that is named neither fulfils what is said of it nor its contrary, as NULL does in SQL: `not nearer` is true of
 // compares that fail and of nothing else. Besides fields there are
 //     step              the number of the step
-//     polygon           where the event has none of its own, the polygon at work
+//     polygon           the event's own, or that of its facet or piece, or else the one at work
 //     changes(x, y)     the step writes a colour or a depth to this pixel
 //     touches(x, y)     its event names this pixel
 //     compare, …        steps of the pseudo-code and kinds of events: true of themselves
@@ -39,10 +39,8 @@ class Condition {
 
   const std::string& text() const { return text_; }
   const Bounds& bounds() const { return bounds_; }
-  /// Is it fulfilled by this step?
+  /// Is it fulfilled by this step? Asks the trace for no event.
   bool holds(std::int64_t step, const RecordedEvent& event) const;
-  /// The same where the step's number is not known: false where no number would do.
-  bool may_hold(const RecordedEvent& event) const;
 
  private:
   enum class Op : std::uint8_t {
@@ -58,7 +56,7 @@ class Condition {
     std::vector<double> set;               ///< of `among`, ordered
   };
   struct Value {
-    enum class Is : std::uint8_t { missing, open, known };
+    enum class Is : std::uint8_t { missing, known };
     Is is = Is::known;
     double number = 0;
   };
@@ -66,7 +64,6 @@ class Condition {
 
   Value evaluate(std::int32_t node, const Event& event, std::int64_t step) const;
   Value both_or_either(const Node& node, const Event& event, std::int64_t step) const;
-  double polygon_at_work(std::int64_t step) const;
   void find_bounds(const classroom::Expression& expression);
   void bound_by(const classroom::Expression& comparison, std::optional<double>& x, std::optional<double>& y);
 

@@ -269,6 +269,10 @@ Condition::Condition(const Trace& trace, const std::string& text) : trace_(&trac
     if (root >= 0) bounds_.kinds.set(step.kind);
   }
   if (bounds_.kinds.none()) throw InputError(where, fmt::format("no step of this trace can fulfil `{}`", text_), "name fields that one event has together; zstep query FILE lists them");
+  if (std::any_of(nodes_.begin(), nodes_.end(), [](const Node& node) { return node.op == Op::at_work; })) {
+    trace.end_of_turns();  // asks for events, and holds() may not
+    if (trace.has(kind_of<PieceMake>)) trace.polygon_of_piece(0);
+  }
   find_bounds(expression);
 }
 

@@ -52,21 +52,21 @@ Search::Result Search::look_in_stretch() {
     for (std::size_t kind = 0; kind < kind_count; ++kind)
       if (bounds.kinds[kind]) among.kind = static_cast<std::uint8_t>(kind);
   among.until = forwards() ? std::min(stretch.last, at_ + slice) : std::max(stretch.first, at_ - slice);
-  const auto may_hold = [&](const RecordedEvent& event) { return condition_.may_hold(event); };
-  const auto candidate = forwards() ? trace_->next(at_, may_hold, among) : trace_->previous(at_, may_hold, among);
-  at_ = candidate ? *candidate : *among.until;
-  return candidate && condition_.holds(at_, trace_->event(at_)) ? Result::found : Result::not_yet;
+  const auto holds = [&](std::int64_t step, const RecordedEvent& event) { return condition_.holds(step, event); };
+  const auto found = forwards() ? trace_->next_at(at_, holds, among) : trace_->previous_at(at_, holds, among);
+  at_ = found ? *found : *among.until;
+  return found ? Result::found : Result::not_yet;
 }
 
 Search::Result Search::look(std::chrono::microseconds time) {
   const auto end = std::chrono::steady_clock::now() + time;
-  while (result_ == Result::not_yet) {
+  for (bool looked = false; result_ == Result::not_yet; looked = true) {
     if (!next_stretch()) {
       at_ = forwards() ? trace_->size() : 0;
       return result_ = Result::none;
     }
+    if (looked && std::chrono::steady_clock::now() >= end) return Result::not_yet;  // there is more to look at
     if (look_in_stretch() == Result::found) return result_ = Result::found;
-    if (std::chrono::steady_clock::now() >= end) return Result::not_yet;
   }
   return result_;
 }

@@ -23,8 +23,11 @@ Table table_of() {
   Table table{std::string(kind_text<E>.name), std::string(kind_text<E>.meaning), {}};
   table.columns = {{"step", "the step, counted from 1"},
                    {"name", "the line of pseudo-code that recorded it"},
-                   {"polygon", "the polygon at work"},
+                   {"polygon", names_polygon<E> == Names::facet   ? "the polygon of its facet"
+                               : names_polygon<E> == Names::piece ? "the polygon of its piece"
+                                                                  : "the polygon at work; NULL where none is"},
                    {"scan_line", "the scan line at work; NULL before the first"}};
+  table.named_by_facet = names_polygon<E> == Names::facet, table.named_by_piece = names_polygon<E> == Names::piece;
   for_each_index<E>([&]<std::size_t I>() {
     constexpr auto field = field_at<E, I>;
     if (field.name == "polygon") {

@@ -19,7 +19,7 @@ using Cell = std::variant<std::monostate, std::int64_t, double, std::string_view
 struct Context {
   std::int64_t step = 0;             ///< the position that the event leads to
   std::string_view name;             ///< of the line of pseudo-code: "compare"
-  std::int32_t polygon = no_polygon; ///< at work: the last that was begun
+  std::int32_t polygon = no_polygon; ///< that of the event's facet or piece, or else the one at work
   std::int32_t scan_line = -1;       ///< the last that was begun for it; -1: none
 };
 
@@ -32,6 +32,7 @@ struct Table {
   std::string name, meaning;
   std::vector<Column> columns;  ///< step, name, polygon, scan_line, then the event's own
   bool own_polygon = false;     ///< the event's own `polygon` stands in place of the context's
+  bool named_by_facet = false, named_by_piece = false;  ///< the context's is that of the event's facet or piece
   int x = -1, y = -1;           ///< the columns of its pixel, if it has both
 };
 

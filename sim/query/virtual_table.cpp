@@ -90,7 +90,7 @@ int bound_of(const Table& table, int column, unsigned char op) {
   if (op != SQLITE_INDEX_CONSTRAINT_EQ) return 0;
   if (column == table.x) return x_is;
   if (column == table.y) return y_is;
-  return column == polygon_column && !table.own_polygon ? polygon_is : 0;
+  return column == polygon_column && !table.own_polygon && !table.named_by_facet && !table.named_by_piece ? polygon_is : 0;
 }
 
 int best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) {

@@ -7,13 +7,14 @@
 namespace zstep::query {
 
 Walk::Walk(const Trace& trace, std::uint8_t kind, const Part& part)
-    : trace_(trace), kind_(kind), part_(part), names_(step_limit), position_(std::max<std::int64_t>(part.first, 1) - 1) {
+    : trace_(trace), kind_(kind), part_(part), names_(step_limit), position_(std::max<std::int64_t>(part.first, 1) - 1), end_of_turns_(trace.end_of_turns()) {
   for (const StepInfo& step : trace.header().page) {
     names_[step.id] = step.name;
     if (step.kind == kind) steps_.push_back(step.id);
     has_scan_lines_ = has_scan_lines_ || step.kind == kind_of<ScanLineBegin>;
   }
   part_.last = std::min(part_.last, trace.size());
+  if (all_tables()[kind].named_by_piece) trace.polygon_of_piece(0);  // asks for events, which read_to() may not
 }
 
 // Goes on to the next block that may hold what is wanted; position_ is just before it or in it.
@@ -58,10 +59,12 @@ void Walk::read_to(std::int64_t end) {
     } else if constexpr (std::is_same_v<E, ScanLineBegin>) {
       context_.scan_line = event.y;
     }
+    if (position == end_of_turns_) context_.polygon = no_polygon;
     if (kind_of<E> != kind_) return true;
     context_.step = position;
     context_.name = names_[step];
     found_.push_back({context_, event});
+    if constexpr (names_polygon<E> == Names::facet || names_polygon<E> == Names::piece) found_.back().context.polygon = trace_.polygon_named(event).value_or(no_polygon);
     return true;
   });
   known_to_ = position_ = end;
@@ -72,7 +75,7 @@ void Walk::begin_context() {
   const auto marks = trace_.polygons();
   const auto after = std::upper_bound(marks.begin(), marks.end(), position_,
                                       [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
-  context_.polygon = after == marks.begin() ? no_polygon : (after - 1)->polygon;
+  context_.polygon = trace_.polygon_at_work(position_);
   context_.scan_line = -1;
   if (!has_scan_lines_) return;
   const std::int64_t begins = after == marks.begin() ? 1 : (after - 1)->position;

@@ -43,6 +43,7 @@ class Walk {
   std::vector<std::uint8_t> steps_;      ///< that record the kind
   bool has_scan_lines_ = false;
   std::int64_t position_;       ///< the last that was looked at
+  std::int64_t end_of_turns_;   ///< where no polygon is at work any more
   std::int64_t known_to_ = -1;  ///< the position at which context_ is what is at work
   Context context_;
   std::vector<Found> found_;  ///< of the block at hand

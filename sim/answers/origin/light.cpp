@@ -1,9 +1,12 @@
 // From a pixel of the eye's picture to the light's (shadow buffer): the way of a vertex backwards, then once more forwards.
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
 #include <glm/matrix.hpp>
 
+#include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
 
@@ -72,6 +75,19 @@ struct ThroughSpace {
   }
 };
 
+/// The depth in the light's picture, as far from the light as it is.
+void tell_from_light(Datum& datum, const viewing::Lens& lens, const Number& shadow) {
+  if (lens.depth == Conventions::Depth::view || std::isinf(shadow.value)) return datum.same_as("shadow", shadow);
+  if (lens.orthographic) return datum.is("n + (shadow + 1)*(f - n)/2", {{"n", lens.near}, {"shadow", shadow}, {"f", lens.far}});
+  datum.is("2*n*f/(f + n - shadow*(f - n))", {{"n", lens.near}, {"f", lens.far}, {"shadow", shadow}});
+}
+
+/// How far behind the shadow buffer a point may lie and still be lit, in 1/1000: as the run was told, or the method's own.
+double bias_of(const Conventions& conventions) {
+  const auto given = conventions.options.find("bias");
+  return std::strtod(given != conventions.options.end() ? given->second.c_str() : std::string(shadow_buffer::options[0].standard).c_str(), nullptr);
+}
+
 }  // namespace
 
 void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, std::string_view field) {
@@ -98,7 +114,16 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, s
     inner.is("z", {{"z", stored}});
     work.later(*wrote, "z", "z");
   });
-  datum.comes_of("z_light is not behind shadow[x', y'] by more than the bias", {asked[0], shadow, asked[1], asked[2]});
+  // It is by how far they are from the light that the two depths are held against each other.
+  const Number z_v = through.seen(2);
+  if (z_v.value < through.camera.near) return datum.comes_of("false before the light's near plane", {z_v, asked[0], asked[1], asked[2]});
+  const Number behind = through.value("z_shadow", view_depth(through.camera, work.conventions, stored), [&](Datum& inner) { tell_from_light(inner, lens, shadow); });
+  const double bias = bias_of(work.conventions);
+  const bool as_recorded = e.lit == (z_v.value * (1 - bias / 1000) <= behind.value);
+  if (!as_recorded && !work.conventions.options.contains("bias"))
+    return datum.comes_of("by z_v and z_shadow; the trace does not say how large its bias is", {z_v, behind, asked[0], shadow, asked[1], asked[2]});
+  datum.holds_if("z_v*(1 - bias/1000) <= z_shadow", {{"z_v", z_v}, {"bias", bias}, {"z_shadow", behind}});
+  datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
 }
 
 }  // namespace zstep::answers

@@ -147,6 +147,38 @@ TEST_SUITE("explain a value") {
     check_numbers(chain);
   }
 
+  TEST_CASE("whether the light reaches a point is a condition with its numbers") {
+    const Scene scene = look_at_scene(load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/lamp.toml").scene, {});
+    for (const char* bias : {"", "0", "40"}) {
+      Conventions conventions;
+      if (*bias != 0) conventions.options["bias"] = bias;
+      CAPTURE(bias);
+      const Trace trace = test::recorded_by("shadow-buffer", scene, conventions);
+      std::array<int, 2> conditions{};
+      int asked = 0;
+      for (std::int64_t step = 1; step <= trace.size(); ++step) {
+        const auto* compare = std::get_if<ShadowCompare>(&trace.event(step).event);
+        if (!compare || ++asked % 31 != 0) continue;
+        const bool lit = compare->lit;
+        const Chain chain = explain_value(trace, Question{step, "lit"});
+        REQUIRE_FALSE(chain.links.empty());
+        const ChainValue& value = chain.links[0].values[0];
+        CAPTURE(answers::line_text(value));
+        CHECK(answers::holds(value));
+        CHECK(value.condition);
+        if (value.formula.empty()) {
+          CHECK_FALSE(lit);  // beside the light's picture
+          continue;
+        }
+        CHECK(value.formula == "z_v*(1 - bias/1000) <= z_shadow");
+        CHECK(value.operands.at(1).value == (*bias == 0 ? 10 : std::stod(bias)));
+        ++conditions[lit];
+      }
+      CHECK(conditions[0] > 0);
+      CHECK(conditions[1] > 0);
+    }
+  }
+
   TEST_CASE("a row of what the state holds is the last step that made it") {
     const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/delhi.jsonl");
     const auto place = answers::place_of(trace, answers::made_by<EdgeStep>(219, "x_edge", {{"edge", 1}}));

@@ -7,6 +7,7 @@
 
 #include "sim/places/search.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/unit/sim/polygons_by_hand.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "traces/error.hpp"
 
@@ -16,10 +17,10 @@ using Way = Search::Way;
 
 namespace {
 
-/// A condition, and the same by hand: of an event, its step and the polygon at work.
+/// A condition, and the same by hand: of an event, its step and its polygon.
 struct Case {
   std::string text;
-  std::function<bool(const Event&, std::int64_t step, std::int32_t at_work)> holds;
+  std::function<bool(const Event&, std::int64_t step, std::int32_t polygon)> holds;
 };
 
 template <class E>
@@ -36,13 +37,6 @@ bool at(const Event& event, std::int32_t x, std::int32_t y) {
 }
 bool writes(const Event& e) { return as<DepthWrite>(e) || as<PixelWrite>(e) || as<PixelPaint>(e) || as<ColorWrite>(e) || as<ColorBlend>(e); }
 
-std::int32_t polygon_of(const Event& event, std::int32_t at_work) {
-  return of_fields(event, [&](const auto& known) -> std::int32_t {
-    if constexpr (requires { known.polygon; }) return known.polygon;
-    else return at_work;
-  });
-}
-
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
       {"not nearer", [](const Event& e, std::int64_t, std::int32_t) { return as<DepthCompare>(e) && !as<DepthCompare>(e)->nearer; }},
@@ -50,9 +44,9 @@ const std::vector<Case>& cases() {
       {"x == 9 && y == 7", [](const Event& e, std::int64_t, std::int32_t) { return at(e, 9, 7); }},
       {"touches(9, 7)", [](const Event& e, std::int64_t, std::int32_t) { return at(e, 9, 7); }},
       {"changes(8, 6)", [](const Event& e, std::int64_t, std::int32_t) { return writes(e) && at(e, 8, 6); }},
-      {"polygon == 1", [](const Event& e, std::int64_t, std::int32_t p) { return polygon_of(e, p) == 1; }},
-      {"polygon == 1 and step > 200 and step <= 900", [](const Event& e, std::int64_t s, std::int32_t p) { return polygon_of(e, p) == 1 && s > 200 && s <= 900; }},
-      {"polygon == 0 || polygon == -1", [](const Event& e, std::int64_t, std::int32_t p) { return polygon_of(e, p) == 0 || polygon_of(e, p) == -1; }},
+      {"polygon == 1", [](const Event&, std::int64_t, std::int32_t p) { return p == 1; }},
+      {"polygon == 1 and step > 200 and step <= 900", [](const Event&, std::int64_t s, std::int32_t p) { return p == 1 && s > 200 && s <= 900; }},
+      {"polygon == 0 || polygon == -1", [](const Event&, std::int64_t, std::int32_t p) { return p == 0 || p == -1; }},
       {"polygon_begin", [](const Event& e, std::int64_t, std::int32_t) { return as<PolygonBegin>(e) != nullptr; }},
       {"facing != front", [](const Event& e, std::int64_t, std::int32_t) { return as<FacingTest>(e) && as<FacingTest>(e)->facing != Facing::front; }},
       {"first > last - 2 and y >= 5",
@@ -86,12 +80,9 @@ const std::vector<Case>& cases() {
 
 std::vector<std::int64_t> by_hand(const Trace& trace, const Case& c) {
   std::vector<std::int64_t> steps;
-  std::int32_t at_work = no_polygon;
-  std::size_t mark = 0;
-  for (std::int64_t step = 1; step <= trace.size(); ++step) {
-    while (mark < trace.polygons().size() && trace.polygons()[mark].position <= step) at_work = trace.polygons()[mark++].polygon;
-    if (c.holds(trace.event(step).event, step, at_work)) steps.push_back(step);
-  }
+  const std::vector<std::int32_t> polygons = test::polygons_by_hand(trace);
+  for (std::int64_t step = 1; step <= trace.size(); ++step)
+    if (c.holds(trace.event(step).event, step, polygons[static_cast<std::size_t>(step)])) steps.push_back(step);
   return steps;
 }
 
@@ -105,6 +96,7 @@ std::vector<std::int64_t> found(const Trace& trace, const Condition& condition, 
     if (result == Search::Result::none) break;
     CHECK(search.share() >= share);
     share = search.share();
+    if (result == Search::Result::not_yet) CHECK(share < 1);  // else there were nothing left to look at
     if (result != Search::Result::found) continue;
     steps.push_back(search.step());
     search.go_on();

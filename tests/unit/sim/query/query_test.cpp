@@ -11,6 +11,7 @@
 #include "sim/query/database.hpp"
 #include "sim/query/walk.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/unit/sim/polygons_by_hand.hpp"
 #include "tests/unit/traces/some_trace.hpp"
 #include "traces/error.hpp"
 #include "traces/file/visit.hpp"
@@ -56,17 +57,18 @@ bool holds(const Cell& cell, std::int64_t expected) {
 
 Trace golden(const std::string& name) { return open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/" + name + ".jsonl"); }
 
-/// Of the whole trace, by going through it once: what is at work at each event.
+/// Of the whole trace, by going through it once: the polygon of each event, and the scan line at work.
 struct AtWork {
   std::int32_t polygon = no_polygon, scan_line = -1;
 };
 std::vector<AtWork> all_at_work(const Trace& trace) {
   std::vector<AtWork> all(static_cast<std::size_t>(trace.size()) + 1);
+  const std::vector<std::int32_t> polygons = test::polygons_by_hand(trace);
   AtWork now;
   for (std::int64_t p = 1; p <= trace.size(); ++p) {
     const Event& event = trace.event(p).event;
-    if (const auto* begin = std::get_if<PolygonBegin>(&event)) now = {begin->polygon, -1};
-    else if (const auto* piece = std::get_if<PieceDraw>(&event)) now = {piece->polygon, -1};
+    now.polygon = polygons[static_cast<std::size_t>(p)];
+    if (std::holds_alternative<PolygonBegin>(event) || std::holds_alternative<PieceDraw>(event)) now.scan_line = -1;
     else if (const auto* line = std::get_if<ScanLineBegin>(&event)) now.scan_line = line->y;
     all[static_cast<std::size_t>(p)] = now;
   }
