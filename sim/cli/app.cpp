@@ -138,6 +138,8 @@ int parse_and_run(const std::vector<std::string>& words) {
   return action();
 }
 
+constexpr const char* unwritable = "standard output: cannot be written; make room on the disk";
+
 void complain(const std::string& line) {
   std::fflush(stdout);
   fmt::print(stderr, "{}\n", line);
@@ -147,7 +149,10 @@ void complain(const std::string& line) {
 
 int run(const std::vector<std::string>& words) {
   try {
-    return parse_and_run(words);
+    const int code = parse_and_run(words);
+    if (code != exit_code::done || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
+    complain(unwritable);
+    return exit_code::bad_input;
   } catch (const InputError& error) {
     complain(error.what());
     return exit_code::bad_input;
@@ -157,6 +162,10 @@ int run(const std::vector<std::string>& words) {
   } catch (const std::bad_alloc&) {
     complain("zstep: there is not enough memory; try a smaller --size");
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) {
+      complain(unwritable);
+      return exit_code::bad_input;
+    }
     complain(fmt::format("zstep: this is a mistake in zstep itself, please report it: {}", error.what()));
   }
   return exit_code::failed;

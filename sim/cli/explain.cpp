@@ -9,6 +9,7 @@
 #include "sim/answers/explain_value.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
+#include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "traces/error.hpp"
@@ -19,14 +20,13 @@ namespace {
 struct ExplainOptions {
   std::string trace;
   std::vector<std::string> what;  ///< X Y, or FIELD, or nothing
-  std::optional<std::int64_t> at;
+  std::string at;
   bool json = false;
 };
 
 answers::Question question_of(const Trace& trace, const ExplainOptions& options) {
   answers::Question question;
-  question.at = options.at.value_or(trace.size());
-  if (question.at > trace.size()) throw InputError("--at", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+  question.at = options.at.empty() ? trace.size() : step_of(trace, options.at);
   if (options.what.size() == 2) {
     const Raster& raster = trace.scene().raster;
     const std::int64_t x = parse_whole("X", options.what[0], 0), y = parse_whole("Y", options.what[1], 0);
@@ -35,7 +35,7 @@ answers::Question question_of(const Trace& trace, const ExplainOptions& options)
     question.pixel = Trace::Pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
     return question;
   }
-  if (!options.at) throw InputError("zstep explain", "asks about nothing", "give a pixel, X Y, or a step, --at STEP");
+  if (options.at.empty()) throw InputError("zstep explain", "asks about nothing", "give a pixel, X Y, or a step, --at STEP");
   if (question.at == 0) throw InputError("--at", "nothing has happened before the first step", "give a step from 1 on");
   const std::vector<std::string> fields = answers::fields_of_step(trace, question.at);
   if (!options.what.empty()) {
@@ -103,7 +103,7 @@ void add_explain(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("explain", "Tell where a number comes from, back to the lines of the mesh file");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   command->add_option("what", options->what, "A pixel whose depth is meant, or with --at a field of that step (its main one if none is given)")->type_name("X Y or FIELD")->expected(0, 2);
-  add_whole(*command, "--at", options->at, 0, "The step; for a pixel, the moment (the end if not given)");
+  command->add_option("--at", options->at, "The step, part of the trace or bookmark; for a pixel, the moment (default: the end)")->type_name("STEP|PERCENT%|BOOKMARK");
   command->add_flag("--json", options->json, "As JSON, with each value's hex float");
   command->footer(
       "Each number stands with its formula, the same with numbers, and its result; what it was made of is indented below it.\n"

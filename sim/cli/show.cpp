@@ -110,8 +110,8 @@ int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   if (!options.screenshot.empty()) viewer.screenshot = options.screenshot;
   if (options.screenshot.empty() && !options.pane.empty()) throw InputError("--pane", "is of a screenshot", "add --screenshot FILE.png");
   viewer.pane = options.pane;
-  viewer.width = options.width;
-  viewer.height = options.height;
+  const bool sized = options.command != nullptr && options.command->count("--size-window") > 0;
+  if (sized || viewer.screenshot) viewer.size = WindowSize{options.width, options.height};
   if (options.dark || options.light) viewer.dark = options.dark;
   viewer.presenter = options.presenter;
   viewer.lesson = lesson;

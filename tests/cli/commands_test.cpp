@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
@@ -209,9 +210,29 @@ TEST_CASE("dump refuses what the trace does not have") {
   refused("--from 99999999", "ends at step");
   refused("--from 0", "--from: '0'");
   if (std::filesystem::exists("/dev/full")) {
-    const Outcome full = shell(folder, "\"$zstep\" dump run.ztrace > /dev/full");
-    CHECK(full.code == 2);
-    CHECK(has(full.err, "standard output: cannot be written"));
+    for (const std::string command : {"dump run.ztrace", "info run.ztrace", "list", "history run.ztrace 3 3", "explain run.ztrace 3 3", "why-not run.ztrace 0",
+                                      "find run.ztrace 'not nearer'", "query run.ztrace 'select * from depth_compare'", "query run.ztrace"}) {
+      CAPTURE(command);
+      const Outcome full = shell(folder, "\"$zstep\" " + command + " > /dev/full");
+      CHECK(full.code == 2);
+      CHECK(full.err == "standard output: cannot be written; make room on the disk\n");
+    }
+  }
+}
+
+TEST_CASE("explain takes a step, a part of the trace or a bookmark, and refuses what is none of them") {
+  const Folder folder;
+  must(folder, "record delhi -o run.ztrace");
+  const std::string by_step = must(folder, "explain run.ztrace --at 126").out;
+  CHECK(has(by_step, "STEP"));
+  CHECK(must(folder, "explain run.ztrace --at 50%").out == by_step);  // of 252
+  std::ofstream(folder / "run.ztrace.marks") << "126 here\n";
+  CHECK(must(folder, "explain run.ztrace --at here").out == by_step);
+  for (const std::string at : {"there", "253", "0", "150%"}) {
+    CAPTURE(at);
+    const Outcome refused = run(folder, "explain run.ztrace --at " + at);
+    CHECK(refused.code == 2);
+    CHECK(refused.err.rfind("--at: ", 0) == 0);
   }
 }
 

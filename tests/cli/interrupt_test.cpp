@@ -123,12 +123,9 @@ TEST_CASE("a recording that is killed at any moment can be opened, up to its las
     kill(child, SIGKILL);
     int status = 0;
     REQUIRE(waitpid(child, &status, 0) == child);
-    std::error_code none;
-    const std::uintmax_t bytes = fs::file_size(folder / "big.ztrace", none);
-    if (none || bytes == 0) continue;  // killed before the first byte
+    if (!fs::exists(folder / "big.ztrace")) continue;  // killed before it began
     const Outcome info = run(folder, "info big.ztrace");
     CAPTURE(info.err);
-    CAPTURE(bytes);
     REQUIRE(info.code == 0);
     // "size  1 234 steps in …": those of whole blocks, and the last of them is there.
     std::string digits;
