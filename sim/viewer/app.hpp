@@ -75,6 +75,10 @@ class App {
   std::string tables() const;     ///< that can be asked, by name
   bool scroll_to_picked = false;
   void ask_typed();               ///< asks what is typed; again: goes where the picked row leads
+  /// Set by who shows a window: asked while a question is at work whether a person ends it.
+  std::function<bool()> ends_waiting;
+  bool asking() const { return asking_ > 0; }
+  void ask_now();
   void go_to_row(std::size_t row);
   void open_history();            ///< of the selected pixel, or the one at work
   const std::vector<answers::Visit>& history() const { return history_; }
@@ -91,6 +95,7 @@ class App {
   void turn_why();                       ///< from the pixel to the whole picture and back
   std::vector<std::int32_t> why_candidates() const;  ///< polygons whose label or number has what is typed
   const answers::Verdict& why() const { return why_; }
+  bool why_decides() const { return why_decides_; }  ///< whether the verdict's step decides it, and does not only begin work on something
   std::int32_t why_polygon() const { return why_polygon_; }
   std::optional<Cell> why_of() const { return why_anywhere_ ? std::nullopt : why_of_; }  ///< nullopt: the whole picture
   void go_to_link(std::size_t link);
@@ -139,12 +144,14 @@ class App {
   Renderer renderer_;
   Session session_;
   Inquiry inquiry_;
+  int asking_ = 0;  ///< frames until the question that is typed is asked, so that one sees that it is
   Places places_;
   PixelOverlay pixel_overlay_;
   std::vector<answers::Visit> history_;
   Cell history_of_;
   std::optional<answers::FacetsNear> facets_near_;  ///< made when first needed
   answers::Verdict why_;
+  bool why_decides_ = false;
   std::int32_t why_polygon_ = 0;
   std::optional<Cell> why_of_;
   bool why_anywhere_ = false;

@@ -77,7 +77,13 @@ void App::go_to_visit(std::size_t visit) {
 
 void App::ask_typed() {
   if (typed == inquiry_.sql() && !inquiry_.rows().empty()) return go_to_row(static_cast<std::size_t>(picked));
-  inquiry_.ask(typed);
+  if (!ends_waiting) return ask_now();
+  asking_ = 2;
+  session_.touch();
+}
+
+void App::ask_now() {
+  inquiry_.ask(typed, ends_waiting);
   picked = 0;
   if (ui_.heat && !pixel_overlay_.shown()) ui_.heat = inquiry_.heat(), ++ui_.paint_version;
   session_.touch();

@@ -268,6 +268,7 @@ void App::draw_overlay() {
 void App::frame() {
   ImGui::SetCurrentContext(context_.context);
   places_.look_on();
+  if (asking_ > 0 && --asking_ == 0) ask_now();
   follow_overlay();
   update_fonts();
   apply_style(ui_);

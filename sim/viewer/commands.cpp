@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ void change_speed(App& app) {
 template <int direction>
 void zoom(App& app) {
   RasterView& view = app.ui().view;
-  view.zoom = std::clamp(direction > 0 ? view.zoom * 1.25 : view.zoom / 1.25, 1.0, 64.0);
+  view.zoom = std::clamp(direction > 0 ? view.zoom * 1.25 : view.zoom / 1.25, 1.0, most_zoom(app.session().scene().raster));
   if (view.zoom < 1.01) view = {};
   app.session().touch();
 }
@@ -98,9 +99,14 @@ void play(App& app) {
 
 void fit_range(App& app) {
   Ui& ui = app.ui();
+  const Session& s = app.session();
+  if (!depth_pane.serves(s.header())) return app.say("There are no depths in this trace, so there are no colours to fit to them.");
+  const std::vector<double>& depths = s.picture().depth;
+  const bool any = std::any_of(depths.begin(), depths.end(), [](double z) { return std::isfinite(z); });
   ui.range_mode = ui.range_mode == Ui::RangeMode::whole ? Ui::RangeMode::fitted : Ui::RangeMode::whole;
   ++ui.paint_version;
-  app.say(ui.range_mode == Ui::RangeMode::fitted ? "The colours span the depths that are shown." : "The colours span all depths of the trace.");
+  app.say(ui.range_mode == Ui::RangeMode::fitted ? any ? "The colours span the depths that are shown." : "No depths are shown yet; the colours will span those that are."
+                                                 : "The colours span all depths of the trace.");
 }
 
 /// Sets one end of what playing repeats; the other is the trace's, or where it was set.

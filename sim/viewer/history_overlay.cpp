@@ -12,7 +12,7 @@ namespace zstep::viewer {
 namespace {
 
 /// One line of the list; true when clicked.
-bool draw_visit(App& app, std::size_t place) {
+bool draw_visit(App& app, std::size_t place, float steps) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const answers::Visit& visit = app.history()[place];
@@ -23,7 +23,7 @@ bool draw_visit(App& app, std::size_t place) {
   const Scene& scene = app.session().scene();
   const float y = at.y + ui.em * 0.15f;
   draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, c.muted, grouped(visit.step));
-  float x = at.x + ui.em * 6;
+  float x = at.x + steps;
   if (visit.polygon != no_polygon) {
     const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
     list->AddRectFilled({x, top}, {x + box, top + box}, to_im(opaque(scene.polygons[static_cast<std::size_t>(visit.polygon)].color)));
@@ -31,7 +31,7 @@ bool draw_visit(App& app, std::size_t place) {
     draw_text(ui, {x + ui.em, y}, ui.fonts.bold, c.text, polygon_label(scene, visit.polygon));
   }
   x += ui.em * 6;
-  if (visit.z) draw_text(ui, {x, y}, ui.fonts.mono, c.text, answers::depth_text(*visit.z));
+  if (visit.z) draw_text(ui, {x, y}, ui.fonts.mono, c.text, depth_in_list(*visit.z));
   draw_text(ui, {x + ui.em * 8, y}, ui.fonts.text, c.text, answers::outcome_text(app.session().trace(), app.history(), visit));
   return clicked;
 }
@@ -50,8 +50,11 @@ void draw_history(App& app) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   std::optional<std::size_t> clicked;
   ImGui::BeginChild("visits", {room.x, room.y * 0.6f}, false, ImGuiWindowFlags_NoNav);
+  std::int64_t last_step = 0;
+  for (const answers::Visit& visit : app.history()) last_step = std::max(last_step, visit.step);
+  const float steps = step_column(ui, last_step);
   for (std::size_t place = 0; place < app.history().size(); ++place)
-    if (draw_visit(app, place)) clicked = place;
+    if (draw_visit(app, place, steps)) clicked = place;
   app.scroll_to_picked = false;
   ImGui::EndChild();
   ImGui::BeginChild("why", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);

@@ -69,6 +69,17 @@ ListRow list_row(App& app, std::size_t place, float height) {
   return row;
 }
 
+float step_column(const Ui& ui, std::int64_t last_step) {
+  return std::max(ui.em * 6, std::ceil(text_size(ui, ui.fonts.mono, grouped(last_step)).x) + ui.em * 1.5f);
+}
+
+std::string depth_in_list(double z) {
+  if (!std::isfinite(z)) return number(z);
+  std::string text = answers::depth_text(z);
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
+  return text;
+}
+
 std::string fitted(const Ui& ui, const ImFont* font, std::string text, float room) {
   if (text_size(ui, font, text).x <= room) return text;
   while (!text.empty() && text_size(ui, font, text + "\u2026").x > room) {
@@ -172,14 +183,14 @@ void draw_palette(App& app) {
 
 void draw_go_to(App& app) {
   Ui& ui = app.ui();
-  begin_overlay(app, "go to", {ui.em * 26, ui.em * 7});
+  begin_overlay(app, "go to", {ui.em * 26, ui.em * 9.5f});
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, "Go to", heading);
   draw_field(ui, app.typed, "12041");
   Flow how;
   how.color = ui.colors().muted;
-  flow(ui, fmt::format("A step (0 to {}), 25 %, p 3 for polygon 3, or 9, 17 to select a pixel. Enter goes there.", grouped(app.session().size())), how);
+  flow(ui, fmt::format("A step (0 to {}), 25 %, p 3 for polygon 3, line 17 for the next place where that scan line begins, a bookmark's name, or 9, 17 to select a pixel. Enter goes there.", grouped(app.session().size())), how);
   ImGui::End();
 }
 

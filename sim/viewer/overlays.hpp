@@ -1,6 +1,7 @@
 // What overlays share. For overlays.cpp and for the overlays that show answers.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "sim/viewer/app.hpp"
@@ -16,6 +17,12 @@ struct ListRow {
   bool clicked = false, visible = true;
 };
 ListRow list_row(App& app, std::size_t place, float height);
+
+/// How wide a column of steps is: as the widest of them, with a gap beside it, and never narrower than it usually is.
+float step_column(const Ui& ui, std::int64_t last_step);
+
+/// A depth as lists of answers write it, with the signs of the rest of the viewer: "−0.25", "∞".
+std::string depth_in_list(double z);
 
 /// A text cut with a sign where it has no room.
 std::string fitted(const Ui& ui, const ImFont* font, std::string text, float room);

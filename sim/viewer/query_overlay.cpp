@@ -73,7 +73,10 @@ void draw_query(App& app) {
   Flow how;
   how.color = ui.colors().muted;
   std::string note = inquiry.note();
-  if (!inquiry.rows().empty() && app.typed == inquiry.sql()) {
+  if (app.asking()) {
+    note = "Asking the trace … Esc ends it.";
+    how.color = ui.colors().now;
+  } else if (!inquiry.rows().empty() && app.typed == inquiry.sql()) {
     note += ". Enter or a click goes where a row leads";
     if (inquiry.heat()) note += ui.heat ? "; Tab shows the colours again" : "; Tab paints them over the frame";
     note += ".";
@@ -81,7 +84,7 @@ void draw_query(App& app) {
     note = "Enter asks. Tables are the kinds of events: " + app.tables() + ".";
   }
   flow(ui, note, how);
-  if (!inquiry.columns().empty()) draw_rows(app);
+  if (!inquiry.columns().empty() && !app.asking()) draw_rows(app);
   ImGui::End();
 }
 

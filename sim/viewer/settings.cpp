@@ -34,6 +34,11 @@ Settings kept_settings(const Settings& stored, const Settings& begun, Settings e
   return ended;
 }
 
+WindowSize opening_size(const Settings& left, const std::optional<WindowSize>& asked) {
+  if (asked) return *asked;
+  return left.width > 0 && left.height > 0 ? WindowSize{left.width, left.height} : WindowSize();
+}
+
 std::filesystem::path settings_path() {
   const auto from = [](const char* variable) -> std::filesystem::path {
     const char* value = std::getenv(variable);

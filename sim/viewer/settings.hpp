@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/viewer/viewer.hpp"
+
 namespace zstep::viewer {
 
 /// Where the borders between panes are, as shares of the window or of the row they divide.
@@ -35,6 +37,9 @@ struct Settings {
 /// What to save when a run ends: what options of the command line set for this run alone (dark, presenter: in `begun`, not in
 /// `stored`) is as it was before, unless it was changed meanwhile.
 Settings kept_settings(const Settings& stored, const Settings& begun, Settings ended);
+
+/// The size a window opens at: the one asked for, even if it is the usual one, or else the one it was left at.
+WindowSize opening_size(const Settings& left, const std::optional<WindowSize>& asked);
 
 /// $XDG_CONFIG_HOME/zstep/viewer.ini, or the platform's likeness of it; empty when there is no home.
 std::filesystem::path settings_path();

@@ -188,13 +188,18 @@ void say_empty(Ui& ui, const std::string& why) {
   flow(ui, why, how);
 }
 
-void follow(Ui& ui, float top, float height) {
-  if (!ui.scroll_now) return;
-  const float view = ImGui::GetWindowHeight(), at = top - ImGui::GetWindowPos().y + ImGui::GetScrollY(), page = view / 2;
-  if (page < 1) return;
-  // In steps of half a view: the line lies between a tenth and six tenths of it, and the page rarely moves.
+float scroll_for(float at, float height, float view) {
+  const float page = view / 2, foot = view * 0.92f;
+  if (page < 1 || at + height < foot) return 0;
+  // In steps of half a view: the line begins between a tenth and six tenths of it, and the page rarely moves.
   const float target = std::max(0.0f, std::floor((at - view * 0.1f) / page) * page);
-  ImGui::SetScrollY(at + height < view * 0.92f ? 0 : std::round(target));
+  // A line of many rows is shown to its end, unless its beginning would leave the view.
+  return std::round(std::max(target, std::min(at, at + height - foot)));
+}
+
+void follow(Ui& ui, float top, float height, bool again) {
+  if (!ui.scroll_now && !again) return;
+  ImGui::SetScrollY(scroll_for(top - ImGui::GetWindowPos().y + ImGui::GetScrollY(), height, ImGui::GetWindowHeight()));
 }
 
 void frame_box(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {

@@ -96,8 +96,10 @@ void flow_markdown(Ui& ui, const std::string& markdown);
 void say_empty(Ui& ui, const std::string& why);
 
 /// Scrolls the pane so that the line at `top` (on screen) can be read with what follows it. Where it scrolls to depends on the
-/// line alone, never on where the pane was: the same step always looks the same.
-void follow(Ui& ui, float top, float height);
+/// line alone, never on where the pane was: the same step always looks the same. Does so once a step, or `again`.
+void follow(Ui& ui, float top, float height, bool again = false);
+/// Where follow() scrolls to for a line at `at` in what is scrolled, in a pane that shows `view` of it: all of the line is seen.
+float scroll_for(float at, float height, float view);
 
 /// A frame of whole pixels, inside these corners.
 void frame_box(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 1);

@@ -30,7 +30,8 @@ void go_to_start(App& app, const Trace& trace, const ViewerOptions& options) {
 
 int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   PictureOptions how;
-  how.width = options.width, how.height = options.height;
+  const WindowSize size = options.size.value_or(WindowSize());
+  how.width = size.width, how.height = size.height;
   how.dark = options.dark.value_or(false), how.presenter = options.presenter;
   how.pane = options.pane, how.lesson = options.lesson;
   const Image image = Pictures(trace, how).at(options.at);
@@ -69,7 +70,16 @@ double seconds() { return static_cast<double>(SDL_GetPerformanceCounter()) / sta
 void loop(Stage& stage, const Window& window) {
   int frames_due = 4;  // after a change, until nothing moves any more
   std::uint64_t drawn = 0;
+  bool on_way = false;  // the title says so
   while (!stage.app().requests.quit) {
+    stage.app().ends_waiting = &Window::is_ended;
+    stage.app().session().on_way = [&, begun = seconds()](double share) mutable {
+      if (share == 0) begun = seconds();
+      if (seconds() - begun < 0.25) return false;
+      if (!std::exchange(on_way, true)) SDL_SetWindowTitle(window.get(), fmt::format("{} \u00b7 on the way, Esc ends it", SDL_GetWindowTitle(window.get())).c_str());
+      window.show_progress(share);
+      return Window::is_ended();
+    };
     if (stage.app().session().revision() < drawn) drawn = 0;  // another method's
     const double wait = stage.app().session().play(seconds());
     if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, 3);
@@ -82,6 +92,7 @@ void loop(Stage& stage, const Window& window) {
       got = SDL_PollEvent(&event) != 0;
     }
     serve(stage, window);
+    if (std::exchange(on_way, false)) name_window(window, stage.trace());
     SDL_Surface* target = window.surface();
     if (target->w != stage.app().renderer().width() || target->h != stage.app().renderer().height()) {
       stage.app().resize(target->w, target->h);
@@ -106,9 +117,8 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   settings.dark = options.dark.value_or(settings.dark);
   settings.presenter = settings.presenter || options.presenter;
   const Settings begun = settings;
-  // The size it was left at, unless another one is asked for.
-  const bool as_left = settings.width > 0 && settings.height > 0 && options.width == ViewerOptions{}.width && options.height == ViewerOptions{}.height;
-  const Window window(as_left ? settings.width : options.width, as_left ? settings.height : options.height);
+  const WindowSize size = opening_size(settings, options.size);
+  const Window window(size.width, size.height);
   Stage stage(trace, options, settings, window.surface()->w, window.surface()->h, window.dpi_scale());
   name_window(window, trace);
   go_to_start(stage.app(), trace, options);

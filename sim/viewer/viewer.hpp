@@ -18,11 +18,16 @@ struct OtherRun {
   bool whole = true;  ///< false: it was cut off, as it would take too long
 };
 
+struct WindowSize {
+  std::int32_t width = 1280, height = 720;
+  bool operator==(const WindowSize&) const = default;
+};
+
 struct ViewerOptions {
   std::int64_t at = -1;                              ///< position to open at; -1: where it was left, or the lesson's first stop
   std::optional<std::filesystem::path> screenshot;   ///< write one frame as PNG and leave; needs no display
   std::string pane;                                  ///< of the screenshot; empty: all of the window
-  std::int32_t width = 1280, height = 720;           ///< of the window or the screenshot
+  std::optional<WindowSize> size;                    ///< of the window or the screenshot; unset: of a window as it was left
   std::optional<bool> dark;                          ///< for this run; unset: as it was left, light at first
   bool presenter = false;                            ///< for this run
   const Lesson* lesson = nullptr;                    ///< narration beside the trace, already resolved

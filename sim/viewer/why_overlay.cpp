@@ -29,7 +29,14 @@ void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32
   frame_box(list, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
 }
 
-bool draw_link(App& app, std::size_t place) {
+/// Whether a step does nothing but begin work on something: it leads to a verdict, and decides none.
+bool only_begins(const Event& event) {
+  for (const std::size_t kind : {kind_of<PolygonBegin>, kind_of<LineBegin>, kind_of<CurveBegin>})
+    if (event.index() == kind) return true;
+  return false;
+}
+
+bool draw_link(App& app, std::size_t place, float steps) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const answers::Link& link = app.why().chain[place];
@@ -37,13 +44,13 @@ bool draw_link(App& app, std::size_t place) {
   const ListRow row = list_row(app, place, height);
   const ImVec2 at = row.at;
   const float y = at.y + ui.em * 0.15f;
-  const bool decides = link.step == app.why().step;
+  const bool decides = app.why_decides() && link.step == app.why().step;
   draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, decides ? c.text : c.muted, grouped(link.step));
   if (link.polygon != no_polygon) {
-    draw_swatch(ui, {at.x + ui.em * 6, at.y}, height, app.session().scene(), link.polygon);
-    draw_text(ui, {at.x + ui.em * 7, y}, ui.fonts.bold, c.text, polygon_label(app.session().scene(), link.polygon));
+    draw_swatch(ui, {at.x + steps, at.y}, height, app.session().scene(), link.polygon);
+    draw_text(ui, {at.x + steps + ui.em, y}, ui.fonts.bold, c.text, polygon_label(app.session().scene(), link.polygon));
   }
-  draw_text(ui, {at.x + ui.em * 12, y}, decides ? ui.fonts.bold : ui.fonts.text, c.text, link.text + (decides ? " \u2014 this decides" : ""));
+  draw_text(ui, {at.x + steps + ui.em * 6, y}, decides ? ui.fonts.bold : ui.fonts.text, c.text, link.text + (decides ? " \u2014 this decides" : ""));
   return row.clicked;
 }
 
@@ -88,6 +95,7 @@ void App::ask_why(std::int32_t polygon) {
   } catch (const InputError& error) {
     return say(error.what());
   }
+  why_decides_ = why_.step > 0 && why_.step <= session_.size() && !only_begins(session_.trace().event(why_.step).event);
   if (!why_anywhere_) session_.select(*why_of_);
   else if (why_.pixel) session_.select(Cell{why_.pixel->x, why_.pixel->y});
   open(Overlay::why);
@@ -188,8 +196,11 @@ void draw_why(App& app) {
   std::optional<std::size_t> clicked;
   if (!app.why().chain.empty()) {
     ImGui::BeginChild("links", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+    std::int64_t last_step = 0;
+    for (const answers::Link& link : app.why().chain) last_step = std::max(last_step, link.step);
+    const float steps = step_column(ui, last_step);
     for (std::size_t place = 0; place < app.why().chain.size(); ++place)
-      if (draw_link(app, place)) clicked = place;
+      if (draw_link(app, place, steps)) clicked = place;
     ImGui::EndChild();
   }
   app.scroll_to_picked = false;

@@ -61,6 +61,25 @@ void Window::show(const Canvas& picture) const {
   SDL_UpdateWindowSurface(window_.get());
 }
 
+void Window::show_progress(double share) const {
+  SDL_Surface* target = surface();
+  const int height = std::max(6, target->h / 100);
+  const SDL_Rect all{0, 0, target->w, height}, done{0, 0, static_cast<int>(share * target->w), height};
+  SDL_FillRect(target, &all, SDL_MapRGB(target->format, 255, 255, 255));
+  SDL_FillRect(target, &done, SDL_MapRGB(target->format, 0xc2, 0x4b, 0x00));
+  SDL_UpdateWindowSurface(window_.get());
+}
+
+bool Window::is_ended() {
+  SDL_PumpEvents();
+  if (SDL_HasEvent(SDL_QUIT) == SDL_TRUE) return true;
+  bool ended = false;
+  SDL_Event key;
+  while (SDL_PeepEvents(&key, 1, SDL_GETEVENT, SDL_KEYDOWN, SDL_KEYDOWN) == 1) ended = ended || key.key.keysym.sym == SDLK_ESCAPE;
+  SDL_FlushEvents(SDL_KEYUP, SDL_TEXTINPUT);
+  return ended;
+}
+
 }  // namespace viewer
 
 bool display_available() {

@@ -23,6 +23,10 @@ class Window {
   float dpi_scale() const;         ///< pixels of the surface per pixel of a common screen
   bool full_screen() const { return (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0; }
   void show(const Canvas& picture) const;
+  /// Over what is shown, a bar along the upper edge: how much of something long is done.
+  void show_progress(double share) const;
+  /// Esc was pressed, or the window is to be closed. What was typed meanwhile is dropped.
+  static bool is_ended();
 
  private:
   struct Deleter {

@@ -5,6 +5,7 @@
 
 #include "tests/viewer/drive.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/model/typed_place.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
@@ -82,6 +83,59 @@ TEST_CASE("G goes to a step, a share, a polygon or selects a pixel, and nonsense
   CHECK_FALSE(app.session().message.empty());
   go("999999999999999999999999");
   CHECK(app.session().position() == trace.size());
+  // No digits are picked out of what is something else.
+  app.session().go_to(7);
+  for (const char* const text : {"1e5", "12.5", "-5", "lines 3", "p", "150%", "1, 2, 3", ""}) {
+    CAPTURE(text);
+    go(text);
+    CHECK(app.session().position() == 7);
+    CHECK(app.session().message == what_to_type);
+  }
+}
+
+TEST_CASE("what is typed for a place is understood whole, or it is none") {
+  using Kind = TypedPlace::Kind;
+  CHECK(read_place("12041") == TypedPlace{Kind::step, 12041, 0, 0});
+  CHECK(read_place(" 12\u00a0041 ") == TypedPlace{Kind::step, 12041, 0, 0});
+  CHECK(read_place("12'041'000") == TypedPlace{Kind::step, 12041000, 0, 0});
+  CHECK(read_place("Step 5") == TypedPlace{Kind::step, 5, 0, 0});
+  CHECK(read_place("37.5 %") == TypedPlace{Kind::percent, 0, 0, 37.5});
+  CHECK(read_place("p3") == TypedPlace{Kind::polygon, 3, 0, 0});
+  CHECK(read_place("Polygon 3") == TypedPlace{Kind::polygon, 3, 0, 0});
+  CHECK(read_place("line 300") == TypedPlace{Kind::scan_line, 300, 0, 0});
+  CHECK(read_place("scan line 300") == TypedPlace{Kind::scan_line, 300, 0, 0});
+  CHECK(read_place("y 300") == TypedPlace{Kind::scan_line, 300, 0, 0});
+  CHECK(read_place("(9, 17)") == TypedPlace{Kind::pixel, 9, 17, 0});
+  for (const char* const text : {"", " ", "1e5", "12.5", "-5", "+5", "line", "line -3", "3 line", "101 %", "-1 %", "1e1 %", "nan %", "9,", "9, 17, 3", "-9, 17", "p 3 4 x", "5'", "(5)"}) {
+    CAPTURE(text);
+    CHECK(read_place(text).kind == Kind::none);
+  }
+}
+
+TEST_CASE("G goes to the next place where a scan line begins, and back to the last where there is no next") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 640, 480);
+  const auto go = [&](const std::string& text) {
+    test::press(app, SDLK_g);
+    test::type(app, "g" + text);
+    test::press(app, SDLK_RETURN);
+  };
+  std::vector<std::int64_t> begins;
+  for (std::int64_t p = 1; p <= trace.size(); ++p)
+    if (const auto* line = std::get_if<ScanLineBegin>(&trace.event(p).event); line && line->y == 3) begins.push_back(p);
+  REQUIRE_FALSE(begins.empty());
+  for (const std::int64_t position : begins) {
+    go("line 3");
+    CHECK(app.session().position() == position);
+    CHECK(app.session().message.empty());
+  }
+  app.session().go_to(trace.size());
+  go("y 3");
+  CHECK(app.session().position() == begins.back());
+  CHECK_FALSE(app.session().message.empty());
+  go("line 4000");
+  CHECK(app.session().position() == begins.back());
+  CHECK(app.session().message.find("4000") != std::string::npos);
 }
 
 TEST_CASE("F runs through everything that touches the selected pixel and nothing else") {

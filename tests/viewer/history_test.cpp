@@ -1,6 +1,8 @@
 // The history of a pixel in the viewer: opened by a key, walked through with arrows, each line a jump.
 #include <doctest/doctest.h>
 
+#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/words/numbers.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
@@ -34,4 +36,22 @@ TEST_CASE("H tells all that happened to the selected pixel, and goes to each of 
   app.session().select(Cell{0, 0});
   test::press(app, SDLK_h);
   CHECK(app.overlay() == Overlay::none);
+}
+
+TEST_CASE("a column of steps has room for its longest number, and depths have the signs of the rest of the viewer") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.settle();
+  const Ui& ui = app.ui();
+  for (const std::int64_t step : {std::int64_t{7}, std::int64_t{12'041}, std::int64_t{123'456'789}, std::int64_t{123'456'789'012}}) {
+    // The number begins half an em from the left; what follows keeps a distance.
+    const float end = ui.em * 0.5f + text_size(ui, ui.fonts.mono, grouped(step)).x;
+    CAPTURE(step);
+    CHECK(step_column(ui, step) >= end + ui.em * 0.5f);
+  }
+  CHECK(step_column(ui, 7) == ui.em * 6);
+  CHECK(depth_in_list(0.5) == "0.5");
+  CHECK(depth_in_list(-0.226123) == "\u22120.226123");
+  CHECK(depth_in_list(-1e-7) == "\u22121e\u221207");
+  CHECK(depth_in_list(no_depth) == "\u221e");
 }

@@ -43,6 +43,33 @@ TEST_CASE("a question: rows, where they lead, and a picture of them") {
   CHECK_FALSE(inquiry.pixel_of(0));
 }
 
+TEST_CASE("a question that takes long is seen to be asked, and Esc ends it") {
+  const Trace trace = test::record_run("pyramid-behind");
+  Inquiry inquiry(trace);
+  int looks = 0;
+  inquiry.ask("with recursive n(i) as (select 0 union all select i + 1 from n) select max(i) from n", [&] { return ++looks == 3; });
+  CHECK(looks == 3);
+  CHECK(inquiry.note() == "stopped; 0 rows so far");
+
+  App app(trace, nullptr, {}, 1280, 720);
+  bool ended = false;
+  app.ends_waiting = [&] { return ended; };
+  test::press(app, SDLK_q);
+  test::type(app, "q");
+  test::type(app, "select x, y from depth_compare where nearer");
+  const test::Bytes typed = test::picture(app);
+  test::press(app, SDLK_RETURN);
+  CHECK(app.asking());
+  CHECK(app.inquiry().rows().empty());
+  app.frame();
+  CHECK(app.asking());
+  CHECK(app.inquiry().rows().empty());
+  app.frame();
+  CHECK_FALSE(app.asking());
+  CHECK(app.inquiry().rows().size() == 304);
+  CHECK(test::picture(app) != typed);
+}
+
 TEST_CASE("Q opens the box; what is typed is asked, rows are picked and gone to, Tab paints, Esc ends") {
   const Trace trace = test::record_run("pyramid-behind");
   App app(trace, nullptr, {}, 1280, 720);

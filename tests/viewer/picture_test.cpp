@@ -62,7 +62,7 @@ TEST_CASE("stepping on and back by any unit returns to the same bytes") {
       const std::int64_t from = app.session().position();
       const test::Bytes before = test::picture(app);
       app.session().move(unit, 1);
-      if (app.session().position() == trace.size()) break;
+      if (app.session().position() == trace.size() || app.session().position() == from) break;
       const bool moved = test::picture(app) != before;
       app.session().move(unit, -1);
       CAPTURE(from);
@@ -139,6 +139,44 @@ TEST_CASE("no letter is cut beside a lesson, at any of its stops") {
           CHECK(letters_cut(app) == 0);
         }
       }
+    }
+  }
+}
+
+TEST_CASE("what is followed is seen whole, however many rows it has") {
+  for (const float view : {40.0f, 160.0f, 333.0f, 900.0f})
+    for (float height = 10; height < view * 0.9f; height += 13)
+      for (float at = 0; at < 3 * view; at += 7) {
+        const float scroll = scroll_for(at, height, view);
+        CAPTURE(view);
+        CAPTURE(height);
+        CAPTURE(at);
+        CHECK(scroll >= 0);
+        CHECK(scroll <= at + 1);
+        CHECK(at + height <= scroll + view);
+      }
+  CHECK(scroll_for(500, 300, 100) == 500);  // too long for the pane: its beginning
+}
+
+TEST_CASE("the line at work lies within the pane with all its rows, also where a scroll bar came and wrapped them anew") {
+  const Trace trace = test::record_run_by("warnock", "pyramid-behind");
+  for (const auto& [width, height] : {std::pair{257, 370}, {200, 300}, {310, 240}}) {
+    App app(trace, nullptr, {}, width, height);
+    REQUIRE(app.show_only("pseudo_code"));
+    for (std::int64_t at = 1; at <= trace.size(); at += 41 * test::sparse) {
+      app.session().go_to(at);
+      const test::Bytes shown = test::picture(app);
+      const std::uint32_t soft = hex(light_theme().now_soft);
+      int first = height, last = 0;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          const std::size_t i = 3 * static_cast<std::size_t>(y * width + x);
+          if ((std::uint32_t{shown[i]} << 16 | std::uint32_t{shown[i + 1]} << 8 | shown[i + 2]) == soft) first = std::min(first, y), last = y;
+        }
+      CAPTURE(width);
+      CAPTURE(at);
+      CHECK(first < last);
+      CHECK(last < height - 3);
     }
   }
 }

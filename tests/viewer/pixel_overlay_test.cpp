@@ -74,6 +74,20 @@ TEST_CASE("an answer's picture and a count take each other's place") {
   CHECK(test::count_of(test::picture(app), 0x0072b2) > test::count_of(answered, 0x0072b2) + 1000);  // F's colour is back at the same step
 }
 
+TEST_CASE("R says so where there are no depths, for good or yet") {
+  const Trace lines = test::record_run_by("hidden-line", "pyramid-behind");
+  App app(lines, nullptr, {}, 1280, 720);
+  app.session().go_to(lines.size());
+  test::press(app, SDLK_r);
+  CHECK(app.session().message.find("There are no depths in this trace") == 0);
+  CHECK(app.ui().range_mode == Ui::RangeMode::whole);
+  const Trace trace = test::record_run("pyramid-behind");
+  App empty(trace, nullptr, {}, 1280, 720);
+  test::press(empty, SDLK_r);
+  CHECK(empty.session().message.find("No depths are shown yet") == 0);
+  CHECK(empty.ui().range_mode == Ui::RangeMode::fitted);
+}
+
 TEST_CASE("R fits the colours to what is shown, Shift+R takes a range, I draws how depths are spread") {
   const Trace trace = test::record_run("pyramid-behind");
   App app(trace, nullptr, {}, 1280, 720);

@@ -143,6 +143,16 @@ TEST_CASE("Ctrl+B keeps a bookmark beside the trace, L lists them, Delete remove
     test::press(app, SDLK_RETURN);
     CHECK(app.session().position() == 100);
     CHECK(app.overlay() == Overlay::none);
+    // The box that goes to a step takes its name, too.
+    test::press(app, SDLK_g);
+    test::type(app, "gbefore");
+    test::press(app, SDLK_RETURN);
+    CHECK(app.session().position() == 50);
+    test::press(app, SDLK_g);
+    test::type(app, "gafter");
+    test::press(app, SDLK_RETURN);
+    CHECK(app.session().position() == 50);
+    CHECK_FALSE(app.session().message.empty());
   }
   App again(trace, nullptr, {}, 1280, 720);
   REQUIRE(again.places().bookmarks().size() == 2);

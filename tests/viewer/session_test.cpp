@@ -42,6 +42,51 @@ TEST_CASE("what changed is what the last move's unit wrote") {
   CHECK(s.before() == 0);
 }
 
+TEST_CASE("where a method has no such unit, or none more that way, the reader stays and is told") {
+  const auto stays = [](Session& s, Unit unit, int direction, const std::string& why) {
+    const std::int64_t here = s.position();
+    s.message.clear();
+    s.move(unit, direction);
+    CAPTURE(why);
+    CAPTURE(s.message);
+    CHECK(s.position() == here);
+    CHECK(s.message.find(why) == 0);
+  };
+  const Trace rays = test::record_run_by("ray-casting", "pyramid-behind");
+  Session cast(rays, nullptr);
+  cast.go_to(100);
+  for (const int direction : {1, -1}) {
+    stays(cast, Unit::scan_line, direction, "No scan line begins in this trace.");
+    stays(cast, Unit::polygon, direction, "No polygon begins in this trace.");
+    stays(cast, Unit::span, direction, "No span begins in this trace.");
+  }
+  // Warnock's method begins with all polygons, then goes from area to area.
+  const Trace quarters = test::record_run_by("warnock", "pyramid-behind");
+  Session warnock(quarters, nullptr);
+  warnock.move(Unit::scan_line, 1);
+  stays(warnock, Unit::scan_line, -1, "No earlier area begins;");
+  stays(warnock, Unit::polygon, 1, "No later polygon begins;");
+  CHECK(warnock.position() > 0);
+  const Trace edges = test::record_run_by("hidden-line", "pyramid-behind");
+  Session hidden(edges, nullptr);
+  hidden.move(Unit::scan_line, 1);
+  stays(hidden, Unit::scan_line, -1, "No earlier edge begins;");
+  // A Z-buffer: the last scan line and pixel are done at the end, which is said.
+  const Trace trace = test::record_run("delhi");
+  Session s(trace, nullptr);
+  s.go_to(trace.polygons().back().position);
+  stays(s, Unit::polygon, 1, "No later polygon begins;");
+  for (const Unit unit : {Unit::scan_line, Unit::span, Unit::pixel}) {
+    s.go_to(trace.polygons().back().position);
+    for (int i = 0; i < 1000 && s.position() < trace.size(); ++i) {
+      CHECK(s.message.empty());
+      s.move(unit, 1);
+    }
+    CHECK(s.position() == trace.size());
+    CHECK((s.message.find("this is the end") != std::string::npos || unit == Unit::pixel));
+  }
+}
+
 TEST_CASE("the buffers of before are those of the place before") {
   const Trace trace = test::record_run("delhi");
   Session s(trace, nullptr);

@@ -66,6 +66,17 @@ TEST_CASE("what an option sets holds for its run, what a key changes stays") {
   CHECK(kept_settings(stored, begun, ended).presenter);
 }
 
+TEST_CASE("a window opens as it was left, unless a size is asked for, the usual one too") {
+  Settings left;
+  CHECK(opening_size(left, {}) == zstep::WindowSize{1280, 720});
+  CHECK(opening_size(left, zstep::WindowSize{800, 600}) == zstep::WindowSize{800, 600});
+  left.width = 1000, left.height = 500;
+  CHECK(opening_size(left, {}) == zstep::WindowSize{1000, 500});
+  CHECK(opening_size(left, zstep::WindowSize{1280, 720}) == zstep::WindowSize{1280, 720});
+  left.height = 0;
+  CHECK(opening_size(left, {}) == zstep::WindowSize{1280, 720});
+}
+
 TEST_CASE("only the latest places are kept") {
   Settings s;
   for (int i = 0; i < 500; ++i) s.remember("trace " + std::to_string(i), i);

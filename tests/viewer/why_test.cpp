@@ -82,6 +82,28 @@ TEST_CASE("Y in a pixel's history asks about the polygon picked there; without a
   CHECK(app.why().kind == Why::lost);
 }
 
+TEST_CASE("a step decides that compares or writes, not one at which work on a polygon begins") {
+  const Trace trace = test::record_run("pyramid-behind");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().select(Cell{15, 12});
+  bool decided = false, begun = false;
+  for (std::int32_t polygon = 0; polygon < 7; ++polygon)
+    for (const Cell cell : {Cell{15, 12}, Cell{2, 2}}) {
+      app.session().select(cell);
+      app.open_why();
+      app.ask_why(polygon);
+      const std::int64_t step = app.why().step;
+      const bool begins = step > 0 && std::holds_alternative<PolygonBegin>(trace.event(step).event);
+      CAPTURE(polygon);
+      CHECK(app.why_decides() == (step > 0 && !begins));
+      (begins ? begun : decided) = true;
+      app.settle();
+      app.open(Overlay::none);
+    }
+  CHECK(decided);
+  CHECK(begun);
+}
+
 TEST_CASE("clicks pick a polygon and a step") {
   const Trace trace = test::record_run("pyramid-behind");
   App app(trace, nullptr, {}, 1280, 720);

@@ -1,6 +1,8 @@
 #include "sim/viewer/draw/raster_canvas.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace zstep::viewer {
 namespace {
@@ -34,42 +36,81 @@ void paint_large(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32
   }
 }
 
-/// Cells smaller than a pixel: the mean of those a pixel covers, so that thin things grow faint instead of vanishing.
-void paint_small(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32>& cells, const RasterInk& ink) {
+/// Rows and columns under a pixel, the last ones exclusive.
+struct Under {
+  int left = 0, right = 0, top = 0, bottom = 0;
+};
+
+/// The mean of the cells that a pixel covers, so that thin things grow faint instead of vanishing.
+struct Mean {
+  const RasterMap& map;
+  const std::vector<Pixel32>& cells;
+  const RasterInk& ink;
+
+  Pixel32 operator()(const Under& under) const {
+    unsigned red = 0, green = 0, blue = 0, count = 0;
+    for (int row = under.top; row < under.bottom; ++row) {
+      const int y = map.y_up ? map.height - 1 - row : row;
+      const Pixel32* source = cells.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
+      for (int x = under.left; x < under.right; ++x) {
+        const Pixel32 cell = source[x] == hatched_cell ? ink.hatch : source[x];
+        red += cell >> 16 & 255u;
+        green += cell >> 8 & 255u;
+        blue += cell & 255u;
+        ++count;
+      }
+    }
+    return 0xff000000u | red / count << 16 | green / count << 8 | blue / count;
+  }
+};
+
+/// The cell with the greatest count of those that a pixel covers.
+struct Greatest {
+  const RasterMap& map;
+  const std::vector<Pixel32>& cells;
+  const RasterInk& ink;
+  const std::vector<double>& counts;
+
+  Pixel32 operator()(const Under& under) const {
+    Pixel32 found = hatched_cell;
+    double most = -std::numeric_limits<double>::infinity();
+    for (int row = under.top; row < under.bottom; ++row) {
+      const int y = map.y_up ? map.height - 1 - row : row;
+      const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
+      for (int x = under.left; x < under.right; ++x)
+        if (const std::size_t at = first + static_cast<std::size_t>(x); counts[at] >= most) most = counts[at], found = cells[at];
+    }
+    return found == hatched_cell ? ink.hatch : found;
+  }
+};
+
+/// Cells smaller than a pixel: each pixel has the colour that `color` makes of those under it.
+template <class ColorOf>
+void paint_small(Canvas& canvas, const RasterMap& map, const ColorOf& color) {
   const double step = 1 / map.cell;
+  // Where one pixel ends the next begins, so that no cell is left out; nor is the last one by rounding.
+  const auto cell_at = [step](int pixel, double begin) { return static_cast<int>(std::floor((pixel - begin) * step + 1e-9)); };
   for (int py = 0; py < canvas.height(); ++py) {
-    const double first_row = (py - map.top) * step;
-    const int row_a = static_cast<int>(std::floor(first_row)), row_b = std::max(row_a + 1, static_cast<int>(std::floor(first_row + step)));
-    if (row_b <= 0 || row_a >= map.height) continue;
+    Under under;
+    under.top = std::max(0, cell_at(py, map.top)), under.bottom = std::min(map.height, cell_at(py + 1, map.top));
+    if (under.top >= under.bottom) continue;
     Pixel32* out = canvas.row(py);
     for (int px = 0; px < canvas.width(); ++px) {
-      const double first = (px - map.left) * step;
-      const int a = static_cast<int>(std::floor(first)), b = std::max(a + 1, static_cast<int>(std::floor(first + step)));
-      if (b <= 0 || a >= map.width) continue;
-      unsigned red = 0, green = 0, blue = 0, count = 0;
-      for (int row = std::max(0, row_a); row < std::min(map.height, row_b); ++row) {
-        const int y = map.y_up ? map.height - 1 - row : row;
-        const Pixel32* source = cells.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
-        for (int x = std::max(0, a); x < std::min(map.width, b); ++x) {
-          const Pixel32 cell = source[x] == hatched_cell ? ink.hatch : source[x];
-          red += cell >> 16 & 255u;
-          green += cell >> 8 & 255u;
-          blue += cell & 255u;
-          ++count;
-        }
-      }
-      if (count) out[px] = 0xff000000u | red / count << 16 | green / count << 8 | blue / count;
+      under.left = std::max(0, cell_at(px, map.left)), under.right = std::min(map.width, cell_at(px + 1, map.left));
+      if (under.left < under.right) out[px] = color(under);
     }
   }
 }
 
 }  // namespace
 
-void paint_raster(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32>& cells, const RasterInk& ink) {
+void paint_raster(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32>& cells, const RasterInk& ink,
+                  const std::vector<double>* counts) {
   canvas.fill(ink.outside);
   if (cells.size() < static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height)) return;
   if (map.cell >= 1) paint_large(canvas, map, cells, ink);
-  else paint_small(canvas, map, cells, ink);
+  else if (counts && counts->size() == cells.size()) paint_small(canvas, map, Greatest{map, cells, ink, *counts});
+  else paint_small(canvas, map, Mean{map, cells, ink});
 }
 
 }  // namespace zstep::viewer

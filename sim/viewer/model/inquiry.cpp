@@ -49,19 +49,20 @@ struct KnownColumns {
 
 }  // namespace
 
-void Inquiry::ask(const std::string& sql) {
+void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
   sql_ = sql;
   columns_.clear(), rows_.clear(), steps_.clear(), pixels_.clear();
   heat_.reset();
   const Raster& raster = trace_.scene().raster;
   std::int64_t count = 0;
-  bool late = false;
+  bool late = false, stopped = false;
   std::optional<KnownColumns> places;
   std::optional<std::size_t> painted;  // the first column of numbers that is neither place nor step
   try {
     if (!database_) database_ = std::make_unique<query::Database>(trace_);
     query::Limits limits;
-    limits.seconds = patience;
+    if (stop) limits.stop = stop;
+    else limits.seconds = patience;
     database_->run(
         sql, limits,
         [&](const std::vector<std::string>& names) {
@@ -96,8 +97,8 @@ void Inquiry::ask(const std::string& sql) {
     note_ = error.what();
     columns_.clear(), rows_.clear(), heat_.reset();
     return;
-  } catch (const query::Stopped&) {
-    late = true;
+  } catch (const query::Stopped& why) {
+    (why.by_time ? late : stopped) = true;
   }
   if (heat_) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -107,6 +108,7 @@ void Inquiry::ask(const std::string& sql) {
     else heat_.reset();
   }
   note_ = count == 1 ? "1 row" : fmt::format("{} rows", grouped(count));
+  if (stopped) note_ = fmt::format("stopped; {} so far", note_);
   if (late) note_ = fmt::format("not done after {:g} seconds; {} so far", patience, note_);
   if (count > static_cast<std::int64_t>(rows_.size())) note_ += fmt::format("; the first {} are shown", grouped(static_cast<std::int64_t>(rows_.size())));
 }

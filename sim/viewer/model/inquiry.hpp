@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,8 +29,9 @@ class Inquiry {
   /// The trace must outlive it.
   explicit Inquiry(const Trace& trace) : trace_(trace) {}
 
-  /// Asks; what comes of it stands in columns(), rows() and note().
-  void ask(const std::string& sql);
+  /// Asks; what comes of it stands in columns(), rows() and note(). `stop` is asked now and then, and true ends the question; without it,
+  /// it ends after some seconds.
+  void ask(const std::string& sql, const std::function<bool()>& stop = nullptr);
 
   const std::string& sql() const { return sql_; }  ///< that was asked last
   const std::vector<std::string>& columns() const { return columns_; }

@@ -14,6 +14,9 @@ struct RasterView {
   double center_x = 0, center_y = 0; ///< the raster point in the middle of the pane while zoomed in, in cells from the centre
 };
 
+/// How far one may zoom: in a large raster until four cells fill the pane, so that numbers in projector type have room in them.
+inline double most_zoom(const Raster& raster) { return std::max(64.0, std::max(raster.width, raster.height) / 4.0); }
+
 /// The raster laid into a box of pixels. Raster coordinates have pixel centres at integers.
 struct RasterMap {
   int width = 1, height = 1;  ///< cells
@@ -41,8 +44,9 @@ inline RasterMap::RasterMap(const Raster& raster, const RasterView& view, int bo
   // Whole pixels make an even grid; where they would waste much room, quarters.
   if (cell > 12) cell = std::floor(cell);
   else if (cell > 2) cell = std::floor(cell * 4) / 4;
-  left = std::floor((box_width - width * cell) / 2 - view.center_x * cell);
-  top = std::floor((box_height - height * cell) / 2 - view.center_y * cell);
+  // What fits must not be moved out of the box by rounding.
+  left = std::floor((box_width - width * cell) / 2 - view.center_x * cell + 1e-9);
+  top = std::floor((box_height - height * cell) / 2 - view.center_y * cell + 1e-9);
 }
 
 inline std::optional<Cell> RasterMap::cell_at(double pixel_x, double pixel_y) const {

@@ -1,11 +1,51 @@
 #include "sim/viewer/model/session.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <type_traits>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "sim/viewer/words/numbers.hpp"
 #include "traces/file/visit.hpp"
 
 namespace zstep::viewer {
+namespace {
+
+/// What a unit is called in this trace: methods without scan lines have areas or edges in their stead, some work on curves in turn.
+const char* word_in(const Trace& trace, Unit unit) {
+  if (unit == Unit::scan_line && !trace.has(kind_of<ScanLineBegin>)) {
+    if (trace.has(kind_of<AreaBegin>)) return "area";
+    if (trace.has(kind_of<LineBegin>)) return "edge";
+  }
+  if (unit == Unit::polygon && trace.has(kind_of<CurveBegin>)) return "curve";
+  return unit_word(unit);
+}
+
+/// Whether a unit begins anywhere in a trace, told without a look at its events; pixels are taken to.
+bool has_any(const Trace& trace, Unit unit) {
+  switch (unit) {
+    case Unit::span: return trace.has(kind_of<SpanBegin>) || trace.has(kind_of<SpanFlags>);
+    case Unit::scan_line: return trace.has(kind_of<ScanLineBegin>) || trace.has(kind_of<AreaBegin>) || trace.has(kind_of<LineBegin>);
+    case Unit::polygon: return !trace.polygons().empty() || trace.has(kind_of<CurveBegin>);
+    default: return true;
+  }
+}
+
+/// Whether the last event may begin a unit: pixels do anywhere, all else where a recording was cut off.
+bool may_begin(const Event& event, Unit unit) {
+  const auto is_one_of = [&event](std::initializer_list<std::size_t> kinds) { return std::find(kinds.begin(), kinds.end(), event.index()) != kinds.end(); };
+  switch (unit) {
+    case Unit::pixel: return pixel_of(event).has_value() || is_one_of({kind_of<RayBegin>});
+    case Unit::span: return is_one_of({kind_of<SpanBegin>, kind_of<SpanFlags>});
+    case Unit::scan_line: return is_one_of({kind_of<ScanLineBegin>, kind_of<AreaBegin>, kind_of<LineBegin>});
+    case Unit::polygon: return is_one_of({kind_of<PolygonBegin>, kind_of<CurveBegin>});
+    default: return true;
+  }
+}
+
+}  // namespace
 
 const char* unit_word(Unit unit) {
   switch (unit) {
@@ -30,12 +70,13 @@ void Session::go_to(std::int64_t position, Unit unit) {
   if (to == from && unit == unit_ && message.empty()) return;
   unit_ = unit;
   if (to != from) {
-    replay_.go_to(to);
+    replay_.go_to(to, on_way);
     selected_edge.reset();
-    stop_ = stop_at(to);
+    stop_ = stop_at(this->position());
     nudged = was_open && to > from && stop_ >= was_stop;
   }
   arrived();
+  if (this->position() != to) message = fmt::format("The way to step {} was ended here.", grouped(to));
 }
 
 void Session::arrived() {
@@ -53,7 +94,19 @@ void Session::move(Unit unit, int direction) {
     return;
   }
   if (unit == Unit::event) return go_to(at + direction, unit);
-  go_to(direction > 0 ? next_unit(trace_, at, unit) : previous_unit(trace_, at, unit), unit);
+  const auto say = [this](std::string sentence) {
+    message = std::move(sentence);
+    touch();
+  };
+  const char* word = word_in(trace_, unit);
+  if (!has_any(trace_, unit)) return say(fmt::format("No {} begins in this trace.", word));
+  const std::int64_t to = direction > 0 ? next_unit(trace_, at, unit) : previous_unit(trace_, at, unit);
+  if (direction < 0 && to == 0) return say(fmt::format("No earlier {} begins; Home goes to the beginning of the trace.", word));
+  const bool last = direction > 0 && to == size() && !may_begin(trace_.event(to).event, unit);
+  // After the last polygon many methods have most of their work before them.
+  if (last && unit == Unit::polygon) return say(fmt::format("No later {} begins; End goes to the end of the trace.", word));
+  go_to(to, unit);
+  if (last) say(fmt::format("No later {} begins; this is the end of the trace.", word));
 }
 
 bool Session::to_step(std::uint8_t step, int direction) {

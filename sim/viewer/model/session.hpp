@@ -24,6 +24,9 @@ class Session {
   const Scene& scene() const { return trace_.scene(); }
   const Header& header() const { return trace_.header(); }
   const Lesson* lesson() const { return lesson_; }
+  /// Told what share of a long way is done; true ends it where it is. None: nobody waits before a window.
+  Replay::OnWay on_way;
+
   const State& state() const { return replay_.state(); }
   const RecordedEvent* event() const { return replay_.current(); }
   std::int64_t position() const { return replay_.position(); }
@@ -31,6 +34,7 @@ class Session {
 
   // --- Moving. All clamp to the trace; what is shown as "changed by this step" spans the unit of the last move.
   void go_to(std::int64_t position, Unit unit = Unit::event);
+  /// Stays, and says so, where no such unit begins that way. After the last scan line, span or pixel it goes to the end, and says so.
   void move(Unit unit, int direction);
   /// To the next (or previous) event of this step of the pseudo-code. False, and a message, when there is none.
   bool to_step(std::uint8_t step, int direction);

@@ -83,7 +83,7 @@ void draw_frame(Ui& ui) {
         const std::int32_t p = s.picture().polygon[at];
         return p < 0 ? std::string() : polygon_label(scene, p);
       },
-      0, [&](Cell cell) { return about_cell(ui, cell); });
+      0, [&](Cell cell) { return about_cell(ui, cell); }, {}, ui.heat && !ui.heat->polygons ? &ui.heat->values : nullptr);
   if (!ui.heat) return;
   ImGui::SetCursorScreenPos(corner);
   draw_heat_legend(ui, bottom);
@@ -96,7 +96,7 @@ std::string frame_note(Ui& ui) {
   if (s.looking_back) return fmt::format("BEFORE: step {}", grouped(s.before()));
   if (s.state().machine.pass == Pass::light) return "as the light sees it";
   return fmt::format("{} \u00d7 {}{}", s.scene().raster.width, s.scene().raster.height,
-                     ui.view.zoom > 1 ? fmt::format(", zoom {:.3g}", ui.view.zoom) : "");
+                     ui.view.zoom >= 100 ? fmt::format(", zoom {:.0f}", ui.view.zoom) : ui.view.zoom > 1 ? fmt::format(", zoom {:.3g}", ui.view.zoom) : "");
 }
 
 /// Decimals that the final numbers of this trace need; from what is in the buffer now.

@@ -11,6 +11,21 @@
 namespace zstep::viewer {
 namespace {
 
+/// Whether the line at work has another place or size than in the last frame: a scroll bar that came between wraps lines anew.
+bool laid_out_anew(float top, float height) {
+  ImGuiStorage* kept = ImGui::GetStateStorage();
+  bool anew = false;
+  const auto keep = [&](const char* name, float value) {
+    float& last = *kept->GetFloatRef(ImGui::GetID(name), -1);
+    anew = anew || std::abs(last - value) > 1;
+    last = value;
+  };
+  keep("top", top - ImGui::GetWindowPos().y + ImGui::GetScrollY());
+  keep("height", height);
+  keep("view", ImGui::GetWindowHeight());
+  return anew;
+}
+
 void draw_line(Ui& ui, const StepInfo& step, bool now) {
   const Theme& c = ui.colors();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -46,7 +61,7 @@ void draw_line(Ui& ui, const StepInfo& step, bool now) {
   ImGui::SetCursorScreenPos(after);
   if (!hits.empty()) draw_text(ui, {end.x - hits_width + ui.em * 0.2f, at.y + 3}, ui.fonts.small, c.muted, hits);
 
-  if (now) follow(ui, at.y, height);
+  if (now) follow(ui, at.y, height, laid_out_anew(at.y, height));
   if (hovered) ui.mouse_help = "Click: on to the next time this line runs. Shift+click: back to the last time.";
   if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
 }

@@ -80,7 +80,7 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
   RasterView& view = ui.view;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
     const double before = map.cell;
-    const double zoom = std::clamp(view.zoom * std::pow(1.25, static_cast<double>(io.MouseWheel)), 1.0, 64.0);
+    const double zoom = std::clamp(view.zoom * std::pow(1.25, static_cast<double>(io.MouseWheel)), 1.0, most_zoom(ui.session.scene().raster));
     // The cell under the mouse stays there.
     const double from_x = (io.MousePos.x - origin.x - map.left) / before - map.width / 2.0;
     const double from_y = (io.MousePos.y - origin.y - map.top) / before - map.height / 2.0;
@@ -101,41 +101,41 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
   view.center_y = std::clamp(view.center_y, -map.height / 2.0, map.height / 2.0);
 }
 
-/// As many decimals as fit every visible cell; −1 when not even the shortest does.
+/// As many decimals as fit every visible cell; none at all when two do not: a depth without decimals would mislead.
 void draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const RasterContent& content,
                   const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals) {
   if (map.cell < numbers_from) return;
   const int x0 = std::max(0, static_cast<int>(-map.left / map.cell)), x1 = std::min(map.width - 1, static_cast<int>((map.box_width - map.left) / map.cell));
   const int r0 = std::max(0, static_cast<int>(-map.top / map.cell)), r1 = std::min(map.height - 1, static_cast<int>((map.box_height - map.top) / map.cell));
+  const auto widest_with = [&](const ImFont* font, int decimals) {
+    double widest = 0;
+    for (int r = r0; r <= r1; ++r)
+      for (int x = x0; x <= x1; ++x) {
+        const int y = map.y_up ? map.height - 1 - r : r;
+        widest = std::max<double>(widest, text_size(ui, font, cell_text(static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x), decimals)).x);
+      }
+    return widest;
+  };
   for (const ImFont* font : {ui.fonts.mono, ui.fonts.small}) {
     if (font->FontSize > map.cell - 3) continue;
-    for (int decimals = most_decimals; decimals >= 0; --decimals) {
-      double widest = 0;
-      for (int r = r0; r <= r1; ++r)
-        for (int x = x0; x <= x1; ++x) {
-          const int y = map.y_up ? map.height - 1 - r : r;
-          widest = std::max<double>(widest, text_size(ui, font, cell_text(static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x), decimals)).x);
-        }
-      // Smaller type is better than fewer decimals; fewer decimals are better than nothing.
-      if (widest > map.cell - 4) {
-        if (font == ui.fonts.mono) break;
-        continue;
+    // Smaller type is better than fewer decimals; fewer decimals are better than nothing.
+    const auto decimals = font == ui.fonts.mono ? widest_with(font, most_decimals) <= map.cell - 4 ? std::optional(most_decimals) : std::nullopt
+                                                : decimals_that_fit(most_decimals, map.cell - 4, [&](int fewer) { return widest_with(font, fewer); });
+    if (!decimals) continue;
+    for (int r = r0; r <= r1; ++r)
+      for (int x = x0; x <= x1; ++x) {
+        const int y = map.y_up ? map.height - 1 - r : r;
+        const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
+        const std::string text = cell_text(at, *decimals);
+        if (text.empty()) continue;
+        const ImVec2 size = text_size(ui, font, text);
+        // Cells that the pane's border cuts go without.
+        if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 || map.py(y) + size.y / 2 > map.box_height) continue;
+        const Pixel32 back = content.cells[at] == hatched_cell ? to_pixel(ui.colors().empty) : content.cells[at];
+        draw_text(ui, {origin.x + static_cast<float>(map.px(x)) - size.x / 2, origin.y + static_cast<float>(map.py(y)) - size.y / 2}, font,
+                  wants_dark_text(back) ? IM_COL32(20, 20, 20, 255) : IM_COL32(250, 250, 250, 255), text);
       }
-      for (int r = r0; r <= r1; ++r)
-        for (int x = x0; x <= x1; ++x) {
-          const int y = map.y_up ? map.height - 1 - r : r;
-          const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
-          const std::string text = cell_text(at, decimals);
-          if (text.empty()) continue;
-          const ImVec2 size = text_size(ui, font, text);
-          // Cells that the pane's border cuts go without.
-          if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 || map.py(y) + size.y / 2 > map.box_height) continue;
-          const Pixel32 back = content.cells[at] == hatched_cell ? to_pixel(ui.colors().empty) : content.cells[at];
-          draw_text(ui, {origin.x + static_cast<float>(map.px(x)) - size.x / 2, origin.y + static_cast<float>(map.py(y)) - size.y / 2}, font,
-                    wants_dark_text(back) ? IM_COL32(20, 20, 20, 255) : IM_COL32(250, 250, 250, 255), text);
-        }
-      return;
-    }
+    return;
   }
 }
 
@@ -146,6 +146,12 @@ void frame_cell(ImDrawList* list, const RasterMap& map, ImVec2 origin, Cell cell
 }
 
 }  // namespace
+
+std::optional<int> decimals_that_fit(int most, double room, const std::function<double(int)>& widest) {
+  for (int decimals = most; decimals >= std::min(2, most); --decimals)
+    if (widest(decimals) <= room) return decimals;
+  return std::nullopt;
+}
 
 void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
@@ -197,7 +203,8 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
 
 void draw_raster(Ui& ui, const char* id, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
                  const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals,
-                 const std::function<std::vector<std::string>(Cell)>& cell_tip, const std::function<std::optional<answers::Question>(Cell)>& question) {
+                 const std::function<std::vector<std::string>(Cell)>& cell_tip, const std::function<std::optional<answers::Question>(Cell)>& question,
+                 const std::vector<double>* counts) {
   Session& s = ui.session;
   const Theme& c = ui.colors();
   RasterContent& content = ui.rasters[id];
@@ -218,7 +225,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const std::functio
                                              ui.view.center_x, ui.view.center_y, static_cast<double>(s.lit_edge().value_or(-1))});
   if (content.canvas_version != version) {
     content.canvas.resize(width, height);
-    paint_raster(content.canvas, map, content.cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
+    paint_raster(content.canvas, map, content.cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)}, counts);
     draw_geometry(ui, content.canvas, map);
     const int x0 = map.column_begin(0) - 1, x1 = map.column_begin(map.width);
     const int y0 = static_cast<int>(std::lround(map.top)) - 1, y1 = static_cast<int>(std::lround(map.top + map.height * map.cell));

@@ -1,4 +1,7 @@
 // One pixel: z–x interpolation, the compare, the two writes (000, "The algorithm"; 004 for the tie).
+#include <algorithm>
+#include <optional>
+
 #include "sim/viewer/words/explain_parts.hpp"
 
 namespace zstep::words {
@@ -17,6 +20,16 @@ std::optional<double> depth_before(const Telling& t, const DepthInterpolate& e) 
     if (std::holds_alternative<SpanBegin>(event)) return std::nullopt;
   }
   return std::nullopt;
+}
+
+/// Glass that is nearer: what is mixed in, and does not take the pixel for itself. nullopt for what hides all behind it.
+std::optional<double> glass_here(const Telling& t) {
+  const Page& page = t.trace.header().page;
+  const bool mixes = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<ColorBlend>; });
+  const auto polygon = static_cast<std::size_t>(t.machine.polygon);
+  if (!mixes || t.machine.polygon < 0 || polygon >= t.scene.polygons.size()) return std::nullopt;
+  const double opacity = t.scene.polygons[polygon].material.opacity;
+  return opacity < 1 ? std::optional(opacity) : std::nullopt;
 }
 
 }  // namespace
@@ -49,10 +62,14 @@ void tell(Telling& t, const DepthCompare& e) {
   const auto [z, before] = tell_apart(e.z, stored);
   const std::string who = f ? t.label(f->stored_polygon) : "what is stored";
   const bool numbers_say = f ? e.z < stored : e.nearer;
+  const auto glass = glass_here(t);
   if (numbers_say != e.nearer)
     t.say(fmt::format("The trace says {} at pixel {}, although {} < {} is {}: {} {}.", e.nearer ? "nearer" : "not nearer",
                       pixel(e.x, e.y), z, before, numbers_say ? "true" : "false", t.here(),
                       numbers_say ? "should win over " + who : "should not win over " + who));
+  else if (e.nearer && glass)
+    t.say(fmt::format("{} < {}: {}, so {} is seen at pixel {}; through its glass, of opacity {}, so is what lies behind: the two are mixed.", z, before,
+                      std::isinf(stored) ? "nothing that is opaque was drawn here" : "nearer than " + who, t.here(), pixel(e.x, e.y), number(*glass)));
   else if (e.nearer && std::isinf(stored))
     t.say(fmt::format("{} < \u221e: nothing was drawn here yet, so pixel {} becomes {}.", z, pixel(e.x, e.y), t.here()));
   else if (e.nearer)

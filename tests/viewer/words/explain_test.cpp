@@ -50,6 +50,14 @@ void every_event_is_told(const Trace& trace) {
 
 }  // namespace
 
+TEST_CASE("glass that is nearer does not take the pixel: it is seen through") {
+  const Trace trace = test::record_run_by("transparency", ZSTEP_SOURCE_DIR "/lessons/scenes/panes.toml");
+  const Explanation glass = first_of<DepthCompare>(trace, [](const DepthCompare& compare) { return compare.nearer && compare.z == 5.25; });
+  CHECK(glass.sentence.find("becomes G") == std::string::npos);
+  CHECK(glass.sentence.find("of opacity 0.5") != std::string::npos);
+  CHECK(any_formula(glass, "5.25 < 8"));
+}
+
 TEST_CASE("every event of real runs has a sentence, and its formula gives the recorded number") {
   for (const char* scene : {"delhi", "foley", "pyramid", "pyramid-behind"})
     for (const auto interpolation : {Conventions::Interpolation::direct, Conventions::Interpolation::increments}) {
