@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec3.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 namespace zstep {
 
@@ -85,6 +86,25 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
+/// Points that a scene file took from a mesh, and where it put them: p of the mesh's file became linear * p + offset.
+struct Placement {
+  std::int32_t first_point = 0, point_count = 0;
+  std::string source;     ///< the mesh's file, or the name of a built-in one
+  std::int32_t line = 0;  ///< of the scene's file, where it places the mesh
+  glm::dmat3 linear{1};
+  glm::dvec3 offset{0};
+  glm::dvec3 operator()(const glm::dvec3& point) const { return linear * point + offset; }
+  bool operator==(const Placement&) const = default;
+};
+
+/// The whole scene, once placed, moved into the ball of radius 1 round the origin.
+struct Fit {
+  glm::dvec3 centre{0};
+  double radius = 1;
+  glm::dvec3 operator()(const glm::dvec3& point) const { return (point - centre) / radius; }
+  bool operator==(const Fit&) const = default;
+};
+
 struct Raster {
   std::int32_t width = 64, height = 64;
   bool y_up = false;  ///< rows are drawn with row 0 at the bottom, as textbooks do (screen scenes only)
@@ -95,7 +115,7 @@ struct Scene {
   std::string name;                       ///< "pyramid"
   std::string source;                     ///< the file or "built-in"
   std::vector<glm::dvec3> points;         ///< world; for Camera::Kind::screen (x_s, y_s, z)
-  std::vector<std::int32_t> point_lines;  ///< line of the file each point stands at; empty if there is none
+  std::vector<std::int32_t> point_lines;  ///< line of its file each point stands at, 0 if there is none; empty if none has one
   std::vector<Polygon> polygons;
   std::vector<Facet> facets;
   std::vector<std::int32_t> corners;  ///< indices into points
@@ -104,6 +124,9 @@ struct Scene {
   Raster raster;
   std::optional<Light> light;
   std::optional<Surface> surface;  ///< if the scene is one; its cells are the polygons
+  std::vector<Placement> placements;  ///< by their points; those of no placement stand in the scene's own file
+  std::optional<Fit> fit;
+  std::vector<glm::dvec3> file_points;  ///< as their files have them: as many as points; empty if those were not moved
   bool operator==(const Scene&) const = default;
 };
 
@@ -123,6 +146,9 @@ struct Conventions {
   std::map<std::string, std::string> options;
   bool operator==(const Conventions&) const = default;
 };
+
+/// The placement a point comes from; none if it is the scene's own.
+const Placement* placement_of(const Scene& scene, std::int32_t point);
 
 inline constexpr std::int32_t no_polygon = -1;
 inline constexpr double no_depth = std::numeric_limits<double>::infinity();
@@ -165,5 +191,7 @@ Color color_at(const Picture& picture, const Scene& scene, std::size_t pixel);
 /// z_v at a pixel from the number in the buffer (equation z* = f(a z + b)/z of 003, inverted; linear when
 /// orthographic). Infinity stays infinity; a screen scene's z is returned as it is.
 double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth);
+/// And back.
+double buffer_depth(const Camera& camera, const Conventions& conventions, double view_depth);
 
 }  // namespace zstep

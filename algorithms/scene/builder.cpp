@@ -69,23 +69,38 @@ void SceneBuilder::check_limits(const PolygonSoup& soup, const std::string& wher
   check(file_.scene.corners.size(), soup.corners.size(), most_corners, "corners");
 }
 
+/// Where the points come from, before they are placed.
+void SceneBuilder::keep_origins(const PolygonSoup& soup, const std::string& where, const Style& style) {
+  Scene& scene = file_.scene;
+  const std::size_t first = scene.points.size(), count = soup.points.size();
+  if (!soup.point_lines.empty()) scene.point_lines.resize(first);
+  if (!scene.point_lines.empty() || !soup.point_lines.empty()) {
+    scene.point_lines.insert(scene.point_lines.end(), soup.point_lines.begin(), soup.point_lines.end());
+    scene.point_lines.resize(first + count);
+  }
+  const bool moved = style.placement.linear != glm::dmat3(1) || style.placement.offset != glm::dvec3(0);
+  if (moved && scene.file_points.empty()) scene.file_points = scene.points;
+  if (moved || !scene.file_points.empty()) scene.file_points.insert(scene.file_points.end(), soup.points.begin(), soup.points.end());
+  if (!style.is_placed_mesh()) return;
+  Placement placement = style.placement;
+  placement.first_point = static_cast<std::int32_t>(first);
+  placement.point_count = static_cast<std::int32_t>(count);
+  placement.source = where;
+  placement.line = style.line;
+  scene.placements.push_back(std::move(placement));
+}
+
 void SceneBuilder::add_points(PolygonSoup& soup, const std::string& where, const Style& style) {
-  const Placement& placement = style.placement;
+  keep_origins(soup, where, style);
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
     glm::dvec3& point = soup.points[i];
-    point = placement.linear * point + placement.offset + 0.0;  // -0 becomes 0: it is going to be read
+    point = style.placement(point) + 0.0;  // -0 becomes 0: it is going to be read
     const std::int32_t line = soup.point_lines.empty() ? 0 : soup.point_lines[i];
     for (int axis = 0; axis < 3; ++axis)
       if (!(std::abs(point[axis]) <= largest_coordinate))
         checked_coordinate(point[axis], at_line(where, line), "a coordinate, once placed,");
   }
-  Scene& scene = file_.scene;
-  if (style.line > 0) soup.point_lines.assign(soup.points.size(), style.line);
-  // Lines are known for all points or for none: a binary mesh in the scene takes them from all.
-  const bool lines = scene.points.size() == scene.point_lines.size() && soup.points.size() == soup.point_lines.size();
-  if (lines) scene.point_lines.insert(scene.point_lines.end(), soup.point_lines.begin(), soup.point_lines.end());
-  else scene.point_lines.clear();
-  scene.points.insert(scene.points.end(), soup.points.begin(), soup.points.end());
+  file_.scene.points.insert(file_.scene.points.end(), soup.points.begin(), soup.points.end());
 }
 
 void SceneBuilder::add(PolygonSoup soup, const std::string& where, const Style& style) {

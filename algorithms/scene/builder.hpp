@@ -4,20 +4,11 @@
 #include <optional>
 #include <string>
 
-#include <glm/mat3x3.hpp>
-
 #include "algorithms/scene/facets.hpp"
 #include "algorithms/scene/files/polygon_soup.hpp"
 #include "algorithms/scene/load.hpp"
 
 namespace zstep::scene {
-
-/// Where a mesh goes: p becomes linear * p + offset. A mirroring turns the polygons round, so that outside stays
-/// outside.
-struct Placement {
-  glm::dmat3 linear{1};
-  glm::dvec3 offset{0};
-};
 
 /// The parts of a material that a scene file states; they go before what a mesh's own file says.
 struct MaterialKeys {
@@ -34,12 +25,13 @@ class SceneBuilder {
   enum class Bare : std::uint8_t { palette, shaded };  ///< what polygons without a colour get
 
   struct Style {
-    Placement placement;
+    Placement placement;  ///< linear and offset; a mirroring turns the polygons round, so that outside stays outside
     Bare bare = Bare::palette;
     Color bare_color;       ///< of the shaded ones, before shading
-    std::int32_t line = 0;  ///< where all of it stands in the scene's file; 0: the soup's own lines are of that file
+    std::int32_t line = 0;  ///< where the scene's file places a mesh; 0: the soup's own lines are of the scene's file
     MaterialKeys material{};
     bool open = false;  ///< a surface with two sides: neither its edges nor its bent cells are worth a note
+    bool is_placed_mesh() const { return line > 0 && !open; }
   };
 
   /// Appends the soup's polygons. `where` names the soup's file in errors and notes.
@@ -53,6 +45,7 @@ class SceneBuilder {
 
  private:
   void check_limits(const PolygonSoup& soup, const std::string& where) const;
+  void keep_origins(const PolygonSoup& soup, const std::string& where, const Style& style);
   void add_points(PolygonSoup& soup, const std::string& where, const Style& style);
   void add_facets(std::span<const std::int32_t> corners, std::int32_t polygon, const std::string& where,
                   std::int32_t line);

@@ -58,14 +58,16 @@ Ball ball_around(const std::vector<glm::dvec3>& points) {
 /// The bounding box's centre to the origin, the farthest vertex at distance 1; the light keeps its place among them.
 void fit(Scene& scene) {
   const Ball ball = ball_around(scene.points);
-  const auto move = [&](glm::dvec3& point) { point = (point - ball.centre) / ball.radius; };
-  for (glm::dvec3& point : scene.points) move(point);
+  const Fit move{ball.centre, ball.radius};
+  if (scene.file_points.empty()) scene.file_points = scene.points;
+  for (glm::dvec3& point : scene.points) point = move(point);
+  scene.fit = move;
   if (!scene.light) return;
   Light& light = *scene.light;
-  move(light.position);
-  move(light.target);
-  light.near /= ball.radius;
-  light.far /= ball.radius;
+  light.position = move(light.position);
+  light.target = move(light.target);
+  light.near /= move.radius;
+  light.far /= move.radius;
 }
 
 /// The distance from which a ball round the origin that holds the whole scene just fits into the window, plus a

@@ -23,41 +23,6 @@ Color take_color(ByteReader& in) {
   return color;
 }
 
-/// What most scenes do not have stands at the end, and is missing where a scene has none of it: light and surface as
-/// JSON, then the materials, as runs of polygons that have the same.
-bool has_extras(const Scene& scene) {
-  return scene.light || scene.surface ||
-         std::any_of(scene.polygons.begin(), scene.polygons.end(),
-                     [](const Polygon& polygon) { return polygon.material != Material{}; });
-}
-
-void put_extras(Bytes& out, const Scene& scene) {
-  nlohmann::ordered_json document = nlohmann::ordered_json::object();
-  if (scene.light) document["light"] = light_to_json(*scene.light);
-  if (scene.surface) document["surface"] = surface_to_json(*scene.surface);
-  put_text(out, document.dump());
-  const std::vector<Polygon>& polygons = scene.polygons;
-  for (std::size_t first = 0, end = 1; first < polygons.size(); first = end++) {
-    const Material& material = polygons[first].material;
-    while (end < polygons.size() && polygons[end].material == material) ++end;
-    put_varint(out, end - first);
-    for (const double value : {material.opacity, material.reflectance, material.refraction})
-      put_u64(out, bits_of(value));
-  }
-}
-
-void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
-  if (document.contains("light")) scene.light = light_from_json(document.at("light"));
-  if (document.contains("surface")) scene.surface = surface_from_json(document.at("surface"));
-  for (std::size_t first = 0; first < scene.polygons.size();) {
-    const std::uint64_t length = in.varint();
-    if (length == 0 || length > scene.polygons.size() - first) throw MalformedBytes("a material of no polygon");
-    Material material;
-    for (double* value : {&material.opacity, &material.reflectance, &material.refraction}) *value = double_of(in.u64());
-    for (const std::size_t end = first + length; first < end; ++first) scene.polygons[first].material = material;
-  }
-}
-
 // --- Columns: whole numbers of one kind, each as what it is more than the one before (the first: than 0), so that regular scenes take
 // little room.
 
@@ -170,6 +135,73 @@ void take_coordinates(ByteReader& in, std::vector<glm::dvec3>& points, int axis)
   }
 }
 
+/// Held to its limits before memory is asked for.
+std::size_t count_of_points(ByteReader& in) {
+  const std::uint64_t points = in.varint();
+  if (points > static_cast<std::uint64_t>(most_points)) throw MalformedBytes("more of a kind than a scene can have");
+  if (points > in.left() / 24) throw MalformedBytes("a count larger than the data");
+  return static_cast<std::size_t>(points);
+}
+
+/// What most scenes do not have stands at the end, and is missing where a scene has none of it: light, surface and fit as
+/// JSON, then the materials, as runs of polygons that have the same, the placements, and the points as their files have them.
+bool has_extras(const Scene& scene) {
+  return scene.light || scene.surface || scene.fit || !scene.placements.empty() ||
+         std::any_of(scene.polygons.begin(), scene.polygons.end(),
+                     [](const Polygon& polygon) { return polygon.material != Material{}; });
+}
+
+void put_extras(Bytes& out, const Scene& scene) {
+  nlohmann::ordered_json document = nlohmann::ordered_json::object();
+  if (scene.light) document["light"] = light_to_json(*scene.light);
+  if (scene.surface) document["surface"] = surface_to_json(*scene.surface);
+  if (scene.fit) document["fit"] = fit_to_json(*scene.fit);
+  put_text(out, document.dump());
+  const std::vector<Polygon>& polygons = scene.polygons;
+  for (std::size_t first = 0, end = 1; first < polygons.size(); first = end++) {
+    const Material& material = polygons[first].material;
+    while (end < polygons.size() && polygons[end].material == material) ++end;
+    put_varint(out, end - first);
+    for (const double value : {material.opacity, material.reflectance, material.refraction})
+      put_u64(out, bits_of(value));
+  }
+  put_varint(out, scene.placements.size());
+  for (const Placement& placement : scene.placements) {
+    put_varint(out, static_cast<std::uint64_t>(placement.first_point));
+    put_varint(out, static_cast<std::uint64_t>(placement.point_count));
+    put_text(out, placement.source);
+    put_varint(out, static_cast<std::uint64_t>(placement.line));
+    for (const glm::dvec3& column : {placement.linear[0], placement.linear[1], placement.linear[2], placement.offset})
+      for (int row = 0; row < 3; ++row) put_u64(out, bits_of(column[row]));
+  }
+  put_varint(out, scene.file_points.size());
+  for (int axis = 0; axis < 3; ++axis) put_coordinates(out, scene.file_points, axis);
+}
+
+void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
+  if (document.contains("light")) scene.light = light_from_json(document.at("light"));
+  if (document.contains("surface")) scene.surface = surface_from_json(document.at("surface"));
+  if (document.contains("fit")) scene.fit = fit_from_json(document.at("fit"));
+  for (std::size_t first = 0; first < scene.polygons.size();) {
+    const std::uint64_t length = in.varint();
+    if (length == 0 || length > scene.polygons.size() - first) throw MalformedBytes("a material of no polygon");
+    Material material;
+    for (double* value : {&material.opacity, &material.reflectance, &material.refraction}) *value = double_of(in.u64());
+    for (const std::size_t end = first + length; first < end; ++first) scene.polygons[first].material = material;
+  }
+  for (std::uint64_t left = in.varint(); left > 0; --left) {
+    Placement placement;
+    for (std::int32_t* whole : {&placement.first_point, &placement.point_count}) *whole = static_cast<std::int32_t>(static_cast<std::uint32_t>(in.varint()));
+    placement.source = in.text();
+    placement.line = static_cast<std::int32_t>(static_cast<std::uint32_t>(in.varint()));
+    for (glm::dvec3* column : {&placement.linear[0], &placement.linear[1], &placement.linear[2], &placement.offset})
+      for (int row = 0; row < 3; ++row) (*column)[row] = double_of(in.u64());
+    scene.placements.push_back(std::move(placement));
+  }
+  scene.file_points.resize(count_of_points(in));
+  for (int axis = 0; axis < 3; ++axis) take_coordinates(in, scene.file_points, axis);
+}
+
 }  // namespace
 
 Bytes scene_to_bytes(const Scene& scene) {
@@ -238,9 +270,7 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   scene.camera = camera_from_json(document());
   scene.raster = raster_from_json(document());
   scene.background = take_color(in);
-  const std::size_t points = count(most_points);
-  if (points > in.left() / 24) throw MalformedBytes("a count larger than the data");
-  scene.points.resize(points);
+  scene.points.resize(count_of_points(in));
   for (int axis = 0; axis < 3; ++axis) take_coordinates(in, scene.points, axis);
   scene.point_lines.resize(count(most_points));
   take_runs(in, scene.point_lines.size(), [&](std::size_t i, std::int32_t line) { scene.point_lines[i] = line; });

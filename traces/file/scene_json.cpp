@@ -135,6 +135,29 @@ Surface surface_from_json(const json& in) {
           real(in, "z_max"),   whole(in, "columns"), whole(in, "rows")};
 }
 
+ordered_json placement_to_json(const Placement& placement) {
+  ordered_json rows = ordered_json::array();
+  for (int row = 0; row < 3; ++row) rows.push_back(vector_to({placement.linear[0][row], placement.linear[1][row], placement.linear[2][row]}));
+  return {{"first", placement.first_point}, {"points", placement.point_count}, {"source", placement.source},
+          {"line", placement.line},         {"matrix", std::move(rows)},       {"offset", vector_to(placement.offset)}};
+}
+
+Placement placement_from_json(const json& in) {
+  Placement placement{whole(in, "first"), whole(in, "points"), text(in, "source"), whole_or(in, "line", 0)};
+  const json& rows = list(in, "matrix");
+  if (rows.size() != 3) throw MalformedJson("\"matrix\" does not have three rows");
+  for (int row = 0; row < 3; ++row) {
+    const glm::dvec3 cells = vector_from(rows[static_cast<std::size_t>(row)], "matrix");
+    for (int column = 0; column < 3; ++column) placement.linear[column][row] = cells[column];
+  }
+  placement.offset = vector_from(member(in, "offset"), "offset");
+  return placement;
+}
+
+ordered_json fit_to_json(const Fit& fit) { return {{"centre", vector_to(fit.centre)}, {"radius", real_to_json(fit.radius)}}; }
+
+Fit fit_from_json(const json& in) { return {vector_from(member(in, "centre"), "centre"), real(in, "radius")}; }
+
 ordered_json scene_to_json(const Scene& scene) {
   ordered_json out;
   out["name"] = scene.name;
@@ -147,6 +170,17 @@ ordered_json scene_to_json(const Scene& scene) {
   ordered_json points = ordered_json::array();
   for (const glm::dvec3& point : scene.points) points.push_back(vector_to(point));
   out["points"] = std::move(points);
+  if (!scene.placements.empty()) {
+    ordered_json placements = ordered_json::array();
+    for (const Placement& placement : scene.placements) placements.push_back(placement_to_json(placement));
+    out["placements"] = std::move(placements);
+  }
+  if (scene.fit) out["fit"] = fit_to_json(*scene.fit);
+  if (!scene.file_points.empty()) {
+    ordered_json of_files = ordered_json::array();
+    for (const glm::dvec3& point : scene.file_points) of_files.push_back(vector_to(point));
+    out["file_points"] = std::move(of_files);
+  }
   if (!scene.point_lines.empty()) out["point_lines"] = scene.point_lines;
   ordered_json polygons = ordered_json::array();
   for (const Polygon& polygon : scene.polygons) {
@@ -183,6 +217,13 @@ Scene scene_from_json(const json& in) {
   if (in.contains("light")) scene.light = light_from_json(in.at("light"));
   if (in.contains("surface")) scene.surface = surface_from_json(in.at("surface"));
   for (const json& point : list(in, "points")) scene.points.push_back(vector_from(point, "points"));
+  if (in.contains("placements")) {
+    for (const json& entry : list(in, "placements")) scene.placements.push_back(placement_from_json(entry));
+  }
+  if (in.contains("fit")) scene.fit = fit_from_json(in.at("fit"));
+  if (in.contains("file_points")) {
+    for (const json& point : list(in, "file_points")) scene.file_points.push_back(vector_from(point, "file_points"));
+  }
   if (in.contains("point_lines")) {
     for (const json& line : list(in, "point_lines")) scene.point_lines.push_back(whole_from(line, "point_lines"));
   }
@@ -242,6 +283,24 @@ void check_surface(const Surface& surface, std::size_t points) {
         fmt::format("the surface has {} x {} samples, but there are {} points", surface.columns, surface.rows, points));
 }
 
+bool is_finite(const glm::dvec3& point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
+
+void check_origins(const Scene& scene) {
+  if (!scene.file_points.empty() && scene.file_points.size() != scene.points.size())
+    wrong_scene("as many points in files as points are needed, or none");
+  if (scene.fit && !(is_finite(scene.fit->centre) && scene.fit->radius > 0 && std::isfinite(scene.fit->radius)))
+    wrong_scene(fmt::format("it is fitted from a ball of radius {}", scene.fit->radius));
+  if (scene.fit && scene.file_points.empty() && !scene.points.empty()) wrong_scene("it is fitted, but what its points were before is missing");
+  std::int64_t end = 0;
+  for (const Placement& placement : scene.placements) {
+    if (placement.first_point < end || placement.point_count < 0) wrong_scene("placements overlap, or are not in the order of their points");
+    end = std::int64_t{placement.first_point} + placement.point_count;
+    if (end > static_cast<std::int64_t>(scene.points.size())) wrong_scene("a placement is of points that do not exist");
+    for (int column = 0; column < 3; ++column)
+      if (!is_finite(placement.linear[column]) || !is_finite(placement.offset)) wrong_scene("a placement has a number that is none");
+  }
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene) {
@@ -261,6 +320,7 @@ void check_scene(const Scene& scene) {
   most("corners", scene.corners.size(), most_corners);
   if (!scene.point_lines.empty() && scene.point_lines.size() != scene.points.size())
     wrong_scene("as many lines as points are needed, or none");
+  check_origins(scene);
   for (std::size_t i = 0; i < scene.facets.size(); ++i) {
     const Facet& facet = scene.facets[i];
     if (facet.polygon < 0 || static_cast<std::size_t>(facet.polygon) >= scene.polygons.size())

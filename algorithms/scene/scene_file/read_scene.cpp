@@ -177,7 +177,7 @@ class Reader {
       soup = std::move(*found);
     }
     const bool few = soup.outlines.size() <= palette.size() && !base;
-    // A scene has lines of one file, its own: everything in a mesh stands at its [[mesh]].
+    // Polygons have lines of one file, the scene's own: those of a mesh stand at its [[mesh]].
     builder.add(std::move(soup), path ? *path : *built_in,
                 {placement, few ? SceneBuilder::Bare::palette : SceneBuilder::Bare::shaded, base.value_or(clay),
                  line_of(table), material});
@@ -196,8 +196,13 @@ class Reader {
     if (std::int64_t{surface.columns} * surface.rows > most_surface_samples)
       fail_at(table, file_, fmt::format("the surface has more than {} samples", most_surface_samples),
               "give it fewer columns or rows");
-    return surface_scene(surface, fmt::format("{}:{}", file_, line_of(*formula)), std::move(result),
-                         {{}, SceneBuilder::Bare::shaded, base.value_or(clay), line_of(table), material, true});
+    SceneBuilder::Style style;
+    style.bare = SceneBuilder::Bare::shaded;
+    style.bare_color = base.value_or(clay);
+    style.line = line_of(table);
+    style.material = material;
+    style.open = true;
+    return surface_scene(surface, fmt::format("{}:{}", file_, line_of(*formula)), std::move(result), style);
   }
 
   struct SharedPoint {

@@ -12,7 +12,9 @@ SceneFile surface_scene(Surface surface, const std::string& where, SceneFile fil
   Formula formula(surface.formula, where);
   surface.formula = formula.text();
   SceneBuilder builder(std::move(file));
-  builder.add(sample(surface, formula, where), where, style);
+  PolygonSoup samples = sample(surface, formula, where);
+  if (style.line > 0) samples.point_lines.assign(samples.points.size(), style.line);
+  builder.add(std::move(samples), where, style);
   SceneFile result = builder.finish();
   result.scene.surface = std::move(surface);
   return result;

@@ -10,7 +10,8 @@
 namespace zstep::answers {
 namespace {
 
-constexpr std::array<const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v", "y_v", "z_v"}, cut_names{"x_cut", "y_cut", "z_cut"};
+constexpr std::array<const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v", "y_v", "z_v"}, cut_names{"x_cut", "y_cut", "z_cut"},
+    scene_names{"x_m", "y_m", "z_m"}, file_names{"x_f", "y_f", "z_f"};
 
 std::size_t place(Axis3 axis) { return static_cast<std::size_t>(axis); }
 
@@ -22,6 +23,48 @@ const VertexWay* way_of(const Work& work, std::int32_t vertex) {
 }
 
 double component(const glm::dvec3& point, Axis3 axis) { return point[static_cast<glm::length_t>(axis)]; }
+
+// --- From the file into the world
+
+/// Did the scene's file move it?
+bool is_moved(const Scene& scene, std::int32_t vertex) {
+  const Placement* placement = scene.file_points.empty() ? nullptr : placement_of(scene, vertex);
+  return placement != nullptr && (placement->linear != glm::dmat3(1) || placement->offset != glm::dvec3(0));
+}
+
+void tell_fit(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
+  const std::string letter = world_names[place(axis)];
+  const Number before = work.in_scene(vertex, axis);
+  datum.is(fmt::format("({0} - c_{1})/r", before.name, letter), {{before.name, before}, {"c_" + letter, component(work.scene.fit->centre, axis)}, {"r", work.scene.fit->radius}});
+  datum.note("fitted: the centre of the bounding box c to the origin, the farthest vertex, at r, to distance 1");
+}
+
+/// The row of the matrix times the point of the file; what is multiplied by 0 is left out.
+void tell_placement(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
+  const Placement& placement = *placement_of(work.scene, vertex);
+  std::string formula;
+  std::vector<Given> given;
+  for (const Axis3 from : {Axis3::x, Axis3::y, Axis3::z}) {
+    const double entry = placement.linear[static_cast<glm::length_t>(from)][static_cast<glm::length_t>(axis)];
+    if (entry == 0) continue;
+    if (!formula.empty()) formula += " + ";
+    const Number coordinate = work.in_file(vertex, from);
+    if (entry != 1) {
+      const std::string symbol = fmt::format("m_{}{}", place(axis) + 1, place(from) + 1);
+      given.push_back({symbol, entry});
+      formula += symbol + "*";
+    }
+    formula += coordinate.name;
+    given.push_back({coordinate.name, coordinate});
+  }
+  if (const double offset = component(placement.offset, axis); offset != 0) {
+    given.push_back({fmt::format("t_{}", world_names[place(axis)]), offset});
+    formula += (formula.empty() ? "" : " + ") + given.back().symbol;
+  }
+  if (formula.empty()) formula = "0";
+  datum.is(std::move(formula), std::move(given));
+  datum.at_source(work.source_line(placement.line));
+}
 
 bool is_split(const Work& work, const Step& made) { return made && std::holds_alternative<SplitVertex>(work.trace.event(*made).event); }
 
@@ -38,9 +81,25 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
   const bool screen = scene.camera.kind == Camera::Kind::screen;
   const std::string what = fmt::format("vertex {} of the scene{}", vertex_name(vertex), screen ? ", on the raster" : ", in the world");
   return derived(0, fmt::format("point {}", vertex), what, world_names[place(axis)], component(scene.points[number], axis), [&](Datum& datum) {
+    if (scene.fit) return tell_fit(datum, *this, vertex, axis);
+    if (is_moved(scene, vertex)) return tell_placement(datum, *this, vertex, axis);
     datum.at_source(source_of_point(vertex));
     if (scene.surface && axis == Axis3::z) datum.note("y = " + scene.surface->formula + ", drawn upwards");
   });
+}
+
+Number Work::in_scene(std::int32_t vertex, Axis3 axis) {
+  if (!is_moved(scene, vertex)) return in_file(vertex, axis);
+  const auto number = static_cast<std::size_t>(vertex);
+  const double value = component((*placement_of(scene, vertex))(scene.file_points[number]), axis);
+  return derived(0, fmt::format("placed {}", vertex), fmt::format("vertex {} where the scene places it", vertex_name(vertex)), scene_names[place(axis)], value,
+                 [&](Datum& datum) { tell_placement(datum, *this, vertex, axis); });
+}
+
+Number Work::in_file(std::int32_t vertex, Axis3 axis) {
+  const double value = component(scene.file_points[static_cast<std::size_t>(vertex)], axis);
+  return derived(0, fmt::format("file {}", vertex), fmt::format("vertex {} in its file", vertex_name(vertex)), file_names[place(axis)], value,
+                 [&](Datum& datum) { datum.at_source(source_of_point(vertex)); });
 }
 
 Number Work::viewed(std::int32_t vertex, Axis3 axis) {

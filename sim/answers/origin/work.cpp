@@ -75,7 +75,11 @@ std::string Work::source_of_polygon(std::int32_t polygon) const {
 }
 std::string Work::source_of_point(std::int32_t point) const {
   const auto place = static_cast<std::size_t>(point);
-  return source_line(place < scene.point_lines.size() ? scene.point_lines[place] : 0);
+  const std::int32_t line = place < scene.point_lines.size() ? scene.point_lines[place] : 0;
+  const Placement* placement = placement_of(scene, point);
+  if (placement == nullptr) return source_line(line);
+  const std::string file = std::filesystem::path(placement->source).filename().string();
+  return line > 0 ? fmt::format("{}:{}", file, line) : file;
 }
 
 std::int32_t Work::link_of(std::int64_t step, const std::string& subject, const std::string& what) {

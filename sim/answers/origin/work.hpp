@@ -107,6 +107,8 @@ class Work {
 
   enum class Axis3 { x, y, z };
   Number world(std::int32_t vertex, Axis3 axis);     ///< as the scene, or cutting in the world, has it
+  Number in_scene(std::int32_t vertex, Axis3 axis);  ///< before the scene was fitted
+  Number in_file(std::int32_t vertex, Axis3 axis);   ///< before the scene's file placed it
   Number viewed(std::int32_t vertex, Axis3 axis);    ///< x_v, y_v, z_v
   Number on_raster(std::int32_t vertex, Axis3 axis); ///< x_s, y_s and the depth that is interpolated
   double raster_value(std::int32_t vertex, Axis3 axis) const;  ///< the number alone

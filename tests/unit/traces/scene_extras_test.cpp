@@ -1,6 +1,7 @@
-// Materials, light and surface of a scene travel in both forms of a trace, and nothing impossible is read back.
+// Materials, light, surface and where its points come from travel in both forms of a trace, and nothing impossible is read back.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -22,6 +23,12 @@ Scene rich_scene() {
   scene.polygons[0].material = {0.25, 0.5, 1.5};
   scene.light = Light{{1, 2, 8}, {0, 1.0 / 3, 0}, 0.75, 2, 20};
   scene.surface = Surface{"sin(x) * z", -1, 1, 0, 0.1, 3, 1};
+  Placement turned{0, 2, "house.off", 5};
+  turned.linear = {{0, 0.5, 0}, {-1.0 / 3, 0, 0}, {0, 0, -0.0}};
+  turned.offset = {1, 0, 1e-300};
+  scene.placements = {turned, {2, 1, "cube", 9}};
+  scene.fit = Fit{{0.1, -2, 3}, 1.0 / 7};
+  for (const glm::dvec3& point : scene.points) scene.file_points.push_back(point / 3.0);
   return scene;
 }
 
@@ -47,25 +54,38 @@ std::string said(const std::function<void(Scene&)>& change) {
 
 }  // namespace
 
-TEST_CASE("scene: materials, light and surface come back to the bit") {
+TEST_CASE("scene: materials, light, surface and origins come back to the bit") {
   const Scene scene = rich_scene();
   CHECK(through_json(scene) == scene);
   CHECK(through_bytes(scene) == scene);
-  for (int without = 0; without < 8; ++without) {
+  for (int without = 0; without < 32; ++without) {
     Scene less = scene;
     if ((without & 1) != 0) less.light.reset();
     if ((without & 2) != 0) less.surface.reset();
     if ((without & 4) != 0)
       for (Polygon& polygon : less.polygons) polygon.material = {};
+    if ((without & 8) != 0) less.placements.clear();
+    if ((without & 16) != 0) less.fit.reset(), less.file_points.clear();
     CHECK(through_json(less) == less);
     CHECK(through_bytes(less) == less);
+  }
+}
+
+TEST_CASE("scene: which placement a point comes from") {
+  Scene scene = rich_scene();
+  scene.points.resize(6);
+  scene.placements = {{1, 2, "a"}, {3, 0, "nothing"}, {4, 1, "b"}};
+  const std::array<std::string, 6> wanted{"", "a", "a", "", "b", ""};
+  for (std::int32_t point = 0; point < 6; ++point) {
+    const Placement* placement = placement_of(scene, point);
+    CHECK((placement ? placement->source : "") == wanted[static_cast<std::size_t>(point)]);
   }
 }
 
 TEST_CASE("scene: one without materials, light and surface says nothing of them") {
   const Scene plain = some_scene();
   const std::string text = scene_to_json(plain).dump();
-  for (const char* key : {"opacity", "reflectance", "refraction", "light", "surface"})
+  for (const char* key : {"opacity", "reflectance", "refraction", "light", "surface", "placements", "fit", "file_points"})
     CHECK(text.find(key) == std::string::npos);
   Scene lit = plain;
   lit.light = Light{{1, 2, 8}, {0, 0, 0}, 1, 1, 2};
@@ -108,6 +128,18 @@ TEST_CASE("scene: impossible materials, lights and surfaces are refused") {
   says([](Scene& s) { s.surface->x_max = s.surface->x_min; }, "a range that does not go from");
   says([&](Scene& s) { s.surface->z_min = nan; }, "a range that does not go from");
   says([&](Scene& s) { s.surface->x_max = infinite; }, "a range that does not go from");
+
+  says([](Scene& s) { s.file_points.pop_back(); }, "as many points in files as points");
+  says([](Scene& s) { s.file_points.clear(); }, "it is fitted, but what its points were before is missing");
+  for (const double value : {0.0, -1.0, nan, infinite}) says([&](Scene& s) { s.fit->radius = value; }, "it is fitted from a ball of radius");
+  says([&](Scene& s) { s.fit->centre.y = nan; }, "it is fitted from a ball");
+  says([](Scene& s) { s.placements[1].point_count = 2; }, "a placement is of points that do not exist");
+  says([](Scene& s) { s.placements[1].point_count = 2'147'483'647; }, "a placement is of points that do not exist");
+  says([](Scene& s) { s.placements[1].point_count = -1; }, "placements overlap");
+  says([](Scene& s) { s.placements[1].first_point = 1; }, "placements overlap");
+  says([](Scene& s) { s.placements[0].first_point = -1; }, "placements overlap");
+  says([&](Scene& s) { s.placements[0].linear[1][2] = infinite; }, "a placement has a number that is none");
+  says([&](Scene& s) { s.placements[0].offset.x = nan; }, "a placement has a number that is none");
 }
 
 TEST_CASE("scene: materials cut off, too many or of no polygon are refused") {
@@ -127,6 +159,8 @@ TEST_CASE("scene: materials cut off, too many or of no polygon are refused") {
       put_varint(bytes, length);
       for (const double value : {1.0, 0.0, 1.0}) put_u64(bytes, bits_of(value));
     }
+    put_varint(bytes, 0);  // placements
+    put_varint(bytes, 0);  // points of files
     return bytes;
   };
   CHECK(said_of(with("{}", {2})) == "");
@@ -134,8 +168,15 @@ TEST_CASE("scene: materials cut off, too many or of no polygon are refused") {
   CHECK(said_of(with("{}", {0, 2})).find("a material of no polygon") != std::string::npos);
   CHECK(said_of(with("{}", {3})).find("a material of no polygon") != std::string::npos);
   CHECK(said_of(with("{}", {~std::uint64_t{0}})).find("a material of no polygon") != std::string::npos);
-  CHECK(said_of(with("{}", {1})).find("ends too early") != std::string::npos);
-  CHECK(said_of(with("{}", {2, 1})).find("followed by something") != std::string::npos);
+  CHECK(said_of(with("{}", {1})) != "");
+  Bytes more = with("{}", {2});
+  more.push_back(0);
+  CHECK(said_of(more).find("followed by something") != std::string::npos);
+  more[more.size() - 3] = 1;  // one placement, and then no more
+  CHECK(said_of(more).find("ends too early") != std::string::npos);
+  more = with("{}", {2});
+  more.back() = 9;
+  CHECK(said_of(more).find("a count larger than the data") != std::string::npos);
   CHECK(said_of(with("[1]", {2})) == "");
   CHECK(said_of(with("{\"light\":7}", {2})).find("\"position\" is missing") != std::string::npos);
   CHECK(said_of(with("{\"surface\":{}}", {2})).find("\"formula\" is missing") != std::string::npos);

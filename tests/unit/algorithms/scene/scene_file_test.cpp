@@ -67,8 +67,20 @@ TEST_SUITE("scene files") {
     CHECK(scene.polygons[2].source_line == 39);
     CHECK(scene.polygons.size() == 2 + 6 + 28 * 16);
     CHECK(scene.points[0] == glm::dvec3(1, 1, -1));
-    CHECK(scene.point_lines[0] == 5);
     CHECK(scene.points.size() == scene.point_lines.size());
+    // Points have the lines of their own files, and the scene says where it placed those.
+    CHECK(scene.point_lines[0] == 5);
+    REQUIRE(scene.placements.size() == 2);
+    CHECK(scene.placements[0].source == "house.off");
+    CHECK(scene.placements[0].line == 39);
+    const std::int32_t house = scene.placements[0].first_point;
+    REQUIRE(placement_of(scene, house) == &scene.placements[0]);
+    CHECK(scene.point_lines[static_cast<std::size_t>(house)] > 0);
+    CHECK(scene.file_points[static_cast<std::size_t>(house)] == glm::dvec3(-1, -1.5, -1));
+    CHECK(scene.placements[0](scene.file_points[static_cast<std::size_t>(house)]) == scene.points[static_cast<std::size_t>(house)]);
+    CHECK(placement_of(scene, house - 1) == nullptr);
+    CHECK(scene.file_points[0] == scene.points[0]);
+    CHECK(scene.placements[1].first_point + scene.placements[1].point_count == static_cast<std::int32_t>(scene.points.size()));
     // The house's corner (-1, -1.5, -1): halved, a quarter turn to the left, two units along -y.
     CHECK(scene.points[7] == glm::dvec3(0.75, -2.5, -0.5));
   }

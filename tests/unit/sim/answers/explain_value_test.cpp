@@ -4,9 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <map>
+#include <random>
 #include <set>
+#include <sstream>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "algorithms/scene/load.hpp"
 #include "sim/answers/explain_value.hpp"
@@ -94,6 +100,51 @@ TEST_SUITE("explain a value") {
           CHECK_FALSE(lines.empty());
         }
       CHECK(pixels > 8);
+    }
+  }
+
+  TEST_CASE("of a mesh that was placed and fitted: back to the numbers that stand in the mesh's own line") {
+    const auto file = std::filesystem::temp_directory_path() / fmt::format("zstep-placed-{}.toml", std::random_device{}());
+    std::ofstream(file) << "[[polygon]]\npoints = [[-2, -2, -3], [2, -2, -3], [0, 2, -3]]\n[[mesh]]\nfile = \"" << ZSTEP_SOURCE_DIR << "/tests/data/meshes/house.off\"\n"
+                        << "scale = [0.3, 0.7, 1.5]\nrotate = [20, 0, 90]\ntranslate = [0.1, 0, 2]\n[[mesh]]\nbuiltin = \"cube\"\n";
+    const Scene loaded = load_scene(file.string()).scene;
+    std::filesystem::remove(file);
+    for (const bool fit : {false, true}) {
+      CAPTURE(fit);
+      ViewOptions view;
+      view.width = view.height = 24;
+      view.fit = fit;
+      const Scene scene = look_at_scene(loaded, view);
+      const Trace trace = test::recorded_by("z-buffer", scene);
+      std::set<std::string> ends;
+      for (std::int32_t y = 0; y < 24; ++y)
+        for (std::int32_t x = 0; x < 24; ++x) {
+          const Chain chain = explain_value(trace, answers::of_pixel(trace.size(), {x, y}));
+          check_numbers(chain);
+          for (const ChainLink& link : chain.links) {
+            if (link.step != 0) continue;
+            CAPTURE(link.what);
+            for (const ChainValue& value : link.values) {
+              if (!value.formula.empty()) {
+                CHECK(value.exact);
+                continue;  // it goes on to where it comes from
+              }
+              // The end: the number as the file has it.
+              CHECK_FALSE(link.source.empty());
+              ends.insert(link.source.substr(0, link.source.find(':')));
+              if (!link.source.starts_with("house.off")) continue;
+              const auto line = static_cast<std::size_t>(std::stoi(link.source.substr(link.source.find(':') + 1)));
+              std::ifstream mesh(ZSTEP_SOURCE_DIR "/tests/data/meshes/house.off");
+              std::string text;
+              for (std::size_t k = 0; k < line; ++k) std::getline(mesh, text);
+              std::istringstream numbers(text);
+              std::array<double, 3> point{};
+              for (double& number : point) numbers >> number;
+              CHECK(value.value == point[static_cast<std::size_t>(value.name[0] - 'x')]);
+            }
+          }
+        }
+      CHECK(ends == std::set<std::string>{"cube", "house.off", file.filename().string()});
     }
   }
 
