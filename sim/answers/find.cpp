@@ -25,11 +25,16 @@ std::int64_t begin_of_eye_pass(const Trace& trace) {
   return step.value_or(trace.size());
 }
 
-std::vector<std::int64_t> marks_of(const Trace& trace, std::int32_t polygon) {
+std::int64_t begin_of_picture(const Trace& trace) {
   const std::int64_t eye = begin_of_eye_pass(trace);
+  return previous_of<BuffersClear>(trace, trace.size() + 1, eye).value_or(eye);
+}
+
+std::vector<std::int64_t> marks_of(const Trace& trace, std::int32_t polygon) {
+  const std::int64_t begin = begin_of_picture(trace);
   std::vector<std::int64_t> steps;
   for (const PolygonMark& mark : trace.polygons())
-    if (mark.polygon == polygon && mark.position > eye) steps.push_back(mark.position);
+    if (mark.polygon == polygon && mark.position > begin) steps.push_back(mark.position);
   return steps;
 }
 
@@ -65,11 +70,12 @@ std::int64_t next_mark(const Trace& trace, std::int64_t step) {
 
 std::int64_t last_mark(const Trace& trace) { return trace.polygons().empty() ? 0 : trace.polygons().back().position; }
 
-std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel) {
+std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel) { return touches_of(trace, pixel, begin_of_picture(trace)); }
+
+std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after) {
   std::vector<std::pair<std::int64_t, Event>> here;
-  const std::int64_t eye = begin_of_eye_pass(trace);
   trace.scan(pixel, [&](std::int64_t step, const RecordedEvent& recorded) {
-    if (step > eye && is_one_of<DepthCompare, PixelWrite, PixelPaint, ColorBlend>(recorded)) here.emplace_back(step, recorded.event);
+    if (step > after && is_one_of<DepthCompare, PixelWrite, PixelPaint, ColorBlend>(recorded)) here.emplace_back(step, recorded.event);
     return true;
   });
   std::vector<Touch> all;

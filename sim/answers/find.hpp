@@ -100,6 +100,8 @@ std::optional<std::int64_t> numbered(const Trace& trace, std::int64_t from, std:
 
 /// The step after which the buffers are the eye's: 0, unless the run draws what its light sees first.
 std::int64_t begin_of_eye_pass(const Trace& trace);
+/// The step after which the picture grew that is there in the end: that of the last clear, not before the eye's turn.
+std::int64_t begin_of_picture(const Trace& trace);
 
 /// Where work on a polygon begins in the eye's picture: its marks.
 std::vector<std::int64_t> marks_of(const Trace& trace, std::int32_t polygon);
@@ -119,7 +121,8 @@ struct Touch {
   bool takes = false;                 ///< the pixel is this polygon's from then on: glass that is mixed in only colours it
   double opacity = 1;                 ///< of what is blended
 };
-/// All that happened to a pixel of the eye's picture, in order. A blend that follows a compare is one with it.
+/// All that happened to a pixel after a step (standard: since its picture began), in order. A blend that follows a compare is one with it.
+std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after);
 std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel);
 
 /// The last that took the pixel before a step; nullptr while it shows the background.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "sim/answers/why_not_parts.hpp"
 #include "sim/compare/facet_at.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
@@ -56,6 +58,7 @@ class History {
       if (pass_ == Pass::eye) look_at(step, event);  // else a pixel of another picture
     }
     find_there();
+    add_behind();
     add_rejected();
     add_cut_off();
     std::stable_sort(visits_.begin(), visits_.end(), [](const Visit& a, const Visit& b) { return a.step < b.step; });
@@ -76,7 +79,7 @@ class History {
     std::stable_sort(of_all_.begin(), of_all_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   }
   void change_all(const Event& event) {
-    if (const auto* clear = std::get_if<BuffersClear>(&event)) depth_ = clear->z, polygon_ = no_polygon;
+    if (const auto* clear = std::get_if<BuffersClear>(&event)) depth_ = clear->z, polygon_ = no_polygon, after_rays_ = false;
     if (const auto* pass = std::get_if<PassBegin>(&event)) pass_ = pass->pass;
   }
 
@@ -151,7 +154,8 @@ class History {
   void find_there() {
     const Scene& scene = trace_.scene();
     there_.assign(scene.polygons.size(), false), towards_ = away_ = there_;
-    if ((!trace_.has(kind_of<PolygonReject>) && !cut()) || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
+    const bool matters = trace_.has(kind_of<PolygonReject>) || cut() || owner_by_stretch_or_area() != nullptr;
+    if (!matters || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
     for (const std::int32_t facet : facets_.near(pixel_)) {
       const auto at = compare::facet_at(scene, facet, false, pixel_.x, pixel_.y);
       if (!at || !at->candidate.covers) continue;
@@ -159,6 +163,36 @@ class History {
       const auto polygon = static_cast<std::size_t>(at->candidate.polygon);
       there_[polygon] = true, (away ? away_ : towards_)[polygon] = true;
       facets_there_.insert(facet);
+      if (away || !at->candidate.sure()) continue;
+      const double z = buffer_depth(scene.camera, trace_.header().conventions, at->candidate.z);
+      const auto [known, is_new] = depths_.try_emplace(at->candidate.polygon, z);
+      if (!is_new) known->second = std::min(known->second, z);
+    }
+  }
+
+  /// The visit that painted the pixel last, by a method that decides for more than one pixel at once.
+  const Visit* owner_by_stretch_or_area() const {
+    if (!page_has(trace_, kind_of<SpanWinner>) && !page_has(trace_, kind_of<AreaDecide>)) return nullptr;
+    const auto last = std::find_if(visits_.rbegin(), visits_.rend(), [](const Visit& visit) { return visit.takes; });
+    return last != visits_.rend() && last->outcome == Outcome::painted ? &*last : nullptr;
+  }
+
+  /// Those of them that came to no step at this pixel, as they were found to be behind on all of the stretch or the area.
+  void add_behind() {
+    const Visit* const painted = owner_by_stretch_or_area();
+    if (!painted || !painted->z) return;
+    const Visit owner = *painted;
+    const bool areas = page_has(trace_, kind_of<AreaDecide>);
+    const auto decided = areas ? previous_of<AreaDecide>(trace_, owner.step) : previous_of<SpanWinner>(trace_, owner.step);
+    const std::string symbol = depth_symbol(trace_.scene(), trace_.header().conventions), other = polygon_label(trace_.scene(), owner.polygon);
+    for (const auto& [polygon, z] : depths_) {
+      if (polygon == owner.polygon) continue;
+      const std::string name = polygon_label(trace_.scene(), polygon);
+      Visit& visit = add(decided.value_or(owner.step), polygon, Outcome::behind);
+      visit.z = z, visit.stored = owner.z, visit.stored_polygon = owner.polygon;
+      visit.sentence = fmt::format("{} covers pixel ({}, {}), but {} was found to be in front {}.", name, pixel_.x, pixel_.y, other,
+                                   areas ? "in the area around it" : "on the stretch of the scan line around it");
+      visit.formulas.push_back(difference(symbol, name, other, z, *owner.z));
     }
   }
 
@@ -216,12 +250,22 @@ class History {
   }
 
   void find_who_came_over() {
-    std::optional<std::size_t> holder;
+    Visit* holder = nullptr;
+    auto next = of_all_.begin();
+    const auto clear_until = [&](std::int64_t step) {
+      for (; next != of_all_.end() && next->first < step; ++next) {
+        if (!std::holds_alternative<BuffersClear>(next->second)) continue;
+        if (holder) holder->wiped = next->first;
+        holder = nullptr;
+      }
+    };
     for (std::size_t i = 0; i < visits_.size(); ++i) {
+      clear_until(visits_[i].step);
       if (!visits_[i].takes) continue;
-      if (holder) visits_[*holder].over = i;
-      holder = i;
+      if (holder) holder->over = i;
+      holder = &visits_[i];
     }
+    clear_until(trace_.size() + 1);
   }
 
   const Trace& trace_;
@@ -236,6 +280,7 @@ class History {
   bool after_rays_ = false;
   std::vector<bool> there_, towards_, away_;  ///< by polygon: it covers the pixel; with a facet that may be drawn; with one that is culled
   std::set<std::int32_t> facets_there_;
+  std::map<std::int32_t, double> depths_;  ///< of those that may be drawn and surely cover the centre, by polygon
   std::vector<Visit> visits_;
 };
 
@@ -257,6 +302,16 @@ std::string contradiction_text(bool nearer, double z, double stored) {
   return fmt::format("the trace says {}, but {} < {} is {}", nearer ? "nearer" : "not nearer", depth_text(z), depth_text(stored), z < stored ? "true" : "false");
 }
 
+namespace {
+
+/// Planes' depths at one pixel; what is within rounding of each other is as near.
+std::string behind_text(double gap, double z, double stored) {
+  if (std::abs(gap) <= 1e-9 * std::max({1.0, std::abs(z), std::abs(stored)})) return "as near; the first stays";
+  return gap > 0 ? "behind by " + depth_text(gap) : fmt::format("its plane is nearer by {}, and yet it was found to be behind", depth_text(-gap));
+}
+
+}  // namespace
+
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit) {
   std::string text;
   switch (visit.outcome) {
@@ -268,10 +323,12 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
       text = visit.opacity && *visit.opacity < 1 ? "mixed in, with opacity " + depth_text(*visit.opacity) : "the pixel's colour";
       break;
     case Outcome::colored: text = "the pixel's colour"; break;
+    case Outcome::behind: text = behind_text(*visit.z - *visit.stored, *visit.z, *visit.stored); break;
     case Outcome::rejected: text = "not drawn: " + visit.reason; break;
     case Outcome::cut_off: text = "the recording was cut off before its turn"; break;
   }
   if (contradicts(visit)) text = contradiction_text(visit.outcome == Outcome::won, *visit.z, *visit.stored);
+  if (visit.wiped) return fmt::format("{}; cleared at step {}", text, grouped(*visit.wiped));
   if (!visit.over) return text;
   const Visit& other = history[*visit.over];
   return fmt::format("{}; {} comes over it at step {}", text, polygon_label(trace.scene(), other.polygon), grouped(other.step));

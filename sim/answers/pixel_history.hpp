@@ -18,6 +18,7 @@ enum class Outcome : std::uint8_t {
   painted,   ///< without a compare
   mixed,     ///< laid over what was there
   colored,   ///< the pixel got a colour that is no polygon's own
+  behind,    ///< it covers the pixel, and on the stretch or in the area around it another was found to be in front
   rejected,  ///< it would cover the pixel, but was not drawn: culled, edge-on, out of view
   cut_off,   ///< it covers the pixel, and the recording ends before its turn
 };
@@ -35,6 +36,7 @@ struct Visit {
   std::string reason;                 ///< of a rejected one: "back-facing"
   std::optional<double> opacity;      ///< of a mixed one
   bool takes = false;                 ///< afterwards the pixel is this polygon's alone
+  std::optional<std::int64_t> wiped;  ///< the step that cleared the pixel while it was this polygon's
   std::optional<std::size_t> over;    ///< the visit that next took the pixel from this one, by its place in the history
 };
 

@@ -18,6 +18,7 @@ enum class Why : std::uint8_t {
   tie,           ///< as near as another that came first
   overwritten,   ///< it was there until another was found nearer
   painted_over,  ///< it was there until another was painted over it
+  wiped,         ///< it was there until the buffers were cleared once more
   taken,         ///< front to back: another was there first
   surrounded,    ///< another surrounds the area and is in front of all in it
   unreached,     ///< the ray's search ended at another before it came to this one

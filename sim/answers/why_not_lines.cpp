@@ -85,6 +85,13 @@ std::optional<Verdict> drawn(Asked& q) {
   return verdict;
 }
 
+/// Where the pixel is along the edge. The ends of pieces are rounded to pixels, so it may lie a little beside what is drawn there.
+std::string place_text(double t, double from, double to) {
+  const std::string place = fmt::format("at the pixel t = {} along the edge", number(std::clamp(t, 0.0, 1.0)));
+  if (t < 0 || t > 1) return fmt::format("{}: its end is rounded to this pixel", place);
+  return t < from || t > to ? fmt::format("{}: the end at t = {} is rounded to this pixel", place, number(t < from ? from : to)) : place;
+}
+
 Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
   const std::int64_t begin = begin_of(q, line).value_or(0);
   const std::int64_t part = begin > 0 ? step_of_piece(q, begin, piece) : 0;
@@ -108,7 +115,7 @@ Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
       verdict.chain.push_back({*hide, other, fmt::format("{} hides a stretch of the edge", q.label(other))});
     }
   }
-  verdict.formulas.push_back(fmt::format("at the pixel t = {} along the edge", number(t)));
+  verdict.formulas.push_back(by ? place_text(t, by->t_0, by->t_1) : place_text(t, piece.t_0, piece.t_1));
   verdict.chain.push_back({begin, q.polygon, fmt::format("work on {} begins", name_of(q, line))});
   verdict.chain.push_back({part, q.polygon, "a piece of it that is hidden"});
   return verdict;

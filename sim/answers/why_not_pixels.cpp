@@ -115,6 +115,21 @@ Verdict why_taken(Asked& q, const Touch& first) {
   return verdict;
 }
 
+/// It had the pixel before the buffers were cleared once more.
+std::optional<Verdict> why_wiped(Asked& q) {
+  const std::int64_t eye = begin_of_eye_pass(q.trace), clear = begin_of_picture(q.trace);
+  if (!event_at<BuffersClear>(q.trace, clear) || !previous_of<BuffersClear>(q.trace, clear, eye)) return std::nullopt;
+  const std::vector<Touch> touches = touches_of(q.trace, q.pixel, eye);
+  const Touch* last = nullptr;
+  for (const Touch& touch : touches)
+    if (touch.polygon == q.polygon && touch.written != 0) last = &touch;
+  if (!last) return std::nullopt;
+  Verdict verdict = q.verdict(Why::wiped, clear, fmt::format("it was there at {}, until the buffers were cleared once more at {}", step_text(last->written), step_text(clear)));
+  verdict.chain.push_back({last->written, q.polygon, fmt::format("the pixel becomes {}", q.name)});
+  verdict.chain.push_back({clear, no_polygon, "the buffers are cleared"});
+  return verdict;
+}
+
 bool comes_to_pixel(const Asked& q) {
   const auto here = [&](const RecordedEvent& recorded) {
     const auto* compare = std::get_if<DepthCompare>(&recorded.event);
@@ -142,7 +157,7 @@ void add_shadow(const Asked& q, Verdict& verdict) {
 Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
   // Where each polygon is dealt with at its marks alone, a look there tells whether it ever came to the pixel.
   if (!records<PieceDraw>(q.trace) && !records<FlagFlip>(q.trace) && !q.trace.polygons().empty() && !comes_to_pixel(q))
-    if (auto verdict = why_by_facets(q, facets)) return *verdict;
+    if (auto verdict = why_by_facets(q, facets)) return why_wiped(q).value_or(*verdict);
   const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
   const Touch *last = holder(touches, q.trace.size() + 1), *mine = nullptr, *least = nullptr;
   for (const Touch& touch : touches) {
@@ -174,6 +189,7 @@ Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
     if (next) return why_gone(q, touches, *mine, *next);
   }
   if (least) return why_lost(q, touches, *least);
+  if (const auto verdict = why_wiped(q)) return *verdict;
   if (auto verdict = why_by_facets(q, facets)) return *verdict;
   const auto& options = q.trace.header().conventions.options;
   const auto order = options.find("order");

@@ -61,7 +61,8 @@ void add_history(CLI::App& app, Action& action) {
   command->add_option("y", options->y, "Its row")->type_name("Y")->required();
   command->add_flag("--why", options->why, "Each step in words, with its numbers");
   command->footer(
-      "Polygons that cover the pixel's centre and were not drawn (culled, seen edge-on, out of view) are told, too.\n"
+      "Polygons that cover the pixel's centre and were not drawn (culled, seen edge-on, out of view) are told, too; so\n"
+      "are those that were found to be behind on a whole stretch of a scan line or a whole area, with their planes' depths.\n"
       "\n"
       "Examples:\n"
       "  zstep history run.ztrace 15 12\n"

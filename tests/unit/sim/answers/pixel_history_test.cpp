@@ -2,13 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
+#include "sim/answers/explain_value.hpp"
 #include "sim/answers/pixel_history.hpp"
+#include "sim/answers/why_not.hpp"
 #include "sim/compare/truth.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
@@ -79,7 +82,7 @@ TEST_SUITE("pixel history") {
               if (write) CHECK(visit.polygon == std::get<PixelWrite>(trace.event(*write).event).polygon);
             }
             if (visit.takes) seen = visit.polygon;
-            if (visit.outcome != Outcome::rejected && !casts_rays(trace)) steps.push_back(visit.step);
+            if (visit.outcome != Outcome::rejected && visit.outcome != Outcome::behind && !casts_rays(trace)) steps.push_back(visit.step);
           }
           if (!casts_rays(trace)) CHECK(steps == all[picture.at(x, y)]);
           const auto& options = trace.header().conventions.options;  // in the order of the file glass takes the pixel's polygon, too
@@ -112,6 +115,84 @@ TEST_SUITE("pixel history") {
     CHECK(culled > 5);
     CHECK(lost > 5);
     CHECK(over > 5);
+  }
+
+  TEST_CASE("by scan line and by area: who is behind comes to no step at the pixel, and is told by the step that decided") {
+    for (const char* by : {"scan-line", "warnock"}) {
+      CAPTURE(by);
+      const Trace trace = test::recorded_by(by, look_at_scene(load_scene("pyramid-behind").scene, {}));
+      const compare::Truth truth(trace.scene(), true);
+      Replay replay(trace);
+      int behind = 0;
+      for (std::int32_t y = 0; y < truth.height(); ++y)
+        for (std::int32_t x = 0; x < truth.width(); ++x) {
+          CAPTURE(x);
+          CAPTURE(y);
+          const auto there = covering(truth, x, y);
+          if (!there) continue;
+          const std::vector<Visit> history = pixel_history(trace, {x, y});
+          std::set<std::int32_t> told;
+          for (Visit visit : history) {
+            if (visit.outcome != Outcome::rejected) told.insert(visit.polygon);
+            if (visit.outcome != Outcome::behind) continue;
+            ++behind;
+            const Event& decided = trace.event(visit.step).event;
+            CHECK((std::holds_alternative<SpanWinner>(decided) || std::holds_alternative<AreaDecide>(decided)));
+            CHECK_FALSE(visit.takes);
+            const double gap = *visit.z - *visit.stored;  // 0 where the triangle runs through a face
+            const std::string wanted = std::abs(gap) < 1e-9 ? "as near; the first stays" : "behind by " + answers::depth_text(gap);
+            CHECK(gap > -1e-9);
+            CHECK(answers::outcome_text(trace, history, visit) == wanted);
+            // Its depth is that of the Z-buffer, in the buffer's own numbers.
+            for (const compare::Candidate& candidate : truth.at(x, y))
+              if (candidate.polygon == visit.polygon) CHECK(view_depth(trace.scene().camera, trace.header().conventions, *visit.z) == doctest::Approx(candidate.z).epsilon(1e-9));
+            tell(replay, visit);
+            CHECK_FALSE(visit.sentence.empty());
+          }
+          CHECK(told == std::set(there->begin(), there->end()));
+        }
+      CHECK(behind > 20);
+    }
+  }
+
+  TEST_CASE("buffers that are cleared once more: nothing from before is there, and why-not, history and explain agree on that") {
+    const std::vector<glm::dvec3> all{{-1, -1, 5}, {5, -1, 5}, {5, 5, 5}, {-1, 5, 5}}, nearer{{-1, -1, 3}, {5, -1, 3}, {5, 5, 3}, {-1, 5, 3}};
+    const Trace once = test::recorded_by("z-buffer", test::screen_scene(4, 4, {all, nearer}));
+    TraceRecorder recorder(once.header(), once.scene());
+    std::int64_t second = 0;
+    for (std::int64_t step = 1; step <= once.size(); ++step) {
+      const RecordedEvent recorded = once.event(step), clear = once.event(1);
+      const auto* begin = std::get_if<PolygonBegin>(&recorded.event);
+      if (begin && begin->polygon == 1) {
+        REQUIRE(std::holds_alternative<BuffersClear>(clear.event));
+        record_any(recorder, clear.step, clear.event);
+        second = step;
+      }
+      record_any(recorder, recorded.step, recorded.event);
+    }
+    recorder.finish();
+    REQUIRE(second > 1);
+    const Trace trace = Trace::from_bytes(recorder.take_bytes(), "cleared twice");
+    Replay replay(trace);
+    replay.go_to(trace.size());
+    REQUIRE(replay.state().picture.polygon[5] == 1);
+    const std::vector<Visit> history = pixel_history(trace, {1, 1});
+    REQUIRE(history.size() == 2);
+    CHECK(history[0].wiped == second);
+    CHECK_FALSE(history[0].over);
+    CHECK(answers::outcome_text(trace, history, history[0]) == "nearer; cleared at step " + std::to_string(second));
+    CHECK(history[1].stored == no_depth);
+    CHECK(history[1].outcome == Outcome::won);
+    const answers::Verdict verdict = answers::why_not(trace, 0, {1, 1});
+    CHECK(verdict.kind == answers::Why::wiped);
+    CHECK(verdict.step == second);
+    CHECK(verdict.sentence.find("until the buffers were cleared once more") != std::string::npos);
+    CHECK(answers::why_not(trace, 1, {1, 1}).kind == answers::Why::seen);
+    answers::Question question;
+    question.pixel = Trace::Pixel{1, 1}, question.at = second;
+    CHECK_FALSE(answers::place_of(trace, question));
+    question.at = trace.size();
+    CHECK(answers::explain_value(trace, question).links.front().values.front().value == 3);
   }
 
   TEST_CASE("of a tree: every polygon that covers the pixel and faces away is told once, by the step that dropped it") {

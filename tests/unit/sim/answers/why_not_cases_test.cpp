@@ -21,6 +21,42 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_SUITE("why not") {
+  TEST_CASE("of a hidden edge: the pixel lies on the edge, and within the stretch that is hidden but for rounding, which is told") {
+    ViewOptions view;
+    view.width = 60, view.height = 40;
+    const Scene scene = look_at_scene(load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/hidden-lines.toml").scene, view);
+    const Trace trace = test::recorded_by("hidden-line", scene);
+    int within = 0, rounded = 0;
+    for (std::int32_t polygon = 0; polygon < static_cast<std::int32_t>(scene.polygons.size()); ++polygon)
+      for (std::int32_t y = 0; y < view.height; ++y)
+        for (std::int32_t x = 0; x < view.width; ++x) {
+          const Verdict verdict = why_not(trace, polygon, {x, y});
+          if (verdict.kind != Why::line_hidden) continue;
+          CAPTURE(verdict.sentence);
+          const std::string& place = verdict.formulas.back();
+          CAPTURE(place);
+          const auto number_after = [](const std::string& text, const std::string& words) {
+            const std::size_t at = text.find(words);
+            REQUIRE(at != std::string::npos);
+            std::string digits = text.substr(at + words.size());
+            for (std::size_t minus = digits.find("\u2212"); minus != std::string::npos; minus = digits.find("\u2212")) digits.replace(minus, 3, "-");
+            return std::stod(digits);
+          };
+          const double t = number_after(place, "at the pixel t = ");
+          CHECK(t >= 0);
+          CHECK(t <= 1);
+          if (contains(place, "is rounded to this pixel")) {
+            ++rounded;
+            continue;
+          }
+          ++within;
+          CHECK(t >= number_after(verdict.sentence, "hides it from t = ") - 1e-4);
+          CHECK(t <= number_after(verdict.sentence, " to t = ") + 1e-4);
+        }
+    CHECK(within > 20);
+    CHECK(rounded > 0);
+  }
+
   TEST_CASE("a back face of a tree is dropped by a step, and of rays none is spoken where none is cast") {
     Scene scene = look_at_scene(load_scene("pyramid-behind").scene, {});
     const Trace trace = test::recorded_by("bsp", scene);
