@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "sim/answers/explain_value.hpp"
@@ -27,6 +28,7 @@ struct ExplainOptions {
 answers::Question question_of(const Trace& trace, const ExplainOptions& options) {
   answers::Question question;
   question.at = options.at.empty() ? trace.size() : step_of(trace, options.at);
+  if (options.what.size() > 2) throw InputError("zstep explain", fmt::format("asks about one pixel or one field, not about '{}'", fmt::join(options.what, " ")), "give X Y, or --at STEP FIELD");
   if (options.what.size() == 2) {
     const Raster& raster = trace.scene().raster;
     const std::int64_t x = parse_whole("X", options.what[0], 0), y = parse_whole("Y", options.what[1], 0);
@@ -102,7 +104,7 @@ void add_explain(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ExplainOptions>();
   CLI::App* command = app.add_subcommand("explain", "Tell where a number comes from, back to the lines of the mesh file");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
-  command->add_option("what", options->what, "A pixel whose depth is meant, or with --at a field of that step (its main one if none is given)")->type_name("X Y or FIELD")->expected(0, 2);
+  command->add_option("what", options->what, "A pixel whose depth is meant, or with --at a field of that step (its main one if none is given)")->type_name("X Y or FIELD")->expected(0, -1);
   command->add_option("--at", options->at, "The step, part of the trace or bookmark; for a pixel, the moment (default: the end)")->type_name("STEP|PERCENT%|BOOKMARK");
   command->add_flag("--json", options->json, "As JSON, with each value's hex float");
   command->footer(

@@ -49,11 +49,12 @@ void write_table(const std::string& path, const std::vector<Value>& values, std:
 
 int export_table(const Trace& trace, const ExportOptions& options) {
   const std::int64_t at = options.at.empty() ? trace.size() : step_of(trace, options.at);
-  const std::size_t place = parse_choice("--buffer", options.buffer, buffer_names());
+  const std::string buffer = options.buffer.empty() ? "depth" : options.buffer;
+  const std::size_t place = parse_choice("--buffer", buffer, buffer_names());
   const Scene& scene = trace.scene();
   const bool y_up = scene.raster.y_up;
   const std::int32_t width = scene.raster.width, height = scene.raster.height;
-  const std::string what = fmt::format("{} at step {}", options.buffer, at);
+  const std::string what = fmt::format("{} at step {}", buffer, at);
   const auto same = [](auto value) { return value; };
   constexpr std::size_t before_counts = 5;
   if (place >= before_counts) {
@@ -67,11 +68,14 @@ int export_table(const Trace& trace, const ExportOptions& options) {
   Replay replay(trace);
   replay.go_to(at);
   const State& state = replay.state();
-  const Picture& picture = options.buffer.starts_with("light") ? state.light : state.picture;
+  const Picture& picture = buffer.starts_with("light") ? state.light : state.picture;
   if (picture.depth.empty()) throw InputError("--buffer", fmt::format("{} makes no picture as the light sees it", trace.header().algorithm), "ask for frame or depth");
-  if (options.buffer.ends_with("depth")) {
+  const bool none = std::none_of(picture.depth.begin(), picture.depth.end(), [](double z) { return z != no_depth; });
+  if (options.buffer.empty() && none && std::any_of(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; }))
+    throw InputError("--buffer", fmt::format("{} draws lines, which have no depth in a buffer", trace.header().algorithm), "ask for colors");
+  if (buffer.ends_with("depth")) {
     write_table(options.out, top_row_first<double>(picture.depth, picture.width, picture.height, y_up && &picture == &state.picture, same), picture.width, picture.height, what);
-  } else if (options.buffer == "colors") {
+  } else if (buffer == "colors") {
     std::vector<std::int32_t> colors;
     for (std::size_t i = 0; i < picture.polygon.size(); ++i) {
       const Color c = color_at(picture, scene, i);
@@ -99,9 +103,7 @@ int run_export(const ExportOptions& options) {
   needless("--fps", !is_video(path) && options.fps.has_value(), "films: .gif, .mp4, .webm, .mkv");
   const Trace trace = open_trace(options.trace);
   if (pictures) return export_pictures(trace, options);
-  ExportOptions whole = options;
-  if (whole.buffer.empty()) whole.buffer = "depth";
-  return export_table(trace, whole);
+  return export_table(trace, options);
 }
 
 }  // namespace

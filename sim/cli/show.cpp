@@ -84,8 +84,9 @@ std::optional<double> percentage(std::string_view text) {
 }  // namespace
 
 std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option) {
-  if (std::all_of(at.begin(), at.end(), [](char c) { return c >= '0' && c <= '9'; })) {
-    const std::int64_t step = parse_whole(option, at, 0);
+  if (!at.empty() && at.find_first_not_of("0123456789") == std::string::npos) parse_whole(option, at, 0);  // it must not be too long
+  if (const auto whole = read_whole(at); whole && *whole >= 0) {
+    const std::int64_t step = *whole;
     if (step > trace.size()) throw InputError(option, fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
     return step;
   }

@@ -92,8 +92,14 @@ double parse_number(std::string_view where, const std::string& text) {
   return value;
 }
 
+std::optional<std::int64_t> read_whole(std::string text) {
+  for (const std::string_view space : {"\u00a0", "\u202f", " "})
+    for (std::size_t at = text.find(space, 1); at != std::string::npos; at = text.find(space, at)) text.erase(at, space.size());
+  return whole(text);
+}
+
 std::int64_t parse_whole(std::string_view where, const std::string& text, std::int64_t least) {
-  const std::optional<std::int64_t> value = whole(text);
+  const std::optional<std::int64_t> value = read_whole(text);
   if (!value || *value < least)
     throw InputError(where, fmt::format("'{}' is not a whole number of at least {}", text, least), fmt::format("write for example {} {}", where, least));
   return *value;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +20,9 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> kno
 
 /// A finite number. `where` names the option in the error.
 double parse_number(std::string_view where, const std::string& text);
-/// A whole number of at least `least`.
+/// A whole number, whose thousands may be set apart as zstep prints them ("742\u00a0697"); nothing for what is none.
+std::optional<std::int64_t> read_whole(std::string text);
+/// The same, of at least `least`.
 std::int64_t parse_whole(std::string_view where, const std::string& text, std::int64_t least);
 /// "640x480" -> {640, 480}.
 std::array<std::int32_t, 2> parse_size(std::string_view where, const std::string& text);

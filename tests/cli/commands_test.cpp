@@ -236,6 +236,23 @@ TEST_CASE("explain takes a step, a part of the trace or a bookmark, and refuses 
   }
 }
 
+TEST_CASE("a step can be copied from one answer into the next question, and too many words are refused in words") {
+  const Folder folder;
+  must(folder, "record pyramid-behind -o run.ztrace");
+  const std::string history = must(folder, "history run.ztrace 15 12").out;
+  const std::size_t space = history.find("\u00a0");  // the first step beyond 999
+  REQUIRE(space != std::string::npos);
+  const std::size_t begin = history.find_last_of(" \n", space) + 1;
+  const std::string step = history.substr(begin, history.find_first_of(" \n", begin) - begin);
+  CAPTURE(step);
+  std::string plain = step;
+  for (std::size_t at = plain.find("\u00a0"); at != std::string::npos; at = plain.find("\u00a0")) plain.erase(at, 2);
+  CHECK(must(folder, "explain run.ztrace --at " + step).out == must(folder, "explain run.ztrace --at " + plain).out);
+  const Outcome refused = run(folder, "explain run.ztrace 15 12 z");
+  CHECK(refused.code == 2);
+  CHECK(has(refused.err, "zstep explain: asks about one pixel or one field, not about '15 12 z'; give X Y, or --at STEP FIELD"));
+}
+
 TEST_CASE("a trace in a scene's place, and a scene in a trace's, are told apart") {
   const Folder folder;
   must(folder, "record foley -o run.ztrace");

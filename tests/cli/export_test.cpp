@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "sim/answers/pixel_counts.hpp"
 #include "sim/image/npy.hpp"
 #include "sim/image/png.hpp"
@@ -118,6 +120,18 @@ TEST_CASE("a place in a trace is a step, a percentage or a bookmark") {
   write_text(folder / "run.ztrace.marks", "126 9%\n");
   must(folder, "export run.ztrace --at 9% -o marked.csv", "wrote marked.csv");
   CHECK(text_of(folder / "marked.csv") == half);  // a name that was given counts first
+}
+
+TEST_CASE("export: lines have no depths in a buffer, and an empty table is not what is asked for") {
+  const Folder folder;
+  for (const char* by : {"hidden-line", "wireframe", "floating-horizon"}) {
+    CAPTURE(by);
+    const std::string scene = std::string(by) == "floating-horizon" ? "'y = sin(x) * cos(z)'" : "pyramid";
+    must(folder, fmt::format("record {} --algorithm {} --size 40x30 -o run.ztrace", scene, by), "wrote run.ztrace");
+    refused(folder, "export run.ztrace -o depth.npy", fmt::format("--buffer: {} draws lines, which have no depth in a buffer; ask for colors", by));
+    must(folder, "export run.ztrace --buffer depth -o depth.npy", "wrote depth.npy");
+    must(folder, "export run.ztrace --buffer colors -o colors.npy", "wrote colors.npy");
+  }
 }
 
 TEST_CASE("export: a pane, a sheet, and a sheet of bookmarks") {
