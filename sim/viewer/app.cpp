@@ -77,6 +77,12 @@ void App::say(std::string message) {
 }
 
 void App::open(Overlay overlay) {
+  // The pixel that why-not picked for itself is not the reader's.
+  const bool own = overlay_ == Overlay::why && overlay != Overlay::why && why_anywhere_;
+  if (own && why_.pixel && session_.selected == Cell{why_.pixel->x, why_.pixel->y}) {
+    if (why_selected_) session_.select(*why_selected_);
+    else session_.selected.reset();
+  }
   overlay_ = overlay;
   typed = overlay == Overlay::query ? inquiry_.sql() : "";
   wrong.clear();
@@ -190,6 +196,7 @@ bool App::key(const SDL_KeyboardEvent& event) {
       const std::string id = command->id;
       if (id != "keys" && id != "menu" && id != "escape") open(Overlay::none);
     }
+    session_.message.clear();
     command->run(*this);
   }
   session_.touch();
@@ -207,6 +214,9 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
   };
   switch (event.type) {
     case SDL_KEYDOWN:
+      ui_.reads = true;
+      key(event.key);
+      return false;
     case SDL_KEYUP:
       key(event.key);
       return false;
@@ -226,12 +236,14 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       }
       return false;
     case SDL_MOUSEMOTION:
+      ui_.reads = false;
       mouse(static_cast<float>(event.motion.x) * pixels_per_point, static_cast<float>(event.motion.y) * pixels_per_point);
       return false;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP: {
       mouse(static_cast<float>(event.button.x) * pixels_per_point, static_cast<float>(event.button.y) * pixels_per_point);
       const bool down = event.type == SDL_MOUSEBUTTONDOWN;
+      if (down) session_.message.clear();
       const int which = event.button.button == SDL_BUTTON_LEFT ? 0 : event.button.button == SDL_BUTTON_RIGHT ? 1 : event.button.button == SDL_BUTTON_MIDDLE ? 2 : -1;
       if (which < 0) return false;
       const SDL_Keymod mod = SDL_GetModState();

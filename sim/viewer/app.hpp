@@ -154,6 +154,7 @@ class App {
   bool why_decides_ = false;
   std::int32_t why_polygon_ = 0;
   std::optional<Cell> why_of_;
+  std::optional<Cell> why_selected_;  ///< by the reader, before a why-not that picks its own pixel
   bool why_anywhere_ = false;
   answers::Chain chain_;
   Ui ui_;

@@ -176,7 +176,8 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
 void App::draw_panes(ImVec2 at, ImVec2 size) {
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
-  const bool narrow = size.x < ui_.em * 44 || size.y < ui_.em * 21;
+  // Presenter mode has larger letters and fewer words.
+  const bool narrow = size.x < ui_.em * (ui_.presenter ? 40 : 44) || size.y < ui_.em * 21;
   if (narrow) {
     // Too small for everything: what happened and the framebuffer, and a sentence that says so.
     const float line = ui_.line();
@@ -203,7 +204,9 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
     return;
   }
   // With a lesson there is a column more, and the code gives way a little.
-  const float left = std::round(size.x * (session_.lesson() ? l.left * 0.94f : l.left));
+  const float shared = std::round(size.x * (session_.lesson() ? l.left * 0.94f : l.left));
+  const bool roomy = !session_.lesson() || size.x > ui_.em * 52;
+  const float left = ui_.presenter && roomy ? std::max(shared, std::min(ui_.em * 14, size.x * 0.34f)) : shared;  // large letters need room
   // Presenter mode gives the buffers a larger share of what is left of the height.
   float presented = std::max(l.buffers, 0.66f);
   float& buffers = ui_.presenter ? presented : l.buffers;

@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -92,9 +95,9 @@ std::string fitted(const Ui& ui, const ImFont* font, std::string text, float roo
 namespace {
 
 /// A row with a title on the left and its keys on the right; true when clicked.
-bool row(Ui& ui, const Command& command, float width, bool lit) {
+bool row(Ui& ui, const Command& command, float width, float height, bool lit) {
   const Theme& c = ui.colors();
-  const float height = std::round(ui.em * 1.4f);
+  const float top = std::round((height - ui.em) * 0.375f);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
   const bool clicked = ImGui::InvisibleButton(command.id, {width, height});
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -102,16 +105,55 @@ bool row(Ui& ui, const Command& command, float width, bool lit) {
   else if (ImGui::IsItemHovered()) list->AddRectFilled(at, end, c.button_hovered);
   const std::string keys = key_names(command);
   const float keys_width = text_size(ui, ui.fonts.mono, keys).x;
-  draw_text(ui, {at.x + ui.em * 0.4f, at.y + ui.em * 0.15f}, ui.fonts.text, c.text, command.title);
-  draw_text(ui, {end.x - keys_width - ui.em * 0.4f, at.y + ui.em * 0.2f}, ui.fonts.mono, c.muted, keys);
+  draw_text(ui, {at.x + ui.em * 0.4f, at.y + top}, ui.fonts.text, c.text, command.title);
+  draw_text(ui, {end.x - keys_width - ui.em * 0.4f, at.y + top + 1}, ui.fonts.mono, c.muted, keys);
   return clicked;
+}
+
+float row_width(Ui& ui, const Command& command) {
+  return text_size(ui, ui.fonts.text, command.title).x + text_size(ui, ui.fonts.mono, key_names(command)).x + ui.em * 2.5f;
 }
 
 float widest_row(Ui& ui) {
   float width = 0;
-  for (const Command& command : commands())
-    width = std::max(width, text_size(ui, ui.fonts.text, command.title).x + text_size(ui, ui.fonts.mono, key_names(command)).x);
-  return width + ui.em * 3;
+  for (const Command& command : commands()) width = std::max(width, row_width(ui, command));
+  return width;
+}
+
+/// All commands in columns, group by group under their headings; a heading stands with its first command.
+struct Sheet {
+  struct Place {
+    std::size_t column = 0;
+    int row = 0;
+    bool heads = false;  ///< its group's heading stands in the row above it
+  };
+  std::vector<Place> places;  ///< of each command
+  std::vector<float> widths;  ///< of each column
+  int rows = 0;
+  float width() const { return std::accumulate(widths.begin(), widths.end(), 0.0f); }
+};
+
+Sheet sheet_with(Ui& ui, int rows) {
+  Sheet sheet;
+  sheet.rows = rows;
+  sheet.widths.push_back(0);
+  int row_now = 0;
+  const char* group = "";
+  for (const Command& command : commands()) {
+    const bool heads = std::strcmp(group, command.group) != 0;
+    group = command.group;
+    if (row_now + (heads ? 2 : 1) > rows) sheet.widths.push_back(0), row_now = 0;
+    row_now += heads;
+    sheet.places.push_back({sheet.widths.size() - 1, row_now++, heads});
+    sheet.widths.back() = std::max(sheet.widths.back(), row_width(ui, command));
+  }
+  return sheet;
+}
+
+/// The same in at most so many columns, with as few rows as that takes.
+Sheet sheet_in(Ui& ui, std::size_t columns) {
+  for (int rows = 2;; ++rows)
+    if (Sheet sheet = sheet_with(ui, rows); sheet.widths.size() <= columns) return sheet;
 }
 
 void run(App& app, const Command& command) {
@@ -122,37 +164,28 @@ void run(App& app, const Command& command) {
 
 void draw_columns(App& app, const char* id, const char* title) {
   Ui& ui = app.ui();
-  const float width = widest_row(ui), row_height = std::round(ui.em * 1.4f);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  std::size_t lines = commands().size();
-  const char* group = "";
-  for (const Command& command : commands())
-    if (std::strcmp(group, command.group) != 0) group = command.group, lines += 1;
-  const int columns = std::clamp(static_cast<int>((screen.x - 2 * ui.em) / width), 1, 3);
-  const float needed = std::ceil(static_cast<float>(lines + 3) / static_cast<float>(columns)) * row_height + 3 * ui.em;
-  begin_overlay(app, id, {width * static_cast<float>(columns) + 2 * ui.em, needed});
+  const float around = 2 * ui.em, above = 3 * ui.em;
+  // As many columns as give the rows most room; where the window is low, the rows move together.
+  const auto height_of = [&](const Sheet& sheet) { return std::floor(std::min((screen.y - 8 - above) / static_cast<float>(sheet.rows), ui.em * 1.4f)); };
+  Sheet sheet = sheet_in(ui, 1);
+  for (const std::size_t columns : {2u, 3u})
+    if (Sheet wider = sheet_in(ui, columns); wider.width() + around <= screen.x && height_of(wider) > height_of(sheet)) sheet = std::move(wider);
+  const float row_height = height_of(sheet) < ui.em * 1.05f ? std::round(ui.em * 1.4f) : height_of(sheet);  // else it scrolls, with room
+  begin_overlay(app, id, {sheet.width() + around, static_cast<float>(sheet.rows) * row_height + above});
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, title, heading);
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  const float bottom = top.y + needed - 3 * ui.em;
-  float x = top.x, y = top.y;
-  group = "";
   const Command* clicked = nullptr;
-  for (const Command& command : commands()) {
-    const bool fresh = std::strcmp(group, command.group) != 0;
-    if (columns > 1 && y + row_height * (fresh ? 2.0f : 1.0f) > bottom) {
-      x += width;
-      y = top.y;
-    }
-    if (fresh) {
-      group = command.group;
-      draw_text(ui, {x + ui.em * 0.4f, y + ui.em * 0.25f}, ui.fonts.bold, ui.colors().now, group);
-      y += row_height;
-    }
+  for (std::size_t k = 0; k < commands().size(); ++k) {
+    const Command& command = commands()[k];
+    const Sheet::Place& place = sheet.places[k];
+    const float x = std::accumulate(sheet.widths.begin(), sheet.widths.begin() + static_cast<std::ptrdiff_t>(place.column), top.x);
+    const float y = top.y + static_cast<float>(place.row) * row_height;
+    if (place.heads) draw_text(ui, {x + ui.em * 0.4f, y - row_height + std::round((row_height - ui.em) * 0.6f)}, ui.fonts.bold, ui.colors().now, command.group);
     ImGui::SetCursorScreenPos({x, y});
-    if (row(ui, command, width - ui.em * 0.5f, false)) clicked = &command;
-    y += row_height;
+    if (row(ui, command, sheet.widths[place.column] - ui.em * 0.5f, row_height, false)) clicked = &command;
   }
   ImGui::End();
   if (clicked) run(app, *clicked);
@@ -172,7 +205,7 @@ void draw_palette(App& app) {
   const Command* clicked = nullptr;
   ImGui::BeginChild("found", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (row(ui, *found[i], ImGui::GetContentRegionAvail().x, app.picked == static_cast<int>(i))) clicked = found[i];
+    if (row(ui, *found[i], ImGui::GetContentRegionAvail().x, row_height, app.picked == static_cast<int>(i))) clicked = found[i];
     if (app.picked == static_cast<int>(i)) ImGui::SetScrollHereY(0.5f);
   }
   if (found.empty()) say_empty(ui, "No command has this in its name.");

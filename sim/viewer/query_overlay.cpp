@@ -82,6 +82,10 @@ void draw_query(App& app) {
     note += ".";
   } else if (note.empty() || app.typed != inquiry.sql()) {
     note = "Enter asks. Tables are the kinds of events: " + app.tables() + ".";
+  } else if (inquiry.is_wrong()) {
+    note = "Not understood. " + note;
+    how.color = ui.colors().bad;
+    how.font = ui.fonts.bold;
   }
   flow(ui, note, how);
   if (!inquiry.columns().empty() && !app.asking()) draw_rows(app);

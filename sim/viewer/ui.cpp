@@ -234,6 +234,7 @@ bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
 }
 
 void tooltip(Ui& ui, const std::vector<std::string>& lines) {
+  if (ui.reads) return;
   float width = 0;
   for (const std::string& line : lines) width = std::max(width, text_size(ui, ui.fonts.mono, line).x);
   ImGui::BeginTooltip();

@@ -64,6 +64,7 @@ struct Ui {
   std::int64_t scroll_follows = -1;  ///< position for which panes have scrolled to what is at work
   bool scroll_now = false;           ///< this frame they must
   std::optional<answers::Question> asked;  ///< the number that was clicked in this frame
+  bool reads = false;                ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
   std::string mouse_help;            ///< what the mouse does here, for the bottom line
 
   const Theme& colors() const { return *theme; }

@@ -57,6 +57,7 @@ bool draw_link(App& app, std::size_t place, float steps) {
 }  // namespace
 
 void App::open_why() {
+  why_selected_ = session_.selected;
   why_of_ = session_.selected ? session_.selected : session_.current_cell();
   why_anywhere_ = !why_of_;
   const bool from_history = overlay_ == Overlay::history && static_cast<std::size_t>(std::max(0, picked)) < history_.size();
@@ -97,7 +98,7 @@ void App::ask_why(std::int32_t polygon) {
   }
   why_decides_ = why_.step > 0 && why_.step <= session_.size() && !only_begins(session_.trace().event(why_.step).event);
   if (!why_anywhere_) session_.select(*why_of_);
-  else if (why_.pixel) session_.select(Cell{why_.pixel->x, why_.pixel->y});
+  else if (why_.pixel) session_.select(Cell{why_.pixel->x, why_.pixel->y});  // for as long as this is open
   open(Overlay::why);
   for (std::size_t k = 0; k < why_.chain.size(); ++k)
     if (why_.chain[k].step == why_.step) picked = static_cast<int>(k);

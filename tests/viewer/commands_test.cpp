@@ -2,6 +2,7 @@
 #include <set>
 
 #include <doctest/doctest.h>
+#include <imgui_internal.h>
 
 #include "tests/viewer/drive.hpp"
 #include "sim/viewer/commands.hpp"
@@ -136,6 +137,42 @@ TEST_CASE("G goes to the next place where a scan line begins, and back to the la
   go("line 4000");
   CHECK(app.session().position() == begins.back());
   CHECK(app.session().message.find("4000") != std::string::npos);
+}
+
+TEST_CASE("what is said to the reader goes with the next key or click, and nothing pops up at a mouse that rests") {
+  const Trace trace = test::record_run("pyramid-behind");
+  App app(trace, nullptr, {}, 1280, 720);
+  test::press(app, SDLK_f);  // no pixel is selected
+  CHECK_FALSE(app.session().message.empty());
+  test::press(app, SDLK_z);
+  CHECK(app.session().message.empty());
+  test::press(app, SDLK_f);
+  test::click(app, 700, 300);
+  CHECK(app.session().message.empty());
+
+  test::move_mouse(app, 100, 100);
+  CHECK_FALSE(app.ui().reads);
+  test::press(app, SDLK_RIGHT);
+  CHECK(app.ui().reads);
+  test::move_mouse(app, 101, 100);
+  CHECK_FALSE(app.ui().reads);
+}
+
+TEST_CASE("the key sheet fits into the window") {
+  const Trace trace = test::record_run("pyramid-behind");
+  for (const auto& [width, height] : {std::pair{1024, 768}, {1280, 720}, {1920, 1080}}) {
+    CAPTURE(width);
+    App app(trace, nullptr, {}, width, height);
+    test::press(app, SDLK_F1);
+    REQUIRE(app.overlay() == Overlay::keys);
+    app.settle();
+    const ImGuiWindow* sheet = nullptr;
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+      if (std::string(window->Name) == "keys") sheet = window;
+    REQUIRE(sheet);
+    CHECK(sheet->ScrollMax.y == 0);
+    CHECK(sheet->Pos.y + sheet->Size.y <= static_cast<float>(height));
+  }
 }
 
 TEST_CASE("F runs through everything that touches the selected pixel and nothing else") {

@@ -38,6 +38,7 @@ TEST_CASE("a question: rows, where they lead, and a picture of them") {
   inquiry.ask("selec");
   CHECK(inquiry.rows().empty());
   CHECK(inquiry.note().find("syntax error") != std::string::npos);
+  CHECK(inquiry.is_wrong());
   inquiry.ask("select 9999999 as step, -5 as x, 70000 as y");
   CHECK_FALSE(inquiry.step_of(0));
   CHECK_FALSE(inquiry.pixel_of(0));

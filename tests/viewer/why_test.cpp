@@ -82,6 +82,25 @@ TEST_CASE("Y in a pixel's history asks about the polygon picked there; without a
   CHECK(app.why().kind == Why::lost);
 }
 
+TEST_CASE("the pixel at which a polygon comes nearest to being seen is marked while that is read, and the reader's own comes back") {
+  const Trace trace = test::record_run("pyramid-behind");
+  for (const bool selected : {false, true}) {
+    CAPTURE(selected);
+    App app(trace, nullptr, {}, 1280, 720);
+    if (selected) app.session().select(Cell{3, 4});
+    test::press(app, SDLK_y);
+    if (selected) test::press(app, SDLK_TAB);  // of the whole picture
+    test::type(app, "g");
+    test::press(app, SDLK_RETURN);
+    REQUIRE(app.overlay() == Overlay::why);
+    REQUIRE_FALSE(app.why_of());
+    REQUIRE(app.why().pixel);
+    CHECK(app.session().selected == Cell{app.why().pixel->x, app.why().pixel->y});
+    test::press(app, SDLK_ESCAPE);
+    CHECK(app.session().selected == (selected ? std::optional(Cell{3, 4}) : std::nullopt));
+  }
+}
+
 TEST_CASE("a step decides that compares or writes, not one at which work on a polygon begins") {
   const Trace trace = test::record_run("pyramid-behind");
   App app(trace, nullptr, {}, 1280, 720);

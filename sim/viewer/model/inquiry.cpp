@@ -51,6 +51,7 @@ struct KnownColumns {
 
 void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
   sql_ = sql;
+  wrong_ = false;
   columns_.clear(), rows_.clear(), steps_.clear(), pixels_.clear();
   heat_.reset();
   const Raster& raster = trace_.scene().raster;
@@ -95,6 +96,8 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
         });
   } catch (const InputError& error) {
     note_ = error.what();
+    if (note_.starts_with("query: ")) note_.erase(0, 7);
+    wrong_ = true;
     columns_.clear(), rows_.clear(), heat_.reset();
     return;
   } catch (const query::Stopped& why) {

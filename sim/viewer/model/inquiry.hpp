@@ -37,6 +37,7 @@ class Inquiry {
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<std::string>>& rows() const { return rows_; }  ///< the first of them
   const std::string& note() const { return note_; }                           ///< how many there are, or what is wrong
+  bool is_wrong() const { return wrong_; }
 
   /// Where a row leads: its `step`, and the pixel of its `x` and `y`.
   std::optional<std::int64_t> step_of(std::size_t row) const;
@@ -53,6 +54,7 @@ class Inquiry {
   std::vector<std::optional<std::int64_t>> steps_;
   std::vector<std::optional<Cell>> pixels_;
   std::optional<HeatMap> heat_;
+  bool wrong_ = false;
 };
 
 }  // namespace zstep::viewer

@@ -72,6 +72,17 @@ void draw_scale(Ui& ui, float bottom, const std::string& before, const std::stri
 void draw_heat_legend(Ui& ui, float bottom) {
   const HeatMap& heat = *ui.heat;
   const float width = ImGui::GetContentRegionAvail().x;
+  if (!heat.polygons && !(heat.least < heat.most)) {
+    // One value, or none: there are no colours to tell apart.
+    const std::string what = heat.meaning.empty() ? heat.name : heat.meaning;
+    const bool none = !heat.meaning.empty() && heat.most == 0;
+    const std::string all = none ? fmt::format("{}: none yet", what) : fmt::format("{}: {} at each", what, number(heat.most));
+    const ImVec2 at{ImGui::GetCursorScreenPos().x, bottom - legend_height(ui) + 2};
+    const float box = std::round(ui.fonts.small->FontSize * 0.9f), words = text_size(ui, ui.fonts.small, all).x;
+    if (words <= width) draw_text(ui, at, ui.fonts.small, ui.colors().muted, all);
+    if (words + box + text_size(ui, ui.fonts.small, "none").x + 2 * ui.em <= width) draw_hatched_box(ui, {at.x + words + ui.em, at.y}, box, "none");
+    return;
+  }
   if (!heat.polygons) {
     std::string before = number(heat.least);
     const std::string longer = (heat.meaning.empty() ? heat.name : heat.meaning) + ": " + before;

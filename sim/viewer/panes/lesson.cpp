@@ -73,9 +73,12 @@ void draw(Ui& ui) {
   if (stop.question) draw_question(ui, *stop.question);
   ImGui::Dummy({1, ui.em * 0.4f});
   if (button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
-  ImGui::SameLine(0, ui.em * 0.4f);
   const bool last = s.stop() + 1 == static_cast<int>(s.lesson()->stops.size());
-  if (button(ui, last ? "This was the last stop" : "Next (N) \u25b6", !last && !s.question_open(), !last)) s.next_stop(1);
+  const std::string on = last ? "This was the last stop" : "Next (N) \u25b6";
+  const float needed = text_size(ui, ui.fonts.text, "\u25c0 Back").x + text_size(ui, ui.fonts.text, on).x + ui.em * 2.8f;
+  if (needed <= ImGui::GetContentRegionAvail().x) ImGui::SameLine(0, ui.em * 0.4f);
+  else ImGui::Dummy({1, ui.em * 0.25f});
+  if (button(ui, on, !last && !s.question_open(), !last)) s.next_stop(1);
   ImGui::PopID();
 }
 

@@ -29,7 +29,7 @@ std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, co
       std::string text;
       if (k < row.cells.size()) {
         const TableCell& cell = row.cells[k];
-        text = cell.value ? number(*cell.value, column.decimals) : brief && !cell.brief.empty() ? cell.brief : cell.text;
+        text = cell.value ? cell_number(*cell.value, column.decimals) : brief && !cell.brief.empty() ? cell.brief : cell.text;
       }
       float width = text_size(ui, font, text).x;
       if (k < row.cells.size() && row.cells[k].chip) width += ui.em * 0.75f;
@@ -73,14 +73,20 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   ImDrawList* list = ImGui::GetWindowDrawList();
 
   ImVec2 at = ImGui::GetCursorScreenPos();
-  float x = at.x + gap / 2;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const float shift = columns[k].numeric ? columns[k].width - text_size(ui, ui.fonts.small, headings[k]).x : 0;
-    draw_text(ui, {x + shift, at.y}, ui.fonts.small, c.muted, headings[k]);
-    x += columns[k].width + gap;
-  }
-  ImGui::Dummy({width, std::round(ui.fonts.small->FontSize * 1.3f)});
-  list->AddRectFilled({at.x, ImGui::GetCursorScreenPos().y - 1}, {at.x + width, ImGui::GetCursorScreenPos().y}, c.rule);
+  const ImVec2 top = at;
+  const float heading_height = std::round(ui.fonts.small->FontSize * 1.3f);
+  const auto draw_headings = [&](float y) {
+    float left = top.x + gap / 2;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const float shift = columns[k].numeric ? columns[k].width - text_size(ui, ui.fonts.small, headings[k]).x : 0;
+      draw_text(ui, {left + shift, y}, ui.fonts.small, c.muted, headings[k]);
+      left += columns[k].width + gap;
+    }
+    list->AddRectFilled({top.x, y + heading_height - 1}, {top.x + width, y + heading_height}, c.rule);
+  };
+  draw_headings(top.y);
+  ImGui::Dummy({width, heading_height});
+  float x = 0;
 
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const TableRow& row = rows[r];
@@ -118,6 +124,12 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     if (clicked && row.key >= 0 && !on_number) result.clicked = row.key;
     if (row.look == TableRow::Look::now) follow(ui, at.y, height);
     if (hovered && !exact_values.empty()) tooltip(ui, exact_values);
+  }
+  // When they have scrolled away, the headings stay at the top of the pane as long as some row does.
+  const float pane = ImGui::GetWindowPos().y, foot = ImGui::GetCursorScreenPos().y;
+  if (top.y < pane && foot > pane + 2 * heading_height) {
+    list->AddRectFilled({top.x, pane}, {top.x + width, pane + heading_height}, c.pane);
+    draw_headings(pane);
   }
   ImGui::PopStyleVar();
   ImGui::PopID();

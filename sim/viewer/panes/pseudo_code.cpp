@@ -26,17 +26,24 @@ bool laid_out_anew(float top, float height) {
   return anew;
 }
 
-void draw_line(Ui& ui, const StepInfo& step, bool now) {
+/// How far in a level stands: the deepest line of the page keeps most of the pane for its words.
+float indent_of(const Ui& ui, const Page& page) {
+  int deepest = 1;
+  for (const StepInfo& step : page) deepest = std::max(deepest, static_cast<int>(step.indent));
+  return std::max(3.0f, std::round(std::min(ui.em * 0.8f, ImGui::GetContentRegionAvail().x * 0.22f / static_cast<float>(deepest))));
+}
+
+void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   const Theme& c = ui.colors();
   const float width = ImGui::GetContentRegionAvail().x;
-  const float gutter = std::round(ui.em * 1.15f), indent = gutter + static_cast<float>(step.indent) * std::round(ui.em * 0.8f);
+  const float gutter = std::round(ui.em * 1.15f), indent = gutter + static_cast<float>(step.indent) * level;
   const auto count = ui.hits.of(step.id);
   const std::string hits = count && *count > 0 && !ui.presenter ? grouped(*count) : "";
   const float hits_width = hits.empty() ? 0 : text_size(ui, ui.fonts.small, hits).x + ui.em * 0.4f;
 
   Flow how;
   how.font = ui.fonts.mono;
-  how.indent = std::round(ui.em * 0.9f);
+  how.indent = std::round(std::min(ui.em * 0.9f, width * 0.05f));
   how.width = std::max(ui.em * 4, width - indent - hits_width - 2);
   how.color = now ? c.text : count && *count == 0 ? c.muted : c.text;
   const float height = flow_height(ui, step.text, how) + 2;
@@ -73,11 +80,12 @@ void draw(Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const RecordedEvent* event = ui.session.event();
   if (!event && ui.scroll_now) ImGui::SetScrollY(0);
+  const float level = indent_of(ui, page);
   std::vector<bool> shown(page.size(), true);
   for (std::size_t i = 0; i < page.size(); ++i)
     if (ui.presenter && event && event->step == page[i].id) shown = lines_near(page, i);
   for (std::size_t i = 0; i < page.size(); ++i)
-    if (shown[i]) draw_line(ui, page[i], event && event->step == page[i].id);
+    if (shown[i]) draw_line(ui, page[i], event && event->step == page[i].id, level);
   ImGui::PopStyleVar();
 }
 

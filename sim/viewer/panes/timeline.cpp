@@ -280,7 +280,10 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   const float right = text_size(ui, ui.fonts.mono, percent).x;
   const float y = ImGui::GetCursorScreenPos().y + std::round(ui.em * 0.3f);
   draw_text(ui, {origin.x + size.x - right, y}, ui.fonts.mono, ui.colors().text, percent);
-  for (const std::string& hint : {ui.mouse_help, std::string("\u2192 step    Shift+\u2192 pixel    Ctrl+\u2192 scan line    Page down polygon    Space play    ? all keys"),
+  const bool lines = has_step_of<ScanLineBegin>(s.header()) || !sections.all.empty(), polygons = !s.trace().polygons().empty();
+  const std::string every = fmt::format("\u2192 step    Shift+\u2192 pixel    {}{}Space play    ? all keys", lines ? fmt::format("Ctrl+\u2192 {}    ", sections.all.empty() ? "scan line" : sections.word) : "",
+                                        polygons ? "Page down polygon    " : "");
+  for (const std::string& hint : {ui.mouse_help, every,
                                   std::string("\u2192 step    Shift+\u2192 pixel    ? all keys"), std::string("? all keys")})
     if (!hint.empty() && text_size(ui, ui.fonts.text, hint).x + right + ui.em < room) {
       draw_text(ui, {ImGui::GetCursorScreenPos().x, y}, ui.fonts.text, ui.colors().muted, hint);

@@ -42,6 +42,13 @@ std::string number(double value, int decimals) {
   return with_minus(fmt::format("{:.{}f}", value, decimals));
 }
 
+std::string cell_number(double value, int decimals) {
+  if (value == 0 || !std::isfinite(value) || rounded(value, decimals) != 0) return number(value, decimals);
+  std::string text = fmt::format("{:.0e}", value);
+  for (const std::size_t zero = text.find('e') + 2; text[zero] == '0' && zero + 1 < text.size();) text.erase(zero, 1);
+  return with_minus(text);
+}
+
 std::string number(double value, int at_most_decimals, bool shorten) {
   if (!shorten) return number(value, at_most_decimals);
   if (!std::isfinite(value)) return not_finite(value);
@@ -68,9 +75,10 @@ int decimals_needed(std::span<const double> values, int at_most) {
   }
   if (needed < at_most) return needed;
   // Not short: two decimals, or as many as tell the values apart.
-  std::vector<double> sorted;
+  std::vector<double> sorted{0};  // what is seen with all decimals is told apart from 0, too
+  const double least = 0.5 * std::pow(10.0, -at_most);
   for (const double value : values)
-    if (std::isfinite(value)) sorted.push_back(value);
+    if (std::isfinite(value) && std::abs(value) >= least) sorted.push_back(value);
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   for (int decimals = std::min(2, at_most); decimals < at_most; ++decimals) {

@@ -13,6 +13,8 @@ inline constexpr int usual_decimals = 4;
 
 /// With exactly this many decimals: "−0.50", "∞", "undefined" for a NaN.
 std::string number(double value, int decimals);
+/// The same, but what is not 0 does not look like 0: "4e−4" for 0.0004 with two decimals.
+std::string cell_number(double value, int decimals);
 /// As short as it can be without losing one of `at_most` decimals: "4.25", "3", "0.3333". Very large and very small values
 /// are written with an exponent ("1.2e−07").
 std::string number(double value, int at_most_decimals, bool shorten);

@@ -32,6 +32,18 @@ TEST_CASE("a small factor keeps four digits that count, so that its product with
   CHECK(factor(0) == "0");
 }
 
+TEST_CASE("in a table what is not 0 does not look like 0") {
+  CHECK(cell_number(0, 2) == "0.00");
+  CHECK(cell_number(0.0004, 2) == "4e\u22124");
+  CHECK(cell_number(-0.0049, 2) == "\u22125e\u22123");
+  CHECK(cell_number(0.005, 2) == "0.01");
+  CHECK(cell_number(3e-17, 4) == "3e\u221217");
+  CHECK(cell_number(-1.5, 2) == "\u22121.50");
+  CHECK(cell_number(std::numeric_limits<double>::infinity(), 2) == "\u221e");
+  CHECK(decimals_needed(std::vector<double>{0.004321, 1.2345}) == 3);  // not two: 0.00 would be shown
+  CHECK(decimals_needed(std::vector<double>{1e-17, 1.23456789}) == 2);
+}
+
 TEST_CASE("infinity is never written as a large number") {
   const double inf = std::numeric_limits<double>::infinity();
   CHECK(number(inf) == "\u221e");
