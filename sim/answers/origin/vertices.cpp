@@ -36,7 +36,6 @@ void tell_fit(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
   const std::string letter = world_names[place(axis)];
   const Number before = work.in_scene(vertex, axis);
   datum.is(fmt::format("({0} - c_{1})/r", before.name, letter), {{before.name, before}, {"c_" + letter, component(work.scene.fit->centre, axis)}, {"r", work.scene.fit->radius}});
-  datum.note("fitted: the centre of the bounding box c to the origin, the farthest vertex, at r, to distance 1");
 }
 
 /// The row of the matrix times the point of the file; what is multiplied by 0 is left out.
@@ -79,7 +78,7 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
     return is_split(*this, made) ? field(*made, cut_names[place(axis)]) : Number(way ? component(way->world, axis) : 0);
   }
   const bool screen = scene.camera.kind == Camera::Kind::screen;
-  const std::string what = fmt::format("vertex {} of the scene{}", vertex_name(vertex), screen ? ", on the raster" : ", in the world");
+  const std::string what = fmt::format("vertex {} of the scene{}", vertex_name(vertex), screen ? ", on the raster" : scene.fit ? ", fitted: c the centre of the bounding box, r how far the farthest vertex is" : ", in the world");
   return derived(0, fmt::format("point {}", vertex), what, world_names[place(axis)], component(scene.points[number], axis), [&](Datum& datum) {
     if (scene.fit) return tell_fit(datum, *this, vertex, axis);
     if (is_moved(scene, vertex)) return tell_placement(datum, *this, vertex, axis);
