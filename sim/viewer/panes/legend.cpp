@@ -98,7 +98,7 @@ void draw_heat_legend(Ui& ui, float bottom) {
 }
 
 void draw_depth_legend(Ui& ui, float bottom, const DepthRange& range) {
-  if (!range.flat()) {
+  if (!range.flat() && (range.known || by_hand(ui))) {
     const auto [near, far] = ends_of(range, by_hand(ui));
     return draw_scale(ui, bottom, near, far, nothing_there);
   }

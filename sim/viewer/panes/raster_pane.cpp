@@ -38,10 +38,13 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
   const auto line = ui.session.state().machine.scan_line;
   const float edge = origin.x + static_cast<float>(std::max(0.0, map.left));
   for (int y = 0, step = label_step(map.cell, font->FontSize + 2.0); y < map.height; y += step) {
-    if (map.py(y) < font->FontSize / 2 || map.py(y) > static_cast<float>(map.box_height) - font->FontSize / 2) continue;
+    // A number that would stick out by a little is moved in.
+    const float middle = static_cast<float>(map.py(y)), half = font->FontSize / 2;
+    const float place = std::clamp(middle, half, std::max(half, static_cast<float>(map.box_height) - half));
+    if (std::abs(place - middle) > half * 0.6f) continue;
     if (line && y != *line && std::abs(map.py(y) - map.py(*line)) < font->FontSize) continue;
     const std::string text = std::to_string(y);
-    draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + static_cast<float>(map.py(y)) - font->FontSize / 2}, font,
+    draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + place - half}, font,
               line == y ? c.now : c.muted, text);
   }
   if (line && map.py(*line) >= 0 && map.py(*line) <= map.box_height) {
