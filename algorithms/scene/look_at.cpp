@@ -57,6 +57,7 @@ Ball ball_around(const std::vector<glm::dvec3>& points) {
 
 /// The bounding box's centre to the origin, the farthest vertex at distance 1; the light keeps its place among them.
 void fit(Scene& scene) {
+  if (scene.fit) return;  // it is there already
   const Ball ball = ball_around(scene.points);
   const Fit move{ball.centre, ball.radius};
   if (scene.file_points.empty()) scene.file_points = scene.points;

@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include "sim/answers/find.hpp"
-#include "traces/file/visit.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -40,15 +39,15 @@ Step viewed_in(const Trace& trace, const Stretch& stretch, std::int32_t vertex) 
 
 /// The vertex is projected right after it was viewed, or soon after clipping made it.
 void find_projection(const Trace& trace, std::int64_t from, std::int64_t at, std::int32_t vertex, VertexSteps& steps) {
-  trace.visit(from - 1, at, [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
-    if constexpr (std::is_same_v<E, Projection>) {
-      if (event.vertex == vertex) steps.projected = step;
-    } else if constexpr (std::is_same_v<E, ViewportTransform>) {
-      if (event.vertex == vertex) steps.on_raster = step;
-    } else if constexpr (std::is_same_v<E, ViewTransform>) {
-      if (event.vertex != vertex) return false;
+  trace.each(from - 1, at, [&](std::int64_t step, const RecordedEvent& recorded) {
+    if (const auto* projection = std::get_if<Projection>(&recorded.event)) {
+      if (projection->vertex == vertex) steps.projected = step;
+    } else if (const auto* viewport = std::get_if<ViewportTransform>(&recorded.event)) {
+      if (viewport->vertex == vertex) steps.on_raster = step;
+    } else if (const auto* view = std::get_if<ViewTransform>(&recorded.event)) {
+      if (view->vertex != vertex) return false;
     }
-    return !steps.on_raster && !std::is_same_v<E, PolygonBegin> && !std::is_same_v<E, PieceDraw>;
+    return !steps.on_raster && !is_one_of<PolygonBegin, PieceDraw>(recorded);
   });
 }
 

@@ -12,7 +12,6 @@
 #include "sim/compare/facet_at.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
-#include "traces/file/visit.hpp"
 
 namespace zstep::answers {
 
@@ -135,15 +134,14 @@ class History {
     after_rays_ = true;
     std::optional<double> kept;
     std::int32_t keeper = no_polygon;
-    trace_.visit(begin, trace_.size(), [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
-      if constexpr (std::is_same_v<E, RayEnd> || std::is_same_v<E, RayBegin>) return false;
-      if constexpr (std::is_same_v<E, RayHit>) {
-        if (!event.inside) return true;
-        const std::int32_t polygon = polygon_of_facet(trace_.scene(), event.facet);
-        Visit& visit = add(step, polygon, event.nearest ? Outcome::won : kept == event.t ? Outcome::tie : Outcome::lost);
-        visit.z = event.t, visit.stored = kept, visit.stored_polygon = keeper;
-        if (event.nearest) kept = event.t, keeper = polygon;
-      }
+    trace_.each(begin, trace_.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+      if (is_one_of<RayEnd, RayBegin>(recorded)) return false;
+      const auto* hit = std::get_if<RayHit>(&recorded.event);
+      if (!hit || !hit->inside) return true;
+      const std::int32_t polygon = polygon_of_facet(trace_.scene(), hit->facet);
+      Visit& visit = add(step, polygon, hit->nearest ? Outcome::won : kept == hit->t ? Outcome::tie : Outcome::lost);
+      visit.z = hit->t, visit.stored = kept, visit.stored_polygon = keeper;
+      if (hit->nearest) kept = hit->t, keeper = polygon;
       return true;
     });
   }
@@ -208,14 +206,14 @@ class History {
       if (!there_[static_cast<std::size_t>(marks[i].polygon)]) continue;
       const std::int64_t end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
       std::int32_t facet = -1;
-      trace_.visit(marks[i].position - 1, end, [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
-        if constexpr (std::is_same_v<E, PolygonBegin>) facet = event.facet;
-        if constexpr (std::is_same_v<E, PolygonReject>) {
-          const bool another = polygon_of_facet(trace_.scene(), facet) == event.polygon && !facets_there_.contains(facet);
-          const bool by_node = tree && event.reason == Reject::back_facing;
-          if (event.polygon == marks[i].polygon && !another && !by_node) add_rejected({step, event.polygon, event.reason});
+      trace_.each(marks[i].position - 1, end, [&](std::int64_t step, const RecordedEvent& recorded) {
+        if (const auto* begin = std::get_if<PolygonBegin>(&recorded.event)) facet = begin->facet;
+        if (const auto* reject = std::get_if<PolygonReject>(&recorded.event)) {
+          const bool another = polygon_of_facet(trace_.scene(), facet) == reject->polygon && !facets_there_.contains(facet);
+          const bool by_node = tree && reject->reason == Reject::back_facing;
+          if (reject->polygon == marks[i].polygon && !another && !by_node) add_rejected({step, reject->polygon, reject->reason});
         }
-        return !std::is_same_v<E, OutlineVertex> && !std::is_same_v<E, SpanBegin>;  // it was not rejected
+        return !is_one_of<OutlineVertex, SpanBegin>(recorded);  // it was not rejected
       });
     }
     if (!marks.empty() && !tree) return;

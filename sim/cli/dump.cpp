@@ -15,7 +15,7 @@
 #include "sim/cli/words.hpp"
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
-#include "traces/file/visit.hpp"
+#include "traces/file/trace.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -97,13 +97,14 @@ int dump(const DumpOptions& options) {
     for (const StepInfo& step : page)
       if (filter.shows(step.id)) widest = std::max(widest, step.name.size());
     const std::size_t digits = fmt::format("{}", std::min(to, trace.size())).size();
-    trace.visit(from - 1, to, [&](std::int64_t position, std::uint8_t step, const auto& event) {
-      if (!filter.shows(step)) return true;
+    trace.each(from - 1, to, [&](std::int64_t position, const RecordedEvent& recorded) {
+      if (!filter.shows(recorded.step)) return true;
       if (options.jsonl) {
-        std::cout << jsonl_event(page, RecordedEvent{step, Event(event)}) << '\n';
+        std::cout << jsonl_event(page, recorded) << '\n';
       } else {
-        const StepInfo* info = find_step(page, step);
-        std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest, fields_text(event));
+        const StepInfo* info = find_step(page, recorded.step);
+        const std::string fields = std::visit([](const auto& event) { return fields_text(event); }, recorded.event);
+        std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest, fields);
       }
       return static_cast<bool>(std::cout);
     });

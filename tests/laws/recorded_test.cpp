@@ -8,7 +8,6 @@
 #include "algorithms/scene/load.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/traces/some_trace.hpp"
-#include "traces/file/visit.hpp"
 
 using namespace zstep;
 
@@ -25,8 +24,8 @@ struct Subject {
 std::string told_otherwise(const Trace& trace, const std::vector<CollectedEvent>& events) {
   std::string difference;
   std::size_t told = 0;
-  trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t step, const auto& event) {
-    const bool same = told < events.size() && events[told].step == step && same_bits(events[told].event, Event(event));
+  trace.each(0, trace.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
+    const bool same = told < events.size() && events[told].step == recorded.step && same_bits(events[told].event, recorded.event);
     ++told;
     if (!same) difference = "step " + std::to_string(position);
     return same;

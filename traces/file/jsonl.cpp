@@ -13,7 +13,6 @@
 #include "traces/events/slots.hpp"
 #include "traces/file/check_events.hpp"
 #include "traces/file/header_json.hpp"
-#include "traces/file/visit.hpp"
 
 namespace zstep {
 
@@ -145,8 +144,8 @@ std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
 
 void write_jsonl(const Trace& trace, std::ostream& out) {
   out << jsonl_header(trace.header(), trace.scene()) << '\n';
-  trace.visit(0, trace.size(), [&](std::int64_t, std::uint8_t step, const auto& event) {
-    out << event_line(trace.header().page, step, event) << '\n';
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    out << jsonl_event(trace.header().page, recorded) << '\n';
     return static_cast<bool>(out);
   });
 }
@@ -229,7 +228,7 @@ void import_jsonl(const std::filesystem::path& from, const std::filesystem::path
     recorder->finish();
     // What only a block as a whole tells is found when its events are read, so read them before anyone relies on them.
     const Trace trace = Trace::open(partial);
-    trace.visit(0, trace.size(), [](std::int64_t, std::uint8_t, const auto&) { return true; });
+    trace.each(0, trace.size(), [](std::int64_t, const RecordedEvent&) { return true; });
   } catch (...) {
     recorder.reset();
     std::error_code ignored;

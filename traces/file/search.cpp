@@ -120,6 +120,15 @@ std::optional<std::int64_t> Trace::previous_at(std::int64_t from, const Predicat
   return std::nullopt;
 }
 
+void Trace::each(std::int64_t first, std::int64_t last, const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const {
+  RecordedEvent recorded;
+  visit(first, last, [&](std::int64_t position, std::uint8_t step, const auto& event) {
+    recorded.step = step;
+    recorded.event = event;
+    return visitor(position, recorded);
+  });
+}
+
 void Trace::scan(const Among& among, const std::function<bool(std::int64_t, const RecordedEvent&)>& each) const {
   const StepSet steps = steps_of(header().page, among.kind);
   const std::int64_t end = std::min(size(), among.until.value_or(size()));

@@ -111,6 +111,9 @@ class Trace {
   std::optional<std::int64_t> previous_at(std::int64_t from, const PredicateAt& predicate, const Among& among = {}) const;
   /// All events that are meant, in order, until the visitor returns false. It must not ask the trace for others meanwhile.
   void scan(const Among& among, const std::function<bool(std::int64_t, const RecordedEvent&)>& visit) const;
+  /// Every event from the one after `first` to the `last`, in order, until the visitor returns false. What visit() does, for who does not
+  /// go through many: each use of visit() is a reader of its own, which takes seconds to compile.
+  void each(std::int64_t first, std::int64_t last, const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const;
   /// The same for events of one kind: condition(const E&).
   template <class E, class Condition>
   std::optional<std::int64_t> next(std::int64_t from, Condition&& condition, std::optional<Pixel> pixel = {}) const {

@@ -38,9 +38,9 @@ TEST_CASE("codec: random events of every kind come back to the bit") {
   REQUIRE(trace.size() == static_cast<std::int64_t>(events.size()));
   std::size_t i = 0;
   bool same = true;
-  trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t step, const auto& event) {
-    same = same && position == static_cast<std::int64_t>(i + 1) && step == events[i].step &&
-           same_bits(Event(event), events[i].event);
+  trace.each(0, trace.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
+    same = same && position == static_cast<std::int64_t>(i + 1) && recorded.step == events[i].step &&
+           same_bits(recorded.event, events[i].event);
     ++i;
     return same;
   });
@@ -155,8 +155,8 @@ TEST_CASE("codec: runs of pixels come back to the bit, whatever breaks them") {
     const Trace trace = Trace::from_bytes(recorder.take_bytes(), "runs");
     REQUIRE(trace.size() == static_cast<std::int64_t>(events.size()));
     std::size_t i = 0, different = 0;
-    trace.visit(0, trace.size(), [&](std::int64_t, std::uint8_t step, const auto& event) {
-      different += step != events[i].step || !same_bits(Event(event), events[i].event) ? 1u : 0u;
+    trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+      different += recorded.step != events[i].step || !same_bits(recorded.event, events[i].event) ? 1u : 0u;
       ++i;
       return true;
     });

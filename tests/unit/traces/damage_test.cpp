@@ -7,7 +7,7 @@
 
 #include "tests/unit/traces/some_trace.hpp"
 #include "traces/file/chunk.hpp"
-#include "traces/file/visit.hpp"
+#include "traces/file/trace_impl.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -19,7 +19,7 @@ std::string read_all(Bytes bytes, std::int64_t* events = nullptr) {
   try {
     const Trace trace = Trace::from_bytes(std::move(bytes), "damaged.ztrace");
     std::int64_t count = 0;
-    trace.visit(0, trace.size(), [&](std::int64_t, std::uint8_t, const auto&) {
+    trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent&) {
       ++count;
       return true;
     });
@@ -86,7 +86,7 @@ TEST_CASE("damage: no flipped byte goes unnoticed") {
       bool noticed = false;
       try {
         const Trace trace = Trace::from_bytes(std::move(flipped), "flipped");
-        trace.visit(0, trace.size(), [](std::int64_t, std::uint8_t, const auto&) { return true; });
+        trace.each(0, trace.size(), [](std::int64_t, const RecordedEvent&) { return true; });
         noticed = !trace.warnings().empty();
       } catch (const InputError&) {
         noticed = true;
@@ -116,7 +116,7 @@ TEST_CASE("damage: a flipped byte costs its block and no other") {
       const BlockInfo& info = blocks[block].info;
       std::int64_t read = 0;
       const auto read_block = [&] {
-        trace.visit(info.first_position, info.first_position + info.count, [&](std::int64_t, std::uint8_t, const auto&) { return ++read, true; });
+        trace.each(info.first_position, info.first_position + info.count, [&](std::int64_t, const RecordedEvent&) { return ++read, true; });
       };
       if (block == 1) CHECK_THROWS_AS(read_block(), InputError);
       else read_block();

@@ -10,7 +10,6 @@
 #include "sim/answers/find_origins.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/traces/some_trace.hpp"
-#include "traces/file/visit.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -77,9 +76,9 @@ TEST_SUITE("searches by leaps") {
       const Trace trace = test::recorded_by(name, look_at_scene(load_scene(subject.mesh).scene, view));
       REQUIRE(trace.size() > 50000);
       std::map<std::int32_t, std::int64_t> viewed, made;
-      trace.visit(0, trace.size(), [&]<class E>(std::int64_t step, std::uint8_t, const E& event) {
-        if constexpr (std::is_same_v<E, ViewTransform>) viewed[event.vertex] = step;
-        if constexpr (std::is_same_v<E, SplitVertex>) made[event.vertex] = step;
+      trace.each(0, trace.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+        if (const auto* seen = std::get_if<ViewTransform>(&recorded.event)) viewed[seen->vertex] = step;
+        if (const auto* split = std::get_if<SplitVertex>(&recorded.event)) made[split->vertex] = step;
         return true;
       });
       REQUIRE(viewed.size() >= trace.scene().points.size());

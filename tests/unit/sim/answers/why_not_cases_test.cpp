@@ -23,7 +23,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 TEST_SUITE("why not") {
   TEST_CASE("of a hidden edge: the pixel lies on the edge, and within the stretch that is hidden but for rounding, which is told") {
     ViewOptions view;
-    view.width = 60, view.height = 40;
+    view.width = 30, view.height = 20;
     const Scene scene = look_at_scene(load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/hidden-lines.toml").scene, view);
     const Trace trace = test::recorded_by("hidden-line", scene);
     int within = 0, rounded = 0;

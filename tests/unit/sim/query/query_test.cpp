@@ -14,7 +14,7 @@
 #include "tests/unit/sim/polygons_by_hand.hpp"
 #include "tests/unit/traces/some_trace.hpp"
 #include "traces/error.hpp"
-#include "traces/file/visit.hpp"
+#include "traces/file/bytes.hpp"
 
 using namespace zstep;
 using query::Database, query::Limits, query::Stopped;
