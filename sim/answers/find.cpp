@@ -27,7 +27,7 @@ std::int64_t begin_of_eye_pass(const Trace& trace) {
 
 std::int64_t begin_of_picture(const Trace& trace) {
   const std::int64_t eye = begin_of_eye_pass(trace);
-  return previous_of<BuffersClear>(trace, trace.size() + 1, eye).value_or(eye);
+  return trace.clears().empty() ? eye : std::max(eye, trace.clears().back());
 }
 
 std::vector<std::int64_t> marks_of(const Trace& trace, std::int32_t polygon) {

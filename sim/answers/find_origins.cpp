@@ -146,7 +146,8 @@ Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool
   const std::int64_t eye = two ? marks[facets].position : trace.size() + 1;
   const auto found = trace.previous(light && two ? std::min(at + 1, eye) : at + 1, writes, pixel);
   if (found && two && !light && *found < eye) return std::nullopt;
-  if (found && previous_of<BuffersClear>(trace, at + 1, *found)) return std::nullopt;
+  const auto cleared = std::upper_bound(trace.clears().begin(), trace.clears().end(), at);
+  if (found && cleared != trace.clears().begin() && *std::prev(cleared) > *found) return std::nullopt;
   return found;
 }
 

@@ -118,7 +118,8 @@ Verdict why_taken(Asked& q, const Touch& first) {
 /// It had the pixel before the buffers were cleared once more.
 std::optional<Verdict> why_wiped(Asked& q) {
   const std::int64_t eye = begin_of_eye_pass(q.trace), clear = begin_of_picture(q.trace);
-  if (!event_at<BuffersClear>(q.trace, clear) || !previous_of<BuffersClear>(q.trace, clear, eye)) return std::nullopt;
+  const auto again = std::count_if(q.trace.clears().begin(), q.trace.clears().end(), [eye](std::int64_t step) { return step > eye; });
+  if (again < 2) return std::nullopt;
   const std::vector<Touch> touches = touches_of(q.trace, q.pixel, eye);
   const Touch* last = nullptr;
   for (const Touch& touch : touches)

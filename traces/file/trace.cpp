@@ -42,6 +42,18 @@ std::span<const RejectMark> Trace::rejects() const {
   return *impl_->rejects;
 }
 
+std::span<const std::int64_t> Trace::clears() const {
+  if (!impl_->clears) {
+    std::vector<std::int64_t> found;
+    scan(Among({}, kind_of<BuffersClear>), [&](std::int64_t position, const RecordedEvent&) {
+      found.push_back(position);
+      return true;
+    });
+    impl_->clears = std::move(found);
+  }
+  return *impl_->clears;
+}
+
 bool Trace::has(std::uint8_t kind) const {
   return std::any_of(impl_->header.page.begin(), impl_->header.page.end(), [&](const StepInfo& step) { return step.kind == kind && impl_->steps.has(step.id); });
 }

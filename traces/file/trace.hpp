@@ -66,6 +66,7 @@ class Trace {
   const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
   std::span<const PolygonMark> polygons() const;     ///< all of them, by position
   std::span<const RejectMark> rejects() const;       ///< likewise; they are read when they are first asked for
+  std::span<const std::int64_t> clears() const;      ///< where the buffers are cleared; likewise
   /// The polygon that is worked on at a position: the last that was begun, until what follows is about all of them (a tree, a list, areas,
   /// rays, lines, scan lines of one table); then none, and later those whose pieces are drawn.
   std::int32_t polygon_at_work(std::int64_t position) const;

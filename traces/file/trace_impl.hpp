@@ -67,6 +67,7 @@ struct Trace::Impl {
   mutable std::optional<Turns> known_turns;
   mutable std::optional<std::vector<std::int32_t>> polygon_by_piece;
   mutable std::optional<std::vector<RejectMark>> rejects;
+  mutable std::optional<std::vector<std::int64_t>> clears;
 
   mutable std::list<std::pair<std::size_t, Bytes>> packed_at_hand;
   mutable std::list<std::pair<std::size_t, Events>> events_at_hand;
