@@ -55,7 +55,7 @@ std::optional<Ray> follow(const Asked& q) {
   return ray;
 }
 
-void add_gap(const Asked& q, Verdict& verdict, double t, double other) {
+void add_gap_along_ray(const Asked& q, Verdict& verdict, double t, double other) {
   verdict.gap = t - other;
   verdict.formulas.push_back(difference("t", q.name, q.label(verdict.other), t, other));
 }
@@ -82,7 +82,7 @@ Verdict why_behind(Asked& q, const Ray& ray, const At<RayHit>& mine) {
                     : mine.event.nearest ? q.verdict(Why::overwritten, other->step, fmt::format("it was the nearest on the ray from step {} on, until {} was met at step {}, nearer by \u0394t = {}", grouped(mine.step), q.label(who), grouped(other->step), gap))
                                          : q.verdict(Why::lost, mine.step, fmt::format("the ray meets it at step {}, but {} is nearer by \u0394t = {}", grouped(mine.step), q.label(who), gap));
   verdict.other = who, verdict.facet = mine.event.facet;
-  add_gap(q, verdict, mine.event.t, other->event.t);
+  add_gap_along_ray(q, verdict, mine.event.t, other->event.t);
   q.add_formulas(verdict, mine.step);
   add_hit(q, verdict, mine);
   add_hit(q, verdict, *other);

@@ -10,7 +10,7 @@
 namespace zstep::classroom {
 namespace {
 
-constexpr std::string_view form =
+constexpr std::string_view form_of_anchors =
     "write {at: step}, {at: step where condition} or {before: step where condition, first}";
 
 void parse_which(Anchor& anchor, std::string_view text, std::string_view where) {
@@ -75,10 +75,10 @@ Anchor parse_anchor(std::string_view text, std::string_view where) {
   else if (text.substr(0, 7) == "before:") {
     text.remove_prefix(7);
     anchor.before = true;
-  } else throw InputError(where, fmt::format("`{{{}}}` is no anchor", text), form);
+  } else throw InputError(where, fmt::format("`{{{}}}` is no anchor", text), form_of_anchors);
   text = trim(text);
   anchor.step = leading_step_name(text);
-  if (anchor.step.empty()) throw InputError(where, "the anchor names no step", form);
+  if (anchor.step.empty()) throw InputError(where, "the anchor names no step", form_of_anchors);
   text = trim(text.substr(anchor.step.size()));
 
   if (anchor.step == "start" || anchor.step == "end" || anchor.step == "here") {
@@ -93,7 +93,7 @@ Anchor parse_anchor(std::string_view text, std::string_view where) {
   if (text.substr(0, 6) == "where ") anchor.condition = parse_expression(text.substr(6), text, where);
   if (text.empty()) return anchor;
   if (text.front() != ',')
-    throw InputError(where, fmt::format("`{}` is left over in the anchor", text.substr(0, 24)), form);
+    throw InputError(where, fmt::format("`{}` is left over in the anchor", text.substr(0, 24)), form_of_anchors);
   parse_which(anchor, trim(text.substr(1)), where);
   return anchor;
 }

@@ -10,7 +10,9 @@
 namespace zstep::classroom {
 namespace {
 
-constexpr std::string_view form = "write {z}, {z:2}, {z = 4.25} or {z ~ 0.333}; a brace itself is {{ or }}";
+using Kind = Expression::Kind;
+
+constexpr std::string_view form_of_slots = "write {z}, {z:2}, {z = 4.25} or {z ~ 0.333}; a brace itself is {{ or }}";
 
 struct Slot {
   Expression expression;
@@ -20,7 +22,6 @@ struct Slot {
 
 /// Whether an expression is what an author may write for a number: 4.25, −1/3, √3/2.
 bool is_written_number(const Expression& expression) {
-  using Kind = Expression::Kind;
   if (expression.kind == Kind::number) return true;
   if (expression.kind < Kind::negate || expression.kind > Kind::divide || expression.kind == Kind::not_) return false;
   for (const Expression& part : expression.parts) {
@@ -43,7 +44,7 @@ Slot parse_slot(std::string_view text, std::string_view where) {
   }
   slot.written = trim(rest);
   const bool known = slot.mark == ':' || slot.mark == '=' || slot.mark == '~';
-  if (!known || slot.written.empty()) throw InputError(where, fmt::format("`{{{}}}` cannot be read", text), form);
+  if (!known || slot.written.empty()) throw InputError(where, fmt::format("`{{{}}}` cannot be read", text), form_of_slots);
   if (slot.mark == ':' && (slot.written.size() != 1 || slot.written[0] < '0' || slot.written[0] > '9')) {
     throw InputError(where, fmt::format("`:{}` is no number of decimals", slot.written), "write a digit, {z:2}");
   }
@@ -70,7 +71,7 @@ void split(std::string_view all, const Place& place, Text&& text, Inside&& insid
     if (c == '}') throw InputError(place.str(line), "a `}` without its `{`", "a brace itself is }}");
     const std::size_t end = all.find_first_of("{}\n", at + 1);
     if (end == std::string_view::npos || all[end] != '}')
-      throw InputError(place.str(line), "a `{` is not closed on its line", form);
+      throw InputError(place.str(line), "a `{` is not closed on its line", form_of_slots);
     inside(all.substr(at + 1, end - at - 1), line);
     at = end + 1;
   }

@@ -16,7 +16,7 @@
 namespace zstep::cli {
 namespace {
 
-constexpr auto left = Table::Align::left, right = Table::Align::right;
+using enum Table::Align;
 
 std::string head_text(const Trace& trace, const std::string& path) {
   const Header& header = trace.header();

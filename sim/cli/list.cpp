@@ -14,7 +14,7 @@
 namespace zstep::cli {
 namespace {
 
-constexpr auto left = Table::Align::left;
+using enum Table::Align;
 
 std::string methods_text() {
   Table table({left, left, left});

@@ -11,12 +11,12 @@ namespace zstep::viewer {
 namespace {
 
 /// The columns of the list, in pixels from its left.
-struct Columns {
+struct ChainColumns {
   float what = 0, formula = 0, source = 0;
 };
 
-Columns columns_of(const Ui& ui, const answers::Chain& chain, float room) {
-  Columns columns;
+ChainColumns columns_of(const Ui& ui, const answers::Chain& chain, float room) {
+  ChainColumns columns;
   float what = 0, source = 0;
   columns.what = ui.em * 0.5f;
   for (const answers::ChainLink& link : chain.links) {
@@ -29,7 +29,7 @@ Columns columns_of(const Ui& ui, const answers::Chain& chain, float room) {
   return columns;
 }
 
-bool draw_link(App& app, std::size_t place, const Columns& columns) {
+bool draw_link(App& app, std::size_t place, const ChainColumns& columns) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const answers::ChainLink& link = app.chain().links[place];
@@ -65,7 +65,7 @@ void draw_explain(App& app) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   std::optional<std::size_t> clicked;
   ImGui::BeginChild("links", {room.x, std::round(room.y * 0.7f)}, false, ImGuiWindowFlags_NoNav);
-  const Columns columns = columns_of(ui, chain, ImGui::GetContentRegionAvail().x);
+  const ChainColumns columns = columns_of(ui, chain, ImGui::GetContentRegionAvail().x);
   for (std::size_t place = 0; place < chain.links.size(); ++place)
     if (draw_link(app, place, columns)) clicked = place;
   if (chain.cut) say_empty(ui, "There is more behind that: click one of its numbers at its step.");

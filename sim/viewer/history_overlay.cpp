@@ -12,11 +12,11 @@ namespace zstep::viewer {
 namespace {
 
 /// Where the columns of the list begin, in pixels from its left.
-struct Columns {
+struct VisitColumns {
   float polygon = 0, depth = 0, against = 0, of = 0, outcome = 0;
 };
 
-Columns columns_of(App& app) {
+VisitColumns columns_of(App& app) {
   const Ui& ui = app.ui();
   std::int64_t last_step = 0;
   float polygon = ui.em * 3, depth = ui.em * 4, against = ui.em * 4, of = ui.em * 2;
@@ -28,7 +28,7 @@ Columns columns_of(App& app) {
     if (visit.stored && visit.stored_polygon == no_polygon) of = std::max(of, text_size(ui, ui.fonts.text, "background").x);
     if (visit.stored) against = std::max(against, text_size(ui, ui.fonts.mono, depth_in_list(*visit.stored)).x);
   }
-  Columns columns;
+  VisitColumns columns;
   columns.polygon = step_column(ui, last_step);
   columns.depth = columns.polygon + polygon + ui.em;
   columns.against = columns.depth + depth + ui.em;
@@ -48,7 +48,7 @@ void draw_polygon(App& app, ImVec2 at, float y, float height, std::int32_t polyg
   draw_text(ui, {at.x + ui.em, y}, ui.fonts.bold, ui.colors().text, polygon_label(scene, polygon));
 }
 
-void draw_headings(App& app, const Columns& columns) {
+void draw_headings(App& app, const VisitColumns& columns) {
   const Ui& ui = app.ui();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool rays = app.session().header().algorithm.starts_with("ray-");
@@ -58,7 +58,7 @@ void draw_headings(App& app, const Columns& columns) {
 }
 
 /// One line of the list; true when clicked.
-bool draw_visit(App& app, std::size_t place, const Columns& columns) {
+bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const answers::Visit& visit = app.history()[place];
@@ -90,7 +90,7 @@ void draw_history(App& app) {
        heading);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   std::optional<std::size_t> clicked;
-  const Columns columns = columns_of(app);
+  const VisitColumns columns = columns_of(app);
   draw_headings(app, columns);
   ImGui::BeginChild("visits", {room.x, room.y * 0.6f}, false, ImGuiWindowFlags_NoNav);
   for (std::size_t place = 0; place < app.history().size(); ++place)

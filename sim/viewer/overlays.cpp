@@ -121,7 +121,7 @@ float widest_row(Ui& ui) {
 }
 
 /// All commands in columns, group by group under their headings; a heading stands with its first command.
-struct Sheet {
+struct KeySheet {
   struct Place {
     std::size_t column = 0;
     int row = 0;
@@ -133,8 +133,8 @@ struct Sheet {
   float width() const { return std::accumulate(widths.begin(), widths.end(), 0.0f); }
 };
 
-Sheet sheet_with(Ui& ui, int rows) {
-  Sheet sheet;
+KeySheet sheet_with(Ui& ui, int rows) {
+  KeySheet sheet;
   sheet.rows = rows;
   sheet.widths.push_back(0);
   int row_now = 0;
@@ -151,9 +151,9 @@ Sheet sheet_with(Ui& ui, int rows) {
 }
 
 /// The same in at most so many columns, with as few rows as that takes.
-Sheet sheet_in(Ui& ui, std::size_t columns) {
+KeySheet sheet_in(Ui& ui, std::size_t columns) {
   for (int rows = 2;; ++rows)
-    if (Sheet sheet = sheet_with(ui, rows); sheet.widths.size() <= columns) return sheet;
+    if (KeySheet sheet = sheet_with(ui, rows); sheet.widths.size() <= columns) return sheet;
 }
 
 void run(App& app, const Command& command) {
@@ -167,10 +167,10 @@ void draw_columns(App& app, const char* id, const char* title) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float around = 2 * ui.em, above = 3 * ui.em;
   // As many columns as give the rows most room; where the window is low, the rows move together.
-  const auto height_of = [&](const Sheet& sheet) { return std::floor(std::min((screen.y - 8 - above) / static_cast<float>(sheet.rows), ui.em * 1.4f)); };
-  Sheet sheet = sheet_in(ui, 1);
+  const auto height_of = [&](const KeySheet& sheet) { return std::floor(std::min((screen.y - 8 - above) / static_cast<float>(sheet.rows), ui.em * 1.4f)); };
+  KeySheet sheet = sheet_in(ui, 1);
   for (const std::size_t columns : {2u, 3u})
-    if (Sheet wider = sheet_in(ui, columns); wider.width() + around <= screen.x && height_of(wider) > height_of(sheet)) sheet = std::move(wider);
+    if (KeySheet wider = sheet_in(ui, columns); wider.width() + around <= screen.x && height_of(wider) > height_of(sheet)) sheet = std::move(wider);
   const float row_height = height_of(sheet) < ui.em * 1.05f ? std::round(ui.em * 1.4f) : height_of(sheet);  // else it scrolls, with room
   begin_overlay(app, id, {sheet.width() + around, static_cast<float>(sheet.rows) * row_height + above});
   Flow heading;
@@ -180,7 +180,7 @@ void draw_columns(App& app, const char* id, const char* title) {
   const Command* clicked = nullptr;
   for (std::size_t k = 0; k < commands().size(); ++k) {
     const Command& command = commands()[k];
-    const Sheet::Place& place = sheet.places[k];
+    const KeySheet::Place& place = sheet.places[k];
     const float x = std::accumulate(sheet.widths.begin(), sheet.widths.begin() + static_cast<std::ptrdiff_t>(place.column), top.x);
     const float y = top.y + static_cast<float>(place.row) * row_height;
     if (place.heads) draw_text(ui, {x + ui.em * 0.4f, y - row_height + std::round((row_height - ui.em) * 0.6f)}, ui.fonts.bold, ui.colors().now, command.group);

@@ -14,7 +14,7 @@ constexpr const char* high_fields[] = {"x_max", "y_max", "z_max"};
 constexpr const char* from_fields[] = {"x_0", "y_0", "z_0"};
 constexpr const char* along_fields[] = {"dir_x", "dir_y", "dir_z"};
 
-int axis_of(std::string_view field) { return field[0] == 'x' ? 0 : field[0] == 'y' ? 1 : 2; }
+int number_of_axis(std::string_view field) { return field[0] == 'x' ? 0 : field[0] == 'y' ? 1 : 2; }
 
 /// By how much boxes are larger than what is in them.
 double pad_of(const Scene& scene) {
@@ -26,7 +26,7 @@ double pad_of(const Scene& scene) {
 /// A side of a box: a point's coordinate, less or more by the pad.
 void tell_side(Datum& datum, Work& work, std::string_view field, double pads) {
   const bool low = field.ends_with("min");
-  const int axis = axis_of(field);
+  const int axis = number_of_axis(field);
   const double pad = pads * pad_of(work.scene), value = datum.number();
   for (const std::int32_t corner : work.scene.corners) {
     const double coordinate = work.scene.points[static_cast<std::size_t>(corner)][axis];

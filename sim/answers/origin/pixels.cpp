@@ -100,7 +100,6 @@ void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint& e, std:
 namespace {
 
 int channel_of(std::string_view field) { return field == "r8" || field == "red" ? 0 : field == "g8" || field == "green" ? 1 : 2; }
-double channel(Color color, int which) { return which == 0 ? color.red : which == 1 ? color.green : color.blue; }
 bool names_channel(std::string_view field) { return field == "r8" || field == "g8" || field == "b8"; }
 
 Number color_of_polygon(Work& work, std::int32_t polygon, int which) {

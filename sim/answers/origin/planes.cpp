@@ -9,8 +9,6 @@
 namespace zstep::answers {
 namespace {
 
-constexpr std::size_t most_corners = 6;  // of more, only that they are there is told
-
 /// One component of Newell's normal as a formula over p0_x, p0_y …: what the corners' coordinates are called there.
 std::string newell(std::size_t count, char u, char v) {
   std::string text;

@@ -7,8 +7,6 @@
 namespace zstep::answers {
 namespace {
 
-constexpr std::size_t most_corners = 6;
-
 std::vector<std::int32_t> corners_at_work(const Work& work) {
   const auto piece = static_cast<std::size_t>(work.machine().piece);
   if (work.machine().piece >= 0 && piece < work.machine().pieces.size()) return work.machine().pieces[piece].outline;

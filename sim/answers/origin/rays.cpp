@@ -164,8 +164,6 @@ namespace {
 
 constexpr const char* light_names[] = {"red", "green", "blue"};
 
-double channel(Color color, int which) { return which == 0 ? color.red : which == 1 ? color.green : color.blue; }
-
 /// Own colour, mirrored and transmitted light, by the material: r mirrored + (1 - r)(o own + (1 - o) through).
 void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, int which) {
   const auto facet = static_cast<std::size_t>(e.nearest_facet);

@@ -33,6 +33,10 @@ struct Given {
   Number number;
 };
 
+inline constexpr std::size_t most_corners = 6;  ///< of an outline; of more, only that they are there is told
+
+inline double channel(Color color, int which) { return which == 0 ? color.red : which == 1 ? color.green : color.blue; }
+
 class Work;
 
 /// One value of a link while it is being told.

@@ -13,7 +13,7 @@ namespace zstep::viewer {
 
 namespace {
 
-constexpr std::chrono::milliseconds slice{5};  // of a frame's sixteen
+constexpr std::chrono::milliseconds searching_slice{5};  // of a frame's sixteen
 constexpr std::size_t most_asked = 3;
 
 }  // namespace
@@ -59,7 +59,7 @@ void Places::look_on() {
   const std::string text = search_->condition().text();
   const bool forwards = search_->way() == Way::forwards;
   try {
-    const Result result = search_->look(slice);
+    const Result result = search_->look(searching_slice);
     if (result == Result::not_yet) return;
     const std::int64_t step = search_->step();
     search_.reset();

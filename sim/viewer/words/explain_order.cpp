@@ -7,13 +7,8 @@
 namespace zstep::words {
 namespace {
 
-const Piece* piece_at(const Telling& t, std::int32_t number) {
-  const auto at = static_cast<std::size_t>(number);
-  return number >= 0 && at < t.machine.pieces.size() ? &t.machine.pieces[at] : nullptr;
-}
-
 const Extent* extent_of(const Telling& t, std::int32_t number) {
-  const Piece* piece = piece_at(t, number);
+  const Piece* piece = t.piece_at(number);
   return piece && piece->extent ? &*piece->extent : nullptr;
 }
 
@@ -35,7 +30,7 @@ std::string equation(const PlaneEquation& p) {
 /// Computes the extremes again from the corners that the state knows.
 void hold_extremes(Telling& t, const SideTest& e, const PlaneEquation& p) {
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  const Piece* piece = piece_at(t, e.piece);
+  const Piece* piece = t.piece_at(e.piece);
   if (!piece) return;
   for (const std::int32_t vertex : piece->outline) {
     const auto corner = on_raster(t.scene, t.after, vertex);
@@ -98,7 +93,7 @@ void tell(Telling& t, const SideTest& e) {
   t.formula(fmt::format("f at the corners of {}: {}", piece, range(e.least, e.greatest)));
   t.value("least", e.least);
   t.value("greatest", e.greatest);
-  const Piece* of = piece_at(t, e.plane_of);
+  const Piece* of = t.piece_at(e.plane_of);
   if (!sorted || !of || !of->plane) return;
   t.formula(equation(turned(*of->plane)) + "   the eye: f < 0");
   hold_extremes(t, e, turned(*of->plane));
@@ -110,7 +105,7 @@ void tell(Telling& t, const OverlapTest& e) {
   t.say(fmt::format("On the picture {} and {} overlap, for one at ({}, {}).", one, other, number(e.x_at), number(e.y_at)));
   t.value("x", e.x_at);
   t.value("y", e.y_at);
-  const Piece *p = piece_at(t, e.piece), *q = piece_at(t, e.other);
+  const Piece *p = t.piece_at(e.piece), *q = t.piece_at(e.other);
   if (!p || !q || !p->plane || !q->plane) return;
   const double z_p = depth_of(*p->plane, e.x_at, e.y_at), z_q = depth_of(*q->plane, e.x_at, e.y_at);
   const auto [shown_p, shown_q] = tell_apart(z_p, z_q);
@@ -128,7 +123,7 @@ void tell(Telling& t, const ListInsert& e) {
 }
 
 void tell(Telling& t, const ListRemove& e) {
-  const Piece* piece = piece_at(t, e.piece);
+  const Piece* piece = t.piece_at(e.piece);
   const std::string name = t.piece(e.piece);
   if (piece && piece->cut) return t.say(fmt::format("{} leaves the list: its parts take over.", name));
   if (t.step() == "remove") return t.say(fmt::format("{} was moved for the sake of what has been split: it goes back to its place.", name));

@@ -31,6 +31,10 @@ struct Telling {
   std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
   std::string here() const { return label(machine.polygon); }
   std::string piece(std::int32_t number) const { return piece_label(scene, machine, number); }
+  /// A row of the table of pieces; nullptr where there is none.
+  const Piece* piece_at(std::int32_t number) const {
+    return number >= 0 && static_cast<std::size_t>(number) < machine.pieces.size() ? &machine.pieces[static_cast<std::size_t>(number)] : nullptr;
+  }
   /// The name of the step that recorded the event, "" in a trace whose page lacks it.
   std::string step() const {
     const StepInfo* found = find_step(trace.header().page, trace.event(after.position).step);

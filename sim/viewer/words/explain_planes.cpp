@@ -8,13 +8,6 @@
 namespace zstep::words {
 namespace {
 
-std::string name(const Telling& t, std::int32_t piece) { return piece_label(t.scene, t.machine, piece); }
-
-const Piece* piece_at(const Telling& t, std::int32_t piece) {
-  if (piece < 0 || static_cast<std::size_t>(piece) >= t.machine.pieces.size()) return nullptr;
-  return &t.machine.pieces[static_cast<std::size_t>(piece)];
-}
-
 const char* where(Side side) {
   switch (side) {
     case Side::front: return "in front of";
@@ -27,9 +20,9 @@ const char* where(Side side) {
 }  // namespace
 
 void tell(Telling& t, const VertexSide& e) {
-  t.say(fmt::format("Vertex {} lies {} the plane of {}.", e.vertex, where(e.side), name(t, e.plane_of)));
+  t.say(fmt::format("Vertex {} lies {} the plane of {}.", e.vertex, where(e.side), t.piece(e.plane_of)));
   t.value("value", e.value);
-  const Piece* of = piece_at(t, e.plane_of);
+  const Piece* of = t.piece_at(e.plane_of);
   const auto p = cutting_point(t.scene, t.after, e.vertex);
   if (!of || !of->plane || !p) return;
   const PlaneEquation& plane = *of->plane;

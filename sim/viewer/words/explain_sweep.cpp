@@ -9,8 +9,6 @@ const Piece* row_of(const Telling& t, std::int32_t piece) {
   return piece >= 0 && at < t.machine.pieces.size() ? &t.machine.pieces[at] : nullptr;
 }
 
-std::string name(const Telling& t, std::int32_t piece) { return piece_label(t.scene, t.machine, piece); }
-
 std::string edge(const Telling& t, std::int32_t number) {
   const auto at = static_cast<std::size_t>(number);
   return number >= 0 && at < t.machine.edge_table.size() ? edge_label(t.scene, t.machine.edge_table[at]) : fmt::format("e{}", number);
@@ -18,7 +16,7 @@ std::string edge(const Telling& t, std::int32_t number) {
 
 std::string names_inside(const Telling& t) {
   std::string names;
-  for (const std::int32_t piece : t.machine.sweep.inside) names += (names.empty() ? "" : ", ") + name(t, piece);
+  for (const std::int32_t piece : t.machine.sweep.inside) names += (names.empty() ? "" : ", ") + t.piece(piece);
   return names;
 }
 
@@ -27,7 +25,7 @@ void depth_formula(Telling& t, std::int32_t piece, double x, double y, double z)
   const Piece* row = row_of(t, piece);
   if (!row || !row->plane) return;
   const PlaneEquation& p = *row->plane;
-  t.formula(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", t.z, name(t, piece), factor(p.plane_a),
+  t.formula(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", t.z, t.piece(piece), factor(p.plane_a),
                         operand(x), operand(p.plane_b, factor(p.plane_b)), operand(y), operand(p.plane_d), operand(p.plane_c, factor(p.plane_c)), number(z)));
   t.hold_against(t.z, z, -(p.plane_a * x + p.plane_b * y + p.plane_d) / p.plane_c);
 }
@@ -35,8 +33,8 @@ void depth_formula(Telling& t, std::int32_t piece, double x, double y, double z)
 }  // namespace
 
 void tell(Telling& t, const FlagFlip& e) {
-  t.say(e.inside ? fmt::format("The sweep crosses edge {}: the flag of {} turns to in.", edge(t, e.edge), name(t, e.piece))
-                 : fmt::format("The sweep crosses edge {}: the flag of {} turns to out.", edge(t, e.edge), name(t, e.piece)));
+  t.say(e.inside ? fmt::format("The sweep crosses edge {}: the flag of {} turns to in.", edge(t, e.edge), t.piece(e.piece))
+                 : fmt::format("The sweep crosses edge {}: the flag of {} turns to out.", edge(t, e.edge), t.piece(e.piece)));
   const std::string names = names_inside(t);
   t.formula(names.empty() ? "in: none" : "in: " + names);
 }
@@ -54,7 +52,7 @@ void tell(Telling& t, const SpanFlags& e) {
 }
 
 void tell(Telling& t, const PlaneDepth& e) {
-  t.say(fmt::format("The plane of {} has the depth {} at x = {}, y = {}.", name(t, e.piece), number(e.z), number(e.x_at), number(e.y_at)));
+  t.say(fmt::format("The plane of {} has the depth {} at x = {}, y = {}.", t.piece(e.piece), number(e.z), number(e.x_at), number(e.y_at)));
   depth_formula(t, e.piece, e.x_at, e.y_at, e.z);
   t.value("x", e.x_at);
   t.value("y", e.y_at);
@@ -62,8 +60,8 @@ void tell(Telling& t, const PlaneDepth& e) {
 }
 
 void tell(Telling& t, const ImpliedEdge& e) {
-  t.say(fmt::format("Up to x = {} {} is in front, from there on {}: the two penetrate each other in an implied edge.", number(e.x_at), name(t, e.piece),
-                    name(t, e.other)));
+  t.say(fmt::format("Up to x = {} {} is in front, from there on {}: the two penetrate each other in an implied edge.", number(e.x_at), t.piece(e.piece),
+                    t.piece(e.other)));
   if (t.machine.scan_line) {
     const auto y = static_cast<double>(*t.machine.scan_line);
     depth_formula(t, e.piece, e.x_at, y, e.z);
@@ -74,9 +72,9 @@ void tell(Telling& t, const ImpliedEdge& e) {
 }
 
 void tell(Telling& t, const SpanWinner& e) {
-  t.say(e.last < e.first    ? fmt::format("{} is seen, but between two pixels' centres: no pixel shows it.", name(t, e.piece))
-        : e.first == e.last ? fmt::format("{} is seen at pixel {}.", name(t, e.piece), e.first)
-                            : fmt::format("{} is seen from pixel {} to pixel {}.", name(t, e.piece), e.first, e.last));
+  t.say(e.last < e.first    ? fmt::format("{} is seen, but between two pixels' centres: no pixel shows it.", t.piece(e.piece))
+        : e.first == e.last ? fmt::format("{} is seen at pixel {}.", t.piece(e.piece), e.first)
+                            : fmt::format("{} is seen from pixel {} to pixel {}.", t.piece(e.piece), e.first, e.last));
 }
 
 void tell(Telling& t, const CoverageAdd& e) {

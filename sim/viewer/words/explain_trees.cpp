@@ -6,13 +6,11 @@
 namespace zstep::words {
 namespace {
 
-std::string name(const Telling& t, std::int32_t piece) { return piece_label(t.scene, t.machine, piece); }
-
 /// What a node is called: its first piece.
 std::string node_name(const Telling& t, std::int32_t node) {
   if (node < 0 || static_cast<std::size_t>(node) >= t.machine.tree.size()) return fmt::format("node {}", node);
   const TreeNode& at = t.machine.tree[static_cast<std::size_t>(node)];
-  return at.pieces.empty() ? fmt::format("node {}", node) : name(t, at.pieces[0]);
+  return at.pieces.empty() ? fmt::format("node {}", node) : t.piece(at.pieces[0]);
 }
 
 bool front_to_back(const Telling& t) {
@@ -23,21 +21,21 @@ bool front_to_back(const Telling& t) {
 }  // namespace
 
 void tell(Telling& t, const RootCandidate& e) {
-  t.say(fmt::format("{} is tried as the root: its plane would cut {} of the other pieces{}.", name(t, e.piece),
+  t.say(fmt::format("{} is tried as the root: its plane would cut {} of the other pieces{}.", t.piece(e.piece),
                     e.splits == 0 ? std::string("none") : std::to_string(e.splits), e.splits == 0 ? ", and no root can do better" : ""));
   t.formula(fmt::format("splits = {}", e.splits));
 }
 
 void tell(Telling& t, const NodeMake& e) {
   if (e.parent < 0)
-    t.say(fmt::format("{} becomes the root of the tree: its plane divides all other pieces.", name(t, e.piece)));
+    t.say(fmt::format("{} becomes the root of the tree: its plane divides all other pieces.", t.piece(e.piece)));
   else
-    t.say(fmt::format("{} becomes the {} child of {}: its plane divides what lies {} the plane of {}.", name(t, e.piece),
+    t.say(fmt::format("{} becomes the {} child of {}: its plane divides what lies {} the plane of {}.", t.piece(e.piece),
                       e.front ? "front" : "back", node_name(t, e.parent), e.front ? "in front of" : "behind", node_name(t, e.parent)));
 }
 
 void tell(Telling& t, const NodeAdd& e) {
-  t.say(fmt::format("{} lies in the plane of {} and stays at its node: neither can hide the other.", name(t, e.piece), node_name(t, e.node)));
+  t.say(fmt::format("{} lies in the plane of {} and stays at its node: neither can hide the other.", t.piece(e.piece), node_name(t, e.node)));
 }
 
 void tell(Telling& t, const EyeSide& e) {
