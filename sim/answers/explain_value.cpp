@@ -4,6 +4,7 @@
 
 #include "sim/answers/origin/fields.hpp"
 #include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
 
 namespace zstep::answers {
 
@@ -135,6 +136,26 @@ std::string field_called(const Trace& trace, std::int64_t step, const std::strin
   for (const std::string& field : fields_in(event))
     if (field == name || shown_name(event, field, depth) == name) return field;
   return "";
+}
+
+std::string field_shown_as(const Trace& trace, std::int64_t step, std::string_view number) {
+  if (step < 1 || step > trace.size()) return "";
+  const Event event = trace.event(step).event;
+  for (const std::string& field : fields_in(event))
+    if (const auto value = field_number(event, field); value && shown_as(*value, number)) return field;
+  return "";
+}
+
+std::size_t link_shown_as(const Chain& chain, std::string_view number) {
+  if (chain.links.empty()) return 0;
+  for (const ChainValue& value : chain.links[0].values)
+    for (const Operand& operand : value.operands)
+      if (operand.link > 0 && shown_as(operand.value, number)) return static_cast<std::size_t>(operand.link);
+  for (std::size_t i = 1; i < chain.links.size(); ++i)
+    if (chain.links[i].parent == 0)
+      for (const ChainValue& value : chain.links[i].values)
+        if (shown_as(value.value, number)) return i;
+  return 0;
 }
 
 }  // namespace zstep::answers

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 20;
 constexpr std::size_t most_marks = 10'000, longest_name = 200;
-constexpr const char* mend = "write lines like `219 the first tie`, or remove the file";
+constexpr const char* mend_bookmarks = "write lines like `219 the first tie`, or remove the file";
 
 /// Are these whole characters of UTF-8, none of them a control character?
 bool is_text(std::string_view name) {
@@ -52,10 +52,10 @@ std::vector<Bookmark> read(const std::filesystem::path& path, std::int64_t size)
     if (text.empty() || text.front() == '#') continue;
     const std::string where = fmt::format("{}:{}", path.string(), line);
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-    if (digits == 0 || digits > 18 || (digits < text.size() && text[digits] != ' ' && text[digits] != '\t')) throw InputError(where, "does not begin with a step", mend);
+    if (digits == 0 || digits > 18 || (digits < text.size() && text[digits] != ' ' && text[digits] != '\t')) throw InputError(where, "does not begin with a step", mend_bookmarks);
     const std::int64_t step = std::stoll(std::string(text.substr(0, digits)));
     const std::string_view name = classroom::trim(text.substr(digits));
-    if (const std::string fault = fault_of(name); !fault.empty()) throw InputError(where, fault, mend);
+    if (const std::string fault = fault_of(name); !fault.empty()) throw InputError(where, fault, mend_bookmarks);
     if (step > size) throw InputError(where, fmt::format("step {} is beyond the trace's end, {}", step, size), "correct it, or remove the line");
     if (std::any_of(all.begin(), all.end(), [&](const Bookmark& mark) { return mark.name == name; })) throw InputError(where, "its name was given before", "give each bookmark a name of its own");
     if (all.size() == most_marks) throw InputError(where, fmt::format("there are more than {} bookmarks", most_marks), "remove some");

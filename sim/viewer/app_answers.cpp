@@ -45,6 +45,8 @@ void App::open_explain(const answers::Question& question) {
   if (chain.links.empty()) return say("The trace does not say where this number comes from.");
   chain_ = std::move(chain);
   open(Overlay::explain);
+  if (!ui_.asked_as.empty()) picked = static_cast<int>(answers::link_shown_as(chain_, ui_.asked_as));
+  scroll_to_picked = true;
 }
 
 void App::explain_step() {

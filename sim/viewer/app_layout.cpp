@@ -280,6 +280,7 @@ void App::frame() {
   ui_.scroll_now = ui_.scroll_follows != session_.position();
   ui_.mouse_help = ui_.fonts.lacking;
   ui_.asked.reset();
+  ui_.asked_as.clear();
   ui_.pointed_next.reset();
   ui_.hovered_edge_next.reset();
   ImGui::NewFrame();

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include "sim/viewer/words/numbers.hpp"
+
 namespace zstep::viewer {
 
 std::uint64_t fingerprint(std::initializer_list<double> parts) {
@@ -86,6 +88,14 @@ std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const
   return words;
 }
 
+void tell_numbers(const Ui& ui, const Word& word, ImVec2 at, const Flow& how) {
+  for (const auto& [from, bytes] : numbers_in(word.text)) {
+    const float left = at.x + text_size(ui, word.font, word.text.substr(0, from)).x;
+    const std::string text = word.text.substr(from, bytes);
+    how.on_number(text, {left, at.y}, {left + text_size(ui, word.font, text).x, at.y + std::round(word.font->FontSize * 1.15f)});
+  }
+}
+
 float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool draw) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = how.width > 0 ? how.width : std::max(ui.em, ImGui::GetContentRegionAvail().x);
@@ -113,6 +123,7 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
       if (word.code && base != ui.fonts.mono)
         ImGui::GetWindowDrawList()->AddRectFilled({at.x - 1, at.y - 1}, {at.x + word.width + 1, at.y + word.font->FontSize + 1}, ui.colors().head);
       draw_text(ui, at, word.font, color, word.text);
+      if (how.on_number) tell_numbers(ui, word, at, how);
     }
     x += word.width;
   }

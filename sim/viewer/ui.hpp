@@ -64,6 +64,7 @@ struct Ui {
   std::int64_t scroll_follows = -1;  ///< position for which panes have scrolled to what is at work
   bool scroll_now = false;           ///< this frame they must
   std::optional<answers::Question> asked;  ///< the number that was clicked in this frame
+  std::string asked_as;                    ///< how it is written there, where it is one of a formula's
   bool reads = false;                ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
   std::string mouse_help;            ///< what the mouse does here, for the bottom line
 
@@ -85,6 +86,8 @@ struct Flow {
   float indent = 0;          ///< of every line but the first
   const ImFont* font = nullptr;  ///< of plain runs; body text by default
   float width = 0;           ///< 0: to the right edge of the pane
+  /// Called for each number in the text: how it is written, and between which corners.
+  std::function<void(const std::string& number, ImVec2 a, ImVec2 b)> on_number = {};
 };
 /// Words at the cursor, wrapped; advances the cursor. Words too long for a line are broken.
 void flow(Ui& ui, const std::vector<TextRun>& runs, const Flow& how);

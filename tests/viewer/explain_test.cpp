@@ -2,6 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
+#include <variant>
 
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
@@ -77,6 +80,30 @@ TEST_CASE("a click on a number of a table or a formula tells where it comes from
   test::click(app, x, y - 9);
   REQUIRE(app.overlay() == Overlay::explain);
   CHECK(app.chain().links[0].step == 219);
+}
+
+TEST_CASE("a click on a number within a formula picks the step that it comes from, one in the sentence asks about that number") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  std::int64_t step = trace.size();  // a depth within a span: of numbers that have steps of their own
+  while (!std::holds_alternative<DepthInterpolate>(trace.event(step).event)) --step;
+  app.session().go_to(step);
+  app.settle();
+  std::set<std::int64_t> steps;
+  std::set<std::string> fields;
+  for (int y = 400; y < 640; y += 9)
+    for (int x = 10; x < 380; x += 9) {
+      test::move_mouse(app, x, y);
+      if (app.ui().mouse_help != "Click: where this number comes from.") continue;
+      test::click(app, x, y);
+      REQUIRE(app.overlay() == Overlay::explain);
+      const auto picked = static_cast<std::size_t>(app.picked);
+      REQUIRE(picked < app.chain().links.size());
+      if (app.chain().links[0].step == step) steps.insert(app.chain().links[picked].step), fields.insert(app.chain().links[0].values[0].name);
+      test::press(app, SDLK_ESCAPE);
+    }
+  CHECK(steps.size() >= 3);   // its own, and those of the span's ends
+  CHECK(fields.size() >= 3);  // x and y of the sentence beside the depth
 }
 
 TEST_CASE("a click on the depth of the selected pixel tells where it comes from; on the frame it lets go") {

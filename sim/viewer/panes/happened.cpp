@@ -24,10 +24,34 @@ std::string keep_terms(const Ui& ui, const std::string& formula, float width) {
   return out;
 }
 
-/// A click on a formula asks about the number that it gives, or else about the step's main one.
-void ask_about(Ui& ui, const std::string& formula, ImVec2 a, ImVec2 b) {
-  if (!number_at(ui, a, b, {ui.session.position()}) || !ui.asked) return;
-  ui.asked->field = answers::field_called(ui.session.trace(), ui.session.position(), formula.substr(0, formula.find(" = ")));
+/// A number of the step's own in the sentence tells where it comes from.
+void tell(Ui& ui, const std::string& sentence) {
+  Flow how;
+  how.on_number = [&](const std::string& number, ImVec2 a, ImVec2 b) {
+    if (!ImGui::IsMouseHoveringRect(a, b)) return;
+    const std::string field = answers::field_shown_as(ui.session.trace(), ui.session.position(), number);
+    if (!field.empty()) number_at(ui, a, b, {ui.session.position(), field});
+  };
+  flow(ui, sentence, how);
+}
+
+/// A click on a formula asks about the number that it gives, or else about the step's main one; on one of its numbers, about that.
+void tell_formula(Ui& ui, const std::string& formula, Flow how) {
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const float right = top.x + ImGui::GetContentRegionAvail().x;
+  const auto ask = [&](ImVec2 a, ImVec2 b) {
+    if (!number_at(ui, a, b, {ui.session.position()})) return false;
+    if (ui.asked) ui.asked->field = answers::field_called(ui.session.trace(), ui.session.position(), formula.substr(0, formula.find(" = ")));
+    return true;
+  };
+  bool on_number = false;
+  how.on_number = [&](const std::string& number, ImVec2 a, ImVec2 b) {
+    if (!ImGui::IsMouseHoveringRect(a, b) || !ask(a, b)) return;
+    on_number = true;
+    if (ui.asked) ui.asked_as = number;
+  };
+  flow(ui, keep_terms(ui, formula, right - top.x - how.indent), how);
+  if (!on_number) ask(top, {right, ImGui::GetCursorScreenPos().y});
 }
 
 void draw(Ui& ui) {
@@ -52,18 +76,13 @@ void draw(Ui& ui) {
     return;
   }
   const Explanation told = explain(ui.session.trace(), ui.session.state(), *event);
-  flow(ui, told.sentence, {});
+  tell(ui, told.sentence);
   ImGui::Dummy({1, ui.em * 0.25f});
   Flow how;
   how.font = ui.fonts.mono;
   how.indent = ui.em;
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x - how.indent;
-  for (const std::string& formula : told.formulas) {
-    const ImVec2 line = ImGui::GetCursorScreenPos();
-    flow(ui, keep_terms(ui, formula, width), how);
-    ask_about(ui, formula, line, {line.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y});
-  }
+  for (const std::string& formula : told.formulas) tell_formula(ui, formula, how);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   if (told.doubt) {
     Flow doubt;

@@ -108,6 +108,54 @@ std::string exact(double value) {
   return with_minus(decimal) + " (" + fmt::format("{:a}", value) + ")";
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view text) {
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  const auto digit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+  const auto starts = [&](std::size_t at, std::string_view with) { return text.substr(std::min(at, text.size())).starts_with(with); };
+  const auto digits_from = [&](std::size_t at) {
+    while (digit(at)) ++at;
+    return at;
+  };
+  const std::string_view minus = minus_sign;
+  bool in_name = false;
+  for (std::size_t at = 0; at < text.size();) {
+    // A sign belongs to the number unless it stands between two.
+    const bool after_operand = at > 0 && (digit(at - 1) || text[at - 1] == ')' || text[at - 1] == ']' || in_name);
+    std::size_t end = starts(at, minus) && !after_operand ? at + minus.size() : at;
+    if (in_name || !(digit(end) || starts(end, "\u221e"))) {
+      const char c = text[at];
+      in_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '*' || (in_name && (digit(at) || (c == '.' && digit(at + 1))));
+      if (c == '*') in_name = at > 0 && text[at - 1] == 'z';  // z*, a depth's name
+      ++at;
+      continue;
+    }
+    if (digit(end)) {
+      end = digits_from(end);
+      if (end < text.size() && text[end] == '.' && digit(end + 1)) end = digits_from(end + 1);
+      const std::size_t power = starts(end, "e") ? end + (starts(end + 1, minus) ? 1 + minus.size() : starts(end + 1, "+") ? 2 : 1) : text.size();
+      if (digit(power)) end = digits_from(power);
+    } else {
+      end += std::string_view("\u221e").size();
+    }
+    places.emplace_back(at, end - at);
+    at = end;
+  }
+  return places;
+}
+
+bool shown_as(double value, std::string_view text) {
+  std::string plain(text);
+  for (std::size_t at = plain.find(minus_sign); at != std::string::npos; at = plain.find(minus_sign, at)) plain.replace(at, std::string_view(minus_sign).size(), "-");
+  if (plain.find("\u221e") != std::string::npos) return std::isinf(value) && (value < 0) == (plain[0] == '-');
+  char* rest = nullptr;
+  const double written = std::strtod(plain.c_str(), &rest);
+  if (rest == plain.c_str() || *rest != '\0' || !std::isfinite(value)) return false;
+  const std::size_t power = std::min(plain.find('e'), plain.size()), point = plain.find('.');
+  const int decimals = point == std::string::npos ? 0 : static_cast<int>(power - point) - 1;
+  const double unit = std::pow(10.0, (power < plain.size() ? std::atoi(plain.c_str() + power + 1) : 0) - decimals);
+  return std::abs(value - written) <= 0.5 * unit * (1 + 1e-9);
+}
+
 std::string grouped(std::int64_t value) {
   std::string digits = std::to_string(value < 0 ? -value : value);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, "\u00a0");

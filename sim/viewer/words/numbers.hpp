@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace zstep {
 
@@ -30,6 +32,11 @@ std::pair<std::string, std::string> tell_apart(double a, double b);
 
 /// Decimal that reads back to the same bits, and the hex float: "0.1 (0x1.999999999999ap-4)".
 std::string exact(double value);
+
+/// Where numbers stand in a sentence or a formula, as (first byte, bytes): "−0.5" and "∞", but not the digits of a name as x_0.
+std::vector<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view text);
+/// Is this what a number looks like there, rounded to the decimals that it is written with?
+bool shown_as(double value, std::string_view text);
 
 /// Thousands set apart by a no-break space: "12 041".
 std::string grouped(std::int64_t value);

@@ -9,6 +9,10 @@
 
 using namespace zstep;
 
+namespace {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+}
+
 TEST_CASE("numbers are short, true and with a real minus sign") {
   CHECK(number(3) == "3");
   CHECK(number(4.25) == "4.25");
@@ -30,6 +34,32 @@ TEST_CASE("a small factor keeps four digits that count, so that its product with
   CHECK(factor(0.0001) == "0.0001");
   CHECK(factor(0.00001234) == "1.23e\u221205");
   CHECK(factor(0) == "0");
+}
+
+TEST_CASE("numbers are found in sentences and formulas, digits of names are not") {
+  const auto found = [](const std::string& text) {
+    std::string all;
+    for (const auto& [from, bytes] : numbers_in(text)) all += (all.empty() ? "" : " ") + text.substr(from, bytes);
+    return all;
+  };
+  CHECK(found("x = x_0 + 0.5\u00b7(4 \u2212 2) = 1.5") == "0.5 4 2 1.5");
+  CHECK(found("\u22123.25 < \u2212\u221e, (\u22121)/2, 5\u22123, z*\u22122") == "\u22123.25 \u2212\u221e \u22121 2 5 3 2");
+  CHECK(found("1.25e\u221207 and 2e+12 of e4, p12.5 at (9,\u00a07).") == "1.25e\u221207 2e+12 9 7");
+  CHECK(found("12.") == "12");
+  CHECK(found("") == "");
+}
+
+TEST_CASE("a number is known by what is shown of it") {
+  CHECK(shown_as(0.33333333, "0.3333"));
+  CHECK_FALSE(shown_as(0.3334, "0.3333"));
+  CHECK(shown_as(-2.5, "\u22122.5"));
+  CHECK_FALSE(shown_as(2.5, "\u22122.5"));
+  CHECK(shown_as(1.2512e-7, "1.25e\u221207"));
+  CHECK(shown_as(infinity, "\u221e"));
+  CHECK_FALSE(shown_as(-infinity, "\u221e"));
+  CHECK(shown_as(7, "7"));
+  CHECK_FALSE(shown_as(std::numeric_limits<double>::quiet_NaN(), "7"));
+  for (const double value : {3.0, -0.125, 1.0 / 3, 1234.5678, 2.5e-9, -7e12}) CHECK(shown_as(value, number(value)));
 }
 
 TEST_CASE("in a table what is not 0 does not look like 0") {
