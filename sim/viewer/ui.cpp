@@ -244,10 +244,11 @@ bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
   return clicked;
 }
 
-void tooltip(Ui& ui, const std::vector<std::string>& lines) {
+void tooltip(Ui& ui, const std::vector<std::string>& lines, std::optional<ImVec2> at) {
   if (ui.reads) return;
   float width = 0;
   for (const std::string& line : lines) width = std::max(width, text_size(ui, ui.fonts.mono, line).x);
+  if (at) ImGui::SetNextWindowPos(*at);
   ImGui::BeginTooltip();
   for (const std::string& line : lines) {
     draw_text(ui, ImGui::GetCursorScreenPos(), ui.fonts.mono, ui.colors().text, line);

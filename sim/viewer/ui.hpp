@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -114,7 +115,7 @@ bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question);
 
 /// A button with a label that fits; true when clicked.
 bool button(Ui& ui, const std::string& label, bool lit = false, bool enabled = true);
-/// A small window beside the mouse with these lines.
-void tooltip(Ui& ui, const std::vector<std::string>& lines);
+/// A small window beside the mouse, or at this place, with these lines.
+void tooltip(Ui& ui, const std::vector<std::string>& lines, std::optional<ImVec2> at = {});
 
 }  // namespace zstep::viewer

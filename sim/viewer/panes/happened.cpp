@@ -90,7 +90,7 @@ void draw(Ui& ui) {
     doubt.font = ui.fonts.bold;
     flow(ui, *told.doubt, doubt);
   }
-  if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered()) tooltip(ui, exact_lines(told.values));
+  if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered()) tooltip(ui, exact_lines(told.values), ImVec2{top.x, bottom.y + ui.em * 0.5f});
 }
 
 }  // namespace
