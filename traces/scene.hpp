@@ -14,6 +14,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "traces/rare.hpp"
+
 namespace zstep {
 
 /// sRGB, 0…255.
@@ -32,10 +34,10 @@ struct Material {
 
 /// One polygon as the file has it. Its index in Scene::polygons is the id that every buffer and event uses.
 struct Polygon {
-  std::string name;  ///< a short label ("A"); empty for most meshes
+  Rare<std::string> name;  ///< a short label ("A"); empty for most meshes
   Color color;
   std::int32_t source_line = 0;  ///< line of the file it stands at, 0 if there is none
-  Material material{};
+  Rare<Material> material{};
   bool operator==(const Polygon&) const = default;
 };
 

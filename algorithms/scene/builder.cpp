@@ -180,10 +180,10 @@ SceneFile SceneBuilder::finish() {
   std::vector<Polygon>& polygons = file_.scene.polygons;
   if (polygons.size() <= 26) {
     std::set<std::string> taken;
-    for (const Polygon& polygon : polygons) taken.insert(polygon.name);
+    for (const Polygon& polygon : polygons) taken.insert(*polygon.name);
     char letter = 'A';
     for (Polygon& polygon : polygons) {
-      if (!polygon.name.empty()) continue;
+      if (!polygon.name->empty()) continue;
       while (taken.count(std::string(1, letter)) > 0) ++letter;  // 26 letters suffice for 26 polygons
       polygon.name = std::string(1, letter++);
     }

@@ -27,7 +27,7 @@ struct Turns {
 Turns turns_of(const Scene& scene, Order order) {
   const auto opaque = [&](std::int32_t facet) {
     const auto polygon = static_cast<std::size_t>(scene.facets[static_cast<std::size_t>(facet)].polygon);
-    return scene.polygons[polygon].material.opacity >= 1;
+    return scene.polygons[polygon].material->opacity >= 1;
   };
   Turns turns;
   std::vector<std::int32_t> transparent;
@@ -42,7 +42,7 @@ template <Recorder R>
 void fill(const viewing::Vertices& vertices, const clipping::Outline& outline, std::int32_t number, const Scene& scene, Order order,
           Picture& picture, R& record) {
   const Polygon& polygon = scene.polygons[static_cast<std::size_t>(number)];
-  const double opacity = polygon.material.opacity;
+  const double opacity = polygon.material->opacity;
   const bool hides = opacity >= 1 || order == Order::file;
   scan_conversion::for_each_span(number, outline, vertices, scene.raster, record, [&](const SpanBegin& span) {
     for (std::int32_t x = span.first, y = span.y; x <= span.last; ++x) {

@@ -102,7 +102,7 @@ Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Re
 std::optional<std::int32_t> polygon_called(const Scene& scene, const std::string& text) {
   const auto count = static_cast<std::int32_t>(scene.polygons.size());
   for (std::int32_t k = 0; k < count; ++k)
-    if (scene.polygons[static_cast<std::size_t>(k)].name == text && !text.empty()) return k;
+    if (*scene.polygons[static_cast<std::size_t>(k)].name == text && !text.empty()) return k;
   const std::size_t skip = text.size() > 1 && (text[0] == 'P' || text[0] == 'p') ? 1 : 0;
   std::int32_t number = -1;
   const char *first = text.data() + skip, *last = text.data() + text.size();

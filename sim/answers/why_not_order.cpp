@@ -55,9 +55,10 @@ void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t la
   verdict.chain.push_back({*second, verdict.other, fmt::format("{} is drawn", label(other))});
   if (records<EyeSide>(q.trace)) return add_tree(q, machine, verdict, piece, other, *first);
   const Piece &mine = machine.pieces[static_cast<std::size_t>(piece)], &its = machine.pieces[static_cast<std::size_t>(other)];
+  const std::vector<std::int32_t> places = draw_places(machine);
   if (mine.extent && its.extent)
     verdict.formulas.push_back(fmt::format("farthest {} of {} = {}, of {} = {}; drawn as number {} and {}", q.z, label(piece), told(mine.extent->z_max), label(other),
-                                           told(its.extent->z_max), machine.draw_places[static_cast<std::size_t>(piece)] + 1, machine.draw_places[static_cast<std::size_t>(other)] + 1));
+                                           told(its.extent->z_max), places[static_cast<std::size_t>(piece)] + 1, places[static_cast<std::size_t>(other)] + 1));
 }
 
 }  // namespace zstep::answers

@@ -16,11 +16,11 @@ using Kind = Expression::Kind;
 double polygon_named(const Moment& moment, std::string_view name) {
   const auto& polygons = moment.trace().scene().polygons;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    if (polygons[i].name == name) return static_cast<double>(i);
+    if (*polygons[i].name == name) return static_cast<double>(i);
   }
   std::string names;
   for (const Polygon& polygon : polygons) {
-    if (!polygon.name.empty() && names.size() < 80) names += (names.empty() ? "" : ", ") + polygon.name;
+    if (!polygon.name->empty() && names.size() < 80) names += (names.empty() ? "" : ", ") + *polygon.name;
   }
   throw InputError(moment.where, fmt::format("the scene has no polygon named \"{}\"", name),
                    names.empty() ? "its polygons have no names; use their numbers" : "its polygons are " + names);

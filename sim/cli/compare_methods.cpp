@@ -134,7 +134,7 @@ void print_work(const std::vector<Compared>& all) {
 /// what is behind the glass.
 bool have_same_polygons(const Scene& scene, const Method& one, const Method& other) {
   if (one.gives == Gives::lines || other.gives == Gives::lines) return false;
-  const bool glass = std::any_of(scene.polygons.begin(), scene.polygons.end(), [](const Polygon& p) { return p.material.opacity < 1; });
+  const bool glass = std::any_of(scene.polygons.begin(), scene.polygons.end(), [](const Polygon& p) { return p.material->opacity < 1; });
   return !glass || (one.gives == Gives::mixtures) == (other.gives == Gives::mixtures);
 }
 

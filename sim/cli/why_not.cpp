@@ -23,7 +23,7 @@ std::int32_t polygon_typed(const Scene& scene, const std::string& text) {
   if (const auto polygon = answers::polygon_called(scene, text)) return *polygon;
   std::vector<std::string> names;
   for (const Polygon& polygon : scene.polygons)
-    if (!polygon.name.empty()) names.push_back(polygon.name);
+    if (!polygon.name->empty()) names.push_back(*polygon.name);
   const std::string usual = scene.polygons.empty() ? "the scene has no polygons" : fmt::format("its polygons are numbered from 0 to {}{}", scene.polygons.size() - 1, names.empty() ? "" : fmt::format(", the first is called {}", names.front()));
   throw InputError(text, "is no polygon of this trace", did_you_mean(text, names, usual));
 }

@@ -79,7 +79,7 @@ bool Condition::holds(std::int64_t step, const RecordedEvent& event) const {
 std::vector<double> polygons_called(const Scene& scene, const std::string& name) {
   std::vector<double> found;
   for (std::size_t i = 0; i < scene.polygons.size(); ++i)
-    if (scene.polygons[i].name == name) found.push_back(static_cast<double>(i));
+    if (*scene.polygons[i].name == name) found.push_back(static_cast<double>(i));
   if (!found.empty() || name.size() < 2 || name.size() > 10 || (name[0] != 'P' && name[0] != 'p')) return found;
   if (!std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; })) return found;
   const auto number = std::stoll(name.substr(1));

@@ -79,7 +79,7 @@ inline void allow_second(const Degenerate& input, const std::string& seen, std::
 
 inline Scene glass(const Degenerate& input, Camera::Kind kind) {
   Scene scene = degenerate_scene(input.polygons, kind);
-  for (Polygon& polygon : scene.polygons) polygon.material.opacity = 0.5;
+  for (Polygon& polygon : scene.polygons) polygon.material = Material{0.5};
   return scene;
 }
 

@@ -159,7 +159,7 @@ void put_extras(Bytes& out, const Scene& scene) {
   put_text(out, document.dump());
   const std::vector<Polygon>& polygons = scene.polygons;
   for (std::size_t first = 0, end = 1; first < polygons.size(); first = end++) {
-    const Material& material = polygons[first].material;
+    const Material& material = *polygons[first].material;
     while (end < polygons.size() && polygons[end].material == material) ++end;
     put_varint(out, end - first);
     for (const double value : {material.opacity, material.reflectance, material.refraction})
@@ -224,10 +224,10 @@ Bytes scene_to_bytes(const Scene& scene) {
   for (const Polygon& polygon : scene.polygons) {
     auto& [red, green, blue, line, length] = of_polygons;
     red.put(polygon.color.red), green.put(polygon.color.green), blue.put(polygon.color.blue);
-    line.put(polygon.source_line), length.put(static_cast<std::int64_t>(polygon.name.size()));
+    line.put(polygon.source_line), length.put(static_cast<std::int64_t>(polygon.name->size()));
   }
   for (Runs& column : of_polygons) column.end(out);
-  for (const Polygon& polygon : scene.polygons) out.insert(out.end(), polygon.name.begin(), polygon.name.end());
+  for (const Polygon& polygon : scene.polygons) out.insert(out.end(), polygon.name->begin(), polygon.name->end());
 
   put_varint(out, scene.facets.size());
   Runs of_facets, counts;
@@ -284,7 +284,7 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   take_runs(in, polygons.size(), [&](std::size_t i, std::int32_t length) { lengths[i] = static_cast<std::uint32_t>(length); });
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const std::span<const std::uint8_t> name = in.take(lengths[i]);
-    polygons[i].name.assign(name.begin(), name.end());
+    polygons[i].name = std::string(name.begin(), name.end());
   }
 
   std::vector<Facet>& facets = scene.facets;

@@ -185,10 +185,10 @@ ordered_json scene_to_json(const Scene& scene) {
   ordered_json polygons = ordered_json::array();
   for (const Polygon& polygon : scene.polygons) {
     ordered_json entry;
-    if (!polygon.name.empty()) entry["name"] = polygon.name;
+    if (!polygon.name->empty()) entry["name"] = *polygon.name;
     entry["color"] = color_text(polygon.color);
     if (polygon.source_line != 0) entry["line"] = polygon.source_line;
-    const Material& material = polygon.material;
+    const Material& material = *polygon.material;
     if (material.opacity != 1) entry["opacity"] = real_to_json(material.opacity);
     if (material.reflectance != 0) entry["reflectance"] = real_to_json(material.reflectance);
     if (material.refraction != 1) entry["refraction"] = real_to_json(material.refraction);
@@ -249,7 +249,7 @@ namespace {
 
 void check_materials(const std::vector<Polygon>& polygons) {
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    const auto [opacity, reflectance, refraction] = polygons[i].material;
+    const auto [opacity, reflectance, refraction] = *polygons[i].material;
     const auto part = [](double value) { return value >= 0 && value <= 1; };
     if (!part(opacity)) wrong_scene(fmt::format("polygon {} has an opacity of {}, not from 0 to 1", i, opacity));
     if (!part(reflectance))

@@ -36,9 +36,9 @@ inline void must_be_in_table(const Machine& machine, std::int32_t edge) {
   if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size())
     throw Impossible(fmt::format("edge {} is not in the edge table", edge));
 }
-inline EdgeStage& stage_of(Machine& machine, std::int32_t edge) {
+inline void set_stage(Machine& machine, std::int32_t edge, EdgeStage stage) {
   must_be_in_table(machine, edge);
-  return machine.edge_stages.edit(static_cast<std::size_t>(edge));
+  machine.edge_stages.set(static_cast<std::size_t>(edge), stage);
 }
 
 inline void must_exist(const char* what, std::int32_t number, std::size_t count) {
@@ -102,14 +102,14 @@ inline void apply_machine(const EdgeEnter& event, Machine& machine) {
     throw Impossible(fmt::format("edge {} enters the active edge list twice", event.edge));
   if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.active.size())
     throw Impossible(fmt::format("the active edge list has no place {}", event.place));
-  detail::stage_of(machine, event.edge) = EdgeStage::active;
+  detail::set_stage(machine, event.edge, EdgeStage::active);
   const EdgeTableInsert& entry = machine.edge_table[static_cast<std::size_t>(event.edge)];
   machine.active.insert(machine.active.begin() + event.place,
                         ActiveEdge{event.edge, entry.x_edge, entry.z_edge});
 }
 inline void apply_machine(const EdgeRetire& event, Machine& machine) {
   const std::size_t place = detail::place_of(machine, event.edge);
-  detail::stage_of(machine, event.edge) = EdgeStage::retired;
+  detail::set_stage(machine, event.edge, EdgeStage::retired);
   machine.active.erase(machine.active.begin() + static_cast<std::ptrdiff_t>(place));
 }
 inline void apply_machine(const EdgeStep& event, Machine& machine) {

@@ -18,7 +18,6 @@ inline void apply_machine(const PieceMake& event, Machine& machine) {
   piece.parent = event.parent;
   piece.outline.swap(machine.outline);
   machine.pieces.push_back(std::move(piece));
-  machine.draw_places.push_back(-1);
 }
 inline void apply_machine(const PlaneEquation& event, Machine& machine) {
   detail::must_exist("piece", event.piece, machine.pieces.size());
@@ -30,12 +29,13 @@ inline void apply_machine(const Extent& event, Machine& machine) {
 }
 inline void apply_machine(const PieceDraw& event, Machine& machine) {
   detail::must_exist("piece", event.piece, machine.pieces.size());
+  if (machine.drawn.size() >= machine.pieces.size()) throw Impossible(fmt::format("piece {} is drawn where all {} were", event.piece, machine.pieces.size()));
   detail::begin_polygon(machine, event.polygon);
   machine.edge_table.clear();
   machine.edge_stages.clear();
   machine.active.clear();
   machine.piece = event.piece;
-  machine.draw_places.edit(static_cast<std::size_t>(event.piece)) = machine.pieces_drawn++;
+  machine.drawn.push_back(event.piece);
 }
 inline void apply_machine(const Saved& event, Machine& machine) {
   machine.saved[static_cast<std::size_t>(event.coherence)] += event.tests;

@@ -32,6 +32,31 @@ struct VertexWay {
 /// Where an edge of the edge table has got to.
 enum class EdgeStage : std::uint8_t { waiting, active, retired };
 
+/// The stages of all entries, four in a byte.
+class EdgeStages {
+ public:
+  std::size_t size() const { return size_; }
+  EdgeStage operator[](std::size_t edge) const { return static_cast<EdgeStage>(words_[edge / in_word] >> shift(edge) & mask); }
+  void set(std::size_t edge, EdgeStage stage) {
+    std::uint64_t& word = words_.edit(edge / in_word);
+    word = (word & ~(mask << shift(edge))) | static_cast<std::uint64_t>(stage) << shift(edge);
+  }
+  void push_back(EdgeStage stage) {
+    if (size_ % in_word == 0) words_.push_back(0);
+    set(size_++, stage);
+  }
+  void clear() { words_.clear(), size_ = 0; }
+  auto members() const { return std::tie(size_, words_); }
+
+ private:
+  static constexpr std::size_t in_word = 32;
+  static constexpr std::uint64_t mask = 3;
+  static unsigned shift(std::size_t edge) { return static_cast<unsigned>(edge % in_word) * 2; }
+
+  std::size_t size_ = 0;
+  SharedChunks<std::uint64_t> words_;
+};
+
 /// An entry of the active edge list: its x and depth on the current scan line.
 struct ActiveEdge {
   std::int32_t edge = 0;  ///< index into State::edge_table
@@ -60,7 +85,7 @@ struct Machine {
   std::vector<std::int32_t> outline;  ///< its vertices as drawn (indices into vertices)
   // What changes often stands apart from what does not, so that copies share the most.
   SharedChunks<EdgeTableInsert> edge_table;  ///< by edge number; buckets by first_row
-  SharedChunks<EdgeStage> edge_stages;       ///< likewise by number
+  EdgeStages edge_stages;                    ///< likewise by number
   std::vector<ActiveEdge> active;     ///< left to right
   std::size_t looked_up = 0;          ///< a place in it, from which the next edge is looked for: no part of the state
   std::optional<std::int32_t> scan_line;
@@ -71,8 +96,7 @@ struct Machine {
   bool keeps_all = false;  ///< edges, vertices and pieces of all polygons are kept (tables_begin)
   Pass pass = Pass::eye;
   SharedChunks<Piece> pieces;
-  SharedChunks<std::int32_t> draw_places;  ///< by piece: it was the n-th to be drawn, from 0; -1 before
-  std::int32_t pieces_drawn = 0;
+  SharedChunks<std::int32_t> drawn;  ///< pieces, in the order in which they were drawn
   SharedList<ListEntry> list;     ///< depth sort's, from the front
   std::optional<PairBegin> pair;  ///< under test
   SharedChunks<TreeNode> tree;    ///< node 0 is the root
@@ -94,10 +118,13 @@ struct Machine {
 
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active, scan_line, span,
-                    fragment, keeps_all, pass, pieces, draw_places, pieces_drawn, list, pair, tree, node, sweep, areas, area, bins,
+                    fragment, keeps_all, pass, pieces, drawn, list, pair, tree, node, sweep, areas, area, bins,
                     boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
   }
 };
+
+/// By piece: it was the n-th to be drawn, from 0; -1 where it was not drawn yet.
+std::vector<std::int32_t> draw_places(const Machine& machine);
 
 struct State {
   std::int64_t position = 0;

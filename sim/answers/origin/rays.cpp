@@ -97,7 +97,7 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
     return datum.is(fmt::format("D_{0} - 2*(D_x*N_x + D_y*N_y + D_z*N_z)*N_{0}", name), std::move(given), false);
   const bool entering = glm::dot(along, normal) < 0;
   const auto polygon = static_cast<std::size_t>(work.scene.facets[static_cast<std::size_t>(facet)].polygon);
-  const double n = work.scene.polygons[polygon].material.refraction, ratio = entering ? 1 / n : n;
+  const double n = work.scene.polygons[polygon].material->refraction, ratio = entering ? 1 / n : n;
   const std::string cosine = entering ? "(-(D_x*N_x + D_y*N_y + D_z*N_z))" : "(D_x*N_x + D_y*N_y + D_z*N_z)";
   given.push_back({"r", ratio});
   datum.is(fmt::format("r*D_{0} + (r*{1} - sqrt(1 - r*r*(1 - {1}*{1})))*{2}N_{0}", name, cosine, entering ? "" : "(-1)*"), std::move(given), false);
@@ -193,7 +193,7 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
   if (dark) given.push_back({"in_shadow", shadow_buffer::in_shadow});
   if (shadow) datum.note(fmt::format("the light {} the point: step {}", dark ? "does not reach" : "reaches", *shadow));
   if (!mirrored && !through) return datum.is(own_part, std::move(given), false);
-  const Material& material = work.scene.polygons[static_cast<std::size_t>(polygon)].material;
+  const Material& material = *work.scene.polygons[static_cast<std::size_t>(polygon)].material;
   const double passes = (1 - material.reflectance) * (1 - material.opacity), mirror = material.reflectance + (through ? 0 : passes);
   given.push_back({"own_part", (1 - material.reflectance) * material.opacity});
   std::string text = "own_part*(" + own_part + ")";

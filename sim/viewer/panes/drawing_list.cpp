@@ -158,7 +158,7 @@ void draw(Ui& ui) {
   const Session& s = ui.session;
   const Machine& machine = s.state().machine;
   if (machine.list.empty())
-    return say_empty(ui, machine.pieces_drawn > 0 ? "Empty: everything is drawn."
+    return say_empty(ui, !machine.drawn.empty() ? "Empty: everything is drawn."
                                                   : "Empty: when all polygons have been viewed they enter it, the farthest first.");
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   const auto made = machine.pair && find_step(s.header().page, "test_1") ? since_pair(s) : std::nullopt;
@@ -190,8 +190,8 @@ void draw(Ui& ui) {
 
 std::string note(Ui& ui) {
   const Machine& machine = ui.session.state().machine;
-  if (machine.list.empty() && machine.pieces_drawn == 0) return "";
-  return fmt::format("{} to go, {} drawn", machine.list.size(), machine.pieces_drawn);
+  if (machine.list.empty() && machine.drawn.empty()) return "";
+  return fmt::format("{} to go, {} drawn", machine.list.size(), machine.drawn.size());
 }
 
 bool serves(const Header& header) { return has_step_of<ListInsert>(header); }

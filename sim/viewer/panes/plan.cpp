@@ -143,6 +143,7 @@ ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 
 
 void draw_pieces(const View& v) {
   const std::int32_t now = piece_now(v.s);
+  const std::vector<std::int32_t> draw_places = zstep::draw_places(v.m);
   std::size_t shown = 0;
   for (const Piece& piece : v.m.pieces) shown += piece.cut ? 0 : 1;
   std::int32_t number = -1;
@@ -155,7 +156,7 @@ void draw_pieces(const View& v) {
     const bool lit = number == now;
     const auto polygon = at(piece.polygon);
     const Pixel32 own = polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
-    const bool painted = v.m.draw_places[at(number)] >= 0;
+    const bool painted = draw_places[at(number)] >= 0;
     if (lit)
       for (std::size_t k = 0; k < points.size(); ++k) v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now, 9);
     for (std::size_t k = 0; k < points.size(); ++k)

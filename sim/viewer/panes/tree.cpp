@@ -111,6 +111,7 @@ void draw_whole(Ui& ui) {
       draw_text(ui, place, ui.fonts.small, c.muted, sign);
     }
   }
+  const std::vector<std::int32_t> draw_places = zstep::draw_places(m);
   for (std::size_t node = 0; node < places.size(); ++node) {
     const TreeNode& one = m.tree[node];
     const std::string name = name_of(s, one);
@@ -125,7 +126,7 @@ void draw_whole(Ui& ui) {
     if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);
     std::int32_t drawn = -1;
     for (const std::int32_t piece : one.pieces)
-      if (at(piece) < m.pieces.size()) drawn = std::max(drawn, m.draw_places[at(piece)]);
+      if (at(piece) < m.pieces.size()) drawn = std::max(drawn, draw_places[at(piece)]);
     if (drawn >= 0) draw_text(ui, {std::round(end.x - half * 0.6f), end.y + 1}, ui.fonts.small, c.changed, fmt::format("#{}", drawn + 1));
   }
   const std::string long_text = "+ in front, \u2212 behind   arrow: the eye's side   #1: drawn first";

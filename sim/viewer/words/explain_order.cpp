@@ -127,7 +127,7 @@ void tell(Telling& t, const ListRemove& e) {
   const std::string name = t.piece(e.piece);
   if (piece && piece->cut) return t.say(fmt::format("{} leaves the list: its parts take over.", name));
   if (t.step() == "remove") return t.say(fmt::format("{} was moved for the sake of what has been split: it goes back to its place.", name));
-  if (piece && t.machine.draw_places[static_cast<std::size_t>(e.piece)] >= 0)
+  if (std::find(t.machine.drawn.begin(), t.machine.drawn.end(), e.piece) != t.machine.drawn.end())
     return t.say(fmt::format("{} is drawn and leaves the list; {} to go.", name, t.machine.list.size()));
   t.say(fmt::format("{} leaves its place in the list.", name));
 }

@@ -75,7 +75,7 @@ void tell(Telling& t, const SplitVertex& e) {
 
 void tell(Telling& t, const PieceDraw& e) {
   t.say(fmt::format("{} is drawn, over whatever is there.", t.piece(e.piece)));
-  t.formula(fmt::format("number {} to be drawn", t.machine.pieces_drawn));
+  t.formula(fmt::format("number {} to be drawn", t.machine.drawn.size()));
 }
 
 void tell(Telling& t, const PixelPaint& e) {

@@ -28,7 +28,7 @@ std::optional<double> glass_here(const Telling& t) {
   const bool mixes = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<ColorBlend>; });
   const auto polygon = static_cast<std::size_t>(t.machine.polygon);
   if (!mixes || t.machine.polygon < 0 || polygon >= t.scene.polygons.size()) return std::nullopt;
-  const double opacity = t.scene.polygons[polygon].material.opacity;
+  const double opacity = t.scene.polygons[polygon].material->opacity;
   return opacity < 1 ? std::optional(opacity) : std::nullopt;
 }
 

@@ -19,8 +19,8 @@ namespace {
 Scene rich_scene() {
   Scene scene = some_scene();
   scene.points[2] = {0, 9, 3};
-  scene.polygons.push_back({"C", {9, 9, 9}, 0, {1, 1, 10}});
-  scene.polygons[0].material = {0.25, 0.5, 1.5};
+  scene.polygons.push_back({"C", {9, 9, 9}, 0, Material{1, 1, 10}});
+  scene.polygons[0].material = Material{0.25, 0.5, 1.5};
   scene.light = Light{{1, 2, 8}, {0, 1.0 / 3, 0}, 0.75, 2, 20};
   scene.surface = Surface{"sin(x) * z", -1, 1, 0, 0.1, 3, 1};
   Placement turned{0, 2, "house.off", 5};
@@ -63,7 +63,7 @@ TEST_CASE("scene: materials, light, surface and origins come back to the bit") {
     if ((without & 1) != 0) less.light.reset();
     if ((without & 2) != 0) less.surface.reset();
     if ((without & 4) != 0)
-      for (Polygon& polygon : less.polygons) polygon.material = {};
+      for (Polygon& polygon : less.polygons) polygon.material = Material{};
     if ((without & 8) != 0) less.placements.clear();
     if ((without & 16) != 0) less.fit.reset(), less.file_points.clear();
     CHECK(through_json(less) == less);
@@ -102,11 +102,11 @@ TEST_CASE("scene: impossible materials, lights and surfaces are refused") {
     CHECK(message.find(part) != std::string::npos);
   };
   for (const double value : {-0.1, 1.1, nan, infinite, -infinite}) {
-    says([&](Scene& s) { s.polygons[1].material.opacity = value; }, "polygon 1 has an opacity of");
-    says([&](Scene& s) { s.polygons[0].material.reflectance = value; }, "polygon 0 has a reflectance of");
+    says([&](Scene& s) { s.polygons[1].material = Material{value}; }, "polygon 1 has an opacity of");
+    says([&](Scene& s) { s.polygons[0].material = Material{0.25, value}; }, "polygon 0 has a reflectance of");
   }
   for (const double value : {0.0, -1.0, 11.0, nan, infinite})
-    says([&](Scene& s) { s.polygons[2].material.refraction = value; }, "polygon 2 has a refraction of");
+    says([&](Scene& s) { s.polygons[2].material = Material{1, 0, value}; }, "polygon 2 has a refraction of");
 
   for (const double value : {0.0, -1.0, nan, infinite}) {
     says([&](Scene& s) { s.light->window = value; }, "the light has a window of");

@@ -141,7 +141,7 @@ TEST_SUITE("ray_tracing") {
     // A ray inside glass meets its back at more than the critical angle: n = 3 and 45 degrees.
     Scene scene = one_ray();
     test::add_polygon(scene, std::vector<glm::dvec3>{{-1, 1, -1}, {1, -1, -1}, {1, -1, 1}, {-1, 1, 1}});
-    scene.polygons.back().material = {0, 0, 3};
+    scene.polygons.back().material = Material{0, 0, 3};
     CollectRecorder record;
     test::look(scene, Camera::Kind::perspective, 4, 0, 90, 0.1, 100);
     Conventions conventions = to_depth(2);

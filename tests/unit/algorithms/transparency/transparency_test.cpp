@@ -37,7 +37,7 @@ Scene panes(const std::vector<Pane>& all) {
   scene.background = white;
   for (std::size_t i = 0; i < all.size(); ++i) {
     scene.polygons[i].color = all[i].color;
-    scene.polygons[i].material.opacity = all[i].opacity;
+    scene.polygons[i].material = Material{all[i].opacity};
   }
   return scene;
 }
@@ -61,7 +61,7 @@ Scene soup(std::uint64_t seed, int count, double least_opacity) {
     const auto part = [&] { return static_cast<std::uint8_t>(random.between(0, 255)); };
     polygon.color.red = part(), polygon.color.green = part(), polygon.color.blue = part();
     const double opacity = random.between(least_opacity, 1);
-    polygon.material.opacity = i % 3 == 0 ? 1 : opacity;
+    polygon.material = Material{i % 3 == 0 ? 1 : opacity};
   }
   test::look(scene, Camera::Kind::perspective, 4, 20, 70, 1, 8);
   scene.camera.window = 0.4;
@@ -155,7 +155,7 @@ TEST_SUITE("transparency") {
           Color mixed = scene.background;
           for (const Layer& layer : layers[pixel]) {
             const Polygon& polygon = scene.polygons[static_cast<std::size_t>(layer.polygon)];
-            mixed = transparency::blended(polygon.color, polygon.material.opacity, mixed);
+            mixed = transparency::blended(polygon.color, polygon.material->opacity, mixed);
           }
           apart += !(color_at(picture, scene, pixel) == mixed);
         }
@@ -207,7 +207,7 @@ TEST_SUITE("transparency") {
     CHECK(seen(scene) == white);
     Scene line = test::screen_scene(4, 4, {{{0, 0, 0.5}, {3, 3, 0.5}, {1, 1, 0.5}}});
     line.background = white;
-    line.polygons[0].material.opacity = 0.5;
+    line.polygons[0].material = Material{0.5};
     CHECK(seen(line) == white);
     CHECK(seen(line, "file") == white);
   }

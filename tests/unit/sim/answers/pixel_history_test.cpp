@@ -284,7 +284,7 @@ TEST_SUITE("pixel history") {
     Scene scene = test::screen_scene(4, 4, {{{-1, -1, 2}, {5, -1, 2}, {5, 5, 2}, {-1, 5, 2}},
                                             {{-1, -1, 1}, {5, -1, 1}, {5, 5, 1}, {-1, 5, 1}},
                                             {{-1, -1, 3}, {5, -1, 3}, {5, 5, 3}, {-1, 5, 3}}});
-    scene.polygons[1].material.opacity = 0.5;
+    scene.polygons[1].material = Material{0.5};
     const std::vector<Visit> history = pixel_history(test::recorded_by("transparency", scene), {1, 1});
     // Polygon 0 wins and colours the pixel, polygon 2 is behind it, and polygon 1 wins and is mixed in.
     REQUIRE(history.size() == 5);

@@ -319,7 +319,7 @@ TEST_SUITE("why not") {
     for (int k = 0; k < 9; ++k) {
       const glm::dvec3 centre = random.in_box(1.6);
       test::add_polygon(scene, test::random_star(random, centre, 2.2, 5 + k % 3));
-      if (k % 4 == 1) scene.polygons.back().material.opacity = 0.5;
+      if (k % 4 == 1) scene.polygons.back().material = Material{0.5};
     }
     test::add_polygon(scene, {{0, 0, 9}, {1, 0, 9}, {0, 1, 9}});        // behind the eye
     test::add_polygon(scene, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}});        // no area
