@@ -1,7 +1,6 @@
 // Work that is done beside the caller's own, one piece after another.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -14,7 +13,9 @@
 
 namespace zstep {
 
-/// A thread that waits for work. Where the system gives none, the caller does the work itself.
+/// A thread that sleeps until there is work. To be put to sleep and woken costs as much as a small piece, and to look out instead takes
+/// from the caller what two processors of one core share: so the thread is woken for several pieces at once, and a caller who found no
+/// room waits until there is room for several. Where the system gives no thread, the caller does the work itself.
 class Beside {
  public:
   /// `most`: pieces that may wait or be at work.
@@ -29,81 +30,84 @@ class Beside {
       const std::lock_guard<std::mutex> lock(mutex_);
       ends_ = true;
     }
-    changed_.notify_all();
+    for_thread_.notify_one();
     if (thread_.joinable()) thread_.join();
   }
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
 
   /// Waits until there is room for another piece; throws what a piece before threw, once.
-  void wait_for_room() { wait_until_at_most(most_ - 1); }
+  void wait_for_room() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (pieces_.size() >= most_) wait_until_at_most(most_ / 2, lock);
+    tell_fault();
+  }
   /// Waits until nothing is being done; throws likewise.
-  void wait() { wait_until_at_most(0); }
+  void wait() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    wait_until_at_most(0, lock);
+    tell_fault();
+  }
   /// Begins a piece, for which there must be room. After one that threw, no other is done until that was told.
-  void begin(std::function<void()> work) {
+  void begin(std::function<void()> work) { take(std::move(work), 1); }
+  /// The same, but not before several wait.
+  void begin_with_others(std::function<void()> work) { take(std::move(work), most_ / 2 + 1); }
+
+ private:
+  void wait_until_at_most(std::size_t count, std::unique_lock<std::mutex>& lock) {
+    if (pieces_.size() <= count) return;
+    enough_ = count;
+    awake_ = true;
+    for_thread_.notify_one();
+    for_caller_.wait(lock, [&] { return pieces_.size() <= count; });
+  }
+  void take(std::function<void()> work, std::size_t enough_to_wake) {
     if (!thread_.joinable()) return work();
+    bool wake = false;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       pieces_.push(std::move(work));
-      ++unfinished_;
+      wake = !awake_ && pieces_.size() >= enough_to_wake;
+      awake_ = awake_ || wake;
     }
-    changed_.notify_all();
+    if (wake) for_thread_.notify_one();
   }
-
- private:
-  void wait_until_at_most(std::size_t count) {
-    await([&] { return unfinished_ <= count; });
-    if (!faulty_) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    faulty_ = false;
-    std::rethrow_exception(std::exchange(fault_, nullptr));
-  }
-  /// To be put to sleep and woken takes longer than most waits here, so one looks some times first, without the other's having to wait.
-  template <class Condition>
-  void await(Condition&& condition) {
-    for (int look = 0; look < looks; ++look) {
-      if (condition()) return;
-      std::this_thread::yield();
-    }
-    std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, condition);
+  void tell_fault() {
+    if (fault_) std::rethrow_exception(std::exchange(fault_, nullptr));
   }
 
   void run() {
+    std::unique_lock<std::mutex> lock(mutex_);
     for (;;) {
-      await([this] { return ends_ || unfinished_ > 0; });
-      std::unique_lock<std::mutex> lock(mutex_);
-      if (pieces_.empty()) return;
-      const std::function<void()>& work = pieces_.front();  // stays where it is until it is popped
-      if (!faulty_) {
-        lock.unlock();
-        std::exception_ptr fault;
-        try {
-          work();
-        } catch (...) {
-          fault = std::current_exception();
+      for_thread_.wait(lock, [this] { return awake_ || ends_; });
+      while (!pieces_.empty()) {
+        const std::function<void()>& work = pieces_.front();  // stays where it is until it is popped
+        if (!fault_) {
+          lock.unlock();
+          std::exception_ptr fault;
+          try {
+            work();
+          } catch (...) {
+            fault = std::current_exception();
+          }
+          lock.lock();
+          fault_ = fault;
         }
-        lock.lock();
-        fault_ = fault;
-        faulty_ = fault != nullptr;
+        pieces_.pop();
+        if (pieces_.size() == enough_) for_caller_.notify_one();
       }
-      pieces_.pop();
-      --unfinished_;
-      lock.unlock();
-      changed_.notify_all();
+      awake_ = false;
+      if (ends_) return;
     }
   }
 
-  static constexpr int looks = 640;  ///< less than a millisecond
-
-  std::size_t most_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::queue<std::function<void()>> pieces_;  ///< the first is at work
+  const std::size_t most_;
+  std::mutex mutex_;  ///< of all that follows
+  std::condition_variable for_thread_, for_caller_;
+  std::queue<std::function<void()>> pieces_;  ///< the first may be at work
   std::exception_ptr fault_;
-  // What is waited for: read without the lock, and changed under it, so that nobody goes to sleep just before.
-  std::atomic<std::size_t> unfinished_ = 0;
-  std::atomic<bool> faulty_ = false, ends_ = false;
+  std::size_t enough_ = 0;             ///< so many pieces left, and the caller who waits goes on
+  bool awake_ = false, ends_ = false;  ///< the thread has been woken and not yet run out of work; it is to end
   std::thread thread_;
 };
 

@@ -1,12 +1,12 @@
 #include "traces/record/trace_recorder.hpp"
 
-#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <system_error>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "traces/codec/block_encoder.hpp"
 #include "traces/error.hpp"
@@ -19,7 +19,7 @@
 namespace zstep {
 
 namespace {
-constexpr std::size_t logs_at_work = 3;
+constexpr std::size_t logs_at_work = 9;
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
@@ -83,14 +83,14 @@ struct TraceRecorder::Sink {
   std::uint64_t blocks = 0;
   BlockEncoder encoder;
   Journal journal;  ///< the memory of the logs at work and, after them, of the one that is recorded into
-  std::array<EventLog, logs_at_work> at_work;  ///< in turn
+  std::vector<EventLog> at_work;  ///< in turn
   std::size_t next_log = 0;
   Beside beside{logs_at_work};  // ends first
 
   Sink(const Header& header, const Scene& scene, const std::filesystem::path& to)
       : encoder(scene, header),
         journal(to, logs_at_work + 1, EventLog::most_bytes),
-        at_work{EventLog(journal.log(0)), EventLog(journal.log(1)), EventLog(journal.log(2))} {
+        at_work(logs_in(journal)) {
     if (!to.empty()) file.emplace(to);
   }
   Sink(const Sink&) = delete;
@@ -100,6 +100,12 @@ struct TraceRecorder::Sink {
       beside.wait();
     } catch (...) {  // a recording that ends without finish() ends where it got to
     }
+  }
+
+  static std::vector<EventLog> logs_in(const Journal& journal) {
+    std::vector<EventLog> logs;
+    for (std::size_t number = 0; number < logs_at_work; ++number) logs.emplace_back(journal.log(number));
+    return logs;
   }
 
   void write(const Bytes& bytes) {
@@ -153,7 +159,7 @@ void TraceRecorder::write_block() {
   log.swap(log_);
   log_.clear();
   sink_->journal.holds(log_.memory(), sink_->next_log + 1);
-  sink_->beside.begin([sink = sink_.get(), &log] { sink->write_block(log); });
+  sink_->beside.begin_with_others([sink = sink_.get(), &log] { sink->write_block(log); });
   if (on_block_) on_block_(size());
 }
 
