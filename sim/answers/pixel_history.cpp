@@ -202,19 +202,15 @@ class History {
     // come to, between pieces that are drawn.
     const bool tree = page_has(trace_, kind_of<EyeSide>);
     const auto marks = trace_.polygons();
+    const auto rejects = trace_.rejects();
     for (std::size_t i = 0; i < marks.size(); ++i) {
       if (!there_[static_cast<std::size_t>(marks[i].polygon)]) continue;
-      const std::int64_t end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
-      std::int32_t facet = -1;
-      trace_.each(marks[i].position - 1, end, [&](std::int64_t step, const RecordedEvent& recorded) {
-        if (const auto* begin = std::get_if<PolygonBegin>(&recorded.event)) facet = begin->facet;
-        if (const auto* reject = std::get_if<PolygonReject>(&recorded.event)) {
-          const bool another = polygon_of_facet(trace_.scene(), facet) == reject->polygon && !facets_there_.contains(facet);
-          const bool by_node = tree && reject->reason == Reject::back_facing;
-          if (reject->polygon == marks[i].polygon && !another && !by_node) add_rejected({step, reject->polygon, reject->reason});
-        }
-        return !is_one_of<OutlineVertex, SpanBegin>(recorded);  // it was not rejected
-      });
+      const std::int64_t begin = marks[i].position, end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
+      auto reject = std::lower_bound(rejects.begin(), rejects.end(), begin, [](const RejectMark& mark, std::int64_t at) { return mark.position < at; });
+      for (; reject != rejects.end() && reject->position <= end; ++reject) {
+        const bool by_node = tree && reject->reason == Reject::back_facing;
+        if (reject->polygon == marks[i].polygon && !by_node && !is_of_another_facet(begin, reject->polygon)) add_rejected(*reject);
+      }
     }
     if (!marks.empty() && !tree) return;
     std::vector<bool> of_node = away_;  // of a polygon that was cut one piece speaks for all
@@ -223,6 +219,13 @@ class History {
       if (!tree && there_[polygon]) add_rejected(reject);
       if (tree && reject.reason == Reject::back_facing && of_node[polygon]) add_rejected(reject), of_node[polygon] = false;
     }
+  }
+
+  /// Work on this polygon began here with a facet that does not cover the pixel.
+  bool is_of_another_facet(std::int64_t begin, std::int32_t polygon) const {
+    const Event event = trace_.event(begin).event;
+    const auto* work = std::get_if<PolygonBegin>(&event);
+    return work && polygon_of_facet(trace_.scene(), work->facet) == polygon && !facets_there_.contains(work->facet);
   }
 
   /// Those of them whose turn did not come before the recording was cut off.
