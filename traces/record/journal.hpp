@@ -25,6 +25,8 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
+  /// What the logs hold can be read after the recording was killed.
+  bool outlives() const { return mapped_ != nullptr; }
   std::uint8_t* log(std::size_t number) const { return logs_ + number * log_size_; }
   /// From now on this memory holds the block of this number, the first being 1; call it when the log in it is empty.
   void holds(const std::uint8_t* log, std::uint64_t block);

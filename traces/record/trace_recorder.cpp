@@ -159,7 +159,10 @@ void TraceRecorder::write_block() {
   log.swap(log_);
   log_.clear();
   sink_->journal.holds(log_.memory(), sink_->next_log + 1);
-  sink_->beside.begin_with_others([sink = sink_.get(), &log] { sink->write_block(log); });
+  const auto pack = [sink = sink_.get(), &log] { sink->write_block(log); };
+  // What only memory holds is written as soon as can be.
+  if (sink_->journal.outlives()) sink_->beside.begin_with_others(pack);
+  else sink_->beside.begin(pack);
   if (on_block_) on_block_(size());
 }
 
