@@ -213,7 +213,11 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   const float right = session_.lesson() ? std::round(size.x * l.right) : 0;
   const float middle = size.x - left - gap - (right > 0 ? right + gap : 0);
   const float x = at.x + left + gap;
-  draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, l.code, "code");
+  // A class reads what happened to its end: a sentence of two lines and a formula of five.
+  float code = ui_.presenter ? std::min(l.code, 1 - std::min(0.5f, ui_.em * 11 / size.y)) : l.code;
+  const float code_before = code;
+  draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, code, "code");
+  if (code != code_before) l.code = code;
 
   const float upper = structures_.empty() ? size.y : std::round((size.y - gap) * buffers);
   const float frame = std::round((middle - gap) * l.frame);
