@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <variant>
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include "sim/compare/facet_at.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
+#include "traces/error.hpp"
 
 namespace zstep::answers {
 
@@ -202,14 +205,13 @@ class History {
     // come to, between pieces that are drawn.
     const bool tree = page_has(trace_, kind_of<EyeSide>);
     const auto marks = trace_.polygons();
-    const auto rejects = trace_.rejects();
+    const auto listed = all_rejects();
     for (std::size_t i = 0; i < marks.size(); ++i) {
       if (!there_[static_cast<std::size_t>(marks[i].polygon)]) continue;
       const std::int64_t begin = marks[i].position, end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
-      auto reject = std::lower_bound(rejects.begin(), rejects.end(), begin, [](const RejectMark& mark, std::int64_t at) { return mark.position < at; });
-      for (; reject != rejects.end() && reject->position <= end; ++reject) {
-        const bool by_node = tree && reject->reason == Reject::back_facing;
-        if (reject->polygon == marks[i].polygon && !by_node && !is_of_another_facet(begin, reject->polygon)) add_rejected(*reject);
+      for (const RejectMark& reject : listed ? rejects_among(*listed, begin, end) : rejects_within(begin, end)) {
+        const bool by_node = tree && reject.reason == Reject::back_facing;
+        if (reject.polygon == marks[i].polygon && !by_node && !is_of_another_facet(begin, reject.polygon)) add_rejected(reject);
       }
     }
     if (!marks.empty() && !tree) return;
@@ -219,6 +221,30 @@ class History {
       if (!tree && there_[polygon]) add_rejected(reject);
       if (tree && reject.reason == Reject::back_facing && of_node[polygon]) add_rejected(reject), of_node[polygon] = false;
     }
+  }
+
+  /// The trace's list of rejects; nothing where a damaged block keeps it from being made, which need not concern this pixel.
+  std::optional<std::span<const RejectMark>> all_rejects() const {
+    try {
+      return trace_.rejects();
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  }
+  /// Those of them at steps from first to last.
+  static std::vector<RejectMark> rejects_among(std::span<const RejectMark> all, std::int64_t first, std::int64_t last) {
+    const auto from = std::lower_bound(all.begin(), all.end(), first, [](const RejectMark& mark, std::int64_t at) { return mark.position < at; });
+    const auto end = std::upper_bound(from, all.end(), last, [](std::int64_t at, const RejectMark& mark) { return at < mark.position; });
+    return {from, end};
+  }
+  /// The same, read from the steps themselves.
+  std::vector<RejectMark> rejects_within(std::int64_t first, std::int64_t last) const {
+    std::vector<RejectMark> found;
+    for (auto at = next_of<PolygonReject>(trace_, first - 1, last + 1); at; at = next_of<PolygonReject>(trace_, *at, last + 1)) {
+      const auto event = event_at<PolygonReject>(trace_, *at);
+      found.push_back({*at, event->polygon, event->reason});
+    }
+    return found;
   }
 
   /// Work on this polygon began here with a facet that does not cover the pixel.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "sim/answers/explain_value.hpp"
 #include "sim/answers/pixel_history.hpp"
@@ -16,6 +17,8 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
+#include "traces/error.hpp"
+#include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -302,4 +305,39 @@ TEST_SUITE("pixel history") {
     const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid.jsonl");
     CHECK(pixel_history(trace, {0, 0}).empty());
   }
+}
+
+TEST_CASE("a block that is damaged costs no history that it has no part in") {
+  ViewOptions view;
+  view.width = 320, view.height = 240;
+  const Scene scene = look_at_scene(load_scene("teapot:4").scene, view);
+  const Method& taught = method("z-buffer");
+  TraceRecorder recorder(header_for(taught, {}), scene);
+  taught.record(scene, {}, recorder);
+  recorder.finish();
+  std::vector<std::uint8_t> bytes = recorder.take_bytes();
+  const Trace whole = Trace::from_bytes(bytes, "whole");
+  std::vector<std::size_t> blocks;
+  for (std::size_t at = 0; at + 4 < bytes.size(); ++at)
+    if (std::equal(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at) + 4, "EVTS")) blocks.push_back(at);
+  REQUIRE(blocks.size() > 3);
+  bytes[blocks[blocks.size() / 2] + 400] ^= 0x10;
+  const Trace damaged = Trace::from_bytes(std::move(bytes), "damaged");
+  const FacetsNear facets(whole);
+  int answered = 0, refused = 0;
+  for (std::int32_t y = 0; y < 240; y += 12)
+    for (std::int32_t x = 0; x < 320; x += 12) {
+      const std::vector<Visit> all = pixel_history(whole, facets, {x, y});
+      if (all.empty()) continue;
+      try {
+        const std::vector<Visit> visits = pixel_history(damaged, facets, {x, y});
+        REQUIRE(visits.size() == all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) CHECK((visits[i].step == all[i].step && visits[i].polygon == all[i].polygon && visits[i].outcome == all[i].outcome));
+        ++answered;
+      } catch (const InputError&) {
+        ++refused;
+      }
+    }
+  CHECK(refused > 0);
+  CHECK(answered > refused);
 }
