@@ -4,11 +4,6 @@
 namespace zstep::words {
 namespace {
 
-const Piece* row_of(const Telling& t, std::int32_t piece) {
-  const auto at = static_cast<std::size_t>(piece);
-  return piece >= 0 && at < t.machine.pieces.size() ? &t.machine.pieces[at] : nullptr;
-}
-
 std::string edge(const Telling& t, std::int32_t number) {
   const auto at = static_cast<std::size_t>(number);
   return number >= 0 && at < t.machine.edge_table.size() ? edge_label(t.scene, t.machine.edge_table[at]) : fmt::format("e{}", number);
@@ -22,7 +17,7 @@ std::string names_inside(const Telling& t) {
 
 /// z = -(A x + B y + D)/C with numbers, and whether it gives what was recorded.
 void depth_formula(Telling& t, std::int32_t piece, double x, double y, double z) {
-  const Piece* row = row_of(t, piece);
+  const Piece* row = t.piece_at(piece);
   if (!row || !row->plane) return;
   const PlaneEquation& p = *row->plane;
   t.formula(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", t.z, t.piece(piece), factor(p.plane_a),
