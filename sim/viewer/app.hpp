@@ -85,7 +85,8 @@ class App {
   const answers::Visit& told_visit(std::size_t visit);  ///< with why
   Cell history_of() const { return history_of_; }
   void go_to_visit(std::size_t visit);
-  void open_explain(const answers::Question& question);
+  /// With the link picked that tells of the number written so, if one is named.
+  void open_explain(const answers::Question& question, const std::string& written = "");
   void explain_step();            ///< the main number of the step where the reader stands
   const answers::Chain& chain() const { return chain_; }
   void go_to_origin(std::size_t link);

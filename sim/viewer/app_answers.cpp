@@ -35,7 +35,7 @@ const answers::Visit& App::told_visit(std::size_t visit) {
   return history_[visit];
 }
 
-void App::open_explain(const answers::Question& question) {
+void App::open_explain(const answers::Question& question, const std::string& written) {
   answers::Chain chain;
   try {
     session_.look_elsewhere([&](Replay& replay) { chain = answers::explain_value(session_.trace(), replay, question); });
@@ -45,7 +45,7 @@ void App::open_explain(const answers::Question& question) {
   if (chain.links.empty()) return say("The trace does not say where this number comes from.");
   chain_ = std::move(chain);
   open(Overlay::explain);
-  if (!ui_.asked_as.empty()) picked = static_cast<int>(answers::link_shown_as(chain_, ui_.asked_as));
+  if (!written.empty()) picked = static_cast<int>(answers::link_shown_as(chain_, written));
   scroll_to_picked = true;
 }
 

@@ -308,7 +308,7 @@ void App::frame() {
   ImGui::End();
   const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history || overlay_ == Overlay::query;
   draw_overlay();
-  if (ui_.asked && may_ask) open_explain(*ui_.asked);
+  if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
