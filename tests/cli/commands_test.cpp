@@ -10,6 +10,7 @@
 #include "sim/image/npy.hpp"
 #include "sim/image/png.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep::test;
 using zstep::Image;
@@ -320,7 +321,7 @@ TEST_CASE("why-not says why, and what may be typed") {
   CHECK(must(folder, "why-not run.ztrace P0 15 12").out == lost);
   CHECK(has(must(folder, "why-not run.ztrace D 15 12").out, "D is what is seen at pixel (15, 12)"));
   CHECK(has(must(folder, "why-not run.ztrace B").out, "(p \u2212 e)\u00b7n"));
-  std::string scene = text_of(ZSTEP_SOURCE_DIR "/tests/golden/no-area.toml");
+  std::string scene = text_of(in_checkout("tests/golden/no-area.toml"));
   scene.replace(scene.find("name = \"A\""), 10, "name = \"floor\"");
   write_text(folder / "named.toml", scene);
   must(folder, "record named.toml -o named.ztrace");

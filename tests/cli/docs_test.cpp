@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cli/program.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep::test;
 
@@ -50,12 +51,12 @@ bool match(const std::vector<std::string>& pattern, const std::vector<std::strin
 TEST_CASE("docs: every command prints what its page says") {
   for (const char* page : {"command-line.md", "querying.md"}) {
     const Folder folder;
-    const std::vector<Example> examples = examples_of(text_of(ZSTEP_SOURCE_DIR "/docs/" + std::string(page)));
+    const std::vector<Example> examples = examples_of(text_of(in_checkout("docs/" + std::string(page))));
     CHECK(examples.size() >= 15);
     for (const Example& example : examples) {
       CAPTURE(page);
       CAPTURE(example.command);
-      const Outcome outcome = shell(folder, "zstep() { '" ZSTEP_EXECUTABLE "' \"$@\"; }; " + example.command);
+      const Outcome outcome = shell(folder, "zstep() { '" + program_path() + "' \"$@\"; }; " + example.command);
       CAPTURE(outcome.out);
       CAPTURE(outcome.err);
       std::vector<std::string> lines;

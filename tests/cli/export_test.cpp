@@ -12,6 +12,7 @@
 #include "sim/image/npy.hpp"
 #include "sim/image/png.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/where.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep::test;
@@ -92,7 +93,7 @@ TEST_CASE("export: tables of any step are what the replay holds there") {
   CHECK(count == 8);
   CHECK(values == from_the_top(replay.state().picture.depth, 8));
   refused(folder, "export run.ztrace --buffer light-depth -o l.npy", "makes no picture as the light sees it");
-  REQUIRE(run(folder, "record " ZSTEP_SOURCE_DIR "/lessons/scenes/lamp.toml --algorithm shadow-buffer --size 8x8 -o light.ztrace").code == 0);
+  REQUIRE(run(folder, "record " + in_checkout("lessons/scenes/lamp.toml") + " --algorithm shadow-buffer --size 8x8 -o light.ztrace").code == 0);
   must(folder, "export light.ztrace --buffer light-depth -o l.npy", "light-depth");
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/cli/program.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep::test;
 
@@ -23,7 +24,7 @@ std::string header_without_writer(const std::string& jsonl) {
 
 TEST_CASE("golden: zstep record and zstep dump --jsonl write the golden traces") {
   const Folder folder;
-  std::istringstream cases(text_of(ZSTEP_SOURCE_DIR "/tests/golden/cases.txt"));
+  std::istringstream cases(text_of(in_checkout("tests/golden/cases.txt")));
   int count = 0;
   for (std::string line; std::getline(cases, line);) {
     if (line.empty() || line[0] == '#') continue;
@@ -32,11 +33,11 @@ TEST_CASE("golden: zstep record and zstep dump --jsonl write the golden traces")
     words >> name;
     std::getline(words, arguments);
     CAPTURE(name);
-    const Outcome again = shell(folder, "here=$PWD; cd '" ZSTEP_SOURCE_DIR "' && \"$zstep\" record" + arguments +
+    const Outcome again = shell(folder, "here=$PWD; cd '" + in_checkout("") + "' && \"$zstep\" record" + arguments +
                                             " -o \"$here/a.ztrace\" > \"$here/said\" && \"$zstep\" dump --jsonl \"$here/a.ztrace\"");
     CHECK(again.code == 0);
     CHECK(times("\n" + again.err, "\n") - 1 == times("\n" + again.err, "\nnote: "));
-    const std::string golden = text_of(ZSTEP_SOURCE_DIR "/tests/golden/" + name + ".jsonl");
+    const std::string golden = text_of(in_checkout("tests/golden/") + name + ".jsonl");
     CHECK(events_of(again.out) == events_of(golden));
     CHECK(header_without_writer(again.out) == header_without_writer(golden));
     ++count;

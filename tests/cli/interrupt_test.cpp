@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/cli/program.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep::test;
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 /// Starts zstep with Ctrl-C at its default, as a terminal does (a shell's background jobs ignore it).
 pid_t start(const Folder& folder, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{ZSTEP_EXECUTABLE};
+  std::vector<std::string> words{program_path()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

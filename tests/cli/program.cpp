@@ -8,6 +8,8 @@
 #include <random>
 #include <sstream>
 
+#include "tests/where.hpp"
+
 namespace zstep::test {
 
 namespace fs = std::filesystem;
@@ -32,7 +34,7 @@ std::vector<std::string> Folder::names() const {
 
 Outcome shell(const Folder& folder, const std::string& line) {
   const Folder captured;
-  const std::string command = "cd '" + folder.path().string() + "' && unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER && zstep='" ZSTEP_EXECUTABLE
+  const std::string command = "cd '" + folder.path().string() + "' && unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER && zstep='" + program_path() +
                               "' && { " + line + "\n} > '" + (captured / "out").string() + "' 2> '" + (captured / "err").string() + "' < /dev/null";
   const int status = std::system(command.c_str());
   Outcome outcome;

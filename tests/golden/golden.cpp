@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "tests/where.hpp"
 #include "traces/record/trace_recorder.hpp"
 
 namespace zstep::test {
 
 std::vector<std::filesystem::path> golden_files() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(ZSTEP_SOURCE_DIR "/tests/golden"))
+  for (const auto& entry : std::filesystem::directory_iterator(test::in_checkout("tests/golden")))
     if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;

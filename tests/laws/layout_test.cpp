@@ -9,11 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/where.hpp"
+
 namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root = ZSTEP_SOURCE_DIR;
+const fs::path root = zstep::test::in_checkout("");
 
 std::vector<std::string> lines_of(const fs::path& path) {
   std::ifstream in(path);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 
+#include "tests/where.hpp"
 #include "traces/events/document.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/replay/replay.hpp"
@@ -14,7 +15,7 @@ using namespace zstep;
 
 namespace {
 
-const std::string document_path = ZSTEP_SOURCE_DIR "/docs/trace-format.md";
+const std::string document_path = test::in_checkout("docs/trace-format.md");
 
 std::string read_document() {
   std::ifstream in(document_path);

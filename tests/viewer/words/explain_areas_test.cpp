@@ -5,6 +5,7 @@
 
 #include "sim/viewer/words/explain.hpp"
 #include "tests/viewer/words/some_runs.hpp"
+#include "tests/where.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -22,7 +23,7 @@ Trace warnock_run(const std::string& scene_name, bool boxes) {
   return Trace::from_bytes(record.take_bytes(), scene_name);
 }
 
-const std::string quarters = ZSTEP_SOURCE_DIR "/lessons/scenes/quarters.toml";
+const std::string quarters = test::in_checkout("lessons/scenes/quarters.toml");
 
 /// The explanation of the first event of the step with this name of which the condition holds.
 template <class E, class Condition>
@@ -63,7 +64,7 @@ TEST_CASE("each bin has its sentence, and one for what the box knows and one for
   const Explanation box = told_at<AreaBin>(boxed, "disjoint", any);
   CHECK(box.sentence == "The box of A misses the area: A is disjoint, and its edges need no test.");
   CHECK(box.formulas.at(0) == "its box: x 12 to 15.2, y 1.2 to 7.4");
-  const Explanation known = told_at<AreaBin>(warnock_run(ZSTEP_SOURCE_DIR "/tests/golden/clipping.toml", false), "still_surrounding", any);
+  const Explanation known = told_at<AreaBin>(warnock_run(test::in_checkout("tests/golden/clipping.toml"), false), "still_surrounding", any);
   CHECK(known.sentence.find("surrounds the area around this one") != std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "sim/viewer/words/explain.hpp"
+#include "tests/where.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
@@ -16,7 +17,7 @@ using namespace zstep;
 namespace {
 
 Trace horizon_run(const std::map<std::string, std::string>& options = {}) {
-  SceneFile file = load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/ridge-valley.toml");
+  SceneFile file = load_scene(test::in_checkout("lessons/scenes/ridge-valley.toml"));
   const Scene scene = look_at_scene(std::move(file.scene), {});
   file.conventions.options = options;
   const Method& m = method("floating-horizon");

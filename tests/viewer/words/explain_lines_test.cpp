@@ -5,6 +5,7 @@
 
 #include "sim/viewer/words/explain.hpp"
 #include "tests/viewer/words/some_runs.hpp"
+#include "tests/where.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -12,7 +13,7 @@ using namespace zstep;
 namespace {
 
 Trace lines_run(const std::string& id) {
-  const std::string name = ZSTEP_SOURCE_DIR "/lessons/scenes/hidden-lines.toml";
+  const std::string name = test::in_checkout("lessons/scenes/hidden-lines.toml");
   const SceneFile file = load_scene(name);
   const Scene scene = look_at_scene(file.scene, {});
   const Method& chosen = method(id);

@@ -5,6 +5,7 @@
 
 #include "sim/viewer/words/explain.hpp"
 #include "tests/viewer/words/some_runs.hpp"
+#include "tests/where.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -12,7 +13,7 @@ using namespace zstep;
 namespace {
 
 const Trace& five_tests() {
-  static const Trace trace = test::record_run_by("depth-sort", ZSTEP_SOURCE_DIR "/lessons/scenes/five-tests.toml");
+  static const Trace trace = test::record_run_by("depth-sort", test::in_checkout("lessons/scenes/five-tests.toml"));
   return trace;
 }
 
@@ -45,7 +46,7 @@ bool says(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("depth sort: every event has a sentence, and its formula gives the recorded number") {
-  for (const std::string scene : {"cyclic", "intersecting", "pyramid", ZSTEP_SOURCE_DIR "/lessons/scenes/five-tests.toml"}) {
+  for (const std::string scene : {"cyclic", "intersecting", "pyramid", test::in_checkout("lessons/scenes/five-tests.toml")}) {
     for (const char* by : {"painter", "depth-sort"}) {
       const Trace trace = test::record_run_by(by, scene);
       Replay replay(trace);
@@ -107,7 +108,7 @@ TEST_CASE("depth sort: a corner of a part, and a pixel painted over another") {
 }
 
 TEST_CASE("depth sort: a number that is not what the plane gives is pointed out") {
-  Trace trace = test::record_run_by("depth-sort", ZSTEP_SOURCE_DIR "/lessons/scenes/five-tests.toml");
+  Trace trace = test::record_run_by("depth-sort", test::in_checkout("lessons/scenes/five-tests.toml"));
   const StepInfo* info = find_step(trace.header().page, "test_3");
   const auto found = trace.next(0, [&](const RecordedEvent& recorded) { return recorded.step == info->id; });
   Replay replay(trace);

@@ -7,6 +7,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "sim/viewer/words/explain.hpp"
+#include "tests/where.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -15,7 +16,7 @@ using namespace zstep;
 namespace {
 
 Trace swept(const std::string& scene_name, const std::map<std::string, std::string>& options) {
-  const SceneFile file = load_scene(ZSTEP_SOURCE_DIR "/" + scene_name);
+  const SceneFile file = load_scene(test::in_checkout(scene_name));
   const Scene scene = look_at_scene(file.scene, {});
   Conventions conventions = file.conventions;
   conventions.options = options;

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/viewer/words/some_runs.hpp"
+#include "tests/where.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -51,7 +52,7 @@ void every_event_is_told(const Trace& trace) {
 }  // namespace
 
 TEST_CASE("glass that is nearer does not take the pixel: it is seen through") {
-  const Trace trace = test::record_run_by("transparency", ZSTEP_SOURCE_DIR "/lessons/scenes/panes.toml");
+  const Trace trace = test::record_run_by("transparency", test::in_checkout("lessons/scenes/panes.toml"));
   const Explanation glass = first_of<DepthCompare>(trace, [](const DepthCompare& compare) { return compare.nearer && compare.z == 5.25; });
   CHECK(glass.sentence.find("becomes G") == std::string::npos);
   CHECK(glass.sentence.find("of opacity 0.5") != std::string::npos);

@@ -7,6 +7,7 @@
 #include "algorithms/scene/load.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/pieces.hpp"
+#include "tests/where.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -15,7 +16,7 @@ using namespace zstep;
 namespace {
 
 Trace run_of(const std::string& name, std::map<std::string, std::string> options) {
-  SceneFile file = load_scene(std::string(ZSTEP_SOURCE_DIR "/") + name);
+  SceneFile file = load_scene(test::in_checkout(name));
   file.conventions.options = std::move(options);
   const Scene scene = look_at_scene(file.scene, {});
   const Method& bsp = method("bsp");

@@ -9,6 +9,7 @@
 
 #include "algorithms/bsp/bsp.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/where.hpp"
 #include "traces/record/collect_recorder.hpp"
 
 using namespace zstep;
@@ -16,7 +17,7 @@ using namespace zstep::bsp;
 
 namespace {
 
-Scene six_walls() { return look_at_scene(load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/six-walls.toml").scene, {}); }
+Scene six_walls() { return look_at_scene(load_scene(test::in_checkout("lessons/scenes/six-walls.toml")).scene, {}); }
 
 // Names of pieces as the lectures give them: F1 is the part of F that was made first.
 std::string name_of(const Tree& tree, std::int32_t piece) {

@@ -10,13 +10,14 @@
 #include "algorithms/scene/load.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
+#include "tests/where.hpp"
 #include "traces/record/collect_recorder.hpp"
 
 using namespace zstep;
 
 namespace {
 
-Scene five_rectangles() { return look_at_scene(load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/rays.toml").scene, {}); }
+Scene five_rectangles() { return look_at_scene(load_scene(test::in_checkout("lessons/scenes/rays.toml")).scene, {}); }
 
 Conventions with_boxes(const std::string& boxes) {
   Conventions conventions;

@@ -10,6 +10,7 @@
 #include "algorithms/ray_tracing/ray_tracing.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
+#include "tests/where.hpp"
 #include "traces/record/collect_recorder.hpp"
 
 using namespace zstep;
@@ -165,7 +166,7 @@ TEST_SUITE("ray_tracing") {
   }
 
   TEST_CASE("polygon and depth are ray casting's, at every depth; the colour does not depend on the boxes") {
-    const Scene scene = look_at_scene(load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/mirror.toml").scene, {});
+    const Scene scene = look_at_scene(load_scene(test::in_checkout("lessons/scenes/mirror.toml")).scene, {});
     NullRecorder record;
     const Picture cast = ray_casting::run(scene, {}, record);
     for (const int depth : {0, 3}) {

@@ -6,6 +6,7 @@
 
 #include "algorithms/scan_line/scan_line.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/where.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -49,7 +50,7 @@ std::map<std::int32_t, Line> lines_of(const Trace& trace) {
 }  // namespace
 
 TEST_CASE("scan line: ABC and DEF, the active edge table of 002 on the lines alpha to gamma + 2") {
-  const SceneFile file = load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/abc-def.toml");
+  const SceneFile file = load_scene(test::in_checkout("lessons/scenes/abc-def.toml"));
   const Scene scene = look_at_scene(file.scene, {});
   TraceRecorder recorder({"test", "scan-line", "Scan line", file.conventions, scan_line::page()}, scene);
   scan_line::run(scene, file.conventions, recorder);

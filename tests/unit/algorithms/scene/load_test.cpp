@@ -9,6 +9,7 @@
 #include "algorithms/scene/colors.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep;
 using namespace zstep::test;
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string meshes = std::string(ZSTEP_SOURCE_DIR) + "/tests/data/meshes/";
+const std::string meshes = test::in_checkout("tests/data/meshes/");
 
 /// A folder of its own, gone at the end. Tests run side by side, each in its process.
 struct Folder {

@@ -10,6 +10,7 @@
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/scene_file/read_scene.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep;
 using namespace zstep::scene;
@@ -19,7 +20,7 @@ namespace {
 
 SceneFile read(const std::string& text) {
   return read_scene(text, "s.toml", "s", [](const std::string& path) {
-    return read_mesh(std::string(ZSTEP_SOURCE_DIR) + "/tests/data/meshes/" + path);
+    return read_mesh(test::in_checkout("tests/data/meshes/") + path);
   });
 }
 
@@ -31,7 +32,7 @@ const std::string triangle = "[[polygon]]\npoints = [[0, 0, 0], [1, 0, 0], [0, 1
 
 /// The ```toml blocks of a Markdown file.
 std::vector<std::string> examples(const std::string& path) {
-  std::ifstream in(std::string(ZSTEP_SOURCE_DIR) + "/" + path);
+  std::ifstream in(test::in_checkout(path));
   std::vector<std::string> blocks;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {

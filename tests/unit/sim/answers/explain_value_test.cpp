@@ -17,6 +17,7 @@
 #include "algorithms/scene/load.hpp"
 #include "sim/answers/explain_value.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep;
 using answers::Chain, answers::ChainLink, answers::ChainValue, answers::explain_value, answers::Question;
@@ -82,7 +83,7 @@ TEST_SUITE("explain a value") {
                                                {"transparency", "pyramid.toml"}, {"shadow-buffer", "lamp.toml"}}}) {
       const std::string method = one.method;
       CAPTURE(method);
-      Scene scene = load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/" + std::string(one.scene)).scene;
+      Scene scene = load_scene(test::in_checkout("lessons/scenes/") + std::string(one.scene)).scene;
       scene.raster.width = scene.raster.height = 9;
       scene = look_at_scene(std::move(scene), {});
       const Trace trace = test::recorded_by(one.method, scene);
@@ -105,7 +106,7 @@ TEST_SUITE("explain a value") {
 
   TEST_CASE("of a mesh that was placed and fitted: back to the numbers that stand in the mesh's own line") {
     const auto file = std::filesystem::temp_directory_path() / fmt::format("zstep-placed-{}.toml", std::random_device{}());
-    std::ofstream(file) << "[[polygon]]\npoints = [[-2, -2, -3], [2, -2, -3], [0, 2, -3]]\n[[mesh]]\nfile = \"" << ZSTEP_SOURCE_DIR << "/tests/data/meshes/house.off\"\n"
+    std::ofstream(file) << "[[polygon]]\npoints = [[-2, -2, -3], [2, -2, -3], [0, 2, -3]]\n[[mesh]]\nfile = \"" << test::in_checkout("") << "tests/data/meshes/house.off\"\n"
                         << "scale = [0.3, 0.7, 1.5]\nrotate = [20, 0, 90]\ntranslate = [0.1, 0, 2]\n[[mesh]]\nbuiltin = \"cube\"\n";
     const Scene loaded = load_scene(file.string()).scene;
     std::filesystem::remove(file);
@@ -134,7 +135,7 @@ TEST_SUITE("explain a value") {
               ends.insert(link.source.substr(0, link.source.find(':')));
               if (!link.source.starts_with("house.off")) continue;
               const auto line = static_cast<std::size_t>(std::stoi(link.source.substr(link.source.find(':') + 1)));
-              std::ifstream mesh(ZSTEP_SOURCE_DIR "/tests/data/meshes/house.off");
+              std::ifstream mesh(test::in_checkout("tests/data/meshes/house.off"));
               std::string text;
               for (std::size_t k = 0; k < line; ++k) std::getline(mesh, text);
               std::istringstream numbers(text);
@@ -149,7 +150,7 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("lecture 004, eight by eight: z = x + y + 1, to the digit") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/delhi.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
     for (std::int32_t x = 0; x < 5; ++x) {
       // The second triangle was last drawn over row 1, where z = x + 2.
       const Chain chain = explain_value(trace, answers::of_pixel(trace.size(), {x, 1}));
@@ -175,7 +176,7 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("the stored depth that a fragment lost to has a chain of its own") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid-behind.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
     const auto lost = trace.next(0, [](const RecordedEvent& event) {
       const auto* compare = std::get_if<DepthCompare>(&event.event);
       return compare && !compare->nearer;
@@ -199,7 +200,7 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("whether the light reaches a point is a condition with its numbers") {
-    const Scene scene = look_at_scene(load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/lamp.toml").scene, {});
+    const Scene scene = look_at_scene(load_scene(test::in_checkout("lessons/scenes/lamp.toml")).scene, {});
     for (const char* bias : {"", "0", "40"}) {
       Conventions conventions;
       if (*bias != 0) conventions.options["bias"] = bias;
@@ -231,7 +232,7 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("a row of what the state holds is the last step that made it") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/delhi.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
     const auto place = answers::place_of(trace, answers::made_by<EdgeStep>(219, "x_edge", {{"edge", 1}}));
     REQUIRE(place);
     CHECK(place->step == 211);
@@ -245,7 +246,7 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("a coordinate of a vertex, from any of its stages") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid.jsonl"));
     const auto asked = [&](const char* field) { return explain_value(trace, answers::of_vertex(trace.size(), 2, field)); };
     const Chain screen = asked("y_s");
     REQUIRE(screen.links.size() == 4);

@@ -8,6 +8,7 @@
 #include "sim/answers/pixel_counts.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/where.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -84,7 +85,7 @@ TEST_SUITE("pixel counts") {
   }
 
   TEST_CASE("at the end they are what the pixels' histories tell") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid-behind.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
     PixelCounts counts(trace);
     counts.count_to(trace.size());
     Replay replay(trace);

@@ -17,6 +17,7 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/where.hpp"
 #include "traces/error.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
@@ -96,7 +97,7 @@ TEST_SUITE("pixel history") {
   }
 
   TEST_CASE("of every pixel of the pyramid before a triangle: every polygon that covers it, drawn, hidden or culled") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid-behind.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
     const compare::Truth truth(trace.scene(), false);
     int culled = 0, lost = 0, over = 0;
     for (std::int32_t y = 0; y < truth.height(); ++y)
@@ -265,7 +266,7 @@ TEST_SUITE("pixel history") {
   TEST_CASE("along a ray: what it met, in the order in which it was tested, and the tie") {
     int ties = 0, lost = 0;
     for (const char* name : {"ray-casting", "ray-casting-tree"}) {
-      const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/" + std::string(name) + ".jsonl");
+      const Trace trace = open_jsonl(test::in_checkout("tests/golden/") + std::string(name) + ".jsonl");
       for (std::int32_t y = 0; y < trace.scene().raster.height; ++y)
         for (std::int32_t x = 0; x < trace.scene().raster.width; ++x)
           for (const Visit& visit : pixel_history(trace, {x, y})) ties += visit.outcome == Outcome::tie, lost += visit.outcome == Outcome::lost;
@@ -302,7 +303,7 @@ TEST_SUITE("pixel history") {
   }
 
   TEST_CASE("a pixel that nothing reached has no history") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid.jsonl"));
     CHECK(pixel_history(trace, {0, 0}).empty());
   }
 }

@@ -10,6 +10,7 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep;
 using answers::Verdict, answers::Why, answers::why_not;
@@ -24,7 +25,7 @@ TEST_SUITE("why not") {
   TEST_CASE("of a hidden edge: the pixel lies on the edge, and within the stretch that is hidden but for rounding, which is told") {
     ViewOptions view;
     view.width = 30, view.height = 20;
-    const Scene scene = look_at_scene(load_scene(ZSTEP_SOURCE_DIR "/lessons/scenes/hidden-lines.toml").scene, view);
+    const Scene scene = look_at_scene(load_scene(test::in_checkout("lessons/scenes/hidden-lines.toml")).scene, view);
     const Trace trace = test::recorded_by("hidden-line", scene);
     int within = 0, rounded = 0;
     for (std::int32_t polygon = 0; polygon < static_cast<std::int32_t>(scene.polygons.size()); ++polygon)

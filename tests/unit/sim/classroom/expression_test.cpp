@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tests/unit/sim/classroom/small_run.hpp"
+#include "tests/where.hpp"
 
 namespace zstep::classroom {
 namespace {
@@ -144,7 +145,7 @@ TEST_CASE("an expression has an end") {
 }
 
 TEST_CASE("docs/writing-a-lesson.md knows every name") {
-  std::ifstream file(std::string(ZSTEP_SOURCE_DIR) + "/docs/writing-a-lesson.md");
+  std::ifstream file(test::in_checkout("docs/writing-a-lesson.md"));
   std::stringstream docs;
   docs << file.rdbuf();
   const auto listed = [&](std::string_view name) {

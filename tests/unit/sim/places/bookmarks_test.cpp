@@ -9,6 +9,7 @@
 #include "sim/places/bookmarks.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep;
 using places::Bookmark, places::Bookmarks;
@@ -23,7 +24,7 @@ struct Copy {
   Copy() {
     fs::remove_all(folder);
     fs::create_directory(folder);
-    fs::copy_file(ZSTEP_SOURCE_DIR "/tests/golden/delhi.jsonl", file);
+    fs::copy_file(test::in_checkout("tests/golden/delhi.jsonl"), file);
   }
   ~Copy() {
     std::error_code ignored;
@@ -97,7 +98,7 @@ TEST_SUITE("places") {
   }
 
   TEST_CASE("a run without a file keeps no bookmarks, and says what to do") {
-    const Trace trace = test::record_again(open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/delhi.jsonl"));
+    const Trace trace = test::record_again(open_jsonl(test::in_checkout("tests/golden/delhi.jsonl")));
     Bookmarks marks(trace);
     CHECK(test::input_error([&] { marks.set(1, "a"); }).find("zstep record") != std::string::npos);
     CHECK(marks.all().empty());

@@ -9,6 +9,7 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/polygons_by_hand.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
+#include "tests/where.hpp"
 #include "traces/error.hpp"
 
 using namespace zstep;
@@ -137,7 +138,7 @@ TEST_SUITE("places") {
   }
 
   TEST_CASE("names of polygons, and what a condition tells of where not to look") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid-behind.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
     const auto bounds = [&](const char* text) { return Condition(trace, text).bounds(); };
     CHECK(found(trace, Condition(trace, "polygon == B"), 0, Way::forwards) == found(trace, Condition(trace, "\"B\" == polygon"), 0, Way::forwards));
     CHECK(found(trace, Condition(trace, "polygon == B"), 0, Way::forwards) == found(trace, Condition(trace, "polygon == P2"), 0, Way::forwards));
@@ -149,11 +150,11 @@ TEST_SUITE("places") {
     CHECK(bounds("step >= 10 and 20 > step").first == 10);
     CHECK(bounds("step >= 10 and 20 > step").last == 19);
     // Elsewhere an event's polygon need not be the one at work.
-    CHECK_FALSE(Condition(open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/scan-line.jsonl"), "polygon == 1").bounds().polygon);
+    CHECK_FALSE(Condition(open_jsonl(test::in_checkout("tests/golden/scan-line.jsonl")), "polygon == 1").bounds().polygon);
   }
 
   TEST_CASE("what is no condition is one line that says what may be typed") {
-    const Trace trace = open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/pyramid-behind.jsonl");
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
     const auto refused = [&](const std::string& text, const std::string& part) {
       CAPTURE(text);
       const std::string said = test::input_error([&] { Condition(trace, text); });

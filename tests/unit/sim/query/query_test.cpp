@@ -13,6 +13,7 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/polygons_by_hand.hpp"
 #include "tests/unit/traces/some_trace.hpp"
+#include "tests/where.hpp"
 #include "traces/error.hpp"
 #include "traces/file/bytes.hpp"
 
@@ -55,7 +56,7 @@ bool holds(const Cell& cell, std::int64_t expected) {
   return expected < 0 ? std::holds_alternative<std::monostate>(cell) : whole && *whole == expected;
 }
 
-Trace golden(const std::string& name) { return open_jsonl(ZSTEP_SOURCE_DIR "/tests/golden/" + name + ".jsonl"); }
+Trace golden(const std::string& name) { return open_jsonl(test::in_checkout("tests/golden/") + name + ".jsonl"); }
 
 /// Of the whole trace, by going through it once: the polygon of each event, and the scan line at work.
 struct AtWork {
