@@ -5,7 +5,7 @@
 
 #include "algorithms/floating_horizon/horizons.hpp"
 #include "algorithms/floating_horizon/order.hpp"
-#include "algorithms/floating_horizon/stretch.hpp"
+#include "algorithms/floating_horizon/interval.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::floating_horizon {
@@ -23,8 +23,8 @@ struct Drawing {
   std::optional<Passage> before;                             ///< the curve at work on the column before
   std::optional<std::pair<std::int32_t, std::int32_t>> dot;  ///< its pixel that was drawn last
 
-  std::optional<Stretch> stretch(std::int32_t a, std::int32_t b) const {
-    return stretch_on_raster(lens, vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)]);
+  std::optional<Interval> interval(std::int32_t a, std::int32_t b) const {
+    return interval_on_raster(lens, vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)]);
   }
 };
 
@@ -116,9 +116,9 @@ void pass_column(Drawing& drawing, std::int32_t x, double y, R& record) {
 bool is_seen_edge_on(const Drawing& drawing, std::int32_t first, std::int32_t stride, std::int32_t count) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::int32_t i = 0, a = first; i + 1 < count; ++i, a += stride)
-    if (const auto stretch = drawing.stretch(a, a + stride)) {
-      low = std::min({low, stretch->from.x, stretch->to.x});
-      high = std::max({high, stretch->from.x, stretch->to.x});
+    if (const auto interval = drawing.interval(a, a + stride)) {
+      low = std::min({low, interval->from.x, interval->to.x});
+      high = std::max({high, interval->from.x, interval->to.x});
     }
   constexpr double point = 1e-9;  // px
   return std::ceil(low) > std::floor(high) || high - low <= point;
@@ -134,11 +134,11 @@ void draw_curve(Drawing& drawing, std::int32_t first, std::int32_t stride, std::
   drawing.dot.reset();
   for (std::int32_t i = 0, a = first; i + 1 < count; ++i, a += stride) {
     record(step::segment, CurveSegment{a, a + stride});
-    const auto stretch = drawing.stretch(a, a + stride);
-    if (!stretch || !stretch->whole) drawing.before.reset();
-    if (!stretch) continue;
-    if (edge_on) for_nearest_column(*stretch, width, !drawing.before, pass);
-    else for_each_column(*stretch, width, !drawing.before, pass);
+    const auto interval = drawing.interval(a, a + stride);
+    if (!interval || !interval->whole) drawing.before.reset();
+    if (!interval) continue;
+    if (edge_on) for_nearest_column(*interval, width, !drawing.before, pass);
+    else for_each_column(*interval, width, !drawing.before, pass);
   }
 }
 
@@ -146,9 +146,9 @@ void draw_curve(Drawing& drawing, std::int32_t first, std::int32_t stride, std::
 template <Recorder R>
 void fill_side(Drawing& drawing, std::int32_t a, std::int32_t b, R& record) {
   record(step::side, CurveSegment{a, b});
-  const auto stretch = drawing.stretch(a, b);
-  if (!stretch) return;
-  for_each_column(*stretch, drawing.picture.width, true,
+  const auto interval = drawing.interval(a, b);
+  if (!interval) return;
+  for_each_column(*interval, drawing.picture.width, true,
                   [&](std::int32_t x, double y) { move_horizons(drawing, x, y, step::fill, record); });
 }
 

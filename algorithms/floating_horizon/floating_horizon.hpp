@@ -30,7 +30,7 @@ inline constexpr std::array options{
     Option{"across", "off|on", "off", "curves of constant x are drawn too", false},
 };
 
-/// Draws the curves of constant z of the scene's surface, and between two of them the stretches of those of constant x
+/// Draws the curves of constant z of the scene's surface, and between two of them the intervals of those of constant x
 /// if they are asked for, into the picture's ink: black where the surface is seen from above, white on a dark
 /// background, and orange where a curve shows below the lower horizon. No pixel has a polygon or a depth. Without a
 /// surface the picture stays empty.

@@ -38,7 +38,7 @@ Cover find_cover(const lines::Line& line, std::span<const glm::dvec3> face, cons
   if (d_0 <= 0 && d_1 <= 0) return {LineFace::in_front, {}, {}};
 
   Cover cover{LineFace::behind, {}, {}};
-  Stretch behind{0, 1};
+  Interval behind{0, 1};
   if (d_0 < 0 || d_1 < 0) {
     const double t = d_0 / (d_0 - d_1);
     (d_0 < 0 ? behind.t_0 : behind.t_1) = t;
@@ -49,29 +49,29 @@ Cover find_cover(const lines::Line& line, std::span<const glm::dvec3> face, cons
     if (t > 0 && t < 1) cover.crossings.push_back({t, false});
   }
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {  // even-odd: inside between each pair
-    const Stretch both{std::max(crossings[i], behind.t_0), std::min(crossings[i + 1], behind.t_1)};
+    const Interval both{std::max(crossings[i], behind.t_0), std::min(crossings[i + 1], behind.t_1)};
     if ((both.t_1 - both.t_0) * line.length() > shortest) cover.hidden.push_back(both);
   }
   if (!cover.hidden.empty()) cover.outcome = LineFace::covered;
   return cover;
 }
 
-std::vector<Part> cut(std::vector<Stretch> hidden, double length) {
+std::vector<Part> cut(std::vector<Interval> hidden, double length) {
   const double least = shortest / length;
-  std::sort(hidden.begin(), hidden.end(), [](const Stretch& a, const Stretch& b) { return a.t_0 < b.t_0; });
+  std::sort(hidden.begin(), hidden.end(), [](const Interval& a, const Interval& b) { return a.t_0 < b.t_0; });
   std::vector<Part> parts;
   double seen_to = 0;  // all before it is in a part
-  for (const Stretch& stretch : hidden) {
-    if (stretch.t_1 <= seen_to) continue;
-    if (stretch.t_0 - seen_to > least) {
-      parts.push_back({seen_to, stretch.t_0, true});
-      parts.push_back({stretch.t_0, stretch.t_1, false});
+  for (const Interval& interval : hidden) {
+    if (interval.t_1 <= seen_to) continue;
+    if (interval.t_0 - seen_to > least) {
+      parts.push_back({seen_to, interval.t_0, true});
+      parts.push_back({interval.t_0, interval.t_1, false});
     } else if (parts.empty()) {
-      parts.push_back({0, stretch.t_1, false});
+      parts.push_back({0, interval.t_1, false});
     } else {
-      parts.back().t_1 = stretch.t_1;
+      parts.back().t_1 = interval.t_1;
     }
-    seen_to = stretch.t_1;
+    seen_to = interval.t_1;
   }
   if (parts.empty() || 1 - seen_to > least) parts.push_back({seen_to, 1, true});
   parts.back().t_1 = 1;

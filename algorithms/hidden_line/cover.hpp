@@ -13,7 +13,7 @@
 
 namespace zstep::hidden_line {
 
-struct Stretch {
+struct Interval {
   double t_0, t_1;
 };
 struct Crossing {
@@ -23,7 +23,7 @@ struct Crossing {
 struct Cover {
   LineFace outcome;
   std::vector<Crossing> crossings;  ///< within the line
-  std::vector<Stretch> hidden;      ///< ascending, longer than shortest
+  std::vector<Interval> hidden;      ///< ascending, longer than shortest
 };
 
 /// Tolerances. An end of the line within on_plane of the face's plane is on it, and what is on a plane is not behind it:
@@ -40,6 +40,6 @@ struct Part {
   double t_0, t_1;
   bool visible;
 };
-std::vector<Part> cut(std::vector<Stretch> hidden, double length);
+std::vector<Part> cut(std::vector<Interval> hidden, double length);
 
 }  // namespace zstep::hidden_line

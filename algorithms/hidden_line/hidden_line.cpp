@@ -28,22 +28,22 @@ Cover hold(std::int32_t number, const Line& line, const pieces::Pieces& faces, c
     const Step<LineCross> kind = crossing.in_space ? step::plane_cross : step::edge_cross;
     record(kind, LineCross{number, face.facet, crossing.t, at.x, at.y, crossing.in_space});
   }
-  for (const Stretch& stretch : cover.hidden) {
-    record(step::hide, LineHide{number, face.facet, stretch.t_0, stretch.t_1});
+  for (const Interval& interval : cover.hidden) {
+    record(step::hide, LineHide{number, face.facet, interval.t_0, interval.t_1});
   }
   return cover;
 }
 
-// The stretches of an edge that faces hide.
+// The intervals of an edge that faces hide.
 template <Recorder R>
-std::vector<Stretch> find_hidden(std::int32_t number, const Edge& edge, const Line& line, const pieces::Pieces& faces,
+std::vector<Interval> find_hidden(std::int32_t number, const Edge& edge, const Line& line, const pieces::Pieces& faces,
                                  Grid& grid, R& record) {
   const std::vector<std::int32_t> near = grid.near(line);
   const auto apart = static_cast<std::int32_t>(faces.pieces.size() - near.size());
   if (apart > 0) {
     record(step::apart, Saved{Coherence::extent, apart});
   }
-  std::vector<Stretch> hidden;
+  std::vector<Interval> hidden;
   for (const std::int32_t piece : near) {
     const pieces::Piece& face = faces[piece];
     if (face.facet == edge.left_facet || face.facet == edge.right_facet) {

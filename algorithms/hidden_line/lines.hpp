@@ -34,7 +34,7 @@ struct Line {
 Color visible_ink(const Scene& scene);  ///< black on a bright background, white on a dark one
 Color hidden_ink(const Scene& scene);   ///< half-way from it to the background
 
-/// Draws the stretch from t_0 to t_1. In each column (in each row, if the line is steep) the one pixel nearest to the
+/// Draws the interval from t_0 to t_1. In each column (in each row, if the line is steep) the one pixel nearest to the
 /// whole line, so the pieces of an edge lie on the pixels of the edge; of two equally near the lower or right one. With
 /// `dashed` two of four pixels, and none that is drawn on.
 template <Recorder R>

@@ -6,14 +6,14 @@
 #include <limits>
 #include <span>
 
-#include "algorithms/lanes/lanes.hpp"
+#include "algorithms/simd/simd.hpp"
 #include "algorithms/ray_casting/geometry.hpp"
 
 namespace zstep::ray_casting {
 
 namespace {
 
-using namespace lanes;
+using namespace simd;
 
 constexpr int children = 8, most_waiting = 512;
 constexpr double edge_slack = 1e-9;  // barycentric: neighbours overlap by as much, so that no gap is left between them

@@ -45,47 +45,47 @@ bool before(const Candidate& one, const Candidate& other) {
 }
 
 // Where `other`, which is not in front at the left end, comes to the front of `seen`.
-double crossing(const Candidate& seen, const Candidate& other, const Stretch& stretch) {
+double crossing(const Candidate& seen, const Candidate& other, const Interval& interval) {
   const double left = std::max(0.0, other.left.z - seen.left.z), right = other.right.z - seen.right.z;
-  return stretch.x_left + left / (left - right) * (stretch.x_right - stretch.x_left);
+  return interval.x_left + left / (left - right) * (interval.x_right - interval.x_left);
 }
 
 // The first pixel right of an implied edge. One whose centre is on it, to rounding, stays with the left piece if that
 // was drawn first.
-std::int32_t pixel_beyond(double x, std::int32_t left_piece, std::int32_t right_piece, const Stretch& stretch) {
+std::int32_t pixel_beyond(double x, std::int32_t left_piece, std::int32_t right_piece, const Interval& interval) {
   constexpr double on_centre = 1e-9;
   const double centre = std::round(x);
   const double from = std::abs(x - centre) > on_centre ? std::ceil(x) : left_piece < right_piece ? centre + 1 : centre;
-  return static_cast<std::int32_t>(std::clamp<double>(from, stretch.first, stretch.last + 1));
+  return static_cast<std::int32_t>(std::clamp<double>(from, interval.first, interval.last + 1));
 }
 
 }  // namespace
 
-Stretch stretch_between(double y, double x_left, double x_right, std::int32_t width) {
+Interval interval_between(double y, double x_left, double x_right, std::int32_t width) {
   const double left = std::max(x_left, -0.5), right = std::min(x_right, width - 0.5);
   return {y, left, right, first_pixel(x_left, width), first_pixel(x_right, width) - 1};
 }
 
 template <Recorder R>
-void find_front(const Pieces& polygons, const std::vector<std::int32_t>& inside, const Stretch& stretch,
+void find_front(const Pieces& polygons, const std::vector<std::int32_t>& inside, const Interval& interval,
                 std::vector<Visible>& visible, R& record) {
   visible.clear();
-  const double y = stretch.y;
+  const double y = interval.y;
   if (inside.size() == 1) {
-    visible.push_back({inside[0], stretch});
+    visible.push_back({inside[0], interval});
     return;
   }
 
   std::vector<Candidate> candidates;
   for (const std::int32_t piece : inside) {
     const Plane& plane = polygons[piece].plane;
-    const Depth left = depth_of(plane, stretch.x_left, y), right = depth_of(plane, stretch.x_right, y);
-    record(step::depth, PlaneDepth{piece, stretch.x_left, y, left.z});
-    record(step::depth, PlaneDepth{piece, stretch.x_right, y, right.z});
+    const Depth left = depth_of(plane, interval.x_left, y), right = depth_of(plane, interval.x_right, y);
+    record(step::depth, PlaneDepth{piece, interval.x_left, y, left.z});
+    record(step::depth, PlaneDepth{piece, interval.x_right, y, right.z});
     candidates.push_back({piece, left, right});
   }
 
-  Stretch rest = stretch;
+  Interval rest = interval;
   const Candidate* seen = &*std::min_element(candidates.begin(), candidates.end(), before);
   while (true) {
     // Of those that are in front of it at the right end, the one that gets there first.
@@ -93,7 +93,7 @@ void find_front(const Pieces& polygons, const std::vector<std::int32_t>& inside,
     double x_next = 0;
     for (const Candidate& other : candidates) {
       if (!nearer(other.right, seen->right)) continue;
-      const double x = std::clamp(crossing(*seen, other, stretch), rest.x_left, stretch.x_right);
+      const double x = std::clamp(crossing(*seen, other, interval), rest.x_left, interval.x_right);
       if (next && (x > x_next || (x == x_next && other.right.z >= next->right.z))) continue;
       next = &other;
       x_next = x;
@@ -102,7 +102,7 @@ void find_front(const Pieces& polygons, const std::vector<std::int32_t>& inside,
 
     const double z = polygons[seen->piece].plane.depth(x_next, y);
     record(step::implied_edge, ImpliedEdge{seen->piece, next->piece, x_next, z});
-    const std::int32_t beyond = std::max(rest.first, pixel_beyond(x_next, seen->piece, next->piece, stretch));
+    const std::int32_t beyond = std::max(rest.first, pixel_beyond(x_next, seen->piece, next->piece, interval));
     visible.push_back({seen->piece, {y, rest.x_left, x_next, rest.first, beyond - 1}});
     rest.x_left = x_next;
     rest.first = beyond;
@@ -125,7 +125,7 @@ void Coherence::keep(const Pieces& polygons, std::size_t place, const std::vecto
     // z of one minus z of the other is p x + q y + r, and zero on the implied edge.
     const Plane &one = polygons[visible[0].piece].plane, &other = polygons[visible[1].piece].plane;
     const double p = other.a / other.c - one.a / one.c, q = other.b / other.c - one.b / one.c;
-    const Stretch& left = visible[0].where;
+    const Interval& left = visible[0].where;
     const double rounding = depth_of(one, left.x_right, left.y).rounding + depth_of(other, left.x_right, left.y).rounding;
     constexpr double sharp = 1e-10;  // px: what x may be off by, as it decides about pixels
     if (!(rounding <= sharp * std::abs(p))) return;
@@ -136,7 +136,7 @@ void Coherence::keep(const Pieces& polygons, std::size_t place, const std::vecto
 
 template <Recorder R>
 bool Coherence::as_before(const Pieces& polygons, std::size_t place, const std::vector<std::int32_t>& inside,
-                          const Stretch& stretch, std::vector<Visible>& visible, R& record) {
+                          const Interval& interval, std::vector<Visible>& visible, R& record) {
   const Seen& seen = seen_[place];
   if (seen.left == -1) return false;
   const bool implied = seen.right != -1;
@@ -148,22 +148,22 @@ bool Coherence::as_before(const Pieces& polygons, std::size_t place, const std::
   const auto depths = 2 * static_cast<std::int32_t>(inside.size());
   if (!implied) {
     record(step::saved, Saved{zstep::Coherence::scan_line, depths});
-    visible.assign(1, {seen.left, stretch});
+    visible.assign(1, {seen.left, interval});
     return true;
   }
 
-  const double x = seen.x_at(stretch.y);
-  constexpr double clear = 1e-6;  // px: nearer to an end of the stretch than this, depths decide
-  if (std::abs(x - stretch.x_left) < clear || std::abs(x - stretch.x_right) < clear) return false;
+  const double x = seen.x_at(interval.y);
+  constexpr double clear = 1e-6;  // px: nearer to an end of the interval than this, depths decide
+  if (std::abs(x - interval.x_left) < clear || std::abs(x - interval.x_right) < clear) return false;
   record(step::saved, Saved{zstep::Coherence::implied_edge, depths});
-  if (x < stretch.x_left || x > stretch.x_right) {
-    visible.assign(1, {x < stretch.x_left ? seen.right : seen.left, stretch});
+  if (x < interval.x_left || x > interval.x_right) {
+    visible.assign(1, {x < interval.x_left ? seen.right : seen.left, interval});
     return true;
   }
-  record(step::implied_edge, ImpliedEdge{seen.left, seen.right, x, polygons[seen.left].plane.depth(x, stretch.y)});
-  const std::int32_t beyond = std::max(stretch.first, pixel_beyond(x, seen.left, seen.right, stretch));
-  visible.assign(1, {seen.left, {stretch.y, stretch.x_left, x, stretch.first, beyond - 1}});
-  visible.push_back({seen.right, {stretch.y, x, stretch.x_right, beyond, stretch.last}});
+  record(step::implied_edge, ImpliedEdge{seen.left, seen.right, x, polygons[seen.left].plane.depth(x, interval.y)});
+  const std::int32_t beyond = std::max(interval.first, pixel_beyond(x, seen.left, seen.right, interval));
+  visible.assign(1, {seen.left, {interval.y, interval.x_left, x, interval.first, beyond - 1}});
+  visible.push_back({seen.right, {interval.y, x, interval.x_right, beyond, interval.last}});
   return true;
 }
 
@@ -206,9 +206,9 @@ bool Coherence::lie_apart(const Pieces& polygons, std::int32_t one, std::int32_t
 }
 
 #define INSTANTIATE(R)                                                                                                \
-  template void find_front<R>(const Pieces&, const std::vector<std::int32_t>&, const Stretch&, std::vector<Visible>&, \
+  template void find_front<R>(const Pieces&, const std::vector<std::int32_t>&, const Interval&, std::vector<Visible>&, \
                               R&);                                                                                    \
-  template bool Coherence::as_before<R>(const Pieces&, std::size_t, const std::vector<std::int32_t>&, const Stretch&, \
+  template bool Coherence::as_before<R>(const Pieces&, std::size_t, const std::vector<std::int32_t>&, const Interval&, \
                                         std::vector<Visible>&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
 

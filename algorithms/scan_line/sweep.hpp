@@ -8,7 +8,7 @@
 
 namespace zstep::scan_line {
 
-/// What a sweep looks for: the pixels, so that stretches without a pixel's centre need no depth, or every length of
+/// What a sweep looks for: the pixels, so that intervals without a pixel's centre need no depth, or every length of
 /// line.
 enum class Wanted : std::uint8_t { pixels, lengths };
 
@@ -31,15 +31,15 @@ void sweep(const Tables& tables, const std::vector<std::int32_t>& active, double
     else inside.erase(flag);
 
     if (i + 1 == active.size()) break;
-    const Stretch stretch = stretch_between(y, tables.x_of(active[i]), tables.x_of(active[i + 1]), width);
-    if (!(stretch.x_left < stretch.x_right)) continue;  // two edges at one x, or outside the raster
+    const Interval interval = interval_between(y, tables.x_of(active[i]), tables.x_of(active[i + 1]), width);
+    if (!(interval.x_left < interval.x_right)) continue;  // two edges at one x, or outside the raster
     const auto row = static_cast<std::int32_t>(y), flags = static_cast<std::int32_t>(inside.size());
-    record(step::flags, SpanFlags{row, stretch.x_left, stretch.x_right, stretch.first, stretch.last, flags});
-    if (inside.empty() || (wanted == Wanted::pixels && stretch.last < stretch.first)) continue;
+    record(step::flags, SpanFlags{row, interval.x_left, interval.x_right, interval.first, interval.last, flags});
+    if (inside.empty() || (wanted == Wanted::pixels && interval.last < interval.first)) continue;
 
-    const bool known = coherence && flags > 1 && coherence->as_before(tables.polygons, i, inside, stretch, visible, record);
+    const bool known = coherence && flags > 1 && coherence->as_before(tables.polygons, i, inside, interval, visible, record);
     if (!known) {
-      find_front(tables.polygons, inside, stretch, visible, record);
+      find_front(tables.polygons, inside, interval, visible, record);
       if (coherence) coherence->keep(tables.polygons, i, visible);
     }
     for (const Visible& part : visible) seen(part);

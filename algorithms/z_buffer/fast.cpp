@@ -1,7 +1,7 @@
 #include "algorithms/z_buffer/fast.hpp"
 
-#include "algorithms/lanes/lanes.hpp"
-#include "algorithms/lanes/share.hpp"
+#include "algorithms/simd/simd.hpp"
+#include "algorithms/simd/parallel_for.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 
 #if ZSTEP_HAS_LANES
@@ -19,7 +19,7 @@ namespace zstep::z_buffer {
 
 namespace {
 
-using namespace lanes;
+using namespace simd;
 
 // What one thread draws: all outlines, on the rows of its band. It touches no memory of other rows.
 struct Fill {
@@ -242,10 +242,10 @@ void run_fast(const Scene& scene, const Conventions& conventions, Picture& pictu
   Outlines all(scene, conventions, parts);
   // To begin a thread takes as long as some thousands of these.
   const int viewing = scene.points.size() < 30'000 ? 1 : threads, finding = scene.facets.size() < 4'000 ? 1 : threads;
-  lanes::share(viewing, parts, [&](std::size_t part) { all.view(part); });
-  lanes::share(finding, parts, [&](std::size_t part) { all.find(part); });
+  simd::parallel_for(viewing, parts, [&](std::size_t part) { all.view(part); });
+  simd::parallel_for(finding, parts, [&](std::size_t part) { all.find(part); });
   all.finish();
-  lanes::share(threads, static_cast<std::size_t>(bands), [&](std::size_t band) {
+  simd::parallel_for(threads, static_cast<std::size_t>(bands), [&](std::size_t band) {
     const auto row_of = [&](std::size_t k) {
       return static_cast<std::int32_t>(std::int64_t{raster.height} * static_cast<std::int64_t>(k) / bands);
     };

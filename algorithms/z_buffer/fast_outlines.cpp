@@ -1,6 +1,6 @@
 #include "algorithms/z_buffer/fast_outlines.hpp"
 
-#include "algorithms/lanes/lanes.hpp"
+#include "algorithms/simd/simd.hpp"
 
 #if ZSTEP_HAS_LANES
 
@@ -17,7 +17,7 @@ namespace zstep::z_buffer {
 
 namespace {
 
-using namespace lanes;
+using namespace simd;
 
 constexpr std::int32_t unsound = 1 << 6;
 

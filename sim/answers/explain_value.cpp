@@ -61,7 +61,7 @@ Chain in_reading_order(Chain chain) {
 
 namespace {
 
-Step step_of_row(const Trace& trace, const Machine& machine, const Question& question) {
+Step step_of_row(const Trace& trace, const MethodState& machine, const Question& question) {
   const std::int64_t at = std::min(question.at, trace.size());
   const auto number = question.where.empty() ? -1 : question.where.front().second;
   if (asks_for(question, kind_of<EdgeStep>)) return step_of_active_edge(trace, machine, at, number);

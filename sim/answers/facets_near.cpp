@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "traces/codec/facts.hpp"
+#include "traces/codec/scene_geometry.hpp"
 
 namespace zstep::answers {
 
@@ -21,7 +21,7 @@ struct Squares {
 
 FacetsNear::FacetsNear(const Trace& trace) {
   const Scene& scene = trace.scene();
-  const codec::Facts facts(scene, trace.header());
+  const codec::SceneGeometry facts(scene, trace.header());
   squares_across_ = static_cast<std::int32_t>(std::ceil(scene.raster.width / side));
   const auto squares_down = static_cast<std::int32_t>(std::ceil(scene.raster.height / side));
   const double nearest = scene.camera.near;
@@ -32,7 +32,7 @@ FacetsNear::FacetsNear(const Trace& trace) {
     double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
     bool before_eye = true;
     for (const std::int32_t corner : facts.corners(static_cast<std::int32_t>(i))) {
-      const codec::VertexFacts& vertex = facts.of_point(corner);
+      const codec::VertexGeometry& vertex = facts.of_point(corner);
       before_eye = before_eye && (!facts.viewed() || vertex.view.z >= nearest) && std::isfinite(vertex.raster.x) && std::isfinite(vertex.raster.y);
       left = std::min(left, vertex.raster.x), right = std::max(right, vertex.raster.x);
       top = std::min(top, vertex.raster.y), bottom = std::max(bottom, vertex.raster.y);

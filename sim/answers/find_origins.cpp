@@ -19,22 +19,22 @@ bool is(const Event& event) {
 bool begins_work(const Event& event) { return is<PolygonBegin>(event) || is<PieceDraw>(event); }
 
 /// All vertices are viewed in one go, in their order: where in the trace.
-struct Stretch {
+struct Interval {
   std::int64_t low = 0, high = 0;
 };
 
-Stretch viewing_stretch(const Trace& trace, const Machine& machine) {
+Interval viewing_interval(const Trace& trace, const MethodState& machine) {
   const auto marks = trace.polygons();
   const auto facets = trace.scene().facets.size();
-  const Stretch between{facets > 0 && marks.size() >= facets ? marks[facets - 1].position : 0, marks.size() > facets ? marks[facets].position : trace.size()};
+  const Interval between{facets > 0 && marks.size() >= facets ? marks[facets - 1].position : 0, marks.size() > facets ? marks[facets].position : trace.size()};
   if (trace.scene().light && machine.pass == Pass::eye && marks.size() > facets && facets > 0) return between;  // the second pass of a shadow buffer
   // A tree is built of all facets before its vertices are viewed, and then its pieces are drawn.
   if (trace.size() > 0 && is<TablesBegin>(trace.event(1).event) && !marks.empty()) return between;
   return {0, marks.empty() ? trace.size() : marks.front().position};
 }
 
-Step viewed_in(const Trace& trace, const Stretch& stretch, std::int32_t vertex) {
-  return numbered(trace, stretch.low, stretch.high + 1, &ViewTransform::vertex, vertex);
+Step viewed_in(const Trace& trace, const Interval& interval, std::int32_t vertex) {
+  return numbered(trace, interval.low, interval.high + 1, &ViewTransform::vertex, vertex);
 }
 
 /// The vertex is projected right after it was viewed, or soon after clipping made it.
@@ -57,7 +57,7 @@ bool same_edge(const EdgeTableInsert& a, const EdgeTableInsert& b) {
 
 }  // namespace
 
-std::int64_t begin_of_work(const Trace& trace, const Machine& machine, std::int64_t at) {
+std::int64_t begin_of_work(const Trace& trace, const MethodState& machine, std::int64_t at) {
   const auto marks = trace.polygons();
   auto mark = std::upper_bound(marks.begin(), marks.end(), at, [](std::int64_t step, const PolygonMark& m) { return step < m.position; });
   const auto last = mark == marks.begin() ? 1 : std::prev(mark)->position;
@@ -70,7 +70,7 @@ std::int64_t begin_of_work(const Trace& trace, const Machine& machine, std::int6
   return last;
 }
 
-VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t vertex) {
+VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t vertex) {
   VertexSteps steps;
   const bool of_scene = static_cast<std::size_t>(vertex) < trace.scene().points.size();
   const auto viewing = [&](const ViewTransform& e) { return e.vertex == vertex; };
@@ -93,11 +93,11 @@ VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int
     }
     const SplitVertex cut = std::get<SplitVertex>(trace.event(*steps.made).event);
     if (cut.space == Space::world) {
-      steps.viewed = viewed_in(trace, viewing_stretch(trace, machine), vertex);
+      steps.viewed = viewed_in(trace, viewing_interval(trace, machine), vertex);
       if (!steps.viewed) steps.viewed = find_first<ViewTransform>(trace, *steps.made, viewing);
     }
   } else if (trace.scene().camera.kind != Camera::Kind::screen) {
-    steps.viewed = viewed_in(trace, viewing_stretch(trace, machine), vertex);
+    steps.viewed = viewed_in(trace, viewing_interval(trace, machine), vertex);
     if (!steps.viewed) steps.viewed = find_last<ViewTransform>(trace, at, viewing);
   }
   if (steps.viewed && *steps.viewed > at) steps.viewed.reset();
@@ -105,7 +105,7 @@ VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int
   return steps;
 }
 
-Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge) {
+Step step_of_edge(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t edge) {
   if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size()) return std::nullopt;
   const EdgeTableInsert entry = machine.edge_table[static_cast<std::size_t>(edge)];
   const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
@@ -117,7 +117,7 @@ Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, s
   return find_first<EdgeTableInsert>(trace, begin_of_work(trace, machine, at), wanted);
 }
 
-Step step_of_active_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge) {
+Step step_of_active_edge(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t edge) {
   const auto moved = find_last<EdgeStep>(
       trace, at, [&](const EdgeStep& e) { return e.edge == edge; },
       [&](const Event& event) {
@@ -127,7 +127,7 @@ Step step_of_active_edge(const Trace& trace, const Machine& machine, std::int64_
   return moved ? moved : step_of_edge(trace, machine, at, edge);
 }
 
-Step step_of_plane(const Machine& machine, std::int32_t piece) {
+Step step_of_plane(const MethodState& machine, std::int32_t piece) {
   const auto number = static_cast<std::size_t>(piece);
   const bool found = piece >= 0 && number < machine.pieces.size() && machine.pieces[number].plane_step > 0;
   return found ? Step(machine.pieces[number].plane_step) : std::nullopt;

@@ -39,20 +39,20 @@ struct VertexSteps {
 };
 
 /// As it stood at step `at`, in the pass that was at work then.
-VertexSteps steps_of_vertex(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t vertex);
+VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t vertex);
 
 /// Where the edge entered the edge table that is in use at `at`.
-Step step_of_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge);
+Step step_of_edge(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t edge);
 /// The step that gave the active edge the x it has at `at`: its edge_step, or its entry into the table.
-Step step_of_active_edge(const Trace& trace, const Machine& machine, std::int64_t at, std::int32_t edge);
+Step step_of_active_edge(const Trace& trace, const MethodState& machine, std::int64_t at, std::int32_t edge);
 
 /// Where the plane of a piece was found.
-Step step_of_plane(const Machine& machine, std::int32_t piece);
+Step step_of_plane(const MethodState& machine, std::int32_t piece);
 
 /// The last step at or before `at` that gave a pixel of the buffer in use then its depth. `light`: of the light's picture.
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light);
 
 /// Where work on the polygon or the piece at `at` began; 1 if nothing says so.
-std::int64_t begin_of_work(const Trace& trace, const Machine& machine, std::int64_t at);
+std::int64_t begin_of_work(const Trace& trace, const MethodState& machine, std::int64_t at);
 
 }  // namespace zstep::answers

@@ -26,7 +26,7 @@ std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
 }
 
 /// Of a method that goes through all polygons at once, the one whose span is being filled.
-std::int32_t polygon_at_work(const Machine& machine) {
+std::int32_t polygon_at_work(const MethodState& machine) {
   const auto edge = machine.span ? static_cast<std::size_t>(machine.span->left_edge) : machine.edge_table.size();
   return edge < machine.edge_table.size() ? machine.edge_table[edge].polygon : machine.polygon;
 }
@@ -155,7 +155,7 @@ class History {
   void find_there() {
     const Scene& scene = trace_.scene();
     there_.assign(scene.polygons.size(), false), towards_ = away_ = there_;
-    const bool matters = trace_.has(kind_of<PolygonReject>) || cut() || owner_by_stretch_or_area() != nullptr;
+    const bool matters = trace_.has(kind_of<PolygonReject>) || cut() || owner_by_interval_or_area() != nullptr;
     if (!matters || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
     for (const std::int32_t facet : facets_.near(pixel_)) {
       const auto at = compare::facet_at(scene, facet, false, pixel_.x, pixel_.y);
@@ -172,15 +172,15 @@ class History {
   }
 
   /// The visit that painted the pixel last, by a method that decides for more than one pixel at once.
-  const Visit* owner_by_stretch_or_area() const {
+  const Visit* owner_by_interval_or_area() const {
     if (!page_has(trace_, kind_of<SpanWinner>) && !page_has(trace_, kind_of<AreaDecide>)) return nullptr;
     const auto last = std::find_if(visits_.rbegin(), visits_.rend(), [](const Visit& visit) { return visit.takes; });
     return last != visits_.rend() && last->outcome == Outcome::painted ? &*last : nullptr;
   }
 
-  /// Those of them that came to no step at this pixel, as they were found to be behind on all of the stretch or the area.
+  /// Those of them that came to no step at this pixel, as they were found to be behind on all of the interval or the area.
   void add_behind() {
-    const Visit* const painted = owner_by_stretch_or_area();
+    const Visit* const painted = owner_by_interval_or_area();
     if (!painted || !painted->z) return;
     const Visit owner = *painted;
     const bool areas = page_has(trace_, kind_of<AreaDecide>);
@@ -192,7 +192,7 @@ class History {
       Visit& visit = add(decided.value_or(owner.step), polygon, Outcome::behind);
       visit.z = z, visit.stored = owner.z, visit.stored_polygon = owner.polygon;
       visit.sentence = fmt::format("{} covers pixel ({}, {}), but {} was found to be in front {}.", name, pixel_.x, pixel_.y, other,
-                                   areas ? "in the area around it" : "on the stretch of the scan line around it");
+                                   areas ? "in the area around it" : "on the interval of the scan line around it");
       visit.formulas.push_back(difference(symbol, name, other, z, *owner.z));
     }
   }

@@ -18,7 +18,7 @@ enum class Outcome : std::uint8_t {
   painted,   ///< without a compare
   mixed,     ///< laid over what was there
   colored,   ///< the pixel got a colour that is no polygon's own
-  behind,    ///< it covers the pixel, and on the stretch or in the area around it another was found to be in front
+  behind,    ///< it covers the pixel, and on the interval or in the area around it another was found to be in front
   rejected,  ///< it would cover the pixel, but was not drawn: culled, edge-on, out of view
   cut_off,   ///< it covers the pixel, and the recording ends before its turn
 };

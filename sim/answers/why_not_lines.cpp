@@ -112,7 +112,7 @@ Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
     if (hide && event_at<LineHide>(q.trace, *hide)) {
       verdict.step = *hide;
       q.add_formulas(verdict, *hide);
-      verdict.chain.push_back({*hide, other, fmt::format("{} hides a stretch of the edge", q.label(other))});
+      verdict.chain.push_back({*hide, other, fmt::format("{} hides an interval of the edge", q.label(other))});
     }
   }
   verdict.formulas.push_back(by ? place_text(t, by->t_0, by->t_1) : place_text(t, piece.t_0, piece.t_1));

@@ -4,7 +4,7 @@
 namespace zstep::answers {
 namespace {
 
-std::int32_t node_of(const Machine& machine, std::int32_t piece) {
+std::int32_t node_of(const MethodState& machine, std::int32_t piece) {
   for (std::size_t node = 0; node < machine.tree.size(); ++node)
     for (const std::int32_t held : machine.tree[node].pieces)
       if (held == piece) return static_cast<std::int32_t>(node);
@@ -12,7 +12,7 @@ std::int32_t node_of(const Machine& machine, std::int32_t piece) {
 }
 
 /// The node whose subtree holds both, nearest to them; -1 if there is none.
-std::int32_t node_over_both(const Machine& machine, std::int32_t one, std::int32_t other) {
+std::int32_t node_over_both(const MethodState& machine, std::int32_t one, std::int32_t other) {
   std::vector<std::int32_t> above;
   for (std::int32_t node = one; node >= 0; node = machine.tree[static_cast<std::size_t>(node)].parent) above.push_back(node);
   for (std::int32_t node = other; node >= 0; node = machine.tree[static_cast<std::size_t>(node)].parent)
@@ -21,7 +21,7 @@ std::int32_t node_over_both(const Machine& machine, std::int32_t one, std::int32
   return -1;
 }
 
-void add_tree(Asked& q, const Machine& machine, Verdict& verdict, std::int32_t piece, std::int32_t later, std::int64_t drawn) {
+void add_tree(Asked& q, const MethodState& machine, Verdict& verdict, std::int32_t piece, std::int32_t later, std::int64_t drawn) {
   const std::int32_t mine = node_of(machine, piece), other = node_of(machine, later);
   const std::int32_t node = node_over_both(machine, mine, other);
   if (node < 0) return;
@@ -49,7 +49,7 @@ void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t la
   const auto first = previous_of<PieceDraw>(q.trace, earlier), second = previous_of<PieceDraw>(q.trace, later);
   if (!first || !second || *first == *second) return;
   const std::int32_t piece = event_at<PieceDraw>(q.trace, *first)->piece, other = event_at<PieceDraw>(q.trace, *second)->piece;
-  const Machine& machine = q.state_at(*second).machine;
+  const MethodState& machine = q.state_at(*second).machine;
   const auto label = [&](std::int32_t number) { return piece_label(q.scene, machine, number); };
   verdict.chain.push_back({*first, q.polygon, fmt::format("{} is drawn", label(piece))});
   verdict.chain.push_back({*second, verdict.other, fmt::format("{} is drawn", label(other))});

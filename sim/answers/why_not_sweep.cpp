@@ -1,4 +1,4 @@
-// The scan-line method: was the polygon's flag in at the pixel, and who was in front on the stretch around it?
+// The scan-line method: was the polygon's flag in at the pixel, and who was in front on the interval around it?
 #include <algorithm>
 #include <cmath>
 
@@ -29,12 +29,12 @@ std::vector<Row> rows_of(const Asked& q, const std::vector<FacetThere>& facets) 
 
 /// What the sweep along the pixel's line did, as far as it matters here.
 struct Line {
-  std::int64_t stretch = 0, winner = 0, paint = 0, cover = 0;  ///< steps, 0 where there is none
+  std::int64_t interval = 0, winner = 0, paint = 0, cover = 0;  ///< steps, 0 where there is none
   std::int64_t flip_before = 0, flip_after = 0;                ///< of the polygon, next to the pixel
   std::vector<std::int32_t> in;                                ///< the polygon's pieces whose flag is in there
   std::int32_t owner = no_polygon;
   double z = 0, share = 0;
-  std::vector<Link> links;  ///< depths and implied edges on the stretch
+  std::vector<Link> links;  ///< depths and implied edges on the interval
 };
 
 Line look_along(Asked& q, const std::vector<Row>& rows) {
@@ -45,13 +45,13 @@ Line look_along(Asked& q, const std::vector<Row>& rows) {
   const auto is_mine = [&](std::int32_t piece) { return std::any_of(rows.begin(), rows.end(), [piece](const Row& row) { return row.piece == piece; }); };
   const std::int64_t end = next_of<ScanLineBegin>(q.trace, *begin, end_of_all).value_or(end_of_all);
   const std::int32_t x = q.pixel.x;
-  bool on_stretch = false;
+  bool on_interval = false;
   for (std::int64_t step = *begin + 1; step < end; ++step) {
     const Event& event = q.trace.event(step).event;
     if (const auto* flip = std::get_if<FlagFlip>(&event)) {
-      on_stretch = false;
+      on_interval = false;
       if (!is_mine(flip->piece)) continue;
-      if (line.stretch == 0) {
+      if (line.interval == 0) {
         line.flip_before = step;
         std::erase(line.in, flip->piece);
         if (flip->inside) line.in.push_back(flip->piece);
@@ -59,15 +59,15 @@ Line look_along(Asked& q, const std::vector<Row>& rows) {
         line.flip_after = step;
       }
     } else if (const auto* flags = std::get_if<SpanFlags>(&event)) {
-      on_stretch = flags->first <= x && x <= flags->last;
-      if (on_stretch) line.stretch = step;
-      // Passed without a stretch around the pixel: the flags from here on lie to its right.
-      if (!on_stretch && line.stretch == 0 && flags->first > x) line.stretch = step, line.in.clear();
-    } else if (const auto* depth = std::get_if<PlaneDepth>(&event); depth && on_stretch) {
+      on_interval = flags->first <= x && x <= flags->last;
+      if (on_interval) line.interval = step;
+      // Passed without an interval around the pixel: the flags from here on lie to its right.
+      if (!on_interval && line.interval == 0 && flags->first > x) line.interval = step, line.in.clear();
+    } else if (const auto* depth = std::get_if<PlaneDepth>(&event); depth && on_interval) {
       if (is_mine(depth->piece)) line.links.push_back({step, q.polygon, fmt::format("{} at x = {}: {} = {}", q.name, number(depth->x_at), q.z, told(depth->z))});
-    } else if (std::holds_alternative<ImpliedEdge>(event) && on_stretch) {
+    } else if (std::holds_alternative<ImpliedEdge>(event) && on_interval) {
       line.links.push_back({step, no_polygon, "two penetrate each other: an implied edge"});
-    } else if (const auto* winner = std::get_if<SpanWinner>(&event); winner && on_stretch && winner->first <= x && x <= winner->last) {
+    } else if (const auto* winner = std::get_if<SpanWinner>(&event); winner && on_interval && winner->first <= x && x <= winner->last) {
       line.winner = step;
     } else if (const auto* paint = std::get_if<PixelPaint>(&event); paint && paint->x == x) {
       line.paint = step, line.owner = paint->polygon, line.z = paint->z;
@@ -80,7 +80,7 @@ Line look_along(Asked& q, const std::vector<Row>& rows) {
 
 void add_paint(const Asked& q, Verdict& verdict, const Line& line) {
   if (line.paint == 0) return;
-  verdict.chain.push_back({line.winner, line.owner, fmt::format("{} is the frontmost on this stretch", q.label(line.owner))});
+  verdict.chain.push_back({line.winner, line.owner, fmt::format("{} is the frontmost on this interval", q.label(line.owner))});
   verdict.chain.push_back({line.paint, line.owner, fmt::format("the pixel becomes {}, {} = {}", q.label(line.owner), q.z, told(line.z))});
 }
 
@@ -94,13 +94,13 @@ Verdict why_behind(Asked& q, const Line& line, const std::vector<Row>& rows) {
   const bool tie = gap <= rounding;
   Verdict verdict = q.verdict(tie ? Why::tie : Why::lost, line.winner != 0 ? line.winner : line.paint,
                               tie ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} comes first in the file", other, other)
-                                  : fmt::format("its flag is in, but {} is in front on this stretch of the line, here by \u0394{} = {}", other, q.z, told(gap)));
+                                  : fmt::format("its flag is in, but {} is in front on this interval of the line, here by \u0394{} = {}", other, q.z, told(gap)));
   verdict.other = line.owner, verdict.gap = gap;
   verdict.formulas.push_back(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", q.z, q.name, factor(p.plane_a), q.pixel.x, factor(p.plane_b), q.pixel.y,
                                          number(p.plane_d), factor(p.plane_c), told(z)));
   verdict.formulas.push_back(difference(q.z, q.name, other, z, line.z));
   verdict.chain.push_back({line.flip_before, q.polygon, fmt::format("the flag of {} turns to in", q.name)});
-  verdict.chain.push_back({line.stretch, no_polygon, "the stretch of the line around the pixel"});
+  verdict.chain.push_back({line.interval, no_polygon, "the interval of the line around the pixel"});
   verdict.chain.insert(verdict.chain.end(), line.links.begin(), line.links.end());
   add_paint(q, verdict, line);
   return verdict;
@@ -117,7 +117,7 @@ void tell_flag(Asked& q, Verdict& verdict, const Line& line) {
   if (verdict.step != 0) {
     verdict.chain.push_back({verdict.step, q.polygon, fmt::format("the flag of {} turns to {}", q.name, line.flip_before != 0 ? "out" : "in")});
   }
-  if (line.stretch != 0) verdict.chain.push_back({line.stretch, no_polygon, "the stretch of the line at or beyond the pixel"});
+  if (line.interval != 0) verdict.chain.push_back({line.interval, no_polygon, "the interval of the line at or beyond the pixel"});
   add_paint(q, verdict, line);
   verdict.other = line.owner;
 }
@@ -128,8 +128,8 @@ Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets) {
   const std::vector<Row> rows = rows_of(q, facets);
   const Line line = look_along(q, rows);
   if (line.paint != 0 && line.owner == q.polygon) {
-    Verdict verdict = seen(q, line.paint, fmt::format("it is the frontmost on its stretch of scan line {}, {} = {}", q.pixel.y, q.z, told(line.z)), fmt::format("the pixel becomes {}", q.name));
-    verdict.chain.push_back({line.winner, q.polygon, fmt::format("{} is the frontmost on this stretch", q.name)});
+    Verdict verdict = seen(q, line.paint, fmt::format("it is the frontmost on its interval of scan line {}, {} = {}", q.pixel.y, q.z, told(line.z)), fmt::format("the pixel becomes {}", q.name));
+    verdict.chain.push_back({line.winner, q.polygon, fmt::format("{} is the frontmost on this interval", q.name)});
     return verdict;
   }
   if (line.cover != 0) {

@@ -36,9 +36,9 @@ const glm::dvec3& point(const Moment& moment, double vertex) {
 }
 
 /// The vertex, once it has come as far as `stage`.
-const VertexWay& way(const Moment& moment, double vertex, VertexWay::Stage stage) {
+const VertexStages& way(const Moment& moment, double vertex, VertexStages::Stage stage) {
   const auto& vertices = moment.state().vertices;
-  const VertexWay& found = vertices[index(moment, vertex, vertices.size(), "vertex")];
+  const VertexStages& found = vertices[index(moment, vertex, vertices.size(), "vertex")];
   if (found.stage < stage) {
     throw InputError(moment.where, fmt::format("vertex {} has not come so far at this step", vertex),
                      "attach the stop to a later step");
@@ -102,7 +102,7 @@ glm::dvec3 on_raster(const Moment& moment, double vertex) {
   const Scene& scene = moment.trace().scene();
   if (scene.camera.kind == Camera::Kind::screen && vertex < static_cast<double>(scene.points.size()))
     return point(moment, vertex);
-  const VertexWay& found = way(moment, vertex, VertexWay::on_raster);
+  const VertexStages& found = way(moment, vertex, VertexStages::on_raster);
   return {found.raster, found.plane.z};
 }
 
@@ -116,7 +116,7 @@ double radians(double degrees) { return degrees * (3.14159265358979323846 / 180)
 
 #define OF_VERTEX(name, stage, part, meaning)                                                                         \
   KnownFunction {                                                                                                     \
-    name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(way(m, a[0], VertexWay::stage).part); }, \
+    name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(way(m, a[0], VertexStages::stage).part); }, \
         meaning                                                                                                       \
   }
 #define OF_POINT(name, part, meaning)                                                                         \

@@ -62,7 +62,7 @@ void add_history(CLI::App& app, Action& action) {
   command->add_flag("--why", options->why, "Each step in words, with its numbers");
   command->footer(
       "Polygons that cover the pixel's centre and were not drawn (culled, seen edge-on, out of view) are told, too; so\n"
-      "are those that were found to be behind on a whole stretch of a scan line or a whole area, with their planes' depths.\n"
+      "are those that were found to be behind on a whole interval of a scan line or a whole area, with their planes' depths.\n"
       "\n"
       "Examples:\n"
       "  zstep history run.ztrace 15 12\n"

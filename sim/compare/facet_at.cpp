@@ -12,7 +12,7 @@ namespace zstep::compare {
 
 namespace {
 
-// Does a stretch have a point with |x - place.x| <= 1/2 and |y - place.y| <= 1/2?
+// Does an interval have a point with |x - place.x| <= 1/2 and |y - place.y| <= 1/2?
 bool enters_square(const Vec2& from, const Vec2& to, const Vec2& place) {
   Real first = 0, last = 1;
   for (int axis = 0; axis < 2; ++axis) {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "sim/compare/heap.hpp"
+#include "sim/compare/allocation_peak.hpp"
 
 namespace zstep::compare {
 
@@ -119,7 +119,7 @@ Measured measure(const Method& method, const Scene& scene, const Conventions& co
     std::int64_t heap = -1;
     CountRecorder counts;
     if (options.count) {
-      const HeapWatch watch;
+      const AllocationPeak watch;
       const Picture again = method.count(scene, conventions, counts);
       heap = watch.peak();
     }

@@ -18,7 +18,7 @@ struct Measured {
   std::string what;                   ///< why it failed
   Picture picture;
   std::vector<double> seconds;                   ///< of the processor, for each unrecorded run
-  std::int64_t heap = -1;                        ///< bytes, see HeapWatch::peak(); the picture is among them
+  std::int64_t heap = -1;                        ///< bytes, see AllocationPeak::peak(); the picture is among them
   std::array<std::int64_t, step_limit> count{};  ///< by step: how often a recorded run would record it
 
   bool done() const { return end == Apart::End::done; }

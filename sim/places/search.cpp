@@ -11,7 +11,7 @@ Search::Search(const Trace& trace, Condition condition, std::int64_t from, Way w
   const std::int64_t last = std::min({bounds.last, trace.size(), forwards() ? trace.size() : from_ - 1});
   const auto add = [&](std::int64_t begin, std::int64_t end) {
     begin = std::max(begin, first), end = std::min(end, last);
-    if (begin <= end) stretches_.push_back({begin, end});
+    if (begin <= end) intervals_.push_back({begin, end});
   };
   // Where work on polygons begins is known without reading a block.
   const auto marks = trace.polygons();
@@ -27,7 +27,7 @@ Search::Search(const Trace& trace, Condition condition, std::int64_t from, Way w
   } else {
     add(first, last);
   }
-  std::sort(stretches_.begin(), stretches_.end(), [&](const Stretch& a, const Stretch& b) { return forwards() ? a.first > b.first : a.first < b.first; });
+  std::sort(intervals_.begin(), intervals_.end(), [&](const Interval& a, const Interval& b) { return forwards() ? a.first > b.first : a.first < b.first; });
 }
 
 double Search::share() const {
@@ -35,23 +35,23 @@ double Search::share() const {
   return end == from_ ? 1 : static_cast<double>(at_ - from_) / static_cast<double>(end - from_);
 }
 
-/// Drops stretches that are behind, and goes to the beginning of the next one.
-bool Search::next_stretch() {
-  while (!stretches_.empty() && (forwards() ? stretches_.back().last <= at_ : stretches_.back().first >= at_)) stretches_.pop_back();
-  if (stretches_.empty()) return false;
-  at_ = forwards() ? std::max(at_, stretches_.back().first - 1) : std::min(at_, stretches_.back().last + 1);
+/// Drops intervals that are behind, and goes to the beginning of the next one.
+bool Search::next_interval() {
+  while (!intervals_.empty() && (forwards() ? intervals_.back().last <= at_ : intervals_.back().first >= at_)) intervals_.pop_back();
+  if (intervals_.empty()) return false;
+  at_ = forwards() ? std::max(at_, intervals_.back().first - 1) : std::min(at_, intervals_.back().last + 1);
   return true;
 }
 
-Search::Result Search::look_in_stretch() {
+Search::Result Search::look_in_interval() {
   constexpr std::int64_t slice = 1 << 15;  // events, between looks at the clock
-  const Stretch& stretch = stretches_.back();
+  const Interval& interval = intervals_.back();
   const Bounds& bounds = condition_.bounds();
   Trace::Among among(bounds.pixel);
   if (bounds.kinds.count() == 1)
     for (std::size_t kind = 0; kind < kind_count; ++kind)
       if (bounds.kinds[kind]) among.kind = static_cast<std::uint8_t>(kind);
-  among.until = forwards() ? std::min(stretch.last, at_ + slice) : std::max(stretch.first, at_ - slice);
+  among.until = forwards() ? std::min(interval.last, at_ + slice) : std::max(interval.first, at_ - slice);
   const auto holds = [&](std::int64_t step, const RecordedEvent& event) { return condition_.holds(step, event); };
   const auto found = forwards() ? trace_->next_at(at_, holds, among) : trace_->previous_at(at_, holds, among);
   at_ = found ? *found : *among.until;
@@ -61,12 +61,12 @@ Search::Result Search::look_in_stretch() {
 Search::Result Search::look(std::chrono::microseconds time) {
   const auto end = std::chrono::steady_clock::now() + time;
   for (bool looked = false; result_ == Result::not_yet; looked = true) {
-    if (!next_stretch()) {
+    if (!next_interval()) {
       at_ = forwards() ? trace_->size() : 0;
       return result_ = Result::none;
     }
     if (looked && std::chrono::steady_clock::now() >= end) return Result::not_yet;  // there is more to look at
-    if (look_in_stretch() == Result::found) return result_ = Result::found;
+    if (look_in_interval() == Result::found) return result_ = Result::found;
   }
   return result_;
 }

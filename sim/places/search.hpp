@@ -33,18 +33,18 @@ class Search {
   double share() const;                    ///< of the way that there was, 0 to 1
 
  private:
-  struct Stretch {
+  struct Interval {
     std::int64_t first, last;  ///< steps, both included
   };
-  bool next_stretch();
-  Result look_in_stretch();
+  bool next_interval();
+  Result look_in_interval();
   bool forwards() const { return way_ == Way::forwards; }
 
   const Trace* trace_;
   Condition condition_;
   Way way_;
   std::int64_t from_, at_;
-  std::vector<Stretch> stretches_;  ///< worth looking at; the next one last
+  std::vector<Interval> intervals_;  ///< worth looking at; the next one last
   Result result_ = Result::not_yet;
 };
 

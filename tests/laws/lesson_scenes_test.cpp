@@ -30,7 +30,7 @@ int happens(const std::string& id, Fits&& fits) {
 TEST_CASE("each scene takes every branch of its method's idea") {
   const auto facing = [](Facing wanted) {
     return happens<FacingTest>("back-faces",
-                               [&](const FacingTest& test, const Machine&) { return test.facing == wanted; });
+                               [&](const FacingTest& test, const MethodState&) { return test.facing == wanted; });
   };
   CHECK(facing(Facing::front) > 0);
   CHECK(facing(Facing::back) > 0);
@@ -40,7 +40,7 @@ TEST_CASE("each scene takes every branch of its method's idea") {
     CAPTURE(id);
     const auto compares = [&](auto&& fits) {
       return happens<DepthCompare>(
-          id, [&](const DepthCompare& compare, const Machine& machine) { return fits(compare, *machine.fragment); });
+          id, [&](const DepthCompare& compare, const MethodState& machine) { return fits(compare, *machine.fragment); });
     };
     CHECK(compares([](const DepthCompare& c, const Fragment& f) { return c.nearer && f.stored == no_depth; }) > 0);
     CHECK(compares([](const DepthCompare& c, const Fragment& f) { return c.nearer && f.stored != no_depth; }) > 0);
@@ -51,43 +51,43 @@ TEST_CASE("each scene takes every branch of its method's idea") {
 
   const auto spans = [](auto&& fits) {
     return happens<SpanBegin>("edge-table",
-                              [&](const SpanBegin& span, const Machine& machine) { return fits(span, machine); });
+                              [&](const SpanBegin& span, const MethodState& machine) { return fits(span, machine); });
   };
-  CHECK(spans([](const SpanBegin& s, const Machine&) { return s.last < s.first; }) > 0);  // empty, at a corner
-  CHECK(spans([](const SpanBegin& s, const Machine&) {
+  CHECK(spans([](const SpanBegin& s, const MethodState&) { return s.last < s.first; }) > 0);  // empty, at a corner
+  CHECK(spans([](const SpanBegin& s, const MethodState&) {
           return s.x_left != static_cast<double>(s.first) && s.first <= s.last;
         }) > 0);                                                                              // between pixels
-  CHECK(spans([](const SpanBegin&, const Machine& m) { return m.active.size() == 4; }) > 0);  // two pairs
-  CHECK(happens<EdgeRetire>("edge-table", [](const EdgeRetire&, const Machine& m) { return m.active.size() == 2; }) >
+  CHECK(spans([](const SpanBegin&, const MethodState& m) { return m.active.size() == 4; }) > 0);  // two pairs
+  CHECK(happens<EdgeRetire>("edge-table", [](const EdgeRetire&, const MethodState& m) { return m.active.size() == 2; }) >
         0);
-  CHECK(happens<EdgeTableSkip>("worked-example", [](const EdgeTableSkip& skip, const Machine&) {
+  CHECK(happens<EdgeTableSkip>("worked-example", [](const EdgeTableSkip& skip, const MethodState&) {
           return skip.why == EdgeSkip::horizontal;
         }) == 2);
 
-  const auto stretches = [](std::int32_t flags) {
-    return happens<SpanFlags>("scan-line", [&](const SpanFlags& s, const Machine&) { return s.flags == flags; });
+  const auto intervals = [](std::int32_t flags) {
+    return happens<SpanFlags>("scan-line", [&](const SpanFlags& s, const MethodState&) { return s.flags == flags; });
   };
-  CHECK(stretches(0) > 0);
-  CHECK(stretches(1) > 0);
-  CHECK(stretches(2) > 0);
-  CHECK(happens<EdgeSwap>("scan-line", [](const EdgeSwap&, const Machine&) { return true; }) > 0);
-  CHECK(happens<ImpliedEdge>("scan-line", [](const ImpliedEdge&, const Machine&) { return true; }) > 0);
+  CHECK(intervals(0) > 0);
+  CHECK(intervals(1) > 0);
+  CHECK(intervals(2) > 0);
+  CHECK(happens<EdgeSwap>("scan-line", [](const EdgeSwap&, const MethodState&) { return true; }) > 0);
+  CHECK(happens<ImpliedEdge>("scan-line", [](const ImpliedEdge&, const MethodState&) { return true; }) > 0);
   const auto saved = [](Coherence thanks_to) {
-    return happens<Saved>("scan-line", [&](const Saved& s, const Machine&) { return s.coherence == thanks_to; });
+    return happens<Saved>("scan-line", [&](const Saved& s, const MethodState&) { return s.coherence == thanks_to; });
   };
   CHECK(saved(Coherence::scan_line) == 1);
   CHECK(saved(Coherence::implied_edge) == 2);
 
   const auto rays = [](RayRole role) {
-    return happens<RayBegin>("ray-tracing", [&](const RayBegin& ray, const Machine&) { return ray.role == role; });
+    return happens<RayBegin>("ray-tracing", [&](const RayBegin& ray, const MethodState&) { return ray.role == role; });
   };
   CHECK(rays(RayRole::eye) > 0);
   CHECK(rays(RayRole::reflected) > 0);
   CHECK(rays(RayRole::transmitted) > 0);
 
-  CHECK(happens<SideTest>("transparency", [](const SideTest& t, const Machine&) { return t.side == Side::crossing; }) == 1);
+  CHECK(happens<SideTest>("transparency", [](const SideTest& t, const MethodState&) { return t.side == Side::crossing; }) == 1);
   const auto blended = [](auto&& fits) {
-    return happens<ColorBlend>("transparency", [&](const ColorBlend& b, const Machine& m) { return fits(b, *m.fragment); });
+    return happens<ColorBlend>("transparency", [&](const ColorBlend& b, const MethodState& m) { return fits(b, *m.fragment); });
   };
   CHECK(blended([](const ColorBlend& b, const Fragment&) { return b.opacity == 1; }) > 0);
   CHECK(blended([](const ColorBlend& b, const Fragment& f) { return b.opacity < 1 && f.stored == no_depth; }) > 0);

@@ -31,7 +31,7 @@ StepMeanings::StepMeanings(const Page& page) : row(page) {
   for (const StepInfo& step : page) kind[step.id] = step.kind;
 }
 
-BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepMeanings& meanings, const Facts& facts)
+BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepMeanings& meanings, const SceneGeometry& facts)
     : foreteller_(facts), meanings_(meanings), row_(meanings.row), left_(count) {
   ByteReader in(packed);
   if (in.varint() != count) throw MalformedBytes("a block with another number of events than it says");

@@ -26,7 +26,7 @@ struct BlockEncoder::State {
   void end();
   void put_token(std::uint8_t token) { tokens[token_count++] = token; }
 
-  Facts facts;
+  SceneGeometry facts;
   Foreteller foreteller;
   std::int64_t first_position = 0;  ///< of the block at work
   RunSteps steps;

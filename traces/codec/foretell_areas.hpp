@@ -1,4 +1,4 @@
-// Guesses where planes are compared: on Warnock's areas, and on stretches of a scan line. Part of foreteller.hpp.
+// Guesses where planes are compared: on Warnock's areas, and on intervals of a scan line. Part of foreteller.hpp.
 #pragma once
 
 #include <algorithm>
@@ -99,7 +99,7 @@ inline void Foreteller::evaluate(PixelPaint& event) const {
   else event.z = plane != nullptr ? depth_of(*plane, event.x, event.y) : real_[slot_of("z")];
 }
 
-// --- Stretches of a scan line
+// --- Intervales of a scan line
 
 inline void Foreteller::evaluate(FlagFlip& event) const {
   const TableEdge* edge = facts_->edge_of_table(event.edge);

@@ -28,7 +28,7 @@ inline void Foreteller::evaluate(ViewTransform& event) const {
 inline void Foreteller::evaluate(Projection& event) const {
   glm::dvec3 plane(0);
   if (facts_->is_point(event.vertex)) plane = facts_->of_point(event.vertex).plane;
-  for (const VertexFacts& made : made_)
+  for (const VertexGeometry& made : made_)
     if (made.vertex == event.vertex) plane = made.plane;
   event.x_p = plane.x, event.y_p = plane.y, event.z = plane.z;
 }
@@ -45,7 +45,7 @@ inline void Foreteller::note(const ClipCross& event) {
 inline void Foreteller::note(const SplitVertex& event) {
   if (cuts_.size() < detail::cuts_limit) cuts_.push_back({event.vertex, {event.x_cut, event.y_cut, event.z_cut}});
   if (made_.size() >= detail::made_limit || event.space != Space::raster) return;
-  VertexFacts facts;
+  VertexGeometry facts;
   facts.vertex = event.vertex;
   facts.plane.z = event.z_cut;
   facts.raster = {event.x_cut, event.y_cut};
@@ -53,13 +53,13 @@ inline void Foreteller::note(const SplitVertex& event) {
 }
 
 inline bool Foreteller::find_raster(std::int32_t vertex, glm::dvec3& raster) const {
-  for (const VertexFacts& made : made_) {
+  for (const VertexGeometry& made : made_) {
     if (made.vertex != vertex) continue;
     raster = {made.raster, made.plane.z};
     return true;
   }
   if (!facts_->is_point(vertex)) return false;
-  const VertexFacts& facts = facts_->of_point(vertex);
+  const VertexGeometry& facts = facts_->of_point(vertex);
   raster = {facts.raster, facts.plane.z};
   return true;
 }
@@ -126,7 +126,7 @@ inline void Foreteller::evaluate(FacingTest& event) {
   double normal_z = 0;
   bool before_eye = true;
   for (std::size_t i = 0; i < count; ++i) {
-    const VertexFacts &here = corner_facts_[i], &next = corner_facts_[i + 1 < count ? i + 1 : 0];
+    const VertexGeometry &here = corner_facts_[i], &next = corner_facts_[i + 1 < count ? i + 1 : 0];
     sum += glm::cross(here.view, next.view);
     if (i > 0 && i + 1 < count) normal += glm::cross(point(i) - first, point(i + 1) - first);
     before_eye = before_eye && here.view.z >= scene.camera.near;
@@ -149,7 +149,7 @@ inline void Foreteller::evaluate(ClipTest& event) {
   event = {};
   if (!look_at_corners()) return;
   event.outside_all = (1 << 6) - 1;
-  for (const VertexFacts& corner : corner_facts_) {
+  for (const VertexGeometry& corner : corner_facts_) {
     event.outside_some |= corner.outside;
     event.outside_all &= corner.outside;
   }

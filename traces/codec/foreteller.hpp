@@ -15,7 +15,7 @@
 
 #include "traces/codec/by_piece.hpp"
 #include "traces/codec/depths_along.hpp"
-#include "traces/codec/facts.hpp"
+#include "traces/codec/scene_geometry.hpp"
 #include "traces/codec/known_areas.hpp"
 #include "traces/codec/known_edges.hpp"
 #include "traces/codec/known_sweep.hpp"
@@ -29,7 +29,7 @@ struct Row;
 class Foreteller {
  public:
   /// `facts` must live as long as this does.
-  explicit Foreteller(const Facts& facts) : facts_(&facts) {}
+  explicit Foreteller(const SceneGeometry& facts) : facts_(&facts) {}
   /// All that the events of a block told.
   void forget();
 
@@ -202,7 +202,7 @@ class Foreteller {
   /// The facet's corners, gone through viewing, into corner_facts_; false when there are none that could be known.
   bool look_at_corners();
 
-  const Facts* facts_;
+  const SceneGeometry* facts_;
   std::array<std::int32_t, slot_count> whole_{};
   std::array<double, slot_count> real_{};
 
@@ -210,8 +210,8 @@ class Foreteller {
   std::span<const std::int32_t> corners_;     ///< of the facet at work, in the scene
   std::vector<std::int32_t> outline_;         ///< as events told it
   std::size_t side_ = 0;                      ///< sides of the outline that went to the edge table or past it
-  std::vector<VertexFacts> made_;             ///< vertices that the block made
-  std::vector<VertexFacts> corner_facts_;     ///< those of the facet at work, once looked at
+  std::vector<VertexGeometry> made_;             ///< vertices that the block made
+  std::vector<VertexGeometry> corner_facts_;     ///< those of the facet at work, once looked at
   bool looked_at_corners_ = false;
   bool keeps_all_ = false;
   KnownEdges edges_;
@@ -237,7 +237,7 @@ class Foreteller {
   Axis next_axis_ = Axis::x;        ///< on which a pair is tested next
   KnownAreas areas_;
   KnownSweep sweep_;
-  std::int32_t painted_ = -1;  ///< the piece that an area or a stretch was given to
+  std::int32_t painted_ = -1;  ///< the piece that an area or an interval was given to
   bool depths_on_line_ = false;
   std::array<glm::dvec2, 4> depth_points_{};
   std::size_t depth_point_count_ = 0;              ///< 0: not known

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "traces/codec/facts.hpp"
+#include "traces/codec/scene_geometry.hpp"
 
 namespace zstep::codec {
 

@@ -110,7 +110,7 @@ inline constexpr auto fields_of<LineCross> =
                Field{"in_space", &LineCross::in_space, "1", "it crosses the plane"}};
 
 template <>
-inline constexpr KindText kind_text<LineHide>{"line_hide", "a stretch of an edge is hidden by a face"};
+inline constexpr KindText kind_text<LineHide>{"line_hide", "an interval of an edge is hidden by a face"};
 template <>
 inline constexpr auto fields_of<LineHide> = Fields{
     Field{"line", &LineHide::line, "index", "the edge"}, Field{"facet", &LineHide::facet, "index", "the face"},

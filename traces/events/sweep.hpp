@@ -29,7 +29,7 @@ inline constexpr auto fields_of<FlagFlip> =
 
 template <>
 inline constexpr KindText kind_text<SpanFlags>{
-    "span_flags", "a stretch of the scan line between two crossings, and how many flags are true on it"};
+    "span_flags", "an interval of the scan line between two crossings, and how many flags are true on it"};
 template <>
 inline constexpr auto fields_of<SpanFlags> =
     Fields{Field{"y", &SpanFlags::y, "row", "the scan line"},
@@ -49,7 +49,7 @@ inline constexpr auto fields_of<ImpliedEdge> = Fields{
     Field{"z", &ImpliedEdge::z, "depth", "the depth there"}};
 
 template <>
-inline constexpr KindText kind_text<SpanWinner>{"span_winner", "the polygon that is seen on a stretch"};
+inline constexpr KindText kind_text<SpanWinner>{"span_winner", "the polygon that is seen on an interval"};
 template <>
 inline constexpr auto fields_of<SpanWinner> =
     Fields{Field{"piece", &SpanWinner::piece, "index", "its row of the polygon table"},

@@ -32,7 +32,7 @@ struct Trace::Impl {
   Header header;
   Scene scene;
   std::optional<StepMeanings> meanings;  ///< of the header
-  std::optional<codec::Facts> facts;  ///< of header and scene
+  std::optional<codec::SceneGeometry> facts;  ///< of header and scene
   std::vector<Block> blocks;
   std::vector<PolygonMark> polygons;
   std::vector<Box> boxes;  ///< of each of these marks

@@ -13,7 +13,7 @@
 #include "traces/file/chunk.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/file/scene_bytes.hpp"
-#include "traces/record/beside.hpp"
+#include "traces/record/background_worker.hpp"
 #include "traces/record/journal.hpp"
 
 namespace zstep {
@@ -85,7 +85,7 @@ struct TraceRecorder::Sink {
   Journal journal;  ///< the memory of the logs at work and, after them, of the one that is recorded into
   std::vector<EventLog> at_work;  ///< in turn
   std::size_t next_log = 0;
-  Beside beside{logs_at_work};  // ends first
+  BackgroundWorker worker{logs_at_work};  // ends first
 
   Sink(const Header& header, const Scene& scene, const std::filesystem::path& to)
       : encoder(scene, header),
@@ -97,7 +97,7 @@ struct TraceRecorder::Sink {
   Sink& operator=(const Sink&) = delete;
   ~Sink() {
     try {
-      beside.wait();
+      worker.wait();
     } catch (...) {  // a recording that ends without finish() ends where it got to
     }
   }
@@ -144,7 +144,7 @@ TraceRecorder::TraceRecorder(const std::filesystem::path& path, const Header& he
   sink_->journal.holds(log_.memory(), 1);
   // At once, so that what is killed can be opened; beside the run where that takes longer than the run's first blocks.
   if (scene.points.size() + scene.corners.size() < 100'000) sink_->write_head(header, scene);
-  else sink_->beside.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
+  else sink_->worker.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
 }
 
 TraceRecorder::TraceRecorder(const Header& header, const Scene& scene) : TraceRecorder(std::filesystem::path(), header, scene) {}
@@ -154,22 +154,22 @@ TraceRecorder::~TraceRecorder() = default;
 void TraceRecorder::write_block() {
   log_.close();
   before_ += log_.count();
-  sink_->beside.wait_for_room();
+  sink_->worker.wait_for_room();
   EventLog& log = sink_->at_work[sink_->next_log++ % logs_at_work];  // its block is written, or there were no room
   log.swap(log_);
   log_.clear();
   sink_->journal.holds(log_.memory(), sink_->next_log + 1);
   const auto pack = [sink = sink_.get(), &log] { sink->write_block(log); };
   // What only memory holds is written as soon as can be.
-  if (sink_->journal.outlives()) sink_->beside.begin_with_others(pack);
-  else sink_->beside.begin(pack);
+  if (sink_->journal.outlives()) sink_->worker.begin_with_others(pack);
+  else sink_->worker.begin(pack);
   if (on_block_) on_block_(size());
 }
 
 void TraceRecorder::finish() {
   log_.close();
   if (log_.count() > 0) write_block();
-  sink_->beside.wait();
+  sink_->worker.wait();
   const std::uint64_t offset = sink_->written;
   Bytes index;
   put_varint(index, sink_->blocks);

@@ -1,6 +1,6 @@
 // What each kind of event does to a state.
 //
-// Two halves. apply_machine (apply_machine.hpp, apply_structures.hpp) changes what is small and can be re-applied from a copy. apply_stores
+// Two halves. apply_method_state (apply_method_state.hpp, apply_structures.hpp) changes what is small and can be re-applied from a copy. apply_stores
 // changes buffers, vertices and the pixel at work, and tells a log the old value of whatever it changes.
 #pragma once
 
@@ -13,9 +13,9 @@ struct NoLog {
   void depth(bool, std::size_t, double) {}
   void polygon(bool, std::size_t, std::int32_t) {}
   void ink(std::size_t, std::uint32_t) {}
-  void vertex(std::size_t, const VertexWay&) {}
+  void vertex(std::size_t, const VertexStages&) {}
   void vertex_added() {}
-  void vertices_dropped(const SharedChunks<VertexWay>&, std::size_t) {}
+  void vertices_dropped(const SharedChunks<VertexStages>&, std::size_t) {}
   void fragment(const std::optional<Fragment>&) {}
   void picture(bool, const Picture&) {}
 };
@@ -40,7 +40,7 @@ void set_polygon(State& state, Log& log, std::int32_t x, std::int32_t y, std::in
 /// `points`: the number of the scene's points; vertices beyond them belong to the polygon at work.
 template <class E, class Log>
 void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
-  const auto vertex = [&](std::int32_t index) -> VertexWay& {
+  const auto vertex = [&](std::int32_t index) -> VertexStages& {
     if (index < 0 || static_cast<std::size_t>(index) >= state.vertices.size())
       throw Impossible(fmt::format("there is no vertex {}", index));
     log.vertex(static_cast<std::size_t>(index), state.vertices[static_cast<std::size_t>(index)]);
@@ -65,28 +65,28 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     if (ink) picture.use_ink();
     for (double& depth : picture.depth) depth = event.z;
   } else if constexpr (std::is_same_v<E, ViewTransform>) {
-    VertexWay& way = vertex(event.vertex);
+    VertexStages& way = vertex(event.vertex);
     way.view = {event.x_v, event.y_v, event.z_v};
-    way.stage = VertexWay::viewed;
+    way.stage = VertexStages::viewed;
   } else if constexpr (std::is_same_v<E, Projection>) {
-    VertexWay& way = vertex(event.vertex);
+    VertexStages& way = vertex(event.vertex);
     way.plane = {event.x_p, event.y_p, event.z};
-    way.stage = VertexWay::projected;
+    way.stage = VertexStages::projected;
   } else if constexpr (std::is_same_v<E, ViewportTransform>) {
-    VertexWay& way = vertex(event.vertex);
+    VertexStages& way = vertex(event.vertex);
     way.raster = {event.x_s, event.y_s};
-    way.stage = VertexWay::on_raster;
+    way.stage = VertexStages::on_raster;
   } else if constexpr (std::is_same_v<E, ClipCross> || std::is_same_v<E, SplitVertex>) {
     detail::must_be_due("vertex", event.vertex, state.vertices.size());
     log.vertex_added();
-    VertexWay way;
+    VertexStages way;
     if constexpr (std::is_same_v<E, ClipCross>) {
-      way.stage = VertexWay::viewed;
+      way.stage = VertexStages::viewed;
       way.view = {event.x_v, event.y_v, event.z_v};
     } else if (event.space == Space::world) {
       way.world = {event.x_cut, event.y_cut, event.z_cut};
     } else {
-      way.stage = VertexWay::on_raster;
+      way.stage = VertexStages::on_raster;
       way.raster = {event.x_cut, event.y_cut};
       way.plane.z = event.z_cut;
     }

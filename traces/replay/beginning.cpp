@@ -45,8 +45,8 @@ void Beginning::begin_vertices(State& state) const {
   if (scene_->camera.kind != Camera::Kind::screen) return;
   for (std::size_t i = 0; i < points; ++i) {
     const glm::dvec3& point = scene_->points[i];
-    VertexWay& way = state.vertices.edit(i);
-    way.stage = VertexWay::on_raster;
+    VertexStages& way = state.vertices.edit(i);
+    way.stage = VertexStages::on_raster;
     way.plane = point;
     way.raster = {point.x, point.y};
   }

@@ -10,7 +10,7 @@ namespace zstep {
 
 namespace {
 
-bool same_way(const VertexWay& one, const VertexWay& other) { return same(one, other); }
+bool same_way(const VertexStages& one, const VertexStages& other) { return same(one, other); }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void KeyFrames::add(const State& state) {
   frame.machine = state.machine;
   frame.vertices = state.vertices;
   if (!frames_.empty()) {
-    const SharedChunks<VertexWay>& before = frames_.back().vertices;
+    const SharedChunks<VertexStages>& before = frames_.back().vertices;
     frame.vertices.share(before, same_way);  // where the state was stepped to anew
     bytes_ += frames_.back().bytes_beyond(frame);
   }
@@ -72,7 +72,7 @@ void KeyFrames::restore_before(std::int64_t position, State& state) {
   }
   if (count == 0) {
     state.position = 0;
-    state.machine = Machine();
+    state.machine = MethodState();
     beginning_->begin_vertices(state);
     return;
   }

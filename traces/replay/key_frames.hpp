@@ -33,8 +33,8 @@ class KeyFrames {
  private:
   struct Frame {
     std::int64_t position = 0;
-    Machine machine;
-    SharedChunks<VertexWay> vertices;
+    MethodState machine;
+    SharedChunks<VertexStages> vertices;
     PictureChange picture, light;
     std::size_t bytes() const { return sizeof(Frame) + picture.bytes() + light.bytes(); }  ///< of what it does not share
     std::size_t bytes_beyond(const Frame& later) const;  ///< of machine and vertices, without what a later frame holds, too

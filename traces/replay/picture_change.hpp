@@ -9,7 +9,7 @@
 
 namespace zstep {
 
-/// Stretches of changed pixels that show one polygon: how many pixels come between, how many there are, the polygon, and of each depth how far
+/// Intervales of changed pixels that show one polygon: how many pixels come between, how many there are, the polygon, and of each depth how far
 /// it is from where the two before it lead. Along a span that is next to nothing, and a byte does.
 class PictureChange {
  public:

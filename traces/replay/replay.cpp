@@ -44,7 +44,7 @@ struct Replay::Impl {
       // The stores first: they refuse before they change anything, and what they changed when the machine then refuses
       // is taken back by the callers.
       apply_stores(event, state, points, old_values);
-      apply_machine(event, state.machine, position);
+      apply_method_state(event, state.machine, position);
     } catch (const Impossible& error) {
       refused = true;
       impossible(position, error);
@@ -136,7 +136,7 @@ struct Replay::Impl {
     auto fragment = state.machine.fragment;
     state.machine = check_points.back().second;
     for (std::int64_t position = check_points.back().first + 1; position <= target; ++position) {
-      std::visit([&](const auto& event) { apply_machine(event, state.machine, position); }, trace->event(position).event);
+      std::visit([&](const auto& event) { apply_method_state(event, state.machine, position); }, trace->event(position).event);
     }
     state.machine.fragment = fragment;
     state.position = target;
@@ -166,7 +166,7 @@ struct Replay::Impl {
   State state;
   KeyFrames key_frames;
   UndoLog log;
-  std::deque<std::pair<std::int64_t, Machine>> check_points;  ///< never empty; the log reaches back to the first
+  std::deque<std::pair<std::int64_t, MethodState>> check_points;  ///< never empty; the log reaches back to the first
   bool refused = false;
 };
 

@@ -1,7 +1,7 @@
 // Replay: the state at any position of a trace, forwards, backwards and by seek.
 //
 // Forwards, an event is applied. What is large (buffers, vertices) leaves its old value in an undo log; what is small
-// (Machine) is copied at check-points. Backwards, the large is undone and the small re-applied from the last
+// (MethodState) is copied at check-points. Backwards, the large is undone and the small re-applied from the last
 // check-point, so a step back costs the same wherever it is. A seek starts at the nearest key frame, and leaves key
 // frames where it passes.
 #pragma once

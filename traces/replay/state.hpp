@@ -19,7 +19,7 @@
 namespace zstep {
 
 /// How far a vertex has come on its way to the raster. The world coordinates of the scene's points are the scene's.
-struct VertexWay {
+struct VertexStages {
   enum Stage : std::uint8_t { untouched = 0, viewed = 1, projected = 2, on_raster = 3 };
   Stage stage = untouched;
   glm::dvec3 view{0};    ///< (x_v, y_v, z_v)
@@ -76,7 +76,7 @@ struct Fragment {
 };
 
 /// What a method has at hand: everything a pane shows besides buffers and vertices.
-struct Machine {
+struct MethodState {
   // One polygon, or one piece, at work.
   std::int32_t polygon = no_polygon, facet = -1, piece = -1;
   std::optional<FacingTest> facing;  ///< of that facet, once tested
@@ -124,14 +124,14 @@ struct Machine {
 };
 
 /// By piece: it was the n-th to be drawn, from 0; -1 where it was not drawn yet.
-std::vector<std::int32_t> draw_places(const Machine& machine);
+std::vector<std::int32_t> draw_places(const MethodState& machine);
 
 struct State {
   std::int64_t position = 0;
-  Machine machine;
+  MethodState machine;
   Picture picture;  ///< frame (polygon indices, colours of their own where the method writes such) and depth
   Picture light;    ///< what the light sees; without pixels where the method makes no such pass
-  SharedChunks<VertexWay> vertices;  ///< scene points first, then the vertices that clipping and cutting made
+  SharedChunks<VertexStages> vertices;  ///< scene points first, then the vertices that clipping and cutting made
 
   /// The buffers that the pass at work writes to.
   Picture& picture_of_pass() { return machine.pass == Pass::light ? light : picture; }

@@ -43,11 +43,11 @@ struct TreeNode {
 struct Sweep {
   std::vector<std::int32_t> inside;  ///< pieces whose flag is true, in the order in which they became so
   std::optional<FlagFlip> flip;      ///< the last one
-  std::optional<SpanFlags> stretch;
+  std::optional<SpanFlags> interval;
   std::vector<ImpliedEdge> implied;  ///< on this line
   std::vector<SpanWinner> winners;   ///< on this line, left to right
   std::vector<CoverageAdd> covered;  ///< of the pixel at work
-  auto members() const { return std::tie(inside, flip, stretch, implied, winners, covered); }
+  auto members() const { return std::tie(inside, flip, interval, implied, winners, covered); }
 };
 
 /// An area of Warnock's.

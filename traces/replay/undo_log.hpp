@@ -21,13 +21,13 @@ class UndoLog {
   void depth(bool light, std::size_t pixel, double old) { add(Depth{pixel, old, light}); }
   void polygon(bool light, std::size_t pixel, std::int32_t old) { add(Owner{pixel, old, light}); }
   void ink(std::size_t pixel, std::uint32_t old) { add(Ink{pixel, old}); }
-  void vertex(std::size_t index, const VertexWay& old) { add(Vertex{index, old}); }
+  void vertex(std::size_t index, const VertexStages& old) { add(Vertex{index, old}); }
   void vertex_added() { add(VertexAdded{}); }
   /// Those from the `kept`-th on.
-  void vertices_dropped(const SharedChunks<VertexWay>& vertices, std::size_t kept) {
-    std::vector<VertexWay> old;
+  void vertices_dropped(const SharedChunks<VertexStages>& vertices, std::size_t kept) {
+    std::vector<VertexStages> old;
     for (std::size_t i = kept; i < vertices.size(); ++i) old.push_back(vertices[i]);
-    add(VerticesDropped{std::make_shared<const std::vector<VertexWay>>(std::move(old))});
+    add(VerticesDropped{std::make_shared<const std::vector<VertexStages>>(std::move(old))});
   }
   void fragment(const std::optional<Fragment>& old) { add(Pixel{old}); }
   void picture(bool light, const Picture& old) {
@@ -71,11 +71,11 @@ class UndoLog {
   };
   struct Vertex {
     std::size_t index;
-    VertexWay old;
+    VertexStages old;
   };
   struct VertexAdded {};
   struct VerticesDropped {
-    std::shared_ptr<const std::vector<VertexWay>> old;
+    std::shared_ptr<const std::vector<VertexStages>> old;
   };
   struct Pixel {
     std::optional<Fragment> old;
@@ -103,7 +103,7 @@ class UndoLog {
   static void restore(const Vertex& entry, State& state) { state.vertices.edit(entry.index) = entry.old; }
   static void restore(const VertexAdded&, State& state) { state.vertices.pop_back(); }
   static void restore(const VerticesDropped& entry, State& state) {
-    for (const VertexWay& way : *entry.old) state.vertices.push_back(way);
+    for (const VertexStages& way : *entry.old) state.vertices.push_back(way);
   }
   static void restore(const Pixel& entry, State& state) { state.machine.fragment = entry.old; }
   static void restore(const Whole& entry, State& state) { picture_of(entry.light, state) = *entry.old; }

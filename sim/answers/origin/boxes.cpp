@@ -1,4 +1,4 @@
-// Boxes around facets, the cells of a grid, and the stretch of a ray inside them.
+// Boxes around facets, the cells of a grid, and the interval of a ray inside them.
 #include <algorithm>
 #include <cmath>
 

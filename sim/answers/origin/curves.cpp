@@ -175,7 +175,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::
   if (!hide) return;
   const bool begins = std::get<LineHide>(work.trace.event(*hide).event).t_0 == t;
   datum.same_as(begins ? "t_0h" : "t_1h", work.field(*hide, begins ? "t_0" : "t_1"));
-  datum.note(begins ? "a hidden stretch begins there" : "a hidden stretch ends there");
+  datum.note(begins ? "a hidden interval begins there" : "a hidden interval ends there");
 }
 
 }  // namespace zstep::answers

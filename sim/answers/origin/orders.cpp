@@ -1,4 +1,4 @@
-// Pieces against pieces and planes: extents, sides, cuts; the eye's side of a tree's nodes; areas and stretches of a line.
+// Pieces against pieces and planes: extents, sides, cuts; the eye's side of a tree's nodes; areas and intervals of a line.
 #include <algorithm>
 #include <cmath>
 
@@ -189,7 +189,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::st
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
-  const Machine& m = work.machine();
+  const MethodState& m = work.machine();
   if (field == "flags") return datum.note("those that are in");
   const bool left = field == "x_left" || field == "first";
   if (field == "first") return datum.comes_of("the first whole number from x_L on, within the raster", {work.field(step, "x_left")});

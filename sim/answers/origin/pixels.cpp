@@ -31,7 +31,7 @@ void tell_by_increments(Datum& datum, Work& work, std::int64_t step, const SpanB
 
 /// The piece that a pixel is painted with where depths come from planes; -1 where they come from spans.
 std::int32_t piece_of_plane(const Work& work) {
-  const Machine& m = work.machine();
+  const MethodState& m = work.machine();
   const auto area = static_cast<std::size_t>(m.area);
   if (m.area >= 0 && area < m.areas.size()) return m.areas[area].decided ? m.areas[area].decided->piece : -1;
   return m.piece == -1 && !m.sweep.winners.empty() ? m.sweep.winners.back().piece : -1;
@@ -88,7 +88,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const DepthWrite& e, std:
 
 void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint& e, std::string_view field) {
   if (field != "z") return;
-  const Machine& m = work.machine();
+  const MethodState& m = work.machine();
   if (!m.rays.tree.empty()) return tell_along_ray(datum, work, step);
   if (const std::int32_t piece = piece_of_plane(work); piece >= 0) {
     const auto plane = [&](char letter) { return work.plane(piece, letter); };
@@ -132,7 +132,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::stri
 void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std::string_view field) {
   if (!names_channel(field)) return;
   const int which = channel_of(field);
-  const Machine& m = work.machine();
+  const MethodState& m = work.machine();
   static constexpr const char* names[] = {"red", "green", "blue"};
   if (!m.rays.tree.empty()) {
     const Step end = find_last<RayEnd>(work.trace, step, [&](const RayEnd& other) { return other.ray == m.rays.tree.front().entry.ray; });

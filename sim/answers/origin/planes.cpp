@@ -121,12 +121,12 @@ void tell(Datum& datum, Work& work, std::int64_t step, const PlaneEquation& e, s
 void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
   const auto plane = [&](char letter) { return work.plane(e.piece, letter); };
   if (field == "z") return datum.is("-(A*x + B*y + D)/C", {{"A", plane('A')}, {"x", e.x_at}, {"B", plane('B')}, {"y", e.y_at}, {"D", plane('D')}, {"C", plane('C')}});
-  // An end of the stretch of the line that is at work, or a corner or the centre of an area.
-  const auto& stretch = work.machine().sweep.stretch;
-  if (!stretch || field != "x_at") return;
+  // An end of the interval of the line that is at work, or a corner or the centre of an area.
+  const auto& interval = work.machine().sweep.interval;
+  if (!interval || field != "x_at") return;
   const Step flags = find_last<SpanFlags>(work.trace, work.at(), [](const SpanFlags&) { return true; });
-  if (e.x_at == stretch->x_left) datum.same_as("x_left", work.field(flags, "x_left", stretch->x_left));
-  else if (e.x_at == stretch->x_right) datum.same_as("x_right", work.field(flags, "x_right", stretch->x_right));
+  if (e.x_at == interval->x_left) datum.same_as("x_left", work.field(flags, "x_left", interval->x_left));
+  else if (e.x_at == interval->x_right) datum.same_as("x_right", work.field(flags, "x_right", interval->x_right));
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const ImpliedEdge& e, std::string_view field) {

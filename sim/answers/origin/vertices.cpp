@@ -17,7 +17,7 @@ std::size_t place(Axis3 axis) { return static_cast<std::size_t>(axis); }
 
 viewing::Lens lens_of(const Work& work) { return {camera_at_work(work.scene, work.machine()), work.scene.raster, work.conventions.depth}; }
 
-const VertexWay* way_of(const Work& work, std::int32_t vertex) {
+const VertexStages* way_of(const Work& work, std::int32_t vertex) {
   const auto at = static_cast<std::size_t>(vertex);
   return vertex >= 0 && at < work.state().vertices.size() ? &work.state().vertices[at] : nullptr;
 }
@@ -74,7 +74,7 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
   if (vertex < 0) return 0;
   if (number >= scene.points.size()) {
     const Step made = steps_of(vertex).made;
-    const VertexWay* way = way_of(*this, vertex);
+    const VertexStages* way = way_of(*this, vertex);
     return is_split(*this, made) ? field(*made, cut_names[place(axis)]) : Number(way ? component(way->world, axis) : 0);
   }
   const bool screen = scene.camera.kind == Camera::Kind::screen;
@@ -103,14 +103,14 @@ Number Work::in_file(std::int32_t vertex, Axis3 axis) {
 
 Number Work::viewed(std::int32_t vertex, Axis3 axis) {
   const VertexSteps& steps = steps_of(vertex);
-  const VertexWay* way = way_of(*this, vertex);
+  const VertexStages* way = way_of(*this, vertex);
   const double value = way ? component(way->view, axis) : 0;
   if (!steps.viewed && steps.made && !is_split(*this, steps.made)) return field(*steps.made, view_names[place(axis)]);
   return field(steps.viewed, view_names[place(axis)], value);
 }
 
 Number Work::projected(std::int32_t vertex, std::string_view name) {
-  const VertexWay* way = way_of(*this, vertex);
+  const VertexStages* way = way_of(*this, vertex);
   const double value = !way ? 0 : name == "x_p" ? way->plane.x : name == "y_p" ? way->plane.y : way->plane.z;
   return field(steps_of(vertex).projected, name, value);
 }
@@ -121,7 +121,7 @@ Number Work::on_raster(std::int32_t vertex, Axis3 axis) {
   if (is_split(*this, steps.made) && std::get<SplitVertex>(trace.event(*steps.made).event).space == Space::raster)
     return field(*steps.made, cut_names[place(axis)]);
   if (axis == Axis3::z) return projected(vertex, "z");
-  const VertexWay* way = way_of(*this, vertex);
+  const VertexStages* way = way_of(*this, vertex);
   return field(steps.on_raster, axis == Axis3::x ? "x_s" : "y_s", !way ? 0 : axis == Axis3::x ? way->raster.x : way->raster.y);
 }
 

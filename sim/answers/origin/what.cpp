@@ -42,7 +42,7 @@ struct Name {
   std::string operator()(const SideTest& e) const { return fmt::format("{} against the plane of {}", work.piece(e.piece), work.piece(e.plane_of)); }
   std::string operator()(const ExtentTest& e) const { return fmt::format("{} extents of {} and {}", words_of<Axis>[static_cast<std::size_t>(e.axis)], work.piece(e.piece), work.piece(e.other)); }
   std::string operator()(const EyeSide& e) const { return fmt::format("the eye against the plane of node {}", e.node); }
-  std::string operator()(const SpanFlags& e) const { return fmt::format("stretch of scan line {}", e.y); }
+  std::string operator()(const SpanFlags& e) const { return fmt::format("interval of scan line {}", e.y); }
   std::string operator()(const AreaBegin& e) const { return fmt::format("area {}", e.area); }
   std::string operator()(const BoxMake& e) const { return fmt::format("box {}", e.box); }
   std::string operator()(const BoxTest& e) const { return fmt::format("the ray against box {}", e.box); }

@@ -78,7 +78,7 @@ class Work {
 
   /// The state in which numbers are looked for: that of the step that was asked about, or of a later question of the chain.
   const State& state() const { return replay_.state(); }
-  const Machine& machine() const { return replay_.state().machine; }
+  const MethodState& machine() const { return replay_.state().machine; }
   std::int64_t at() const { return replay_.position(); }
   std::string depth_name() const;
   std::string label(std::int32_t polygon) const;

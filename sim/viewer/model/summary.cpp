@@ -52,13 +52,13 @@ std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
   return sweep_from_;
 }
 
-const ScanLineMarks::Stretch& ScanLineMarks::at(const Trace& trace, std::int64_t position) {
-  if (stretch_ && position >= stretch_->first && position < stretch_->last) return *stretch_;
-  if (stretch_ && position == stretch_->last && position == trace.size()) return *stretch_;
+const ScanLineMarks::Interval& ScanLineMarks::at(const Trace& trace, std::int64_t position) {
+  if (interval_ && position >= interval_->first && position < interval_->last) return *interval_;
+  if (interval_ && position == interval_->last && position == trace.size()) return *interval_;
   const auto polygons = trace.polygons();
   const auto after = std::upper_bound(polygons.begin(), polygons.end(), position,
                                       [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
-  Stretch s;
+  Interval s;
   s.last = after == polygons.end() ? trace.size() : after->position;
   if (after != polygons.begin()) {
     s.first = (after - 1)->position;
@@ -78,8 +78,8 @@ const ScanLineMarks::Stretch& ScanLineMarks::at(const Trace& trace, std::int64_t
       if constexpr (std::is_same_v<std::decay_t<decltype(event)>, ScanLineBegin>) s.lines.push_back({p, event.y});
       return true;
     });
-  stretch_ = std::move(s);
-  return *stretch_;
+  interval_ = std::move(s);
+  return *interval_;
 }
 
 namespace {

@@ -25,18 +25,18 @@ DepthRange depth_range(const Trace& trace);
 class ScanLineMarks {
  public:
   struct Mark { std::int64_t position; std::int32_t y; };
-  struct Stretch {
+  struct Interval {
     std::int64_t first = 0, last = 0;  ///< the polygon's events lead to positions first+1 … last
     std::int32_t polygon = no_polygon;
     std::vector<Mark> lines;
     bool complete = true;              ///< false: too long to look through for marks
   };
-  const Stretch& at(const Trace& trace, std::int64_t position);
+  const Interval& at(const Trace& trace, std::int64_t position);
   /// The position just before the first line of all polygons at once; nullopt where each polygon has lines of its own.
   std::optional<std::int64_t> sweep_from(const Trace& trace);
 
  private:
-  std::optional<Stretch> stretch_;
+  std::optional<Interval> interval_;
   bool sweep_known_ = false;
   std::optional<std::int64_t> sweep_from_;
 };

@@ -13,7 +13,7 @@ namespace {
 
 struct Mark { std::string word; bool now = false; };
 
-Mark mark_of(const Machine& machine, const RecordedEvent* event, std::size_t place) {
+Mark mark_of(const MethodState& machine, const RecordedEvent* event, std::size_t place) {
   const std::int32_t edge = machine.active[place].edge;
   if (event) {
     if (const auto* e = std::get_if<EdgeEnter>(&event->event); e && e->edge == edge) return {"\u2192 enters", true};
@@ -37,7 +37,7 @@ std::string label_of(const Session& s, std::int32_t edge) {
 
 /// The name of an edge; with its polygon's colour where the list holds edges of several.
 TableCell name_of(const Session& s, std::int32_t edge) {
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   TableCell cell(label_of(s, edge));
   const auto at = static_cast<std::size_t>(edge);
   if (!machine.keeps_all || edge < 0 || at >= machine.edge_table.size()) return cell;
@@ -49,7 +49,7 @@ TableCell name_of(const Session& s, std::int32_t edge) {
 /// The edges of the global table that enter next.
 std::vector<TableRow> waiting_rows(const Session& s) {
   constexpr std::size_t enough = 24;
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   std::vector<const EdgeTableInsert*> waiting;
   for (const EdgeTableInsert& entry : machine.edge_table)
     if (machine.edge_stages[static_cast<std::size_t>(entry.edge)] == EdgeStage::waiting) waiting.push_back(&entry);
@@ -73,7 +73,7 @@ std::vector<TableRow> waiting_rows(const Session& s) {
 }
 
 TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   TableRow row;
   const auto at = static_cast<std::size_t>(active.edge);
   const EdgeTableInsert* entry = active.edge >= 0 && at < machine.edge_table.size() ? &machine.edge_table[at] : nullptr;
@@ -91,7 +91,7 @@ TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
 
 void draw(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   std::vector<TableRow> rows;
   for (std::size_t place = 0; place < machine.active.size(); ++place)
     rows.push_back(row_of(s, machine.active[place], mark_of(machine, s.event(), place)));

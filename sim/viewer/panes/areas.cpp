@@ -33,7 +33,7 @@ bool has_pixels(const AreaBegin& a) { return a.first_column < a.end_column && a.
 
 void paint(Ui& ui, Canvas& canvas, const RasterMap& map) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   const Picture& picture = s.state().picture;
   std::vector<Pixel32> cells(picture.polygon.size());
@@ -85,7 +85,7 @@ void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin) {
 /// One bin: its name, then its polygons with a swatch each, as many as there is room for.
 void draw_bin(Ui& ui, Bin bin) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   const RecordedEvent* event = s.event();
   const AreaBin* now = event ? std::get_if<AreaBin>(&event->event) : nullptr;
@@ -126,7 +126,7 @@ void draw_bin(Ui& ui, Bin bin) {
 }
 
 void draw_bins(Ui& ui) {
-  const Machine& m = ui.session.state().machine;
+  const MethodState& m = ui.session.state().machine;
   if (m.area < 0 || m.areas.empty()) return say_empty(ui, "The bins of an area fill once all polygons are on the raster.");
   Flow heading;
   heading.font = ui.fonts.bold;
@@ -168,7 +168,7 @@ void draw(Ui& ui) {
 }
 
 std::string note(Ui& ui) {
-  const Machine& m = ui.session.state().machine;
+  const MethodState& m = ui.session.state().machine;
   if (m.areas.empty()) return "";
   const auto settled = std::count_if(m.areas.begin(), m.areas.end(), [](const AreaRow& row) {
     return row.decided && row.decided->what != AreaCase::subdivide;

@@ -17,7 +17,7 @@ ImU32 chip_of(const Session& s, std::int32_t polygon) {
   return polygon >= 0 && at < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[at].color)) : 0;
 }
 
-std::int32_t polygon_of(const Machine& machine, std::int32_t piece) {
+std::int32_t polygon_of(const MethodState& machine, std::int32_t piece) {
   const auto at = static_cast<std::size_t>(piece);
   return piece >= 0 && at < machine.pieces.size() ? machine.pieces[at].polygon : no_polygon;
 }
@@ -34,7 +34,7 @@ struct Axis3 {
 };
 
 /// From the nearest to the farthest z of all pieces, so that bars stay where they are while the list grows shorter.
-Axis3 axis_of(const Machine& machine) {
+Axis3 axis_of(const MethodState& machine) {
   Axis3 axis{1, -1};
   for (const Piece& piece : machine.pieces) {
     if (!piece.extent) continue;
@@ -56,7 +56,7 @@ struct Rows {
 
 Rows lay_out_rows(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   Rows rows;
   rows.axis = axis_of(machine);
   if (machine.pair) rows.p = machine.pair->piece, rows.q = machine.pair->other;
@@ -94,7 +94,7 @@ void draw_axis(Ui& ui, const Rows& rows) {
 
 void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   const Session& s = ui.session;
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -156,7 +156,7 @@ void draw_list(Ui& ui) {
 
 void draw(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   if (machine.list.empty())
     return say_empty(ui, !machine.drawn.empty() ? "Empty: everything is drawn."
                                                   : "Empty: when all polygons have been viewed they enter it, the farthest first.");
@@ -189,7 +189,7 @@ void draw(Ui& ui) {
 }
 
 std::string note(Ui& ui) {
-  const Machine& machine = ui.session.state().machine;
+  const MethodState& machine = ui.session.state().machine;
   if (machine.list.empty() && machine.drawn.empty()) return "";
   return fmt::format("{} to go, {} drawn", machine.list.size(), machine.drawn.size());
 }

@@ -43,7 +43,7 @@ std::string state_sign(EdgeStage stage, bool now, const RecordedEvent* event) {
 
 void draw(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   if (machine.polygon == no_polygon)
     return say_empty(ui, "Empty: no polygon is at work yet. Each polygon fills it with its own edges.");
   if (machine.edge_table.empty())
@@ -90,7 +90,7 @@ void draw(Ui& ui) {
 }
 
 std::string note(Ui& ui) {
-  const Machine& machine = ui.session.state().machine;
+  const MethodState& machine = ui.session.state().machine;
   return machine.edge_table.empty() ? "" : fmt::format("{} edges", machine.edge_table.size());
 }
 

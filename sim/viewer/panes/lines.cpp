@@ -36,7 +36,7 @@ void dashes(Canvas& canvas, const Ends& e, double thickness, Pixel32 color) {
 }
 
 /// The face of the last test, if that was of the edge at work.
-std::int32_t face_now(const Machine& m) { return m.against && m.against->line == m.line ? m.against->facet : -1; }
+std::int32_t face_now(const MethodState& m) { return m.against && m.against->line == m.line ? m.against->facet : -1; }
 
 void draw_face(const Session& s, Canvas& canvas, const RasterMap& map, std::int32_t facet, Pixel32 color) {
   if (facet < 0 || static_cast<std::size_t>(facet) >= s.scene().facets.size()) return;
@@ -60,7 +60,7 @@ void draw_pieces(const Session& s, Canvas& canvas, const RasterMap& map, const L
 
 void paint(Ui& ui, Canvas& canvas, const RasterMap& map) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   draw_face(s, canvas, map, face_now(m), to_pixel(c.selected));
   for (const LineRow& row : m.lines) draw_pieces(s, canvas, map, row, 1.6, to_pixel(c.text), to_pixel(c.muted));
@@ -86,7 +86,7 @@ std::string face_label(const Scene& scene, std::int32_t facet) {
 
 void draw_table(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const auto at = static_cast<std::size_t>(m.line);
   if (m.line < 0 || at >= m.lines.size()) return say_empty(ui, "An edge's intervals stand here once it is at work.");
   const LineRow& row = m.lines[at];
@@ -160,7 +160,7 @@ void draw(Ui& ui) {
 }
 
 std::string note(Ui& ui) {
-  const Machine& m = ui.session.state().machine;
+  const MethodState& m = ui.session.state().machine;
   if (m.lines.empty()) return "";
   const std::int32_t face = face_now(m);
   return face >= 0 ? fmt::format("edge {} against {}", m.line, face_label(ui.session.scene(), face)) : fmt::format("edge {}", m.line);

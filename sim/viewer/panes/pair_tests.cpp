@@ -113,7 +113,7 @@ TestTable lay_out_tests(Ui& ui, const std::vector<RecordedEvent>& made, float ro
 
 void draw_tests(Ui& ui, const PairBegin& pair, const TestTable& table) {
   const Session& s = ui.session;
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   const Theme& c = ui.colors();
   const float height = line_height(*table.font);
   ImDrawList* list = ImGui::GetWindowDrawList();

@@ -74,7 +74,7 @@ std::optional<glm::dvec3> line_of(const PlaneEquation* plane, const Section& sec
 }
 
 /// The part of a node's line that lies in the node's own part of space.
-std::optional<std::array<glm::dvec2, 2>> reach_of_line(const Machine& m, std::int32_t node, const Section& section, const Frame& frame) {
+std::optional<std::array<glm::dvec2, 2>> reach_of_line(const MethodState& m, std::int32_t node, const Section& section, const Frame& frame) {
   const auto line = line_of(plane_of_node(m, node), section);
   if (!line) return std::nullopt;
   const glm::dvec2 normal(*line), middle = (frame.low + frame.high) / 2.0;
@@ -99,7 +99,7 @@ std::optional<std::array<glm::dvec2, 2>> reach_of_line(const Machine& m, std::in
 struct View {
   Ui& ui;
   const Session& s;
-  const Machine& m;
+  const MethodState& m;
   const Theme& c;
   Section section;
   Frame frame;
@@ -233,7 +233,7 @@ void draw_the_eye(const View& v) {
 
 void draw(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   if (m.pieces.empty()) return say_empty(ui, "Empty: nothing is gathered yet.");
   const std::int32_t node = node_at_work(m, s.event() ? &s.event()->event : nullptr);
   View v{ui, s, m, ui.colors(), section_of(plane_of_node(m, node), s.scene().camera.kind), {}, node, ImGui::GetWindowDrawList()};
@@ -252,7 +252,7 @@ void draw(Ui& ui) {
 
 std::string note(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const PlaneEquation* plane = plane_of_node(m, node_at_work(m, s.event() ? &s.event()->event : nullptr));
   if (s.scene().camera.kind == Camera::Kind::screen) return plane ? "seen along the plane" : "";
   return section_of(plane, s.scene().camera.kind).from_above() ? "from above" : "seen along the plane";

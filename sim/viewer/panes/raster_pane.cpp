@@ -62,7 +62,7 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
 /// The outline of the polygon at work and the edge that is lit, over the cells.
 void draw_geometry(Ui& ui, Canvas& canvas, const RasterMap& map) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const auto line = [&](std::int32_t a, std::int32_t b, double thickness, ImU32 color, unsigned share) {
     const auto from = on_raster(s.scene(), s.state(), a), to = on_raster(s.scene(), s.state(), b);
     if (from && to) canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness, to_pixel(color), share);

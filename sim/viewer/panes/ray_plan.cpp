@@ -78,7 +78,7 @@ void dash(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
 }
 
 void draw_boxes(const Ui& ui, const Plan& plan) {
-  const Machine& machine = ui.session.state().machine;
+  const MethodState& machine = ui.session.state().machine;
   const Theme& c = ui.colors();
   constexpr std::size_t most_drawn = 400;
   if (machine.boxes.size() <= most_drawn) {
@@ -97,7 +97,7 @@ void draw_boxes(const Ui& ui, const Plan& plan) {
 }
 
 void draw_cells(const Ui& ui, const Plan& plan) {
-  const Machine& machine = ui.session.state().machine;
+  const MethodState& machine = ui.session.state().machine;
   if (!machine.grid) return;
   const Theme& c = ui.colors();
   const GridMake& g = *machine.grid;
@@ -169,7 +169,7 @@ const RayBegin* first_child(const RayWork& rays, std::int32_t ray) {
 }
 
 void draw_rays(const Ui& ui, const Plan& plan) {
-  const Machine& machine = ui.session.state().machine;
+  const MethodState& machine = ui.session.state().machine;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (const RayRow& row : machine.rays.tree) {
@@ -200,7 +200,7 @@ void draw_rays(const Ui& ui, const Plan& plan) {
 
 void draw(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& machine = s.state().machine;
+  const MethodState& machine = s.state().machine;
   const Scene& scene = s.scene();
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   if (size.x < 40 || size.y < 40) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");

@@ -81,7 +81,7 @@ std::int32_t piece_shown(const Session& s) {
 void draw_polygon(Ui& ui, Canvas& canvas, const RasterMap& map) {
   const Session& s = ui.session;
   const Scene& scene = s.scene();
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   const Lens lens(scene);
   if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < scene.facets.size()) {
@@ -133,7 +133,7 @@ std::int32_t vertex_now(const Session& s) {
 }
 
 std::vector<std::int32_t> vertices_shown(const Session& s) {
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const std::int32_t now = vertex_now(s);
   std::vector<std::int32_t> shown;
   if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < s.scene().facets.size()) {
@@ -158,16 +158,16 @@ void draw_way(Ui& ui, std::int32_t vertex, bool now) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   const auto at = static_cast<std::size_t>(vertex);
-  const VertexWay* way = at < s.state().vertices.size() ? &s.state().vertices[at] : nullptr;
+  const VertexStages* way = at < s.state().vertices.size() ? &s.state().vertices[at] : nullptr;
   std::vector<WayRow> rows;
   const bool screen = s.scene().camera.kind == Camera::Kind::screen;
   if (at < s.scene().points.size()) rows.push_back({screen ? "screen" : "world", s.scene().points[at], false, "_w"});
   if (screen && way && at >= s.scene().points.size()) rows.push_back({"screen", glm::dvec3(way->raster, way->plane.z), false, "_s"});
   else if (!s.state().machine.tree.empty() && way && way->world != glm::dvec3(0)) rows.push_back({"world", way->world, false, "_w"});
   if (!screen && way) {
-    if (way->stage >= VertexWay::viewed) rows.push_back({"view", way->view, false, "_v"});
-    if (way->stage >= VertexWay::projected) rows.push_back({"plane", way->plane, false, "_p"});
-    if (way->stage >= VertexWay::on_raster) rows.push_back({"screen", glm::dvec3(way->raster, 0), true, "_s"});
+    if (way->stage >= VertexStages::viewed) rows.push_back({"view", way->view, false, "_v"});
+    if (way->stage >= VertexStages::projected) rows.push_back({"plane", way->plane, false, "_p"});
+    if (way->stage >= VertexStages::on_raster) rows.push_back({"screen", glm::dvec3(way->raster, 0), true, "_s"});
   }
   std::vector<double> values;
   for (const WayRow& row : rows)
@@ -265,7 +265,7 @@ void draw(Ui& ui) {
 }
 
 std::string note(Ui& ui) {
-  const Machine& m = ui.session.state().machine;
+  const MethodState& m = ui.session.state().machine;
   if (m.polygon == no_polygon) return "";
   return "polygon " + polygon_label(ui.session.scene(), m.polygon);
 }

@@ -9,7 +9,7 @@ namespace zstep::viewer {
 
 void draw_pieces(Ui& ui, Canvas& canvas, const RasterMap& map) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   const auto outline = [&](const Piece& piece, double thickness, ImU32 color) {
     for (std::size_t k = 0; k < piece.outline.size(); ++k) {
@@ -28,7 +28,7 @@ void draw_pieces(Ui& ui, Canvas& canvas, const RasterMap& map) {
 
 void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   if (!m.pair || m.list.empty()) return;
   for (const auto& [number, letter] : {std::pair{m.pair->other, "Q"}, {m.pair->piece, "P"}}) {

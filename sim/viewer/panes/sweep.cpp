@@ -32,7 +32,7 @@ std::vector<std::int32_t> pieces_now(const RecordedEvent* event) {
 }
 
 std::string names_inside(const Session& s) {
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   std::string names;
   for (const std::int32_t piece : m.sweep.inside) names += (names.empty() ? "" : ", ") + piece_label(s.scene(), m, piece);
   return names.empty() ? "none" : names;
@@ -40,11 +40,11 @@ std::string names_inside(const Session& s) {
 
 /// What the strip says below itself.
 std::string caption(const Session& s) {
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   if (s.event() && std::holds_alternative<FlagFlip>(s.event()->event)) return "in: " + names_inside(s);
-  if (!m.sweep.stretch) return "";
-  const SpanFlags& stretch = *m.sweep.stretch;
-  return fmt::format("x = {} to {}, in: {}", number(stretch.x_left), number(stretch.x_right), names_inside(s));
+  if (!m.sweep.interval) return "";
+  const SpanFlags& interval = *m.sweep.interval;
+  return fmt::format("x = {} to {}, in: {}", number(interval.x_left), number(interval.x_right), names_inside(s));
 }
 
 struct Strip {
@@ -76,7 +76,7 @@ void draw_cells(const Session& s, ImDrawList* list, const Strip& strip, std::int
 /// Active edges as ticks with their names above; implied ones by a cross.
 void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   float free_from = strip.at.x - ui.em;
   const auto tick = [&](double column, const std::string& name, ImU32 color, float weight) {
@@ -106,7 +106,7 @@ void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
 void draw_strip(Ui& ui, std::int32_t y) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const float names = ui.fonts.small->FontSize + 6, bar = std::round(ui.em * 1.1f), width = ImGui::GetContentRegionAvail().x;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const Strip strip{{top.x + 2, top.y + names}, {top.x + width - 2, top.y + names + bar}, std::max(1.0, static_cast<double>(s.scene().raster.width))};
@@ -114,8 +114,8 @@ void draw_strip(Ui& ui, std::int32_t y) {
   draw_cells(s, list, strip, y, c);
   frame_box(list, strip.at, strip.end, c.rule);
   draw_crossings(ui, list, strip);
-  if (m.sweep.stretch) {
-    const float left = strip.x(m.sweep.stretch->x_left), right = strip.x(m.sweep.stretch->x_right);
+  if (m.sweep.interval) {
+    const float left = strip.x(m.sweep.interval->x_left), right = strip.x(m.sweep.interval->x_right);
     list->AddRectFilled({left, strip.end.y + 3}, {std::max(left + 2, right), strip.end.y + 6}, c.now);
   }
   ImGui::Dummy({width, names + bar + 8});
@@ -129,7 +129,7 @@ bool with_line_buffer(const Session& s) {
   return resolve != options.end() && resolve->second == "line-buffer";
 }
 
-bool is_active(const Machine& m, std::int32_t polygon) {
+bool is_active(const MethodState& m, std::int32_t polygon) {
   return std::any_of(m.active.begin(), m.active.end(), [&](const ActiveEdge& edge) {
     const auto at = static_cast<std::size_t>(edge.edge);
     return at < m.edge_table.size() && m.edge_table[at].polygon == polygon;
@@ -138,7 +138,7 @@ bool is_active(const Machine& m, std::int32_t polygon) {
 
 void draw_table(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const bool line_buffer = with_line_buffer(s);
   const std::vector<std::int32_t> now = pieces_now(s.event());
   const auto among = [](const std::vector<std::int32_t>& list, std::int32_t piece) { return std::find(list.begin(), list.end(), piece) != list.end(); };
@@ -161,7 +161,7 @@ void draw_table(Ui& ui) {
 }
 
 void draw(Ui& ui) {
-  const Machine& m = ui.session.state().machine;
+  const MethodState& m = ui.session.state().machine;
   if (m.pieces.empty()) return say_empty(ui, "Empty: each polygon that is in view gets a row, with its plane and a flag.");
   if (m.scan_line) draw_strip(ui, *m.scan_line);
   ImGui::BeginChild("table", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_HorizontalScrollbar);  // the strip stays in view
@@ -170,7 +170,7 @@ void draw(Ui& ui) {
 }
 
 std::string note(Ui& ui) {
-  const Machine& m = ui.session.state().machine;
+  const MethodState& m = ui.session.state().machine;
   return m.scan_line ? fmt::format("y = {}", *m.scan_line) : m.pieces.empty() ? "" : fmt::format("{} polygons", m.pieces.size());
 }
 

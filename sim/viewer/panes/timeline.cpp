@@ -179,7 +179,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
   draw_place(ui, strip);
 }
 
-void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stretch, const Sections& sections) {
+void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& interval, const Sections& sections) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   const ImFont* font = ui.fonts.small;
@@ -192,9 +192,9 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stre
     lit = {table[static_cast<std::size_t>(*edge)].first_row, table[static_cast<std::size_t>(*edge)].end_row};
   float labelled_to = strip.at.x;
   const float needed = text_size(ui, font, "y 000").x + 6;
-  for (std::size_t i = 0; i < stretch.lines.size(); ++i) {
-    const auto& mark = stretch.lines[i];
-    const float x0 = std::floor(strip.x(mark.position)), x1 = i + 1 < stretch.lines.size() ? std::floor(strip.x(stretch.lines[i + 1].position)) : end.x;
+  for (std::size_t i = 0; i < interval.lines.size(); ++i) {
+    const auto& mark = interval.lines[i];
+    const float x0 = std::floor(strip.x(mark.position)), x1 = i + 1 < interval.lines.size() ? std::floor(strip.x(interval.lines[i + 1].position)) : end.x;
     if (lit && mark.y >= lit->first && mark.y < lit->second) {
       list->AddRectFilled({x0, strip.at.y}, {x1, end.y}, c.selected_soft);
       list->AddRectFilled({x0, end.y - 3}, {x1, end.y}, c.selected);
@@ -208,11 +208,11 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Stretch& stre
     const std::string which = sections.at < 0 ? fmt::format("before the first {}", sections.word)
                                               : fmt::format("{} {}", sections.word, sections.all[static_cast<std::size_t>(sections.at)].number);
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, which);
-  } else if (stretch.polygon == no_polygon && stretch.lines.empty() && stretch.complete && !s.trace().polygons().empty())
+  } else if (interval.polygon == no_polygon && interval.lines.empty() && interval.complete && !s.trace().polygons().empty())
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
   else if (!has_step_of<ScanLineBegin>(s.header())) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this method has no scan lines");
-  else if (!stretch.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
-  else if (stretch.lines.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), stretch.polygon)));
+  else if (!interval.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
+  else if (interval.lines.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), interval.polygon)));
   frame_box(list, strip.at, end, c.rule);
   draw_places(ui, strip);
   draw_place(ui, strip);
@@ -256,20 +256,20 @@ float timeline_height(const Ui& ui) {
 void draw_timeline(Ui& ui, ImVec2 size) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float strip_height = std::round(ui.em * 1.25f), gap = std::round(ui.em * 0.55f);
-  ScanLineMarks::Stretch stretch = ui.lines.at(ui.session.trace(), ui.session.position());
+  ScanLineMarks::Interval interval = ui.lines.at(ui.session.trace(), ui.session.position());
   const Sections sections = sections_of(ui);
   if (!sections.all.empty()) {
     const auto next = static_cast<std::size_t>(sections.at + 1);
-    stretch.first = next == 0 ? 0 : sections.all[next - 1].position;
-    stretch.last = next == sections.all.size() ? ui.session.size() : sections.all[next].position;
+    interval.first = next == 0 ? 0 : sections.all[next - 1].position;
+    interval.last = next == sections.all.size() ? ui.session.size() : sections.all[next].position;
   }
   const Strip whole{{origin.x, origin.y}, size.x, strip_height, 0, ui.session.size()};
-  const Strip polygon{{origin.x, origin.y + strip_height + gap}, size.x, strip_height, stretch.first, stretch.last};
+  const Strip polygon{{origin.x, origin.y + strip_height + gap}, size.x, strip_height, interval.first, interval.last};
   scrub(ui, "whole", whole);
   draw_whole(ui, whole, sections);
   if (ui.presenter) return;
   scrub(ui, "polygon", polygon);
-  draw_polygon(ui, polygon, stretch, sections);
+  draw_polygon(ui, polygon, interval, sections);
   ImGui::SetCursorScreenPos({origin.x, origin.y + 2 * (strip_height + gap)});
   draw_transport(ui);
   ImGui::SameLine(0, ui.em);

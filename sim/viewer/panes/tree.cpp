@@ -33,7 +33,7 @@ std::string name_of(const Session& s, const TreeNode& node) {
 }
 
 ImU32 color_of_node(const Session& s, const TreeNode& node) {
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   if (node.pieces.empty() || at(node.pieces[0]) >= m.pieces.size()) return 0;
   const auto polygon = at(m.pieces[at(node.pieces[0])].polygon);
   return polygon < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[polygon].color)) : 0;
@@ -79,7 +79,7 @@ void draw_eye(ImDrawList* list, ImVec2 low, ImVec2 high, bool front, ImU32 color
 
 void draw_whole(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   const std::vector<Place> places = places_of(m.tree);
   const std::int32_t now = node_at_work(m, event_of(s));
@@ -139,7 +139,7 @@ void draw_whole(Ui& ui) {
 
 void draw_path(Ui& ui) {
   const Session& s = ui.session;
-  const Machine& m = s.state().machine;
+  const MethodState& m = s.state().machine;
   const std::vector<std::int32_t> sizes = subtree_sizes(m.tree);
   const std::int32_t now = node_at_work(m, event_of(s));
   std::vector<std::int32_t> path;
@@ -164,14 +164,14 @@ void draw_path(Ui& ui) {
 }
 
 void draw(Ui& ui) {
-  const Machine& m = ui.session.state().machine;
+  const MethodState& m = ui.session.state().machine;
   if (m.tree.empty()) return say_empty(ui, "Empty: the tree grows once all polygons are gathered.");
   if (m.tree.size() <= largest_drawn && ImGui::GetContentRegionAvail().x > ui.em * 1.1f * static_cast<float>(m.tree.size())) draw_whole(ui);
   else draw_path(ui);
 }
 
 std::string note(Ui& ui) {
-  const Machine& m = ui.session.state().machine;
+  const MethodState& m = ui.session.state().machine;
   return m.tree.empty() ? "" : fmt::format("{} node{}", m.tree.size(), m.tree.size() == 1 ? "" : "s");
 }
 

@@ -14,11 +14,11 @@ std::string polygon_label(const Scene& scene, std::int32_t polygon) {
   return fmt::format("P{}", polygon);
 }
 
-Camera camera_at_work(const Scene& scene, const Machine& machine) {
+Camera camera_at_work(const Scene& scene, const MethodState& machine) {
   return machine.pass == Pass::light && scene.light ? viewing::camera_of(*scene.light) : scene.camera;
 }
 
-std::string piece_label(const Scene& scene, const Machine& machine, std::int32_t piece) {
+std::string piece_label(const Scene& scene, const MethodState& machine, std::int32_t piece) {
   if (piece < 0 || static_cast<std::size_t>(piece) >= machine.pieces.size()) return fmt::format("piece {}", piece);
   const auto& pieces = machine.pieces;
   const auto at = static_cast<std::size_t>(piece);
@@ -73,8 +73,8 @@ std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::i
   if (vertex < 0) return std::nullopt;
   if (scene.camera.kind == Camera::Kind::screen && at < scene.points.size())
     return OnRaster{scene.points[at].x, scene.points[at].y, scene.points[at].z};
-  if (at >= state.vertices.size() || state.vertices[at].stage < VertexWay::on_raster) return std::nullopt;
-  const VertexWay& way = state.vertices[at];
+  if (at >= state.vertices.size() || state.vertices[at].stage < VertexStages::on_raster) return std::nullopt;
+  const VertexStages& way = state.vertices[at];
   return OnRaster{way.raster.x, way.raster.y, way.plane.z};
 }
 

@@ -24,13 +24,13 @@ struct Explanation {
 Explanation explain(const Trace& trace, const State& after, RecordedEvent event);
 
 /// By which the scene is being drawn: its own, or that of its light while the run is in the light's pass.
-Camera camera_at_work(const Scene& scene, const Machine& machine);
+Camera camera_at_work(const Scene& scene, const MethodState& machine);
 
 /// The label of a polygon: its name, or "P7".
 std::string polygon_label(const Scene& scene, std::int32_t polygon);
 /// The label of a piece: its polygon's, "F"; "F1", "F2" … for its parts in the order in which they were made ("P7.1"
 /// where the polygon has no name of its own).
-std::string piece_label(const Scene& scene, const Machine& machine, std::int32_t piece);
+std::string piece_label(const Scene& scene, const MethodState& machine, std::int32_t piece);
 /// The letter of a vertex, where a polygon is named by its corners ("ABC" of three); else its index: "3".
 std::string vertex_label(const Scene& scene, std::int32_t vertex);
 /// "AB" where both its ends have letters, else "e3".

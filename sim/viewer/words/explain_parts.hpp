@@ -17,7 +17,7 @@ struct Telling {
   const Scene& scene;
   const Conventions& conventions;
   Camera camera;  ///< by which the scene is being drawn: the light's in its pass
-  const Machine& machine;
+  const MethodState& machine;
   std::string z;  ///< what depths are called
   Explanation out;
 

@@ -1,4 +1,4 @@
-// The scan-line method: flags, stretches of the line, implied edges, coverage (002, "Scan Line Algorithm").
+// The scan-line method: flags, intervals of the line, implied edges, coverage (002, "Scan Line Algorithm").
 #include "sim/viewer/words/explain_parts.hpp"
 
 namespace zstep::words {

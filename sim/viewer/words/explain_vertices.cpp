@@ -9,7 +9,7 @@ const glm::dvec3* world(const Telling& t, std::int32_t vertex) {
   return vertex >= 0 && at < t.scene.points.size() ? &t.scene.points[at] : nullptr;
 }
 
-const VertexWay* way(const Telling& t, std::int32_t vertex) {
+const VertexStages* way(const Telling& t, std::int32_t vertex) {
   const auto at = static_cast<std::size_t>(vertex);
   return vertex >= 0 && at < t.after.vertices.size() ? &t.after.vertices[at] : nullptr;
 }
@@ -82,7 +82,7 @@ void tell(Telling& t, const ViewTransform& e) {
 
 void tell(Telling& t, const Projection& e) {
   const Camera& c = t.camera;
-  const VertexWay* w = way(t, e.vertex);
+  const VertexStages* w = way(t, e.vertex);
   const bool perspective = c.kind == Camera::Kind::perspective;
   t.say(perspective ? fmt::format("Vertex {} is projected: divided by its distance z_v, so what is far becomes small.", e.vertex)
                     : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its distance.", e.vertex));
@@ -106,7 +106,7 @@ void tell(Telling& t, const ViewportTransform& e) {
   const Raster& r = t.scene.raster;
   t.say(fmt::format("Vertex {} lands on the raster at column {}, row {}; pixel centres are at whole numbers.", e.vertex,
                     number(e.x_s), number(e.y_s)));
-  const VertexWay* w = way(t, e.vertex);
+  const VertexStages* w = way(t, e.vertex);
   if (w && c.window > 0 && r.height > 0) {
     const double aspect = static_cast<double>(r.width) / r.height, half = c.window * aspect;
     const double x = (w->plane.x / half + 1) * r.width / 2 - 0.5, y = (1 - w->plane.y / c.window) * r.height / 2 - 0.5;

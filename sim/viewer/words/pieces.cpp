@@ -11,12 +11,12 @@ std::optional<glm::dvec3> cutting_point(const Scene& scene, const State& state, 
     return std::nullopt;
   }
   if (scene.camera.kind == Camera::Kind::screen && at < scene.points.size()) return scene.points[at];
-  if (at >= state.vertices.size() || state.vertices[at].stage < VertexWay::on_raster) return std::nullopt;
-  const VertexWay& way = state.vertices[at];
+  if (at >= state.vertices.size() || state.vertices[at].stage < VertexStages::on_raster) return std::nullopt;
+  const VertexStages& way = state.vertices[at];
   return glm::dvec3(way.raster, way.plane.z);
 }
 
-const PlaneEquation* plane_of_node(const Machine& machine, std::int32_t node) {
+const PlaneEquation* plane_of_node(const MethodState& machine, std::int32_t node) {
   if (node < 0 || static_cast<std::size_t>(node) >= machine.tree.size()) return nullptr;
   const TreeNode& at = machine.tree[static_cast<std::size_t>(node)];
   if (at.pieces.empty() || at.pieces[0] < 0 || static_cast<std::size_t>(at.pieces[0]) >= machine.pieces.size()) return nullptr;
@@ -24,14 +24,14 @@ const PlaneEquation* plane_of_node(const Machine& machine, std::int32_t node) {
   return plane ? &*plane : nullptr;
 }
 
-std::int32_t node_of_piece(const Machine& machine, std::int32_t piece) {
+std::int32_t node_of_piece(const MethodState& machine, std::int32_t piece) {
   for (std::size_t node = 0; node < machine.tree.size(); ++node)
     for (const std::int32_t one : machine.tree[node].pieces)
       if (one == piece) return static_cast<std::int32_t>(node);
   return -1;
 }
 
-std::int32_t node_at_work(const Machine& machine, const Event* event) {
+std::int32_t node_at_work(const MethodState& machine, const Event* event) {
   if (event)
     if (const auto* skip = std::get_if<NodeSkip>(event)) return skip->node;
   if (machine.piece >= 0 && !(event && std::holds_alternative<EyeSide>(*event))) {

@@ -79,7 +79,7 @@ TEST_CASE("words: parts of a polygon are called by its name and a number") {
   const Trace trace = run_of("lessons/scenes/six-walls.toml", {{"root", "first"}});
   Replay replay(trace);
   replay.go_to(trace.size());
-  const Machine& machine = replay.state().machine;
+  const MethodState& machine = replay.state().machine;
   std::string names;
   for (std::int32_t piece = 0; piece < static_cast<std::int32_t>(machine.pieces.size()); ++piece)
     names += piece_label(trace.scene(), machine, piece) + " ";

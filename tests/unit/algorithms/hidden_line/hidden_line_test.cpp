@@ -133,7 +133,7 @@ TEST_SUITE("hidden_line/cover") {
     CHECK(find_cover({{5, 5, 1}, {10, 5, 0}}, square, square_plane).outcome == LineFace::in_front);
   }
 
-  TEST_CASE("hidden stretches become pieces, hidden and visible by turns") {
+  TEST_CASE("hidden intervals become pieces, hidden and visible by turns") {
     const auto as_text = [](const std::vector<Part>& parts) {
       std::string text;
       for (const Part& part : parts) text += part.visible ? "v" : "h";

@@ -21,7 +21,7 @@ std::string name_of(const EdgeTableInsert& edge) {
 
 struct Line {
   std::string active;     // as the sweep finds it
-  std::string stretches;  // how many flags are true, edge by edge, and who is seen
+  std::string intervals;  // how many flags are true, edge by edge, and who is seen
 };
 
 std::map<std::int32_t, Line> lines_of(const Trace& trace) {
@@ -30,7 +30,7 @@ std::map<std::int32_t, Line> lines_of(const Trace& trace) {
   std::int32_t last = -1;
   while (replay.position() < trace.size()) {
     replay.step_forward();
-    const Machine& machine = replay.state().machine;
+    const MethodState& machine = replay.state().machine;
     const Event& event = trace.event(replay.position()).event;
     if (!machine.scan_line) continue;
     Line& line = lines[*machine.scan_line];
@@ -41,8 +41,8 @@ std::map<std::int32_t, Line> lines_of(const Trace& trace) {
         line.active += name_of(machine.edge_table[static_cast<std::size_t>(active.edge)]);
       }
     }
-    if (const auto* stretch = std::get_if<SpanFlags>(&event)) line.stretches += std::to_string(stretch->flags);
-    if (const auto* seen = std::get_if<SpanWinner>(&event)) line.stretches += seen->piece == 0 ? "a" : "d";
+    if (const auto* interval = std::get_if<SpanFlags>(&event)) line.intervals += std::to_string(interval->flags);
+    if (const auto* seen = std::get_if<SpanWinner>(&event)) line.intervals += seen->piece == 0 ? "a" : "d";
   }
   return lines;
 }
@@ -65,9 +65,9 @@ TEST_CASE("scan line: ABC and DEF, the active edge table of 002 on the lines alp
   CHECK(lines[gamma + 2].active == "AB CB DE FE");
 
   // One polygon; two apart, with nothing between; two that overlap, where DEF is in front; two apart again.
-  CHECK(lines[alpha].stretches == "1a");
-  CHECK(lines[beta].stretches == "1a01d");
-  CHECK(lines[gamma].stretches == "1a2d1d");
-  CHECK(lines[gamma + 1].stretches == "1a2d1d");
-  CHECK(lines[gamma + 2].stretches == "1a01d");
+  CHECK(lines[alpha].intervals == "1a");
+  CHECK(lines[beta].intervals == "1a01d");
+  CHECK(lines[gamma].intervals == "1a2d1d");
+  CHECK(lines[gamma + 1].intervals == "1a2d1d");
+  CHECK(lines[gamma + 2].intervals == "1a01d");
 }

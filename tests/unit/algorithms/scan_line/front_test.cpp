@@ -1,4 +1,4 @@
-// Who is in front on a stretch, and where that changes.
+// Who is in front on an interval, and where that changes.
 #include <doctest/doctest.h>
 
 #include <tuple>

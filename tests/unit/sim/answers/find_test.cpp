@@ -96,7 +96,7 @@ TEST_SUITE("searches by leaps") {
         CHECK(steps.made.has_value() == made.contains(vertex));
         if (steps.made) CHECK(*steps.made == made[vertex]);
       }
-      const Machine& machine = replay.state().machine;
+      const MethodState& machine = replay.state().machine;
       for (std::size_t edge = 0; edge < machine.edge_table.size(); edge += 41) {
         CAPTURE(edge);
         const auto step = answers::step_of_edge(trace, machine, trace.size(), static_cast<std::int32_t>(edge));

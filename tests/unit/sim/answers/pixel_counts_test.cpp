@@ -30,7 +30,7 @@ std::map<Count, Table> by_hand(const Trace& trace, std::int64_t position) {
   std::optional<std::size_t> ray;
   for (std::int64_t step = 1; step <= position; ++step) {
     replay.go_to(step);
-    const Machine& machine = replay.state().machine;
+    const MethodState& machine = replay.state().machine;
     if (machine.pass == Pass::light) continue;
     const Event& event = trace.event(step).event;
     const auto at = pixel_of(event);

@@ -22,7 +22,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_SUITE("why not") {
-  TEST_CASE("of a hidden edge: the pixel lies on the edge, and within the stretch that is hidden but for rounding, which is told") {
+  TEST_CASE("of a hidden edge: the pixel lies on the edge, and within the interval that is hidden but for rounding, which is told") {
     ViewOptions view;
     view.width = 30, view.height = 20;
     const Scene scene = look_at_scene(load_scene(test::in_checkout("lessons/scenes/hidden-lines.toml")).scene, view);

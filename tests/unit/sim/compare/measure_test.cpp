@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
-#include "sim/compare/heap.hpp"
+#include "sim/compare/allocation_peak.hpp"
 #include "sim/compare/measure.hpp"
 
 using namespace zstep;
@@ -56,7 +56,7 @@ TEST_SUITE("compare/measure") {
   }
 
   TEST_CASE("memory: the most that was held at once, not the sum") {
-    const HeapWatch watch;
+    const AllocationPeak watch;
     for (int i = 0; i < 10; ++i) {
       const std::vector<char> some(100'000);
       const auto more = std::make_unique<char[]>(50'000);

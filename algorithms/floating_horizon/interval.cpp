@@ -1,4 +1,4 @@
-#include "algorithms/floating_horizon/stretch.hpp"
+#include "algorithms/floating_horizon/interval.hpp"
 
 namespace zstep::floating_horizon {
 
@@ -9,7 +9,7 @@ constexpr double farthest_pixel = 1e9;
 
 }  // namespace
 
-std::optional<Stretch> stretch_on_raster(const viewing::Lens& lens, const viewing::Vertex& a,
+std::optional<Interval> interval_on_raster(const viewing::Lens& lens, const viewing::Vertex& a,
                                          const viewing::Vertex& b) {
   double t_0 = 0, t_1 = 1;
   for (const ClipPlane plane : {ClipPlane::near, ClipPlane::far}) {
@@ -23,10 +23,10 @@ std::optional<Stretch> stretch_on_raster(const viewing::Lens& lens, const viewin
     const glm::dvec3 plane = lens.project(a.view + t * (b.view - a.view));
     return lens.to_viewport(plane.x, plane.y);
   };
-  const Stretch stretch{t_0 > 0 ? at(t_0) : glm::dvec2(a.raster), t_1 < 1 ? at(t_1) : glm::dvec2(b.raster), t_0 == 0};
-  for (const glm::dvec2 end : {stretch.from, stretch.to})
+  const Interval interval{t_0 > 0 ? at(t_0) : glm::dvec2(a.raster), t_1 < 1 ? at(t_1) : glm::dvec2(b.raster), t_0 == 0};
+  for (const glm::dvec2 end : {interval.from, interval.to})
     if (!(std::abs(end.x) <= farthest_pixel && std::abs(end.y) <= farthest_pixel)) return std::nullopt;
-  return stretch;
+  return interval;
 }
 
 }  // namespace zstep::floating_horizon

@@ -21,7 +21,7 @@
 namespace zstep::codec {
 
 /// A vertex from the world to the raster.
-struct VertexFacts {
+struct VertexGeometry {
   std::int32_t vertex = -1;
   glm::dvec3 view{0};    ///< (x_v, y_v, z_v)
   glm::dvec3 plane{0};   ///< (x_p, y_p, depth)
@@ -77,10 +77,10 @@ struct alignas(64) PieceExtent {
   glm::dvec3 low{0}, high{0};
 };
 
-class Facts {
+class SceneGeometry {
  public:
   /// The scene must live as long as this does.
-  Facts(const Scene& scene, const Header& header);
+  SceneGeometry(const Scene& scene, const Header& header);
 
   const Scene& scene() const { return *scene_; }
   bool increments() const { return increments_; }
@@ -90,14 +90,14 @@ class Facts {
 
   bool is_point(std::int32_t vertex) const { return vertex >= 0 && static_cast<std::size_t>(vertex) < scene_->points.size(); }
   /// Of one of the scene's points.
-  const VertexFacts& of_point(std::int32_t vertex) const {
-    VertexFacts& facts = points_.at(vertex);
+  const VertexGeometry& of_point(std::int32_t vertex) const {
+    VertexGeometry& facts = points_.at(vertex);
     if (facts.vertex != vertex) find_out(vertex, facts);
     return facts;
   }
 
   /// A vertex that a run made, from its viewing coordinates.
-  VertexFacts from_view(std::int32_t vertex, glm::dvec3 view) const;
+  VertexGeometry from_view(std::int32_t vertex, glm::dvec3 view) const;
   glm::dvec3 project(glm::dvec3 view) const;
   glm::dvec2 to_viewport(double x_p, double y_p) const;
 
@@ -158,7 +158,7 @@ class Facts {
   const Scene* scene_;
   bool increments_, inclusive_, cull_, viewed_, orthographic_, view_depth_, one_table_;
   double d_, window_x_, window_y_, near_, far_, a_, b_, width_, height_;
-  void find_out(std::int32_t vertex, VertexFacts& facts) const;
+  void find_out(std::int32_t vertex, VertexGeometry& facts) const;
   /// False where there are not so many pieces.
   bool find_out(std::int32_t piece, FacetPlane& plane) const;
   bool find_out(std::int32_t piece, PieceExtent& extent) const;
@@ -177,7 +177,7 @@ class Facts {
    private:
     std::unique_ptr<Fact[]> facts_;
   };
-  mutable AtHand<VertexFacts, 2048> points_;
+  mutable AtHand<VertexGeometry, 2048> points_;
   mutable AtHand<FacetPlane, 16384> facet_planes_, piece_planes_;
   mutable AtHand<PieceExtent, 16384> piece_extents_;
   mutable AtHand<PieceSides, 8192> piece_sides_;

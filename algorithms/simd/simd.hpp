@@ -27,7 +27,7 @@
   void FUNCTION##_on_this_processor(TASK& task) { FUNCTION(task); }
 #endif
 
-namespace zstep::lanes {
+namespace zstep::simd {
 
 using Doubles = double __attribute__((vector_size(32)));
 using Mask = std::int64_t __attribute__((vector_size(32)));  ///< what a compare of Doubles gives: all bits or none
@@ -88,7 +88,7 @@ ZSTEP_INLINE void round_up(Doubles& x) {
   x = whole < x ? whole + 1 : whole;
 }
 
-}  // namespace zstep::lanes
+}  // namespace zstep::simd
 
 #else
 #define ZSTEP_HAS_LANES 0

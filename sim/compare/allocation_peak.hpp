@@ -6,12 +6,12 @@
 namespace zstep::compare {
 
 /// Counts while it lives; one at a time. Memory from before does not count, nor does what C libraries take by malloc.
-class HeapWatch {
+class AllocationPeak {
  public:
-  HeapWatch();
-  ~HeapWatch();
-  HeapWatch(const HeapWatch&) = delete;
-  HeapWatch& operator=(const HeapWatch&) = delete;
+  AllocationPeak();
+  ~AllocationPeak();
+  AllocationPeak(const AllocationPeak&) = delete;
+  AllocationPeak& operator=(const AllocationPeak&) = delete;
 
   /// The most bytes held at once so far, as the allocator rounds them; -1 where they cannot be counted: on Windows, and
   /// under sanitizers, which have an operator new of their own.

@@ -1,4 +1,4 @@
-#include "traces/codec/facts.hpp"
+#include "traces/codec/scene_geometry.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +13,7 @@
 
 namespace zstep::codec {
 
-Facts::Facts(const Scene& scene, const Header& header)
+SceneGeometry::SceneGeometry(const Scene& scene, const Header& header)
     : scene_(&scene),
       increments_(header.conventions.interpolation == Conventions::Interpolation::increments),
       inclusive_(header.conventions.coverage == Conventions::Coverage::inclusive),
@@ -32,31 +32,31 @@ Facts::Facts(const Scene& scene, const Header& header)
       width_(scene.raster.width),
       height_(scene.raster.height) {}
 
-glm::dvec3 Facts::project(glm::dvec3 view) const {
+glm::dvec3 SceneGeometry::project(glm::dvec3 view) const {
   if (orthographic_) return {view.x, view.y, view_depth_ ? view.z : 2 * (view.z - near_) / (far_ - near_) - 1};
   return {d_ * view.x / view.z, d_ * view.y / view.z, view_depth_ ? view.z : near_ * (a_ * view.z + b_) / view.z};
 }
 
-glm::dvec2 Facts::to_viewport(double x_p, double y_p) const {
+glm::dvec2 SceneGeometry::to_viewport(double x_p, double y_p) const {
   return {(x_p + window_x_) / (2 * window_x_) * width_ - 0.5, (window_y_ - y_p) / (2 * window_y_) * height_ - 0.5};
 }
 
-std::array<double, 6> Facts::distances_inside(glm::dvec3 view) const {
+std::array<double, 6> SceneGeometry::distances_inside(glm::dvec3 view) const {
   const double x_c = orthographic_ ? view.x / window_x_ : d_ * view.x / window_x_;
   const double y_c = orthographic_ ? view.y / window_y_ : d_ * view.y / window_y_;
   const double w_c = orthographic_ ? 1 : view.z;
   return {view.z - near_, far_ - view.z, w_c + x_c, w_c - x_c, w_c + y_c, w_c - y_c};
 }
 
-std::int32_t Facts::outcode(glm::dvec3 view) const {
+std::int32_t SceneGeometry::outcode(glm::dvec3 view) const {
   const std::array<double, 6> inside = distances_inside(view);
   std::int32_t outside = 0;
   for (std::size_t plane = 0; plane < 6; ++plane) outside |= static_cast<std::int32_t>(!(inside[plane] >= 0)) << plane;
   return outside;
 }
 
-VertexFacts Facts::from_view(std::int32_t vertex, glm::dvec3 view) const {
-  VertexFacts facts;
+VertexGeometry SceneGeometry::from_view(std::int32_t vertex, glm::dvec3 view) const {
+  VertexGeometry facts;
   facts.vertex = vertex;
   facts.view = view;
   facts.plane = project(view);
@@ -65,7 +65,7 @@ VertexFacts Facts::from_view(std::int32_t vertex, glm::dvec3 view) const {
   return facts;
 }
 
-void Facts::find_out(std::int32_t vertex, VertexFacts& facts) const {
+void SceneGeometry::find_out(std::int32_t vertex, VertexGeometry& facts) const {
   const glm::dvec3& point = scene_->points[static_cast<std::size_t>(vertex)];
   if (viewed_) {
     facts = from_view(vertex, glm::dvec3(scene_->camera.view * glm::dvec4(point, 1)));
@@ -76,13 +76,13 @@ void Facts::find_out(std::int32_t vertex, VertexFacts& facts) const {
   }
 }
 
-std::span<const std::int32_t> Facts::corners(std::int32_t facet) const {
+std::span<const std::int32_t> SceneGeometry::corners(std::int32_t facet) const {
   if (facet < 0 || static_cast<std::size_t>(facet) >= scene_->facets.size()) return {};
   const Facet& found = scene_->facets[static_cast<std::size_t>(facet)];
   return std::span(scene_->corners).subspan(static_cast<std::size_t>(found.first_corner), static_cast<std::size_t>(found.corner_count));
 }
 
-const FacetPlane& Facts::plane(std::int32_t facet) const {
+const FacetPlane& SceneGeometry::plane(std::int32_t facet) const {
   FacetPlane& plane = facet_planes_.at(facet);
   if (plane.facet == facet) return plane;
   plane = {facet, glm::dvec3(0), 0};
@@ -123,12 +123,12 @@ FacetPlane plane_through(std::int32_t number, std::size_t count, const auto& cor
 
 }  // namespace
 
-FacetPlane Facts::plane_by_parts(std::int32_t facet) const {
+FacetPlane SceneGeometry::plane_by_parts(std::int32_t facet) const {
   const std::span<const std::int32_t> of_facet = corners(facet);
   return plane_through(facet, of_facet.size(), [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; });
 }
 
-std::vector<glm::dvec3> Facts::clipped(std::span<const std::int32_t> outline, std::int32_t outside_some) const {
+std::vector<glm::dvec3> SceneGeometry::clipped(std::span<const std::int32_t> outline, std::int32_t outside_some) const {
   std::vector<glm::dvec3> polygon;
   for (const std::int32_t corner : outline) polygon.push_back(of_point(corner).view);
   for (std::size_t plane = 0; plane < 6; ++plane) {
@@ -146,13 +146,13 @@ std::vector<glm::dvec3> Facts::clipped(std::span<const std::int32_t> outline, st
   return polygon;
 }
 
-bool Facts::in_view(std::span<const std::int32_t> outline) const {
+bool SceneGeometry::in_view(std::span<const std::int32_t> outline) const {
   const Outside outside = outside_of(outline);
   if (outside.some == 0 || outside.all != 0) return outside.some == 0;
   return clipped(outline, outside.some).size() >= 3;
 }
 
-Facts::Outside Facts::outside_of(std::span<const std::int32_t> outline) const {
+SceneGeometry::Outside SceneGeometry::outside_of(std::span<const std::int32_t> outline) const {
   Outside outside{0, (1 << 6) - 1};
   for (const std::int32_t corner : outline) {
     const std::int32_t of_corner = of_point(corner).outside;
@@ -161,7 +161,7 @@ Facts::Outside Facts::outside_of(std::span<const std::int32_t> outline) const {
   return outside;
 }
 
-void Facts::number_pieces() const {
+void SceneGeometry::number_pieces() const {
   numbered_ = true;
   const auto facets = static_cast<std::int32_t>(scene_->facets.size());
   for (std::int32_t facet = 0; facet < facets; ++facet) {
@@ -179,20 +179,20 @@ void Facts::number_pieces() const {
   }
 }
 
-std::span<const std::int32_t> Facts::corners_of_piece(std::int32_t piece) const {
+std::span<const std::int32_t> SceneGeometry::corners_of_piece(std::int32_t piece) const {
   if (!numbered_) number_pieces();
   if (piece < 0 || static_cast<std::size_t>(piece) >= facets_of_pieces_.size()) return {};
   return corners(facets_of_pieces_[static_cast<std::size_t>(piece)]);
 }
 
-bool Facts::find_out(std::int32_t piece, FacetPlane& plane) const {
+bool SceneGeometry::find_out(std::int32_t piece, FacetPlane& plane) const {
   const std::span<const glm::dvec3> corners = raster_outline(piece);
   if (corners.empty()) return false;
   plane = plane_through(piece, corners.size(), [&](std::size_t i) { return corners[i]; });
   return true;
 }
 
-bool Facts::find_out(std::int32_t piece, PieceExtent& extent) const {
+bool SceneGeometry::find_out(std::int32_t piece, PieceExtent& extent) const {
   const std::span<const glm::dvec3> corners = raster_outline(piece);
   if (corners.empty()) return false;
   extent = {piece, corners[0], corners[0]};
@@ -200,7 +200,7 @@ bool Facts::find_out(std::int32_t piece, PieceExtent& extent) const {
   return true;
 }
 
-std::int32_t Facts::next_by_depth(std::int32_t piece) const {
+std::int32_t SceneGeometry::next_by_depth(std::int32_t piece) const {
   if (!numbered_) number_pieces();
   if (next_by_depth_.size() != facets_of_pieces_.size()) {
     const std::size_t count = facets_of_pieces_.size();
@@ -224,25 +224,25 @@ std::int32_t Facts::next_by_depth(std::int32_t piece) const {
   return piece >= 0 && static_cast<std::size_t>(piece) < next_by_depth_.size() ? next_by_depth_[static_cast<std::size_t>(piece)] : -1;
 }
 
-std::span<const glm::dvec3> Facts::raster_outline(std::int32_t piece) const {
+std::span<const glm::dvec3> SceneGeometry::raster_outline(std::int32_t piece) const {
   const std::span<const std::int32_t> corners = corners_of_piece(piece);
   outline_.clear();
   std::int32_t outside = 0;
   for (const std::int32_t corner : corners) {
-    const VertexFacts& facts = of_point(corner);
+    const VertexGeometry& facts = of_point(corner);
     outside |= facts.outside;
     outline_.emplace_back(facts.raster, facts.plane.z);
   }
   if (outside == 0) return outline_;
   outline_.clear();
   for (const glm::dvec3& view : clipped(corners, outside)) {
-    const VertexFacts made = from_view(-1, view);
+    const VertexGeometry made = from_view(-1, view);
     outline_.emplace_back(made.raster, made.plane.z);
   }
   return outline_;
 }
 
-bool Facts::find_out(std::int32_t piece, PieceSides& sides) const {
+bool SceneGeometry::find_out(std::int32_t piece, PieceSides& sides) const {
   const std::span<const glm::dvec3> corners = raster_outline(piece);
   if (corners.empty()) return false;
   sides.piece = piece;
@@ -255,7 +255,7 @@ bool Facts::find_out(std::int32_t piece, PieceSides& sides) const {
 }
 
 template <class Each>
-void Facts::for_each_edge(std::int32_t piece, Each&& each) const {
+void SceneGeometry::for_each_edge(std::int32_t piece, Each&& each) const {
   const std::span<const glm::dvec3> corners = raster_outline(piece);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     TableEdge edge;
@@ -266,7 +266,7 @@ void Facts::for_each_edge(std::int32_t piece, Each&& each) const {
   }
 }
 
-bool Facts::find_out(std::int32_t edge, TableEdge& known) const {
+bool SceneGeometry::find_out(std::int32_t edge, TableEdge& known) const {
   if (!numbered_) number_pieces();
   if (first_edges_.empty()) {
     first_edges_.push_back(0);
@@ -286,7 +286,7 @@ bool Facts::find_out(std::int32_t edge, TableEdge& known) const {
   return true;
 }
 
-double Facts::tolerance() const {
+double SceneGeometry::tolerance() const {
   if (tolerance_ >= 0) return tolerance_;
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const glm::dvec3& point : scene_->points) low = glm::min(low, point), high = glm::max(high, point);

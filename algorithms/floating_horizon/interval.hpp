@@ -1,4 +1,4 @@
-// The straight stretch of a curve between two samples, its columns and its pixels.
+// The straight interval of a curve between two samples, its columns and its pixels.
 #pragma once
 
 #include <algorithm>
@@ -12,19 +12,19 @@
 
 namespace zstep::floating_horizon {
 
-struct Stretch {
+struct Interval {
   glm::dvec2 from, to;  ///< (x_s, y_s)
   bool whole;           ///< its first end is the sample itself, not a cut
 };
 
 /// Cut at the near and the far plane; nothing if nothing is left, or if it ends farther than 10⁹ pixels away.
-std::optional<Stretch> stretch_on_raster(const viewing::Lens& lens, const viewing::Vertex& a, const viewing::Vertex& b);
+std::optional<Interval> interval_on_raster(const viewing::Lens& lens, const viewing::Vertex& a, const viewing::Vertex& b);
 
-/// Calls visit(x, y) for every column of the raster between the ends, from the first to the second, with the stretch's
-/// row there. The column of the first end itself belongs to the stretch before, so it is visited only `with_first`.
+/// Calls visit(x, y) for every column of the raster between the ends, from the first to the second, with the interval's
+/// row there. The column of the first end itself belongs to the interval before, so it is visited only `with_first`.
 template <class Visit>
-void for_each_column(const Stretch& stretch, std::int32_t width, bool with_first, Visit&& visit) {
-  const auto [from, to, whole] = stretch;
+void for_each_column(const Interval& interval, std::int32_t width, bool with_first, Visit&& visit) {
+  const auto [from, to, whole] = interval;
   const double step = to.x >= from.x ? 1 : -1;
   double begin = step > 0 ? std::ceil(from.x) : std::floor(from.x);
   if (begin == from.x && !with_first) begin += step;
@@ -37,13 +37,13 @@ void for_each_column(const Stretch& stretch, std::int32_t width, bool with_first
   }
 }
 
-/// Calls visit(x, y) for the ends of a stretch that meets no column, on the nearest one.
+/// Calls visit(x, y) for the ends of an interval that meets no column, on the nearest one.
 template <class Visit>
-void for_nearest_column(const Stretch& stretch, std::int32_t width, bool with_first, Visit&& visit) {
-  const double x = std::floor(stretch.from.x + 0.5);
+void for_nearest_column(const Interval& interval, std::int32_t width, bool with_first, Visit&& visit) {
+  const double x = std::floor(interval.from.x + 0.5);
   if (!(x >= 0 && x < width)) return;
-  if (with_first) visit(static_cast<std::int32_t>(x), stretch.from.y);
-  visit(static_cast<std::int32_t>(x), stretch.to.y);
+  if (with_first) visit(static_cast<std::int32_t>(x), interval.from.y);
+  visit(static_cast<std::int32_t>(x), interval.to.y);
 }
 
 /// Calls visit(x, y) for the pixels of a straight line, a pixel a column or a row, whichever are more; only those on

@@ -1,7 +1,7 @@
-// The small half of applying an event: what each kind does to a Machine. Here stands what one polygon goes through, its
+// The small half of applying an event: what each kind does to a MethodState. Here stands what one polygon goes through, its
 // edges and spans; apply_structures.hpp has what methods keep of all polygons. It never looks at buffers or vertices, so that
 // it can be applied again from a copy. A trace from elsewhere may say impossible things (retire an edge that is not
-// active): apply_machine then throws Impossible and has changed nothing.
+// active): apply_method_state then throws Impossible and has changed nothing.
 #pragma once
 
 #include <limits>
@@ -21,7 +21,7 @@ struct Impossible : std::runtime_error {
 namespace detail {
 
 /// Edges step and retire from left to right, so the next one that is asked for mostly stands beside the last.
-inline std::size_t place_of(Machine& machine, std::int32_t edge) {
+inline std::size_t place_of(MethodState& machine, std::int32_t edge) {
   const std::size_t count = machine.active.size();
   for (std::size_t looked = 0, place = machine.looked_up; looked < count; ++looked, ++place) {
     if (place >= count) place = 0;
@@ -32,11 +32,11 @@ inline std::size_t place_of(Machine& machine, std::int32_t edge) {
   throw Impossible(fmt::format("edge {} is not in the active edge list", edge));
 }
 
-inline void must_be_in_table(const Machine& machine, std::int32_t edge) {
+inline void must_be_in_table(const MethodState& machine, std::int32_t edge) {
   if (edge < 0 || static_cast<std::size_t>(edge) >= machine.edge_table.size())
     throw Impossible(fmt::format("edge {} is not in the edge table", edge));
 }
-inline void set_stage(Machine& machine, std::int32_t edge, EdgeStage stage) {
+inline void set_stage(MethodState& machine, std::int32_t edge, EdgeStage stage) {
   must_be_in_table(machine, edge);
   machine.edge_stages.set(static_cast<std::size_t>(edge), stage);
 }
@@ -51,7 +51,7 @@ inline void must_be_due(const char* what, std::int32_t number, std::size_t count
 }
 
 /// What belongs to one polygon starts anew; the fragment is the stores' half's.
-inline void begin_polygon(Machine& machine, std::int32_t polygon) {
+inline void begin_polygon(MethodState& machine, std::int32_t polygon) {
   machine.polygon = polygon;
   machine.facet = machine.piece = -1;
   machine.facing.reset();
@@ -71,18 +71,18 @@ inline void begin_polygon(Machine& machine, std::int32_t polygon) {
 // --- One polygon and its scan conversion
 
 template <class E>
-void apply_machine(const E&, Machine&) {}  // most kinds of event change nothing small
+void apply_method_state(const E&, MethodState&) {}  // most kinds of event change nothing small
 
-inline void apply_machine(const PolygonBegin& event, Machine& machine) {
+inline void apply_method_state(const PolygonBegin& event, MethodState& machine) {
   detail::begin_polygon(machine, event.polygon);
   machine.facet = event.facet;
 }
-inline void apply_machine(const FacingTest& event, Machine& machine) { machine.facing = event; }
-inline void apply_machine(const ClipTest& event, Machine& machine) { machine.clip_test = event; }
-inline void apply_machine(const PolygonReject& event, Machine& machine) { machine.rejected = event.reason; }
-inline void apply_machine(const OutlineVertex& event, Machine& machine) { machine.outline.push_back(event.vertex); }
+inline void apply_method_state(const FacingTest& event, MethodState& machine) { machine.facing = event; }
+inline void apply_method_state(const ClipTest& event, MethodState& machine) { machine.clip_test = event; }
+inline void apply_method_state(const PolygonReject& event, MethodState& machine) { machine.rejected = event.reason; }
+inline void apply_method_state(const OutlineVertex& event, MethodState& machine) { machine.outline.push_back(event.vertex); }
 
-inline void apply_machine(const EdgeTableInsert& event, Machine& machine) {
+inline void apply_method_state(const EdgeTableInsert& event, MethodState& machine) {
   if (event.edge != static_cast<std::int32_t>(machine.edge_table.size())) {
     throw Impossible(
         fmt::format("edge {} enters the edge table where edge {} is due", event.edge, machine.edge_table.size()));
@@ -90,13 +90,13 @@ inline void apply_machine(const EdgeTableInsert& event, Machine& machine) {
   machine.edge_table.push_back(event);
   machine.edge_stages.push_back(EdgeStage::waiting);
 }
-inline void apply_machine(const ScanLineBegin& event, Machine& machine) {
+inline void apply_method_state(const ScanLineBegin& event, MethodState& machine) {
   if (machine.keeps_all && machine.piece == -1) detail::begin_polygon(machine, no_polygon);  // a line of them all
   machine.scan_line = event.y;
   machine.span.reset();
   machine.sweep = {};
 }
-inline void apply_machine(const EdgeEnter& event, Machine& machine) {
+inline void apply_method_state(const EdgeEnter& event, MethodState& machine) {
   detail::must_be_in_table(machine, event.edge);
   if (machine.edge_stages[static_cast<std::size_t>(event.edge)] == EdgeStage::active)
     throw Impossible(fmt::format("edge {} enters the active edge list twice", event.edge));
@@ -107,23 +107,23 @@ inline void apply_machine(const EdgeEnter& event, Machine& machine) {
   machine.active.insert(machine.active.begin() + event.place,
                         ActiveEdge{event.edge, entry.x_edge, entry.z_edge});
 }
-inline void apply_machine(const EdgeRetire& event, Machine& machine) {
+inline void apply_method_state(const EdgeRetire& event, MethodState& machine) {
   const std::size_t place = detail::place_of(machine, event.edge);
   detail::set_stage(machine, event.edge, EdgeStage::retired);
   machine.active.erase(machine.active.begin() + static_cast<std::ptrdiff_t>(place));
 }
-inline void apply_machine(const EdgeStep& event, Machine& machine) {
+inline void apply_method_state(const EdgeStep& event, MethodState& machine) {
   ActiveEdge& active = machine.active[detail::place_of(machine, event.edge)];
   active.x = event.x_edge;
   active.z = event.z_edge;
 }
-inline void apply_machine(const EdgeSwap& event, Machine& machine) {
+inline void apply_method_state(const EdgeSwap& event, MethodState& machine) {
   if (event.place < 0 || static_cast<std::size_t>(event.place) + 1 >= machine.active.size())
     throw Impossible(fmt::format("the active edge list has no places {} and {}", event.place, event.place + 1));
   std::swap(machine.active[static_cast<std::size_t>(event.place)],
             machine.active[static_cast<std::size_t>(event.place) + 1]);
 }
-inline void apply_machine(const SpanBegin& event, Machine& machine) {
+inline void apply_method_state(const SpanBegin& event, MethodState& machine) {
   detail::must_be_in_table(machine, event.left_edge);
   detail::must_be_in_table(machine, event.right_edge);
   machine.span = event;

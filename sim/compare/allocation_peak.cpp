@@ -1,6 +1,6 @@
 // Replaces the global operator new and delete, as [replacement.functions] of the C++ standard allows: a branch more
 // when nobody watches.
-#include "sim/compare/heap.hpp"
+#include "sim/compare/allocation_peak.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -88,13 +88,13 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { tak
 
 namespace zstep::compare {
 
-HeapWatch::HeapWatch() {
+AllocationPeak::AllocationPeak() {
   held = most = 0;
   watching = true;
 }
 
-HeapWatch::~HeapWatch() { watching = false; }
+AllocationPeak::~AllocationPeak() { watching = false; }
 
-std::int64_t HeapWatch::peak() const { return ZSTEP_COUNTS_HEAP ? most.load() : -1; }
+std::int64_t AllocationPeak::peak() const { return ZSTEP_COUNTS_HEAP ? most.load() : -1; }
 
 }  // namespace zstep::compare

@@ -16,16 +16,16 @@ namespace zstep {
 /// A thread that sleeps until there is work. To be put to sleep and woken costs as much as a small piece, and to look out instead takes
 /// from the caller what two processors of one core share: so the thread is woken for several pieces at once, and a caller who found no
 /// room waits until there is room for several. Where the system gives no thread, the caller does the work itself.
-class Beside {
+class BackgroundWorker {
  public:
   /// `most`: pieces that may wait or be at work.
-  explicit Beside(std::size_t most) : most_(most) {
+  explicit BackgroundWorker(std::size_t most) : most_(most) {
     try {
       thread_ = std::thread([this] { run(); });
     } catch (const std::system_error&) {
     }
   }
-  ~Beside() {
+  ~BackgroundWorker() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       ends_ = true;
@@ -33,8 +33,8 @@ class Beside {
     for_thread_.notify_one();
     if (thread_.joinable()) thread_.join();
   }
-  Beside(const Beside&) = delete;
-  Beside& operator=(const Beside&) = delete;
+  BackgroundWorker(const BackgroundWorker&) = delete;
+  BackgroundWorker& operator=(const BackgroundWorker&) = delete;
 
   /// Waits until there is room for another piece; throws what a piece before threw, once.
   void wait_for_room() {

@@ -9,12 +9,12 @@
 #include <thread>
 #include <vector>
 
-namespace zstep::lanes {
+namespace zstep::simd {
 
 /// Calls work(part) once for each part from 0 on, on this thread and up to threads - 1 others at the same time; on fewer
 /// where the system gives no more. What a part throws is thrown here, when all threads have ended.
 template <class Work>
-void share(int threads, std::size_t parts, Work&& work) {
+void parallel_for(int threads, std::size_t parts, Work&& work) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr fault;
   std::mutex faults;
@@ -38,4 +38,4 @@ void share(int threads, std::size_t parts, Work&& work) {
   if (fault) std::rethrow_exception(fault);
 }
 
-}  // namespace zstep::lanes
+}  // namespace zstep::simd
