@@ -1,6 +1,8 @@
 // What every lesson must hold: it runs, it says only what its trace shows, it asks before it answers, and it is short.
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <ranges>
 #include <set>
 #include <sstream>
 
@@ -36,8 +38,8 @@ std::string without_braces(const std::string& text) {
 /// Numerals that no brace vouches for and that name nothing ("edge 2", "rows 4 and 5", z_1, 3-4-5): claims left
 /// unchecked.
 std::string bare_numerals(const std::string& text) {
-  static const std::set<std::string> labels{"edge", "edges",  "corner", "corners", "row",  "rows",
-                                            "pixel", "cell", "test",   "tests",   "place"};
+  static const std::set<std::string> labels{"edge",  "edges",  "vertex", "vertices", "line",
+                                            "lines", "pixel", "test",   "tests",    "place"};
   std::istringstream words(without_braces(text));
   std::string word, bare;
   bool label = false;
@@ -160,6 +162,25 @@ TEST_CASE("every question has one right answer, and a reply to each") {
     CHECK(right_places.size() >= 2);  // or the place gives it away
     CHECK_FALSE(lesson.stops.back().question.has_value());
   }
+}
+
+TEST_CASE("neither place nor length gives the right answer away") {
+  int questions = 0, longest = 0;
+  std::map<std::size_t, int> places;
+  for (const Lesson& lesson : course().told) {
+    for (const Stop& stop : lesson.stops) {
+      if (!stop.question) continue;
+      const std::vector<Answer>& answers = stop.question->answers;
+      const auto letters = [](const Answer& answer) { return answer.text.size(); };
+      const auto right = std::find_if(answers.begin(), answers.end(), [](const Answer& answer) { return answer.right; });
+      REQUIRE(right != answers.end());
+      ++questions;
+      ++places[static_cast<std::size_t>(right - answers.begin())];
+      longest += letters(*right) == std::ranges::max(answers | std::views::transform(letters));
+    }
+  }
+  for (const auto& [place, count] : places) CHECK_MESSAGE(count <= 0.45 * questions, count << " at place " << place + 1);
+  CHECK(longest <= 0.45 * questions);
 }
 
 TEST_CASE("a question is asked before the step that answers it") {
