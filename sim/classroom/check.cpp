@@ -6,28 +6,13 @@
 
 #include "sim/classroom/evaluate.hpp"
 #include "traces/error.hpp"
+#include "traces/near_word.hpp"
 
 namespace zstep::classroom {
 namespace {
 
 using Kind = Expression::Kind;
 using Type = Quantity::Type;
-
-/// How many letters must change to make one word of the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0u : 1u)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
 
 struct Checker {
   std::uint8_t kind;
@@ -152,15 +137,7 @@ struct Checker {
 }  // namespace
 
 std::string did_you_mean(std::string_view written, const std::vector<std::string_view>& candidates) {
-  std::string_view best;
-  std::size_t distance = written.size() < 4 ? 2 : 3;  // farther ones are not meant
-  for (const std::string_view candidate : candidates) {
-    const std::size_t d = edit_distance(written, candidate);
-    if (d < distance) {
-      distance = d;
-      best = candidate;
-    }
-  }
+  const std::string_view best = near_word(written, candidates);
   return best.empty() ? "" : fmt::format(" (did you mean `{}`?)", best);
 }
 

@@ -31,6 +31,16 @@ std::string coverage_text(Conventions::Coverage coverage) {
                                                      : "inclusive (every x from x_L to x_R)";
 }
 
+std::string nearer_text(Comparison::Nearer nearer) {
+  return nearer == Comparison::Nearer::smaller ? "the smaller depth wins" : "the greater depth wins";
+}
+
+std::string ties_text(Comparison::Ties ties) {
+  return ties == Comparison::Ties::first ? "of equal depths the first stays" : "of equal depths the last wins";
+}
+
+std::string number_format_text(NumberFormat format) { return format == NumberFormat::float64 ? "float64" : "float32"; }
+
 std::string value_text(double value) { return fmt::format("{}", value); }
 
 }  // namespace zstep::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "traces/events/vocabulary.hpp"
+#include "traces/file/header.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::cli {
@@ -13,6 +14,9 @@ std::string raster_text(const Raster& raster);
 std::string depth_text(const Camera& camera, Conventions::Depth depth);
 std::string interpolation_text(Conventions::Interpolation interpolation);
 std::string coverage_text(Conventions::Coverage coverage);
+std::string nearer_text(Comparison::Nearer nearer);
+std::string ties_text(Comparison::Ties ties);
+std::string number_format_text(NumberFormat format);
 
 /// A field's value as a dump shows it; numbers with as many digits as distinguish them.
 std::string value_text(double value);

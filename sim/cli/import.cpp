@@ -1,4 +1,5 @@
 // zstep import: JSON Lines, as students' programs write them, into a trace.
+#include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ struct ImportOptions {
 int import_trace(const ImportOptions& options) {
   const std::string from = options.from == "-" ? "/dev/stdin" : options.from;
   check_outputs({}, {from}, {options.to});
-  import_jsonl(from, options.to);
+  if (const auto cut = import_jsonl(from, options.to)) fmt::print(stderr, "{}\n", *cut);
   fmt::print("wrote {}: {}\n", options.to, counted(Trace::open(options.to).size(), "step", "steps"));
   return exit_code::done;
 }

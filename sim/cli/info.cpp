@@ -37,10 +37,17 @@ std::string head_text(const Trace& trace, const std::string& path) {
                                   counted(static_cast<std::int64_t>(scene.points.size()), "point", "points"))});
   table.row({"raster", raster_text(scene.raster)});
   table.row({"camera", camera_text(scene.camera)});
-  table.row({"depth", depth_text(scene.camera, header.conventions.depth)});
-  table.row({"interpolation", interpolation_text(header.conventions.interpolation)});
-  table.row({"coverage", coverage_text(header.conventions.coverage)});
-  table.row({"back faces", header.conventions.cull ? "culled" : "drawn"});
+  // What the header does not declare is no fact.
+  const auto declared = [&](Convention which, std::string text) { return header.declares(which) ? text : "not declared"; };
+  const std::string depth = depth_text(scene.camera, header.conventions.depth);
+  table.row({"depth", scene.camera.kind == Camera::Kind::screen ? depth : declared(Convention::depth, depth)});
+  table.row({"nearer", declared(Convention::nearer, nearer_text(header.comparison.nearer))});
+  table.row({"ties", declared(Convention::ties, ties_text(header.comparison.ties))});
+  if (header.initial_depth) table.row({"initial depth", value_text(*header.initial_depth)});
+  table.row({"numbers", declared(Convention::number_format, number_format_text(header.number_format))});
+  table.row({"interpolation", declared(Convention::interpolation, interpolation_text(header.conventions.interpolation))});
+  table.row({"coverage", declared(Convention::coverage, coverage_text(header.conventions.coverage))});
+  table.row({"back faces", declared(Convention::cull, header.conventions.cull ? "culled" : "drawn")});
   return table.text(0);
 }
 

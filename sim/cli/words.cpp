@@ -9,40 +9,10 @@
 #include <fmt/format.h>
 
 #include "traces/error.hpp"
+#include "traces/near_word.hpp"
 
 namespace zstep::cli {
 namespace {
-
-/// Insertions, deletions, substitutions and swaps of neighbours that lead from one word to the other.
-std::size_t distance(std::string_view a, std::string_view b) {
-  const std::size_t columns = b.size() + 1;
-  std::vector<std::size_t> table((a.size() + 1) * columns);
-  const auto at = [&](std::size_t i, std::size_t j) -> std::size_t& { return table[i * columns + j]; };
-  for (std::size_t i = 0; i <= a.size(); ++i) at(i, 0) = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) at(0, j) = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t other = a[i - 1] == b[j - 1] ? 0 : 1;
-      at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + other});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
-    }
-  }
-  return table.back();
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
-std::string bare(std::string_view option) {
-  while (!option.empty() && option.front() == '-') option.remove_prefix(1);
-  return lower(option);
-}
-
-constexpr std::size_t longest_word = 64;  // nobody mistypes a word of a kilobyte
 
 std::optional<std::int64_t> whole(const std::string& text) {
   if (text.empty() || text.size() > 18) return std::nullopt;
@@ -57,23 +27,8 @@ std::optional<std::int64_t> whole(const std::string& text) {
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> known) {
-  const std::string typed = bare(word);
-  if (typed.empty() || typed.size() > longest_word) return "";
-  std::string best;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const std::string& candidate : known) {
-    const std::string name = bare(candidate);
-    std::size_t d = distance(typed, name);
-    const std::size_t limit = std::max<std::size_t>(1, std::max(typed.size(), name.size()) / 3);
-    const bool beginning = typed.size() >= 2 && name.size() >= 2 && (name.starts_with(typed) || typed.starts_with(name));
-    if (d > limit && !beginning) continue;
-    if (beginning) d = std::min<std::size_t>(d, 2);
-    if (d < least) {
-      least = d;
-      best = candidate;
-    }
-  }
-  return best;
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  return std::string(near_word(word, views));
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> known, std::string_view otherwise) {

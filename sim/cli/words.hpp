@@ -11,8 +11,7 @@
 
 namespace zstep::cli {
 
-/// The known word that a typist most likely meant by `word`, or "" when none is close (optimal string alignment distance
-/// of at most a third of its length, or one is the beginning of the other).
+/// As near_word() does.
 std::string nearest(std::string_view word, std::span<const std::string> known);
 
 /// "did you mean WORD?" when a known word is near, else `otherwise`.

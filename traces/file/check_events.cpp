@@ -60,6 +60,7 @@ std::string EventCheck::operator()(const E& event) {
     if constexpr (std::is_same_v<FieldValue<E, I>, std::int32_t>) {
       constexpr std::string_view name = field_at<E, I>.name;
       const std::int32_t value = event.*field_at<E, I>.member;
+      const bool well = fault.empty();
       if constexpr (name == "polygon") below("polygon", value, polygons_);
       else if constexpr (name == "owner") below_or_none("polygon", value, polygons_);
       else if constexpr (name == "facet") below("facet", value, facets_);
@@ -73,6 +74,7 @@ std::string EventCheck::operator()(const E& event) {
       else if constexpr (name == "first_row" || name == "end_row") within("row", value, 0, height_);
       else if constexpr (name == "first_column" || name == "end_column") within("column", value, 0, width_);
       else if constexpr (name == "r8" || name == "g8" || name == "b8") below("shade", value, 256);
+      if (well && !fault.empty()) field_ = name;
     }
   });
   return fault;

@@ -1,5 +1,6 @@
 #include "traces/file/header_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "traces/events/vocabulary.hpp"
@@ -15,8 +16,111 @@ namespace {
 constexpr std::array<std::string_view, 2> depth_words{"pseudodepth", "view"};
 constexpr std::array<std::string_view, 2> interpolation_words{"direct", "increments"};
 constexpr std::array<std::string_view, 2> coverage_words{"top_left", "inclusive"};
+constexpr std::array<std::string_view, 2> format_words{"float64", "float32"};
+constexpr std::array<std::string_view, 1> centre_words{"integer"};
+constexpr std::array<std::string_view, 2> nearer_words{"smaller", "greater"};
+constexpr std::array<std::string_view, 2> tie_words{"first", "last"};
+
+/// In the order in which a header has them.
+constexpr std::array<std::string_view, 8> convention_keys{"depth",         "interpolation", "coverage", "cull",
+                                                          "number_format", "pixel_centre",  "nearer",   "ties"};
+constexpr std::string_view key_of(Convention convention) { return convention_keys[static_cast<std::size_t>(convention)]; }
+
+ordered_json conventions_to_json(const Header& header) {
+  const Conventions& c = header.conventions;
+  ordered_json out = ordered_json::object();
+  const auto put = [&](Convention which, ordered_json value) {
+    if (header.declares(which)) out[std::string(key_of(which))] = std::move(value);
+  };
+  put(Convention::depth, word(c.depth, depth_words));
+  put(Convention::interpolation, word(c.interpolation, interpolation_words));
+  put(Convention::coverage, word(c.coverage, coverage_words));
+  put(Convention::cull, c.cull);
+  put(Convention::number_format, word(header.number_format, format_words));
+  put(Convention::pixel_centre, centre_words[0]);
+  put(Convention::nearer, word(header.comparison.nearer, nearer_words));
+  put(Convention::ties, word(header.comparison.ties, tie_words));
+  if (header.initial_depth) out["initial_depth"] = real_to_json(*header.initial_depth);
+  for (const auto& [name, value] : c.options) out["options"][name] = value;
+  return out;
+}
+
+void read_options(const json& in, Conventions& conventions) {
+  if (!in.contains("options")) return;
+  const json& options = in.at("options");
+  if (!options.is_object()) throw MalformedJson(in, "options", "\"options\" is not an object");
+  for (const auto& [name, value] : options.items()) {
+    if (!value.is_string()) throw MalformedJson(options, name, fmt::format("the option \"{}\" is not a text", name));
+    conventions.options[name] = value.get<std::string>();
+  }
+}
+
+void read_conventions(const json& in, Header& header) {
+  Conventions& c = header.conventions;
+  Parts parts;
+  parts.read([&] {
+    known_keys(in, "\"conventions\"", {"depth", "interpolation", "coverage", "cull", "number_format", "pixel_centre",
+                                       "nearer", "ties", "initial_depth", "options"});
+  });
+  parts.read([&] { c.depth = word_or(in, "depth", depth_words, c.depth); });
+  parts.read([&] { c.interpolation = word_or(in, "interpolation", interpolation_words, c.interpolation); });
+  parts.read([&] { c.coverage = word_or(in, "coverage", coverage_words, c.coverage); });
+  parts.read([&] { c.cull = truth_or(in, "cull", c.cull); });
+  parts.read([&] { header.number_format = word_or(in, "number_format", format_words, header.number_format); });
+  parts.read([&] { word_or(in, "pixel_centre", centre_words, 0); });
+  parts.read([&] { header.comparison.nearer = word_or(in, "nearer", nearer_words, header.comparison.nearer); });
+  parts.read([&] { header.comparison.ties = word_or(in, "ties", tie_words, header.comparison.ties); });
+  parts.read([&] {
+    if (!in.contains("initial_depth")) return;
+    header.initial_depth = real(in, "initial_depth");
+    if (std::isnan(*header.initial_depth)) throw MalformedJson(in, "initial_depth", "\"initial_depth\" is no number");
+  });
+  parts.read([&] { read_options(in, c); });
+  parts.done();
+  for (std::size_t k = 0; k < convention_keys.size(); ++k)
+    if (!in.contains(std::string(convention_keys[k]))) header.undeclared |= static_cast<std::uint8_t>(1u << k);
+}
+
+std::uint8_t kind_named(const json& entry, const std::string& step, const std::string& writer) {
+  const std::string kind = text(entry, "event");
+  std::array<std::string_view, kind_count> names;
+  for_each_kind([&]<class E>() { names[kind_of<E>] = kind_text<E>.name; });
+  const auto found = std::find(names.begin(), names.end(), kind);
+  if (found != names.end()) return static_cast<std::uint8_t>(found - names.begin());
+  const std::string_view near = near_word(kind, names);
+  throw MalformedJson(entry, "event",
+                      fmt::format("step \"{}\" records \"{}\", a kind of event this zstep does not know; {} wrote it",
+                                  step, kind, writer),
+                      near.empty() ? "" : fmt::format("did you mean \"{}\"? docs/trace-format.md has them all", near));
+}
+
+StepInfo step_from_json(const json& entry, const std::string& writer, std::array<bool, step_limit>& taken) {
+  known_keys(entry, "a step", {"id", "module", "name", "event", "indent", "text"});
+  StepInfo step;
+  const std::int32_t id = whole(entry, "id");
+  if (id < 0 || id >= step_limit)
+    throw MalformedJson(entry, "id", fmt::format("step id {} is not below {}", id, step_limit));
+  if (taken[static_cast<std::size_t>(id)])
+    throw MalformedJson(entry, "id", fmt::format("step id {} stands twice", id));
+  taken[static_cast<std::size_t>(id)] = true;
+  step.id = static_cast<std::uint8_t>(id);
+  step.module = text_or(entry, "module", "");
+  step.name = text(entry, "name");
+  step.text = text_or(entry, "text", step.name);
+  const std::int32_t indent = whole_or(entry, "indent", 0);
+  if (indent < 0 || indent > 32)
+    throw MalformedJson(entry, "indent", fmt::format("step \"{}\" is indented {} deep", step.name, indent));
+  step.indent = static_cast<std::uint8_t>(indent);
+  step.kind = kind_named(entry, step.name, writer);
+  return step;
+}
 
 }  // namespace
+
+std::string_view Comparison::sign() const {
+  if (nearer == Nearer::smaller) return ties == Ties::first ? "<" : "\u2264";
+  return ties == Ties::first ? ">" : "\u2265";
+}
 
 json parse_bounded(const std::string& text) {
   constexpr std::size_t short_text = 4096;
@@ -39,7 +143,7 @@ double real_from_json(const json& value, const char* what) {
   if (value == "inf") return no_depth;
   if (value == "-inf") return -no_depth;
   if (value == "nan") return std::nan("");
-  throw MalformedJson(fmt::format("\"{}\" is not a number (\"inf\", \"-inf\" and \"nan\" are written as texts)", what));
+  throw MalformedJson(value, "", fmt::format("\"{}\" is not a number (\"inf\", \"-inf\" and \"nan\" are written as texts)", what));
 }
 
 ordered_json header_to_json(const Header& header) {
@@ -61,17 +165,7 @@ ordered_json header_to_json(const Header& header) {
   out["writer"] = header.writer;
   out["algorithm"] = header.algorithm;
   out["title"] = header.title;
-  out["conventions"] = {
-      {"depth", word(header.conventions.depth, depth_words)},
-      {"interpolation", word(header.conventions.interpolation, interpolation_words)},
-      {"coverage", word(header.conventions.coverage, coverage_words)},
-      {"cull", header.conventions.cull},
-      {"number_format", "float64"},
-      {"pixel_centre", "integer"},
-      {"nearer", "smaller"},
-      {"ties", "first"},
-  };
-  for (const auto& [name, value] : header.conventions.options) out["conventions"]["options"][name] = value;
+  out["conventions"] = conventions_to_json(header);
   out["steps"] = std::move(steps);
   return out;
 }
@@ -81,53 +175,24 @@ Header header_from_json(const json& in) {
   Header header;
   header.writer = text_or(in, "writer", "an unnamed program");
   if (version != 1)
-    throw MalformedJson(
-        fmt::format("it has version {} and was written by {}; this zstep reads version 1", version, header.writer));
-  header.algorithm = text(in, "algorithm");
-  header.title = text_or(in, "title", header.algorithm);
-  const json conventions = in.contains("conventions") ? in.at("conventions") : json::object();
-  if (!conventions.is_object()) throw MalformedJson("\"conventions\" is not an object");
-  header.conventions.depth = word_or(conventions, "depth", depth_words, Conventions::Depth::pseudodepth);
-  header.conventions.interpolation =
-      word_or(conventions, "interpolation", interpolation_words, Conventions::Interpolation::direct);
-  header.conventions.coverage = word_or(conventions, "coverage", coverage_words, Conventions::Coverage::top_left);
-  header.conventions.cull = truth_or(conventions, "cull", true);
-  if (conventions.contains("options")) {
-    const json& options = conventions.at("options");
-    if (!options.is_object()) throw MalformedJson("\"options\" is not an object");
-    for (const auto& [name, value] : options.items()) {
-      if (!value.is_string()) throw MalformedJson(fmt::format("the option \"{}\" is not a text", name));
-      header.conventions.options[name] = value.get<std::string>();
-    }
-  }
+    throw MalformedJson(in, "ztrace", fmt::format("it has version {} and was written by {}; this zstep reads version 1",
+                                                  version, header.writer));
+  Parts parts;
+  parts.read([&] {
+    known_keys(in, "a trace's header", {"ztrace", "writer", "algorithm", "title", "conventions", "steps", "scene"});
+  });
+  parts.read([&] {
+    header.algorithm = text(in, "algorithm");
+    header.title = text_or(in, "title", header.algorithm);
+  });
+  static const json none = json::object();
+  parts.read([&] { read_conventions(in.contains("conventions") ? in.at("conventions") : none, header); });
   std::array<bool, step_limit> taken{};
-  for (const json& entry : list(in, "steps")) {
-    StepInfo step;
-    const std::int32_t id = whole(entry, "id");
-    if (id < 0 || id >= step_limit) throw MalformedJson(fmt::format("step id {} is not below {}", id, step_limit));
-    if (taken[static_cast<std::size_t>(id)]) throw MalformedJson(fmt::format("step id {} stands twice", id));
-    taken[static_cast<std::size_t>(id)] = true;
-    step.id = static_cast<std::uint8_t>(id);
-    step.module = text_or(entry, "module", "");
-    step.name = text(entry, "name");
-    step.text = text_or(entry, "text", step.name);
-    const std::int32_t indent = whole_or(entry, "indent", 0);
-    if (indent < 0 || indent > 32)
-      throw MalformedJson(fmt::format("step \"{}\" is indented {} deep", step.name, indent));
-    step.indent = static_cast<std::uint8_t>(indent);
-    const std::string kind = text(entry, "event");
-    bool known = false;
-    for_each_kind([&]<class E>() {
-      if (kind_text<E>.name != kind) return;
-      step.kind = kind_of<E>;
-      known = true;
-    });
-    if (!known)
-      throw MalformedJson(
-          fmt::format("step \"{}\" records \"{}\", a kind of event this zstep does not know; {} wrote it", step.name,
-                      kind, header.writer));
-    header.page.push_back(std::move(step));
-  }
+  parts.read([&] {
+    for (const json& entry : list(in, "steps"))
+      parts.read([&] { header.page.push_back(step_from_json(entry, header.writer, taken)); });
+  });
+  parts.done();
   return header;
 }
 

@@ -1,6 +1,11 @@
 // Header, camera, raster and conventions as JSON: the HEAD chunk of a trace and the first line of its JSONL form.
 #pragma once
 
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include "traces/file/header.hpp"
@@ -10,11 +15,23 @@ namespace zstep {
 
 /// What a JSON document says that cannot be. Readers turn it into an InputError that says where.
 struct MalformedJson : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit MalformedJson(const std::string& what, std::string mend_ = "") : std::runtime_error(what), mend(std::move(mend_)) {}
+  /// The same at a value of the document that is read, or at one of its members.
+  MalformedJson(const nlohmann::json& at_, std::string key_, const std::string& what, std::string mend_ = "")
+      : std::runtime_error(what), mend(std::move(mend_)), at(&at_), key(std::move(key_)) {}
+  std::string mend;                    ///< how to mend it, if there is more to say than where the format is described
+  const nlohmann::json* at = nullptr;  ///< lives as long as the document
+  std::string key;
+};
+
+/// Several of them; it says what the first does.
+struct MalformedParts : MalformedJson {
+  explicit MalformedParts(std::vector<MalformedJson> all_) : MalformedJson(all_.front()), all(std::move(all_)) {}
+  std::vector<MalformedJson> all;
 };
 
 nlohmann::ordered_json header_to_json(const Header& header);
-/// Throws MalformedJson for anything missing, of the wrong type, or an event kind this zstep does not know.
+/// Throws MalformedParts for anything missing, of the wrong type, or that this zstep does not know: nothing is passed over.
 Header header_from_json(const nlohmann::json& json);
 
 nlohmann::ordered_json scene_to_json(const Scene& scene);

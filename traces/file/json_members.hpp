@@ -1,28 +1,33 @@
 // Members of JSON objects, taken with a complaint that names them. Only for the readers beside it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "traces/file/header_json.hpp"
+#include "traces/near_word.hpp"
 
 namespace zstep::json_members {
 
 using nlohmann::json;
 
 inline const json& member(const json& object, const char* key) {
-  if (!object.is_object() || !object.contains(key)) throw MalformedJson(fmt::format("\"{}\" is missing", key));
+  if (!object.is_object() || !object.contains(key)) throw MalformedJson(object, "", fmt::format("\"{}\" is missing", key));
   return object.at(key);
 }
 
 inline std::string text(const json& object, const char* key) {
   const json& value = member(object, key);
-  if (!value.is_string()) throw MalformedJson(fmt::format("\"{}\" is not a text", key));
+  if (!value.is_string()) throw MalformedJson(object, key, fmt::format("\"{}\" is not a text", key));
   return value.get<std::string>();
 }
 
@@ -36,10 +41,10 @@ inline double real_or(const json& object, const char* key, double otherwise) {
 }
 
 inline std::int32_t whole_from(const json& value, const char* key) {
-  if (!value.is_number_integer()) throw MalformedJson(fmt::format("\"{}\" is not a whole number", key));
+  if (!value.is_number_integer()) throw MalformedJson(value, "", fmt::format("\"{}\" is not a whole number", key));
   const auto wide = value.get<std::int64_t>();
   if (wide < INT32_MIN || wide > INT32_MAX || (value.is_number_unsigned() && value.get<std::uint64_t>() > INT32_MAX)) {
-    throw MalformedJson(fmt::format("\"{}\" is out of range", key));
+    throw MalformedJson(value, "", fmt::format("\"{}\" is out of range", key));
   }
   return static_cast<std::int32_t>(wide);
 }
@@ -50,7 +55,7 @@ inline std::int32_t whole_or(const json& object, const char* key, std::int32_t o
 
 inline bool truth_or(const json& object, const char* key, bool otherwise) {
   if (!object.is_object() || !object.contains(key)) return otherwise;
-  if (!object.at(key).is_boolean()) throw MalformedJson(fmt::format("\"{}\" is neither true nor false", key));
+  if (!object.at(key).is_boolean()) throw MalformedJson(object, key, fmt::format("\"{}\" is neither true nor false", key));
   return object.at(key).get<bool>();
 }
 
@@ -62,7 +67,10 @@ Enumeration word_or(const json& object, const char* key, const std::array<std::s
   for (std::size_t i = 0; i < N; ++i) {
     if (words[i] == word) return static_cast<Enumeration>(i);
   }
-  throw MalformedJson(fmt::format("\"{}\" is \"{}\", but can only be one of: {}", key, word, fmt::join(words, ", ")));
+  const std::string_view near = near_word(word, words);
+  throw MalformedJson(object, key,
+                      fmt::format("\"{}\" is \"{}\", but can only be one of: {}", key, word, fmt::join(words, ", ")),
+                      near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
 }
 
 template <class Enumeration, std::size_t N>
@@ -72,8 +80,40 @@ inline std::string word(Enumeration value, const std::array<std::string_view, N>
 
 inline const json& list(const json& object, const char* key) {
   const json& value = member(object, key);
-  if (!value.is_array()) throw MalformedJson(fmt::format("\"{}\" is not a list", key));
+  if (!value.is_array()) throw MalformedJson(object, key, fmt::format("\"{}\" is not a list", key));
   return value;
 }
+
+/// Throws when an object has a member that is none of these: what is passed over in silence is believed to be obeyed.
+/// `owner`: "the scene", of whom they are the keys.
+inline void known_keys(const json& object, std::string_view owner, std::initializer_list<std::string_view> known) {
+  if (!object.is_object()) throw MalformedJson(object, "", fmt::format("{} is not an object", owner));
+  for (const auto& item : object.items()) {
+    if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
+    throw MalformedJson(object, item.key(), fmt::format("\"{}\" is no key of {}", item.key(), owner),
+                        near_word_or_list(item.key(), {known.begin(), known.size()}, "it can have"));
+  }
+}
+
+/// Reads a document part by part, so that all its faults are found, and not the first alone.
+class Parts {
+ public:
+  template <class Read>
+  void read(const Read& part) {
+    try {
+      part();
+    } catch (const MalformedParts& faults) {
+      faults_.insert(faults_.end(), faults.all.begin(), faults.all.end());
+    } catch (const MalformedJson& fault) {
+      faults_.push_back(fault);
+    }
+  }
+  void done() const {
+    if (!faults_.empty()) throw MalformedParts(faults_);
+  }
+
+ private:
+  std::vector<MalformedJson> faults_;
+};
 
 }  // namespace zstep::json_members

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "traces/file/trace.hpp"
@@ -21,13 +22,15 @@ void write_jsonl(const Trace& trace, std::ostream& out);
 
 /// Reads JSONL and hands header and scene to `begin`, which returns the recorder that takes the events. It keeps the scene for as long as
 /// the recorder lives.
-/// Throws InputError with NAME:LINE for what is wrong.
-void read_jsonl(std::istream& in, const std::string& name,
-                const std::function<TraceRecorder&(const Header&, Scene)>& begin);
+/// What the file of a program that crashed ends with, a line that was torn off or a message, is quoted in what is returned; nothing where
+/// the file is whole. Throws InputError for what is wrong elsewhere, the first ten mistakes, each as NAME:LINE:COLUMN.
+std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
+                                      const std::function<TraceRecorder&(const Header&, Scene)>& begin);
 
-/// JSONL file to trace file. Nothing is left behind when it fails.
-void import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to);
-/// JSONL file to a trace in memory.
+/// JSONL file to trace file. Nothing is left behind when it fails. Returns what read_jsonl() does; such a trace has no end, as that of a
+/// recording that was killed.
+std::optional<std::string> import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to);
+/// JSONL file to a trace in memory. Of a file that was cut off the trace warns.
 Trace open_jsonl(const std::filesystem::path& path);
 
 }  // namespace zstep

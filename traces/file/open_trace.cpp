@@ -220,11 +220,13 @@ Trace Trace::open(const std::filesystem::path& path) {
   return Trace(std::move(impl));
 }
 
-Trace Trace::from_bytes(std::vector<std::uint8_t> bytes, const std::string& name) {
+Trace Trace::from_bytes(std::vector<std::uint8_t> bytes, const std::string& name, const std::string& cut) {
   auto impl = std::make_unique<Impl>();
   impl->name = name;
   impl->source = std::make_unique<MemorySource>(std::move(bytes));
-  return Trace(std::move(impl));
+  Trace trace(std::move(impl));
+  if (!cut.empty() && !trace.impl_->warnings.empty()) trace.impl_->warnings = {cut};
+  return trace;
 }
 
 }  // namespace zstep

@@ -75,7 +75,8 @@ void take_runs(ByteReader& in, std::size_t count, const auto& put) {
     const auto more = static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(in.varint())));
     const std::uint64_t times = in.varint();
     if (times == 0 || times > count - i) throw MalformedBytes("a column with another number of values than it says");
-    for (const std::size_t end = i + times; i < end; ++i) put(i, static_cast<std::int32_t>(last += more));
+    for (const std::size_t end = i + static_cast<std::size_t>(times); i < end; ++i)
+      put(i, static_cast<std::int32_t>(last += more));
   }
 }
 
@@ -187,7 +188,8 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
     if (length == 0 || length > scene.polygons.size() - first) throw MalformedBytes("a material of no polygon");
     Material material;
     for (double* value : {&material.opacity, &material.reflectance, &material.refraction}) *value = double_of(in.u64());
-    for (const std::size_t end = first + length; first < end; ++first) scene.polygons[first].material = material;
+    for (const std::size_t end = first + static_cast<std::size_t>(length); first < end; ++first)
+      scene.polygons[first].material = material;
   }
   for (std::uint64_t left = in.varint(); left > 0; --left) {
     Placement placement;

@@ -15,6 +15,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::array<std::string_view, 3> camera_words{"screen", "perspective", "orthographic"};
+constexpr std::array<std::string_view, 2> axis_words{"down", "up"};
 
 std::string color_text(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }
 
@@ -68,6 +69,7 @@ ordered_json camera_to_json(const Camera& camera) {
 }
 
 Camera camera_from_json(const json& in) {
+  known_keys(in, "the camera", {"kind", "rho", "theta", "phi", "d", "window", "near", "far", "eye", "view"});
   Camera camera;
   camera.kind = word_or(in, "kind", camera_words, Camera::Kind::perspective);
   if (camera.kind == Camera::Kind::screen) return camera;
@@ -94,16 +96,15 @@ Camera camera_from_json(const json& in) {
 }
 
 ordered_json raster_to_json(const Raster& raster) {
-  return {{"width", raster.width}, {"height", raster.height}, {"y_axis", raster.y_up ? "up" : "down"}};
+  return {{"width", raster.width}, {"height", raster.height}, {"y_axis", axis_words[raster.y_up ? 1 : 0]}};
 }
 
 Raster raster_from_json(const json& in) {
+  known_keys(in, "the raster", {"width", "height", "y_axis"});
   Raster raster;
   raster.width = whole(in, "width");
   raster.height = whole(in, "height");
-  const std::string axis = text_or(in, "y_axis", "down");
-  if (axis != "up" && axis != "down") throw MalformedJson("\"y_axis\" is neither \"up\" nor \"down\"");
-  raster.y_up = axis == "up";
+  raster.y_up = word_or(in, "y_axis", axis_words, 0) == 1;
   return raster;
 }
 
@@ -116,6 +117,7 @@ ordered_json light_to_json(const Light& light) {
 }
 
 Light light_from_json(const json& in) {
+  known_keys(in, "the light", {"position", "target", "window", "near", "far"});
   return {vector_from(member(in, "position"), "position"), vector_from(member(in, "target"), "target"),
           real(in, "window"), real(in, "near"), real(in, "far")};
 }
@@ -131,6 +133,7 @@ ordered_json surface_to_json(const Surface& surface) {
 }
 
 Surface surface_from_json(const json& in) {
+  known_keys(in, "the surface", {"formula", "x_min", "x_max", "z_min", "z_max", "columns", "rows"});
   return {text(in, "formula"), real(in, "x_min"),    real(in, "x_max"), real(in, "z_min"),
           real(in, "z_max"),   whole(in, "columns"), whole(in, "rows")};
 }
@@ -143,6 +146,7 @@ ordered_json placement_to_json(const Placement& placement) {
 }
 
 Placement placement_from_json(const json& in) {
+  known_keys(in, "a placement", {"first", "points", "source", "line", "matrix", "offset"});
   Placement placement{whole(in, "first"), whole(in, "points"), text(in, "source"), whole_or(in, "line", 0)};
   const json& rows = list(in, "matrix");
   if (rows.size() != 3) throw MalformedJson("\"matrix\" does not have three rows");
@@ -156,7 +160,10 @@ Placement placement_from_json(const json& in) {
 
 ordered_json fit_to_json(const Fit& fit) { return {{"centre", vector_to(fit.centre)}, {"radius", real_to_json(fit.radius)}}; }
 
-Fit fit_from_json(const json& in) { return {vector_from(member(in, "centre"), "centre"), real(in, "radius")}; }
+Fit fit_from_json(const json& in) {
+  known_keys(in, "the fit", {"centre", "radius"});
+  return {vector_from(member(in, "centre"), "centre"), real(in, "radius")};
+}
 
 ordered_json scene_to_json(const Scene& scene) {
   ordered_json out;
@@ -208,6 +215,8 @@ ordered_json scene_to_json(const Scene& scene) {
 }
 
 Scene scene_from_json(const json& in) {
+  known_keys(in, "the scene", {"name", "source", "raster", "camera", "background", "light", "surface", "points",
+                               "placements", "fit", "file_points", "point_lines", "polygons", "facets"});
   Scene scene;
   scene.name = text_or(in, "name", "scene");
   scene.source = text_or(in, "source", "");
@@ -228,12 +237,14 @@ Scene scene_from_json(const json& in) {
     for (const json& line : list(in, "point_lines")) scene.point_lines.push_back(whole_from(line, "point_lines"));
   }
   for (const json& entry : list(in, "polygons")) {
+    known_keys(entry, "a polygon", {"name", "color", "line", "opacity", "reflectance", "refraction"});
     const Material material{real_or(entry, "opacity", 1), real_or(entry, "reflectance", 0),
                             real_or(entry, "refraction", 1)};
     scene.polygons.push_back({text_or(entry, "name", ""), color_from(text_or(entry, "color", "#999999")),
                               whole_or(entry, "line", 0), material});
   }
   for (const json& entry : list(in, "facets")) {
+    known_keys(entry, "a facet", {"polygon", "points"});
     const json& corners = list(entry, "points");
     scene.facets.push_back({whole(entry, "polygon"), static_cast<std::int32_t>(scene.corners.size()),
                             static_cast<std::int32_t>(corners.size())});

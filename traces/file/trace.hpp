@@ -52,8 +52,8 @@ class Trace {
   /// Opens a .ztrace file, whole or cut off. Reads header, scene and index; events are read when they are asked for.
   /// Throws InputError for what is no trace, is damaged where it cannot be missed, or comes from a newer zstep.
   static Trace open(const std::filesystem::path& path);
-  /// The same from memory (a recording that was never a file).
-  static Trace from_bytes(std::vector<std::uint8_t> bytes, const std::string& name);
+  /// The same from memory (a recording that was never a file). `cut`: what is said of a recording without its end, in place of the usual.
+  static Trace from_bytes(std::vector<std::uint8_t> bytes, const std::string& name, const std::string& cut = "");
 
   Trace(Trace&&) noexcept;
   Trace& operator=(Trace&&) noexcept;

@@ -136,11 +136,13 @@ std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(journal_of(trace), error);
   if (error || size < page || head->log_size > (size - page) / std::max<std::uint64_t>(head->logs, 1)) return found;
+  const auto log_size = static_cast<std::size_t>(head->log_size);
+  if (log_size != head->log_size) return found;  // more than there is memory to address
   for (std::uint64_t block = first; found.size() < head->logs; ++block) {
     const auto number = static_cast<std::size_t>(std::find(head->block.begin(), head->block.begin() + static_cast<std::ptrdiff_t>(head->logs), block) - head->block.begin());
     if (number == head->logs) break;
-    Bytes log(head->log_size);
-    in.seekg(static_cast<std::streamoff>(page + number * head->log_size));
+    Bytes log(log_size);
+    in.seekg(static_cast<std::streamoff>(page + std::uint64_t{number} * log_size));
     in.read(reinterpret_cast<char*>(log.data()), static_cast<std::streamsize>(log.size()));
     if (!in) break;
     // Of a recording that goes on: it may have been another block's meanwhile.

@@ -166,16 +166,18 @@ void TraceRecorder::write_block() {
   if (on_block_) on_block_(size());
 }
 
-void TraceRecorder::finish() {
+void TraceRecorder::finish(bool whole) {
   log_.close();
   if (log_.count() > 0) write_block();
   sink_->worker.wait();
-  const std::uint64_t offset = sink_->written;
-  Bytes index;
-  put_varint(index, sink_->blocks);
-  index.insert(index.end(), sink_->index.begin(), sink_->index.end());
-  sink_->write(make_chunk(index_tag, compress(index)));
-  sink_->write(make_trailer(offset));
+  if (whole) {
+    const std::uint64_t offset = sink_->written;
+    Bytes index;
+    put_varint(index, sink_->blocks);
+    index.insert(index.end(), sink_->index.begin(), sink_->index.end());
+    sink_->write(make_chunk(index_tag, compress(index)));
+    sink_->write(make_trailer(offset));
+  }
   if (sink_->file) sink_->file->close();
 }
 

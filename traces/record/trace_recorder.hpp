@@ -45,8 +45,8 @@ class TraceRecorder {
   void on_block(std::function<void(std::int64_t)> callback) { on_block_ = std::move(callback); }
 
   /// Writes the last block and the index. Call it when the run is over: without it the file is as a killed run leaves
-  /// it.
-  void finish();
+  /// it; so is that of a run which is not `whole`, but for its last block.
+  void finish(bool whole = true);
 
   /// After finish(), of a recording to memory: the file's bytes.
   std::vector<std::uint8_t> take_bytes();

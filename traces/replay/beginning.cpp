@@ -6,16 +6,16 @@ namespace zstep {
 
 namespace {
 
-void begin(Picture& picture, std::int32_t width, std::int32_t height) {
+void begin(Picture& picture, std::int32_t width, std::int32_t height, double depth) {
   const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   picture.width = width, picture.height = height;
   picture.polygon.assign(size, no_polygon);
-  picture.depth.assign(size, no_depth);
+  picture.depth.assign(size, depth);
 }
 
 }  // namespace
 
-Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()) {
+Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()), empty_depth_(trace.header().empty_depth()) {
   const auto records = [&](std::uint8_t kind) {
     const Page& page = trace.header().page;
     return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
@@ -33,9 +33,9 @@ State Beginning::state() const {
 
 void Beginning::begin_pictures(State& state) const {
   const Raster& raster = scene_->raster;
-  begin(state.picture, raster.width, raster.height);
+  begin(state.picture, raster.width, raster.height, empty_depth_);
   if (colors_) state.picture.use_ink();
-  if (light_) begin(state.light, raster.width, raster.height);
+  if (light_) begin(state.light, raster.width, raster.height, empty_depth_);
 }
 
 void Beginning::begin_vertices(State& state) const {

@@ -16,9 +16,11 @@ class Beginning {
   /// The same for parts of a state that there is already.
   void begin_pictures(State& state) const;
   void begin_vertices(State& state) const;
+  double empty_depth() const { return empty_depth_; }
 
  private:
   const Scene* scene_;
+  double empty_depth_;   ///< what depth buffers hold where nothing was drawn
   bool colors_ = false;  ///< pixels have colours of their own
   bool light_ = false;   ///< there is a pass for the light
 };

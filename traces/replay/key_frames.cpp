@@ -19,10 +19,10 @@ KeyFrames::KeyFrames(const Beginning& beginning, std::int64_t end, std::int64_t 
   if (next_due() <= end_) beginning_->begin_pictures(last_);
 }
 
-void KeyFrames::set_pictures(Frame& frame, std::size_t n, const State& before, const State& now) {
+void KeyFrames::set_pictures(Frame& frame, std::size_t n, const State& before, const State& now) const {
   const bool whole = n % group == 0;
-  frame.picture = PictureChange(whole ? nullptr : &before.picture, now.picture);
-  frame.light = PictureChange(whole ? nullptr : &before.light, now.light);
+  frame.picture = PictureChange(whole ? nullptr : &before.picture, now.picture, beginning_->empty_depth());
+  frame.light = PictureChange(whole ? nullptr : &before.light, now.light, beginning_->empty_depth());
 }
 
 void KeyFrames::add(const State& state) {

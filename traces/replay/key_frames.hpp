@@ -41,7 +41,7 @@ class KeyFrames {
   };
   static constexpr std::size_t group = 16;
   /// The changes of the n-th frame from what it is told from: the pictures of the frame before, or nothing.
-  static void set_pictures(Frame& frame, std::size_t n, const State& before, const State& now);
+  void set_pictures(Frame& frame, std::size_t n, const State& before, const State& now) const;
   std::size_t count_before(std::int64_t position) const;
   void thin_out();
 

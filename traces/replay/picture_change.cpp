@@ -31,11 +31,11 @@ std::uint64_t next_varint(const std::uint8_t*& at) {
 
 }  // namespace
 
-PictureChange::PictureChange(const Picture* before, const Picture& after) {
+PictureChange::PictureChange(const Picture* before, const Picture& after, double empty_depth) {
   const std::size_t size = after.depth.size();
   const bool inked = !after.ink.empty();
   const auto changed = [&](std::size_t pixel) {
-    const double depth = before != nullptr ? before->depth[pixel] : no_depth;
+    const double depth = before != nullptr ? before->depth[pixel] : empty_depth;
     const std::int32_t polygon = before != nullptr ? before->polygon[pixel] : no_polygon;
     const std::uint32_t ink = !inked ? 0u : before != nullptr ? before->ink[pixel] : no_ink;
     return bits_of_depth(depth) != bits_of_depth(after.depth[pixel]) || polygon != after.polygon[pixel] || (inked && ink != after.ink[pixel]);
@@ -84,8 +84,8 @@ void PictureChange::apply_to(Picture& picture) const {
   std::int64_t polygon = no_polygon;
   std::size_t pixel = 0;
   const std::uint8_t* at = bytes_.data();
-  while (const std::uint64_t count = next_varint(at)) {
-    pixel += next_varint(at);
+  while (const auto count = static_cast<std::size_t>(next_varint(at))) {
+    pixel += static_cast<std::size_t>(next_varint(at));
     polygon += static_cast<std::int64_t>(undo_zigzag(next_varint(at)));
     for (const std::size_t end = pixel + count; pixel < end; ++pixel) {
       const std::uint64_t bits = depths.guess() + undo_zigzag(next_varint(at));

@@ -14,8 +14,8 @@ namespace zstep {
 class PictureChange {
  public:
   PictureChange() = default;
-  /// `before`: nullptr for a picture that nothing was drawn to.
-  PictureChange(const Picture* before, const Picture& after);
+  /// `before`: nullptr for a picture that nothing was drawn to, whose depths are all `empty_depth`.
+  PictureChange(const Picture* before, const Picture& after, double empty_depth = no_depth);
   /// Makes of the one picture the other.
   void apply_to(Picture& picture) const;
   std::size_t bytes() const { return bytes_.size(); }

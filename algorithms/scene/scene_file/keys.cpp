@@ -11,27 +11,11 @@
 #include "algorithms/scene/files/number.hpp"
 #include "algorithms/scene/files/tokens.hpp"
 #include "traces/error.hpp"
+#include "traces/near_word.hpp"
 
 namespace zstep::scene {
 
 namespace {
-
-/// Letters to insert, drop, change or swap to get from one word to the other (optimal string alignment).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    next[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        next[j] = std::min(next[j], before[j - 2] + 1);
-    }
-    before = row;
-    row = next;
-  }
-  return row[b.size()];
-}
 
 std::string_view kind_of(const toml::node& node) {
   switch (node.type()) {
@@ -60,20 +44,8 @@ void fail_at(const toml::node& node, const std::string& file, std::string_view w
   throw InputError(fmt::format("{}:{}", file, line_of(node)), what, mend);
 }
 
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
-  if (word.size() > 64) return {};
-  std::string_view best;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
-  for (const std::string_view candidate : candidates)
-    if (const std::size_t distance = edit_distance(word, candidate); distance < least) {
-      least = distance;
-      best = candidate;
-    }
-  return best;
-}
-
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates) {
-  if (const std::string_view best = nearest(word, candidates); !best.empty())
+  if (const std::string_view best = near_word(word, candidates); !best.empty())
     return fmt::format("did you mean '{}'?", best);
   return fmt::format("known are: {}", fmt::join(candidates, ", "));
 }

@@ -18,8 +18,6 @@ namespace zstep::scene {
 /// The line of `node`.
 std::int32_t line_of(const toml::node& node);
 
-/// The candidate that `word` was most likely meant to be; empty if none is close.
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 /// "did you mean 'rho'?", or the list of all candidates if none is close.
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates);
 
