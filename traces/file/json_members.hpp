@@ -70,7 +70,7 @@ Enumeration word_or(const json& object, const char* key, const std::array<std::s
   const std::string_view near = near_word(word, words);
   throw MalformedJson(object, key,
                       fmt::format("\"{}\" is \"{}\", but can only be one of: {}", key, word, fmt::join(words, ", ")),
-                      near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
+                      near.empty() ? "write one of these, or leave it out" : fmt::format("did you mean \"{}\"?", near));
 }
 
 template <class Enumeration, std::size_t N>
