@@ -78,19 +78,39 @@ class Reader {
       else if (word == "usemtl") material_ = std::string(file_.rest_of_line());
       else if (word == "mtllib") library();
       else if (word == "p" || word == "l") ++elements_passed_over_;
-      else if (word == "curv" || word == "curv2" || word == "surf")
-        file_.fail("free-form curves and surfaces are not read", "export the mesh as polygons");
-      else if (!one_of(passed_over, word) && !one_of(free_form_, word))
-        file_.fail(fmt::format("{} is no statement of an OBJ file", in_quotes(word)),
-                   "is this an OBJ file, and is it whole?");
+      else if (word == "curv" || word == "curv2" || word == "surf") free_forms_.add(word, file_);
+      else if (!one_of(passed_over, word) && !one_of(free_form_, word)) unknown_.add(word, file_);
     } while (file_.next_line());
     check_forward_references();
+    // Beside polygons they are left out; without any the file is another one than was meant.
+    if (soup_.outlines.empty() && free_forms_.count > 0)
+      throw InputError(free_forms_.where, "free-form curves and surfaces are not read", "export the mesh as polygons");
+    if (soup_.outlines.empty() && unknown_.count > 0)
+      throw InputError(unknown_.where, fmt::format("{} is no statement of an OBJ file", in_quotes(unknown_.word)),
+                       "is this an OBJ file, and is it whole?");
     if (elements_passed_over_ > 0)
       soup_.notes.push_back(fmt::format("{} points and lines (p, l) are not drawn", elements_passed_over_));
+    if (free_forms_.count > 0)
+      soup_.notes.push_back(fmt::format("{}: {} free-form curves and surfaces (curv, curv2, surf) are left out",
+                                        free_forms_.where, free_forms_.count));
+    if (unknown_.count > 0)
+      soup_.notes.push_back(fmt::format("{}: {} is no statement of an OBJ file; {} such line{} left out", unknown_.where,
+                                        in_quotes(unknown_.word), unknown_.count,
+                                        unknown_.count == 1 ? " was" : "s were"));
     return std::move(soup_);
   }
 
  private:
+  /// Statements of one sort that are left out.
+  struct LeftOut {
+    std::int64_t count = 0;
+    std::string word, where;  ///< of the first
+
+    void add(std::string_view next, const Tokens& file) {
+      if (count++ == 0) word = std::string(next), where = file.where();
+    }
+  };
+
   std::string where() const { return file_.where(); }
 
   void vertex() {
@@ -175,6 +195,7 @@ class Reader {
   std::int64_t furthest_ = 0;
   std::string furthest_where_;
   std::int64_t elements_passed_over_ = 0;
+  LeftOut free_forms_, unknown_;
   std::size_t library_bytes_ = 0;
 };
 

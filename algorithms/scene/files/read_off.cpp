@@ -1,9 +1,12 @@
-// OFF, as the manual of Geomview has it (The Geometry Center, University of Minnesota, 1992–), ascii only.
+// OFF, as the manual of Geomview has it (The Geometry Center, University of Minnesota, 1992–), ascii and binary.
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "algorithms/scene/files/binary_reader.hpp"
 #include "algorithms/scene/files/number.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
 #include "algorithms/scene/files/tokens.hpp"
@@ -14,21 +17,25 @@ namespace zstep::scene {
 namespace {
 
 struct Kind {
-  bool extra_numbers =
-      false;  ///< colours, normals or texture coordinates follow the coordinates, to the end of the line
+  int extra_numbers = 0;  ///< texture coordinates, a colour or a normal follow the coordinates of each vertex
+  std::string_view rest;  ///< of the word: some programs write the first count right behind it
 };
-
-bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
 /// The keyword: OFF with any of the prefixes ST, C and N, in this order.
 std::optional<Kind> kind_of_keyword(std::string_view word) {
+  struct Prefix {
+    std::string_view letters;
+    int numbers;
+  };
   Kind kind;
-  for (const std::string_view prefix : {"ST", "C", "N"})
-    if (starts_with(word, prefix)) {
-      word.remove_prefix(prefix.size());
-      kind.extra_numbers = true;
+  for (const auto& [letters, numbers] : {Prefix{"ST", 2}, Prefix{"C", 4}, Prefix{"N", 3}})
+    if (word.starts_with(letters)) {
+      word.remove_prefix(letters.size());
+      kind.extra_numbers += numbers;
     }
-  if (word != "OFF") return std::nullopt;
+  if (!word.starts_with("OFF")) return std::nullopt;
+  kind.rest = word.substr(3);
+  if (!kind.rest.empty() && !parse_integer(kind.rest)) return std::nullopt;
   return kind;
 }
 
@@ -57,6 +64,54 @@ std::optional<Color> face_color(Tokens& file) {
   return color;
 }
 
+/// What follows the line "OFF BINARY": counts and indices in four bytes each and numbers in float32, the highest byte
+/// first; after the corners of a face the number of its colour's components, and these.
+PolygonSoup read_binary(std::string_view bytes, const std::string& name, std::size_t at, const Kind& kind) {
+  BinaryReader file(bytes, name, at, true);
+  const auto where = [&] { return file.where(); };
+  const auto count = [&](std::string_view what, std::size_t least_bytes) {
+    const auto value = file.take<std::int32_t>();
+    if (value < 0 || static_cast<std::size_t>(value) > file.bytes_left() / least_bytes)
+      throw InputError(where(), fmt::format("{} {} are declared, which {} bytes cannot hold", value, what, file.bytes_left()),
+                       "correct the count, or get the file again if it was cut short");
+    return value;
+  };
+  PolygonSoup soup;
+  const std::int32_t points = count("vertices", 12), faces = count("faces", 8);
+  file.take<std::int32_t>();  // the number of edges, which nobody needs
+  for (std::int32_t i = 0; i < points; ++i) {
+    glm::dvec3 point;
+    for (int axis = 0; axis < 3; ++axis)
+      point[axis] = checked_coordinate(static_cast<double>(file.take<float>()), where(), "a coordinate of a vertex");
+    for (int k = 0; k < kind.extra_numbers; ++k) file.take<float>();
+    soup.add_point(point, 0, where);
+  }
+  for (std::int32_t i = 0; i < faces; ++i) {
+    const std::int32_t corners = count("corners of a face", 4);
+    for (std::int32_t k = 0; k < corners; ++k) {
+      const auto index = file.take<std::int32_t>();
+      if (index < 0 || index >= points)
+        throw InputError(where(), fmt::format("there is no vertex {}", index),
+                         fmt::format("the indices are 0 to {}", points - 1));
+      soup.add_corner(index, where);
+    }
+    std::optional<Color> color;
+    const std::int32_t components = count("components of a colour", 4);
+    if (components > 4)
+      throw InputError(where(), fmt::format("a colour of {} components", components), "a colour is r g b or r g b a");
+    std::array<std::uint8_t, 4> channels{};
+    for (std::int32_t k = 0; k < components; ++k) {
+      const auto value = static_cast<double>(file.take<float>());
+      if (!(value >= 0 && value <= 1))
+        throw InputError(where(), "a colour's number is out of range", "use fractions of 0 to 1");
+      channels[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * value));
+    }
+    if (components >= 3) color = Color{channels[0], channels[1], channels[2]};
+    soup.close_outline(0, color, where);
+  }
+  return soup;
+}
+
 }  // namespace
 
 PolygonSoup read_off(std::string_view bytes, const std::string& name) {
@@ -68,8 +123,13 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
   Kind kind;
   if (const auto known = kind_of_keyword(token)) {
     kind = *known;
-    token = file.next();
-    if (token == "BINARY") file.fail("binary OFF is not read", "save it as ascii OFF, or as PLY");
+    token = kind.rest.empty() ? file.next() : kind.rest;
+    if (token == "BINARY") {
+      // The numbers begin after the line's end, be it LF or CR LF.
+      const std::size_t end = bytes.find('\n', bytes.size() - file.bytes_left());
+      if (end == std::string_view::npos) file.fail("the file ends after BINARY", "get the file again: it was cut short");
+      return read_binary(bytes, name, end + 1, kind);
+    }
   } else if (!parse_integer(token)) {  // the keyword may be missing altogether
     if (token.find("OFF") != std::string_view::npos)
       file.fail(fmt::format("{} is not read", in_quotes(token)),
@@ -94,7 +154,7 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     const std::int32_t line = file.line();
     point.y = file.coordinate(file.next(), "y of a vertex");
     point.z = file.coordinate(file.next(), "z of a vertex");
-    if (kind.extra_numbers) file.rest_of_line();
+    if (kind.extra_numbers > 0) file.rest_of_line();
     soup.add_point(point, line, where);
   }
   for (std::int64_t i = 0; i < declared_faces; ++i) {

@@ -1,11 +1,11 @@
 // PLY, the Polygon File Format (Greg Turk, Stanford University, 1994).
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "algorithms/scene/files/binary_reader.hpp"
 #include "algorithms/scene/files/number.hpp"
 #include "algorithms/scene/files/ply_header.hpp"
 #include "algorithms/scene/files/read_mesh.hpp"
@@ -48,71 +48,41 @@ class AsciiValues {
 class BinaryValues {
  public:
   BinaryValues(std::string_view bytes, const std::string& name, const PlyHeader& header)
-      : bytes_(bytes), name_(name), at_(header.size), big_(header.encoding == PlyHeader::Encoding::big_endian) {}
+      : file_(bytes, name, header.size, header.encoding == PlyHeader::Encoding::big_endian) {}
 
   double next(Type type) {
     switch (type) {
       case Type::int8:
-        return take<std::int8_t>();
+        return file_.take<std::int8_t>();
       case Type::uint8:
-        return take<std::uint8_t>();
+        return file_.take<std::uint8_t>();
       case Type::int16:
-        return take<std::int16_t>();
+        return file_.take<std::int16_t>();
       case Type::uint16:
-        return take<std::uint16_t>();
+        return file_.take<std::uint16_t>();
       case Type::int32:
-        return take<std::int32_t>();
+        return file_.take<std::int32_t>();
       case Type::uint32:
-        return take<std::uint32_t>();
+        return file_.take<std::uint32_t>();
       case Type::float32:
-        return static_cast<double>(take<float>());
+        return static_cast<double>(file_.take<float>());
       case Type::float64:
-        return take<double>();
+        return file_.take<double>();
     }
     return 0;
   }
-  std::size_t bytes_left() const { return bytes_.size() - at_; }
+  std::size_t bytes_left() const { return file_.bytes_left(); }
   std::size_t least_bytes(Type type) const { return ply_size(type); }
   std::int32_t line() const { return 0; }
-  std::string where() const { return fmt::format("{}:byte {}", name_, last_); }
+  std::string where() const { return file_.where(); }
   void finish() const {}  // some exporters pad binary files
 
  private:
-  template <class T>
-  T take() {
-    last_ = at_;
-    if (bytes_left() < sizeof(T))
-      throw InputError(where(), "the file ends before the last element", "get the file again: it was cut short");
-    unsigned char raw[sizeof(T)];
-    std::memcpy(raw, bytes_.data() + at_, sizeof(T));
-    at_ += sizeof(T);
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < sizeof(T); ++i) bits |= std::uint64_t{raw[big_ ? sizeof(T) - 1 - i : i]} << (8 * i);
-    T value{};
-    if constexpr (sizeof(T) == 1) {
-      const auto b = static_cast<std::uint8_t>(bits);
-      std::memcpy(&value, &b, 1);
-    }
-    if constexpr (sizeof(T) == 2) {
-      const auto b = static_cast<std::uint16_t>(bits);
-      std::memcpy(&value, &b, 2);
-    }
-    if constexpr (sizeof(T) == 4) {
-      const auto b = static_cast<std::uint32_t>(bits);
-      std::memcpy(&value, &b, 4);
-    }
-    if constexpr (sizeof(T) == 8) std::memcpy(&value, &bits, 8);
-    return value;
-  }
-
-  std::string_view bytes_;
-  const std::string& name_;
-  std::size_t at_, last_ = 0;
-  bool big_;
+  BinaryReader file_;
 };
 
 /// What a property of a vertex or a face means to us.
-enum class Use : std::uint8_t { none, x, y, z, red, green, blue, corners };
+enum class Use : std::uint8_t { none, x, y, z, red, green, blue, corners, strip };
 
 Use use_in(const PlyElement& element, const PlyProperty& property) {
   const std::string_view name = property.name;
@@ -121,8 +91,10 @@ Use use_in(const PlyElement& element, const PlyProperty& property) {
     if (name == "y") return Use::y;
     if (name == "z") return Use::z;
   }
+  const bool indices = property.list && (name == "vertex_indices" || name == "vertex_index");
+  if (element.name == "tristrips") return indices ? Use::strip : Use::none;
   if (element.name == "face") {
-    if (property.list) return name == "vertex_indices" || name == "vertex_index" ? Use::corners : Use::none;
+    if (property.list) return indices ? Use::corners : Use::none;
     if (name == "red" || name == "diffuse_red" || name == "r") return Use::red;
     if (name == "green" || name == "diffuse_green" || name == "g") return Use::green;
     if (name == "blue" || name == "diffuse_blue" || name == "b") return Use::blue;
@@ -142,11 +114,8 @@ class Reader {
   Reader(const PlyHeader& header, Values values) : header_(header), values_(std::move(values)) {}
 
   PolygonSoup read() {
-    for (const PlyElement& element : header_.elements) {
+    for (const PlyElement& element : header_.elements)
       if (element.name == "vertex") declared_points_ = element.count;
-      if (element.name == "tristrips" && element.count > 0)
-        soup_.notes.emplace_back("triangle strips are not read; export the mesh with faces");
-    }
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;  // it takes no bytes, whatever its count
       std::vector<Use> uses;
@@ -158,7 +127,7 @@ class Reader {
         std::int32_t line = 0;
         for (std::size_t k = 0; k < uses.size(); ++k) {
           const PlyProperty& property = element.properties[k];
-          if (property.list) read_list(property, uses[k] == Use::corners);
+          if (property.list) read_list(property, uses[k]);
           else read_value(property, uses[k], point, color);
           if (k == 0) line = values_.line();
         }
@@ -194,7 +163,7 @@ class Reader {
     }
   }
 
-  void read_list(const PlyProperty& property, bool corners) {
+  void read_list(const PlyProperty& property, Use use) {
     const double count = values_.next(property.count_type);
     const auto most = static_cast<double>((values_.bytes_left() + 1) / values_.least_bytes(property.type));
     if (!(count >= 0 && count <= most) || count != std::floor(count))
@@ -202,15 +171,43 @@ class Reader {
                        fmt::format("a list of {} {} is declared, but the rest of the file holds at most {}", count,
                                    in_quotes(property.name), most),
                        "correct the count, or get the file again if it was cut short");
+    Strip strip;
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) {
       const double index = values_.next(property.type);
-      if (!corners) continue;
-      if (!(index >= 0 && index < static_cast<double>(declared_points_)) || index != std::floor(index))
-        throw InputError(values_.where(), fmt::format("there is no vertex {}", index),
-                         declared_points_ > 0 ? fmt::format("the indices are 0 to {}", declared_points_ - 1)
-                                              : std::string("the head declares no vertices"));
-      soup_.add_corner(static_cast<std::int64_t>(index), [&] { return values_.where(); });
+      if (use == Use::strip) {
+        if (index == -1) strip = {};
+        else extend(strip, checked(index));
+      } else if (use == Use::corners) {
+        soup_.add_corner(checked(index), [&] { return values_.where(); });
+      }
     }
+  }
+
+  std::int64_t checked(double index) const {
+    if (!(index >= 0 && index < static_cast<double>(declared_points_)) || index != std::floor(index))
+      throw InputError(values_.where(), fmt::format("there is no vertex {}", index),
+                       declared_points_ > 0 ? fmt::format("the indices are 0 to {}", declared_points_ - 1)
+                                            : std::string("the head declares no vertices"));
+    return static_cast<std::int64_t>(index);
+  }
+
+  /// The last two vertices of a triangle strip, and how many came before.
+  struct Strip {
+    std::int64_t before_last = -1, last = -1, count = 0;
+  };
+
+  /// Each vertex after the second makes a triangle with the two before it, every other one the other way round.
+  /// Triangles with a vertex twice only lead the strip on.
+  void extend(Strip& strip, std::int64_t vertex) {
+    if (strip.count >= 2 && vertex != strip.last && vertex != strip.before_last && strip.last != strip.before_last) {
+      const auto where = [&] { return values_.where(); };
+      const bool swapped = strip.count % 2 == 1;
+      soup_.add_corner(swapped ? strip.last : strip.before_last, where);
+      soup_.add_corner(swapped ? strip.before_last : strip.last, where);
+      soup_.add_corner(vertex, where);
+      soup_.close_outline(values_.line(), std::nullopt, where);
+    }
+    strip = {strip.last, vertex, strip.count + 1};
   }
 
   Color color_of(glm::dvec3 color) const {
@@ -240,6 +237,9 @@ PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
     if (element.name == "face" && element.count > 0 && !has(element, Use::corners))
       throw InputError(fmt::format("{}:{}", name, element.line), "the faces have no list vertex_indices",
                        "add: property list uchar int vertex_indices");
+    if (element.name == "tristrips" && element.count > 0 && !has(element, Use::strip))
+      throw InputError(fmt::format("{}:{}", name, element.line), "the triangle strips have no list vertex_indices",
+                       "add: property list int int vertex_indices");
   }
   if (header.encoding == PlyHeader::Encoding::ascii) return Reader(header, AsciiValues(bytes, name, header)).read();
   return Reader(header, BinaryValues(bytes, name, header)).read();

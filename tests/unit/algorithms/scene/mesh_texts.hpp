@@ -1,6 +1,7 @@
 // Small meshes as text and as bytes.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -160,5 +161,39 @@ inline std::string with_line_ends(const std::string& text, const std::string& en
   }
   return result;
 }
+
+/// One triangle with a colour, as Geomview writes it in binary: the highest byte first.
+inline std::string binary_triangle_off() {
+  std::string bytes = "OFF BINARY\n";
+  const auto put = [&](std::uint32_t bits) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(bits >> shift & 255);
+  };
+  for (const std::uint32_t count : {3, 1, 0}) put(count);
+  for (const float value : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.5f, 0.0f, 1.0f, 0.0f}) put(std::bit_cast<std::uint32_t>(value));
+  for (const std::uint32_t index : {3, 0, 1, 2}) put(index);
+  put(3);
+  for (const float value : {1.0f, 0.0f, 0.5f}) put(std::bit_cast<std::uint32_t>(value));
+  return bytes;
+}
+
+/// Two triangle strips in one list, parted by -1.
+inline const std::string strips_ply = R"(ply
+format ascii 1.0
+element vertex 6
+property float x
+property float y
+property float z
+comment strips as the Stanford models have them
+element tristrips 1
+property list int int vertex_indices
+end_header
+0 0 0
+1 0 0
+0 1 0
+1 1 0
+0 2 0
+1 2 0
+9 0 1 2 3 -1 2 3 5 5
+)";
 
 }  // namespace zstep::test

@@ -109,6 +109,42 @@ TEST_SUITE("mesh readers") {
     CHECK(bare.notes.size() == 1);
   }
 
+  TEST_CASE("OFF: the first count may follow the keyword without a blank, as some programs write it") {
+    CHECK(corners(read_off("OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "t.off"), 0) == Ring{0, 1, 2});
+    CHECK(read_off("COFF3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n", "t.off").points.size() == 3);
+  }
+
+  TEST_CASE("OFF: binary, with and without colours, whatever ends the first line") {
+    for (const std::string& bytes : {binary_triangle_off(), "OFF BINARY\r" + binary_triangle_off().substr(10)}) {
+      const PolygonSoup soup = read_off(bytes, "t.off");
+      REQUIRE(soup.points.size() == 3);
+      CHECK(soup.points[1] == glm::dvec3(1, 0, 0.5));
+      REQUIRE(soup.outlines.size() == 1);
+      CHECK(corners(soup, 0) == Ring{0, 1, 2});
+      CHECK(soup.colors[0] == Color{255, 0, 128});
+      CHECK(soup.outline_lines.empty());
+    }
+  }
+
+  TEST_CASE("OBJ: beside polygons, what is not known and what is free-form is left out, with a note that says so") {
+    const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const PolygonSoup unknown = read_mesh_bytes(MeshFormat::obj, mesh + "weight 1\nweight 2\n", "t.obj");
+    CHECK(unknown.outlines.size() == 1);
+    CHECK(unknown.notes == std::vector<std::string>{"t.obj:5: 'weight' is no statement of an OBJ file; 2 such lines were left out"});
+    const PolygonSoup curves = read_mesh_bytes(MeshFormat::obj, mesh + "cstype bezier\nsurf 0 1 0 1 1 2\nend\n", "t.obj");
+    CHECK(curves.outlines.size() == 1);
+    CHECK(curves.notes == std::vector<std::string>{"t.obj:6: 1 free-form curves and surfaces (curv, curv2, surf) are left out"});
+  }
+
+  TEST_CASE("PLY: triangle strips become triangles that all turn the same way") {
+    const PolygonSoup soup = read_ply(strips_ply, "t.ply");
+    REQUIRE(soup.outlines.size() == 3);
+    CHECK(corners(soup, 0) == Ring{0, 1, 2});
+    CHECK(corners(soup, 1) == Ring{2, 1, 3});
+    CHECK(corners(soup, 2) == Ring{2, 3, 5});  // after -1 a new strip begins; a vertex twice in a row makes no triangle
+    CHECK(soup.outline_lines[2] == 17);
+  }
+
   TEST_CASE("OBJ: a face may stand before its vertices; points and lines are passed over") {
     const PolygonSoup soup =
         read_mesh_bytes(MeshFormat::obj, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\np 1\n", "t.obj");
