@@ -50,6 +50,7 @@ Bytes make_signature() {
 
 Bytes make_trailer(std::uint64_t offset) {
   Bytes out;
+  out.reserve(trailer_size);
   put_tag(out, end_tag);
   put_u64(out, offset);
   put_u64(out, checksum_of(end_tag, out));

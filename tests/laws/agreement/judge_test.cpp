@@ -16,11 +16,11 @@ using namespace zstep::test;
 
 namespace {
 
-const AgreementScene& scene_named(const std::string& name) {
+const AgreementScene& scene_named(std::string_view name) {
   for (const AgreementScene& candidate : agreement_scenes()) {
     if (candidate.name == name) return candidate;
   }
-  throw std::invalid_argument("no scene " + name);
+  throw std::invalid_argument("no scene " + std::string(name));
 }
 
 Conventions conventions_of(const AgreementScene& subject) {
