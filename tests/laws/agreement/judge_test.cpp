@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "sim/compare/explain_difference.hpp"
