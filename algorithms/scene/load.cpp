@@ -17,6 +17,7 @@
 #include "algorithms/scene/surface/formula.hpp"
 #include "algorithms/scene/surface/surface_scene.hpp"
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep {
 
@@ -61,7 +62,9 @@ SceneFile load_scene_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-SceneFile load_scene(const std::string& name_or_path) {
+namespace {
+
+SceneFile load_any(const std::string& name_or_path) {
   if (is_formula(name_or_path)) return formula_scene(name_or_path);
   if (const auto text = built_in_scene(name_or_path)) {
     const auto no_files = [](const std::string& path) -> PolygonSoup {
@@ -79,6 +82,14 @@ SceneFile load_scene(const std::string& name_or_path) {
   for (const BuiltIn& built_in : built_in_scenes()) names.push_back(built_in.name);
   throw InputError(in_quotes(name_or_path), "there is no such scene",
                    fmt::format("name a .toml, .obj, .off, .ply or .stl file, write y = sin(x), or one of: {}", fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+SceneFile load_scene(const std::string& name_or_path) {
+  SceneFile file = load_any(name_or_path);
+  make_printable(file.scene);
+  return file;
 }
 
 bool names_formula(std::string_view name) { return is_formula(name); }

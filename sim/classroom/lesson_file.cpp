@@ -14,6 +14,8 @@
 #include "sim/classroom/lesson.hpp"
 #include "sim/classroom/lesson_head.hpp"
 #include "traces/error.hpp"
+#include "traces/file/output.hpp"
+#include "traces/text.hpp"
 
 namespace zstep {
 
@@ -224,6 +226,7 @@ std::string read_file(const std::filesystem::path& path) {
   text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > largest_file)
     throw InputError(path.string(), "the file is larger than any lesson", "lessons have at most 1 MiB");
+  note_input(path);
   return text;
 }
 
@@ -263,6 +266,18 @@ void check_stops(const Lesson& lesson, const std::string& file) {
   }
 }
 
+void make_printable(Lesson& lesson) {
+  for (std::string* line : {&lesson.id, &lesson.title, &lesson.summary}) *line = printable(*line);
+  const auto mend = [](std::string& text) { text = printable_lines(text); };
+  for (Stop& stop : lesson.stops) {
+    mend(stop.heading);
+    mend(stop.text);
+    if (!stop.question) continue;
+    mend(stop.question->text);
+    for (Answer& answer : stop.question->answers) mend(answer.text), mend(answer.reply);
+  }
+}
+
 }  // namespace
 
 Lesson load_lesson(const std::filesystem::path& path) {
@@ -285,6 +300,7 @@ Lesson load_lesson(const std::filesystem::path& path) {
   read_lesson_head(lesson, file, head, 2);
   Reader(lesson, file, lines).read(close + 1);
   check_stops(lesson, file);
+  make_printable(lesson);
   return lesson;
 }
 

@@ -11,7 +11,11 @@
 #include "sim/cli/commands.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
-#include "traces/error.hpp"
+#include "traces/file/output.hpp"
+#include "traces/outcome.hpp"
+#if ZSTEP_HAS_VIEWER
+#include "sim/viewer/settings.hpp"
+#endif
 
 namespace zstep::cli {
 namespace {
@@ -138,21 +142,23 @@ int parse_and_run(const std::vector<std::string>& words) {
   return action();
 }
 
-constexpr const char* unwritable = "standard output: cannot be written; make room on the disk";
-
-void complain(const std::string& line) {
-  std::fflush(stdout);
-  fmt::print(stderr, "{}\n", line);
-}
-
 }  // namespace
 
 int run(const std::vector<std::string>& words) {
+#if ZSTEP_HAS_VIEWER
+  note_input(viewer::settings_path());
+#endif
   try {
     const int code = parse_and_run(words);
-    if (code != exit_code::done || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
-    complain(unwritable);
-    return exit_code::bad_input;
+    if (code != exit_code::done) return code;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) stdout_failed();
+    return is_incomplete() ? exit_code::incomplete : code;
+  } catch (const Exhausted& error) {
+    complain(error.what());
+    return exit_code::exhausted;
+  } catch (const Incomplete& error) {
+    complain(error.what());
+    return exit_code::incomplete;
   } catch (const InputError& error) {
     complain(error.what());
     return exit_code::bad_input;
@@ -161,14 +167,15 @@ int run(const std::vector<std::string>& words) {
     return exit_code::interrupted;
   } catch (const std::bad_alloc&) {
     complain("zstep: there is not enough memory; try a smaller --size");
+    return exit_code::exhausted;
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) {
-      complain(unwritable);
-      return exit_code::bad_input;
+      complain("standard output: cannot be written; make room on the disk");
+      return exit_code::exhausted;
     }
     complain(fmt::format("zstep: this is a mistake in zstep itself, please report it: {}", error.what()));
   }
-  return exit_code::failed;
+  return exit_code::mistake;
 }
 
 }  // namespace zstep::cli

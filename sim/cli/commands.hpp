@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "sim/cli/messages.hpp"
+
 namespace zstep::cli {
 
 /// What the parsed command line asks for; returns the exit code. Throws InputError.
@@ -29,12 +31,5 @@ void add_completion(CLI::App& app, Action& action);
 
 /// `zstep` alone: the Z-buffer lesson in the viewer, or its first picture where there is no display.
 int start();
-
-namespace exit_code {
-inline constexpr int done = 0;
-inline constexpr int failed = 1;       ///< a mistake of zstep's own
-inline constexpr int bad_input = 2;
-inline constexpr int interrupted = 130;
-}  // namespace exit_code
 
 }  // namespace zstep::cli

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/messages.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "traces/error.hpp"
@@ -51,12 +52,12 @@ std::vector<std::string> compare_outputs(const CompareOptions& options) {
 void write_comparison(const CompareOptions& options, const std::string& csv, const std::function<Image()>& chart) {
   if (!options.csv.empty()) {
     write_file(options.csv, std::vector<std::uint8_t>(csv.begin(), csv.end()));
-    fmt::print("wrote {}: the numbers\n", options.csv);
+    say_written(options.csv, "the numbers");
   }
   if (!options.plot.empty()) {
     const Image image = chart();
     write_png(options.plot, image.width, image.height, image.rgb);
-    fmt::print("wrote {}: the chart, {}x{} pixels\n", options.plot, image.width, image.height);
+    say_written(options.plot, fmt::format("the chart, {}x{} pixels", image.width, image.height));
   }
 }
 

@@ -76,7 +76,7 @@ std::vector<Entrant> entrants_of(const CompareOptions& options, const Run& run) 
       check_run(m, run.scene, run.conventions);
       entrants.push_back({&m, run.conventions, std::string(m.id), std::string(m.title)});
     } catch (const InputError& error) {
-      fmt::print(stderr, "note: without {}: {}\n", m.title, error.what());
+      complain(fmt::format("note: without {}: {}", m.title, error.what()));
     }
   }
   return entrants;
@@ -169,8 +169,12 @@ int compare_scene(const CompareOptions& options) {
   print_summary(options, run, all);
   if (options.steps) print_work(all);
   write_comparison(options, compare::csv_of(run.scene.name, all), [&] { return chart_of(run.scene, all, options.limit); });
-  if (stopped) fmt::print(stderr, "stopped by Ctrl-C after {} of {} methods\n", all.size(), entrants.size());
-  return stopped ? exit_code::interrupted : exit_code::done;
+  if (stopped) complain(fmt::format("stopped by Ctrl-C after {} of {} methods", all.size(), entrants.size()));
+  if (stopped) return exit_code::interrupted;
+  const auto unfinished = [](const Compared& one) { return one.measured.end == compare::Apart::End::out_of_time; };
+  if (std::any_of(all.begin(), all.end(), unfinished)) return exit_code::incomplete;
+  const bool wrong = std::any_of(all.begin(), all.end(), [](const Compared& one) { return one.comparable && one.agreement.unexplained > 0; });
+  return wrong ? exit_code::finding : exit_code::done;
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ int compare_table(const CompareOptions& options) {
   const std::optional<double> unit = unit_of(rows);
   print_rows(options, rows, unit);
   write_comparison(options, csv_of(rows, unit), [&] { return chart_of(options, rows, unit); });
-  if (!finished) fmt::print(stderr, "stopped by Ctrl-C\n");
+  if (!finished) complain("stopped by Ctrl-C");
   return finished ? exit_code::done : exit_code::interrupted;
 }
 

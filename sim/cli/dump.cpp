@@ -110,7 +110,7 @@ int dump(const DumpOptions& options) {
     });
   }
   std::cout.flush();
-  if (!std::cout) throw InputError("standard output", "cannot be written", "make room on the disk");
+  if (!std::cout) stdout_failed();
   return exit_code::done;
 }
 

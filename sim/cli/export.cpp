@@ -44,7 +44,7 @@ void write_table(const std::string& path, const std::vector<Value>& values, std:
     for (std::size_t i = 0; i < values.size(); ++i) text += fmt::format("{}{}", values[i], (i + 1) % static_cast<std::size_t>(width) == 0 ? '\n' : ',');
     write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   }
-  fmt::print("wrote {}: {}, {} [{},{}]\n", path, what, std::is_same_v<Value, double> ? "float64" : "int32", height, width);
+  say_written(path, fmt::format("{}, {} [{},{}]", what, std::is_same_v<Value, double> ? "float64" : "int32", height, width));
 }
 
 int export_table(const Trace& trace, const ExportOptions& options) {

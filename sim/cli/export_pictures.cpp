@@ -77,7 +77,7 @@ int sheet(const Trace& trace, const ExportOptions& options) {
   if (columns * pictures.width > 2 * longest_side || rows * pictures.height > 2 * longest_side) throw InputError("--size-window", "makes a sheet that is too large", "give fewer or smaller pictures");
   const Image image = contact_sheet(trace, steps, pictures, static_cast<int>(columns));
   write_png(options.out, image.width, image.height, image.rgb);
-  fmt::print("wrote {}: {}, {}x{} pixels\n", options.out, counted(count, "step", "steps"), image.width, image.height);
+  say_written(options.out, fmt::format("{}, {}x{} pixels", counted(count, "step", "steps"), image.width, image.height));
   return exit_code::done;
 }
 
@@ -96,7 +96,7 @@ int film(const Trace& trace, const ExportOptions& options) {
   }
   watch.clear_line();
   video.finish();
-  fmt::print("wrote {}: {} at {} a second, {}x{} pixels\n", options.out, counted(static_cast<std::int64_t>(steps.size()), "frame", "frames"), fps, size.width, size.height);
+  say_written(options.out, fmt::format("{} at {} a second, {}x{} pixels", counted(static_cast<std::int64_t>(steps.size()), "frame", "frames"), fps, size.width, size.height));
   return exit_code::done;
 }
 
@@ -116,7 +116,7 @@ int export_pictures(const Trace& trace, const ExportOptions& options) {
   const std::int64_t at = options.at.empty() ? trace.size() : step_of(trace, options.at);
   const Image image = Pictures(trace, size).at(at);
   write_png(options.out, image.width, image.height, image.rgb);
-  fmt::print("wrote {}: step {}, {}x{} pixels\n", options.out, at, image.width, image.height);
+  say_written(options.out, fmt::format("step {}, {}x{} pixels", at, image.width, image.height));
   return exit_code::done;
 }
 #else

@@ -1,5 +1,4 @@
 // zstep import: JSON Lines, as students' programs write them, into a trace.
-#include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
@@ -20,8 +19,8 @@ struct ImportOptions {
 int import_trace(const ImportOptions& options) {
   const std::string from = options.from == "-" ? "/dev/stdin" : options.from;
   check_outputs({}, {from}, {options.to});
-  if (const auto cut = import_jsonl(from, options.to)) fmt::print(stderr, "{}\n", *cut);
-  fmt::print("wrote {}: {}\n", options.to, counted(Trace::open(options.to).size(), "step", "steps"));
+  if (const auto cut = import_jsonl(from, options.to)) complain_incomplete(*cut);
+  say_written(options.to, counted(Trace::open(options.to).size(), "step", "steps"));
   return exit_code::done;
 }
 

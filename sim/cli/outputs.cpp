@@ -7,11 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/messages.hpp"
 #include "sim/cli/rows.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "sim/image/npy.hpp"
 #include "traces/error.hpp"
+#include "traces/file/output.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -19,8 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t longest_side = 32768;  // what a PNG viewer still opens
-
-void wrote(const std::string& path, const std::string& what) { fmt::print("wrote {}: {}\n", path, what); }
 
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code error;
@@ -47,10 +47,9 @@ void check_outputs(const Outputs& outputs, const std::vector<std::string>& input
   for (const std::string& path : {outputs.image, outputs.ids, outputs.depth, outputs.raw_depth})
     if (!path.empty()) files.push_back(path);
   files.insert(files.end(), others.begin(), others.end());
+  for (const std::string& input : inputs) note_input(input);
   for (std::size_t k = 0; k < files.size(); ++k) {
     check_writable(files[k]);
-    for (const std::string& input : inputs)
-      if (same_file(files[k], input)) throw InputError(files[k], "would overwrite the input", "write to another file");
     for (std::size_t other = 0; other < k; ++other)
       if (same_file(files[k], files[other])) throw InputError(files[k], "is asked for twice", "give each output a file of its own");
   }
@@ -85,20 +84,20 @@ void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& 
       throw InputError("--enlarge", fmt::format("{} makes the picture more than {} pixels wide or high", outputs.enlarge, longest_side), "give a smaller number");
     const Image image = image_of(picture, scene, static_cast<int>(outputs.enlarge));
     write_png(outputs.image, image.width, image.height, image.rgb);
-    wrote(outputs.image, fmt::format("picture, {}x{} pixels", image.width, image.height));
+    say_written(outputs.image, fmt::format("picture, {}x{} pixels", image.width, image.height));
   }
   if (!outputs.ids.empty()) {
     write_npy(outputs.ids, top_row_first<std::int32_t>(picture.polygon, picture.width, picture.height, y_up, [](std::int32_t id) { return id; }), height, width);
-    wrote(outputs.ids, fmt::format("polygon indices, int32 [{},{}]", height, width));
+    say_written(outputs.ids, fmt::format("polygon indices, int32 [{},{}]", height, width));
   }
   if (!outputs.depth.empty()) {
     const auto distance = [&](double depth) { return static_cast<float>(view_depth(scene.camera, conventions, depth)); };
     write_npy(outputs.depth, top_row_first<float>(picture.depth, picture.width, picture.height, y_up, distance), height, width);
-    wrote(outputs.depth, fmt::format("distances z_v, float32 [{},{}]", height, width));
+    say_written(outputs.depth, fmt::format("distances z_v, float32 [{},{}]", height, width));
   }
   if (!outputs.raw_depth.empty()) {
     write_npy(outputs.raw_depth, top_row_first<double>(picture.depth, picture.width, picture.height, y_up, [](double depth) { return depth; }), height, width);
-    wrote(outputs.raw_depth, fmt::format("depth buffer, float64 [{},{}]", height, width));
+    say_written(outputs.raw_depth, fmt::format("depth buffer, float64 [{},{}]", height, width));
   }
 }
 

@@ -20,7 +20,8 @@
 #include "sim/compare/comparison.hpp"
 #include "sim/query/columns.hpp"
 #include "sim/query/database.hpp"
-#include "traces/error.hpp"
+#include "traces/outcome.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -49,7 +50,7 @@ std::string number_text(double value) {
 class Csv : public Answer {
  public:
   void columns(const std::vector<std::string>& names) override {
-    for (std::size_t i = 0; i < names.size(); ++i) fmt::print("{}{}", i == 0 ? "" : ",", compare::csv_cell(names[i]));
+    for (std::size_t i = 0; i < names.size(); ++i) fmt::print("{}{}", i == 0 ? "" : ",", compare::csv_cell(printable(names[i])));
     fmt::print("\n");
   }
   void row(std::span<const query::Value> values) override {
@@ -58,7 +59,7 @@ class Csv : public Answer {
       if (i > 0) line += ',';
       if (const auto* whole = std::get_if<std::int64_t>(&values[i])) line += std::to_string(*whole);
       else if (const auto* number = std::get_if<double>(&values[i])) line += number_text(*number);
-      else if (const auto* text = std::get_if<std::string>(&values[i])) line += compare::csv_cell(*text);
+      else if (const auto* text = std::get_if<std::string>(&values[i])) line += compare::csv_cell(printable(*text));
     }
     fmt::print("{}\n", line);
   }
@@ -102,7 +103,7 @@ class Lines : public Answer {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (const auto* whole = std::get_if<std::int64_t>(&values[i])) cells.push_back(std::to_string(*whole));
       else if (const auto* number = std::get_if<double>(&values[i])) cells.push_back(std::isfinite(*number) ? fmt::format("{:.9g}", *number) : number_text(*number));
-      else if (const auto* text = std::get_if<std::string>(&values[i])) cells.push_back(printable(*text)), align_[i] = Table::Align::left;
+      else if (const auto* text = std::get_if<std::string>(&values[i])) cells.push_back(*text), align_[i] = Table::Align::left;
       else cells.emplace_back();
     }
     rows_.push_back(std::move(cells));
@@ -116,11 +117,6 @@ class Lines : public Answer {
 
  private:
   static constexpr std::size_t at_once = 1000;
-  static std::string printable(std::string text) {
-    for (char& c : text)
-      if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    return text;
-  }
   void flush() {
     Table table(align_);
     for (auto& cells : rows_) table.row(std::move(cells));
@@ -163,7 +159,7 @@ int ask(const QueryOptions& options) {
   else if (options.json) answer = std::make_unique<Json>();
   else answer = std::make_unique<Lines>();
   const auto written = [] {
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw InputError("standard output", "cannot be written", "make room on the disk");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) stdout_failed();
   };
   try {
     database.run(
@@ -176,7 +172,7 @@ int ask(const QueryOptions& options) {
     answer->end(false);
     written();
     if (!stopped.by_time) throw Interrupted{0};
-    throw InputError("query", fmt::format("was not done after {:g} seconds; what is printed is a part", *options.seconds), "ask for fewer steps, or give --seconds more");
+    throw Incomplete("query", fmt::format("was not done after {:g} seconds; what is printed is a part", *options.seconds), "ask for fewer steps, or give --seconds more");
   }
   answer->end(true);
   written();

@@ -52,10 +52,10 @@ int record(const RecordOptions& options) {
   recorder.on_block(nullptr);
   recorder.finish();
   if (!picture) {
-    fmt::print(stderr, "{}: stopped by Ctrl-C after {}; the file holds them and can be opened\n", path, counted(recorder.size(), "step", "steps"));
+    complain(fmt::format("{}: stopped by Ctrl-C after {}; the file holds them and can be opened", path, counted(recorder.size(), "step", "steps")));
     return exit_code::interrupted;
   }
-  fmt::print("wrote {}: {} of {} on {}{}\n", path, counted(recorder.size(), "step", "steps"), run.method->title, run.scene.name, megabytes(path));
+  say_written(path, fmt::format("{} of {} on {}{}", counted(recorder.size(), "step", "steps"), run.method->title, run.scene.name, megabytes(path)));
   write_outputs(options.outputs, *picture, run.scene, run.conventions);
   return exit_code::done;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/messages.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "traces/error.hpp"
@@ -117,7 +118,7 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
 Run prepare(const RunOptions& options) {
   check_scene_exists(options.scene);
   SceneFile file = load_scene(options.scene);
-  for (const std::string& note : file.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : file.notes) complain("note: " + note);
   Run run{look_at_scene(std::move(file.scene), options.view), file.conventions, &method(options.algorithm)};
   if (options.depth) run.conventions.depth = *options.depth;
   if (options.interpolation) run.conventions.interpolation = *options.interpolation;

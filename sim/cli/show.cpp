@@ -119,11 +119,11 @@ int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   viewer.other_method = record_other_method;
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
   const int code = run_viewer(trace, viewer);
-  if (code == exit_code::done && viewer.screenshot) fmt::print("wrote {}: the viewer, {}x{} pixels\n", options.screenshot, options.width, options.height);
+  if (code == exit_code::done && viewer.screenshot) say_written(options.screenshot, fmt::format("the viewer, {}x{} pixels", options.width, options.height));
   return code;
 #else
   (void)lesson;
-  return exit_code::failed;
+  return exit_code::mistake;
 #endif
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "traces/text.hpp"
+
 namespace zstep::cli {
 namespace {
 
@@ -14,6 +16,7 @@ std::size_t width_of(const std::string& text) {
 
 void Table::row(std::vector<std::string> cells) {
   cells.resize(columns_.size());
+  for (std::string& cell : cells) cell = printable(cell);
   rows_.push_back(std::move(cells));
 }
 

@@ -7,9 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/messages.hpp"
 #include "sim/cli/watch.hpp"
-#include "traces/error.hpp"
+#include "sim/places/bookmarks.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/file/output.hpp"
+#include "traces/outcome.hpp"
+#include "traces/record/journal.hpp"
 #include "traces/record/trace_recorder.hpp"
 
 namespace zstep::cli {
@@ -28,12 +32,13 @@ Trace open_trace(const std::string& path) {
   if (!fs::exists(path, ignored))
     throw InputError(path, "there is no such file", is_trace(path) ? "check its name, or make one: zstep record SCENE -o run.ztrace"
                                                                    : "give a trace: zstep record SCENE -o run.ztrace makes one");
+  for (const fs::path& own : {fs::path(path), journal_of(path), places::marks_file(path)}) note_input(own);
   try {
     Trace trace = has_extension(path, ".jsonl") ? open_jsonl(path) : Trace::open(path);
-    for (const std::string& warning : trace.warnings()) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : trace.warnings()) complain_incomplete(warning);
     return trace;
   } catch (const std::bad_alloc&) {
-    throw InputError(path, "there is not enough memory to open it", "close other programs, or record with a smaller --size");
+    throw Exhausted(path, "there is not enough memory to open it", "close other programs, or record with a smaller --size");
   }
 }
 

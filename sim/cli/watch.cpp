@@ -12,6 +12,7 @@
 #endif
 
 #include "sim/cli/words.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -71,13 +72,13 @@ void Watch::show(const std::string& line, std::int64_t events) {
   if (!due()) return;
   last_shown_ = Clock::now();
   shown_ = true;
-  fmt::print(stderr, "\r\x1b[K{}", line);
+  std::fputs(("\r\x1b[K" + printable(line)).c_str(), stderr);
   std::fflush(stderr);
 }
 
 void Watch::clear_line() {
   if (!shown_) return;
-  fmt::print(stderr, "\r\x1b[K");
+  std::fputs("\r\x1b[K", stderr);
   std::fflush(stderr);
   shown_ = false;
 }

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <random>
 #include <string>
 #include <system_error>
@@ -11,39 +10,22 @@
 #include <fmt/format.h>
 
 #include "traces/error.hpp"
+#include "traces/file/output.hpp"
 
 namespace zstep {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, Close>;
-
-[[noreturn]] void fail(const fs::path& path, int error) {
-  const bool full = error == ENOSPC || error == EFBIG;
-  throw InputError(path.string(), fmt::format("cannot be written: {}", std::strerror(error)),
-                   full ? "make room there, or write to another place" : "choose a place that can be written to");
-}
-
 /// 0, or errno of what went wrong.
-int put(const fs::path& path, std::span<const std::uint8_t> bytes, const char* mode) {
-  errno = 0;
-  File file(std::fopen(path.string().c_str(), mode));
+int put(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  OpenFile file = open_output(path);
   if (!file) return errno != 0 ? errno : EIO;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   const int error = errno;
   // Closing flushes: a full disk may show only here.
   if (std::fclose(file.release()) != 0) return errno != 0 ? errno : EIO;
   return written ? 0 : (error != 0 ? error : EIO);
-}
-
-/// Where a link leads, so that the file is replaced and not the link.
-fs::path target_of(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
 }
 
 std::string unlikely_name() {
@@ -53,45 +35,59 @@ std::string unlikely_name() {
 
 }  // namespace
 
-void check_writable(const fs::path& path) {
+namespace {
+
+void check_place(const fs::path& path) {
   std::error_code ignored;
-  const fs::path target = target_of(path);
+  const fs::path target = where_it_leads(path);
   if (path.filename().empty() || fs::is_directory(target, ignored))
     throw InputError(path.string(), "is a folder", "name a file in it");
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
     throw InputError(path.string(), fmt::format("there is no folder {}", folder.string()), "make it first, or write to another place");
   // Renaming over a file asks only the folder; a file that its owner protected stays as it is.
-  if (fs::is_regular_file(target, ignored) && !File(std::fopen(target.string().c_str(), "r+b"))) fail(path, errno);
+  if (fs::is_regular_file(target, ignored) && !OpenFile(std::fopen(target.string().c_str(), "r+b"))) output_failed(path, errno);
+}
+
+}  // namespace
+
+void check_writable(const fs::path& path) {
+  check_place(path);
+  check_replaceable(where_it_leads(path));
 }
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   check_writable(path);
+  rewrite_file(path, bytes);
+}
+
+void rewrite_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  check_place(path);
   std::error_code ignored;
-  const fs::path target = target_of(path);
+  const fs::path target = where_it_leads(path);
   if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored)) {
-    if (const int error = put(target, bytes, "wb")) fail(path, error);
+    if (const int error = put(target, bytes)) output_failed(path, error);
     return;
   }
 
   fs::path part = target;
   part += unlikely_name();
-  if (const int error = put(part, bytes, "wb")) {
+  if (const int error = put(part, bytes)) {
     fs::remove(part, ignored);
-    fail(path, error);
+    output_failed(path, error);
   }
   std::error_code error;
   fs::rename(part, target, error);
   if (error) {
     fs::remove(part, ignored);
-    fail(path, error.value());
+    output_failed(path, error.value());
   }
 }
 
 std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t limit) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw InputError(path.string(), "is a folder", "name a file in it");
-  File file(std::fopen(path.string().c_str(), "rb"));
+  OpenFile file(std::fopen(path.string().c_str(), "rb"));
   if (!file)
     throw InputError(path.string(), fmt::format("cannot be opened: {}", std::strerror(errno)), "check its name and that it may be read");
   std::vector<std::uint8_t> bytes;

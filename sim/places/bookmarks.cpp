@@ -114,7 +114,7 @@ void Bookmarks::keep(std::vector<Bookmark> all) {
   if (trace_.empty()) throw InputError("bookmark", "this run was recorded to memory, and there is no file to keep it beside", "record it: zstep record SCENE -o run.ztrace");
   std::string text = fmt::format("# bookmarks of {}\n", std::filesystem::path(trace_).filename().string());
   for (const Bookmark& mark : all) text += fmt::format("{} {}\n", mark.step, mark.name);
-  write_file(marks_file(trace_), std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  rewrite_file(marks_file(trace_), std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   all_ = std::move(all);
 }
 

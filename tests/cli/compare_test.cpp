@@ -32,7 +32,7 @@ TEST_CASE("compare-methods: all methods that can draw the scene, with numbers an
   const Outcome outcome = run(folder, "compare-methods cyclic --size 24x20 --steps --csv c.csv --plot c.png");
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  REQUIRE(outcome.code == 1);  // the painter's algorithm is wrong where polygons overlap in a circle
   CHECK(has(outcome.out, "cyclic: 3 polygons, 24x20 pixels. Pictures are held against that of Z-buffer."));
   CHECK(has(outcome.out, "z_buffer.compare"));
   const std::string csv = text_of(folder / "c.csv");
@@ -86,7 +86,7 @@ TEST_CASE("compare-methods: mistakes") {
 TEST_CASE("compare-methods: a method that takes too long is stopped, and it is said so") {
   const Folder folder;
   const Outcome outcome = run(folder, "compare-methods teapot:64 --size 4096x4096 --methods z-buffer --limit 0.2 --csv a.csv");
-  CHECK(outcome.code == 0);
+  CHECK(outcome.code == 3);
   CHECK(has(outcome.out, "Z-buffer: not done within 0.2 s\n"));
   CHECK(has(text_of(folder / "a.csv"), "z-buffer,end,,out_of_time\n"));
 }

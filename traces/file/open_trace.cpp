@@ -10,6 +10,7 @@
 #include "traces/file/scene_bytes.hpp"
 #include "traces/file/trace_impl.hpp"
 #include "traces/record/journal.hpp"
+#include "traces/text.hpp"
 
 namespace zstep {
 
@@ -21,9 +22,12 @@ constexpr std::uint64_t index_limit = std::uint64_t{256} << 20;
 
 class FileSource : public ByteSource {
  public:
-  explicit FileSource(const std::filesystem::path& path) : file_(path, std::ios::binary) {
-    if (!file_ || std::filesystem::is_directory(path))
-      throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
+  explicit FileSource(const std::filesystem::path& path) {
+    // A pipe could be waited for for ever, and has no end to begin at.
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+      throw InputError(path.string(), "is not a file that can be read at any place", "name a .ztrace file; of a pipe, make one first");
+    file_.open(path, std::ios::binary);
+    if (!file_) throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
     file_.seekg(0, std::ios::end);
     size_ = static_cast<std::uint64_t>(file_.tellg());
   }
@@ -82,6 +86,8 @@ std::uint64_t read_head(Trace::Impl& trace) {
   const auto scene = chunk_at(source, head->end());
   if (!scene || scene->tag != scene_tag) throw MalformedBytes("its scene is missing");
   trace.scene = scene_from_bytes(decompress(read_chunk(source, *scene), scene_limit));
+  make_printable(trace.header);
+  make_printable(trace.scene);
   trace.meanings.emplace(trace.header.page);
   trace.facts.emplace(trace.scene, trace.header);
   return scene->end();

@@ -1,18 +1,19 @@
 #include "traces/record/trace_recorder.hpp"
 
+#include <cerrno>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "traces/codec/block_encoder.hpp"
-#include "traces/error.hpp"
 #include "traces/file/chunk.hpp"
 #include "traces/file/header_json.hpp"
+#include "traces/file/output.hpp"
 #include "traces/file/scene_bytes.hpp"
+#include "traces/outcome.hpp"
 #include "traces/record/background_worker.hpp"
 #include "traces/record/journal.hpp"
 
@@ -20,29 +21,27 @@ namespace zstep {
 
 namespace {
 constexpr std::size_t logs_at_work = 9;
-
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-File open_for(const std::filesystem::path& path, const char* mode) { return {std::fopen(path.string().c_str(), mode), &std::fclose}; }
 }  // namespace
 
 /// The file of a recording. It has its name once its head is written, so that whatever has that name can be opened, whenever the recording
 /// is killed; what had the name before is there until then. What is no ordinary file is written as it stands.
 class TraceRecorder::Output {
  public:
-  explicit Output(const std::filesystem::path& path) : path_(path) {
+  explicit Output(const std::filesystem::path& path) : path_(where_it_leads(path)) {
+    check_replaceable(path_);
     std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
-    const bool ordinary = status.type() == std::filesystem::file_type::regular, is_new = status.type() == std::filesystem::file_type::not_found;
-    if (is_new || (ordinary && open_for(path, "r+b") != nullptr)) {
-      begun_ = path.string() + ".begun";
-      file_ = open_for(begun_, "wb");
+    const std::filesystem::file_type type = std::filesystem::status(path_, error).type();
+    const bool is_new = type == std::filesystem::file_type::not_found;
+    if (is_new || (type == std::filesystem::file_type::regular && OpenFile(std::fopen(path_.string().c_str(), "r+b")))) {
+      begun_ = path_.string() + ".begun";
+      file_ = open_own_output(begun_);
+      check_replaceable(path_);  // another recording may have begun meanwhile
     }
     if (file_ == nullptr) {
       begun_.clear();
-      file_ = open_for(path, "wb");
+      file_ = open_own_output(path_);
     }
-    if (file_ == nullptr) throw InputError(path.string(), "cannot be written", "name a file in a folder that exists and is yours");
+    if (file_ == nullptr) output_failed(path, errno);
     std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // what is written is written whole
   }
   ~Output() {
@@ -54,8 +53,8 @@ class TraceRecorder::Output {
 
   void write(const Bytes& bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size() && std::fflush(file_.get()) == 0) return;
-    throw InputError(path_.string(), "the trace could not be written any further (is the disk full?)",
-                     "what was written so far can be opened; free some space or record to another place");
+    throw Exhausted(path_.string(), "the trace could not be written any further (is the disk full?)",
+                    "what was written so far can be opened; free some space or record to another place");
   }
   void head_is_written() {
     if (begun_.empty()) return;
@@ -65,18 +64,18 @@ class TraceRecorder::Output {
     begun_.clear();
   }
   void close() {
-    if (std::fclose(file_.release()) != 0) throw InputError(path_.string(), "the end of the trace could not be written", "is the disk full?");
+    if (std::fclose(file_.release()) != 0) throw Exhausted(path_.string(), "the end of the trace could not be written", "is the disk full?");
   }
 
  private:
   std::filesystem::path path_, begun_;  ///< its name, and the one it has until then
-  File file_{nullptr, &std::fclose};
+  OpenFile file_;
 };
 
 /// Where the bytes go, and the index that grows as they do. Logs are packed and written by another thread while the next ones are
 /// recorded; nothing else here is touched meanwhile.
 struct TraceRecorder::Sink {
-  std::optional<Output> file;  ///< none: to memory
+  std::unique_ptr<Output> file;  ///< none: to memory
   Bytes memory;
   std::uint64_t written = 0;
   Bytes index;
@@ -88,11 +87,10 @@ struct TraceRecorder::Sink {
   BackgroundWorker worker{logs_at_work};  // ends first
 
   Sink(const Header& header, const Scene& scene, const std::filesystem::path& to)
-      : encoder(scene, header),
+      : file(to.empty() ? nullptr : std::make_unique<Output>(to)),
+        encoder(scene, header),
         journal(to, logs_at_work + 1, EventLog::most_bytes),
-        at_work(logs_in(journal)) {
-    if (!to.empty()) file.emplace(to);
-  }
+        at_work(logs_in(journal)) {}
   Sink(const Sink&) = delete;
   Sink& operator=(const Sink&) = delete;
   ~Sink() {

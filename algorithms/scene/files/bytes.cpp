@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "traces/error.hpp"
+#include "traces/file/output.hpp"
 
 namespace zstep::scene {
 
@@ -27,6 +28,7 @@ std::string read_bytes(const std::filesystem::path& path, std::size_t limit) {
   std::ifstream file(path, std::ios::binary);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!file) throw InputError(path.string(), "it cannot be read", "check who may read it");
+  note_input(path);
   return bytes;
 }
 

@@ -1,10 +1,12 @@
 #include "algorithms/scene/files/read_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 #include "algorithms/scene/files/bytes.hpp"
 #include "traces/error.hpp"
+#include "traces/file/output.hpp"
 
 namespace zstep::scene {
 
@@ -33,11 +35,31 @@ PolygonSoup read_mesh_bytes(MeshFormat format, std::string_view bytes, const std
   throw InputError(name, "unknown mesh format", "use .obj, .off, .ply or .stl");
 }
 
+namespace {
+
+/// Textures belong to a mesh, too, though they are not drawn: they must not be written over.
+void note_textures(const std::filesystem::path& folder, std::string_view text) {
+  constexpr std::array<std::string_view, 6> statements{"map_", "bump", "disp", "decal", "norm", "refl"};
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    const bool texture = line.starts_with("comment TextureFile ") ||
+                         std::any_of(statements.begin(), statements.end(), [&](std::string_view word) { return line.starts_with(word); });
+    const std::size_t last = line.find_last_of(" \t");
+    if (texture && last != std::string_view::npos) note_input(folder / std::filesystem::path(line.substr(last + 1)));
+  }
+}
+
+}  // namespace
+
 PolygonSoup read_mesh(const std::filesystem::path& path) {
   const auto format = mesh_format(path);
   if (!format) throw InputError(path.string(), "its extension names no mesh format", "use .obj, .off, .ply or .stl");
   const std::string bytes = read_bytes(path);
   PolygonSoup soup;
+  if (*format == MeshFormat::ply) note_textures(path.parent_path(), std::string_view(bytes).substr(0, bytes.find("end_header")));
   if (*format == MeshFormat::obj) {
     // Only from the mesh's own folder: a mesh from the net must not make zstep open files elsewhere.
     const auto materials = [&](const std::string& file_name) -> std::optional<std::string> {
@@ -46,7 +68,9 @@ PolygonSoup read_mesh(const std::filesystem::path& path) {
       std::error_code error;
       if (plain.empty() || plain.string() != file_name || !std::filesystem::is_regular_file(beside, error))
         return std::nullopt;
-      return read_bytes(beside, std::size_t{4} << 20);
+      std::string text = read_bytes(beside, std::size_t{4} << 20);
+      note_textures(path.parent_path(), text);
+      return text;
     };
     soup = read_obj(bytes, path.string(), materials);
   } else {

@@ -1,0 +1,94 @@
+#include "traces/text.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "traces/file/header.hpp"
+#include "traces/scene.hpp"
+
+namespace zstep {
+
+namespace {
+
+struct Letter {
+  std::uint32_t code = 0;
+  std::size_t bytes = 0;  ///< 0: they are no UTF-8
+};
+
+Letter letter_at(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
+  const std::uint32_t first = byte(0);
+  if (first < 0x80) return {first, 1};
+  const std::size_t bytes = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  if (bytes == 0 || bytes > text.size()) return {};
+  std::uint32_t code = first & (0xffu >> (bytes + 1));
+  for (std::size_t k = 1; k < bytes; ++k) {
+    if ((byte(k) & 0xc0u) != 0x80u) return {};
+    code = code << 6 | (byte(k) & 0x3fu);
+  }
+  const bool shortest = bytes < 3 || code >= (bytes == 3 ? 0x800u : 0x10000u);
+  const bool exists = code < 0xd800 || (code > 0xdfff && code <= 0x10ffff);
+  return shortest && exists ? Letter{code, bytes} : Letter{};
+}
+
+bool acts(std::uint32_t code) {
+  const auto within = [code](std::uint32_t first, std::uint32_t last) { return code >= first && code <= last; };
+  return code < 0x20 || within(0x7f, 0x9f) || code == 0x061c || within(0x200e, 0x200f) || within(0x2028, 0x202e) ||
+         within(0x2066, 0x2069) || code == 0xfeff;
+}
+
+std::string escaped(std::string_view text, bool by_lines) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const Letter letter = letter_at(text);
+    if (letter.bytes == 0) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+    else if (!acts(letter.code) || (by_lines && (letter.code == '\n' || letter.code == '\t'))) out += text.substr(0, letter.bytes);
+    else if (letter.code == '\n') out += "\\n";
+    else if (letter.code == '\t') out += "\\t";
+    else if (letter.code == '\r') out += "\\r";
+    else if (letter.code < 0x80) out += fmt::format("\\x{:02x}", letter.code);
+    else out += fmt::format("\\u{:04x}", letter.code);
+    text.remove_prefix(letter.bytes == 0 ? 1 : letter.bytes);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) { return escaped(text, false); }
+std::string printable_lines(std::string_view text) { return escaped(text, true); }
+
+namespace {
+
+void mend(std::string& text) {
+  const bool plain = std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 0x7f; });
+  if (!plain) text = printable(text);
+}
+
+}  // namespace
+
+void make_printable(Header& header) {
+  for (std::string* text : {&header.writer, &header.algorithm, &header.title}) mend(*text);
+  for (StepInfo& step : header.page)
+    for (std::string* text : {&step.module, &step.name, &step.text}) mend(*text);
+  std::map<std::string, std::string> options;
+  for (const auto& [name, value] : header.conventions.options) options.emplace(printable(name), printable(value));
+  header.conventions.options = std::move(options);
+}
+
+void make_printable(Scene& scene) {
+  mend(scene.name);
+  mend(scene.source);
+  for (Polygon& polygon : scene.polygons)
+    if (!polygon.name.is_usual()) polygon.name = printable(*polygon.name);
+  for (auto& placement : scene.placements) mend(placement.source);
+  if (scene.surface) mend(scene.surface->formula);
+}
+
+}  // namespace zstep
