@@ -121,11 +121,12 @@ int parse_and_run(const std::vector<std::string>& words) {
   Action action = start;
   CLI::App app("zstep shows how a computer decides what is visible: every step of a method, recorded and replayed.", "zstep");
   declare(app, action);
+  set_commands(command_names(app));
   try {
     check_words(app, words);
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", chosen(app).help(&chosen(app) == &app ? "" : "zstep"));
+    fmt::print("{}", as_typed(chosen(app).help(&chosen(app) == &app ? "" : "zstep")));
     return exit_code::done;
   } catch (const CLI::CallForVersion&) {
     fmt::print("zstep {}\n", ZSTEP_VERSION);

@@ -113,7 +113,7 @@ void add_explain(CLI::App& app, Action& action) {
       "\n"
       "Examples:\n"
       "  zstep explain run.ztrace 15 12\n"
-      "  zstep explain run.ztrace --at 867 z");
+      "  zstep explain run.ztrace --at 1056 z");
   command->callback([options, &action] { action = [options] { return explain(*options); }; });
 }
 

@@ -132,7 +132,7 @@ void add_export(CLI::App& app, Action& action) {
       "Films need ffmpeg. Rows of tables begin at the top.\n"
       "\n"
       "Examples:\n"
-      "  zstep export run.ztrace --at 12041 --buffer depth -o depth.npy\n"
+      "  zstep export run.ztrace --at 1056 --buffer depth -o depth.npy\n"
       "  zstep export run.ztrace --buffer overdraw -o overdraw.csv\n"
       "  zstep export run.ztrace --sheet 12 -o handout.png\n"
       "  zstep export run.ztrace --from 300 --to 400 --pane frame -o run.gif");

@@ -77,8 +77,8 @@ void add_find(CLI::App& app, Action& action) {
       "\n"
       "Examples:\n"
       "  zstep find run.ztrace \"not nearer\"\n"
-      "  zstep find run.ztrace \"compare where z < 4.2 and x == 9\" --all\n"
-      "  zstep find run.ztrace \"changes(9, 17)\" --backwards");
+      "  zstep find run.ztrace \"compare where z < 0 and x == 15\" --all\n"
+      "  zstep find run.ztrace \"changes(15, 12)\" --backwards");
   command->callback([options, &action] { action = [options] { return find(*options); }; });
 }
 

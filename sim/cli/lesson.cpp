@@ -62,7 +62,7 @@ Lesson first_z_buffer_lesson() {
   table.row({"zstep info run.ztrace", "count them"});
   table.row({"zstep dump run.ztrace --to 40", "read them"});
   table.row({"zstep import run.jsonl -o run.ztrace", "bring in a trace of your own program"});
-  return "These commands work without a display:\n" + table.text();
+  return as_typed("These commands work without a display:\n" + table.text());
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // What a command says besides its answer, and how its end is told by an exit code.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace zstep::cli {
 
@@ -15,6 +17,10 @@ inline constexpr int exhausted = 4;     ///< memory, or room on the disk
 inline constexpr int mistake = 70;      ///< of zstep's own
 inline constexpr int interrupted = 130;
 }  // namespace exit_code
+
+/// A text with the commands in it as this reader types them: `./zstep view` where the launcher, called so, says it in ZSTEP_CALLED.
+std::string as_typed(std::string text);
+void set_commands(std::vector<std::string> names);  ///< those that as_typed() knows
 
 /// A message on standard error, a line or several, with nothing in it that acts. That nobody can read it stops nothing.
 void complain(std::string_view line);

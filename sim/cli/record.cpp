@@ -73,7 +73,7 @@ void add_record(CLI::App& app, Action& action) {
       "Existing files are replaced. Ctrl-C ends the recording early and keeps what was recorded so far.\n"
       "\n"
       "Examples:\n"
-      "  zstep record pyramid -o run.ztrace\n"
+      "  zstep record pyramid-behind -o run.ztrace\n"
       "  zstep record teapot --size 640x480 -o teapot.ztrace --save teapot.png\n"
       "  zstep record bunny.obj --fit --interpolation increments -o bunny.ztrace\n"
       "  zstep view run.ztrace");

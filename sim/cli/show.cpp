@@ -50,7 +50,7 @@ std::string words_of(const CLI::App& command) {
         (named ? options : arguments) += (named ? " " + option->get_name() + " " : " ") + shell_word(value);
       }
   }
-  return "zstep " + command.get_name() + arguments + options;
+  return as_typed("zstep " + command.get_name() + arguments + options);
 }
 
 std::string without_display() {

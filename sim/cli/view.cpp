@@ -38,7 +38,7 @@ void add_view(CLI::App& app, Action& action) {
   command->footer(
       "Examples:\n"
       "  zstep view run.ztrace\n"
-      "  zstep view run.ztrace --at 12041\n"
+      "  zstep view run.ztrace --at 1056\n"
       "  zstep view teapot --size 64x48\n"
       "  zstep view pyramid --at 300 --screenshot pyramid.png --size-window 1920x1080");
   command->callback([options, &action] { action = [options] { return view(*options); }; });

@@ -68,7 +68,7 @@ void add_why_not(CLI::App& app, Action& action) {
       "\n"
       "Examples:\n"
       "  zstep why-not run.ztrace B 15 12\n"
-      "  zstep why-not run.ztrace P7");
+      "  zstep why-not run.ztrace G");
   command->callback([options, &action] { action = [options] { return why_not(*options); }; });
 }
 

@@ -46,6 +46,17 @@ TEST_CASE("help is there for zstep and for every command, with examples") {
   CHECK(run(folder, "--version").code == 0);
 }
 
+TEST_CASE("commands are printed as the launcher was called") {
+  const Folder folder;
+  const std::string typed = "ZSTEP_CALLED=../clone/zstep \"$zstep\" ";
+  const std::string help = shell(folder, typed + "record --help").out;
+  CHECK(help.find("Usage: ../clone/zstep record ") != std::string::npos);
+  CHECK(help.find("\n  ../clone/zstep view run.ztrace") != std::string::npos);
+  CHECK(shell(folder, typed + "--help").out.find("zstep shows how") == 0);
+  CHECK(shell(folder, typed + "list --sise").err == "../clone/zstep list: there is no option --sise; '../clone/zstep list --help' names them\n");
+  CHECK(shell(folder, typed + "info no.ztrace").err.find("make one: ../clone/zstep record SCENE -o run.ztrace") != std::string::npos);
+}
+
 TEST_CASE("the examples in the help are command lines that zstep knows") {
   const Folder folder;
   int tried = 0;

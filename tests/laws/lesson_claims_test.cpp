@@ -1,0 +1,205 @@
+// What lessons say or ask about other runs than their own ("Try it", a larger picture, another option), held against
+// those runs.
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "sim/classroom/lesson.hpp"
+#include "tests/where.hpp"
+#include "traces/error.hpp"
+
+namespace zstep {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is changed in a scene's file, as a person would change it.
+using Edits = std::vector<std::pair<std::string, std::string>>;
+
+struct Run {
+  std::string lesson;  ///< whose claim it is
+  std::string scene;   ///< built-in, or of lessons/scenes, or a scene file's text
+  std::string method;
+  std::string head;    ///< tables of the lesson's head
+  std::string claims;  ///< expressions of a lesson, true at the end
+  Edits edits = {};
+};
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / fmt::format("zstep-claims-{}", std::random_device{}())) {
+    fs::create_directories(path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return path_ / name;
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+std::string edited(std::string text, const Edits& edits) {
+  for (const auto& [old, now] : edits) {
+    std::size_t at = text.find(old);
+    REQUIRE_MESSAGE(at != std::string::npos, old);
+    for (; at != std::string::npos; at = text.find(old, at + now.size())) text.replace(at, old.size(), now);
+  }
+  return text;
+}
+
+void check(const Run& run) {
+  CAPTURE(run.lesson);
+  CAPTURE(run.head);
+  const Folder folder;
+  std::string scene = run.scene;
+  const bool written_here = scene.find('\n') != std::string::npos;
+  if (written_here || fs::path(scene).extension() == ".toml") {
+    folder.write("scene.toml",
+                 edited(written_here ? scene : text_of(test::in_checkout("lessons/scenes/" + scene)), run.edits));
+    scene = "scene.toml";
+  }
+  const fs::path path = folder.write(
+      "1-claims.md",
+      fmt::format("+++\ntitle = \"claims\"\nsummary = \"claims\"\nscene = \"{}\"\nmethod = \"{}\"\n{}\n+++\n\n"
+                  "## Claims {{at: end}}\n\n{}\n",
+                  scene, run.method, run.head, run.claims));
+  std::string wrong;
+  try {
+    Lesson lesson = load_lesson(path);
+    run_lesson(lesson);
+  } catch (const InputError& error) {
+    wrong = error.what();
+  }
+  CHECK_MESSAGE(wrong == "", wrong);
+}
+
+/// The scene of the Warnock lesson with its picture `times` as large.
+Edits quarters_enlarged(double times) {
+  Edits edits{{"= 16", fmt::format("= {}", 16 * times)}};
+  for (const auto& [x, y] : {std::pair{12.0, 1.2},
+                             {15.2, 2.0},
+                             {13.0, 7.4},
+                             {-1.0, 6.3},
+                             {17.0, 6.3},
+                             {17.0, 16.3},
+                             {-1.0, 16.3},
+                             {9.0, 9.0},
+                             {14.0, 10.0},
+                             {11.0, 14.0}})
+    edits.push_back(
+        {fmt::format("[{}, {}, ", x, y), fmt::format("[ {}, {}, ", (x + 0.5) * times - 0.5, (y + 0.5) * times - 0.5)});
+  return edits;
+}
+
+/// Polygon `name` moved to the end of a scene's text.
+Edits drawn_last(const std::string& scene, const std::string& name) {
+  const std::string text = text_of(test::in_checkout("lessons/scenes/" + scene)),
+                    mark = "[[polygon]]\nname = \"" + name + "\"";
+  const std::size_t at = text.find(mark);
+  REQUIRE(at != std::string::npos);
+  const std::string lines = text.substr(at, text.find("[[polygon]]", at + 1) - at),
+                    tail = text.substr(at + lines.size());
+  return {{lines + tail, tail + "\n" + lines}};
+}
+
+/// The worked example with its triangles in the other order.
+const std::string b_before_a = R"(coordinates = "screen"
+raster = { width = 8, height = 8, y_axis = "up" }
+options = { coverage = "inclusive" }
+polygon = [
+  { name = "B", points = [[0, 6, 7], [5, 1, 7], [0, 1, 2]] },
+  { name = "A", points = [[0, 7, 5], [6, 7, 5], [0, 1, 5]] },
+]
+)";
+
+TEST_CASE("what lessons say about other runs than their own is so") {
+  const std::vector<Run> runs{
+      {"viewing: nearer, a vertex of A leaves the window and A is cut to four vertices", "pyramid.toml", "z-buffer",
+       "[camera]\nrho = 40", "{y_p(2) = -35} {count(outline where polygon == 0) = 4}"},
+      {"back-faces: without culling the same picture takes more compares", "wall.toml", "z-buffer",
+       "[conventions]\ncull = false", "{count(compare) = 361} {frame(12, 12) = A}"},
+      {"z-buffer: W last, compares stay and no write is replaced", "wall.toml", "z-buffer", "",
+       "{count(compare) = 224} {count(compare where not nearer) = 16} {count(compare where nearer and stored < "
+       "infinity) = 0} {frame(12, 12) = A}",
+       drawn_last("wall.toml", "W")},
+      {"worked-example: the half-open rule leaves out right and top borders", "delhi", "z-buffer",
+       "[conventions]\ncoverage = \"top_left\"",
+       "{count(write_depth where polygon == \"A\") = 15} {count(write_depth where y == 7) = 0} {depth(0, 2) = 3} "
+       "{count(compare where z == stored) = 2}"},
+      {"worked-example: B first, and both ties go to B", b_before_a, "z-buffer", "",
+       "{frame(1, 3) = B} {frame(0, 4) = B} {count(compare where z == stored) = 2}"},
+      {"scan-line: a line buffer compares at each pixel", "abc-def.toml", "scan-line",
+       "[options]\nresolve = \"line-buffer\"", "{count(scan_line.compare) = 221}"},
+      {"depth-sort: cyclic needs two splits and no mark", "cyclic", "depth-sort", "",
+       "{count(mark) = 0} {count(split) = 2} {count(draw) = 5}"},
+      {"bsp: roots that cut no wall", "six-walls.toml", "bsp", "[options]\nroot = \"fewest-splits\"",
+       "{count(cut) = 0}"},
+      {"bsp: another eye, as many signs, other pixels",
+       "six-walls.toml",
+       "bsp",
+       "[options]\nroot = \"first\"",
+       "{count(eye_side) = 8} {count(paint) = 500}",
+       {{"[-3, -8, 3]", "[3, 8, 3]"}}},
+      {"warnock: twice as large", "quarters.toml", "warnock", "", "{count(area) = 33}", quarters_enlarged(2)},
+      {"warnock: four times as large", "quarters.toml", "warnock", "", "{count(area) = 61}", quarters_enlarged(4)},
+      {"warnock: C in front",
+       "quarters.toml",
+       "warnock",
+       "",
+       "{count(area) = 81} {frame(11, 10) = C}",
+       {{", 6]", ", 1]"}}},
+      {"ray-casting: a wider post",
+       "six-rays.toml",
+       "ray-casting",
+       "",
+       "{frame(0, 1) = P} {frame(0, 2) = P} {count(paint where polygon == \"P\") = 2}",
+       {{"-4.55", "-5.1"}}},
+      {"ray-casting: a box for each polygon", "six-rays.toml", "ray-casting", "[options]\nboxes = \"facet\"",
+       "{count(plane) = 26} {count(box_test) = 216}"},
+      {"ray-casting: a grid", "six-rays.toml", "ray-casting", "[options]\nboxes = \"grid\"",
+       "{count(plane) = 42} {count(meeting.cell) = 30}"},
+      {"ray-casting: teapot, hierarchy", "teapot", "ray-casting",
+       "[raster]\nwidth = 32\nheight = 24\n[options]\nboxes = \"hierarchy\"",
+       "{count(plane) = 1201} {count(box_test) = 14954} {count(ray) = 768}"},
+      {"ray-casting: teapot, grid", "teapot", "ray-casting",
+       "[raster]\nwidth = 32\nheight = 24\n[options]\nboxes = \"grid\"",
+       "{count(plane) = 7231} {count(meeting.cell) = 3792}"},
+      {"floating-horizon: one horizon loses ink", "ridge-valley.toml", "floating-horizon",
+       "[options]\nhorizons = \"one\"", "{count(draw) = 79}"},
+      {"hidden-line: five of the box's edges have hidden pieces", "hidden-lines.toml", "hidden-line", "",
+       "{count(back where line < 12) + count(hidden where line < 12) = 5}"},
+      {"shadow-buffer: specks without a bias", "lamp.toml", "shadow-buffer", "[options]\nbias = \"0\"",
+       "{count(darken) = 269}"},
+      {"shadow-buffer: a higher square has a larger shadow",
+       "lamp.toml",
+       "shadow-buffer",
+       "",
+       "{count(darken) = 65}",
+       {{"0.5, 1]", "0.5, 1.5]"}}},
+      {"transparency: in the order of the file the wall loses behind glass", "panes.toml", "transparency",
+       "[options]\norder = \"file\"", "{depth(13, 5) ~ 3.5}"},
+      {"transparency: opaque first, the wall is behind both panes", "panes.toml", "transparency",
+       "[options]\norder = \"opaque-first\"", "{depth(13, 5) = 8}"},
+      {"comparison: depth sort paints what the Z-buffer compares", "hundred.toml", "depth-sort", "",
+       "{count(paint) = 2950}"},
+  };
+  for (const Run& run : runs) check(run);
+}
+
+}  // namespace
+}  // namespace zstep
