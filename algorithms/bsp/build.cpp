@@ -57,7 +57,8 @@ Tree gather(const Scene& scene, std::span<const std::int32_t> facets, R& record)
       points.push_back(tree.point(vertex));
     }
     record(step::make, PieceMake{static_cast<std::int32_t>(tree.pieces.size()), facet.polygon, -1});
-    tree.pieces.push_back({facet.polygon, number, outline, pieces::plane_of(points)});
+    const pieces::Plane plane = pieces::plane_of(points);
+    tree.pieces.push_back({facet.polygon, number, outline, plane, pieces::bend_of(plane, points)});
   }
   tree.tolerance = tolerance_for(tree);
   return tree;
@@ -74,14 +75,15 @@ Side side_of(double least, double greatest, double tolerance) {
 template <Recorder R>
 Side hold_against(const Tree& tree, std::int32_t piece, std::int32_t root, R& record) {
   const pieces::Plane& plane = tree.piece(root).plane;
+  const double near = tree.tolerance + tree.piece(piece).bend;
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   for (const std::int32_t vertex : tree.piece(piece).outline) {
     const double value = plane.value(tree.point(vertex));
-    record(step::vertex_side, VertexSide{vertex, root, value, side_of(value, value, tree.tolerance)});
+    record(step::vertex_side, VertexSide{vertex, root, value, side_of(value, value, near)});
     least = std::fmin(least, value);
     greatest = std::fmax(greatest, value);
   }
-  const Side side = side_of(least, greatest, tree.tolerance);
+  const Side side = side_of(least, greatest, near);
   record(step::side, SideTest{piece, root, least, greatest, side});
   return side;
 }
@@ -126,8 +128,9 @@ std::int32_t add_part(Tree& tree, std::int32_t whole, const clipping::Outline& o
 // 001: "If the plane intersects a polygon, divide the polygon at the plane."
 template <Recorder R>
 void cut(Tree& tree, std::int32_t number, std::int32_t root, Space space, Numbers& front, Numbers& back, R& record) {
+  const Piece& whole = tree.piece(number);
   const pieces::Halves halves = pieces::split(
-      tree.piece(number).outline, tree.piece(root).plane, tree.tolerance,
+      whole.outline, whole.plane, whole.bend, tree.piece(root).plane, tree.tolerance,
       [&](std::int32_t vertex) { return tree.point(vertex); },
       [&](std::int32_t from, std::int32_t to, double t, glm::dvec3 point) {
         const auto made = static_cast<std::int32_t>(tree.points.size());

@@ -16,6 +16,7 @@ struct Piece {
   std::int32_t polygon = 0, facet = 0;
   clipping::Outline outline;  ///< indices into Tree::points
   pieces::Plane plane;        ///< its normal points out of the facet's front
+  double bend = 0;            ///< how far from it the facet's corners lie
 };
 
 struct Node {

@@ -19,7 +19,9 @@
 // Why it ends. Between two splits a piece is moved at most once, as it is marked; so after finitely many moves a piece
 // is drawn or split. Parts keep the plane of the facet they come from, so there are as many planes as facets. A split
 // needs corners further than the tolerance (tolerance_for) on both sides of the plane; the new corners lie in that plane
-// but for rounding, which is hundreds of times smaller. So no descendant is cut by the same plane again: a facet is cut
+// but for rounding, which is hundreds of times smaller. Corners of polygons from files lie off their own plane by what
+// was rounded there, so a facet's corners must lie that much further off (Piece::bend): else its parts would seem to
+// cross each other, and be taken for others that are in the way. So no descendant is cut by the same plane again: a facet is cut
 // by each plane once at most along each line of descent, and the number of splits is finite. Where rounding leaves a
 // pair that neither order nor split can mend, P is drawn first.
 #pragma once

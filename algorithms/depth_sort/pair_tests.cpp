@@ -24,7 +24,8 @@ SideTest side_test(const pieces::Pieces& all, std::int32_t piece, std::int32_t p
     least = std::min(least, value);
     greatest = std::max(greatest, value);
   }
-  const bool before = least < -tolerance, behind = greatest > tolerance;
+  const double near = tolerance + all[piece].bend;
+  const bool before = least < -near, behind = greatest > near;
   const Side side = before && behind ? Side::crossing : before ? Side::front : behind ? Side::behind : Side::on;
   return {piece, plane_of, least, greatest, side};
 }

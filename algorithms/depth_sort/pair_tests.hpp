@@ -11,7 +11,7 @@ ExtentTest extent_test(const pieces::Pieces& all, std::int32_t p, std::int32_t q
 
 /// Tests 3 and 4: where does a piece lie, seen from another's plane? The plane is turned so that its C > 0: the eye, at
 /// z = -infinity, is on its negative side, and `before` the plane is where its values are negative. Values within the
-/// tolerance are on the plane.
+/// tolerance, and what the piece is bent by, are on the plane: so parts of one facet are on each other's.
 SideTest side_test(const pieces::Pieces& all, std::int32_t piece, std::int32_t plane_of, double tolerance);
 
 /// Test 5: do the projections on (x, y) overlap?

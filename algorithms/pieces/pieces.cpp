@@ -25,6 +25,7 @@ Piece make_piece(const Pieces& all, std::int32_t polygon, std::int32_t parent, c
     piece.low = glm::min(piece.low, corner);
     piece.high = glm::max(piece.high, corner);
   }
+  piece.bend = bend_of(piece.plane, corners);
   return piece;
 }
 
@@ -79,6 +80,7 @@ std::int32_t add_part(Pieces& all, std::int32_t parent, const clipping::Outline&
   piece.plane = all[parent].plane;  // the same plane, and none of the digits that a sliver would lose
   describe(piece, number, record);
   piece.facet = all[parent].facet;
+  piece.bend = all[parent].bend;
   all.pieces.push_back(std::move(piece));
   return number;
 }
@@ -89,7 +91,7 @@ template <Recorder R>
 Parts cut(Pieces& all, std::int32_t number, const Plane& plane, double tolerance, R& record) {
   const clipping::Outline outline = all[number].outline;
   const Halves halves = split(
-      outline, plane, tolerance, [&](std::int32_t vertex) { return all.corner(vertex); },
+      outline, all[number].plane, all[number].bend, plane, tolerance, [&](std::int32_t vertex) { return all.corner(vertex); },
       [&](std::int32_t from, std::int32_t to, double t, glm::dvec3 point) {
         const auto made = static_cast<std::int32_t>(all.vertices.size());
         record(cutting::step::cut, SplitVertex{from, to, t, made, Space::raster, point.x, point.y, point.z});

@@ -23,6 +23,7 @@ struct Piece {
   Plane plane;                 ///< in raster space; its normal may point either way
   glm::dvec3 low{0}, high{0};  ///< its extents
   std::int32_t facet = -1;     ///< the facet that it is, or is a part of
+  double bend = 0;             ///< of that facet: how far from its plane its corners lie
 };
 
 struct Pieces {

@@ -1,5 +1,7 @@
 #include "algorithms/pieces/plane.hpp"
 
+#include <cmath>
+
 namespace zstep::pieces {
 
 Plane plane_of(std::span<const glm::dvec3> corners) {
@@ -13,6 +15,12 @@ Plane plane_of(std::span<const glm::dvec3> corners) {
   if (!(length > 0)) return {};
   normal /= length;
   return {normal.x, normal.y, normal.z, -glm::dot(normal, mean)};
+}
+
+double bend_of(const Plane& plane, std::span<const glm::dvec3> corners) {
+  double most = 0;
+  for (const glm::dvec3& corner : corners) most = std::fmax(most, std::abs(plane.value(corner)));
+  return most;
 }
 
 }  // namespace zstep::pieces

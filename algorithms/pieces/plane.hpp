@@ -24,4 +24,7 @@ struct Plane {
 /// Algorithms", 1974.
 Plane plane_of(std::span<const glm::dvec3> corners);
 
+/// The largest distance of a corner from the polygon's plane. Of polygons in files it is that of the last digit.
+double bend_of(const Plane& plane, std::span<const glm::dvec3> corners);
+
 }  // namespace zstep::pieces

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/catalog/catalog.hpp"
 #include "sim/compare/explain_difference.hpp"
+#include "tests/laws/agreement/exact_methods.hpp"
 #include "tests/laws/agreement/scenes.hpp"
 
 using namespace zstep;
@@ -18,29 +18,10 @@ using namespace zstep::test;
 
 namespace {
 
-// Those that the law is about: at each pixel a polygon, and the nearest one.
-std::vector<const Method*> exact_methods() {
-  std::vector<const Method*> exact;
-  for (const Method& m : methods()) {
-    if (m.exact && m.gives != Gives::lines && m.needs != Needs::surface) exact.push_back(&m);
-  }
-  return exact;
-}
-
 Conventions conventions_of(const AgreementScene& subject) {
   Conventions conventions;
   conventions.cull = subject.cull;
   return conventions;
-}
-
-// With a light, for methods that need one; the others do not see it.
-Picture drawn(const Method& method, Scene scene, const Conventions& conventions) {
-  if (method.needs == Needs::light) scene.light = Light{{3, -2, 5}, {0, 0, 0}, 0.5, 0.1, 30};
-  check_run(method, scene, conventions);
-  NullRecorder nothing;
-  const Picture picture = method.render(scene, conventions, nothing);
-  if (method.render != method.taught) CHECK(picture == method.taught(scene, conventions, nothing));
-  return picture;
 }
 
 void hold(const Truth& truth, const AgreementScene& subject, const Conventions& conventions, const Picture& picture) {
