@@ -6,6 +6,7 @@
 
 #include "sim/image/png.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/where.hpp"
 
 using namespace zstep::test;
 using zstep::Image;
@@ -68,6 +69,15 @@ TEST_CASE("a trace, its JSON Lines and its scene give the same picture of the vi
   CHECK(text_of(folder / "a.png") == text_of(folder / "light.png"));
   must(folder, "view run.ztrace --at 100 --screenshot dark.png --size-window 1024x640 --dark");
   CHECK(text_of(folder / "a.png") != text_of(folder / "dark.png"));
+}
+
+TEST_CASE("the run of a program that crashed is shown as far as it goes") {
+  const Folder folder;
+  write_text(folder / "run.jsonl", text_of(in_checkout("tests/data/foreign/torn.jsonl")));
+  const Outcome outcome = run(folder, "view run.jsonl --at 150 --screenshot run.png --size-window 1024x640");
+  CHECK(outcome.code == 3);
+  CHECK(has(outcome.err, "run.jsonl:152: the recording was cut off here"));
+  CHECK(read_png(folder / "run.png").width == 1024);
 }
 
 TEST_CASE("view and lesson refuse what cannot be") {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "traces/text.hpp"
+
 namespace zstep::json_text {
 
 using nlohmann::json;
@@ -258,21 +260,10 @@ LineColumn line_and_column(std::string_view text, std::size_t place, std::int64_
 }
 
 std::string shown(std::string_view text, std::size_t most) {
-  // What is not UTF-8 is replaced, and a control character written as an escape, as in any JSON text; quotes are no danger.
-  std::string out;
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < text.size(); ++characters) {
-    if (characters == most) return out + "\u2026";
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t bytes = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3 : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
-    const std::string_view character = text.substr(i, std::max<std::size_t>(bytes, 1));
-    const bool whole = bytes > 0 && character.size() == bytes && std::all_of(character.begin() + 1, character.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; });
-    const bool steers = lead < 0x20 || lead == 0x7f || (lead == 0xc2 && whole && static_cast<unsigned char>(text[i + 1]) < 0xa0);
-    if (whole && !steers) out += character;
-    else for (const char c : character.substr(0, whole ? bytes : 1)) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    i += whole ? bytes : 1;
-  }
-  return out;
+  std::size_t end = 0;
+  for (std::size_t characters = 0; end < text.size(); ++end)
+    if ((static_cast<unsigned char>(text[end]) & 0xc0u) != 0x80u && characters++ == most) break;
+  return printable(text.substr(0, end)) + (end < text.size() ? "\u2026" : "");
 }
 
 }  // namespace zstep::json_text

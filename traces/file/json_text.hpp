@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -34,7 +35,7 @@ struct LineColumn {
 };
 LineColumn line_and_column(std::string_view text, std::size_t place, std::int64_t line);
 
-/// Text of a file to be shown to a person: of at most `most` characters, without those that steer a terminal.
+/// Text of a file as it may be shown, and no more than so many characters of it.
 std::string shown(std::string_view text, std::size_t most);
 
 }  // namespace zstep::json_text

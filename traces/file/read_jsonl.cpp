@@ -17,6 +17,7 @@
 #include "traces/file/json_text.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/near_word.hpp"
+#include "traces/text.hpp"
 
 namespace zstep {
 
@@ -190,7 +191,7 @@ class Reader {
   void add(std::int64_t first, const json_text::Fault& fault, std::string_view text) {
     if (faults_.size() >= most_faults) return;
     const auto [line, column] = json_text::line_and_column(text, fault.place, first);
-    faults_.push_back(InputError(fmt::format("{}:{}:{}", name_, line, column), fault.what, fault.mend).what());
+    faults_.push_back(printable(InputError(fmt::format("{}:{}:{}", name_, line, column), fault.what, fault.mend).what()));
   }
 
   void check_encoding(std::string& line) const {

@@ -139,6 +139,7 @@ TEST_CASE("jsonl: what is no JSON is told with its likely cause") {
   says("{\"step\":\"scan\" /* the first */,\"y\":1}", 16, "JSON has no comments");
   says("scan line 4", 1, "\"scan line 4\" is not JSON");
   says(R"({"step":"scan","y":1e999})", 1, "a number is too large");
+  says("{\"step\":\"scan\",\"y\":1,\"a\\nb\":1}", 22, "\"a\\nb\" is no field of scan_line_begin");  // still one line
 }
 
 TEST_CASE("jsonl: a whole file that is written otherwise is told in one line") {
