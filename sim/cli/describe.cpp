@@ -26,9 +26,9 @@ std::string interpolation_text(Conventions::Interpolation interpolation) {
   return interpolation == Conventions::Interpolation::direct ? "direct formula" : "increments";
 }
 
-std::string coverage_text(Conventions::Coverage coverage) {
-  return coverage == Conventions::Coverage::top_left ? "top-left (centres inside, ties to the left and top edge)"
-                                                     : "inclusive (every x from x_L to x_R)";
+std::string coverage_text(Conventions::Coverage coverage, const Raster& raster) {
+  if (coverage == Conventions::Coverage::inclusive) return "inclusive (every x from x_L to x_R)";
+  return fmt::format("top-left (centres inside, ties to the left edge and to that of the smaller y, the {} one)", raster.y_up ? "bottom" : "top");
 }
 
 std::string nearer_text(Comparison::Nearer nearer) {

@@ -13,7 +13,7 @@ std::string camera_text(const Camera& camera);
 std::string raster_text(const Raster& raster);
 std::string depth_text(const Camera& camera, Conventions::Depth depth);
 std::string interpolation_text(Conventions::Interpolation interpolation);
-std::string coverage_text(Conventions::Coverage coverage);
+std::string coverage_text(Conventions::Coverage coverage, const Raster& raster);
 std::string nearer_text(Comparison::Nearer nearer);
 std::string ties_text(Comparison::Ties ties);
 std::string number_format_text(NumberFormat format);

@@ -46,7 +46,7 @@ std::string head_text(const Trace& trace, const std::string& path) {
   if (header.initial_depth) table.row({"initial depth", value_text(*header.initial_depth)});
   table.row({"numbers", declared(Convention::number_format, number_format_text(header.number_format))});
   table.row({"interpolation", declared(Convention::interpolation, interpolation_text(header.conventions.interpolation))});
-  table.row({"coverage", declared(Convention::coverage, coverage_text(header.conventions.coverage))});
+  table.row({"coverage", declared(Convention::coverage, coverage_text(header.conventions.coverage, scene.raster))});
   table.row({"back faces", declared(Convention::cull, header.conventions.cull ? "culled" : "drawn")});
   return table.text(0);
 }

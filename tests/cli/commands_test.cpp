@@ -33,6 +33,14 @@ Outcome must(const Folder& folder, const std::string& arguments) {
 
 }  // namespace
 
+TEST_CASE("info says which border the half-open rule keeps: that of the smaller y, wherever it is drawn") {
+  const Folder folder;
+  REQUIRE(run(folder, "record delhi --coverage top-left -o up.ztrace").code == 0);
+  REQUIRE(run(folder, "record cube -o down.ztrace").code == 0);
+  CHECK(run(folder, "info up.ztrace").out.find("ties to the left edge and to that of the smaller y, the bottom one)") != std::string::npos);
+  CHECK(run(folder, "info down.ztrace").out.find("ties to the left edge and to that of the smaller y, the top one)") != std::string::npos);
+}
+
 TEST_CASE("list names methods, lessons and scenes") {
   const Folder folder;
   const std::string all = must(folder, "list").out;
