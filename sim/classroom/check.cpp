@@ -141,6 +141,29 @@ std::string did_you_mean(std::string_view written, const std::vector<std::string
   return best.empty() ? "" : fmt::format(" (did you mean `{}`?)", best);
 }
 
+std::string nearest_first(std::string_view written, std::vector<std::string_view> candidates) {
+  constexpr std::size_t most = 12, longest = 64;  // letters that count, so that a long word costs no more
+  const auto in_small_letters = [](std::string_view word) {
+    std::string small(word.substr(0, longest));
+    for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return small;
+  };
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  const std::string meant = in_small_letters(written);
+  std::vector<std::pair<std::size_t, std::string_view>> by_distance;
+  for (const std::string_view candidate : candidates) {
+    const std::string name = in_small_letters(candidate);
+    const bool part = !meant.empty() && (name.starts_with(meant) || meant.starts_with(name));
+    by_distance.emplace_back(part ? 1 : 1 + edit_distance(meant, name), candidate);
+  }
+  std::stable_sort(by_distance.begin(), by_distance.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, by_distance.size()); ++i) list += (i ? ", " : "") + std::string(by_distance[i].second);
+  if (candidates.size() > most) list += fmt::format(", … ({} in all)", candidates.size());
+  return list;
+}
+
 const StepInfo& require_step(const Page& page, std::string_view name, std::string_view where) {
   if (const StepInfo* step = find_step(page, name)) return *step;
   std::vector<std::string_view> names;

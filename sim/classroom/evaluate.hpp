@@ -28,5 +28,7 @@ const StepInfo& require_step(const Page& page, std::string_view name, std::strin
 
 /// "clip_tset" -> "; did you mean clip_test?" when one of the candidates is close, else empty.
 std::string did_you_mean(std::string_view written, const std::vector<std::string_view>& candidates);
+/// The candidates, those that are written most like it first, "x, y, z"; of many "x, y, z, … (40 in all)".
+std::string nearest_first(std::string_view written, std::vector<std::string_view> candidates);
 
 }  // namespace zstep::classroom

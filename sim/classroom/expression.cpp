@@ -1,5 +1,6 @@
 #include "sim/classroom/expression.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -32,7 +33,8 @@ std::string shortened(std::string_view text) {
 struct Parser {
   std::string_view all, left;
   std::string_view where;
-  int depth = 0, nodes = 0;
+  bool typed = false;  ///< by a person in haste, see parse_typed
+  int depth = 0, nodes = 0, arguments = 0;
 
   [[noreturn]] void fail(std::string_view what, std::string_view mend) const {
     throw InputError(where, fmt::format("{} in `{}`", what, shortened(trim(all))), mend);
@@ -58,8 +60,13 @@ struct Parser {
     while (size < left.size() && (is_letter(left[size]) || (size > 0 && is_digit(left[size])))) ++size;
     return left.substr(0, size);
   }
+  /// `and` is a word in any case where it is typed.
+  bool is_word(std::string_view found, std::string_view word) const {
+    const auto same = [&](char a, char b) { return a == b || (typed && a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); };
+    return std::equal(found.begin(), found.end(), word.begin(), word.end(), same);
+  }
   bool take_word(std::string_view word) {
-    if (peek_word() != word) return false;
+    if (!is_word(peek_word(), word)) return false;
     left.remove_prefix(word.size());
     return true;
   }
@@ -105,7 +112,8 @@ struct Parser {
   }
 
   Expression comparison() {
-    static constexpr std::array<std::pair<std::string_view, Kind>, 9> signs{{{"==", Kind::equal},
+    static constexpr std::array<std::pair<std::string_view, Kind>, 11> signs{{{"<>", Kind::unequal},
+                                                                             {"==", Kind::equal},
                                                                              {"!=", Kind::unequal},
                                                                              {"≠", Kind::unequal},
                                                                              {"<=", Kind::less_equal},
@@ -113,9 +121,11 @@ struct Parser {
                                                                              {">=", Kind::greater_equal},
                                                                              {"≥", Kind::greater_equal},
                                                                              {"<", Kind::less},
-                                                                             {">", Kind::greater}}};
+                                                                             {">", Kind::greater},
+                                                                             {"=", Kind::equal}}};
     Expression first = sum();
     for (const auto& [sign, kind] : signs) {
+      if (!typed && (sign == "=" || sign == "<>")) continue;
       if (take(sign)) return of(kind, std::move(first), sum());
     }
     return first;
@@ -161,7 +171,7 @@ struct Parser {
     }
     if (!left.empty() && (is_digit(left.front()) || left.front() == '.')) return number(std::move(made));
     const std::string_view word = peek_word();
-    if (word.empty() || word == "and" || word == "or" || word == "where") {
+    if (word.empty() || is_word(word, "and") || is_word(word, "or") || word == "where") {
       fail(fmt::format("a number or a name is missing at {}", here()), "write `x == 3`, `not nearer`, `z < stored` …");
     }
     left.remove_prefix(word.size());
@@ -171,21 +181,42 @@ struct Parser {
     }
     made.kind = Kind::name;
     made.text = word;
+    if (typed && word == "z" && star_is_of_name()) {
+      left.remove_prefix(1);
+      made.text += "*";
+      const std::string_view index = peek_word();
+      if (index.starts_with('_')) made.text += index, left.remove_prefix(index.size());
+      return made;
+    }
     if (!take("(")) return made;
     if (word == "count") return count(std::move(made));
     made.kind = Kind::call;
+    ++arguments;
     do made.parts.push_back(either());
     while (take(","));
+    --arguments;
     close(fmt::format("{}(", word));
     return made;
+  }
+
+  /// Whether the * in `z* < 0.5`, `z*_L` belongs to the name: nothing comes after it that could be multiplied.
+  bool star_is_of_name() const {
+    if (!left.starts_with('*')) return false;
+    const std::string_view after = trim(left.substr(1));
+    const std::string_view word = leading_step_name(after);
+    const char first = after.empty() ? ')' : after.front();
+    return std::string_view("<>=!)&|_").find(first) != std::string_view::npos || after.starts_with("≠") || after.starts_with("≤") ||
+           after.starts_with("≥") || is_word(word, "and") || is_word(word, "or");
   }
 
   Expression number(Expression made) {
     double digits = 0;
     int places = 0;
     bool any = false, point = false;
-    while (!left.empty() && (is_digit(left.front()) || (left.front() == '.' && !point))) {
-      if (left.front() == '.') {
+    // 0,42 where a person types it; between arguments a comma parts them.
+    const auto is_point = [&](char c) { return !point && (c == '.' || (typed && c == ',' && arguments == 0 && any && left.size() > 1 && is_digit(left[1]))); };
+    while (!left.empty() && (is_digit(left.front()) || is_point(left.front()))) {
+      if (is_point(left.front())) {
         point = true;
       } else {
         any = true;
@@ -248,13 +279,28 @@ Expression parse_expression(std::string_view text, std::string_view& rest, std::
   return made;
 }
 
+namespace {
+
+void refuse_rest(std::string_view rest, std::string_view text, std::string_view where) {
+  if (rest.empty()) return;
+  throw InputError(where, fmt::format("`{}` is left over in `{}`", rest.substr(0, 24), trim(text)),
+                   "join comparisons with `and` or `or`; write == to compare");
+}
+
+}  // namespace
+
 Expression parse_expression(std::string_view text, std::string_view where) {
   std::string_view rest;
   Expression made = parse_expression(text, rest, where);
-  if (!rest.empty()) {
-    throw InputError(where, fmt::format("`{}` is left over in `{}`", rest.substr(0, 24), trim(text)),
-                     "join comparisons with `and` or `or`; write == to compare");
-  }
+  refuse_rest(rest, text, where);
+  return made;
+}
+
+Expression parse_typed(std::string_view text, std::string_view where) {
+  Parser parser{text, text, where, true};
+  Expression made = parser.either();
+  parser.skip_space();
+  refuse_rest(parser.left, text, where);
   return made;
 }
 

@@ -73,7 +73,7 @@ void add_find(CLI::App& app, Action& action) {
   command->footer(
       "A condition speaks of the fields of events (zstep query FILE lists them): == != < <= > >=, + - * /, and or not or\n"
       "&& || !. A step without such a field does not fulfil it. Besides: step; polygon == NAME; changes(x, y), touches(x, y);\n"
-      "a step of the pseudo-code or a kind of event, alone or before `where`.\n"
+      "line == 12; a step of the pseudo-code or a kind of event, alone or before `where`.\n"
       "\n"
       "Examples:\n"
       "  zstep find run.ztrace \"not nearer\"\n"

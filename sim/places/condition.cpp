@@ -1,6 +1,7 @@
 #include "sim/places/condition.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "sim/classroom/evaluate.hpp"
@@ -35,14 +36,15 @@ Condition::Value Condition::both_or_either(const Node& node, const Event& event,
 Condition::Value Condition::evaluate(std::int32_t at, const Event& event, std::int64_t step) const {
   const Node& node = nodes_[static_cast<std::size_t>(at)];
   const auto truth = [](bool holds) { return Value{Value::Is::known, holds ? 1.0 : 0.0}; };
+  const auto read = [&](double number) { return Value{node.none_is_missing && number < 0 ? Value::Is::missing : Value::Is::known, number}; };
   switch (node.op) {
     case Op::constant: return {Value::Is::known, node.number};
     case Op::missing: return {Value::Is::missing, 0};
-    case Op::field: return {Value::Is::known, node.read(event)};
+    case Op::field: return read(node.read(event));
     case Op::step: return {Value::Is::known, static_cast<double>(step)};
     case Op::at_work:
-      if (const auto named = trace_->polygon_named(event)) return {Value::Is::known, static_cast<double>(*named)};
-      return {Value::Is::known, static_cast<double>(trace_->polygon_at_work(step))};
+      if (const auto named = trace_->polygon_named(event)) return read(static_cast<double>(*named));
+      return read(static_cast<double>(trace_->polygon_at_work(step)));
     case Op::changes: return truth(writes(event) && names_pixel(event, node.number, node.row));
     case Op::touches: return truth(names_pixel(event, node.number, node.row));
     case Op::and_:
@@ -78,8 +80,13 @@ bool Condition::holds(std::int64_t step, const RecordedEvent& event) const {
 
 std::vector<double> polygons_called(const Scene& scene, const std::string& name) {
   std::vector<double> found;
-  for (std::size_t i = 0; i < scene.polygons.size(); ++i)
-    if (*scene.polygons[i].name == name) found.push_back(static_cast<double>(i));
+  const auto same_letter = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  const auto find = [&](auto&& same) {
+    for (std::size_t i = 0; i < scene.polygons.size(); ++i)
+      if (same(*scene.polygons[i].name)) found.push_back(static_cast<double>(i));
+  };
+  find([&](const std::string& other) { return other == name; });
+  if (found.empty() && !name.empty()) find([&](const std::string& other) { return std::equal(other.begin(), other.end(), name.begin(), name.end(), same_letter); });
   if (!found.empty() || name.size() < 2 || name.size() > 10 || (name[0] != 'P' && name[0] != 'p')) return found;
   if (!std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; })) return found;
   const auto number = std::stoll(name.substr(1));

@@ -3,9 +3,12 @@
 //
 // The language is that of lessons (sim/classroom/expression.hpp). A condition speaks of the fields of events. A step whose event lacks a
 // field that is named neither fulfils what is said of it nor its contrary, as NULL does in SQL: `not nearer` is true of
-// compares that fail and of nothing else. Besides fields there are
+// compares that fail and of nothing else. What panes write is understood as well: z* or z_v for the depths, x_L, e3 beside
+// `edge`. Besides fields there are
 //     step              the number of the step
-//     polygon           the event's own, or that of its facet or piece, or else the one at work
+//     polygon           the event's own, or that of its facet or piece, or else the one at work; missing where there is none,
+//                       which `polygon == -1` asks for
+//     line, scan_line   the y of what happens on that scan line
 //     changes(x, y)     the step writes a colour or a depth to this pixel
 //     touches(x, y)     its event names this pixel
 //     compare, …        steps of the pseudo-code and kinds of events: true of themselves
@@ -53,6 +56,7 @@ class Condition {
     double number = 0;                     ///< a constant, or the pixel's column
     double row = 0;                        ///< the pixel's row
     double (*read)(const Event&) = nullptr;
+    bool none_is_missing = false;          ///< of a polygon: -1 is none
     std::vector<double> set;               ///< of `among`, ordered
   };
   struct Value {
@@ -74,7 +78,7 @@ class Condition {
   Bounds bounds_;
 };
 
-/// The polygons of a scene that are called this: by their name, or P3 for the third.
+/// The polygons of a scene that are called this: by their name, in small letters if need be, or P3 for the one of index 3.
 std::vector<double> polygons_called(const Scene& scene, const std::string& name);
 
 }  // namespace zstep::places

@@ -1,11 +1,13 @@
 // From a text to something that can be asked of every step: names become fields of the kinds that have them.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "sim/classroom/evaluate.hpp"
 #include "sim/places/condition.hpp"
+#include "sim/viewer/words/explain.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::places {
@@ -75,14 +77,38 @@ class Condition::Binder {
 
   [[noreturn]] void fail(const std::string& what, const std::string& mend) const { throw InputError(where, what, mend); }
 
-  bool field_somewhere(std::string_view name) const {
+  /// A field as panes and people write it, by its own name: z* or z_v, x_L, `line` for y; else the name in small letters.
+  std::string field_meant(std::string text) const {
+    const Trace& trace = *condition_.trace_;
+    const std::string depth = depth_symbol(trace.scene(), trace.header().conventions);
+    if (text.starts_with("z*") && depth != "z*") fail(fmt::format("`{}` is not in this trace, whose depths are {}", text, depth), "write z");
+    if (text == depth || text.starts_with(depth + "_")) text.replace(0, depth.size(), "z");
+    if (text.ends_with("_L")) text.replace(text.size() - 1, 1, "left");
+    if (text.ends_with("_R")) text.replace(text.size() - 1, 1, "right");
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text == "line" || text == "scan_line" || text == "scanline" ? "y" : text;
+  }
+  /// The field that a name means in a step of this kind.
+  const Field* field_of(std::uint8_t kind, std::string_view text) const {
+    if (const Field* field = field_of_kind(kind, text)) return field;
+    const std::string meant = field_meant(std::string(text));
+    const bool known = text == "z_v" ? false : field_named(text);  // `line` is an edge where edges are drawn
+    const Field* field = known || meant == text ? nullptr : field_of_kind(kind, meant);
+    // World coordinates have the letters of depths and scan lines.
+    const bool fits = field && (meant != "z" || field->unit == "depth") && (meant != "y" || field->unit == "px" || field->unit == "row");
+    return fits ? field : nullptr;
+  }
+  bool field_named(std::string_view name) const {
     return std::any_of(page_.begin(), page_.end(), [&](const StepInfo& step) { return field_of_kind(step.kind, name) != nullptr; });
+  }
+  bool field_somewhere(std::string_view name) const {
+    return std::any_of(page_.begin(), page_.end(), [&](const StepInfo& step) { return field_of(step.kind, name) != nullptr; });
   }
   /// The words that a field of this name takes in any step of the method.
   std::vector<std::string_view> words_somewhere(std::string_view name) const {
     std::vector<std::string_view> words;
     for (const StepInfo& step : page_)
-      if (const Field* field = field_of_kind(step.kind, name))
+      if (const Field* field = field_of(step.kind, name))
         for (const std::string_view word : field->type.words)
           if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
     return words;
@@ -103,55 +129,71 @@ class Condition::Binder {
     return expression.kind == Kind::number ? fmt::format("{}", expression.number) : "a sum";
   }
 
+  static bool is_called(std::string_view text, std::string_view name) {
+    return std::equal(text.begin(), text.end(), name.begin(), name.end(), [](unsigned char a, char b) { return std::tolower(a) == b; });
+  }
+
   Bound name(const Expression& expression) {
     const std::string& text = expression.text;
-    if (const Field* field = field_of_kind(step_.kind, text)) {
+    if (const Field* field = field_of(step_.kind, text)) {
       Node node;
-      node.op = Op::field, node.read = field->read;
+      node.op = Op::field, node.read = field->read, node.none_is_missing = field->type.type == Type::polygon;
       return add(std::move(node), field->type.type);
     }
-    if (text == "polygon") return add_plain(Op::at_work, Type::polygon);
-    if (text == "step") return add_plain(Op::step, Type::number);
+    if (is_called(text, "polygon")) return add_plain(Op::at_work, Type::polygon);
+    if (is_called(text, "step")) return add_plain(Op::step, Type::number);
     if (text == "true" || text == "false") return constant(text == "true", Type::truth);
     if (field_somewhere(text)) return missing(Type::number);
     bool known = false;
     for (const StepInfo& step : page_) known = known || is_step(step, text) || kind_name(step.kind) == text;
     if (known) return constant(is_step(step_, text) || kind_name(step_.kind) == text, Type::truth);
-    std::vector<std::string_view> names;
+    std::vector<std::string_view> names{"polygon", "step", "changes(x, y)", "touches(x, y)"};
     for (const StepInfo& step : page_) {
-      names.push_back(step.name);
+      names.push_back(step.name), names.push_back(kind_name(step.kind));
       for (const Field& field : fields_of_kind(step.kind)) names.push_back(field.name);
     }
     const std::string near = classroom::did_you_mean(text, names);
-    fail(fmt::format("`{}` is no field, step or kind of event of this trace{}", text, near), "zstep query FILE names the kinds and their fields");
+    fail(fmt::format("`{}` is no field, step or kind of event of this trace{}", text, near), "its names, nearest first: " + classroom::nearest_first(text, names));
   }
   Bound add_plain(Op op, Type type) {
     Node node;
-    node.op = op;
+    node.op = op, node.none_is_missing = op == Op::at_work;
     return add(std::move(node), type);
   }
 
   /// Among the alternatives of an equation: `facing == back`, `polygon == B`.
   static bool is_bare(const Expression& side) { return side.kind == Kind::name || side.kind == Kind::quoted; }
   bool takes_words(const Expression& side) const { return side.kind == Kind::name && !words_somewhere(side.text).empty(); }
-  bool takes_polygons(const Expression& side) const { return side.kind == Kind::name && side.text == "polygon"; }
+  bool takes_polygons(const Expression& side) const { return side.kind == Kind::name && is_called(side.text, "polygon"); }
 
   Bound equation(const Expression& expression) {
     const Expression *left = &expression.parts[0], *right = &expression.parts[1];
     if (is_bare(*left) && !takes_words(*left) && !takes_polygons(*left)) std::swap(left, right);
     if (takes_words(*left) && is_bare(*right)) return word(*left, *right);
     if (takes_polygons(*left) && is_bare(*right) && (right->kind == Kind::quoted || !field_somewhere(right->text))) return called(*left, *right);
-    const Bound first = any(*left), second = any(*right);
+    if (takes_polygons(*right) && !takes_polygons(*left)) std::swap(left, right);
+    auto index = numbered(*left, *right);
+    if (!index && (index = numbered(*right, *left))) std::swap(left, right);
+    const Bound first = any(*left), second = index ? constant(*index, Type::number) : any(*right);
+    if (takes_polygons(*left) && right->kind == Kind::negate) condition_.nodes_[static_cast<std::size_t>(first.node)].none_is_missing = false;
     const auto sort = [](Type type) { return type == Type::polygon ? Type::number : type; };
     if (!first.missing && !second.missing && sort(first.type) != sort(second.type))
       fail(fmt::format("`{}` and `{}` are not of one kind", said(*left), said(*right)), "compare numbers with numbers and truths with truths");
     return of(Op::equal, first, second, Type::truth);
   }
+  /// "e3" beside `edge`, "v2" beside `vertex_0`: the number, as panes write it.
+  std::optional<double> numbered(const Expression& field, const Expression& name) const {
+    const std::string& text = name.text;
+    if (field.kind != Kind::name || name.kind != Kind::name || text.size() < 2 || text.size() > 10 || field_somewhere(text)) return std::nullopt;
+    if (std::tolower(static_cast<unsigned char>(text[0])) != std::tolower(static_cast<unsigned char>(field.text[0]))) return std::nullopt;
+    if (!std::all_of(text.begin() + 1, text.end(), [](char c) { return c >= '0' && c <= '9'; })) return std::nullopt;
+    return static_cast<double>(std::stoll(text.substr(1)));
+  }
   Bound word(const Expression& left, const Expression& right) {
     const auto all = words_somewhere(left.text);
     if (std::find(all.begin(), all.end(), right.text) == all.end())
       fail(fmt::format("`{}` is never `{}`", left.text, right.text), fmt::format("it is one of {}", fmt::join(all, ", ")));
-    const Field* field = field_of_kind(step_.kind, left.text);
+    const Field* field = field_of(step_.kind, left.text);
     if (!field || field->type.type != Type::word) return missing(Type::truth);
     const auto& words = field->type.words;
     const auto place = std::find(words.begin(), words.end(), right.text) - words.begin();
@@ -161,7 +203,13 @@ class Condition::Binder {
     Node node;
     node.op = Op::among;
     node.set = polygons_called(condition_.trace_->scene(), right.text);
-    if (node.set.empty()) fail(fmt::format("no polygon of the scene is called `{}`", right.text), "give its name, or its number: polygon == 0 is the first");
+    if (node.set.empty()) {
+      std::vector<std::string_view> names;
+      for (const Polygon& polygon : condition_.trace_->scene().polygons)
+        if (!polygon.name->empty()) names.push_back(*polygon.name);
+      fail(fmt::format("no polygon of the scene is called `{}`", right.text),
+           names.empty() ? "polygons have numbers here: polygon == 0 is the first" : "its polygons, nearest first: " + classroom::nearest_first(right.text, names));
+    }
     node.first = name(left).node;
     return add(std::move(node), Type::truth);
   }
@@ -255,13 +303,14 @@ Condition::Condition(const Trace& trace, const std::string& text) : trace_(&trac
   std::string only;
   const std::string_view first = classroom::leading_step_name(rest);
   const std::string_view after = classroom::trim(rest.substr(first.size()));
-  const bool further = after.starts_with("where") && (after.size() == 5 || !(std::isalnum(static_cast<unsigned char>(after[5])) || after[5] == '_'));
+  const auto is_where = [](std::string_view word) { return word == "where" || word == "WHERE"; };
+  const bool further = is_where(after.substr(0, 5)) && (after.size() == 5 || !(std::isalnum(static_cast<unsigned char>(after[5])) || after[5] == '_'));
   if (!first.empty() && (after.empty() || further)) {
     const bool known = std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return is_step(step, first) || kind_name(step.kind) == first; });
     if (further && !known) throw InputError(where, fmt::format("`{}` is no step or kind of event of this trace", first), "zstep info FILE names them");
     if (known) only = first, rest = further ? after.substr(5) : std::string_view("true");
   }
-  const Expression expression = classroom::parse_expression(rest, where);
+  const Expression expression = classroom::parse_typed(rest, where);
   for (const StepInfo& step : page) {
     const std::int32_t root = Binder(*this, step).bind(expression);
     if (!only.empty() && !is_step(step, only) && kind_name(step.kind) != only) continue;

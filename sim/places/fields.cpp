@@ -18,7 +18,7 @@ std::vector<Field> table_of() {
   std::vector<Field> fields;
   for_each_index<E>([&]<std::size_t I>() {
     const std::string_view name = field_at<E, I>.name;
-    fields.push_back({name, *classroom::field_type(kind_of<E>, name), read<E, I>});
+    fields.push_back({name, *classroom::field_type(kind_of<E>, name), read<E, I>, field_at<E, I>.unit});
   });
   return fields;
 }

@@ -14,6 +14,7 @@ struct Field {
   std::string_view name;
   classroom::FieldType type;      ///< truths are 0 and 1, words their place among the words
   double (*read)(const Event&) = nullptr;  ///< of an event of this kind and no other
+  std::string_view unit;          ///< "px", "row", "depth", "world" …
 };
 
 /// The fields of a kind, in the order of the vocabulary.

@@ -73,6 +73,10 @@ const std::vector<Case>& cases() {
            else return false;
          });
        }},
+      // Where there is no polygon, none is unlike another; `polygon == -1` asks for such steps.
+      {"polygon != 1", [](const Event&, std::int64_t, std::int32_t p) { return p >= 0 && p != 1; }},
+      {"not (polygon == 1)", [](const Event&, std::int64_t, std::int32_t p) { return p >= 0 && p != 1; }},
+      {"polygon != -1", [](const Event&, std::int64_t, std::int32_t p) { return p != -1; }},
       {"step == 77", [](const Event&, std::int64_t s, std::int32_t) { return s == 77; }},
       {"step * 2 >= 300 and step < 170", [](const Event&, std::int64_t s, std::int32_t) { return s >= 150 && s < 170; }},
   };
@@ -153,6 +157,49 @@ TEST_SUITE("places") {
     CHECK_FALSE(Condition(open_jsonl(test::in_checkout("tests/golden/scan-line.jsonl")), "polygon == 1").bounds().polygon);
   }
 
+  TEST_CASE("a condition is understood as a person types it and as the panes write it") {
+    const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
+    const auto same = [&](const std::string& typed, const std::string& text) {
+      CAPTURE(typed);
+      const auto expected = found(trace, Condition(trace, text), 0, Way::forwards);
+      CHECK_FALSE(expected.empty());
+      std::string said;
+      try {
+        CHECK(found(trace, Condition(trace, typed), 0, Way::forwards) == expected);
+      } catch (const InputError& error) {
+        said = error.what();
+      }
+      CHECK(said == "");
+    };
+    same("x = 9", "x == 9");
+    same("x=9", "x == 9");
+    same("X == 9", "x == 9");
+    same("x <> 9", "x != 9");
+    same("polygon=B", "polygon == B");
+    same("polygon = b", "polygon == B");
+    same("Polygon == B", "polygon == B");
+    same("NOT nearer", "not nearer");
+    same("nearer AND x = 9", "nearer and x == 9");
+    same("x == 12 Or y == 3", "x == 12 or y == 3");
+    same("compare WHERE NOT nearer", "compare where not nearer");
+    same("z < 0,42", "z < 0.42");
+    same("changes(8,6)", "changes(8, 6)");
+    same("z* < 0.5", "z < 0.5");
+    same("0.5 > z* and nearer", "z < 0.5 and nearer");
+    same("z*_L < 0.5", "z_left < 0.5");
+    same("x_R >= 5", "x_right >= 5");
+    same("z*2 < 0.5", "z * 2 < 0.5");
+    same("z*x < 3", "z * x < 3");
+    same("edge == e0", "edge == 0");
+    same("edge = e2", "edge == 2");
+    same("e2 == edge", "edge == 2");
+    same("line == 5", "y == 5");
+    same("scan_line == 5", "y == 5");
+    // Depths are not where the scene's vertices are.
+    const Condition depth(trace, "z* < 1000");
+    for (const std::int64_t step : found(trace, depth, 0, Way::forwards)) CHECK_FALSE(std::holds_alternative<ViewTransform>(trace.event(step).event));
+  }
+
   TEST_CASE("what is no condition is one line that says what may be typed") {
     const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
     const auto refused = [&](const std::string& text, const std::string& part) {
@@ -164,7 +211,7 @@ TEST_SUITE("places") {
     };
     refused("", "is empty");
     refused("nearr", "did you mean `nearer`");
-    refused("z = 3", "write ==");
+    refused("changes(1,5)  )", "left over");
     refused("x", "compare it");
     refused("x and nearer", "compare it");
     refused("nearer + 1 == 2", "is no number");
@@ -173,6 +220,9 @@ TEST_SUITE("places") {
     refused("facing < back", "no field, step or kind");
     refused("facing < 3", "is no number");
     refused("polygon == Q", "no polygon of the scene is called `Q`");
+    refused("polygon == Bb", "its polygons, nearest first: B, A");
+    refused("colour == 3", "its names, nearest first: ");
+    refused("edge == q0", "`q0` is no field");
     refused("nearer and vertex == 2", "no step of this trace can fulfil");
     refused("changes(99, 2)", "needs a pixel's column and row");
     refused("changes(1)", "needs a pixel's column and row");
