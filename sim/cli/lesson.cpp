@@ -1,6 +1,7 @@
 // zstep lesson, and zstep alone.
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,12 +21,20 @@ struct LessonOptions {
   ShowOptions show;
 };
 
+/// What opens where no lesson is named: the first about the Z-buffer in teaching order.
+Lesson first_lesson(std::vector<Lesson> lessons) {
+  if (lessons.empty()) throw InputError("zstep lesson", "no lessons were found", "set ZSTEP_LESSONS to the folder that holds them");
+  const std::string id = "z-buffer";
+  for (Lesson& lesson : lessons)
+    if (lesson.id.starts_with(id)) return std::move(lesson);
+  for (Lesson& lesson : lessons)
+    if (lesson.method == id) return std::move(lesson);
+  return std::move(lessons.front());
+}
+
 Lesson lesson_named(const std::string& name) {
   std::vector<Lesson> lessons = all_lessons();
-  if (name.empty()) {
-    if (lessons.empty()) throw InputError("zstep lesson", "no lessons were found", "set ZSTEP_LESSONS to the folder that holds them");
-    return lessons.front();
-  }
+  if (name.empty()) return first_lesson(std::move(lessons));
   if (name.find_first_of("./\\") != std::string::npos) return find_lesson(name);
   std::vector<std::string> ids;
   for (Lesson& lesson : lessons) {
@@ -39,17 +48,6 @@ int open(Lesson lesson, const ShowOptions& options) {
   check_can_show(options);
   const Trace trace = run_lesson(lesson);
   return show(trace, options, &lesson);
-}
-
-/// The lesson about the Z-buffer that comes first in teaching order.
-Lesson first_z_buffer_lesson() {
-  const std::string id = "z-buffer";
-  const std::vector<Lesson> lessons = all_lessons();
-  for (const Lesson& lesson : lessons)
-    if (lesson.id.starts_with(id)) return lesson;
-  for (const Lesson& lesson : lessons)
-    if (lesson.method == id) return lesson;
-  return lesson_named("");
 }
 
 [[maybe_unused]] std::string first_steps_without_display(const std::string& lesson) {
@@ -68,7 +66,7 @@ Lesson first_z_buffer_lesson() {
 }  // namespace
 
 int start() {
-  Lesson lesson = first_z_buffer_lesson();
+  Lesson lesson = lesson_named("");
   ShowOptions options;
 #if ZSTEP_HAS_VIEWER
   if (!display_available()) {
@@ -85,7 +83,7 @@ int start() {
 
 void add_lesson(CLI::App& app, Action& action) {
   const auto options = std::make_shared<LessonOptions>();
-  CLI::App* command = app.add_subcommand("lesson", "Open a lesson in the viewer; without a name, the first");
+  CLI::App* command = app.add_subcommand("lesson", "Open a lesson in the viewer; without a name, the one about the Z-buffer");
   command->add_option("name", options->name, "One of 'zstep list lessons', or the path of a lesson's .md")->type_name("NAME");
   add_show_options(*command, options->show);
   command->footer(

@@ -1,11 +1,5 @@
 #include "sim/cli/show.hpp"
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
-#include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,7 +8,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
-#include "sim/places/bookmarks.hpp"
+#include "sim/places/typed_place.hpp"
 #include "sim/viewer/words/shell_word.hpp"
 #include "traces/error.hpp"
 
@@ -22,7 +16,7 @@ namespace zstep::cli {
 
 void add_show_options(CLI::App& command, ShowOptions& options) {
   options.command = &command;
-  command.add_option("--at", options.at, "Open at this step (0 is before the first), at this part of the trace, or at this bookmark")->type_name("STEP|PERCENT%|BOOKMARK")->group("Viewer");
+  command.add_option("--at", options.at, "Open at this step (0 is before the first), this part of the trace, this bookmark, or any place that G takes")->type_name("STEP|PERCENT%|BOOKMARK")->group("Viewer");
   command.add_option("--screenshot", options.screenshot, "Write the window as a picture instead of opening it; needs no display")->type_name("FILE.png")->group("Viewer");
   command.add_option("--pane", options.pane, "The screenshot shows one pane: frame, depth, pseudo-code, ...")->type_name("PANE")->group("Viewer");
   const auto take_size = [&options](const std::string& text) {
@@ -68,43 +62,19 @@ void check_can_show(const ShowOptions& options) {
 #endif
 }
 
-namespace {
-
-/// "37.5%" or "37.5 %" as 37.5; nothing for what does not look so.
-std::optional<double> percentage(std::string_view text) {
-  if (!text.ends_with('%')) return std::nullopt;
-  text.remove_suffix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  double value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-}  // namespace
-
-std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option) {
-  if (!at.empty() && at.find_first_not_of("0123456789") == std::string::npos) parse_whole(option, at, 0);  // it must not be too long
-  if (const auto whole = read_whole(at); whole && *whole >= 0) {
-    const std::int64_t step = *whole;
-    if (step > trace.size()) throw InputError(option, fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
-    return step;
-  }
-  const places::Bookmarks marks(trace);
-  if (const auto step = marks.find(at)) return *step;
-  if (const auto percent = percentage(at)) {
-    if (!(*percent >= 0 && *percent <= 100)) throw InputError(option, fmt::format("'{}' is no part of a trace", at), "give 0% to 100%");
-    return std::llround(*percent / 100 * static_cast<double>(trace.size()));
-  }
-  std::vector<std::string> names;
-  for (const places::Bookmark& mark : marks.all()) names.push_back(mark.name);
-  throw InputError(option, fmt::format("'{}' is no step, and no bookmark of {} is called so", at, trace.name()),
-                   names.empty() ? "it has none; give a step or a percentage, or set one in the viewer with Ctrl+B" : did_you_mean(at, names, "its bookmarks are " + enumerate(names, "and")));
+std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option, const Lesson* lesson) {
+  const places::Bookmarks marks(trace, lesson);
+  const places::Place place = places::find_place({trace, marks, lesson, 0}, at, option);
+  if (place.pixel)
+    throw InputError(option, fmt::format("({}, {}) is a pixel, and a step is needed", place.pixel->x, place.pixel->y),
+                     fmt::format("zstep history FILE {} {} names the steps that touch it", place.pixel->x, place.pixel->y));
+  if (place.step > trace.size()) throw InputError(option, fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+  return place.step;
 }
 
 int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   check_can_show(options);
-  [[maybe_unused]] const std::int64_t at = options.at.empty() ? -1 : step_of(trace, options.at);
+  [[maybe_unused]] const std::int64_t at = options.at.empty() ? -1 : step_of(trace, options.at, "--at", lesson);
 #if ZSTEP_HAS_VIEWER
   ViewerOptions viewer;
   if (at >= 0) viewer.at = at;

@@ -1,6 +1,7 @@
 #include "sim/places/bookmarks.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <span>
 #include <string_view>
 
@@ -77,13 +78,38 @@ void sort(std::vector<Bookmark>& all) {
 
 std::filesystem::path marks_file(const std::string& trace) { return trace + ".marks"; }
 
-Bookmarks::Bookmarks(const Trace& trace) {
-  if (!is_file(trace.name())) return;
+std::filesystem::path marks_file(const Lesson& lesson) {
+  const std::filesystem::path folder = kept_folder();
+  return folder.empty() || lesson.id.empty() ? std::filesystem::path() : folder / "lessons" / (lesson.id + ".marks");
+}
+
+std::filesystem::path kept_folder() {
+  const auto from = [](const char* variable) -> std::filesystem::path {
+    const char* value = std::getenv(variable);
+    return value && *value ? std::filesystem::path(value) : std::filesystem::path();
+  };
+  std::filesystem::path folder = from("XDG_CONFIG_HOME");
+#ifdef _WIN32
+  if (folder.empty()) folder = from("APPDATA");
+#endif
+  if (folder.empty() && !from("HOME").empty()) folder = from("HOME") / ".config";
+  return folder.empty() ? folder : folder / "zstep";
+}
+
+void Bookmarks::open(const Trace& trace, const std::filesystem::path& file, const std::string& whose) {
   std::error_code ignored;
-  const std::filesystem::path path = marks_file(trace.name());
-  if (std::filesystem::exists(path, ignored)) all_ = read(path, trace.size());
+  if (std::filesystem::exists(file, ignored)) all_ = read(file, trace.size());
   sort(all_);
-  trace_ = trace.name();
+  file_ = file, whose_ = whose;
+}
+
+Bookmarks::Bookmarks(const Trace& trace) {
+  if (is_file(trace.name())) open(trace, marks_file(trace.name()), std::filesystem::path(trace.name()).filename().string());
+}
+
+Bookmarks::Bookmarks(const Trace& trace, const Lesson* lesson) {
+  if (!lesson) *this = Bookmarks(trace);
+  else if (const auto file = marks_file(*lesson); !file.empty()) open(trace, file, "the lesson " + lesson->id);
 }
 
 std::optional<std::int64_t> Bookmarks::find(const std::string& name) const {
@@ -110,11 +136,17 @@ void Bookmarks::remove(std::size_t place) {
   keep(std::move(all));
 }
 
+void Bookmarks::check_can_keep() const {
+  if (file_.empty()) throw InputError("bookmark", "this run was recorded to memory, and there is no file to keep it beside", "record it: zstep record SCENE -o run.ztrace");
+}
+
 void Bookmarks::keep(std::vector<Bookmark> all) {
-  if (trace_.empty()) throw InputError("bookmark", "this run was recorded to memory, and there is no file to keep it beside", "record it: zstep record SCENE -o run.ztrace");
-  std::string text = fmt::format("# bookmarks of {}\n", std::filesystem::path(trace_).filename().string());
+  check_can_keep();
+  std::string text = fmt::format("# bookmarks of {}\n", whose_);
   for (const Bookmark& mark : all) text += fmt::format("{} {}\n", mark.step, mark.name);
-  rewrite_file(marks_file(trace_), std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  std::error_code ignored;
+  std::filesystem::create_directories(file_.parent_path(), ignored);
+  rewrite_file(file_, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   all_ = std::move(all);
 }
 

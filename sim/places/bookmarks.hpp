@@ -1,4 +1,5 @@
-// Bookmarks: steps of a trace with names, in a small file beside it that a person can read.
+// Bookmarks: steps of a trace with names, in a small file that a person can read: beside the trace, or a lesson's among what
+// zstep keeps.
 //
 //     # bookmarks of run.ztrace
 //     219 the first tie
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/classroom/lesson.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep::places {
@@ -29,6 +31,8 @@ class Bookmarks {
   /// Those beside the trace; none where it has no such file. Throws InputError for a file that holds something else: it is
   /// then never written over.
   explicit Bookmarks(const Trace& trace);
+  /// Those of a lesson, whose run has no file. nullptr: those beside the trace.
+  Bookmarks(const Trace& trace, const Lesson* lesson);
   /// None, and none can be kept: of a run without a file.
   Bookmarks() = default;
 
@@ -39,14 +43,24 @@ class Bookmarks {
   /// is none, the trace is no file, or its folder cannot be written to.
   void set(std::int64_t step, const std::string& name);
   void remove(std::size_t place);
+  /// Throws the InputError that set() would throw for any name, before one is typed.
+  void check_can_keep() const;
 
  private:
   void keep(std::vector<Bookmark> all);
-  std::string trace_;  ///< its file; empty where it has none
+  void open(const Trace& trace, const std::filesystem::path& file, const std::string& whose);
+  std::filesystem::path file_;  ///< that they are kept in; empty where they cannot be
+  std::string whose_;           ///< "run.ztrace", "the lesson z-buffer"
   std::vector<Bookmark> all_;
 };
 
 /// run.ztrace -> run.ztrace.marks
 std::filesystem::path marks_file(const std::string& trace);
+/// A lesson's, by its name: lessons/z-buffer.marks in kept_folder().
+std::filesystem::path marks_file(const Lesson& lesson);
+
+/// Where zstep keeps what stays from run to run: $XDG_CONFIG_HOME/zstep or the platform's likeness of it; empty when there is
+/// no home.
+std::filesystem::path kept_folder();
 
 }  // namespace zstep::places

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/places/bookmarks.hpp"
+
 namespace zstep::viewer {
 namespace {
 
@@ -40,27 +42,15 @@ WindowSize opening_size(const Settings& left, const std::optional<WindowSize>& a
 }
 
 std::filesystem::path settings_path() {
-  const auto from = [](const char* variable) -> std::filesystem::path {
-    const char* value = std::getenv(variable);
-    return value && *value ? std::filesystem::path(value) : std::filesystem::path();
-  };
-  std::filesystem::path folder = from("XDG_CONFIG_HOME");
-#ifdef _WIN32
-  if (folder.empty()) folder = from("APPDATA");
-#endif
-  if (folder.empty()) {
-    folder = from("HOME");
-    if (folder.empty()) return {};
-    folder /= ".config";
-  }
-  return folder / "zstep" / "viewer.ini";
+  const std::filesystem::path folder = places::kept_folder();
+  return folder.empty() ? folder : folder / "viewer.ini";
 }
 
 Settings load_settings(const std::filesystem::path& path) {
   Settings s;
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
-    const std::size_t equals = line.find(" = ");
+    const std::size_t equals = line.rfind(" = ");  // a formula's name has one, too
     if (equals == std::string::npos || equals > 400) continue;
     const std::string key = line.substr(0, equals), value = line.substr(equals + 3);
     const float real = std::strtof(value.c_str(), nullptr);

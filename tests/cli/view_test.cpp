@@ -42,6 +42,8 @@ TEST_CASE("zstep alone without a display says so, writes the first picture and n
   CHECK(image.height == 720);
   must(folder, "lesson z-buffer --screenshot lesson.png");
   CHECK(text_of(folder / "zstep.png") == text_of(folder / "lesson.png"));
+  must(folder, "lesson --screenshot first.png");  // with or without the word, it is one lesson
+  CHECK(text_of(folder / "zstep.png") == text_of(folder / "first.png"));
 }
 
 TEST_CASE("without a display a window is refused in one line, before any work") {

@@ -22,6 +22,7 @@ TEST_CASE("settings come back as they were saved") {
   s.layout.structures["scene"] = 0.5f;
   s.remember("a run.ztrace|100|5", 42);
   s.remember("other", 7);
+  s.remember("y = sin(x) * cos(z)|1144|1024", 194);
   s.remember("a run.ztrace|100|5", 43);
   REQUIRE(save_settings(path, s));
   const Settings back = load_settings(path);
@@ -33,6 +34,7 @@ TEST_CASE("settings come back as they were saved") {
   CHECK(back.layout.structures.at("scene") == doctest::Approx(0.5f));
   CHECK(back.place("a run.ztrace|100|5") == 43);
   CHECK(back.place("other") == 7);
+  CHECK(back.place("y = sin(x) * cos(z)|1144|1024") == 194);
   CHECK_FALSE(back.place("never seen"));
   std::filesystem::remove_all(path.parent_path());
 }

@@ -20,7 +20,7 @@ constexpr std::size_t most_asked = 3;
 
 Places::Places(Session& session) : session_(session) {
   try {
-    bookmarks_ = places::Bookmarks(session.trace());
+    bookmarks_ = places::Bookmarks(session.trace(), session.lesson());
   } catch (const InputError& error) {
     trouble_ = error.what();
   }
@@ -106,6 +106,16 @@ std::vector<Places::Suggestion> Places::suggestions() const {
     add(fmt::format("polygon_begin where polygon != {}", plain ? name : std::to_string(polygon)), "another polygon begins");
   }
   return all;
+}
+
+std::string Places::why_no_bookmark() const {
+  if (!trouble_.empty()) return trouble_;
+  try {
+    bookmarks_.check_can_keep();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 std::string Places::bookmark(const std::string& name) {

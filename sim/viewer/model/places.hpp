@@ -38,8 +38,11 @@ class Places {
   std::vector<Suggestion> suggestions() const;
 
   // --- Bookmarks
+  const places::Bookmarks& marks() const { return bookmarks_; }
   const std::vector<places::Bookmark>& bookmarks() const { return bookmarks_.all(); }
   const std::string& trouble() const { return trouble_; }  ///< why they cannot be read, or nothing
+  /// Why none can be set, or nothing; asked before a name is typed.
+  std::string why_no_bookmark() const;
   /// Sets one here. What is wrong with that, or nothing.
   std::string bookmark(const std::string& name);
   std::string remove_bookmark(std::size_t place);
