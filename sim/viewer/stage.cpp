@@ -1,18 +1,22 @@
 #include "sim/viewer/stage.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "sim/places/search.hpp"
+#include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {
 
 Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height, float dpi_scale)
-    : first_(trace), options_(options), dpi_scale_(dpi_scale),
-      app_(std::make_unique<App>(trace, options.lesson, settings, width, height, dpi_scale)) {
-  app_->opened_by = options.opened_by;
+    : first_(trace), options_(options), dpi_scale_(dpi_scale), first_app_(trace, options.lesson, settings, width, height, dpi_scale) {
+  first_app_.opened_by = options.opened_by;
 }
 
 std::int64_t last_write(const Trace& trace, Cell cell) {
@@ -26,32 +30,84 @@ std::int64_t last_write(const Trace& trace, Cell cell) {
   return trace.previous(trace.size() + 1, writes, Trace::Pixel{cell.x, cell.y}).value_or(trace.size());
 }
 
+Moment moment_of(const Session& session) {
+  const auto size = static_cast<double>(std::max<std::int64_t>(1, session.size()));
+  return {session.selected, session.current_cell(), session.state().machine.polygon, static_cast<double>(session.position()) / size};
+}
+
+namespace {
+
+/// The first step that fulfils a condition; none where no event of the trace could.
+std::optional<std::int64_t> first_where(const Trace& trace, const std::string& condition) {
+  try {
+    places::Search search(trace, places::Condition(trace, condition), 0, places::Search::Way::forwards);
+    while (true) {
+      const auto result = search.look(std::chrono::seconds(1));
+      if (result == places::Search::Result::found) return search.step();
+      if (result == places::Search::Result::none) return std::nullopt;
+    }
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+MomentThere moment_in(const Trace& trace, const Moment& moment) {
+  const auto name = [](const Cell& cell) { return fmt::format("pixel ({}, {})", cell.x, cell.y); };
+  const std::string polygon = moment.polygon < 0 ? "" : polygon_label(trace.scene(), moment.polygon);
+  if (moment.share <= 0) return {0, "the beginning"};
+  if (moment.selected) return {last_write(trace, *moment.selected), name(*moment.selected)};
+  if (moment.share >= 1) return {trace.size(), "the end"};
+  if (moment.cell) {
+    const std::string touches = fmt::format("touches({}, {})", moment.cell->x, moment.cell->y);
+    if (moment.polygon >= 0)
+      if (const auto step = first_where(trace, fmt::format("{} and polygon == {}", touches, moment.polygon))) return {*step, fmt::format("polygon {} reaches {}", polygon, name(*moment.cell))};
+    if (const auto step = first_where(trace, touches)) return {*step, fmt::format("{} is reached", name(*moment.cell))};
+  }
+  for (const PolygonMark& mark : trace.polygons())
+    if (moment.polygon >= 0 && mark.polygon == moment.polygon) return {mark.position, fmt::format("work on polygon {} begins", polygon)};
+  return {std::llround(moment.share * static_cast<double>(trace.size())), fmt::format("as much of the run is done, {:.0f} %", moment.share * 100)};
+}
+
 void Stage::switch_method(int direction) {
-  if (!options_.other_method) return app_->say("No other method can be run from here.");
-  const std::optional<Cell> selected = app_->session().selected;
+  if (!options_.other_method) return app().say("No other method can be run from here.");
   std::optional<OtherRun> other;
   try {
     other = options_.other_method(trace(), direction);
   } catch (const InputError& error) {
-    return app_->say(error.what());
+    return app().say(error.what());
   }
-  if (!other) return app_->say("No other method can draw this scene.");
+  if (!other) return app().say("No other method can draw this scene.");
+  const Session& left = app().session();
+  const bool moved = left.position() != arrived_ || left.selected != moment_.selected;
+  if (moved) moment_ = moment_of(left);
+  Settings settings = app().settings();
+  settings.speed = left.speed;
+  const int width = app().renderer().width(), height = app().renderer().height();
   const bool back = other->trace.header().algorithm == first_.header().algorithm;
-  app_->settings().speed = app_->session().speed;
-  const Settings settings = app_->settings();
-  const int width = app_->renderer().width(), height = app_->renderer().height();
-  app_.reset();  // it looks at the trace that goes
+  other_app_.reset();  // it looks at the trace that goes
   other_ = std::move(other);
-  if (back) other_.reset();
-  app_ = std::make_unique<App>(trace(), back ? options_.lesson : nullptr, settings, width, height, dpi_scale_);
-  if (back) app_->opened_by = options_.opened_by;
+  if (back) {
+    other_.reset();
+    first_app_.take_settings(settings);
+    first_app_.resize(width, height);
+  } else {
+    other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
+  }
 
-  Session& s = app_->session();
-  s.select(selected);
-  s.go_to(selected ? last_write(trace(), *selected) : s.size());
-  std::string place = selected ? fmt::format(": pixel ({}, {})", selected->x, selected->y) : ": select a pixel to follow it from method to method";
+  Session& s = app().session();
+  std::string place = "here as it was left";
+  if (!back || moved) {
+    const MomentThere there = moment_in(trace(), moment_);
+    s.select(moment_.selected);
+    s.go_to(there.step);
+    place = there.what;
+  }
+  arrived_ = s.position();
   if (other_ && !other_->whole) place += fmt::format("; cut off after {} steps, so the picture is not done", grouped(trace().size()));
-  app_->say(trace().header().title + place);
+  if (other_ && options_.lesson) place += "; the lesson waits where it was left";
+  app().say(trace().header().title + ": " + place + ".");
 }
 
 }  // namespace zstep::viewer

@@ -9,24 +9,44 @@
 
 namespace zstep::viewer {
 
+/// Where a reader is, by what that means to every method.
+struct Moment {
+  std::optional<Cell> selected, cell;  ///< cell: at work
+  std::int32_t polygon = no_polygon;   ///< at work
+  double share = 0;                    ///< of the run
+};
+Moment moment_of(const Session& session);
+
+/// Where another method's run of the same scene is at such a moment, and what that is, in words.
+struct MomentThere {
+  std::int64_t step = 0;
+  std::string what;
+};
+MomentThere moment_in(const Trace& trace, const Moment& moment);
+
 class Stage {
  public:
   /// `trace` and what the options point to must live as long.
   Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height, float dpi_scale = 1);
 
-  App& app() { return *app_; }
+  App& app() { return other_app_ ? *other_app_ : first_app_; }
   const Trace& trace() const { return other_ ? other_->trace : first_; }
+  /// The trace that was opened, with its lesson, as the reader left it.
+  App& first_app() { return first_app_; }
 
-  /// Shows the next (or previous) method's run on this scene: at the step that gave the selected pixel its colour, or at its
-  /// end. The trace that was opened, with its lesson, has its place among them. What cannot be done is said in the window.
+  /// Shows the next (or previous) method's run on this scene at the same moment. The trace that was opened has its place among
+  /// them and keeps the reader's place, the lesson's answers and all else meanwhile. What cannot be done is said in the window.
   void switch_method(int direction);
 
  private:
   const Trace& first_;
   const ViewerOptions& options_;
   float dpi_scale_;
+  App first_app_;
   std::optional<OtherRun> other_;  ///< nullopt while the first is shown
-  std::unique_ptr<App> app_;
+  std::unique_ptr<App> other_app_;
+  Moment moment_;                  ///< where the reader went last, by hand
+  std::int64_t arrived_ = -1;      ///< where switching led; the reader has not moved while that is the position
 };
 
 /// The last event of the trace that gave this pixel a colour; its size if none did.

@@ -129,7 +129,9 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   Settings kept = kept_settings(stored, begun, app.settings());
   if (!window.full_screen()) SDL_GetWindowSize(window.get(), &kept.width, &kept.height);
   kept.speed = app.session().speed;
+  // The trace that was opened keeps its place whatever was looked at besides.
   kept.remember(place_key(stage.trace()), app.session().position());
+  kept.remember(place_key(trace), stage.first_app().session().position());
   if (!path.empty() && !save_settings(path, kept)) fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
   return 0;
 }

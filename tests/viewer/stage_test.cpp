@@ -1,4 +1,4 @@
-// The same pixel by another method: what the window shows when it switches.
+// The same moment by another method: what the window shows when it switches.
 #include <doctest/doctest.h>
 
 #include "algorithms/catalog/catalog.hpp"
@@ -58,20 +58,51 @@ TEST_CASE("switching shows the other method at the step that gave the selected p
   CHECK(std::holds_alternative<PixelWrite>(stage.app().session().event()->event));
 }
 
-TEST_CASE("without a selected pixel the other method is shown at its end, and a lesson waits where it was opened") {
+TEST_CASE("switching keeps the moment: the pixel and the polygon at work, and the way back leads where one was") {
   const Trace trace = test::record_run("pyramid");
   Lesson lesson;
-  Stop stop;
+  Stop stop, question;
   stop.text = "Look.";
-  lesson.stops = {stop};
+  question.position = 300;
+  question.question = Question{"Which?", {{"this", true, "yes"}, {"that", false, "no"}}};
+  lesson.stops = {stop, question};
   ViewerOptions options = two_methods();
   options.lesson = &lesson;
   Stage stage(trace, options, Settings{}, 1280, 720);
+  // A compare of some polygon at some pixel.
+  Session& first = stage.app().session();
+  first.go_to(300);
+  first.answer(1);
+  while (!first.event() || !std::holds_alternative<DepthCompare>(first.event()->event)) first.go_to(first.position() + 1);
+  const std::int64_t here = first.position();
+  const Cell cell = *first.current_cell();
+  const std::int32_t polygon = first.state().machine.polygon;
+  REQUIRE(polygon >= 0);
+
+  stage.switch_method(1);
+  CHECK(stage.app().session().lesson() == nullptr);
+  CHECK(stage.app().session().current_cell() == cell);
+  CHECK(stage.app().session().state().machine.polygon == polygon);
+  CHECK(stage.app().session().message.find("the lesson waits") != std::string::npos);
+  CHECK(stage.first_app().session().position() == here);
+  stage.app().set_dark(true);
+  for (int there_and_back = 0; there_and_back < 3; ++there_and_back) {
+    stage.switch_method(1);
+    CHECK(stage.app().session().lesson() == &lesson);
+    CHECK(stage.app().session().position() == here);
+    CHECK(stage.app().session().chosen(1) == 1);  // what was answered stays answered
+    CHECK(stage.app().settings().dark);
+    stage.switch_method(1);
+    CHECK(stage.app().session().current_cell() == cell);
+  }
+  // Where the reader moved meanwhile, the way back keeps that.
+  stage.app().session().go_to(0);
+  stage.switch_method(1);
+  CHECK(stage.app().session().position() == 0);
+  // With neither pixel nor polygon at work: as much of the run.
+  stage.app().session().go_to(trace.size());
   stage.switch_method(1);
   CHECK(stage.app().session().position() == stage.trace().size());
-  CHECK(stage.app().session().lesson() == nullptr);
-  stage.switch_method(-1);
-  CHECK(stage.app().session().lesson() == &lesson);
 }
 
 TEST_CASE("what cannot be done is said, and nothing changes") {
