@@ -147,6 +147,67 @@ TEST_CASE("stepping into an unanswered question's answer is allowed, and nudged"
   CHECK(s.chosen(1) == 1);
 }
 
+TEST_CASE("playing says that it waits for the reader and how long, and never runs over an open question") {
+  const Trace trace = test::record_run("delhi");
+  Lesson lesson = two_stops(trace);
+  lesson.stops[0].position = 3;
+  lesson.stops[0].text = "seven words stand here to be read";
+  Session s(trace, &lesson);
+  s.speed = 2;
+  double now = 100;
+  s.toggle_play();
+  for (int i = 0; i < 100 && s.position() < 3; ++i) s.play(now += 0.1);
+  REQUIRE(s.position() == 3);
+  s.play(now += 0.1);
+  CHECK(s.seconds_to_read() == 4);  // 2 + 6/3.5
+  CHECK(s.message.find("goes on in 4 s") != std::string::npos);
+  const std::uint64_t revision = s.revision();
+  s.play(now += 1);
+  CHECK(s.seconds_to_read() == 3);
+  CHECK(s.revision() > revision);  // and it is drawn
+  CHECK(s.position() == 3);
+  s.toggle_play();  // Space: the reader has read
+  CHECK(s.playing);
+  for (int i = 0; i < 5; ++i) s.play(now += 0.1);
+  CHECK(s.position() > 3);
+  CHECK(s.seconds_to_read() == 0);
+  CHECK(s.message.empty());
+  for (int i = 0; i < 300 && s.playing; ++i) s.play(now += 0.1);
+  const std::int64_t asks = lesson.stops[1].position;
+  CHECK(s.position() == asks);
+  CHECK_FALSE(s.playing);
+  CHECK(s.message.find("the lesson asks") != std::string::npos);
+
+  // The same where N or a jump led there.
+  Session jumped(trace, &lesson);
+  jumped.to_stop(1);
+  jumped.toggle_play();
+  CHECK_FALSE(jumped.playing);
+  CHECK(jumped.nudged);
+  CHECK(jumped.message.find("the lesson asks") != std::string::npos);
+  jumped.answer(0);
+  jumped.toggle_play();
+  CHECK(jumped.playing);
+  for (int i = 0; i < 40; ++i) jumped.play(now += 0.1);  // another stop speaks here, for two seconds
+  CHECK(jumped.position() > asks);
+
+  // Several stops may speak at one step: none is passed over.
+  lesson.stops[0].position = asks;
+  Session both(trace, &lesson);
+  both.to_stop(0);
+  both.toggle_play();
+  for (int i = 0; i < 20 && both.playing; ++i) both.play(now += 0.5);
+  CHECK(both.position() == asks);
+  CHECK(both.stop() == 1);
+  CHECK_FALSE(both.playing);
+
+  Session end(trace, nullptr);
+  end.go_to(trace.size());
+  end.toggle_play();
+  CHECK_FALSE(end.playing);
+  CHECK(end.message.find("This is the end") != std::string::npos);
+}
+
 TEST_CASE("playing keeps its pace, halts where the lesson asks, and ends at the end") {
   const Trace trace = test::record_run("delhi");
   const Lesson lesson = two_stops(trace);

@@ -1,6 +1,7 @@
 #include "sim/viewer/model/session.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <type_traits>
 #include <utility>
@@ -263,17 +264,57 @@ const std::vector<Session::Speed>& Session::speeds() {
   return all;
 }
 
+bool Session::asks_here() const {
+  if (stop_ < 0) return false;
+  const Stop& stop = lesson_->stops[static_cast<std::size_t>(stop_)];
+  return stop.question && !chosen(stop_) && stop.position == position();
+}
+
+void Session::say_that_it_asks() {
+  nudged = true;
+  const std::size_t answers = lesson_->stops[static_cast<std::size_t>(stop_)].question->answers.size();
+  message = fmt::format("Here the lesson asks. Answer first (a key from 1 to {}, or a click), then Space plays on.", answers);
+  touch();
+}
+
+void Session::toggle_play() {
+  if (playing && waits_ > 0) {
+    reading_until_ = -1;  // the reader has read
+    return touch();
+  }
+  if (!playing && position() == size() && !loops()) {
+    message = "This is the end of the trace; Home goes back to its beginning.";
+    return touch();
+  }
+  if (!playing && asks_here()) return say_that_it_asks();
+  playing = !playing;
+  touch();
+}
+
 double Session::play(double now) {
   constexpr double frame = 1.0 / 60, words_a_second = 3.5;
   if (played_until_ < 0 || now - played_until_ > 1) played_until_ = now;
   const double passed = now - played_until_;
   played_until_ = now;
   if (!playing) {
-    owed_ = 0;
+    owed_ = 0, waits_ = 0;
     reading_until_ = played_until_ = -1;
     return 3600;
   }
-  if (reading_until_ > now) return reading_until_ - now;
+  if (asks_here()) {
+    playing = false;
+    say_that_it_asks();
+    return 3600;
+  }
+  if (const double left = reading_until_ - now; left > 0) {
+    const int whole = static_cast<int>(std::ceil(left));
+    if (whole != std::exchange(waits_, whole)) {
+      message = fmt::format("Time to read this stop: playing goes on in {} s. Space goes on at once, Esc pauses.", whole);
+      touch();
+    }
+    return std::max(frame, left - (whole - 1));
+  }
+  if (std::exchange(waits_, 0) > 0) message.clear(), touch();
   const Speed& s = speeds()[static_cast<std::size_t>(speed)];
   std::int64_t to = position();
   if (s.unit_a_frame) {
@@ -288,16 +329,17 @@ double Session::play(double now) {
   if (lesson_ && to > position())
     for (std::size_t i = 0; i < lesson_->stops.size(); ++i) {
       const Stop& stop = lesson_->stops[i];
-      if (stop.position <= position() || stop.position > to) continue;
-      to = stop.position;
+      const bool next_here = stop.position == position() && static_cast<int>(i) > stop_;  // several may speak at one step
+      if (stop.position > to || (stop.position <= position() && !next_here)) continue;
+      to_stop(static_cast<int>(i));
       owed_ = 0;
-      if (stop.question && !chosen_[i]) playing = false;
-      else reading_until_ = now + 2 + static_cast<double>(std::count(stop.text.begin(), stop.text.end(), ' ')) / words_a_second;
-      break;
+      if (!asks_here()) reading_until_ = now + 2 + static_cast<double>(std::count(stop.text.begin(), stop.text.end(), ' ')) / words_a_second;
+      return 0;
     }
   if (to != position()) go_to(to, s.unit_a_frame.value_or(Unit::event));
   if (position() == size() && !loops()) {
     playing = false;
+    message = "Played to the end of the trace; Home goes back to its beginning.";
     touch();
   }
   if (s.unit_a_frame) return frame;

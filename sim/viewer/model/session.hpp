@@ -80,6 +80,10 @@ class Session {
 
   // --- Playing
   bool playing = false;
+  /// Play or pause, by key and by button. Says why where nothing is played: the end, or a question that waits for its answer.
+  void toggle_play();
+  /// Whole seconds that playing still leaves a reader at this stop; 0 where it does not wait.
+  int seconds_to_read() const { return playing ? waits_ : 0; }
   int speed = 2;                             ///< index into speeds()
   struct Speed { const char* name; double steps_a_second; std::optional<Unit> unit_a_frame; };
   static const std::vector<Speed>& speeds();
@@ -97,6 +101,8 @@ class Session {
  private:
   void arrived();
   int stop_at(std::int64_t position) const;
+  bool asks_here() const;
+  void say_that_it_asks();
 
   const Trace& trace_;
   const Lesson* lesson_;
@@ -108,6 +114,7 @@ class Session {
   int stop_ = -1;
   std::vector<std::optional<int>> chosen_;
   double played_until_ = -1, owed_ = 0, reading_until_ = -1;
+  int waits_ = 0;  ///< seconds, as last said
   std::uint64_t revision_ = 1;
 };
 

@@ -84,7 +84,9 @@ void draw(Ui& ui) {
 
 std::string note(Ui& ui) {
   const Session& s = ui.session;
-  return s.lesson() && s.stop() >= 0 ? fmt::format("{} of {}", s.stop() + 1, s.lesson()->stops.size()) : "";
+  if (!s.lesson() || s.stop() < 0) return "";
+  const std::string wait = s.seconds_to_read() > 0 ? fmt::format("plays on in {} s   ", s.seconds_to_read()) : "";
+  return wait + fmt::format("{} of {}", s.stop() + 1, s.lesson()->stops.size());
 }
 
 }  // namespace

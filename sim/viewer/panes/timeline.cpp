@@ -225,10 +225,7 @@ void draw_transport(Ui& ui) {
   ImGui::SameLine(0, gap);
   if (button(ui, "\u25c0")) s.move(Unit::event, -1);
   ImGui::SameLine(0, gap);
-  if (button(ui, s.playing ? "Pause" : "Play \u25b6\u25b6", s.playing)) {
-    s.playing = !s.playing;
-    s.touch();
-  }
+  if (button(ui, s.playing ? "Pause" : "Play \u25b6\u25b6", s.playing)) s.toggle_play();
   ImGui::SameLine(0, gap);
   if (button(ui, "\u25b6")) s.move(Unit::event, 1);
   ImGui::SameLine(0, gap);
