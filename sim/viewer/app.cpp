@@ -1,7 +1,6 @@
 #include "sim/viewer/app.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -32,6 +31,7 @@ App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int
     : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), places_(session_), pixel_overlay_(session_), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
   ui_.places = &places_;
   ui_.depth_range = depth_range(trace);
+  field_.connect();
   session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
   structures_ = structure_panes(trace.header());
   beside_ = depth_pane;
@@ -66,6 +66,13 @@ void App::set_presenter(bool presenter) {
   session_.touch();
 }
 
+void App::take_settings(const Settings& settings) {
+  settings_ = settings;
+  session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
+  set_dark(settings.dark);
+  set_presenter(settings.presenter);
+}
+
 void App::scale_text(float factor) {
   settings_.text_scale = factor == 0 ? 1.0f : std::clamp(settings_.text_scale * factor, 0.5f, 3.0f);
   say(fmt::format("Text at {:.0f} %.", settings_.text_scale * 100));
@@ -84,9 +91,8 @@ void App::open(Overlay overlay) {
     else session_.selected.reset();
   }
   overlay_ = overlay;
-  typed = overlay == Overlay::query ? inquiry_.sql() : "";
+  put(overlay == Overlay::query ? inquiry_.sql() : "");
   wrong.clear();
-  just_opened_ = true;
   picked = 0;
   session_.touch();
 }
@@ -123,27 +129,34 @@ void App::update_fonts() {
   renderer_.take_fonts();
 }
 
-/// A key for what is being typed; false if it is none.
+void App::put(const std::string& text) {
+  typed = text;
+  field_.put(text);
+}
+
+void App::draw_field(const std::string& hint) {
+  if (!field_.draw(*this, hint)) return;
+  wrong.clear();
+  picked = overlay_ == Overlay::until ? -1 : 0;
+  session_.touch();
+}
+
+void App::frame() {
+  draw();
+  // A field gets the keyboard only after a frame that asked for it, and what is typed next must not be lost.
+  for (int more = 0; more < 3 && typing() && !field_.active() && !ImGui::IsMouseDown(ImGuiMouseButton_Left); ++more) draw();
+  field_.after_frame();
+}
+
+/// A key for the box that is typed in; false if it is none.
 bool App::edit(SDL_Keycode code, unsigned modifiers) {
   const bool asks = overlay_ == Overlay::query;
-  just_opened_ = false;
-  if (code == SDLK_BACKSPACE && !typed.empty()) {
-    do typed.pop_back();
-    while (!typed.empty() && (static_cast<unsigned char>(typed.back()) & 0xc0u) == 0x80u);
-    picked = 0;
-    return true;
-  }
-  if ((asks || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark) && code == SDLK_v && (modifiers & Chord::ctrl) != 0) {
-    char* text = SDL_GetClipboardText();
-    for (const char* c = text; c && *c; ++c) typed += *c == '\n' || *c == '\r' || *c == '\t' ? ' ' : *c;
-    SDL_free(text);
-    return true;
-  }
   if (edit_place(code, modifiers)) return true;
   if (asks && code == SDLK_TAB) return paint_answer(), true;
   if (overlay_ == Overlay::why_ask) return pick_candidate(code);
   if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
   if (code == SDLK_RETURN && asks) return ask_typed(), true;
+  if (overlay_ != Overlay::palette && !asks) return false;
   if (code == SDLK_RETURN) {
     const auto found = matching(typed);
     if (picked >= static_cast<int>(found.size())) return true;
@@ -160,6 +173,18 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
     return true;
   }
   return false;
+}
+
+/// A key while something is typed has one owner: the box, its field, or a command that neither of them knows and that keeps
+/// out of the trace behind them. False if the key is left to commands.
+bool App::type(SDL_Keycode code, unsigned modifiers) {
+  if (edit(code, modifiers)) return true;
+  if (Field::takes(code, modifiers)) {
+    field_.press(code, modifiers);
+    text_taken_ = false;
+    return true;
+  }
+  return !(modifiers & Chord::ctrl) && code != SDLK_ESCAPE && code != SDLK_F1 && code != SDLK_F10 && code != SDLK_F11;
 }
 
 bool App::key(const SDL_KeyboardEvent& event) {
@@ -184,13 +209,11 @@ bool App::key(const SDL_KeyboardEvent& event) {
     session_.touch();
     return true;
   }
-  if (typing() && edit(code, modifiers)) {
+  if (typing() && type(code, modifiers)) {
     session_.touch();
     return true;
   }
   if (const Command* command = command_for(code, modifiers)) {
-    // While something is being typed, only what has Ctrl or closes it is a command.
-    if (typing() && !(modifiers & Chord::ctrl) && code != SDLK_ESCAPE && code != SDLK_F1 && code != SDLK_F10) return true;
     if (event.repeat && command->release) return true;
     if (overlay_ == Overlay::keys || overlay_ == Overlay::menu) {
       const std::string id = command->id;
@@ -198,12 +221,15 @@ bool App::key(const SDL_KeyboardEvent& event) {
     }
     session_.message.clear();
     command->run(*this);
+    session_.touch();
+    return true;
   }
   session_.touch();
-  return true;
+  return false;
 }
 
 bool App::handle(const SDL_Event& event, float pixels_per_point) {
+  ImGui::SetCurrentContext(context_.context);
   ImGuiIO& io = ImGui::GetIO();
   const auto mouse = [&](float x, float y) {
 #if IMGUI_VERSION_NUM >= 18700
@@ -215,22 +241,22 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
   switch (event.type) {
     case SDL_KEYDOWN:
       ui_.reads = true;
-      key(event.key);
-      return false;
+      // The system sends a key and then its text, and one wish must not be granted twice.
+      text_taken_ = true;
+      if (!key(event.key)) text_taken_ = false;
+      return typing() && field_.waits();
     case SDL_KEYUP:
       key(event.key);
       return false;
     case SDL_TEXTINPUT:
+      if (text_taken_) return false;
       if (typing()) {
-        // The key that opened it types its own letter too, which is not wanted.
-        const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(event.text.text[0])));
-        const bool of_the_key = (overlay_ == Overlay::go_to && letter == 'g') || (overlay_ == Overlay::query && letter == 'q') || (overlay_ == Overlay::until && letter == 'u') || (overlay_ == Overlay::range && letter == 'r') || (overlay_ == Overlay::why_ask && letter == 'y');
-        if (!(of_the_key && just_opened_)) typed += event.text.text;
-        just_opened_ = false;
-        wrong.clear();
-        picked = overlay_ == Overlay::until ? -1 : 0;
+        io.AddInputCharactersUTF8(event.text.text);
         session_.touch();
-      } else if (const Command* command = command_for(event.text.text[0])) {
+        return true;
+      }
+      if (const Command* command = command_for(event.text.text[0])) {
+        session_.message.clear();
         command->run(*this);
         session_.touch();
       }

@@ -12,6 +12,7 @@
 #include "sim/answers/why_not.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/model/pixel_overlay.hpp"
+#include "sim/viewer/field.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/ui.hpp"
@@ -39,7 +40,7 @@ class App {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
-  /// True when a frame should be drawn before the next event is taken (a mouse button changed).
+  /// True when a frame should be drawn before the next event is taken: a mouse button changed, or a field got a key.
   bool handle(const SDL_Event& event, float pixels_per_point = 1);
   void resize(int width, int height);
   void set_dpi_scale(float scale);
@@ -49,7 +50,7 @@ class App {
   /// From now on draws this pane and nothing else. False where there is none of this name.
   bool show_only(const std::string& pane);
 
-  /// Draws what is to be seen now into renderer().picture().
+  /// Draws what is to be seen now into renderer().picture(). A field that opens has the keyboard afterwards.
   void frame();
   /// Frames until nothing moves any more: hovering, scrolling and sizes need more than one.
   void settle();
@@ -69,7 +70,9 @@ class App {
   void scale_text(float factor);  ///< 0: back to the usual size
   std::string link() const;       ///< the command line that opens this place
   std::string opened_by;          ///< as in ViewerOptions; what link() begins with
-  std::string typed;              ///< in palette, go-to and query
+  std::string typed;              ///< in the field of a box
+  void put(const std::string& text);  ///< in place of what is typed
+  void draw_field(const std::string& hint);
   int picked = 0;                 ///< in palette, and of an answer's rows
   Inquiry& inquiry() { return inquiry_; }
   std::string tables() const;     ///< that can be asked, by name
@@ -110,10 +113,12 @@ class App {
   void keep_bookmark();           ///< here, by the name typed
   void go_to_bookmark(std::size_t place);
   void paint_answer();            ///< over the frame, or no longer
-  void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"
+  void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
+  void take_settings(const Settings& settings);  ///< as another App was left
   void say(std::string message);
 
  private:
+  void draw();
   void update_fonts();
   void draw_title(ImVec2 at, ImVec2 size);
   void draw_panes(ImVec2 at, ImVec2 size);
@@ -127,6 +132,7 @@ class App {
     return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query || overlay_ == Overlay::why_ask ||
            overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark || overlay_ == Overlay::range;
   }
+  bool type(SDL_Keycode code, unsigned modifiers);
   bool edit(SDL_Keycode code, unsigned modifiers);
   bool pick_candidate(SDL_Keycode code);
   bool pick_link(SDL_Keycode code);
@@ -141,6 +147,7 @@ class App {
     ImGuiContext* context;
   };
   Context context_;
+  Field field_;
   Settings settings_;
   Renderer renderer_;
   Session session_;
@@ -165,7 +172,7 @@ class App {
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
-  bool just_opened_ = false;  ///< nothing was typed into it yet
+  bool text_taken_ = false;   ///< the text of the key that went down last is not typed: a command was run by it
   std::uint64_t seen_revision_ = 0;
 };
 

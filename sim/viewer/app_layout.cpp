@@ -272,7 +272,7 @@ void App::draw_overlay() {
   }
 }
 
-void App::frame() {
+void App::draw() {
   ImGui::SetCurrentContext(context_.context);
   places_.look_on();
   if (asking_ > 0 && --asking_ == 0) ask_now();

@@ -85,7 +85,7 @@ bool App::edit_place(SDL_Keycode code, unsigned modifiers) {
   const auto suggestions = places_.suggestions();
   if (suggestions.empty()) return true;
   picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, static_cast<int>(suggestions.size()) - 1);
-  typed = suggestions[static_cast<std::size_t>(picked)].condition;
+  put(suggestions[static_cast<std::size_t>(picked)].condition);
   wrong.clear();
   scroll_to_picked = true;
   return true;

@@ -90,11 +90,11 @@ void escape(App& app) {
 template <int n>
 void answer(App& app) { app.session().answer(n); }
 
-void play(App& app) {
-  Session& s = app.session();
-  if (s.position() == s.size() && !s.loops()) return app.say("This is the end of the trace; Home goes back to its beginning.");
-  s.playing = !s.playing;
-  s.touch();
+/// Asks for a name only where a bookmark can be kept.
+void name_bookmark(App& app) {
+  const std::string fault = app.places().why_no_bookmark();
+  if (fault.empty()) app.open(Overlay::name_bookmark);
+  else app.say(fault);
 }
 
 void fit_range(App& app) {
@@ -144,14 +144,14 @@ const std::vector<Command>& table() {
       {"previous-same", "Move", "Last time this line ran", {{SDLK_k, S}}, same_line<-1>},
       {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
       {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.session().go_to(a.session().size()); }},
-      {"go-to", "Move", "Go to a step, a percentage, a polygon or a pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
+      {"go-to", "Move", "Go to a step, a percentage, a polygon, a stop or a pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
       {"run-until", "Move", "Run until a condition is true", {{SDLK_u}}, [](App& a) { a.open(Overlay::until); a.picked = -1; }},
       {"next-match", "Move", "Next step where it is true", {{SDLK_j}}, [](App& a) { a.places().again(Places::Way::forwards); }},
       {"previous-match", "Move", "Last step where it was true", {{SDLK_j, S}}, [](App& a) { a.places().again(Places::Way::backwards); }},
-      {"bookmark", "Move", "Set a bookmark here", {{SDLK_b, C}}, [](App& a) { a.open(Overlay::name_bookmark); }},
+      {"bookmark", "Move", "Set a bookmark here", {{SDLK_b, C}}, name_bookmark},
       {"bookmarks", "Move", "Bookmarks", {{SDLK_l}}, [](App& a) { a.open(Overlay::bookmarks); }},
       {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Overlay::query); }},
-      {"play", "Play", "Play or pause", {{SDLK_SPACE}}, play},
+      {"play", "Play", "Play or pause", {{SDLK_SPACE}}, [](App& a) { a.session().toggle_play(); }},
       {"faster", "Play", "Faster", {{0, 0, '+'}}, change_speed<1>},
       {"slower", "Play", "Slower", {{0, 0, '-'}}, change_speed<-1>},
       {"loop-first", "Play", "Repeat from here", {{0, 0, '['}}, set_loop<true>},
@@ -163,8 +163,8 @@ const std::vector<Command>& table() {
       {"why-not", "Pixel", "Why a polygon is not what is seen there", {{SDLK_y}}, [](App& a) { a.open_why(); }},
       {"explain", "Pixel", "Where this step's number comes from (or click one)", {{SDLK_e, S}}, [](App& a) { a.explain_step(); }},
       {"select-pixel", "Pixel", "Select the pixel at work (or click one)", {{SDLK_RETURN}}, select_current},
-      {"next-method", "Pixel", "The same pixel by the next method", {{SDLK_x}}, [](App& a) { a.requests.switch_method = 1; }},
-      {"previous-method", "Pixel", "The same pixel by the previous method", {{SDLK_x, S}}, [](App& a) { a.requests.switch_method = -1; }},
+      {"next-method", "Pixel", "The same moment by the next method", {{SDLK_x}}, [](App& a) { a.requests.switch_method = 1; }},
+      {"previous-method", "Pixel", "The same moment by the previous method", {{SDLK_x, S}}, [](App& a) { a.requests.switch_method = -1; }},
       {"next-edge", "Pixel", "Light the next edge of the table (or click one)", {{SDLK_e}}, next_edge},
       {"before", "Look", "Hold: the buffers one step ago", {{SDLK_b}},
        [](App& a) { a.session().looking_back = true; a.session().touch(); },

@@ -34,20 +34,11 @@ void begin_overlay(App& app, const char* id, ImVec2 size, float down) {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !inside) app.open(Overlay::none);
 }
 
-void draw_field(Ui& ui, const std::string& text, const std::string& hint) {
-  const Theme& c = ui.colors();
-  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(ui.em * 1.7f)};
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(at, end, c.head);
-  frame_box(list, at, end, c.now);
-  ImGui::PushClipRect(at, end, true);
-  const float beyond = std::max(0.0f, text_size(ui, ui.fonts.text, text).x + ui.em - (end.x - at.x));
-  const float x = at.x + ui.em * 0.4f - beyond, y = at.y + ui.em * 0.3f;
-  draw_text(ui, {x, y}, ui.fonts.text, text.empty() ? c.muted : c.text, text.empty() ? hint : text);
-  const float caret = text.empty() ? x - 2 : x + text_size(ui, ui.fonts.text, text).x + 1;
-  list->AddRectFilled({caret, y}, {caret + 2, y + ui.em}, c.now);
-  ImGui::PopClipRect();
-  ImGui::Dummy({1, end.y - at.y + ui.em * 0.3f});
+void say_wrong(Ui& ui, const std::string& what) {
+  Flow how;
+  how.color = ui.colors().bad;
+  how.font = ui.fonts.bold;
+  flow(ui, what, how);
 }
 
 ListRow list_row(App& app, std::size_t place, float height) {
@@ -200,7 +191,7 @@ void draw_palette(App& app) {
   Ui& ui = app.ui();
   const float row_height = std::round(ui.em * 1.4f);
   begin_overlay(app, "palette", {std::max(ui.em * 26, widest_row(ui)), row_height * 12 + ui.em * 3});
-  draw_field(ui, app.typed, "Type a part of a command's name");
+  app.draw_field("Type a part of a command's name");
   const auto found = matching(app.typed);
   const Command* clicked = nullptr;
   ImGui::BeginChild("found", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
@@ -216,14 +207,17 @@ void draw_palette(App& app) {
 
 void draw_go_to(App& app) {
   Ui& ui = app.ui();
-  begin_overlay(app, "go to", {ui.em * 26, ui.em * 9.5f});
+  begin_overlay(app, "go to", {ui.em * 30, ui.em * (app.wrong.empty() ? 9.5f : 14.5f)});
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, "Go to", heading);
-  draw_field(ui, app.typed, "12041");
+  app.draw_field("12041");
+  if (!app.wrong.empty()) say_wrong(ui, app.wrong);
   Flow how;
   how.color = ui.colors().muted;
-  flow(ui, fmt::format("A step (0 to {}), 25 %, p 3 for polygon 3, line 17 for the next place where that scan line begins, a bookmark's name, or 9, 17 to select a pixel. Enter goes there.", grouped(app.session().size())), how);
+  const std::string stop = app.session().lesson() ? "stop 3 of the lesson, " : "";
+  flow(ui, fmt::format("A step (0 to {}; +5 and \u22125 from here), 25 %, polygon B or p 3, line 17 for the next place where that scan line begins, {}"
+                       "9, 17 to select a pixel, or a bookmark's name. Enter goes there.", grouped(app.session().size()), stop), how);
   ImGui::End();
 }
 

@@ -27,7 +27,7 @@ std::string depth_in_list(double z);
 /// A text cut with a sign where it has no room.
 std::string fitted(const Ui& ui, const ImFont* font, std::string text, float room);
 
-/// What is being typed, with its caret in sight; the hint where nothing is.
-void draw_field(Ui& ui, const std::string& text, const std::string& hint);
+/// What is wrong with what is typed.
+void say_wrong(Ui& ui, const std::string& what);
 
 }  // namespace zstep::viewer

@@ -26,24 +26,17 @@ bool draw_row(App& app, std::size_t place, float split, const ImFont* font, cons
   return row.clicked;
 }
 
-void say_wrong(Ui& ui, const std::string& what) {
-  Flow how;
-  how.color = ui.colors().bad;
-  how.font = ui.fonts.bold;
-  flow(ui, what, how);
-}
-
 }  // namespace
 
 void draw_until(App& app) {
   Ui& ui = app.ui();
   const auto suggestions = app.places().suggestions();
   const float rows = static_cast<float>(suggestions.size());
-  begin_overlay(app, "until", {ui.em * 45, ui.em * (8.4f + rows * 1.4f + (app.wrong.empty() ? 0.0f : 2.6f))});
+  begin_overlay(app, "until", {ui.em * 45, ui.em * (8.4f + rows * 1.4f + (app.wrong.empty() ? 0.0f : 4.4f))});
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, "Run until this is true. Enter: forwards; Shift+Enter: backwards; J and Shift+J: once more.", heading);
-  draw_field(ui, app.typed, "not nearer");
+  app.draw_field("not nearer");
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
   Flow how;
   how.color = ui.colors().muted;
@@ -66,10 +59,10 @@ void draw_name_bookmark(App& app) {
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, fmt::format("A bookmark at step {}", grouped(app.session().position())), heading);
-  draw_field(ui, app.typed, "the first tie");
+  app.draw_field("the first tie");
   Flow how;
   how.color = ui.colors().muted;
-  if (app.wrong.empty()) flow(ui, "Its name. Enter keeps it beside the trace; L lists all of them.", how);
+  if (app.wrong.empty()) flow(ui, "Its name. Enter keeps it; L lists all of them.", how);
   else say_wrong(ui, app.wrong);
   ImGui::End();
 }
@@ -80,7 +73,7 @@ void draw_range(App& app) {
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, "The depths that the colours span", heading);
-  draw_field(ui, app.typed, "0.2 0.8");
+  app.draw_field("0.2 0.8");
   Flow how;
   how.color = ui.colors().muted;
   if (app.wrong.empty()) flow(ui, "The nearest and the farthest. Nothing: all of the trace. R fits them to what is shown.", how);

@@ -68,7 +68,7 @@ void draw_query(App& app) {
   Ui& ui = app.ui();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   begin_overlay(app, "query", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
-  draw_field(ui, app.typed, "select x, y, count(*) from depth_compare where not nearer group by x, y");
+  app.draw_field("select x, y, count(*) from depth_compare where not nearer group by x, y");
   const Inquiry& inquiry = app.inquiry();
   Flow how;
   how.color = ui.colors().muted;

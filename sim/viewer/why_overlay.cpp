@@ -150,7 +150,7 @@ void draw_why_ask(App& app) {
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, fmt::format("Why not \u2026 {}?", place_text(app.why_of())), heading);
-  draw_field(ui, app.typed, "A polygon's name or number");
+  app.draw_field("A polygon's name or number");
   Flow how;
   how.color = ui.colors().muted;
   flow(ui, fmt::format("Enter or a click asks; Tab asks {}; Esc closes.", app.why_of() ? "of the whole picture" : "of the pixel"), how);

@@ -6,7 +6,7 @@
 
 #include "tests/viewer/drive.hpp"
 #include "sim/viewer/commands.hpp"
-#include "sim/viewer/model/typed_place.hpp"
+#include "sim/places/typed_place.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
@@ -62,14 +62,14 @@ TEST_CASE("G goes to a step, a share, a polygon or selects a pixel, and nonsense
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 640, 480);
   const auto go = [&](const std::string& text) {
-    test::press(app, SDLK_g);
-    test::type(app, "g" + text);  // the key that opens it types its letter too
+    test::press(app, SDLK_ESCAPE);
+    test::type(app, "g" + text);
     test::press(app, SDLK_RETURN);
   };
   go("100");
   CHECK(app.session().position() == 100);
-  go("1 0 1");
-  CHECK(app.session().position() == 101);
+  go("1 01");
+  CHECK(app.session().selected == Cell{1, 1});
   go("50%");
   CHECK(app.session().position() == trace.size() / 2);
   go("p 1");
@@ -79,37 +79,32 @@ TEST_CASE("G goes to a step, a share, a polygon or selects a pixel, and nonsense
   const std::int64_t here = app.session().position();
   go("99, 99");
   CHECK(app.session().selected == Cell{3, 2});
+  CHECK(app.overlay() == Overlay::go_to);
+  CHECK(app.wrong.find("there is no pixel (99, 99)") != std::string::npos);
   go("what");
   CHECK(app.session().position() == here);
-  CHECK_FALSE(app.session().message.empty());
+  // What is refused stays in the box, with what is wrong beside it, and can be mended there.
+  CHECK(app.overlay() == Overlay::go_to);
+  CHECK(app.typed == "what");
+  CHECK(app.wrong.find("'what' is no step") != std::string::npos);
+  for (int i = 0; i < 4; ++i) test::press(app, SDLK_BACKSPACE);
+  CHECK(app.wrong.empty());
+  test::type(app, "+5");
+  test::press(app, SDLK_RETURN);
+  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.session().position() == here + 5);
+  test::type(app, "g-5");
+  test::press(app, SDLK_RETURN);
+  CHECK(app.session().position() == here);
   go("999999999999999999999999");
   CHECK(app.session().position() == trace.size());
   // No digits are picked out of what is something else.
   app.session().go_to(7);
-  for (const char* const text : {"1e5", "12.5", "-5", "lines 3", "p", "150%", "1, 2, 3", ""}) {
+  for (const char* const text : {"1e5", "12.5", "lines 3", "p", "150%", "1, 2, 3", ""}) {
     CAPTURE(text);
     go(text);
     CHECK(app.session().position() == 7);
-    CHECK(app.session().message == what_to_type);
-  }
-}
-
-TEST_CASE("what is typed for a place is understood whole, or it is none") {
-  using Kind = TypedPlace::Kind;
-  CHECK(read_place("12041") == TypedPlace{Kind::step, 12041, 0, 0});
-  CHECK(read_place(" 12\u00a0041 ") == TypedPlace{Kind::step, 12041, 0, 0});
-  CHECK(read_place("12'041'000") == TypedPlace{Kind::step, 12041000, 0, 0});
-  CHECK(read_place("Step 5") == TypedPlace{Kind::step, 5, 0, 0});
-  CHECK(read_place("37.5 %") == TypedPlace{Kind::percent, 0, 0, 37.5});
-  CHECK(read_place("p3") == TypedPlace{Kind::polygon, 3, 0, 0});
-  CHECK(read_place("Polygon 3") == TypedPlace{Kind::polygon, 3, 0, 0});
-  CHECK(read_place("line 300") == TypedPlace{Kind::scan_line, 300, 0, 0});
-  CHECK(read_place("scan line 300") == TypedPlace{Kind::scan_line, 300, 0, 0});
-  CHECK(read_place("y 300") == TypedPlace{Kind::scan_line, 300, 0, 0});
-  CHECK(read_place("(9, 17)") == TypedPlace{Kind::pixel, 9, 17, 0});
-  for (const char* const text : {"", " ", "1e5", "12.5", "-5", "+5", "line", "line -3", "3 line", "101 %", "-1 %", "1e1 %", "nan %", "9,", "9, 17, 3", "-9, 17", "p 3 4 x", "5'", "(5)"}) {
-    CAPTURE(text);
-    CHECK(read_place(text).kind == Kind::none);
+    CHECK_FALSE(app.wrong.empty());
   }
 }
 
@@ -117,7 +112,7 @@ TEST_CASE("G goes to the next place where a scan line begins, and back to the la
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 640, 480);
   const auto go = [&](const std::string& text) {
-    test::press(app, SDLK_g);
+    test::press(app, SDLK_ESCAPE);
     test::type(app, "g" + text);
     test::press(app, SDLK_RETURN);
   };
@@ -136,7 +131,7 @@ TEST_CASE("G goes to the next place where a scan line begins, and back to the la
   CHECK_FALSE(app.session().message.empty());
   go("line 4000");
   CHECK(app.session().position() == begins.back());
-  CHECK(app.session().message.find("4000") != std::string::npos);
+  CHECK(app.wrong.find("4000") != std::string::npos);
 }
 
 TEST_CASE("what is said to the reader goes with the next key or click, and nothing pops up at a mouse that rests") {
@@ -296,4 +291,84 @@ TEST_CASE("the copied link names trace and step, and quotes what a shell would s
   CHECK(in_lesson.link() == "zstep lesson worked-example --at 7");
   test::press(app, SDLK_c, KMOD_LCTRL);
   CHECK(app.requests.clipboard == app.link());
+}
+
+TEST_CASE("a key has one owner: what runs a command types nothing, and what the field takes runs none") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  Session& s = app.session();
+  s.go_to(100);
+  const int speed = s.speed;
+  for (const SDL_Keycode key : {SDLK_PLUS, SDLK_MINUS, SDLK_MINUS, SDLK_EQUALS}) test::press(app, key, KMOD_LCTRL);
+  CHECK(s.speed == speed);  // the text's size alone
+  test::type(app, "-");
+  CHECK(s.speed == speed - 1);
+
+  test::type(app, "gabc");
+  REQUIRE(app.overlay() == Overlay::go_to);
+  CHECK(app.typed == "abc");
+  const float size = app.settings().text_scale;
+  test::press(app, SDLK_MINUS, KMOD_LCTRL);
+  CHECK(app.settings().text_scale < size);
+  CHECK(app.typed == "abc");
+  // The field's own: nothing of it reaches the trace, the link or the speed.
+  for (const SDL_Keycode key : {SDLK_LEFT, SDLK_RIGHT, SDLK_HOME, SDLK_END})
+    for (const std::uint16_t with : {KMOD_NONE, KMOD_LCTRL, KMOD_LSHIFT}) test::press(app, key, with);
+  for (const SDL_Keycode key : {SDLK_PAGEUP, SDLK_PAGEDOWN}) test::press(app, key);
+  test::press(app, SDLK_c, KMOD_LCTRL);
+  CHECK(s.position() == 100);
+  CHECK_FALSE(app.requests.clipboard);
+  CHECK(app.overlay() == Overlay::go_to);
+  CHECK(app.typed == "abc");
+}
+
+TEST_CASE("a field is edited as fields are: a caret, a selection, the clipboard, undo") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  test::type(app, "g123");
+  test::press(app, SDLK_LEFT);
+  test::type(app, "9");
+  CHECK(app.typed == "1293");
+  test::press(app, SDLK_HOME);
+  test::press(app, SDLK_DELETE);
+  CHECK(app.typed == "293");
+  test::press(app, SDLK_z, KMOD_LCTRL);
+  CHECK(app.typed == "1293");
+  test::press(app, SDLK_a, KMOD_LCTRL);
+  test::press(app, SDLK_c, KMOD_LCTRL);
+  test::press(app, SDLK_BACKSPACE);
+  CHECK(app.typed.empty());
+  test::press(app, SDLK_v, KMOD_LCTRL);
+  test::press(app, SDLK_v, KMOD_LCTRL);
+  CHECK(app.typed == "12931293");
+  test::press(app, SDLK_LEFT, KMOD_LSHIFT);
+  test::type(app, "\u00fc");
+  CHECK(app.typed == "1293129\u00fc");
+  test::press(app, SDLK_BACKSPACE);
+  test::press(app, SDLK_a, KMOD_LCTRL);
+  test::press(app, SDLK_x, KMOD_LCTRL);
+  CHECK(app.typed.empty());
+  // The same in every box that is typed in.
+  test::press(app, SDLK_ESCAPE);
+  for (const char* const key : {"g", "u", "q", "y", "R"}) {
+    CAPTURE(key);
+    test::type(app, key);
+    REQUIRE(app.overlay() != Overlay::none);
+    CHECK(app.typed.empty());
+    test::press(app, SDLK_v, KMOD_LCTRL);
+    CHECK(app.typed == "1293129");
+    test::press(app, SDLK_a, KMOD_LCTRL);
+    test::press(app, SDLK_BACKSPACE);
+    CHECK(app.typed.empty());
+    test::press(app, SDLK_ESCAPE);
+  }
+}
+
+TEST_CASE("a click among the rows of a box leaves the keyboard with its field") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  test::type(app, "u");
+  test::click(app, 640, 290);  // the box's words
+  test::type(app, "not nearer");
+  CHECK(app.typed == "not nearer");
 }

@@ -97,7 +97,7 @@ TEST_CASE("R fits the colours to what is shown, Shift+R takes a range, I draws h
   CHECK(app.ui().range_mode == Ui::RangeMode::fitted);
   CHECK(test::picture(app) != whole);
   test::press(app, SDLK_r, KMOD_LSHIFT);
-  test::type(app, "R0.5 0.1");
+  test::type(app, "0.5 0.1");
   test::press(app, SDLK_RETURN);
   CHECK(app.overlay() == Overlay::range);
   CHECK_FALSE(app.wrong.empty());

@@ -13,7 +13,6 @@ TEST_CASE("Y asks why a polygon is not seen at the selected pixel, and goes to e
   App app(trace, nullptr, {}, 1280, 720);
   app.session().select(Cell{15, 12});
   const test::Bytes before = test::picture(app);
-  test::press(app, SDLK_y);
   test::type(app, "y");  // the key's own letter is not typed
   REQUIRE(app.overlay() == Overlay::why_ask);
   CHECK(app.typed.empty());
