@@ -142,10 +142,12 @@ void App::draw_field(const std::string& hint) {
 }
 
 void App::frame() {
+  const bool given = typing() && field_.waits();
   draw();
   // A field gets the keyboard only after a frame that asked for it, and what is typed next must not be lost.
   for (int more = 0; more < 3 && typing() && !field_.active() && !ImGui::IsMouseDown(ImGuiMouseButton_Left); ++more) draw();
   field_.after_frame();
+  if (given) draw();  // which sees the key go up, so that the same key can go down again
 }
 
 /// A key for the box that is typed in; false if it is none.

@@ -56,8 +56,8 @@ std::optional<std::int64_t> first_where(const Trace& trace, const std::string& c
 MomentThere moment_in(const Trace& trace, const Moment& moment) {
   const auto name = [](const Cell& cell) { return fmt::format("pixel ({}, {})", cell.x, cell.y); };
   const std::string polygon = moment.polygon < 0 ? "" : polygon_label(trace.scene(), moment.polygon);
-  if (moment.share <= 0) return {0, "the beginning"};
   if (moment.selected) return {last_write(trace, *moment.selected), name(*moment.selected)};
+  if (moment.share <= 0) return {0, "the beginning"};
   if (moment.share >= 1) return {trace.size(), "the end"};
   if (moment.cell) {
     const std::string touches = fmt::format("touches({}, {})", moment.cell->x, moment.cell->y);

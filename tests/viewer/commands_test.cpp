@@ -62,7 +62,7 @@ TEST_CASE("G goes to a step, a share, a polygon or selects a pixel, and nonsense
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 640, 480);
   const auto go = [&](const std::string& text) {
-    test::press(app, SDLK_ESCAPE);
+    if (app.overlay() != Overlay::none) test::press(app, SDLK_ESCAPE);
     test::type(app, "g" + text);
     test::press(app, SDLK_RETURN);
   };
@@ -112,7 +112,7 @@ TEST_CASE("G goes to the next place where a scan line begins, and back to the la
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 640, 480);
   const auto go = [&](const std::string& text) {
-    test::press(app, SDLK_ESCAPE);
+    if (app.overlay() != Overlay::none) test::press(app, SDLK_ESCAPE);
     test::type(app, "g" + text);
     test::press(app, SDLK_RETURN);
   };

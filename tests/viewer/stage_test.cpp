@@ -55,7 +55,8 @@ TEST_CASE("switching shows the other method at the step that gave the selected p
 
   stage.switch_method(1);
   CHECK(&stage.trace() == &trace);
-  CHECK(std::holds_alternative<PixelWrite>(stage.app().session().event()->event));
+  CHECK(stage.app().session().position() == 0);  // where it was left
+  CHECK(stage.app().session().selected == cell);
 }
 
 TEST_CASE("switching keeps the moment: the pixel and the polygon at work, and the way back leads where one was") {
