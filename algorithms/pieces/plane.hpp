@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "traces/formulas/planes.hpp"
+
 namespace zstep::pieces {
 
 struct Plane {
@@ -15,7 +17,7 @@ struct Plane {
   /// Zero on the plane; its sign tells the side. A distance where the normal has length 1.
   double value(glm::dvec3 point) const { return a * point.x + b * point.y + c * point.z + d; }
   /// z of the plane above (x, y): -(A x + B y + D)/C. Not finite where the plane is seen edge-on (C = 0).
-  double depth(double x, double y) const { return -(a * x + b * y + d) / c; }
+  double depth(double x, double y) const { return formulas::plane_depth(a, b, c, d, x, y); }
   Plane flipped() const { return {-a, -b, -c, -d}; }
 };
 

@@ -1,8 +1,8 @@
 #include "algorithms/scan_conversion/edge_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "traces/formulas/coverage.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::scan_conversion {
@@ -10,13 +10,6 @@ namespace zstep::scan_conversion {
 namespace {
 
 using Outline = std::span<const std::int32_t>;
-
-// The first row at or below y, limited to the raster.
-std::int32_t row_from(double y, std::int32_t height) {
-  if (!(y > 0)) return 0;
-  if (y >= height) return height;
-  return static_cast<std::int32_t>(std::ceil(y));
-}
 
 // The nearest neighbour of outline[i] in the given direction that is not on the same height.
 double height_beside(Outline outline, const viewing::Vertices& vertices, std::size_t i, std::size_t direction) {
@@ -43,8 +36,8 @@ void add_edges(EdgeTable& table, std::int32_t polygon, Outline outline, const vi
     if (point(from).y > point(to).y) std::swap(from, to);
 
     Edge edge{outline[from], outline[to], point(from), point(to), 0, 0, 0, 0, 0, 0};
-    edge.first_row = row_from(edge.start.y, raster.height);
-    edge.end_row = row_from(edge.end.y, raster.height);
+    edge.first_row = formulas::row_from(edge.start.y, raster.height);
+    edge.end_row = formulas::row_from(edge.end.y, raster.height);
     const bool horizontal = edge.start.y == edge.end.y;
     const bool ends_on_row = edge.end_row == edge.end.y && edge.end_row < raster.height;
     if (coverage == Conventions::Coverage::inclusive && !horizontal && ends_on_row &&
@@ -59,8 +52,8 @@ void add_edges(EdgeTable& table, std::int32_t polygon, Outline outline, const vi
 
     edge.x = edge.x_at(edge.first_row);
     edge.z = edge.z_at(edge.first_row);
-    edge.dx_dy = (edge.end.x - edge.start.x) / (edge.end.y - edge.start.y);
-    edge.dz_dy = (edge.end.z - edge.start.z) / (edge.end.y - edge.start.y);
+    edge.dx_dy = formulas::slope(edge.start.x, edge.end.x, edge.start.y, edge.end.y);
+    edge.dz_dy = formulas::slope(edge.start.z, edge.end.z, edge.start.y, edge.end.y);
     const auto number = static_cast<std::int32_t>(table.edges.size());
     const EdgeTableInsert row{number,       polygon, edge.vertex_0, edge.vertex_1, edge.first_row,
                               edge.end_row, edge.x,  edge.dx_dy,    edge.z,        edge.dz_dy};

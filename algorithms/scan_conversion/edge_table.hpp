@@ -10,6 +10,7 @@
 
 #include "algorithms/scan_conversion/steps.hpp"
 #include "algorithms/viewing/vertices.hpp"
+#include "traces/formulas/lines.hpp"
 #include "traces/record/recorder.hpp"
 
 namespace zstep::scan_conversion {
@@ -24,9 +25,9 @@ struct Edge {
   double dx_dy, dz_dy;              ///< what they gain from line to line
 
   /// x–y interpolation (000): x = x_0 + (x_1 - x_0)(y - y_0)/(y_1 - y_0)
-  double x_at(std::int32_t row) const { return start.x + (end.x - start.x) * (row - start.y) / (end.y - start.y); }
+  double x_at(std::int32_t row) const { return formulas::on_line<double>(start.x, end.x, row, start.y, end.y); }
   /// z–y interpolation (000): z = z_0 + (z_1 - z_0)(y - y_0)/(y_1 - y_0)
-  double z_at(std::int32_t row) const { return start.z + (end.z - start.z) * (row - start.y) / (end.y - start.y); }
+  double z_at(std::int32_t row) const { return formulas::on_line<double>(start.z, end.z, row, start.y, end.y); }
 };
 
 struct EdgeTable {

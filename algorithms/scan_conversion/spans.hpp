@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "algorithms/scan_conversion/active_edges.hpp"
+#include "traces/formulas/lines.hpp"
 
 namespace zstep::scan_conversion {
 
@@ -17,11 +18,10 @@ template <Recorder R>
 Span begin_span(const EdgeTable& table, std::int32_t left, std::int32_t right, std::int32_t y, const Raster& raster,
                 Conventions::Coverage coverage, R& record);
 
-/// z–x interpolation (000): z = z_L + (z_R - z_L)(x - x_L)/(x_R - x_L), evaluated in this order, by which the trace's
-/// codec predicts it.
+/// z–x interpolation (000): z = z_L + (z_R - z_L)(x - x_L)/(x_R - x_L), by which the trace's codec predicts it.
 inline double depth_on(const Span& span, std::int32_t x) {
   if (span.x_right == span.x_left) return span.z_left;
-  return span.z_left + (span.z_right - span.z_left) * (x - span.x_left) / (span.x_right - span.x_left);
+  return formulas::on_line<double>(span.z_left, span.z_right, x, span.x_left, span.x_right);
 }
 
 }  // namespace zstep::scan_conversion

@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "traces/formulas/viewing.hpp"
+
 namespace zstep::viewing {
 
 namespace {
@@ -86,7 +88,7 @@ double window_for_field_of_view(double degrees_vertical, double d) {
 DepthCoefficients depth_coefficients(double near, double far) {
   // 003, "View Volume": the third row of M_p. As printed its two entries stand in each other's columns and would not
   // take near to -1 and far to +1; a belongs to z, b to the constant.
-  return {-(near + far) / (near * (near - far)), 2 * far / (near - far)};
+  return {formulas::pseudodepth_a(near, far), formulas::pseudodepth_b(near, far)};
 }
 
 Lens::Lens(const Camera& camera, const Raster& raster, Conventions::Depth depth_)
@@ -103,7 +105,7 @@ Lens::Lens(const Camera& camera, const Raster& raster, Conventions::Depth depth_
       height(raster.height) {}
 
 glm::dvec4 Lens::clip_coordinates(glm::dvec3 view) const {
-  if (orthographic) return {view.x / window_x, view.y / window_y, 2 * (view.z - near) / (far - near) - 1, 1};
+  if (orthographic) return {view.x / window_x, view.y / window_y, formulas::parallel_pseudodepth(near, far, view.z), 1};
   return {d * view.x / window_x, d * view.y / window_y, near * (a * view.z + b), view.z};
 }
 
@@ -111,13 +113,13 @@ glm::dvec3 Lens::project(glm::dvec3 view) const {
   // z as in 000 where it is asked for; else z* as in 003, which is linear on the raster, so that interpolating it is
   // exact.
   const bool view_z = depth == Conventions::Depth::view;
-  if (orthographic) return {view.x, view.y, view_z ? view.z : 2 * (view.z - near) / (far - near) - 1};
-  return {d * view.x / view.z, d * view.y / view.z, view_z ? view.z : near * (a * view.z + b) / view.z};
+  if (orthographic) return {view.x, view.y, view_z ? view.z : formulas::parallel_pseudodepth(near, far, view.z)};
+  return {formulas::projected(d, view.x, view.z), formulas::projected(d, view.y, view.z),
+          view_z ? view.z : formulas::pseudodepth(near, a, b, view.z)};
 }
 
 glm::dvec2 Lens::to_viewport(double x_p, double y_p) const {
-  return {(x_p + window_x) / (2 * window_x) * width - 0.5,  //
-          (window_y - y_p) / (2 * window_y) * height - 0.5};
+  return {formulas::screen_x<double>(x_p, window_x, width), formulas::screen_y<double>(y_p, window_y, height)};
 }
 
 }  // namespace zstep::viewing

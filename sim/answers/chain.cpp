@@ -9,6 +9,9 @@
 #include <fmt/format.h>
 
 namespace zstep::answers {
+
+using formulas::Rounded;
+
 namespace {
 
 constexpr const char* minus = "\u2212";
@@ -37,13 +40,15 @@ std::string printed(const ChainValue& value, Shown&& shown) {
     if (begins_name(formula[at])) {
       const std::string name = name_at(formula, at);
       const Operand* operand = operand_of(value, name);
-      const bool in_front = text.empty() || text.back() == '(';
+      const bool in_front = text.empty() || text.ends_with('(') || text.ends_with("\u230a") || text.ends_with("\u2308");
       text += operand ? shown(*operand, in_front) : name;
       at += name.size();
       continue;
     }
     const char c = formula[at++];
-    if (c == '-') text += minus;
+    const bool or_equal = (c == '<' || c == '>') && at < formula.size() && formula[at] == '=';
+    if (or_equal) text += c == '<' ? "\u2264" : "\u2265", ++at;
+    else if (c == '-') text += minus;
     else if (c == '*') text += "\u00b7";
     else text += c;
   }
@@ -54,8 +59,8 @@ std::string printed(const ChainValue& value, Shown&& shown) {
 class Evaluation {
  public:
   explicit Evaluation(const ChainValue& value) : value_(value), text_(value.formula) {}
-  double run() {
-    const double result = comparison();
+  Rounded run() {
+    const Rounded result = comparison();
     skip();
     if (at_ != text_.size()) wrong();
     return result;
@@ -73,37 +78,39 @@ class Evaluation {
     at_ += wanted.size();
     return true;
   }
-  double comparison() {
-    const double left = sum();
-    if (take("<=")) return left <= sum() ? 1 : 0;
-    if (take("<")) return left < sum() ? 1 : 0;
-    if (take(">=")) return left >= sum() ? 1 : 0;
-    if (take(">")) return left > sum() ? 1 : 0;
+  Rounded comparison() {
+    const Rounded left = sum();
+    if (take("<=")) return left.value <= sum().value ? 1 : 0;
+    if (take("<")) return left.value < sum().value ? 1 : 0;
+    if (take(">=")) return left.value >= sum().value ? 1 : 0;
+    if (take(">")) return left.value > sum().value ? 1 : 0;
     return left;
   }
-  double sum() {
-    double result = product();
+  Rounded sum() {
+    Rounded result = product();
     while (true) {
       if (take("+")) result = result + product();
       else if (take("-")) result = result - product();
       else return result;
     }
   }
-  double product() {
-    double result = factor();
+  Rounded product() {
+    Rounded result = factor();
     while (true) {
       if (take("*")) result = result * factor();
       else if (take("/")) result = result / factor();
       else return result;
     }
   }
-  double factor() {
+  Rounded factor() {
     if (take("-")) return -factor();
     if (take("(")) {
-      const double inner = sum();
+      const Rounded inner = sum();
       if (!take(")")) wrong();
       return inner;
     }
+    if (take("\u230a")) return closed(floor(sum()), "\u230b");
+    if (take("\u2308")) return closed(ceil(sum()), "\u2309");
     skip();
     if (at_ >= text_.size()) wrong();
     if (begins_name(text_[at_])) return named();
@@ -114,20 +121,24 @@ class Evaluation {
     at_ += static_cast<std::size_t>(end - from);
     return number;
   }
-  double named() {
+  Rounded closed(const Rounded& inner, const char* sign) {
+    if (!take(sign)) wrong();
+    return inner;
+  }
+  Rounded named() {
     const std::string name = name_at(text_, at_);
     at_ += name.size();
     if (const Operand* operand = operand_of(value_, name)) return operand->value;
     if (!take("(")) wrong();
-    std::vector<double> arguments{sum()};
+    std::vector<Rounded> arguments{sum()};
     while (take(",")) arguments.push_back(sum());
     if (!take(")")) wrong();
-    if (name == "sqrt") return std::sqrt(arguments[0]);
-    if (name == "abs") return std::abs(arguments[0]);
-    if (name == "round") return std::round(arguments[0]);
-    if (name == "floor") return std::floor(arguments[0]);
-    if (name == "min") return *std::min_element(arguments.begin(), arguments.end());
-    if (name == "max") return *std::max_element(arguments.begin(), arguments.end());
+    const auto smaller = [](const Rounded& a, const Rounded& b) { return a.value < b.value; };
+    if (name == "sqrt") return sqrt(arguments[0]);
+    if (name == "abs") return abs(arguments[0]);
+    if (name == "round") return round(arguments[0]);
+    if (name == "min") return *std::min_element(arguments.begin(), arguments.end(), smaller);
+    if (name == "max") return *std::max_element(arguments.begin(), arguments.end(), smaller);
     wrong();
   }
 
@@ -175,25 +186,27 @@ std::string line_text(const ChainValue& value) {
   } else {
     // What was taken over as it was needs its number once.
     const bool taken_over = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
-    if (!value.formula.empty()) text += " = " + formula_text(value);
+    if (!value.formula.empty() && value.formula != value.name) text += " = " + formula_text(value);
     if (!value.formula.empty() && !taken_over) text += " = " + numbers_text(value);
-    text += " = " + result_text(value);
+    const double computed = value.formula.empty() || taken_over ? value.value : evaluate(value);
+    text += " = " + (holds(value) ? result_text(value) : full_digits(computed));
   }
   if (!value.note.empty()) text += "   " + value.note;
   return text;
 }
 
-double evaluate(const ChainValue& value) { return Evaluation(value).run(); }
+double evaluate(const ChainValue& value) { return Evaluation(value).run().value; }
 
 bool holds(const ChainValue& value) {
-  if (value.formula.empty()) return true;
+  return value.formula.empty() || formulas::gives(Evaluation(value).run(), value.value, value.rounding);
+}
+
+std::string doubt_text(const ChainValue& value) {
+  if (holds(value)) return "";
   const double computed = evaluate(value);
-  if (computed == value.value || (std::isnan(computed) && std::isnan(value.value))) return true;
-  if (value.exact) return false;
-  double scale = std::max(1.0, std::abs(value.value));
-  for (const Operand& operand : value.operands)
-    if (std::isfinite(operand.value)) scale = std::max(scale, std::abs(operand.value));
-  return std::abs(computed - value.value) <= 1e-9 * scale;
+  if (value.condition) return fmt::format("The trace says {}, but by these numbers it is {}.", result_text(value), computed != 0 ? "true" : "false");
+  const bool copied = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
+  return fmt::format("The trace records {}, but {} {}.", full_digits(value.value), copied ? "it was taken from" : "this formula gives", full_digits(computed));
 }
 
 }  // namespace zstep::answers

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "traces/formulas/rounding.hpp"
+
 namespace zstep::answers {
 
 /// A number in a formula. It is one of the chain's own, or a plain one (a row, a size of the raster, an entry of a matrix).
@@ -22,10 +24,11 @@ struct ChainValue {
   double value = 0;
   std::string formula;   ///< over the operands' symbols, "z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)"; empty: taken over
   std::vector<Operand> operands;
-  bool exact = true;     ///< the formula gives the recorded bits; else it does so but for rounding
+  bool exact = true;     ///< of a run of zstep's own the formula gives the recorded bits; else it does so but for rounding
   bool condition = false;
   std::string word;      ///< of a choice between words, the one: "front"
   std::string note;      ///< what no formula says, in a few words
+  double rounding = formulas::rounding_of_float64;  ///< that the trace's numbers are allowed
 };
 
 /// A step of the run, or a datum of the scene, and the numbers of it that matter here.
@@ -55,10 +58,12 @@ std::string line_text(const ChainValue& value);
 std::string full_digits(double value);
 std::string result_text(const ChainValue& value);
 
-/// What the formula gives, in the order in which it is written. Knows + - * / ( ) < <= >, sqrt, abs, min, max and numbers.
-/// Throws std::logic_error for a formula that is none.
+/// What the formula gives, in the order in which it is written. Knows + - * / ( ) < <= > >=, sqrt, abs, round, ⌊a⌋, ⌈a⌉, min, max
+/// and numbers. Throws std::logic_error for a formula that is none.
 double evaluate(const ChainValue& value);
-/// Is that what was recorded? To the bit, or to 1e-9 of the largest number in it.
+/// Is that what was recorded, but for rounding?
 bool holds(const ChainValue& value);
+/// What is to be said where it is not: "The trace records 0.35, but this formula gives 0.3."; else nothing.
+std::string doubt_text(const ChainValue& value);
 
 }  // namespace zstep::answers

@@ -25,12 +25,6 @@ std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
   return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
 }
 
-/// Of a method that goes through all polygons at once, the one whose span is being filled.
-std::int32_t polygon_at_work(const MethodState& machine) {
-  const auto edge = machine.span ? static_cast<std::size_t>(machine.span->left_edge) : machine.edge_table.size();
-  return edge < machine.edge_table.size() ? machine.edge_table[edge].polygon : machine.polygon;
-}
-
 /// Does the trace say of a compare what its two depths do not?
 bool contradicts(const Visit& visit) {
   const bool compared = visit.outcome == Outcome::won || visit.outcome == Outcome::lost || visit.outcome == Outcome::tie;
@@ -321,6 +315,7 @@ void tell(Replay& replay, Visit& visit) {
   replay.go_to(visit.step);
   const Explanation said = explain(replay.trace(), replay.state(), *replay.current());
   visit.sentence = said.sentence, visit.formulas = said.formulas;
+  if (said.doubt) visit.formulas.push_back(*said.doubt);
 }
 
 std::string depth_text(double z) { return std::isinf(z) ? "inf" : fmt::format("{:.9g}", z); }

@@ -60,6 +60,7 @@ void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, c
   const std::optional<State> nearby = state_nearby(trace, step, of, stored);
   const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
   verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
+  if (said.doubt) verdict.formulas.push_back(*said.doubt);
 }
 
 Verdict not_recorded(const Asked& q) {

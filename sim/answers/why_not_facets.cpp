@@ -3,6 +3,7 @@
 
 #include "algorithms/viewing/back_face.hpp"
 #include "sim/answers/why_not_parts.hpp"
+#include "traces/formulas/rounding.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -133,7 +134,7 @@ Verdict of_cut(Asked& q, const FacetThere& there) {
   return verdict;
 }
 
-/// Does a centre on an outline belong to one of two neighbours only? Spans that include both their ends draw it for both.
+/// Does a centre on an outline belong to the polygon on one side of it only?
 bool half_open(const Asked& q) { return q.trace.header().conventions.coverage == Conventions::Coverage::top_left; }
 
 /// The nearer to being seen the higher.
@@ -174,9 +175,11 @@ std::vector<FacetThere> facets_there(Asked& q) {
 std::string beside_text(const Asked& q, const FacetThere& there) {
   if (!there.at) return fmt::format("no part of it is in view {}", q.where);
   const std::string far = number(there.at->candidate.edge);
-  if (there.at->candidate.edge <= compare::edge_tolerance)
-    return half_open(q) ? "the pixel's centre lies on its outline, and the half-open rule gives it to the neighbour"
-                        : "the pixel's centre lies so near its outline that rounding decides, and it came to lie outside";
+  const double rounding = formulas::rounding_of(q.trace.header()) * std::max(q.scene.raster.width, q.scene.raster.height);
+  if (there.at->candidate.edge <= rounding && half_open(q))
+    return "the pixel's centre lies on a right or last edge of it, and by the half-open rule such a centre is outside";
+  if (there.at->candidate.edge <= rounding || there.covers())
+    return "the pixel's centre lies so near its outline that rounding decides, and it came to lie outside";
   if (there.at->in_square) return fmt::format("it covers the pixel only in part: the centre lies {} pixels outside its outline", far);
   return fmt::format("it does not cover the pixel's centre, which lies {} pixels outside its outline", far);
 }

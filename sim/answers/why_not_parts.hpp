@@ -23,10 +23,15 @@ inline std::string told(double z) {
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
   return text;
 }
+/// Two of them, with more digits where these are the same and the depths are not.
+inline std::pair<std::string, std::string> told_apart(double a, double b) {
+  std::pair<std::string, std::string> texts{told(a), told(b)};
+  return a == b || texts.first != texts.second ? texts : tell_apart(a, b);
+}
 /// "Δz = z of A − z of B = 2 − (−1) = 3".
 inline std::string difference(const std::string& symbol, const std::string& one, const std::string& other, double a, double b) {
-  const std::string second = b < 0 ? "(" + told(b) + ")" : told(b);
-  return fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", symbol, one, other, told(a), second, told(a - b));
+  const auto [first, second] = told_apart(a, b);
+  return fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", symbol, one, other, first, b < 0 ? "(" + second + ")" : second, told(a - b));
 }
 
 /// A question: this polygon at this pixel.

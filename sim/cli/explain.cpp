@@ -59,7 +59,7 @@ std::string text_of(const answers::Chain& chain) {
       const bool asked = &value == &chain.links.front().values.front();
       const std::string hex = asked && !value.condition && value.word.empty() ? fmt::format("   ({:a})", value.value) : "";
       text += fmt::format("{:>{}}    {}{}{}\n", "", width, indent, answers::line_text(value), hex);
-      if (!answers::holds(value)) text += fmt::format("{:>{}}    {}the trace records {}, but this formula gives {}\n", "", width, indent, answers::full_digits(value.value), answers::full_digits(answers::evaluate(value)));
+      if (const std::string doubt = answers::doubt_text(value); !doubt.empty()) text += fmt::format("{:>{}}    {}{}\n", "", width, indent, doubt);
     }
   }
   if (chain.cut) text += "… and what is behind that: ask about one of these numbers\n";
@@ -81,6 +81,7 @@ nlohmann::ordered_json json_of(const answers::Chain& chain) {
       values.push_back({{"name", value.name}, {"value", json_number(value.value)}, {"hex", fmt::format("{:a}", value.value)}, {"formula", value.formula},
                         {"numbers", answers::numbers_text(value)}, {"note", value.note}, {"operands", operands}});
       if (!value.word.empty()) values.back()["word"] = value.word;
+      if (const std::string doubt = answers::doubt_text(value); !doubt.empty()) values.back()["doubt"] = doubt;
     }
     links.push_back({{"step", link.step}, {"parent", link.parent}, {"what", link.what}, {"source", link.source}, {"values", values}});
   }

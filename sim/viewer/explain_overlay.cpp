@@ -82,11 +82,12 @@ void draw_explain(App& app) {
     formula.indent = ui.em;
     for (const answers::ChainValue& value : chain.links[picked].values) {
       flow(ui, answers::line_text(value), formula);
-      if (answers::holds(value)) continue;
+      const std::string doubted = answers::doubt_text(value);
+      if (doubted.empty()) continue;
       Flow doubt;
       doubt.color = ui.colors().bad;
       doubt.font = ui.fonts.bold;
-      flow(ui, fmt::format("The trace records {}, but this formula gives {}.", answers::full_digits(value.value), answers::full_digits(answers::evaluate(value))), doubt);
+      flow(ui, doubted, doubt);
     }
   }
   ImGui::EndChild();

@@ -4,15 +4,16 @@
 #include <cstdint>
 
 #include "traces/events/vocabulary.hpp"
+#include "traces/formulas/lines.hpp"
 
 namespace zstep::codec {
 
 /// The depth at column x of a span, `last` being the one told before:
-/// z_left + (z_right - z_left)(x - x_left)/(x_right - x_left), or, by increments, one more dz_dx.
+/// that on the line between the ends or, by increments, one more dz_dx.
 inline double depth_along(const SpanBegin& span, bool increments, std::int32_t x, double last) {
   if (increments && x != span.first) return last + span.dz_dx;
   if (span.x_right == span.x_left) return span.z_left;
-  return span.z_left + (span.z_right - span.z_left) * (static_cast<double>(x) - span.x_left) / (span.x_right - span.x_left);
+  return formulas::on_line<double>(span.z_left, span.z_right, x, span.x_left, span.x_right);
 }
 
 /// The same at columns first … first + count - 1; without a question for each where they are not asked one after another, so that a

@@ -192,8 +192,8 @@ inline void Foreteller::evaluate(EdgeTableInsert& event) const {
   event.end_row = row_from(edge.end.y, height);
   event.x_edge = edge.x_at(event.first_row);
   event.z_edge = edge.z_at(event.first_row);
-  event.dx_dy = (edge.end.x - edge.start.x) / (edge.end.y - edge.start.y);
-  event.dz_dy = (edge.end.z - edge.start.z) / (edge.end.y - edge.start.y);
+  event.dx_dy = formulas::slope(edge.start.x, edge.end.x, edge.start.y, edge.end.y);
+  event.dz_dy = formulas::slope(edge.start.z, edge.end.z, edge.start.y, edge.end.y);
 }
 
 inline void Foreteller::note(const EdgeTableInsert& event) {

@@ -92,7 +92,7 @@ inline void Foreteller::fill_span(SpanBegin& event, double x_left, double z_left
   event.x_left = x_left, event.z_left = z_left, event.x_right = x_right, event.z_right = z_right;
   event.first = std::max(0, column_from(x_left, width));
   event.last = (facts_->inclusive() ? column_after(x_right, width) : column_from(x_right, width)) - 1;
-  event.dz_dx = x_right != x_left ? (z_right - z_left) / (x_right - x_left) : 0;
+  event.dz_dx = x_right != x_left ? formulas::slope(z_left, z_right, x_left, x_right) : 0;
 }
 
 inline void Foreteller::evaluate(SpanBegin& event) {

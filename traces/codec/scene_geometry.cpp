@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "traces/events/vocabulary.hpp"
+#include "traces/formulas/viewing.hpp"
 
 namespace zstep::codec {
 
@@ -27,18 +28,19 @@ SceneGeometry::SceneGeometry(const Scene& scene, const Header& header)
       window_y_(scene.camera.window),
       near_(scene.camera.near),
       far_(scene.camera.far),
-      a_(-(near_ + far_) / (near_ * (near_ - far_))),
-      b_(2 * far_ / (near_ - far_)),
+      a_(formulas::pseudodepth_a(near_, far_)),
+      b_(formulas::pseudodepth_b(near_, far_)),
       width_(scene.raster.width),
       height_(scene.raster.height) {}
 
 glm::dvec3 SceneGeometry::project(glm::dvec3 view) const {
-  if (orthographic_) return {view.x, view.y, view_depth_ ? view.z : 2 * (view.z - near_) / (far_ - near_) - 1};
-  return {d_ * view.x / view.z, d_ * view.y / view.z, view_depth_ ? view.z : near_ * (a_ * view.z + b_) / view.z};
+  if (orthographic_) return {view.x, view.y, view_depth_ ? view.z : formulas::parallel_pseudodepth(near_, far_, view.z)};
+  return {formulas::projected(d_, view.x, view.z), formulas::projected(d_, view.y, view.z),
+          view_depth_ ? view.z : formulas::pseudodepth(near_, a_, b_, view.z)};
 }
 
 glm::dvec2 SceneGeometry::to_viewport(double x_p, double y_p) const {
-  return {(x_p + window_x_) / (2 * window_x_) * width_ - 0.5, (window_y_ - y_p) / (2 * window_y_) * height_ - 0.5};
+  return {formulas::screen_x<double>(x_p, window_x_, width_), formulas::screen_y<double>(y_p, window_y_, height_)};
 }
 
 std::array<double, 6> SceneGeometry::distances_inside(glm::dvec3 view) const {

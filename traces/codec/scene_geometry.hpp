@@ -16,6 +16,9 @@
 
 #include "traces/events/polygons.hpp"
 #include "traces/file/header.hpp"
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/planes.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::codec {
@@ -37,22 +40,19 @@ struct FacetPlane {
 };
 
 /// The depth of a plane on the raster at (x, y).
-inline double depth_of(const FacetPlane& plane, double x, double y) { return -(plane.normal.x * x + plane.normal.y * y + plane.d) / plane.normal.z; }
-
-/// The first row at or below y, limited to the raster.
-inline std::int32_t row_from(double y, std::int32_t height) {
-  if (!(y > 0)) return 0;
-  if (y >= height) return height;
-  return static_cast<std::int32_t>(std::ceil(y));
+inline double depth_of(const FacetPlane& plane, double x, double y) {
+  return formulas::plane_depth(plane.normal.x, plane.normal.y, plane.normal.z, plane.d, x, y);
 }
+
+using formulas::row_from;
 
 /// An edge on the raster, (x_s, y_s, depth), from its end with the smaller y.
 struct EdgeLine {
   glm::dvec3 start{0}, end{0};
 
   /// x = x_0 + (x_1 - x_0)(y - y_0)/(y_1 - y_0), and z likewise.
-  double x_at(std::int32_t row) const { return start.x + (end.x - start.x) * (row - start.y) / (end.y - start.y); }
-  double z_at(std::int32_t row) const { return start.z + (end.z - start.z) * (row - start.y) / (end.y - start.y); }
+  double x_at(std::int32_t row) const { return formulas::on_line<double>(start.x, end.x, row, start.y, end.y); }
+  double z_at(std::int32_t row) const { return formulas::on_line<double>(start.z, end.z, row, start.y, end.y); }
 };
 
 /// An edge of a table of all pieces' edges.

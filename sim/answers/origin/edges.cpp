@@ -1,5 +1,7 @@
 // The edge table, the active edges and the spans between them.
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/lines.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -11,12 +13,25 @@ const EdgeTableInsert* row_of(const Work& work, std::int32_t edge) {
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-/// p_0 + (p_1 - p_0)*(y - y_0)/(y_1 - y_0) on an edge, p being x or z.
+/// A whole number, limited to what the raster holds where that changes it.
+void tell_whole(Datum& datum, const words::Shown& formula, Given of, std::int32_t least, std::int32_t most, const char* most_name) {
+  std::string text = formula_of(formula);
+  const double value = of.number.value;
+  std::vector<Given> operands{std::move(of)};
+  if (value < least) text = fmt::format("max({}, {})", least, text);
+  if (value > most) {
+    text = fmt::format("min({}, {})", most_name, text);
+    operands.push_back({std::string(1, most_name[0]), most_name[1] == '\0' ? most : most + 1});
+  }
+  datum.is(std::move(text), std::move(operands));
+}
+
+/// x or z on an edge.
 void tell_on_edge(Datum& datum, Work& work, std::int32_t edge, Axis3 axis, double y) {
   const std::string p = axis_names[static_cast<std::size_t>(axis)];
   // Heights first: a vertex is then told from the raster on, and its depth with its projection.
   const Number y_0 = work.edge_end(edge, false, Axis3::y), y_1 = work.edge_end(edge, true, Axis3::y);
-  datum.is(fmt::format("{0}_0 + ({0}_1 - {0}_0)*(y - y_0)/(y_1 - y_0)", p),
+  datum.is(formula_of(formulas::on_line(symbol(p + "_0"), symbol(p + "_1"), symbol("y"), symbol("y_0"), symbol("y_1"))),
            {{p + "_0", work.edge_end(edge, false, axis)}, {p + "_1", work.edge_end(edge, true, axis)}, {"y", y}, {"y_0", y_0}, {"y_1", y_1}});
 }
 
@@ -42,11 +57,21 @@ void tell(Datum& datum, Work& work, std::int64_t, const EdgeTableInsert& e, std:
   const std::string p = x ? "x" : "z";
   if (field == "x_edge" || field == "z_edge") return tell_on_edge(datum, work, e.edge, axis, e.first_row);
   if (field == "dx_dy" || field == "dz_dy")
-    return datum.is(fmt::format("({0}_1 - {0}_0)/(y_1 - y_0)", p),
+    return datum.is(formula_of(formulas::slope(symbol(p + "_0"), symbol(p + "_1"), symbol("y_0"), symbol("y_1"))),
                     {{p + "_1", work.edge_end(e.edge, true, axis)}, {p + "_0", work.edge_end(e.edge, false, axis)},
                      {"y_1", work.edge_end(e.edge, true, Axis3::y)}, {"y_0", work.edge_end(e.edge, false, Axis3::y)}});
-  if (field == "first_row") return datum.comes_of("the first whole number from y_0 on, within the raster", {work.edge_end(e.edge, false, Axis3::y)});
-  if (field == "end_row") return datum.comes_of("the first whole number from y_1 on, within the raster", {work.edge_end(e.edge, true, Axis3::y)});
+  const std::int32_t height = work.scene.raster.height;
+  const Number y_0 = work.edge_end(e.edge, false, Axis3::y), y_1 = work.edge_end(e.edge, true, Axis3::y);
+  const bool turned = y_0.value > y_1.value;
+  if (field == "first_row")
+    return tell_whole(datum, formulas::first_row(symbol(turned ? "y_1" : "y_0")), {turned ? "y_1" : "y_0", turned ? y_1 : y_0}, 0, height, "H");
+  if (field != "end_row") return;
+  const Given below{turned ? "y_0" : "y_1", turned ? y_0 : y_1};
+  // As far as scan line y_1 itself where coverage is inclusive and the polygon has its lowest point there.
+  const double longer = formulas::end_row(below.number.value, true);
+  const bool past_end = formulas::may_include_end(work.trace.header()) && formulas::row_from(longer, height) == e.end_row;
+  tell_whole(datum, formulas::end_row(symbol(below.symbol), past_end), below, 0, height, "H");
+  if (past_end) datum.note("coverage is inclusive, and the edge goes on as far as y_1");
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const EdgeStep& e, std::string_view field) {
@@ -80,11 +105,18 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SpanBegin& e, std::
   const bool left = field.ends_with("left"), x = field.starts_with("x");
   if (field == "dz_dx") {
     if (e.x_right == e.x_left) return datum.note("no width: nothing to gain");
-    return datum.is("(z_R - z_L)/(x_R - x_L)", {{"z_R", work.field(step, "z_right")}, {"z_L", work.field(step, "z_left")},
+    return datum.is(formula_of(formulas::slope(symbol("z_L"), symbol("z_R"), symbol("x_L"), symbol("x_R"))), {{"z_R", work.field(step, "z_right")}, {"z_L", work.field(step, "z_left")},
                                                 {"x_R", work.field(step, "x_right")}, {"x_L", work.field(step, "x_left")}});
   }
-  if (field == "first") return datum.comes_of("the first whole number from x_L on, within the raster", {work.field(step, "x_left")});
-  if (field == "last") return datum.comes_of("the last whole number before x_R, within the raster", {work.field(step, "x_right")});
+  const std::int32_t width = work.scene.raster.width;
+  if (field == "first") return tell_whole(datum, formulas::first_pixel(symbol("x_L")), {"x_L", work.field(step, "x_left")}, 0, width, "W");
+  if (field == "last") {
+    const Conventions::Coverage coverage = formulas::coverage_of(work.trace.header(), [&](Conventions::Coverage by) {
+      return formulas::limited_column(formulas::last_pixel(e.x_right, by) + 1, width) - 1 == e.last;
+    });
+    tell_whole(datum, formulas::last_pixel(symbol("x_R"), coverage), {"x_R", work.field(step, "x_right")}, -2, width - 1, "W - 1");
+    return datum.note(coverage == Conventions::Coverage::inclusive ? "coverage is inclusive: a pixel on x_R belongs to the span" : "a pixel on x_R belongs to what lies to the right");
+  }
   if (!field.ends_with("left") && !field.ends_with("right")) return;
   const Step active = step_of_active_edge(work.trace, work.machine(), step, left ? e.left_edge : e.right_edge);
   const double value = left ? (x ? e.x_left : e.z_left) : (x ? e.x_right : e.z_right);

@@ -176,7 +176,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::strin
   const Number low = work.field(step, first, column ? around.first_column : around.first_row), high = work.field(step, end, column ? around.end_column : around.end_row);
   if (datum.number() == low.value) return datum.same_as("first", low);
   if (datum.number() == high.value) return datum.same_as("end", high);
-  datum.is("first + floor((end - first)/2)", {{"first", low}, {"end", high}});
+  datum.is("first + \u230a(end - first)/2\u230b", {{"first", low}, {"end", high}});
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::string_view field) {

@@ -2,16 +2,18 @@
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/planes.hpp"
 
 namespace zstep::answers {
 namespace {
 
-/// z on the span at work, directly: z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L).
+/// z on the span at work, directly.
 void tell_on_span(Datum& datum, Work& work, std::int64_t step, const SpanBegin& s, double x) {
   const Step span = find_last<SpanBegin>(work.trace, step, [&](const SpanBegin& e) { return e.y == s.y && e.left_edge == s.left_edge && e.x_left == s.x_left; });
   const Number z_left = work.field(span, "z_left", s.z_left);
   if (s.x_right == s.x_left) return datum.same_as("z_L", z_left);
-  datum.is("z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)", {{"z_L", z_left}, {"z_R", work.field(span, "z_right", s.z_right)}, {"x", x},
+  datum.is(formula_of(formulas::on_line(symbol("z_L"), symbol("z_R"), symbol("x"), symbol("x_L"), symbol("x_R"))), {{"z_L", z_left}, {"z_R", work.field(span, "z_right", s.z_right)}, {"x", x},
                                                        {"x_L", work.field(span, "x_left", s.x_left)}, {"x_R", work.field(span, "x_right", s.x_right)}});
 }
 
@@ -92,7 +94,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint& e, std:
   if (!m.rays.tree.empty()) return tell_along_ray(datum, work, step);
   if (const std::int32_t piece = piece_of_plane(work); piece >= 0) {
     const auto plane = [&](char letter) { return work.plane(piece, letter); };
-    return datum.is("-(A*x + B*y + D)/C", {{"A", plane('A')}, {"x", e.x}, {"B", plane('B')}, {"y", e.y}, {"D", plane('D')}, {"C", plane('C')}});
+    return datum.is(formula_of(formulas::plane_depth(symbol("A"), symbol("B"), symbol("C"), symbol("D"), symbol("x"), symbol("y"))), {{"A", plane('A')}, {"x", e.x}, {"B", plane('B')}, {"y", e.y}, {"D", plane('D')}, {"C", plane('C')}});
   }
   if (m.span && m.span->y == e.y) tell_on_span(datum, work, step, SpanBegin(*m.span), e.x);
 }

@@ -153,7 +153,12 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::str
     for (std::int64_t before = *begin + 1; before < step; ++before)
       if (const auto* hit = std::get_if<RayHit>(&work.trace.event(before).event); hit && hit->nearest) kept = hit->t, keeper = before;
     const std::vector<Number> numbers{work.field(step, "t"), work.field(keeper, "t", kept)};
-    return datum.comes_of(!e.inside ? "the point lies outside the facet" : keeper ? "is t less than that of the hit kept before?" : "nothing was kept before", numbers);
+    if (!e.inside || !keeper) return datum.comes_of(!e.inside ? "the point lies outside the facet" : "nothing was kept before", numbers);
+    const bool tie = e.t == kept;
+    datum.holds_if(tie && e.nearest ? "t <= kept" : "t < kept", {{"t", numbers[0]}, {"kept", numbers[1]}});
+    if (!tie) return;
+    const std::int32_t other = std::get<RayHit>(work.trace.event(*keeper).event).facet;
+    return datum.note(e.nearest == (e.facet < other) ? "a tie: of two as near the first in the file is kept" : "a tie");
   }
   if (field == "inside") return datum.comes_of("by the even-odd rule along the ray", {work.field(step, "x_hit"), work.field(step, "y_hit"), work.field(step, "z_hit")});
   const int axis = axis_in(field);

@@ -20,11 +20,11 @@ void Datum::is(std::string formula, std::vector<Given> operands, bool exact) {
   ChainValue& told = value();
   told.formula = std::move(formula);
   told.exact = exact;
+  told.rounding = formulas::rounding_of(work_.trace.header());
   for (Given& given : operands) told.operands.push_back({std::move(given.symbol), given.number.value, given.number.link, std::move(given.number.name)});
 }
 
 void Datum::same_as(const std::string& symbol, const Number& number) {
-  if (symbol == name()) return comes_of("", {number});
   is(symbol, {{symbol, number}});
 }
 
@@ -49,6 +49,14 @@ bool Datum::told() const {
 }
 
 void Datum::at_source(std::string source) { work_.chain.links[link_].source = std::move(source); }
+
+std::string formula_of(const words::Shown& formula) {
+  static constexpr std::pair<std::string_view, std::string_view> signs[] = {{"\u2212", "-"}, {"\u00b7", "*"}, {")(", ")*("}};
+  std::string text = formula.symbols();
+  for (const auto& [printed, plain] : signs)
+    for (std::size_t at = text.find(printed); at != std::string::npos; at = text.find(printed, at + plain.size())) text.replace(at, printed.size(), plain);
+  return text;
+}
 
 std::string Work::depth_name() const { return depth_symbol(scene, conventions); }
 std::string Work::label(std::int32_t polygon) const { return polygon_label(scene, polygon); }

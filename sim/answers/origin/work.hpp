@@ -14,6 +14,7 @@
 
 #include "sim/answers/chain.hpp"
 #include "sim/answers/find_origins.hpp"
+#include "sim/viewer/words/shown.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -146,6 +147,10 @@ class Work {
 };
 
 using Axis3 = Work::Axis3;
+
+/// A name in a formula of traces/formulas, and what the formula looks like over such names: "z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)".
+inline words::Shown symbol(std::string name) { return {std::move(name), 0, ""}; }
+std::string formula_of(const words::Shown& formula);
 
 /// What the link of a step is called: "depth at x = 9 on the span".
 std::string what_happens(const Work& work, const Event& event);

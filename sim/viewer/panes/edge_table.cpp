@@ -78,7 +78,7 @@ void draw(Ui& ui) {
     rows.push_back(std::move(out));
   }
   const std::string z = depth_symbol(s.scene(), s.header().conventions);
-  const TableResult result = number_table(ui, "edges", {"y", "edge", "y_max", "x", "1/m", z, "dz/dy", "of", ""}, rows);
+  const TableResult result = number_table(ui, "edges", {"y", "edge", "leaves", "x", "1/m", z, "dz/dy", "of", ""}, rows);
   if (result.hovered) {
     ui.hovered_edge_next = result.hovered;
     if (!result.on_number) ui.mouse_help = "Click: keep this edge lit in every pane.";

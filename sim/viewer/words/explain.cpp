@@ -18,6 +18,12 @@ Camera camera_at_work(const Scene& scene, const MethodState& machine) {
   return machine.pass == Pass::light && scene.light ? viewing::camera_of(*scene.light) : scene.camera;
 }
 
+std::int32_t polygon_at_work(const MethodState& machine) {
+  if (machine.polygon != no_polygon || !machine.span) return machine.polygon;
+  const auto edge = static_cast<std::size_t>(machine.span->left_edge);
+  return machine.span->left_edge >= 0 && edge < machine.edge_table.size() ? machine.edge_table[edge].polygon : no_polygon;
+}
+
 std::string piece_label(const Scene& scene, const MethodState& machine, std::int32_t piece) {
   if (piece < 0 || static_cast<std::size_t>(piece) >= machine.pieces.size()) return fmt::format("piece {}", piece);
   const auto& pieces = machine.pieces;

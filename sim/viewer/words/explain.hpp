@@ -26,6 +26,9 @@ Explanation explain(const Trace& trace, const State& after, RecordedEvent event)
 /// By which the scene is being drawn: its own, or that of its light while the run is in the light's pass.
 Camera camera_at_work(const Scene& scene, const MethodState& machine);
 
+/// Whose pixels are being found: the polygon at work; of a method that goes through all at once, that of the span's edge.
+std::int32_t polygon_at_work(const MethodState& machine);
+
 /// The label of a polygon: its name, or "P7".
 std::string polygon_label(const Scene& scene, std::int32_t polygon);
 /// The label of a piece: its polygon's, "F"; "F1", "F2" … for its parts in the order in which they were made ("P7.1"

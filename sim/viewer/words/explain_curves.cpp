@@ -70,8 +70,7 @@ void tell_y(Telling& t, const Passage& now) {
     t.hold_against("y", now.y, end.y);
     return;
   }
-  t.formula(fmt::format("y = {} = {}", line_through(a->y, b->y, now.x, a->x, b->x), number(now.y)));
-  t.hold_against("y", now.y, on_line(a->y, b->y, now.x, a->x, b->x));
+  t.gives("y", formulas::on_line(Shown("y_0", a->y), Shown("y_1", b->y), Shown("x", now.x), Shown("x_0", a->x), Shown("x_1", b->x)), now.y);
 }
 
 /// "y ≤ upper[x]:  10.4 ≤ 12.1  is true"
@@ -130,8 +129,8 @@ void tell(Telling& t, const HorizonTest& e) {
   if (!one) t.value("lower[x]", now.lower);
   const Horizon rule = above ? Horizon::above : below ? Horizon::below : Horizon::hidden;
   if (rule != e.verdict)
-    t.out.doubt = fmt::format("The trace says {}, but by these numbers it is {}.", words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
-                              words_of<Horizon>[static_cast<std::size_t>(rule)]);
+    t.doubt(fmt::format("The trace says {}, but by these numbers it is {}.", words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
+                              words_of<Horizon>[static_cast<std::size_t>(rule)]));
 }
 
 void tell(Telling& t, const HorizonCross& e) {
@@ -148,11 +147,10 @@ void tell(Telling& t, const HorizonCross& e) {
     const auto [y, entry] = tell_apart(passage->y, e.upper ? passage->upper : passage->lower);
     t.formula(fmt::format("{} = y \u2212 {}[{}] = {} \u2212 {} = {}", name, horizon, passage->x, y, operand(e.upper ? passage->upper : passage->lower, entry), number(d)));
   }
-  t.formula(fmt::format("x = x_0 + (x_1 \u2212 x_0) d_0/(d_0 \u2212 d_1) = {} + {} \u00b7 {}/({} \u2212 {}) = {}", from.x, operand(to.x - from.x),
-                        operand(d_0), operand(d_0), operand(d_1), number(e.x_at)));
+  const Shown x_0("x_0", from.x), x_1("x_1", to.x), at_0("d_0", d_0), at_1("d_1", d_1);
+  if (d_0 != d_1) t.gives("x", x_0 + formulas::where_zero(at_0, at_1) * (x_1 - x_0), e.x_at);
   t.value("x", e.x_at);
   t.value("y", e.y_at);
-  if (d_0 != d_1) t.hold_against("x", e.x_at, from.x + d_0 / (d_0 - d_1) * (to.x - from.x));
 }
 
 void tell(Telling& t, const HorizonMove& e) {

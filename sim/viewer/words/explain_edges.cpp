@@ -4,6 +4,9 @@
 #include <algorithm>
 
 namespace zstep::words {
+
+using formulas::on_line, formulas::slope;
+
 namespace {
 
 const EdgeTableInsert* entry_of(const Telling& t, std::int32_t edge) {
@@ -47,6 +50,37 @@ std::optional<Before> before_step(const Telling& t, std::int32_t edge) {
   return std::nullopt;
 }
 
+/// Both ends of an edge, by the names that the formulas have for them.
+struct Ends {
+  Shown x_0, y_0, z_0, x_1, y_1, z_1;
+};
+std::optional<Ends> ends_of(const Telling& t, const EdgeTableInsert& entry) {
+  const auto a = on_raster(t.scene, t.after, entry.vertex_0), b = on_raster(t.scene, t.after, entry.vertex_1);
+  if (!a || !b) return std::nullopt;
+  return Ends{{"x_0", a->x}, {"y_0", a->y}, {"z_0", a->z}, {"x_1", b->x}, {"y_1", b->y}, {"z_1", b->z}};
+}
+
+/// The scan lines that an edge meets by its ends, held against those that the trace has.
+struct Rows {
+  std::int32_t first, end;
+  bool first_agrees, end_agrees;
+};
+Rows rows_of(Telling& t, const Ends& ends, const EdgeTableInsert& e) {
+  const bool turned = ends.y_0.value() > ends.y_1.value();
+  const Shown &above = turned ? ends.y_1 : ends.y_0, &below = turned ? ends.y_0 : ends.y_1;
+  const std::int32_t height = t.scene.raster.height;
+  const auto limited = [&](double row) { return formulas::row_from(row, height); };  // a whole number is its own
+  const Shown first = formulas::first_row(above);
+  // An edge that ends on a scan line may go on through it, where coverage is inclusive and the polygon has its lowest point there.
+  const Shown longer = formulas::end_row(below, true);
+  const bool past_end = formulas::may_include_end(t.trace.header()) && limited(longer.value()) == e.end_row;
+  const Shown end = past_end ? longer : formulas::end_row(below, false);
+  Rows rows{limited(first.value()), limited(end.value()), false, false};
+  rows.first_agrees = t.whole("first scan line", first, e.first_row, rows.first);
+  rows.end_agrees = t.whole("leaves at y", end, e.end_row, rows.end);
+  return rows;
+}
+
 std::string list_of_active(const Telling& t) {
   std::string text;
   for (const ActiveEdge& active : t.machine.active) {
@@ -59,23 +93,19 @@ std::string list_of_active(const Telling& t) {
 }  // namespace
 
 void tell(Telling& t, const EdgeTableInsert& e) {
-  t.say(fmt::format("Edge {} from vertex {} to vertex {} first meets scan line {}, so it goes into bucket {}; it leaves at {}.",
-                    edge_label(t.scene, e), vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1), e.first_row, e.first_row,
-                    e.end_row));
-  const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
-  if (a && b) {
-    const double dx = (b->x - a->x) / (b->y - a->y), dz = (b->z - a->z) / (b->y - a->y);
-    t.formula(fmt::format("1/m = (x_1 \u2212 x_0)/(y_1 \u2212 y_0) = ({} \u2212 {})/({} \u2212 {}) = {}", number(b->x), operand(a->x),
-                          number(b->y), operand(a->y), number(e.dx_dy)));
-    t.formula(fmt::format("x = x_0 + (x_1 \u2212 x_0)(y \u2212 y_0)/(y_1 \u2212 y_0) = {} = {}",
-                          line_through(a->x, b->x, e.first_row, a->y, b->y), number(e.x_edge)));
-    t.formula(fmt::format("dz/dy = ({} \u2212 {})/({} \u2212 {}) = {}", number(b->z), operand(a->z), number(b->y), operand(a->y),
-                          number(e.dz_dy)));
-    t.formula(fmt::format("{} = {} = {}", t.z, line_through(a->z, b->z, e.first_row, a->y, b->y), number(e.z_edge)));
-    t.hold_against("1/m", e.dx_dy, dx);
-    t.hold_against("dz/dy", e.dz_dy, dz);
-    t.hold_against("x", e.x_edge, on_line(a->x, b->x, e.first_row, a->y, b->y));
-    t.hold_against(t.z, e.z_edge, on_line(a->z, b->z, e.first_row, a->y, b->y));
+  const std::string edge = fmt::format("dge {} from vertex {} to vertex {}", edge_label(t.scene, e), vertex_label(t.scene, e.vertex_0),
+                                       vertex_label(t.scene, e.vertex_1));
+  t.say(fmt::format("E{} first meets scan line {}, so it goes into bucket {}; it leaves at {}.", edge, e.first_row, e.first_row, e.end_row));
+  if (const auto ends = ends_of(t, e)) {
+    const Shown y_row("y", e.first_row);
+    t.gives("1/m", slope(ends->x_0, ends->x_1, ends->y_0, ends->y_1), e.dx_dy);
+    t.gives("x", on_line(ends->x_0, ends->x_1, y_row, ends->y_0, ends->y_1), e.x_edge);
+    t.gives("dz/dy", slope(ends->z_0, ends->z_1, ends->y_0, ends->y_1), e.dz_dy);
+    t.gives(t.z, on_line(ends->z_0, ends->z_1, y_row, ends->y_0, ends->y_1), e.z_edge);
+    const Rows rows = rows_of(t, *ends, e);
+    if (!rows.first_agrees || !rows.end_agrees)
+      t.say(fmt::format("The trace lets e{} begin at scan line {} and leave at {}; its ends are at y = {} and {}, so it should begin at {} and leave at {}.",
+                        edge, e.first_row, e.end_row, ends->y_0.numbers(), ends->y_1.numbers(), rows.first, rows.end));
   }
   t.value("x", e.x_edge);
   t.value("1/m", e.dx_dy);
@@ -105,7 +135,7 @@ void tell(Telling& t, const EdgeEnter& e) {
   t.say(with_capital(fmt::format("{} begins at this scan line and enters the active edge list at place {}, sorted by x.",
                                  named(t, e.edge), e.place)));
   if (const EdgeTableInsert* entry = entry_of(t, e.edge)) {
-    t.formula(fmt::format("x = {}, {} = {}, until y = {}", number(entry->x_edge), t.z, number(entry->z_edge), entry->end_row));
+    t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.z, number(entry->z_edge), entry->end_row));
     t.value("x", entry->x_edge);
     t.value(t.z, entry->z_edge);
   }
@@ -116,10 +146,10 @@ void tell(Telling& t, const EdgeRetire& e) {
   const EdgeTableInsert* entry = entry_of(t, e.edge);
   if (!entry || !t.machine.scan_line) return;
   const std::int32_t y = *t.machine.scan_line;
-  if (y >= entry->end_row) return t.formula(fmt::format("y = {}, y_max = {}", y, entry->end_row));
+  if (y >= entry->end_row) return t.formula(fmt::format("y = {}; it leaves at y = {}", y, entry->end_row));
   t.say(with_capital(fmt::format("Scan line {} was the last of {}: {} leaves the active edge list.", y, all_at_once(t) ? "all" : t.here(),
                                  named(t, e.edge))));
-  t.formula(fmt::format("y + 1 = {}, y_max = {}", y + 1, entry->end_row));
+  t.formula(fmt::format("y + 1 = {}; it leaves at y = {}", y + 1, entry->end_row));
 }
 
 void tell(Telling& t, const EdgeStep& e) {
@@ -128,21 +158,14 @@ void tell(Telling& t, const EdgeStep& e) {
   const EdgeTableInsert* entry = entry_of(t, e.edge);
   if (entry && t.conventions.interpolation == Conventions::Interpolation::increments) {
     if (const auto before = before_step(t, e.edge)) {
-      t.formula(fmt::format("x = x + 1/m = {} + {} = {}", number(before->x), operand(entry->dx_dy), number(e.x_edge)));
-      t.formula(fmt::format("{0} = {0} + d{1}/dy = {2} + {3} = {4}", t.z, "z", number(before->z), operand(entry->dz_dy),
-                            number(e.z_edge)));
-      t.hold_against("x", e.x_edge, before->x + entry->dx_dy);
-      t.hold_against(t.z, e.z_edge, before->z + entry->dz_dy);
+      t.gives("x", Shown("x", before->x) + Shown("1/m", entry->dx_dy), e.x_edge);
+      t.gives(t.z, Shown(t.z, before->z) + Shown("dz/dy", entry->dz_dy), e.z_edge);
     }
   } else if (entry) {
-    const auto a = on_raster(t.scene, t.after, entry->vertex_0), b = on_raster(t.scene, t.after, entry->vertex_1);
-    if (a && b) {
-      t.formula(fmt::format("x = x_0 + (x_1 \u2212 x_0)(y \u2212 y_0)/(y_1 \u2212 y_0) = {} = {}", line_through(a->x, b->x, y, a->y, b->y),
-                            number(e.x_edge)));
-      t.formula(fmt::format("{0} = z_0 + (z_1 \u2212 z_0)(y \u2212 y_0)/(y_1 \u2212 y_0) = {1} = {2}", t.z,
-                            line_through(a->z, b->z, y, a->y, b->y), number(e.z_edge)));
-      t.hold_against("x", e.x_edge, on_line(a->x, b->x, y, a->y, b->y));
-      t.hold_against(t.z, e.z_edge, on_line(a->z, b->z, y, a->y, b->y));
+    if (const auto ends = ends_of(t, *entry)) {
+      const Shown row("y", y);
+      t.gives("x", on_line(ends->x_0, ends->x_1, row, ends->y_0, ends->y_1), e.x_edge);
+      t.gives(t.z, on_line(ends->z_0, ends->z_1, row, ends->y_0, ends->y_1), e.z_edge);
     }
   }
   if (t.out.formulas.empty()) t.formula(fmt::format("x = {}, {} = {}", number(e.x_edge), t.z, number(e.z_edge)));
@@ -159,19 +182,23 @@ void tell(Telling& t, const SpanBegin& e) {
   const std::int32_t count = std::max(0, e.last - e.first + 1);
   const std::string left = brief(t, e.left_edge), right = brief(t, e.right_edge);
   t.say(count == 0 ? fmt::format("Between {} and {} no pixel centre lies on scan line {}: nothing to draw.", left, right, e.y)
-                   : fmt::format("Between {} and {} lie {} pixel{} of scan line {}: x = {} to {}.", left, right, count, count == 1 ? "" : "s", e.y,
-                                 e.first, e.last));
-  const bool inclusive = t.conventions.coverage == Conventions::Coverage::inclusive;
-  t.formula(fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", number(e.x_left), number(e.x_right), t.z, number(e.z_left), t.z,
-                        number(e.z_right)));
-  t.formula(inclusive ? fmt::format("drawn: {} to {}, both ends included", e.first, e.last)
-                      : fmt::format("drawn: the x with {} \u2264 x < {}", number(e.x_left), number(e.x_right)));
-  if (e.x_right != e.x_left) {
-    const auto [z_left, z_right] = tell_apart(e.z_left, e.z_right);
-    t.formula(fmt::format("dz/dx = (z_R \u2212 z_L)/(x_R \u2212 x_L) = ({} \u2212 {})/({} \u2212 {}) = {}", z_right, operand(e.z_left, z_left),
-                          number(e.x_right), operand(e.x_left), number(e.dz_dx)));
-    t.hold_against("dz/dx", e.dz_dx, (e.z_right - e.z_left) / (e.x_right - e.x_left));
-  }
+                   : count == 1 ? fmt::format("Between {} and {} lies 1 pixel of scan line {}: x = {}.", left, right, e.y, e.first)
+                   : fmt::format("Between {} and {} lie {} pixels of scan line {}: x = {} to {}.", left, right, count, e.y, e.first, e.last));
+  const Shown x_left("x_L", e.x_left), x_right("x_R", e.x_right), z_left("z_L", e.z_left), z_right("z_R", e.z_right);
+  const auto [z_l, z_r] = tell_apart(e.z_left, e.z_right);
+  t.formula(fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", x_left.numbers(), x_right.numbers(), t.z, z_l, t.z, z_r));
+  const std::int32_t width = t.scene.raster.width;
+  const auto last_by = [&](Conventions::Coverage coverage) { return formulas::last_pixel(x_right, coverage); };
+  const auto within = [&](const Shown& last) { return formulas::limited_column(last.value() + 1, width) - 1; };
+  const auto ends_there = [&](Conventions::Coverage coverage) { return within(last_by(coverage)) == e.last; };
+  const Shown first = formulas::first_pixel(x_left), last = last_by(formulas::coverage_of(t.trace.header(), ends_there));
+  const std::int32_t first_within = std::max(0, formulas::limited_column(first.value(), width));
+  const bool first_agrees = t.whole("first", first, e.first, first_within), last_agrees = t.whole("last", last, e.last, within(last));
+  if (!first_agrees || !last_agrees)
+    t.say(fmt::format("The trace fills x = {} to {} of scan line {} between {} and {}; by x_L = {} and x_R = {} it should fill {}.", e.first, e.last, e.y, left,
+                      right, x_left.numbers(), x_right.numbers(),
+                      within(last) < first_within ? "nothing" : fmt::format("{} to {}", first_within, within(last))));
+  if (e.x_right != e.x_left) t.gives("dz/dx", formulas::slope(z_left, z_right, x_left, x_right), e.dz_dx);
   t.value("x_L", e.x_left);
   t.value("x_R", e.x_right);
   t.value("z_L", e.z_left);

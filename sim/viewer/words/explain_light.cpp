@@ -25,7 +25,7 @@ void tell(Telling& t, const ShadowCompare& e) {
   const double stored = state.light.depth[cell];
   const auto [z, shadow] = tell_apart(e.z_light, stored);
   const std::string what = e.lit ? fmt::format("the light reaches {}", t.label(polygon))
-                                 : fmt::format("{} lies before it, so {} is in shadow", t.label(state.light.polygon[cell]), t.label(polygon));
+                                 : fmt::format("{} is nearer to the light, so {} is in shadow", t.label(state.light.polygon[cell]), t.label(polygon));
   t.say(fmt::format("At pixel ({}, {}) {}.", e.x, e.y, what));
   t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it {}", column, row, shadow, z, e.lit ? "is not behind" : "is behind",
                         e.lit ? "by more than the bias" : "by more than the bias: dark"));

@@ -112,16 +112,13 @@ void tell(Telling& t, const LineCross& e) {
   if (e.in_space && plane) {
     const auto d_0 = distance_behind(t, *plane, row->entry.vertex_0), d_1 = distance_behind(t, *plane, row->entry.vertex_1);
     if (d_0 && d_1) {
-      t.formula(fmt::format("t = d_0/(d_0 \u2212 d_1) = {}/({} \u2212 {}) = {}", number(*d_0), number(*d_0), operand(*d_1), number(e.t)));
-      t.hold_against("t", e.t, *d_0 / (*d_0 - *d_1));
+      t.gives("t", formulas::where_zero(Shown("d_0", *d_0), Shown("d_1", *d_1)), e.t);
     }
   }
   const auto a = on_raster(t.scene, t.after, row->entry.vertex_0), b = on_raster(t.scene, t.after, row->entry.vertex_1);
   if (!a || !b) return;
-  t.formula(fmt::format("x = x_0 + t (x_1 \u2212 x_0) = {} + {}\u00b7({} \u2212 {}) = {}", number(a->x), number(e.t), number(b->x), operand(a->x), number(e.x_at)));
-  t.formula(fmt::format("y = y_0 + t (y_1 \u2212 y_0) = {} + {}\u00b7({} \u2212 {}) = {}", number(a->y), number(e.t), number(b->y), operand(a->y), number(e.y_at)));
-  t.hold_against("x", e.x_at, a->x + e.t * (b->x - a->x));
-  t.hold_against("y", e.y_at, a->y + e.t * (b->y - a->y));
+  t.gives("x", formulas::part_of_way(Shown("x_0", a->x), Shown("x_1", b->x), Shown("t", e.t)), e.x_at);
+  t.gives("y", formulas::part_of_way(Shown("y_0", a->y), Shown("y_1", b->y), Shown("t", e.t)), e.y_at);
 }
 
 void tell(Telling& t, const LineHide& e) {

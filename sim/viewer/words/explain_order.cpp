@@ -29,19 +29,19 @@ std::string equation(const PlaneEquation& p) {
 
 /// Computes the extremes again from the corners that the state knows.
 void hold_extremes(Telling& t, const SideTest& e, const PlaneEquation& p) {
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  const double far = std::numeric_limits<double>::infinity();
+  formulas::Rounded least(far, 0), greatest(-far, 0);
   const Piece* piece = t.piece_at(e.piece);
   if (!piece) return;
   for (const std::int32_t vertex : piece->outline) {
     const auto corner = on_raster(t.scene, t.after, vertex);
     if (!corner) return;
-    const double value = p.plane_a * corner->x + p.plane_b * corner->y + p.plane_c * corner->z + p.plane_d;
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
+    const auto value = formulas::plane_value<formulas::Rounded>(p.plane_a, p.plane_b, p.plane_c, p.plane_d, corner->x, corner->y, corner->z);
+    if (value.value < least.value) least = value;
+    if (value.value > greatest.value) greatest = value;
   }
-  // Corners on the plane leave digits of rounding; those are no doubt.
-  if (std::abs(least - e.least) > 1e-9) t.hold_against("the least value", e.least, least);
-  if (std::abs(greatest - e.greatest) > 1e-9) t.hold_against("the greatest value", e.greatest, greatest);
+  t.hold_against("the least value", e.least, least);
+  t.hold_against("the greatest value", e.greatest, greatest);
 }
 
 std::string place_word(std::int32_t place) { return place == 0 ? "the first place" : fmt::format("place {}", place); }
@@ -88,7 +88,7 @@ void tell(Telling& t, const SideTest& e) {
     const bool passed = e.side == (wants_behind ? Side::behind : Side::front);
     const bool exchanged = step == "test_3_swapped" || step == "test_4_swapped";
     const std::string earlier = exchanged ? t.piece(t.machine.pair->other) : t.piece(t.machine.pair->piece);
-    t.out.sentence += passed ? fmt::format(" So {} may be drawn first.", earlier) : " This test says nothing.";
+    t.out.sentence += passed ? fmt::format(" So {} may be drawn first.", earlier) : " This test cannot decide.";
   }
   t.formula(fmt::format("f at the corners of {}: {}", piece, range(e.least, e.greatest)));
   t.value("least", e.least);

@@ -8,6 +8,11 @@
 
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
+#include "sim/viewer/words/shown.hpp"
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/planes.hpp"
+#include "traces/formulas/rounding.hpp"
 
 namespace zstep::words {
 
@@ -29,7 +34,7 @@ struct Telling {
   void formula(std::string line) { out.formulas.push_back(std::move(line)); }
   void value(std::string name, double v) { out.values.emplace_back(std::move(name), v); }
   std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
-  std::string here() const { return label(machine.polygon); }
+  std::string here() const { return label(polygon_at_work(machine)); }
   std::string piece(std::int32_t number) const { return piece_label(scene, machine, number); }
   /// A row of the table of pieces; nullptr where there is none.
   const Piece* piece_at(std::int32_t number) const {
@@ -41,13 +46,50 @@ struct Telling {
     return found ? found->name : "";
   }
 
+  /// What the trace's numbers may be off by.
+  double rounding() const { return formulas::rounding_of(trace.header()); }
+  void doubt(const std::string& text) { out.doubt = out.doubt ? *out.doubt + " " + text : text; }
   /// Holds the recorded number against what the shown formula gives; rounding of an honest computation passes.
-  void hold_against(const std::string& name, double recorded, double computed) {
-    const double scale = std::max({1e-6, std::abs(recorded), std::abs(computed)});
-    if (recorded == computed || (std::isnan(recorded) && std::isnan(computed))) return;
-    if (std::abs(recorded - computed) <= 1e-6 * scale) return;
-    const auto [is, ought] = tell_apart(recorded, computed);
-    out.doubt = fmt::format("The trace records {} = {}, but this formula gives {}.", name, is, ought);
+  bool hold_against(const std::string& name, double recorded, const formulas::Rounded& computed) {
+    if (formulas::gives(computed, recorded, rounding())) return true;
+    const auto [is, ought] = tell_apart(recorded, computed.value);
+    doubt(fmt::format("The trace records {} = {}, but this formula gives {}.", name, is, ought));
+    return false;
+  }
+  /// "name = symbols = numbers = recorded" as a line of its own, held against what it gives: then that is what it ends in.
+  void gives(const std::string& name, const Shown& formula, double recorded) {
+    const bool so = hold_against(name, recorded, formula.rounded());
+    this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), number(recorded)) : contradicted(name, formula, recorded));
+  }
+  /// The depth that a span has at column x, held against the recorded one.
+  void depth_on(const SpanBegin& s, std::int32_t x, double recorded) {
+    const Shown z_left("z_L", s.z_left);
+    if (s.x_right != s.x_left)
+      return gives(z, formulas::on_line(z_left, Shown("z_R", s.z_right), Shown("x", x), Shown("x_L", s.x_left), Shown("x_R", s.x_right)), recorded);
+    gives("x_L = x_R: " + z, z_left, recorded);
+  }
+  /// A depth that was taken over from the step before: "The trace writes z = 0.35, but had compared z = 0.3."
+  bool taken_over(const char* does, double recorded, const char* had, double before) {
+    if (formulas::gives(before, recorded, rounding())) return true;
+    const auto [is, was] = tell_apart(recorded, before);
+    doubt(fmt::format("The trace {} {} = {}, but had {} {} = {}.", does, z, is, had, z, was));
+    return false;
+  }
+  /// The same of a whole number, which the raster may limit to another one.
+  bool whole(const std::string& name, const Shown& formula, std::int32_t recorded, std::int32_t within_raster) {
+    const bool limited = formula.value() != within_raster;
+    const std::string ought = limited ? fmt::format("{}, within the raster {}", number(formula.value()), within_raster) : number(formula.value());
+    if (recorded == within_raster) {
+      this->formula(fmt::format("{} = {} = {}", name, formula.equation(), ought));
+      return true;
+    }
+    this->formula(fmt::format("{} = {} = {}, but the trace records {}", name, formula.equation(), ought, recorded));
+    doubt(fmt::format("The trace records {} = {}, but this formula gives {}.", name, recorded, within_raster));
+    return false;
+  }
+  static std::string contradicted(const std::string& name, const Shown& formula, double recorded) {
+    const auto [is, ought] = tell_apart(recorded, formula.value());
+    return fmt::format("{} = {} = {}, but the trace records {}", name, formula.equation(), ought, is);
   }
 };
 
@@ -57,16 +99,6 @@ inline std::string operand(double value, std::string text) {
 }
 
 inline std::string operand(double value) { return operand(value, number(value)); }
-
-/// "p_0 + (p_1 − p_0)(t − t_0)/(t_1 − t_0)" with numbers; both ends with the digits that tell them apart.
-inline std::string line_through(double p0, double p1, double t, double t0, double t1) {
-  const auto [from, to] = tell_apart(p0, p1);
-  return fmt::format("{} + ({} \u2212 {})({} \u2212 {})/({} \u2212 {})", from, to, operand(p0, from), number(t), operand(t0), number(t1),
-                     operand(t0));
-}
-inline double on_line(double p0, double p1, double t, double t0, double t1) {
-  return p0 + (p1 - p0) * (t - t0) / (t1 - t0);
-}
 
 void tell(Telling& t, const CurveBegin& e);
 void tell(Telling& t, const CurveSegment& e);

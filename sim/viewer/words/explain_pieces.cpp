@@ -55,8 +55,7 @@ void tell(Telling& t, const SplitVertex& e) {
   t.say(fmt::format("The edge from vertex {} to vertex {} crosses the plane: a new vertex {} is made there.", e.vertex_0, e.vertex_1, e.vertex));
   const auto d0 = value_found(t, e.vertex_0), d1 = value_found(t, e.vertex_1);
   if (d0 && d1) {
-    t.formula(fmt::format("t = d_0/(d_0 \u2212 d_1) = {}/({} \u2212 {}) = {}", number(*d0), number(*d0), operand(*d1), number(e.t)));
-    t.hold_against("t", e.t, *d0 / (*d0 - *d1));
+    t.gives("t", formulas::where_zero(Shown("d_0", *d0), Shown("d_1", *d1)), e.t);
   } else {
     t.formula(fmt::format("t = d_0/(d_0 \u2212 d_1) = {}   d: A x + B y + C z + D at either end", number(e.t)));
   }
@@ -68,9 +67,10 @@ void tell(Telling& t, const SplitVertex& e) {
   if (e.space != Space::raster) return;
   const auto from = on_raster(t.scene, t.after, e.vertex_0), to = on_raster(t.scene, t.after, e.vertex_1);
   if (!from || !to) return;
-  t.hold_against("x", e.x_cut, from->x + e.t * (to->x - from->x));
-  t.hold_against("y", e.y_cut, from->y + e.t * (to->y - from->y));
-  t.hold_against("z", e.z_cut, from->z + e.t * (to->z - from->z));
+  using formulas::part_of_way, formulas::Rounded;
+  t.hold_against("x", e.x_cut, part_of_way<Rounded>(from->x, to->x, e.t));
+  t.hold_against("y", e.y_cut, part_of_way<Rounded>(from->y, to->y, e.t));
+  t.hold_against("z", e.z_cut, part_of_way<Rounded>(from->z, to->z, e.t));
 }
 
 void tell(Telling& t, const PieceDraw& e) {
@@ -84,11 +84,7 @@ void tell(Telling& t, const PixelPaint& e) {
   t.say(fmt::format("Pixel ({}, {}) takes the colour of {}.{}", e.x, e.y, t.label(e.polygon), before));
   t.value(t.z, e.z);
   if (!t.machine.span) return t.formula(fmt::format("{} = {}", t.z, number(e.z)));
-  const SpanBegin& s = *t.machine.span;
-  if (s.x_right == s.x_left) return t.formula(fmt::format("x_L = x_R: {} = z_L = {}", t.z, number(e.z)));
-  t.formula(fmt::format("{} = z_L + (z_R \u2212 z_L)(x \u2212 x_L)/(x_R \u2212 x_L) = {} = {}", t.z,
-                        line_through(s.z_left, s.z_right, e.x, s.x_left, s.x_right), number(e.z)));
-  t.hold_against(t.z, e.z, on_line(s.z_left, s.z_right, e.x, s.x_left, s.x_right));
+  t.depth_on(*t.machine.span, e.x, e.z);
 }
 
 }  // namespace zstep::words

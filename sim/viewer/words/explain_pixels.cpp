@@ -22,12 +22,33 @@ std::optional<double> depth_before(const Telling& t, const DepthInterpolate& e) 
   return std::nullopt;
 }
 
+/// What the pseudo-code calls the buffer that this step compares with or writes to: "zbuffer", or "line" of a single scan line.
+std::string buffer_of(const Telling& t) {
+  const StepInfo* step = find_step(t.trace.header().page, t.trace.event(t.after.position).step);
+  return step && step->text.find("line[x]") != std::string::npos ? "line" : "zbuffer";
+}
+/// Its index: "x,y", or of a single scan line "x".
+std::string pixel_of(const Telling& t, const std::string& x, const std::string& y) { return buffer_of(t) == "line" ? x : x + "," + y; }
+
+/// The depth that one of the few steps before this one found for the pixel; nullopt where none did.
+template <class E>
+std::optional<double> depth_just_before(const Telling& t, std::int32_t x, std::int32_t y) {
+  for (std::int64_t p = t.after.position - 1; p >= 1 && p >= t.after.position - 3; --p) {
+    const Event& event = t.trace.event(p).event;
+    if (const auto* found = std::get_if<E>(&event)) return found->x == x && found->y == y ? std::optional(found->z) : std::nullopt;
+  }
+  return std::nullopt;
+}
+std::optional<double> interpolated_at(const Telling& t, std::int32_t x, std::int32_t y) { return depth_just_before<DepthInterpolate>(t, x, y); }
+std::optional<double> compared_at(const Telling& t, std::int32_t x, std::int32_t y) { return depth_just_before<DepthCompare>(t, x, y); }
+
 /// Glass that is nearer: what is mixed in, and does not take the pixel for itself. nullopt for what hides all behind it.
 std::optional<double> glass_here(const Telling& t) {
   const Page& page = t.trace.header().page;
   const bool mixes = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<ColorBlend>; });
-  const auto polygon = static_cast<std::size_t>(t.machine.polygon);
-  if (!mixes || t.machine.polygon < 0 || polygon >= t.scene.polygons.size()) return std::nullopt;
+  const std::int32_t at_work = polygon_at_work(t.machine);
+  const auto polygon = static_cast<std::size_t>(at_work);
+  if (!mixes || at_work < 0 || polygon >= t.scene.polygons.size()) return std::nullopt;
   const double opacity = t.scene.polygons[polygon].material->opacity;
   return opacity < 1 ? std::optional(opacity) : std::nullopt;
 }
@@ -40,20 +61,10 @@ void tell(Telling& t, const DepthInterpolate& e) {
   if (!t.machine.span) return;
   const SpanBegin& s = *t.machine.span;
   if (t.conventions.interpolation == Conventions::Interpolation::increments) {
-    if (const auto before = depth_before(t, e)) {
-      t.formula(fmt::format("{0} = {0} + dz/dx = {1} + {2} = {3}", t.z, number(*before), operand(s.dz_dx), number(e.z)));
-      t.hold_against(t.z, e.z, *before + s.dz_dx);
-      return;
-    }
+    if (const auto before = depth_before(t, e)) return t.gives(t.z, Shown(t.z, *before) + Shown("dz/dx", s.dz_dx), e.z);
     // The first pixel of a span has nothing to add to: its depth is computed directly.
   }
-  if (s.x_right == s.x_left) {
-    t.formula(fmt::format("x_L = x_R: {} = z_L = {}", t.z, number(e.z)));
-    return;
-  }
-  t.formula(fmt::format("{} = z_L + (z_R \u2212 z_L)(x \u2212 x_L)/(x_R \u2212 x_L) = {} = {}", t.z,
-                        line_through(s.z_left, s.z_right, e.x, s.x_left, s.x_right), number(e.z)));
-  t.hold_against(t.z, e.z, on_line(s.z_left, s.z_right, e.x, s.x_left, s.x_right));
+  t.depth_on(s, e.x, e.z);
 }
 
 void tell(Telling& t, const DepthCompare& e) {
@@ -78,26 +89,32 @@ void tell(Telling& t, const DepthCompare& e) {
     t.say(fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, who, pixel(e.x, e.y)));
   else
     t.say(fmt::format("{} > {}: {} is hidden behind {} at pixel {}, nothing is written.", z, before, t.here(), who, pixel(e.x, e.y)));
-  t.formula(fmt::format("{} < zbuffer[x,y]:  {} < {}  is {}", t.z, z, before, numbers_say ? "true" : "false"));
+  const std::string buffer = buffer_of(t) + "[" + pixel_of(t, "x", "y") + "]";
+  t.formula(fmt::format("{} < {}:  {} < {}  is {}", t.z, buffer, z, before, numbers_say ? "true" : "false"));
   t.value(t.z, e.z);
+  if (const auto interpolated = interpolated_at(t, e.x, e.y)) t.taken_over("compares", e.z, "interpolated", *interpolated);
   if (f) {
-    t.value("zbuffer[x,y]", stored);
+    t.value(buffer, stored);
     if (numbers_say != e.nearer)
-      t.out.doubt = fmt::format("The trace says {}, but {} < {} is {}.", e.nearer ? "nearer" : "not nearer", z, before,
-                                numbers_say ? "true" : "false");
+      t.doubt(fmt::format("The trace says {}, but {} < {} is {}.", e.nearer ? "nearer" : "not nearer", z, before, numbers_say ? "true" : "false"));
   }
 }
 
 void tell(Telling& t, const DepthWrite& e) {
   const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
+  const std::string where = buffer_of(t) == "line" ? fmt::format("line buffer at x = {}", e.x) : "depth buffer at " + pixel(e.x, e.y);
   if (f) {
     const auto [z, before] = tell_apart(e.z, f->stored);
-    t.say(fmt::format("The depth buffer at {} takes {}; it held {}.", pixel(e.x, e.y), z, before));
+    t.say(fmt::format("The {} takes {}; it held {}.", where, z, before));
   } else {
-    t.say(fmt::format("The depth buffer at {} takes {}.", pixel(e.x, e.y), number(e.z)));
+    t.say(fmt::format("The {} takes {}.", where, number(e.z)));
   }
-  t.formula(fmt::format("zbuffer[{},{}] = {}", e.x, e.y, number(e.z)));
+  t.formula(fmt::format("{}[{}] = {}", buffer_of(t), pixel_of(t, std::to_string(e.x), std::to_string(e.y)), number(e.z)));
   t.value(t.z, e.z);
+  if (const auto compared = compared_at(t, e.x, e.y); compared && !t.taken_over("writes", e.z, "compared", *compared)) {
+    const auto [written, held] = tell_apart(e.z, *compared);
+    t.say(fmt::format("The {} takes {}, though {} was compared.", where, written, held));
+  }
 }
 
 void tell(Telling& t, const ColorBlend& e) {
@@ -122,7 +139,7 @@ void tell(Telling& t, const ColorBlend& e) {
     return std::abs(e.opacity * top + (1 - e.opacity) * bottom - is) > 0.5 + 1e-9;
   };
   if (off(over.red, under.red, result.red) || off(over.green, under.green, result.green) || off(over.blue, under.blue, result.blue))
-    t.out.doubt = fmt::format("The trace records {}, which is not this mixture rounded to whole numbers.", text(result));
+    t.doubt(fmt::format("The trace records {}, which is not this mixture rounded to whole numbers.", text(result)));
 }
 
 void tell(Telling& t, const PixelWrite& e) {

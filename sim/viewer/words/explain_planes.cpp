@@ -8,6 +8,11 @@
 namespace zstep::words {
 namespace {
 
+Shown value_at(const PlaneEquation& plane, const glm::dvec3& p) {
+  return formulas::plane_value(Shown("A", plane.plane_a, factor(plane.plane_a)), Shown("B", plane.plane_b, factor(plane.plane_b)),
+                               Shown("C", plane.plane_c, factor(plane.plane_c)), Shown("D", plane.plane_d), Shown("x", p.x), Shown("y", p.y), Shown("z", p.z));
+}
+
 const char* where(Side side) {
   switch (side) {
     case Side::front: return "in front of";
@@ -26,12 +31,7 @@ void tell(Telling& t, const VertexSide& e) {
   const auto p = cutting_point(t.scene, t.after, e.vertex);
   if (!of || !of->plane || !p) return;
   const PlaneEquation& plane = *of->plane;
-  t.formula(fmt::format("A x + B y + C z + D = {}\u00b7{} + {}\u00b7{} + {}\u00b7{} + {} = {}", operand(plane.plane_a, factor(plane.plane_a)), operand(p->x),
-                        operand(plane.plane_b, factor(plane.plane_b)), operand(p->y), operand(plane.plane_c, factor(plane.plane_c)), operand(p->z), operand(plane.plane_d),
-                        number(e.value)));
-  const double computed = plane.plane_a * p->x + plane.plane_b * p->y + plane.plane_c * p->z + plane.plane_d;
-  const double size = std::abs(plane.plane_a * p->x) + std::abs(plane.plane_b * p->y) + std::abs(plane.plane_c * p->z) + std::abs(plane.plane_d);
-  if (std::abs(computed - e.value) > 1e-9 * size) t.hold_against("the value", e.value, computed);  // on the plane: rounding
+  t.gives("the value", value_at(plane, *p), e.value);
 }
 
 void tell(Telling& t, const Saved& e) {

@@ -98,8 +98,7 @@ void tell(Telling& t, const ClipCross& e) {
                     e.vertex_inside, e.vertex_outside, plane_name(e.plane), e.vertex));
   const auto in = distance_found(t, e.plane, e.vertex_inside), outside = distance_found(t, e.plane, e.vertex_outside);
   if (in && outside) {
-    t.formula(fmt::format("t = d_in/(d_in \u2212 d_out) = {}/({} \u2212 {}) = {}", number(*in), number(*in), operand(*outside), number(e.t)));
-    t.hold_against("t", e.t, *in / (*in - *outside));
+    t.gives("t", formulas::where_zero(Shown("d_in", *in), Shown("d_out", *outside)), e.t);
   } else {
     t.formula(fmt::format("t = d_in/(d_in \u2212 d_out) = {}", number(e.t)));
   }

@@ -94,9 +94,7 @@ void tell(Telling& t, const RayPlane& e) {
   }
   if (e.t < 0) t.say(fmt::format("The plane of {} lies behind the ray's start.", who));
   else t.say(fmt::format("The ray meets the plane of {} at t = {}.", who, number(e.t)));
-  t.formula(fmt::format("t = \u2212(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ) = {}/{} = {}", number(e.numerator),
-                        operand(e.denominator), number(e.t)));
-  t.hold_against("t", e.t, e.numerator / e.denominator);
+  t.gives("t", Shown("\u2212(A X_0 + B Y_0 + C Z_0 + D)", e.numerator) / Shown("(A dX + B dY + C dZ)", e.denominator), e.t);
   t.value("numerator", e.numerator);
   t.value("denominator", e.denominator);
   t.value("t", e.t);
@@ -104,28 +102,49 @@ void tell(Telling& t, const RayPlane& e) {
 
 namespace {
 
-/// Is the t of a hit that is kept the same?
-bool as_near(const Telling& t, const RayHit& e) {
-  for (const RayHit& hit : t.machine.rays.hits)
-    if (hit.nearest && hit.t == e.t) return true;
-  return false;
+/// What the ray kept before this hit: the last of its hits that was the nearest then.
+const RayHit* kept_before(const Telling& t) {
+  const std::vector<RayHit>& hits = t.machine.rays.hits;
+  for (std::size_t k = hits.size() - (hits.empty() ? 0 : 1); k-- > 0;)
+    if (hits[k].nearest) return &hits[k];
+  return nullptr;
+}
+
+/// Why a hit inside its facet is kept, or not: by the numbers, and against them where the trace says otherwise.
+std::string why_kept(Telling& t, const RayHit& e, const std::string& who) {
+  const RayHit* kept = kept_before(t);
+  const std::string inside = fmt::format("The point lies inside {}", who);
+  if (kept == nullptr) return e.nearest ? inside + ", the first that the ray meets: it is kept." : inside + ", and it is not kept.";
+  const auto [here, before] = tell_apart(e.t, kept->t);
+  const std::string other = facet_name(t, kept->facet);
+  if (e.t == kept->t) {
+    if (e.nearest != (e.facet < kept->facet))
+      return inside + (e.nearest ? fmt::format(", just as near as {}: a tie, and it takes its place.", other) : fmt::format(", just as near as {}: a tie, and {} stays.", other, other));
+    return inside + fmt::format(", just as near as {}: a tie, and {}, the first of the two in the file, {}.", other, e.nearest ? who : other, e.nearest ? "is kept" : "stays");
+  }
+  if (e.nearest != (e.t < kept->t)) {
+    const std::string contradiction = fmt::format("{} < {} is {}", here, before, e.t < kept->t ? "true" : "false");
+    t.doubt(fmt::format("The trace says {}, but {}.", e.nearest ? "nearest" : "not nearest", contradiction));
+    return inside + fmt::format(". The trace {} although {} is {}: {}.", e.nearest ? "keeps it," : "does not keep it,", other, e.t < kept->t ? "farther" : "nearer", contradiction);
+  }
+  t.formula(fmt::format("t < t kept:  {} < {}  is {}", here, before, e.t < kept->t ? "true" : "false"));
+  return inside + (e.nearest ? fmt::format(", nearer than {}, which was kept so far: it is kept.", other) : fmt::format(", but {} is nearer: it is not kept.", other));
 }
 
 }  // namespace
 
 void tell(Telling& t, const RayHit& e) {
   const std::string who = facet_name(t, e.facet);
-  if (!e.inside) t.say(fmt::format("The point lies outside {}.", who));
-  else if (e.nearest) t.say(fmt::format("The point lies inside {}, nearer than all before: it is kept.", who));
-  else t.say(as_near(t, e) ? fmt::format("The point lies inside {}, but something just as near was met first: a tie, and the first stays.", who)
-                           : fmt::format("The point lies inside {}, but something nearer is known.", who));
+  t.say(e.inside ? why_kept(t, e, who) : fmt::format("The point lies outside {}.", who));
   t.formula(fmt::format("X = X_0 + t dX = {}", point(e.x_hit, e.y_hit, e.z_hit)));
   t.value("t", e.t);
   const RayRow* row = ray_now(t);
   if (!row) return;
-  t.hold_against("x_hit", e.x_hit, row->entry.x_0 + e.t * row->entry.dir_x);
-  t.hold_against("y_hit", e.y_hit, row->entry.y_0 + e.t * row->entry.dir_y);
-  t.hold_against("z_hit", e.z_hit, row->entry.z_0 + e.t * row->entry.dir_z);
+  const RayBegin& ray = row->entry;
+  const formulas::Rounded along = e.t;
+  t.hold_against("x_hit", e.x_hit, ray.x_0 + along * ray.dir_x);
+  t.hold_against("y_hit", e.y_hit, ray.y_0 + along * ray.dir_y);
+  t.hold_against("z_hit", e.z_hit, ray.z_0 + along * ray.dir_z);
 }
 
 void tell(Telling& t, const RayEnd& e) {

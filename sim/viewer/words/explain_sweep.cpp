@@ -20,9 +20,9 @@ void depth_formula(Telling& t, std::int32_t piece, double x, double y, double z)
   const Piece* row = t.piece_at(piece);
   if (!row || !row->plane) return;
   const PlaneEquation& p = *row->plane;
-  t.formula(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", t.z, t.piece(piece), factor(p.plane_a),
-                        operand(x), operand(p.plane_b, factor(p.plane_b)), operand(y), operand(p.plane_d), operand(p.plane_c, factor(p.plane_c)), number(z)));
-  t.hold_against(t.z, z, -(p.plane_a * x + p.plane_b * y + p.plane_d) / p.plane_c);
+  t.gives(fmt::format("{} of {}", t.z, t.piece(piece)),
+          formulas::plane_depth(Shown("A", p.plane_a, factor(p.plane_a)), Shown("B", p.plane_b, factor(p.plane_b)), Shown("C", p.plane_c, factor(p.plane_c)),
+                                Shown("D", p.plane_d), Shown("x", x), Shown("y", y)), z);
 }
 
 }  // namespace

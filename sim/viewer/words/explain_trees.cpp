@@ -49,12 +49,10 @@ void tell(Telling& t, const EyeSide& e) {
   const bool direction = t.scene.camera.kind != Camera::Kind::perspective;
   const glm::dvec3 eye = t.scene.camera.kind == Camera::Kind::screen ? glm::dvec3(0, 0, -1) : t.scene.camera.eye;
   const double w = direction ? 0 : 1;
-  t.formula(fmt::format("A x + B y + C z + D w = {}\u00b7{} + {}\u00b7{} + {}\u00b7{} + {}\u00b7{} = {} {} 0", operand(plane->plane_a), operand(eye.x),
-                        operand(plane->plane_b), operand(eye.y), operand(plane->plane_c), operand(eye.z), operand(plane->plane_d),
-                        number(w), number(e.value), e.value > 0 ? ">" : e.value < 0 ? "<" : "="));
+  const Shown D("D", plane->plane_d), W("w", w);
+  t.gives("the value", formulas::plane_value(Shown("A", plane->plane_a), Shown("B", plane->plane_b), Shown("C", plane->plane_c), D * W,
+                                             Shown("x", eye.x), Shown("y", eye.y), Shown("z", eye.z)), e.value);
   if (direction) t.formula("w = 0: the eye is infinitely far away, in the direction (x, y, z)");
-  t.hold_against("the value", e.value,
-                 plane->plane_a * eye.x + plane->plane_b * eye.y + plane->plane_c * eye.z + plane->plane_d * w);
 }
 
 void tell(Telling& t, const NodeSkip& e) {

@@ -1,5 +1,6 @@
 // Clearing the buffers; a vertex on its way through viewing, projection and viewport (000, "Viewing"; 003 for z*).
 #include "sim/viewer/words/explain_parts.hpp"
+#include "traces/formulas/viewing.hpp"
 
 namespace zstep::words {
 namespace {
@@ -15,15 +16,15 @@ const VertexStages* way(const Telling& t, std::int32_t vertex) {
 }
 
 /// One row of T_v times a point: sum of products, products with 0 left out.
-std::string row_times_point(const glm::dmat4& m, int row, const glm::dvec3& p) {
-  std::string text;
+Shown row_times_point(const glm::dmat4& m, int row, const glm::dvec3& p) {
+  std::optional<Shown> sum;
   for (int column = 0; column < 4; ++column) {
     const double factor = m[column][row];
     if (std::abs(factor) < 1e-12) continue;
-    if (!text.empty()) text += " + ";
-    text += column < 3 ? fmt::format("{}\u00b7{}", operand(factor), operand(p[column])) : operand(factor);
+    const Shown product = column < 3 ? Shown(factor) * Shown(p[column]) : Shown(factor);
+    sum = sum ? *sum + product : product;
   }
-  return text.empty() ? "0" : text;
+  return sum.value_or(Shown(0.0));
 }
 
 void tell_depth(Telling& t, const Projection& e, const glm::dvec3& v) {
@@ -33,21 +34,12 @@ void tell_depth(Telling& t, const Projection& e, const glm::dvec3& v) {
     t.hold_against("z_v", e.z, v.z);
     return;
   }
-  const double f = c.near, F = c.far;
-  if (!(f < F)) return t.formula(fmt::format("z* = {}", number(e.z)));
-  if (c.kind == Camera::Kind::orthographic) {
-    const double z = (2 * v.z - (F + f)) / (F - f);
-    t.formula(fmt::format("z* = (2 z_v \u2212 (F + f))/(F \u2212 f) = (2\u00b7{} \u2212 {})/{} = {}", operand(v.z), number(F + f),
-                          number(F - f), number(e.z)));
-    t.hold_against("z*", e.z, z);
-    return;
-  }
-  const double a = -(f + F) / (f * (f - F)), b = 2 * F / (f - F);
-  t.formula(fmt::format("z* = f(a z_v + b)/z_v = {}({}\u00b7{} + {})/{} = {}", number(f), number(a), operand(v.z), operand(b),
-                        number(v.z), number(e.z)));
-  t.formula(fmt::format("a = \u2212(f + F)/(f(f \u2212 F)) = {}, b = 2F/(f \u2212 F) = {}; near f = {}, far F = {}", number(a),
-                        number(b), number(f), number(F)));
-  t.hold_against("z*", e.z, f * (a * v.z + b) / v.z);
+  if (!(c.near < c.far)) return t.formula(fmt::format("z* = {}", number(e.z)));
+  const Shown f("f", c.near), F("F", c.far), z_v("z_v", v.z);
+  if (c.kind == Camera::Kind::orthographic) return t.gives("z*", formulas::parallel_pseudodepth(f, F, z_v), e.z);
+  const Shown a = formulas::pseudodepth_a(f, F), b = formulas::pseudodepth_b(f, F);
+  t.gives("z*", formulas::pseudodepth(f, Shown("a", a.value()), Shown("b", b.value()), z_v), e.z);
+  t.formula(fmt::format("a = {} = {}, b = {} = {}; near f = {}, far F = {}", a.symbols(), number(a.value()), b.symbols(), number(b.value()), f.numbers(), F.numbers()));
 }
 
 }  // namespace
@@ -71,8 +63,7 @@ void tell(Telling& t, const ViewTransform& e) {
   for (int row = 0; row < 3; ++row) {
     const glm::dmat4& m = t.camera.view;
     if (p) {
-      t.formula(fmt::format("{} = {} = {}", names[row], row_times_point(m, row, *p), number(out[row])));
-      t.hold_against(names[row], out[row], m[0][row] * p->x + m[1][row] * p->y + m[2][row] * p->z + m[3][row]);
+      t.gives(names[row], row_times_point(m, row, *p), out[row]);
     } else {
       t.formula(fmt::format("{} = {}", names[row], number(out[row])));
     }
@@ -88,10 +79,9 @@ void tell(Telling& t, const Projection& e) {
                     : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its distance.", e.vertex));
   if (w && perspective) {
     const glm::dvec3& v = w->view;
-    t.formula(fmt::format("x_p = d\u00b7x_v/z_v = {}\u00b7{}/{} = {}", number(c.d), operand(v.x), operand(v.z), number(e.x_p)));
-    t.formula(fmt::format("y_p = d\u00b7y_v/z_v = {}\u00b7{}/{} = {}", number(c.d), operand(v.y), operand(v.z), number(e.y_p)));
-    t.hold_against("x_p", e.x_p, c.d * v.x / v.z);
-    t.hold_against("y_p", e.y_p, c.d * v.y / v.z);
+    const Shown d("d", c.d), z_v("z_v", v.z);
+    t.gives("x_p", formulas::projected(d, Shown("x_v", v.x), z_v), e.x_p);
+    t.gives("y_p", formulas::projected(d, Shown("y_v", v.y), z_v), e.y_p);
   } else {
     t.formula(fmt::format("x_p = x_v = {}, y_p = y_v = {}", number(e.x_p), number(e.y_p)));
   }
@@ -108,14 +98,9 @@ void tell(Telling& t, const ViewportTransform& e) {
                     number(e.x_s), number(e.y_s)));
   const VertexStages* w = way(t, e.vertex);
   if (w && c.window > 0 && r.height > 0) {
-    const double aspect = static_cast<double>(r.width) / r.height, half = c.window * aspect;
-    const double x = (w->plane.x / half + 1) * r.width / 2 - 0.5, y = (1 - w->plane.y / c.window) * r.height / 2 - 0.5;
-    t.formula(fmt::format("x_s = (x_p/w_x + 1)\u00b7W/2 \u2212 1/2 = ({}/{} + 1)\u00b7{}/2 \u2212 1/2 = {}", number(w->plane.x),
-                          number(half), r.width, number(e.x_s)));
-    t.formula(fmt::format("y_s = (1 \u2212 y_p/w_y)\u00b7H/2 \u2212 1/2 = (1 \u2212 {}/{})\u00b7{}/2 \u2212 1/2 = {}", operand(w->plane.y),
-                          number(c.window), r.height, number(e.y_s)));
-    t.hold_against("x_s", e.x_s, x);
-    t.hold_against("y_s", e.y_s, y);
+    const double half = c.window * r.width / r.height;
+    t.gives("x_s", formulas::screen_x(Shown("x_p", w->plane.x), Shown("w_x", half), Shown("W", r.width)), e.x_s);
+    t.gives("y_s", formulas::screen_y(Shown("y_p", w->plane.y), Shown("w_y", c.window), Shown("H", r.height)), e.y_s);
   }
   t.value("x_s", e.x_s);
   t.value("y_s", e.y_s);

@@ -52,7 +52,7 @@ std::string cell_number(double value, int decimals) {
 std::string number(double value, int at_most_decimals, bool shorten) {
   if (!shorten) return number(value, at_most_decimals);
   if (!std::isfinite(value)) return not_finite(value);
-  std::string text = needs_exponent(value) ? fmt::format("{:.2e}", value) : fmt::format("{:.{}f}", value, at_most_decimals);
+  std::string text = needs_exponent(value) ? fmt::format("{:.{}e}", value, std::max(2, at_most_decimals - 2)) : fmt::format("{:.{}f}", value, at_most_decimals);
   if (text.find('e') == std::string::npos && text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();

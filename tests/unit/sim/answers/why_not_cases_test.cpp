@@ -119,7 +119,7 @@ TEST_SUITE("why not") {
     CHECK(verdict.kind == Why::not_covered);
     CHECK(contains(verdict.sentence, "so near its outline that rounding decides"));
     CHECK_FALSE(contains(verdict.sentence, "half-open"));
-    CHECK(contains(why_not(test::recorded_by("z-buffer", scene), 0, {4, 3}).sentence, "half-open rule gives it to the neighbour"));
+    CHECK(contains(why_not(test::recorded_by("z-buffer", scene), 0, {4, 3}).sentence, "lies on a right or last edge of it, and by the half-open rule such a centre is outside"));
   }
 
   TEST_CASE("a pixel that a recording did not reach is not lost to the background") {

@@ -1,0 +1,45 @@
+// A number that remembers how it was made, in symbols and in numbers: what the formulas of traces/formulas are evaluated with where a
+// person reads them. So what is printed, what it gives and how far rounding may be in it cannot part.
+#pragma once
+
+#include <string>
+
+#include "traces/formulas/rounding.hpp"
+
+namespace zstep::words {
+
+class Shown {
+ public:
+  /// A number under a name: x_0. `text` where it is not to be written as number() does.
+  Shown(std::string symbol, double value);
+  Shown(std::string symbol, double value, std::string text);
+  /// A number that has no name: 1, 255.
+  explicit Shown(double plain);
+
+  double value() const { return rounded_.value; }
+  const formulas::Rounded& rounded() const { return rounded_; }
+  const std::string& symbols() const { return symbols_; }  ///< "p_0 + (p_1 − p_0)(t − t_0)/(t_1 − t_0)"
+  const std::string& numbers() const { return numbers_; }  ///< the same with numbers, where they differ with the digits that tell them apart
+  /// "symbols = numbers"; the numbers alone where nothing has a name, or nothing is computed.
+  std::string equation() const;
+
+  friend Shown operator+(const Shown& a, const Shown& b) { return joined(a, b, Binding::sum, " + ", a.rounded_ + b.rounded_); }
+  friend Shown operator-(const Shown& a, const Shown& b);
+  friend Shown operator*(const Shown& a, const Shown& b) { return joined(a, b, Binding::product, "\u00b7", a.rounded_ * b.rounded_); }
+  friend Shown operator/(const Shown& a, const Shown& b) { return joined(a, b, Binding::product, "/", a.rounded_ / b.rounded_); }
+  friend Shown operator-(const Shown& a);
+  friend Shown floor(const Shown& a) { return bracketed(a, "\u230a", "\u230b", floor(a.rounded_)); }
+  friend Shown ceil(const Shown& a) { return bracketed(a, "\u2308", "\u2309", ceil(a.rounded_)); }
+
+ private:
+  enum class Binding { sum, product, single };
+  static Shown joined(const Shown& a, const Shown& b, Binding how, const char* sign, formulas::Rounded result);
+  static Shown bracketed(const Shown& a, const char* open, const char* close, formulas::Rounded result);
+
+  formulas::Rounded rounded_;
+  std::string symbols_, numbers_;
+  Binding binding_ = Binding::single;
+  bool leaf_ = true;
+};
+
+}  // namespace zstep::words

@@ -1,0 +1,58 @@
+// When a recorded number is what its formula gives: the one tolerance of all commands and of the viewer.
+//
+// Of a number that a program has recorded, some last digits are rounding: it may write fewer digits than it computes with, multiply
+// before it divides, or go on with what it did not record. So each operand counts as known to so many digits, and a result as known to
+// what these leave of it: a difference of two numbers that are nearly equal has few digits left, and is held to no more of them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "traces/file/header.hpp"
+
+namespace zstep::formulas {
+
+/// By what share of itself a number may be off. Of the 15.9 digits of float64 nine are asked for, as many as "%.10g" keeps, and of the 7.2 of
+/// float32 six.
+inline constexpr double rounding_of_float64 = 1e-9, rounding_of_float32 = 1e-6;
+/// For the numbers of a trace.
+inline double rounding_of(const Header& header) {
+  return header.number_format == NumberFormat::float32 ? rounding_of_float32 : rounding_of_float64;
+}
+
+/// A number, and how far what it was made of lets it be off, as a multiple of the rounding.
+struct Rounded {
+  double value = 0, spread = 0;
+
+  Rounded() = default;
+  Rounded(double known) : value(known), spread(std::abs(known)) {}  // NOLINT: an operand as it stands
+  Rounded(double known, double off) : value(known), spread(off) {}
+};
+
+inline Rounded operator+(Rounded a, Rounded b) { return {a.value + b.value, a.spread + b.spread}; }
+inline Rounded operator-(Rounded a, Rounded b) { return {a.value - b.value, a.spread + b.spread}; }
+inline Rounded operator-(Rounded a) { return {-a.value, a.spread}; }
+inline Rounded operator*(Rounded a, Rounded b) { return {a.value * b.value, a.spread * std::abs(b.value) + b.spread * std::abs(a.value)}; }
+inline Rounded operator/(Rounded a, Rounded b) {
+  const double value = a.value / b.value;
+  return {value, (a.spread + b.spread * std::abs(value)) / std::abs(b.value)};
+}
+inline Rounded sqrt(Rounded a) {
+  const double root = std::sqrt(a.value);
+  return {root, root > 0 ? a.spread / (2 * root) : 0};
+}
+inline Rounded abs(Rounded a) { return {std::abs(a.value), a.spread}; }
+/// Whole numbers: which of two it is hangs on the number as it was recorded.
+inline Rounded floor(Rounded a) { return {std::floor(a.value), 0}; }
+inline Rounded ceil(Rounded a) { return {std::ceil(a.value), 0}; }
+inline Rounded round(Rounded a) { return {std::round(a.value), 0}; }
+
+/// Is this what the formula gives, but for rounding?
+inline bool gives(const Rounded& formula, double recorded, double rounding) {
+  if (recorded == formula.value || (std::isnan(recorded) && std::isnan(formula.value))) return true;
+  if (!std::isfinite(recorded) || !std::isfinite(formula.value)) return false;
+  const double scale = std::max({formula.spread, std::abs(formula.value), std::abs(recorded)});
+  return std::abs(recorded - formula.value) <= rounding * scale;
+}
+
+}  // namespace zstep::formulas

@@ -1,0 +1,41 @@
+// From viewing coordinates to the raster (000, "Viewing"; 003 for pseudodepth). Templates for the reason in lines.hpp.
+#pragma once
+
+namespace zstep::formulas {
+
+/// x or y on the projection plane, at distance d from the eye.
+template <class T>
+T projected(const T& d, const T& xy_v, const T& z_v) {
+  return d * xy_v / z_v;
+}
+
+/// z* in perspective: near goes to -1, far to +1. a and b are the next two.
+template <class T>
+T pseudodepth(const T& near, const T& a, const T& b, const T& z_v) {
+  return near * (a * z_v + b) / z_v;
+}
+template <class T>
+T pseudodepth_a(const T& near, const T& far) {
+  return -(near + far) / (near * (near - far));
+}
+template <class T>
+T pseudodepth_b(const T& near, const T& far) {
+  return T(2) * far / (near - far);
+}
+/// z* in parallel projection.
+template <class T>
+T parallel_pseudodepth(const T& near, const T& far, const T& z_v) {
+  return T(2) * (z_v - near) / (far - near) - T(1);
+}
+
+/// The window of half width w_x and half height w_y becomes the raster; pixel centres are at whole numbers.
+template <class T>
+T screen_x(const T& x_p, const T& w_x, const T& width) {
+  return (x_p + w_x) / (T(2) * w_x) * width - T(0.5);
+}
+template <class T>
+T screen_y(const T& y_p, const T& w_y, const T& height) {
+  return (w_y - y_p) / (T(2) * w_y) * height - T(0.5);
+}
+
+}  // namespace zstep::formulas
