@@ -13,9 +13,12 @@
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "sim/viewer/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace.hpp"
+#include "traces/replay/replay.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -81,6 +84,30 @@ class Filter {
   Ids shown_ = all();
 };
 
+/// What the words doubt of a step. For a replay of each step this takes some twenty times as long as printing it, so of many steps it is
+/// left out and said so.
+class Doubts {
+ public:
+  static constexpr std::int64_t most = 20'000;
+  explicit Doubts(const Trace& trace) : trace_(trace), replay_(trace) {}
+
+  std::string of(std::int64_t step) {
+    if (!possible_) return "";
+    try {
+      replay_.go_to(step);
+    } catch (const InputError&) {
+      possible_ = false;  // from here on the trace tells what cannot be
+      return "";
+    }
+    return explain(trace_, replay_.state(), *replay_.current()).doubt.value_or("");
+  }
+
+ private:
+  const Trace& trace_;
+  Replay replay_;
+  bool possible_ = true;
+};
+
 int dump(const DumpOptions& options) {
   const Trace trace = open_trace(options.trace);
   const Page& page = trace.header().page;
@@ -96,8 +123,13 @@ int dump(const DumpOptions& options) {
     std::size_t widest = 0;
     for (const StepInfo& step : page)
       if (filter.shows(step.id)) widest = std::max(widest, step.name.size());
+    const bool few = std::min(to, trace.size()) - from < Doubts::most;
+    if (!few && !options.jsonl)
+      fmt::print(stderr, "note: more than {} steps: they are not held against their formulas; --from and --to pick some\n", grouped(Doubts::most));
+    std::optional<Doubts> doubts;
+    if (few && !options.jsonl) doubts.emplace(trace);
     const std::size_t digits = fmt::format("{}", std::min(to, trace.size())).size();
-    trace.each(from - 1, to, [&](std::int64_t position, const RecordedEvent& recorded) {
+    const auto print = [&](std::int64_t position, const RecordedEvent& recorded) {
       if (!filter.shows(recorded.step)) return true;
       if (options.jsonl) {
         std::cout << jsonl_event(page, recorded) << '\n';
@@ -105,9 +137,21 @@ int dump(const DumpOptions& options) {
         const StepInfo* info = find_step(page, recorded.step);
         const std::string fields = std::visit([](const auto& event) { return fields_text(event); }, recorded.event);
         std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest, fields);
+        if (const std::string doubt = doubts ? doubts->of(position) : ""; !doubt.empty()) std::cout << fmt::format("{:>{}}  {}\n", "", digits, doubt);
       }
       return static_cast<bool>(std::cout);
-    });
+    };
+    if (doubts) {  // it asks the trace for other steps, which may not happen while the trace goes through them
+      std::vector<RecordedEvent> events;
+      trace.each(from - 1, to, [&](std::int64_t, const RecordedEvent& recorded) {
+        events.push_back(recorded);
+        return true;
+      });
+      for (std::size_t k = 0; k < events.size(); ++k)
+        if (!print(from + static_cast<std::int64_t>(k), events[k])) break;
+    } else {
+      trace.each(from - 1, to, print);
+    }
   }
   std::cout.flush();
   if (!std::cout) stdout_failed();
@@ -126,6 +170,7 @@ void add_dump(CLI::App& app, Action& action) {
   command->add_option("--step", options->steps, "Only this line of the pseudo-code, as compare; may be given more than once")->type_name("NAME")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--jsonl", options->jsonl, "As JSON Lines; the whole trace so can be read back by zstep import");
   command->footer(
+      "Where a step's numbers are not what its formula gives, the line below says so (of at most 20 000 steps).\n"
       "With --jsonl and without a filter the first line is the trace's header; with a filter there are only events.\n"
       "\n"
       "Examples:\n"
