@@ -74,6 +74,26 @@ TEST_CASE("replay: every step of a small run is the same forwards and backwards"
   }
 }
 
+TEST_CASE("replay: a seek from any key frame to just behind it, with many groups of frames between") {
+  Picture picture;
+  Conventions conventions;
+  conventions.cull = false;
+  const Trace trace = recorded(soup(60, 48, 3), conventions, picture);
+  REQUIRE(trace.size() > 40 * 100);  // a frame every 100 steps, sixteen to a group
+  Replay tuned(trace, {40, 8, 24, 100}), plain(trace);
+  tuned.go_to(trace.size());  // leaves the frames
+  for (std::int64_t frame = 100; frame < trace.size(); frame += 100) {
+    for (const std::int64_t position : {frame - 1, frame, frame + 1, frame + 60}) {
+      if (position > trace.size()) break;
+      CAPTURE(position);
+      tuned.go_to(position < trace.size() / 2 ? trace.size() : 0);  // far off, so that it is sought and not stepped to
+      tuned.go_to(position);
+      plain.go_to(position);
+      REQUIRE(tuned.state() == plain.state());
+    }
+  }
+}
+
 TEST_CASE("replay: a long way that is ended ends at a whole state, from which one can go on") {
   Picture picture;
   const Trace trace = recorded(soup(1500, 96, 2), {}, picture);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -166,6 +167,40 @@ TEST_SUITE("laws/agreement/judge") {
     const Verdict verdict = hold_against_truth(truth, subject.scene, conventions, picture);
     CHECK(verdict.wrong_depths == 1);
     CHECK_FALSE(verdict.holds());
+  }
+
+  TEST_CASE("an edge explains what lies just inside the tolerance, not what lies just outside") {
+    for (const double distance : {-1.49 / 256, 1.49 / 256, -1.51 / 256, 1.51 / 256}) {
+      CAPTURE(distance * 256);
+      const double left = 1 + distance;  // beside the centre of column 1
+      const Scene scene = screen_scene(8, 6, {{{left, 1, 2}, {5, 1, 2}, {5, 4, 2}, {left, 4, 2}}});
+      const Truth truth(scene, false);
+      const bool inside = std::abs(distance) < 1.5 / 256, covers = distance < 0;
+      CHECK(truth.at(1, 2).empty() == (!inside && !covers));
+      CHECK((explain(truth, 1, 2, 0).reason == Reason::edge) == inside);
+      CHECK((explain(truth, 1, 2, 0).reason == Reason::wrong) == (!inside && !covers));
+      CHECK((explain(truth, 1, 2, no_polygon).reason == Reason::edge) == inside);
+      CHECK((explain(truth, 1, 2, no_polygon).reason == Reason::wrong) == (!inside && covers));
+    }
+  }
+
+  TEST_CASE("a depth may be off by a billionth of it, or as a billionth of a pixel makes it, and by no more") {
+    const auto wrong_depths = [](const Scene& scene, double depth) {
+      Picture picture = z_buffered(scene, {});
+      REQUIRE(hold_against_truth(Truth(scene, false), scene, {}, picture).holds());
+      picture.depth[picture.at(3, 2)] = depth;
+      return hold_against_truth(Truth(scene, false), scene, {}, picture).wrong_depths;
+    };
+    // Level at z = 2: a shift of the line of sight makes nothing of it.
+    const Scene level = screen_scene(8, 6, {{{1, 1, 2}, {5, 1, 2}, {5, 4, 2}, {1, 4, 2}}});
+    // Steep, 0 at column 3: there a share of the depth is nothing, and a billionth of a pixel is 1/1000.
+    const Scene steep = screen_scene(8, 6, {{{1, 1, -2e6}, {5, 1, 2e6}, {5, 4, 2e6}, {1, 4, -2e6}}});
+    for (const double sign : {-1.0, 1.0}) {
+      CHECK(wrong_depths(level, 2 * (1 + sign * 0.99e-9)) == 0);
+      CHECK(wrong_depths(level, 2 * (1 + sign * 1.01e-9)) == 1);
+      CHECK(wrong_depths(steep, sign * 0.99e-3) == 0);
+      CHECK(wrong_depths(steep, sign * 1.01e-3) == 1);
+    }
   }
 
   TEST_CASE("the second of two equal polygons is a tie, and not a tie a little behind") {

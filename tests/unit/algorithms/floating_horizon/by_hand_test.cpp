@@ -101,6 +101,27 @@ TEST_SUITE("floating horizon by hand") {
     for (const HorizonMove& move : one.record.all<HorizonMove>()) CHECK(move.upper);
   }
 
+  TEST_CASE("a curve on a horizon is visible, and moves it nowhere") {
+    const auto moves_of = [](const HorizonRun& run, std::int32_t curve) {
+      std::size_t moves = 0;
+      std::int32_t at = -1;
+      for (const CollectedEvent& collected : run.record.events) {
+        if (const auto* begin = std::get_if<CurveBegin>(&collected.event)) at = begin->curve;
+        moves += std::holds_alternative<HorizonMove>(collected.event) && at == curve;
+      }
+      return moves;
+    };
+    // The second curve makes row 6 the lower horizon, the third runs along it, the fourth along the upper one.
+    const HorizonRun run = run_horizon(
+        surface_of({{0, 2, {3, 3, 3}}, {0, 2, {6, 6, 6}}, {0, 2, {6, 6, 6}}, {0, 2, {3, 3, 3}}}), {{"sides", "off"}});
+    CHECK(verdicts(run.record, 1) == "bbbbb");
+    CHECK(moves_of(run, 1) == 5);
+    CHECK(verdicts(run.record, 2) == "bbbbb");
+    CHECK(moves_of(run, 2) == 0);
+    CHECK(verdicts(run.record, 3) == "aaaaa");
+    CHECK(moves_of(run, 3) == 0);
+  }
+
   TEST_CASE("through both horizons between two columns: two crossings") {
     // On column 1 between 3.5 (above the band from 4 to 5) and on column 2 at 6: out above at y = 4, in below at y = 5.
     const HorizonRun run =

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "algorithms/floating_horizon/order.hpp"
 #include "algorithms/viewing/vertices.hpp"
@@ -188,6 +190,12 @@ TEST_SUITE("floating horizon, degenerate") {
       CHECK(write.y == row);
     }
     CHECK(row >= 0);
+    // All curves lie on both horizons that the first one made.
+    for (const HorizonTest& test : level.record.all<HorizonTest>()) CHECK(test.verdict == Horizon::above);
+    std::map<std::pair<std::int32_t, bool>, int> moves;
+    for (const HorizonMove& move : level.record.all<HorizonMove>())
+      moves[{move.x, move.upper}] += std::isfinite(move.y_curve);
+    for (const auto& [horizon, count] : moves) CHECK(count <= 1);
   }
 
   TEST_CASE("one row is one curve, one column and one sample are none") {

@@ -77,6 +77,11 @@ const std::vector<Case>& cases() {
       {"polygon != 1", [](const Event&, std::int64_t, std::int32_t p) { return p >= 0 && p != 1; }},
       {"not (polygon == 1)", [](const Event&, std::int64_t, std::int32_t p) { return p >= 0 && p != 1; }},
       {"polygon != -1", [](const Event&, std::int64_t, std::int32_t p) { return p != -1; }},
+      // Each bound is a step that is there itself.
+      {"step <= 50", [](const Event&, std::int64_t s, std::int32_t) { return s <= 50; }},
+      {"50 > step", [](const Event&, std::int64_t s, std::int32_t) { return s < 50; }},
+      {"step >= 60 and step <= 63.5", [](const Event&, std::int64_t s, std::int32_t) { return s >= 60 && s <= 63; }},
+      {"59 < step and 64 > step", [](const Event&, std::int64_t s, std::int32_t) { return s > 59 && s < 64; }},
       {"step == 77", [](const Event&, std::int64_t s, std::int32_t) { return s == 77; }},
       {"step * 2 >= 300 and step < 170", [](const Event&, std::int64_t s, std::int32_t) { return s >= 150 && s < 170; }},
   };
@@ -153,6 +158,9 @@ TEST_SUITE("places") {
     CHECK_FALSE(bounds("not (x == 12 and y == 7)").pixel);
     CHECK(bounds("step >= 10 and 20 > step").first == 10);
     CHECK(bounds("step >= 10 and 20 > step").last == 19);
+    CHECK(bounds("step > 10 and step <= 20").first == 11);
+    CHECK(bounds("step > 10 and step <= 20").last == 20);
+    CHECK(bounds("20.5 >= step").last == 20);
     // Elsewhere an event's polygon need not be the one at work.
     CHECK_FALSE(Condition(open_jsonl(test::in_checkout("tests/golden/scan-line.jsonl")), "polygon == 1").bounds().polygon);
   }

@@ -170,6 +170,12 @@ TEST_SUITE("query") {
                    "+step > " + low + " and +step < " + high + ".5 and +y = " + y);
       rows += same("depth_compare", "polygon = " + polygon + " and x = " + x, "+polygon = " + polygon + " and +x = " + x);
       rows += same("pixel_write", "polygon = " + polygon + " and step >= " + low, "+polygon = " + polygon + " and +step >= " + low);
+      // Each bound is the step of a row: x, and the same where no index is used, hold it or not alike.
+      const std::string row = std::to_string(random() % 60'000 * 3 + 2);
+      for (const char* sign : {" <= ", " < ", " >= ", " > ", " = "}) {
+        for (const std::string& bound : {row, row + ".0", row + ".5"})
+          rows += same("depth_write", "step" + (sign + bound), "+step" + (sign + bound));
+      }
       rows += same("scan_line_begin", "rowid = " + low, "+step = " + low);
     }
     CHECK(rows > 40'000);
