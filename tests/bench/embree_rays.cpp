@@ -41,8 +41,6 @@ EmbreeRays::~EmbreeRays() {
 
 void EmbreeRays::cast(Picture& picture) const {
   const ray_casting::EyeRays rays(scene_, Conventions::Depth::pseudodepth);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   for (std::int32_t y = 0; y < picture.height; ++y) {
     for (std::int32_t x = 0; x < picture.width; ++x) {
       const ray_casting::Ray ray = rays.through(x, y);
@@ -53,7 +51,7 @@ void EmbreeRays::cast(Picture& picture) const {
       query.ray.tnear = static_cast<float>(ray.t_least), query.ray.tfar = static_cast<float>(ray.t_most);
       query.ray.time = 0, query.ray.mask = ~0u, query.ray.flags = 0;
       query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(embree_, &context, &query);
+      test::intersect(embree_, query);
       if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
       const std::size_t pixel = picture.at(x, y);
       picture.polygon[pixel] = polygons_[query.hit.primID];

@@ -1,11 +1,10 @@
 // A scene in Embree, ready to be asked ray by ray.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <string>
 #include <vector>
 
+#include "tests/embree/intersect.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::bench {

@@ -116,6 +116,6 @@ int main() {
 #if ZSTEP_BENCH_EMBREE
   fmt::print("{}\n", bench::embree_name());
 #else
-  fmt::print("Embree 3 (libembree-dev) was not found when zstep was configured\n");
+  fmt::print("Embree (libembree-dev, 3 or 4) was not found when zstep was configured\n");
 #endif
 }

@@ -1,7 +1,5 @@
 #include "tests/embree/embree.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "algorithms/scene/facets.hpp"
+#include "tests/embree/intersect.hpp"
 
 namespace zstep::test {
 
@@ -75,8 +74,6 @@ class World {
 
   // The triangle met first, -1 if there is none; `z` becomes its parameter on the ray.
   std::int64_t first_on(glm::dvec3 from, glm::dvec3 along, double near, double far, double& z) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit ray{};
     ray.ray.org_x = static_cast<float>(from.x), ray.ray.org_y = static_cast<float>(from.y);
     ray.ray.org_z = static_cast<float>(from.z);
@@ -85,7 +82,7 @@ class World {
     ray.ray.tnear = static_cast<float>(near), ray.ray.tfar = static_cast<float>(far);
     ray.ray.mask = ~0u;
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(handle_, &context, &ray);
+    intersect(handle_, ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return -1;
     z = static_cast<double>(ray.ray.tfar);
     return ray.hit.primID;
