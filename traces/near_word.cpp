@@ -40,6 +40,10 @@ std::string bare(std::string_view word) {
 
 }  // namespace
 
+std::size_t word_distance(std::string_view word, std::string_view other) {
+  return distance(bare(word.substr(0, longest_word)), bare(other.substr(0, longest_word)));
+}
+
 std::string_view near_word(std::string_view word, std::span<const std::string_view> known) {
   if (word.size() > longest_word) return {};
   const std::string typed = bare(word);

@@ -142,20 +142,13 @@ std::string did_you_mean(std::string_view written, const std::vector<std::string
 }
 
 std::string nearest_first(std::string_view written, std::vector<std::string_view> candidates) {
-  constexpr std::size_t most = 12, longest = 64;  // letters that count, so that a long word costs no more
-  const auto in_small_letters = [](std::string_view word) {
-    std::string small(word.substr(0, longest));
-    for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return small;
-  };
+  constexpr std::size_t most = 12;
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  const std::string meant = in_small_letters(written);
   std::vector<std::pair<std::size_t, std::string_view>> by_distance;
   for (const std::string_view candidate : candidates) {
-    const std::string name = in_small_letters(candidate);
-    const bool part = !meant.empty() && (name.starts_with(meant) || meant.starts_with(name));
-    by_distance.emplace_back(part ? 1 : 1 + edit_distance(meant, name), candidate);
+    const bool part = !written.empty() && (candidate.starts_with(written) || written.starts_with(candidate));
+    by_distance.emplace_back(part ? 1 : 1 + word_distance(written, candidate), candidate);
   }
   std::stable_sort(by_distance.begin(), by_distance.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::string list;
