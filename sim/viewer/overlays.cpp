@@ -207,12 +207,15 @@ void draw_palette(App& app) {
 
 void draw_go_to(App& app) {
   Ui& ui = app.ui();
-  begin_overlay(app, "go to", {ui.em * 30, ui.em * (app.wrong.empty() ? 9.5f : 14.5f)});
+  begin_overlay(app, "go to", {ui.em * 30, ui.em * (app.wrong.empty() ? 9.5f : 11.5f)});
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, "Go to", heading);
   app.draw_field("12041");
-  if (!app.wrong.empty()) say_wrong(ui, app.wrong);
+  if (!app.wrong.empty()) {  // which says what may be typed as well
+    say_wrong(ui, app.wrong);
+    return ImGui::End();
+  }
   Flow how;
   how.color = ui.colors().muted;
   const std::string stop = app.session().lesson() ? "stop 3 of the lesson, " : "";
