@@ -106,7 +106,8 @@ bool PixelCounts::count_to(std::int64_t position, std::chrono::microseconds time
   if (position < now_.position) go_back_before(position);
   while (now_.position < position) {
     if (position - now_.position <= 256) {
-      for (std::int64_t step = now_.position + 1; step <= position; ++step) std::visit([this](const auto& event) { take(event); }, trace_->event(step).event);
+      for (std::int64_t step = now_.position + 1; step <= position; ++step)
+        if (trace_->impl().readable(step)) std::visit([this](const auto& event) { take(event); }, trace_->event(step).event);
       now_.position = position;
       break;
     }

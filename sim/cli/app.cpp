@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
@@ -167,8 +168,9 @@ int run(const std::vector<std::string>& words) {
     complain("stopped by Ctrl-C");
     return exit_code::interrupted;
   } catch (const std::bad_alloc&) {
-    complain("zstep: there is not enough memory; try a smaller --size");
-    return exit_code::exhausted;
+    const std::string met = memory_budget_met();
+    complain(met.empty() ? "zstep: there is not enough memory; try a smaller --size" : met);
+    return met.empty() ? exit_code::exhausted : exit_code::incomplete;
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) {
       complain("standard output: cannot be written; make room on the disk");

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/describe.hpp"
 #include "sim/cli/run_options.hpp"
@@ -112,7 +113,6 @@ int dump(const DumpOptions& options) {
   const Trace trace = open_trace(options.trace);
   const Page& page = trace.header().page;
   const Filter filter(options, page);
-  std::ios::sync_with_stdio(false);
   if (options.jsonl && options.whole()) {
     write_jsonl(trace, std::cout);
   } else {
@@ -164,6 +164,7 @@ void add_dump(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DumpOptions>();
   CLI::App* command = app.add_subcommand("dump", "Print the steps of a trace, one a line");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
   add_whole(*command, "--from", options->from, 1, "The first step to print (steps count from 1)");
   add_whole(*command, "--to", options->to, 1, "The last step to print");
   command->add_option("--kind", options->kinds, "Only events of this kind, as depth_compare; may be given more than once")->type_name("KIND")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/answers/explain_value.hpp"
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
@@ -105,6 +106,7 @@ void add_explain(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ExplainOptions>();
   CLI::App* command = app.add_subcommand("explain", "Tell where a number comes from, back to the lines of the mesh file");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
   command->add_option("what", options->what, "A pixel whose depth is meant, or with --at a field of that step (its main one if none is given)")->type_name("X Y or FIELD")->expected(0, -1);
   command->add_option("--at", options->at, "The step, part of the trace or bookmark; for a pixel, the moment (default: the end)")->type_name("STEP|PERCENT%|BOOKMARK");
   command->add_flag("--json", options->json, "As JSON, with each value's hex float");

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/answers/pixel_counts.hpp"
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/export.hpp"
 #include "sim/cli/outputs.hpp"
@@ -114,6 +115,7 @@ void add_export(CLI::App& app, Action& action) {
   for (const std::string& name : buffer_names()) buffers += (buffers.empty() ? "" : "|") + name;
   CLI::App* command = app.add_subcommand("export", "Write a buffer of any step as a table, a sheet of pictures, or a film");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
   command->add_option("-o,--out", options->out, "What to write; its extension says in which form")->type_name("FILE")->required();
   command->add_option("--at", options->at, "At this step, part of the trace or bookmark (default: the end)")->type_name("STEP|PERCENT%|BOOKMARK");
   command->add_option("--buffer", options->buffer, "Which buffer, as .npy or .csv (default depth)")->type_name(buffers);

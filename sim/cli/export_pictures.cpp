@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/export.hpp"
 #include "sim/cli/show.hpp"
@@ -75,6 +76,7 @@ int sheet(const Trace& trace, const ExportOptions& options) {
   const std::int64_t rows = (count + wide - 1) / wide;
   const std::int64_t columns = options.columns ? wide : (count + rows - 1) / rows;  // no row much shorter than the others
   if (columns * pictures.width > 2 * longest_side || rows * pictures.height > 2 * longest_side) throw InputError("--size-window", "makes a sheet that is too large", "give fewer or smaller pictures");
+  extend_budget(0.1 * static_cast<double>(steps.size()));
   const Image image = contact_sheet(trace, steps, pictures, static_cast<int>(columns));
   write_png(options.out, image.width, image.height, image.rgb);
   say_written(options.out, fmt::format("{}, {}x{} pixels", counted(count, "step", "steps"), image.width, image.height));
@@ -88,6 +90,7 @@ int film(const Trace& trace, const ExportOptions& options) {
   const std::vector<std::int64_t> steps = steps_of(trace, options, options.frames.value_or(0));
   const PictureOptions size = how(options, options.pane.empty() ? 1280 : 640, options.pane.empty() ? 720 : 520);
   Watch watch;
+  extend_budget(0.25 * static_cast<double>(steps.size()));
   Pictures pictures(trace, size);
   Video video(options.out, size.width, size.height, fps);
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/traces.hpp"
@@ -66,6 +67,7 @@ void add_find(CLI::App& app, Action& action) {
   const auto options = std::make_shared<FindOptions>();
   CLI::App* command = app.add_subcommand("find", "Find the steps that fulfil a condition");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
   command->add_option("condition", options->condition, "\"not nearer\", \"z < 4.2 && x == 9\", \"changes(9, 17)\"")->type_name("CONDITION")->required();
   add_whole(*command, "--from", options->from, 1, "The first step to look at (default 1; backwards, the last)");
   command->add_flag("--backwards", options->backwards, "From there to the beginning");

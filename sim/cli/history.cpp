@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sim/answers/pixel_history.hpp"
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/table.hpp"
@@ -11,6 +12,7 @@
 #include "sim/cli/words.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "traces/error.hpp"
+#include "traces/file/trace_impl.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -29,7 +31,7 @@ int history(const HistoryOptions& options) {
     throw InputError(fmt::format("{} {}", x, y), fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height), "columns and rows count from 0");
   std::vector<answers::Visit> all = answers::pixel_history(trace, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
   if (all.empty()) {
-    fmt::print("pixel ({}, {}): nothing reached it{}; it shows the background\n", x, y, trace.warnings().empty() ? "" : " before the recording was cut off");
+    fmt::print("pixel ({}, {}): nothing reached it{}; it shows the background\n", x, y, trace.impl().whole ? "" : " before the recording was cut off");
     return exit_code::done;
   }
   using enum Table::Align;
@@ -57,6 +59,7 @@ void add_history(CLI::App& app, Action& action) {
   const auto options = std::make_shared<HistoryOptions>();
   CLI::App* command = app.add_subcommand("history", "Tell everything that happened to one pixel");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
   command->add_option("x", options->x, "The pixel's column, from 0")->type_name("X")->required();
   command->add_option("y", options->y, "Its row")->type_name("Y")->required();
   command->add_flag("--why", options->why, "Each step in words, with its numbers");

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/describe.hpp"
 #include "sim/cli/table.hpp"
@@ -85,6 +86,7 @@ void add_info(CLI::App& app, Action& action) {
   const auto path = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("info", "Say what a trace holds: scene, conventions, and its steps counted");
   command->add_option("trace", *path, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
   command->footer("Examples:\n  zstep info run.ztrace");
   command->callback([path, &action] { action = [path] { return info(*path); }; });
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/table.hpp"
@@ -29,7 +30,6 @@ namespace {
 struct QueryOptions {
   std::string trace, sql;
   bool csv = false, json = false;
-  std::optional<double> seconds;
 };
 
 // --- An answer's rows as they come
@@ -151,9 +151,7 @@ int ask(const QueryOptions& options) {
   Watch watch;
   query::Database database(trace);
   query::Limits limits;
-  if (options.seconds && !(*options.seconds > 0)) throw InputError("--seconds", "is not more than 0", "leave it out to wait as long as it takes");
-  limits.seconds = options.seconds.value_or(0);
-  limits.stop = [&] { return watch.interrupted(); };
+  limits.stop = [&] { return watch.interrupted() || time_is_up(); };
   std::unique_ptr<Answer> answer;
   if (options.csv) answer = std::make_unique<Csv>();
   else if (options.json) answer = std::make_unique<Json>();
@@ -168,11 +166,11 @@ int ask(const QueryOptions& options) {
           answer->row(values);
           return std::ferror(stdout) == 0;
         });
-  } catch (const query::Stopped& stopped) {
+  } catch (const query::Stopped&) {
     answer->end(false);
     written();
-    if (!stopped.by_time) throw Interrupted{0};
-    throw Incomplete("query", fmt::format("was not done after {:g} seconds; what is printed is a part", *options.seconds), "ask for fewer steps, or give --seconds more");
+    if (watch.interrupted()) throw Interrupted{0};
+    throw Incomplete("query", "was not done in time; what is printed is a part", "ask for fewer steps, or give --seconds more");
   }
   answer->end(true);
   written();
@@ -185,10 +183,10 @@ void add_query(CLI::App& app, Action& action) {
   const auto options = std::make_shared<QueryOptions>();
   CLI::App* command = app.add_subcommand("query", "Ask a trace in SQL: each kind of event is a table");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
   command->add_option("sql", options->sql, "One SELECT of SQLite; without it, the tables and their columns")->type_name("SQL");
   command->add_flag("--csv", options->csv, "Comma-separated values, with a head");
   command->add_flag("--json", options->json, "A list of objects");
-  add_number(*command, "--seconds", options->seconds, "Give up after this time (default: never)");
   command->footer(
       "Besides an event's own columns each table has step, name (of the line of pseudo-code), polygon and scan_line (at\n"
       "work). docs/querying.md has questions to begin with.\n"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/traces.hpp"
@@ -29,6 +30,7 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
   CLI::Option* dark = command.add_flag("--dark", options.dark, "Dark colours, this time");
   dark->group("Viewer");
   command.add_flag("--light", options.light, "Light colours, this time")->group("Viewer")->excludes(dark);
+  add_budget_options(command);
   command.add_flag("--presenter", options.presenter, "Large text, for a lecture hall, this time")->group("Viewer");
 }
 
@@ -53,7 +55,7 @@ std::string without_display() {
 
 void check_can_show(const ShowOptions& options) {
 #if ZSTEP_HAS_VIEWER
-  if (!options.screenshot.empty()) return check_writable(options.screenshot);
+  if (!options.screenshot.empty()) return check_writable(options.screenshot), begin_budget(0);
   if (!display_available())
     throw InputError("zstep", "no window can be opened here: there is no display", without_display());
 #else

@@ -1,6 +1,7 @@
 // Traces for the commands that read one: from a file, from JSON Lines, or recorded on the spot.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -13,8 +14,10 @@ namespace zstep::cli {
 /// Whether the argument names a trace (a .ztrace or .jsonl file, or any file that begins like a trace) and not a scene.
 bool is_trace(const std::string& path);
 
-/// Opens a .ztrace or .jsonl file and prints its warnings on stderr.
-Trace open_trace(const std::string& path);
+/// Whether what is done with a file is limited by its size, or a person sits before it and can end it.
+enum class Cost : std::uint8_t { limited, free };
+/// Opens a .ztrace or .jsonl file and prints its warnings on stderr, and later what is found to be lost in it.
+Trace open_trace(const std::string& path, Cost cost = Cost::limited);
 
 /// Records the run to memory. Throws Interrupted after Ctrl-C.
 Trace record_to_memory(const Run& run);

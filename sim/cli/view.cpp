@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
@@ -20,11 +21,12 @@ struct ViewOptionsOfCommand {
 int view(const ViewOptionsOfCommand& options) {
   check_can_show(options.show);
   const std::string& what = options.run.scene;
+  if (!is_trace(what)) extend_budget(53);  // recording it is asked for
   if (!is_trace(what)) return show(record_to_memory(prepare(options.run)), options.show, nullptr);
   const std::string given = options.run.given();
   if (!given.empty())
     throw InputError(given, fmt::format("{} was recorded already, with options of its own", what), "record the scene again with other ones");
-  return show(open_trace(what), options.show, nullptr);
+  return show(open_trace(what, options.show.screenshot.empty() ? Cost::free : Cost::limited), options.show, nullptr);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sim/answers/why_not.hpp"
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/table.hpp"
 #include "sim/cli/traces.hpp"
@@ -60,6 +61,7 @@ void add_why_not(CLI::App& app, Action& action) {
   const auto options = std::make_shared<WhyNotOptions>();
   CLI::App* command = app.add_subcommand("why-not", "Tell why a polygon is not what is seen");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
   command->add_option("polygon", options->polygon, "The polygon, by name or number")->type_name("POLYGON")->required();
   command->add_option("x", options->x, "The pixel's column, from 0; without a pixel the whole picture is told of")->type_name("X");
   command->add_option("y", options->y, "Its row")->type_name("Y");

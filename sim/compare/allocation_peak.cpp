@@ -29,6 +29,8 @@ namespace {
 
 std::atomic<bool> watching{false};
 std::atomic<std::int64_t> held{0}, most{0};
+std::atomic<std::int64_t> limit{0};  // on what is held; 0: none
+std::atomic<bool> limit_met{false};
 
 #if ZSTEP_COUNTS_HEAP
 
@@ -40,9 +42,17 @@ std::int64_t size_of(void* memory) noexcept {
 #endif
 }
 
+bool counts() noexcept { return watching.load(std::memory_order_relaxed) || limit.load(std::memory_order_relaxed) > 0; }
+
 void* given(void* memory) noexcept {
-  if (!memory || !watching.load(std::memory_order_relaxed)) return memory;
-  const std::int64_t size = size_of(memory), now = held.fetch_add(size) + size;
+  if (!memory || !counts()) return memory;
+  const std::int64_t size = size_of(memory), now = held.fetch_add(size) + size, allowed = limit.load(std::memory_order_relaxed);
+  if (allowed > 0 && now > allowed) {
+    limit_met = true;
+    held.fetch_sub(size);
+    std::free(memory);
+    return nullptr;
+  }
   std::int64_t before = most.load();
   while (before < now && !most.compare_exchange_weak(before, now)) {
   }
@@ -50,7 +60,7 @@ void* given(void* memory) noexcept {
 }
 
 void taken_back(void* memory) noexcept {
-  if (memory && watching.load(std::memory_order_relaxed)) held.fetch_sub(size_of(memory));
+  if (memory && counts()) held.fetch_sub(size_of(memory));
   std::free(memory);
 }
 
@@ -94,6 +104,9 @@ AllocationPeak::AllocationPeak() {
 }
 
 AllocationPeak::~AllocationPeak() { watching = false; }
+
+void limit_heap(std::int64_t bytes) { limit = bytes; }
+bool met_heap_limit() { return limit_met; }
 
 std::int64_t AllocationPeak::peak() const { return ZSTEP_COUNTS_HEAP ? most.load() : -1; }
 

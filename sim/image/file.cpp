@@ -70,18 +70,11 @@ void rewrite_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     return;
   }
 
-  fs::path part = target;
-  part += unlikely_name();
-  if (const int error = put(part, bytes)) {
-    fs::remove(part, ignored);
-    output_failed(path, error);
-  }
+  const Unfinished part(target.string() + unlikely_name());
+  if (const int error = put(part.path(), bytes)) output_failed(path, error);
   std::error_code error;
-  fs::rename(part, target, error);
-  if (error) {
-    fs::remove(part, ignored);
-    output_failed(path, error.value());
-  }
+  fs::rename(part.path(), target, error);
+  if (error) output_failed(path, error.value());
 }
 
 std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t limit) {

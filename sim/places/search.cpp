@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "traces/file/trace_impl.hpp"
+
 namespace zstep::places {
 
 Search::Search(const Trace& trace, Condition condition, std::int64_t from, Way way)
@@ -44,18 +46,31 @@ bool Search::next_interval() {
 }
 
 Search::Result Search::look_in_interval() {
-  constexpr std::int64_t slice = 1 << 15;  // events, between looks at the clock
+  if (waiting_.empty()) look_in_block();
+  const bool found = !waiting_.empty();
+  at_ = found ? waiting_.back() : looked_to_;
+  if (found) waiting_.pop_back();
+  return found ? Result::found : Result::not_yet;
+}
+
+/// All that is found in the rest of a block.
+void Search::look_in_block() {
   const Interval& interval = intervals_.back();
   const Bounds& bounds = condition_.bounds();
   Trace::Among among(bounds.pixel);
   if (bounds.kinds.count() == 1)
     for (std::size_t kind = 0; kind < kind_count; ++kind)
       if (bounds.kinds[kind]) among.kind = static_cast<std::uint8_t>(kind);
-  among.until = forwards() ? std::min(interval.last, at_ + slice) : std::max(interval.first, at_ - slice);
-  const auto holds = [&](std::int64_t step, const RecordedEvent& event) { return condition_.holds(step, event); };
-  const auto found = forwards() ? trace_->next_at(at_, holds, among) : trace_->previous_at(at_, holds, among);
-  at_ = found ? *found : *among.until;
-  return found ? Result::found : Result::not_yet;
+  const BlockInfo& block = trace_->impl().blocks[trace_->impl().block_of(forwards() ? at_ + 1 : at_ - 1)].info;
+  looked_to_ = forwards() ? std::min(interval.last, block.first_position + block.count) : std::max(interval.first, block.first_position + 1);
+  among.until = looked_to_;
+  const auto take = [&](std::int64_t step, const RecordedEvent& event) {
+    if (condition_.holds(step, event)) waiting_.push_back(step);
+    return false;
+  };
+  if (forwards()) trace_->next_at(at_, take, among);
+  else trace_->previous_at(at_, take, among);
+  if (forwards()) std::reverse(waiting_.begin(), waiting_.end());
 }
 
 Search::Result Search::look(std::chrono::microseconds time) {

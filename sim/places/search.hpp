@@ -20,7 +20,7 @@ class Search {
   /// From a position, whose own step does not count. The trace must outlive it.
   Search(const Trace& trace, Condition condition, std::int64_t from, Way way);
 
-  /// Looks on for about this long; a block that must be read first is read whole. Throws InputError where the trace is damaged.
+  /// Looks on for about this long; a block is read whole, and once for all that is found in it. Throws InputError where the trace is damaged.
   Result look(std::chrono::microseconds time);
   /// The step that was found.
   std::int64_t step() const { return at_; }
@@ -38,6 +38,7 @@ class Search {
   };
   bool next_interval();
   Result look_in_interval();
+  void look_in_block();
   bool forwards() const { return way_ == Way::forwards; }
 
   const Trace* trace_;
@@ -45,6 +46,8 @@ class Search {
   Way way_;
   std::int64_t from_, at_;
   std::vector<Interval> intervals_;  ///< worth looking at; the next one last
+  std::vector<std::int64_t> waiting_;  ///< found in the block that was read last, and not yet told; the next one last
+  std::int64_t looked_to_ = 0;         ///< when none of them waits any more
   Result result_ = Result::not_yet;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "sim/viewer/words/numbers.hpp"
@@ -46,18 +47,30 @@ const ImFont* font_of(const Ui& ui, const TextRun& run, const Flow& how) {
   return how.font ? how.font : ui.fonts.text;
 }
 
+/// Bytes of the longest beginning of a word, at least a character, that is no wider than this. What is much too long is not measured whole.
+std::size_t fitting(const Ui& ui, const ImFont* font, std::string_view text, float limit) {
+  const auto border = [&](std::size_t at) {
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0u) == 0x80u) ++at;
+    return std::min(at, text.size());
+  };
+  const auto fits = [&](std::size_t bytes) { return text_size(ui, font, std::string(text.substr(0, bytes))).x <= limit; };
+  std::size_t low = border(1), high = std::min<std::size_t>(border(64), text.size());
+  while (high < text.size() && fits(high)) low = high, high = border(2 * high);
+  if (high == text.size() && fits(high)) return high;
+  for (std::size_t next = border(low + 1); next < high; next = border(low + 1)) {
+    std::size_t middle = border(low + (high - low) / 2);
+    if (middle <= low || middle >= high) middle = next;
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 /// Cuts a word that is wider than a whole line into pieces that are not, at character borders.
-void push_word(const Ui& ui, std::vector<Word>& words, std::string text, const ImFont* font, bool space, bool code, float limit) {
+void push_word(const Ui& ui, std::vector<Word>& words, std::string_view text, const ImFont* font, bool space, bool code, float limit) {
   while (!text.empty()) {
-    float width = text_size(ui, font, text).x;
-    std::size_t take = text.size();
-    while (width > limit && take > 1) {
-      do --take;
-      while (take > 1 && (static_cast<unsigned char>(text[take]) & 0xc0u) == 0x80u);
-      width = text_size(ui, font, text.substr(0, take)).x;
-    }
-    words.push_back({text.substr(0, take), font, width, space, code, false});
-    text.erase(0, take);
+    const std::string piece(text.substr(0, fitting(ui, font, text, limit)));
+    words.push_back({piece, font, text_size(ui, font, piece).x, space, code, false});
+    text.remove_prefix(piece.size());
     space = false;
   }
 }

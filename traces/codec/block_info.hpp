@@ -33,6 +33,12 @@ class Tiles {
     return (rows_[static_cast<std::size_t>(y >> shift_)] >> (x >> shift_) & 1u) != 0;
   }
   void clear() { rows_.fill(0); }
+  /// Whether all that is touched here is touched there, too.
+  bool within(const Tiles& other) const {
+    for (std::size_t row = 0; row < rows_.size(); ++row)
+      if ((rows_[row] & ~other.rows_[row]) != 0) return false;
+    return true;
+  }
 
   void put(Bytes& out) const;
   void take(ByteReader& in);
@@ -53,6 +59,7 @@ struct Box {
     left = std::min(left, static_cast<std::uint16_t>(first)), right = std::max(right, static_cast<std::uint16_t>(end - 1));
     top = std::min(top, static_cast<std::uint16_t>(y)), bottom = std::max(bottom, static_cast<std::uint16_t>(y));
   }
+  bool within(const Box& other) const { return empty() || (other.holds(left, top) && other.holds(right, bottom)); }
   bool holds(std::int32_t x, std::int32_t y) const { return x >= left && x <= right && y >= top && y <= bottom; }
 };
 static_assert(largest_side <= 0xffff);
@@ -63,6 +70,7 @@ class StepSet {
   void add(std::uint8_t step) { words_[step >> 6] |= std::uint64_t{1} << (step & 63); }
   void add(const StepSet& other) { words_[0] |= other.words_[0], words_[1] |= other.words_[1]; }
   bool has(std::uint8_t step) const { return step < 128 && (words_[step >> 6] >> (step & 63) & 1u) != 0; }
+  bool within(const StepSet& other) const { return ((words_[0] & ~other.words_[0]) | (words_[1] & ~other.words_[1])) == 0; }
   bool meets(const StepSet& other) const { return ((words_[0] & other.words_[0]) | (words_[1] & other.words_[1])) != 0; }
   bool empty() const { return (words_[0] | words_[1]) == 0; }
   std::array<std::uint64_t, 2>& words() { return words_; }

@@ -100,9 +100,10 @@ void add_block(Trace::Impl& trace, const ChunkPlace& place, BlockInfo info, std:
   if (!trace.blocks.empty() && place.offset < trace.blocks.back().place.end())
     throw MalformedBytes("its blocks overlap");
   const std::size_t first_mark = trace.polygons.size();
-  for (const BlockInfo::Mark& mark : info.marks) {
+  for (const BlockInfo::Mark& mark : info.marks)
     if (mark.polygon < 0 || static_cast<std::size_t>(mark.polygon) >= trace.scene.polygons.size())
       throw MalformedBytes("its index names a polygon that does not exist");
+  for (const BlockInfo::Mark& mark : info.marks) {
     trace.polygons.push_back({info.first_position + mark.offset + 1, mark.polygon});
     trace.boxes.push_back(mark.box);
   }
@@ -112,42 +113,127 @@ void add_block(Trace::Impl& trace, const ChunkPlace& place, BlockInfo info, std:
   trace.blocks.push_back({std::move(info), first_mark, place, frame_offset});
 }
 
-/// True when the file has an index and it is intact.
-bool read_index(Trace::Impl& trace) {
-  const auto offset = index_offset(*trace.source);
-  if (!offset) return false;
-  const auto place = chunk_at(*trace.source, *offset);
-  if (!place || place->tag != index_tag) return false;
+bool is_whole(const ByteSource& source, const ChunkPlace& place) {
   try {
-    const Bytes bytes = decompress(read_chunk(*trace.source, *place), index_limit);
-    ByteReader in(bytes);
-    const std::size_t count = in.count();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint64_t block_offset = in.varint(), size = in.varint(), frame_offset = in.varint();
-      if (block_offset > *offset || size > *offset - block_offset) return false;
-      add_block(trace, {events_tag, block_offset, size}, take_block_info(in, trace.scene.raster), frame_offset);
-    }
+    read_chunk(source, place);
     return true;
   } catch (const MalformedBytes&) {
     return false;
   }
 }
 
-/// Walks the chunks as far as they are whole, from this offset on; false when one is not as it was written.
-bool walk_blocks(Trace::Impl& trace, std::uint64_t& offset) {
-  while (const auto place = chunk_at(*trace.source, offset)) {
-    if (place->tag != events_tag) break;
+/// Does the block begin as the index says? One that is damaged says nothing, and is lost once it is asked for.
+bool block_agrees(const ByteSource& source, const ChunkPlace& place, std::span<const std::uint8_t> info, std::uint64_t frame_offset) {
+  Bytes told;
+  put_varint(told, info.size());
+  told.insert(told.end(), info.begin(), info.end());
+  if (frame_offset != told.size() || place.size < told.size()) return !is_whole(source, place);
+  const Bytes bytes = source.read(place.offset, chunk_head_size + told.size());
+  return std::equal(told.begin(), told.end(), bytes.begin() + chunk_head_size) || !is_whole(source, place);
+}
+
+/// True when the file has an index, it is intact, and the blocks agree with it: they stand one after the other, as many, and begin so.
+bool read_index(Trace::Impl& trace, std::uint64_t head_end) {
+  const auto offset = index_offset(*trace.source);
+  if (!offset) return false;
+  const auto place = chunk_at(*trace.source, *offset);
+  if (!place || place->tag != index_tag) return false;
+  try {
+    // What it says of a block stands in the block, too, and takes no more room there.
+    const std::uint64_t limit = std::min(index_limit, 64 + 2 * (*offset - std::min(*offset, head_end)));
+    const Bytes bytes = decompress(read_chunk(*trace.source, *place), limit);
+    ByteReader in(bytes);
+    const std::size_t count = in.count();
+    std::uint64_t end = head_end;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint64_t block_offset = in.varint(), size = in.varint(), frame_offset = in.varint();
+      if (block_offset != end || block_offset > *offset || size > *offset - block_offset) return false;
+      const std::span<const std::uint8_t> rest = std::span(bytes).last(in.left());
+      BlockInfo info = take_block_info(in, trace.scene.raster);
+      const ChunkPlace block{events_tag, block_offset, size};
+      end = block.end();
+      if (end > *offset || !block_agrees(*trace.source, block, rest.first(rest.size() - in.left()), frame_offset)) return false;
+      add_block(trace, block, std::move(info), frame_offset);
+    }
+    return end == *offset;
+  } catch (const MalformedBytes&) {
+    return false;
+  }
+}
+
+/// The next block that is as it was written, from this offset on. No more is read for it than a few times the file.
+std::optional<std::uint64_t> find_block(const ByteSource& source, std::uint64_t offset, std::uint64_t& left_to_read) {
+  constexpr std::uint64_t window = 1 << 16;
+  while (offset + chunk_head_size <= source.size()) {
+    const Bytes bytes = source.read(offset, std::min(window, source.size() - offset));
+    for (auto at = bytes.begin(); (at = std::search(at, bytes.end(), events_tag.begin(), events_tag.end())) != bytes.end(); ++at) {
+      const auto place = chunk_at(source, offset + static_cast<std::uint64_t>(at - bytes.begin()));
+      if (!place) continue;
+      if (place->size > left_to_read) return std::nullopt;
+      left_to_read -= place->size;
+      if (is_whole(source, *place)) return place->offset;
+    }
+    if (bytes.size() < window) break;
+    offset += window - events_tag.size();
+  }
+  return std::nullopt;
+}
+
+/// Room for steps that are known to have been there: whoever reads them finds that they are lost.
+void add_lost(Trace::Impl& trace, std::int64_t steps, std::uint64_t offset) {
+  while (steps > 0) {
+    Trace::Impl::Block block;
+    block.info.first_position = trace.size;
+    block.info.count = static_cast<std::uint32_t>(std::min<std::int64_t>(steps, block_events));
+    block.info.steps.words().fill(~std::uint64_t{0});
+    block.info.tiles = Tiles(trace.scene.raster);
+    for (std::int32_t y = 0; y < trace.scene.raster.height; ++y) block.info.touch(0, trace.scene.raster.width, y);
+    block.first_mark = trace.polygons.size();
+    block.place = {events_tag, offset, 0};
+    block.lost = true;
+    trace.any_lost = true;
+    trace.size += block.info.count;
+    steps -= block.info.count;
+    trace.blocks.push_back(std::move(block));
+  }
+}
+
+/// Takes the blocks from this offset on, which becomes where they end. What is damaged between them is passed over.
+void walk_blocks(Trace::Impl& trace, std::uint64_t& offset) {
+  const ByteSource& source = *trace.source;
+  std::uint64_t left_to_read = 4 * source.size(), begin = offset;
+  const auto take = [&](const ChunkPlace& place) {
     try {
-      const Bytes bytes = read_chunk(*trace.source, *place);
+      const Bytes bytes = read_chunk(source, place);
       ByteReader in(bytes);
       ByteReader info_in(in.take(in.count()));
-      add_block(trace, *place, take_block_info(info_in, trace.scene.raster), bytes.size() - in.left());
+      BlockInfo info = take_block_info(info_in, trace.scene.raster);
+      // No more steps are missing than the bytes between could have held.
+      const std::int64_t most = static_cast<std::int64_t>((place.offset - offset) / chunk_head_size) * block_events;
+      const std::int64_t missing = info.first_position - trace.size;
+      if (missing > most || missing < 0) return false;
+      if (missing > 0) {
+        trace.whole = false;
+        trace.warnings.push_back(fmt::format("{}: steps {} to {} are lost: the file is damaged there", trace.name, trace.size + 1, trace.size + missing));
+        add_lost(trace, missing, offset);
+      }
+      add_block(trace, place, std::move(info), bytes.size() - in.left());
+      return true;
     } catch (const MalformedBytes&) {
       return false;
     }
-    offset = place->end();
+  };
+  while (true) {
+    const auto place = chunk_at(source, begin);
+    if (place && place->tag == events_tag && take(*place)) {
+      begin = offset = place->end();
+      continue;
+    }
+    if (place && place->tag == index_tag && place->end() + trailer_size >= source.size()) return;
+    const auto next = find_block(source, begin + 1, left_to_read);
+    if (!next) return;
+    begin = *next;
   }
-  return true;
 }
 
 /// A file up to some byte, and then other bytes.
@@ -186,7 +272,14 @@ Bytes blocks_in_journal(const Trace::Impl& trace, std::uint64_t head_end) {
   return chunks;
 }
 
-/// Without an index: from the blocks themselves, those of the file and then those of its journal.
+/// Is what stands behind the blocks an index and the file's end, though not as they were written?
+bool has_end(const ByteSource& source, std::uint64_t offset) {
+  if (index_offset(source) == offset) return true;
+  const auto place = chunk_at(source, offset);
+  return place && (place->tag == index_tag || place->end() + trailer_size == source.size());
+}
+
+/// Without an index that can be believed: from the blocks themselves, those of the file and then those of its journal.
 void rebuild_index(Trace::Impl& trace, std::uint64_t head_end) {
   trace.blocks.clear();
   trace.polygons.clear();
@@ -194,21 +287,33 @@ void rebuild_index(Trace::Impl& trace, std::uint64_t head_end) {
   trace.size = 0;
   trace.steps = {};
   std::uint64_t offset = head_end;
-  const bool damaged = !walk_blocks(trace, offset);
-  if (trace.of_file && !damaged) {
+  walk_blocks(trace, offset);
+  if (has_end(*trace.source, offset)) {
+    const std::string kept = trace.whole ? fmt::format("all {} events are there", trace.size) : fmt::format("{} events are there or known to be lost", trace.size);
+    trace.warnings.push_back(fmt::format("{}: its index is damaged and was made anew from its blocks; {}", trace.name, kept));
+    return;
+  }
+  trace.whole = false;
+  const std::uint64_t file_end = offset;
+  const bool more = offset < trace.source->size();
+  if (trace.of_file && !trace.any_lost) {
     trace.source = std::make_unique<ContinuedSource>(std::move(trace.source), offset, blocks_in_journal(trace, head_end));
     walk_blocks(trace, offset);
   }
-  trace.warnings.push_back(fmt::format("{}: the recording {}; {} events could be read", trace.name,
-                                       damaged ? "is damaged" : "was cut off before its end", trace.size));
+  const std::string journal = offset > file_end ? fmt::format(", the last of them in {}", journal_of(trace.name).string()) : "";
+  trace.warnings.push_back(fmt::format("{}: the recording {}; {} events could be read{}", trace.name,
+                                       more && journal.empty() ? "was cut off or is damaged before its end" : "was cut off before its end", trace.size, journal));
 }
+
+constexpr std::size_t few_blocks = 8;  // that are read whole at once, so that nothing in them is taken on trust
 
 }  // namespace
 
 Trace::Trace(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {
   try {
     const std::uint64_t offset = read_head(*impl_);
-    if (!read_index(*impl_)) rebuild_index(*impl_, offset);
+    if (!read_index(*impl_, offset)) rebuild_index(*impl_, offset);
+    if (impl_->blocks.size() <= few_blocks) impl_->refuse_lies();
   } catch (const MalformedBytes& error) {
     throw InputError(impl_->name, fmt::format("is damaged: {}", error.what()), mend_trace);
   } catch (const MalformedJson& error) {

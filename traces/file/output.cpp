@@ -116,6 +116,37 @@ OpenFile open_own_output(const fs::path& path) {
 #endif
 }
 
+namespace {
+
+struct AllUnfinished {
+  std::mutex mutex;
+  std::vector<const Unfinished*> files;
+};
+AllUnfinished& unfinished() {
+  static AllUnfinished all;
+  return all;
+}
+
+}  // namespace
+
+Unfinished::Unfinished(fs::path path) : path_(std::move(path)) {
+  const std::lock_guard lock(unfinished().mutex);
+  unfinished().files.push_back(this);
+}
+
+Unfinished::~Unfinished() {
+  const std::lock_guard lock(unfinished().mutex);
+  std::erase(unfinished().files, this);
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
+void Unfinished::remove_all() {
+  const std::lock_guard lock(unfinished().mutex);
+  std::error_code ignored;
+  for (const Unfinished* file : unfinished().files) fs::remove(file->path(), ignored);
+}
+
 void output_failed(const fs::path& path, int error) {
   const std::string what = fmt::format("cannot be written: {}", std::strerror(error));
   if (error == ENOSPC || error == EFBIG || error == EDQUOT) throw Exhausted(path.string(), what, "make room there, or write to another place");

@@ -27,6 +27,21 @@ OpenFile open_output(const std::filesystem::path& path);
 /// The same for a recording: it is this process's until it is closed. Throws InputError where another one records to it.
 OpenFile open_own_output(const std::filesystem::path& path);
 
+/// A file that is not yet what it will be: gone when this goes, unless it has another name by then.
+class Unfinished {
+ public:
+  explicit Unfinished(std::filesystem::path path);
+  ~Unfinished();
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+  /// All that there are at the moment, for who ends the program.
+  static void remove_all();
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// Throws what an errno means to who wanted to write there: Exhausted for a disk that is full, else InputError.
 [[noreturn]] void output_failed(const std::filesystem::path& path, int error);
 

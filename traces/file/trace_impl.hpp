@@ -1,6 +1,7 @@
 // The inside of a Trace, for those who walk its blocks (visit.hpp, trace.cpp).
 #pragma once
 
+#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
@@ -23,7 +24,8 @@ struct Trace::Impl {
     std::size_t first_mark = 0;  ///< in `polygons`
     ChunkPlace place;
     std::uint64_t frame_offset = 0;  ///< of the zstd frame within the chunk's bytes
-    mutable bool checked = false;    ///< its events' numbers were found to lie within the scene
+    mutable bool checked = false;    ///< its events' numbers were found to lie within the scene, and what its info says of them to be true
+    mutable bool lost = false;       ///< it is damaged
   };
 
   std::string name;
@@ -37,6 +39,9 @@ struct Trace::Impl {
   std::vector<PolygonMark> polygons;
   std::vector<Box> boxes;  ///< of each of these marks
   std::vector<std::string> warnings;
+  bool whole = true;  ///< the warnings are of nothing that is missing
+  /// Told once of each block that is damaged, which is passed over then. Without it, reading such a block throws.
+  mutable std::function<void(const std::string&)> on_loss;
   std::int64_t size = 0;
   StepSet steps;  ///< that occur
 
@@ -53,13 +58,24 @@ struct Trace::Impl {
   /// The last position of a block that may touch a pixel; 0 if none may.
   std::int64_t last_touch(std::size_t block, Trace::Pixel pixel) const;
 
-  /// A block's packed columns, from the file or from the few kept at hand. Throws InputError when it is damaged.
-  const Bytes& packed(std::size_t block) const;
+  /// A block's packed columns, from the file or from the few kept at hand. Of one that is damaged null, where losses are told, else it
+  /// throws InputError.
+  const Bytes* packed(std::size_t block) const;
+  /// Whether the step that leads to this position can be read, or is lost with its block.
+  bool readable(std::int64_t position) const {
+    const std::size_t block = block_of(position);
+    return blocks[block].checked || packed(block) != nullptr;
+  }
+  mutable bool any_lost = false;
   /// A block's events, unpacked; a few blocks are kept at hand, and others by whom they are given to.
   using Events = std::shared_ptr<const std::vector<RecordedEvent>>;
   const Events& events(std::size_t block) const;
-  /// Throws MalformedBytes when an event of a block names what the scene does not have.
-  void check(const Block& block, const Bytes& packed) const;
+  /// Throws MalformedBytes when an event of a block names what the scene does not have, or is one that the block's info denies.
+  void check(std::size_t block, const Bytes& packed) const;
+  /// Throws MalformedBytes when the info of some block denies what is in it.
+  void refuse_lies() const;
+  /// A block that is damaged: tells or throws.
+  void lose(std::size_t block, const std::string& what) const;
   /// Turns what a damaged block throws into an InputError that says which events are lost.
   [[noreturn]] void damaged(std::size_t block, const std::string& what) const;
 

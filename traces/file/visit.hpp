@@ -61,9 +61,13 @@ void Trace::visit(std::int64_t first, std::int64_t last, Visit&& visit) const {
     const std::size_t index = impl_->block_of(first + 1);
     const Impl::Block& block = impl_->blocks[index];
     detail::VisitRange<Visit> range{visit, first, last, block.info.first_position};
-    const Bytes& packed = impl_->packed(index);
+    const Bytes* packed = impl_->packed(index);
+    if (packed == nullptr) {
+      first = block.info.first_position + block.info.count;
+      continue;
+    }
     try {
-      BlockDecoder decoder(packed, block.info.count, *impl_->meanings, *impl_->facts);
+      BlockDecoder decoder(*packed, block.info.count, *impl_->meanings, *impl_->facts);
       decoder.visit_all(range);
     } catch (const MalformedBytes& error) {
       impl_->damaged(index, error.what());

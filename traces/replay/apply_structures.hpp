@@ -2,6 +2,8 @@
 // boxes, rays, curves, lines, the light. The rest of the small half of applying an event stands in apply_method_state.hpp.
 #pragma once
 
+#include <algorithm>
+
 #include "traces/replay/apply_method_state.hpp"
 
 namespace zstep {
@@ -141,6 +143,8 @@ inline void apply_method_state(const AreaDecide& event, MethodState& machine) {
 
 // --- Rays and boxes
 
+inline constexpr std::size_t most_rays_of_pixel = std::size_t{1} << 16;
+
 inline void apply_method_state(const BoxMake& event, MethodState& machine) {
   detail::must_be_due("box", event.box, machine.boxes.size());
   detail::leave_polygon(machine);
@@ -159,6 +163,9 @@ inline void apply_method_state(const RayBegin& event, MethodState& machine) {
   detail::leave_polygon(machine);
   RayWork& rays = machine.rays;
   if (event.role == RayRole::eye) rays.tree.clear();
+  if (!rays.tree.empty() && event.ray <= rays.tree.back().entry.ray)
+    throw Impossible(fmt::format("ray {} begins after ray {}, though rays are numbered in the order of work", event.ray, rays.tree.back().entry.ray));
+  if (rays.tree.size() >= most_rays_of_pixel) throw Impossible(fmt::format("one pixel has more than {} rays", most_rays_of_pixel));
   rays.tree.push_back({event, std::nullopt});
   rays.ray = event.ray;
   rays.boxes.clear();
@@ -175,13 +182,11 @@ inline void apply_method_state(const RayPlane& event, MethodState& machine) {
 }
 inline void apply_method_state(const RayHit& event, MethodState& machine) { machine.rays.hits.push_back(event); }
 inline void apply_method_state(const RayEnd& event, MethodState& machine) {
-  for (RayRow& row : machine.rays.tree) {
-    if (row.entry.ray != event.ray) continue;
-    row.end = event;
-    machine.rays.ray = row.entry.parent >= 0 ? row.entry.parent : row.entry.ray;
-    return;
-  }
-  throw Impossible(fmt::format("ray {} ends but did not begin", event.ray));
+  std::vector<RayRow>& rows = machine.rays.tree;
+  const auto row = std::lower_bound(rows.begin(), rows.end(), event.ray, [](const RayRow& one, std::int32_t ray) { return one.entry.ray < ray; });
+  if (row == rows.end() || row->entry.ray != event.ray) throw Impossible(fmt::format("ray {} ends but did not begin", event.ray));
+  row->end = event;
+  machine.rays.ray = row->entry.parent >= 0 ? row->entry.parent : row->entry.ray;
 }
 
 // --- Curves and lines

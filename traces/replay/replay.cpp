@@ -9,6 +9,7 @@
 #include "traces/replay/apply_runs.hpp"
 #include "traces/replay/beginning.hpp"
 #include "traces/replay/key_frames.hpp"
+#include "traces/replay/memory.hpp"
 #include "traces/replay/undo_log.hpp"
 
 namespace zstep {
@@ -46,11 +47,13 @@ struct Replay::Impl {
       apply_stores(event, state, points, old_values);
       apply_method_state(event, state.machine, position);
     } catch (const Impossible& error) {
+      if (trace->impl().any_lost) return pass(position);  // what it needs may be among what is lost
       refused = true;
       impossible(position, error);
     }
     state.position = position;
   }
+  void pass(std::int64_t position) { state.position = position; }
 
   /// Ahead with a log.
   void step_to(std::int64_t target) {
@@ -59,11 +62,12 @@ struct Replay::Impl {
         step(position, event);
         return true;
       });
-      return;
+      return pass(target);
     }
     while (state.position < target) {
       const std::int64_t next = state.position + 1;
-      std::visit([&](const auto& event) { step(next, event); }, trace->event(next).event);
+      if (!trace->impl().readable(next)) pass(next);
+      else std::visit([&](const auto& event) { step(next, event); }, trace->event(next).event);
     }
   }
   template <class E>
@@ -76,12 +80,18 @@ struct Replay::Impl {
       throw;
     }
     if (log.pictures_bytes() > picture_budget) forget();
-    if (state.position - check_points.back().first >= tuning.check_point_every)
-      check_points.emplace_back(state.position, state.machine);
-    if (state.position - check_points.front().first > tuning.undo_window + tuning.check_point_every) {
+    if (state.position >= check_point_due) add_check_point();
+    if (check_points.size() > 1 && state.position - check_points[1].first > tuning.undo_window) {
       check_points.pop_front();
       log.forget_to(check_points.front().first);
     }
+  }
+
+  /// A copy of a machine that holds much is made as seldom as it takes long.
+  void add_check_point() {
+    check_points.emplace_back(state.position, state.machine);
+    const std::size_t held = heap_of(state.machine) / sizeof(MethodState);
+    check_point_due = state.position + std::max(tuning.check_point_every, static_cast<std::int64_t>(held));
   }
 
   /// Ahead without one, leaving key frames.
@@ -107,7 +117,9 @@ struct Replay::Impl {
     const std::int64_t from = state.position;
     while (state.position < target) {
       if (on_way && on_way(static_cast<double>(state.position - from) / static_cast<double>(target - from))) return;
-      trace->visit(state.position, std::min(target, std::max(key_frames.next_due(), state.position + 1)), Ahead{*this});
+      const std::int64_t end = std::min(target, std::max(key_frames.next_due(), state.position + 1));
+      trace->visit(state.position, end, Ahead{*this});
+      pass(end);
       if (state.position >= key_frames.next_due()) key_frames.add(state);
     }
   }
@@ -136,6 +148,7 @@ struct Replay::Impl {
     auto fragment = state.machine.fragment;
     state.machine = check_points.back().second;
     for (std::int64_t position = check_points.back().first + 1; position <= target; ++position) {
+      if (!trace->impl().readable(position)) continue;
       std::visit([&](const auto& event) { apply_method_state(event, state.machine, position); }, trace->event(position).event);
     }
     state.machine.fragment = fragment;
@@ -156,7 +169,7 @@ struct Replay::Impl {
   void forget() {
     log.clear();
     check_points.clear();
-    check_points.emplace_back(state.position, state.machine);
+    add_check_point();
   }
 
   const Trace* trace;
@@ -167,6 +180,7 @@ struct Replay::Impl {
   KeyFrames key_frames;
   UndoLog log;
   std::deque<std::pair<std::int64_t, MethodState>> check_points;  ///< never empty; the log reaches back to the first
+  std::int64_t check_point_due = 0;
   bool refused = false;
 };
 
@@ -186,6 +200,8 @@ void Replay::go_to(std::int64_t position, const OnWay& on_way) {
   else impl_->seek(position, on_way);
 }
 
-const RecordedEvent* Replay::current() const { return position() == 0 ? nullptr : &impl_->trace->event(position()); }
+const RecordedEvent* Replay::current() const {
+  return position() > 0 && impl_->trace->impl().readable(position()) ? &impl_->trace->event(position()) : nullptr;
+}
 
 }  // namespace zstep

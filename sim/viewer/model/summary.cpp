@@ -137,7 +137,8 @@ void HitCounts::follow(const Trace& trace, std::int64_t position) {
   const std::int64_t change = position > position_ ? 1 : -1;
   const std::int64_t low = std::min(position, position_), high = std::max(position, position_);
   if (high - low < 64) {
-    for (std::int64_t p = low + 1; p <= high; ++p) count_[trace.event(p).step] += change;
+    for (std::int64_t p = low + 1; p <= high; ++p)
+      if (trace.impl().readable(p)) count_[trace.event(p).step] += change;
   } else {
     trace.visit(low, high, [&](std::int64_t, std::uint8_t step, const auto&) {
       count_[step] += change;

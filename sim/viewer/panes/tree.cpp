@@ -13,6 +13,7 @@ namespace zstep::viewer {
 namespace {
 
 constexpr std::size_t largest_drawn = 24;  // nodes
+constexpr std::size_t longest_path = 400;  // rows; of a longer one those next to the node at work
 
 const Event* event_of(const Session& s) { return s.event() ? &s.event()->event : nullptr; }
 std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
@@ -143,7 +144,10 @@ void draw_path(Ui& ui) {
   const std::vector<std::int32_t> sizes = subtree_sizes(m.tree);
   const std::int32_t now = node_at_work(m, event_of(s));
   std::vector<std::int32_t> path;
-  for (std::int32_t node = now; node >= 0 && at(node) < m.tree.size(); node = m.tree[at(node)].parent) path.push_back(node);
+  for (std::int32_t node = now; node >= 0 && at(node) < m.tree.size(); node = m.tree[at(node)].parent) {
+    path.push_back(node);
+    if (path.size() == longest_path) break;
+  }
   std::reverse(path.begin(), path.end());
   const auto count = [&](std::int32_t child) { return child >= 0 && at(child) < sizes.size() ? sizes[at(child)] : 0; };
   std::vector<TableRow> rows;

@@ -1,0 +1,92 @@
+#include "sim/cli/budget.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/cli/messages.hpp"
+#include "sim/cli/run_options.hpp"
+#include "sim/compare/allocation_peak.hpp"
+#include "traces/error.hpp"
+#include "traces/file/output.hpp"
+
+namespace zstep::cli {
+namespace {
+
+constexpr double least_seconds = 7, seconds_a_byte = 1 / 50e3;
+constexpr double least_memory = 768, memory_a_byte = 32;  // MiB; bytes
+
+struct Budget {
+  std::optional<double> seconds, memory;  ///< as given; MiB
+  bool strict = false;
+  std::atomic<double> until{0};  ///< of processor time
+};
+
+Budget& budget() {
+  static Budget one;
+  return one;
+}
+
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+[[noreturn]] void end_incomplete(const std::string& line) {
+  Unfinished::remove_all();
+  complain(line);
+  std::_Exit(exit_code::incomplete);
+}
+
+/// Looks at the clock beside the work, so that nothing that takes long must do so itself.
+void watch_time() {
+  while (processor_time() < budget().until) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  end_incomplete(fmt::format("zstep: stopped after {:.0f} seconds; what is printed so far is right; --seconds {:.0f} gives it more time",
+                             budget().until.load(), std::ceil(10 * budget().until)));
+}
+
+[[noreturn]] void end_without_memory() {
+  const std::string met = memory_budget_met();
+  if (!met.empty()) end_incomplete(met);
+  std::abort();
+}
+
+}  // namespace
+
+void add_budget_options(CLI::App& command) {
+  add_number(command, "--seconds", budget().seconds, "Stop after this much processor time (default: 7, and more for a large file)")->group("Limits");
+  add_number(command, "--memory", budget().memory, "Stop when it would need more than so many MiB (default: 768, and more for a large file)")->type_name("MIB")->group("Limits");
+  command.add_flag("--strict", budget().strict, "Anything that is doubtful about the file is an error")->group("Limits");
+}
+
+bool time_is_up() { return budget().until > 0 && processor_time() > budget().until - 0.5; }
+
+void begin_budget(std::uintmax_t file_bytes) {
+  for (const auto& [name, value] : {std::pair{"--seconds", budget().seconds}, {"--memory", budget().memory}})
+    if (value && !(*value > 0)) throw InputError(name, "is not more than 0", "leave it out, or give a larger number");
+  const double bytes = budget().memory ? *budget().memory * 1048576 : least_memory * 1048576 + static_cast<double>(file_bytes) * memory_a_byte;
+  compare::limit_heap(static_cast<std::int64_t>(std::fmin(bytes, 9e18)));
+  if (budget().until > 0) return extend_budget(static_cast<double>(file_bytes) * seconds_a_byte);
+  budget().until = processor_time() + budget().seconds.value_or(least_seconds + static_cast<double>(file_bytes) * seconds_a_byte);
+  std::set_terminate(end_without_memory);
+  std::thread(watch_time).detach();
+}
+
+void extend_budget(double seconds) {
+  if (!budget().seconds && budget().until > 0) budget().until = budget().until + seconds;
+}
+
+std::string memory_budget_met() {
+  if (!compare::met_heap_limit()) return "";
+  compare::limit_heap(0);
+  return "zstep: needs more memory than it may take; what is printed so far is right; --memory 4096 allows it 4 GiB";
+}
+
+bool is_strict() { return budget().strict; }
+
+}  // namespace zstep::cli
