@@ -17,13 +17,15 @@ namespace zstep {
 std::string jsonl_header(const Header& header, const Scene& scene);
 /// One event: {"step":"compare","x":3,"y":2,"z":4.25,"nearer":true}. The step's name is short where it is unique.
 std::string jsonl_event(const Page& page, const RecordedEvent& event);
+/// The only key of the last line of a recording that was cut off: {"cut_off":true}.
+inline constexpr const char* cut_off_key = "cut_off";
 /// The whole trace.
 void write_jsonl(const Trace& trace, std::ostream& out);
 
 /// Reads JSONL and hands header and scene to `begin`, which returns the recorder that takes the events. It keeps the scene for as long as
 /// the recorder lives.
-/// What the file of a program that crashed ends with, a line that was torn off or a message, is quoted in what is returned; nothing where
-/// the file is whole. Throws InputError for what is wrong elsewhere, the first ten mistakes, each as NAME:LINE:COLUMN.
+/// What the file of a program that crashed ends with, a line that was torn off or a message, is quoted in what is returned, or that its last
+/// line is the mark of a recording that was cut off; nothing where the file is whole. Throws InputError for what is wrong elsewhere, the first ten mistakes, each as NAME:LINE:COLUMN.
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
                                       const std::function<TraceRecorder&(const Header&, Scene)>& begin);
 

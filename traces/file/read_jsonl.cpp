@@ -164,6 +164,7 @@ class Reader {
       if (faults_.size() >= most_faults) faults_.push_back(name_ + ": there may be more mistakes; mend these first");
       throw InputError(faults_);
     }
+    if (cut_off_) return fmt::format("{}:{}: the recording was cut off before its end; {} steps could be read", name_, *cut_off_, events_);
     if (tail_.empty()) return std::nullopt;
     return fmt::format("{}:{}: the recording was cut off here, at {}; {} steps could be read", name_, tail_.line(),
                        tail_.quoted(), events_);
@@ -213,6 +214,12 @@ class Reader {
     json document;
     if (!parse(text, document)) return;
     give_up_tail();  // a whole object comes after it, so it is no end
+    if (cut_off_) add(*cut_off_, {0, false, "the recording is said to be cut off here, but it goes on", "take this line out"}, "");
+    cut_off_.reset();
+    if (recorder_ != nullptr && document.is_object() && document.size() == 1 && document.contains(cut_off_key)) {
+      cut_off_ = first;
+      return;
+    }
     try {
       if (!document.is_object()) throw MalformedJson("is not a JSON object", "write one JSON object a line");
       if (recorder_ == nullptr) begin(document);
@@ -328,6 +335,7 @@ class Reader {
   std::vector<std::string_view> step_names_;
   std::optional<EventCheck> check_;
   TraceRecorder* recorder_ = nullptr;
+  std::optional<std::int64_t> cut_off_;  ///< the line that says so
   std::int64_t events_ = 0;
   Tail tail_;
   std::vector<std::string> faults_;
