@@ -65,6 +65,12 @@ void tell(Telling& t, const AreaBin& e) {
     default:
       t.say(fmt::format("An edge of {} meets the area, and {} goes on outside it: intersecting.", who, who));
   }
+  // An area that no edge meets lies wholly inside or wholly outside.
+  const bool apart = e.bin == Bin::disjoint || e.bin == Bin::surrounding;
+  const bool numbers = e.crossings == 0 ? apart && e.corners_inside == (e.bin == Bin::surrounding ? 4 : 0) : !apart;
+  if (!numbers)
+    t.contradict(fmt::format("The trace says that {} is {}, but {} of its edges meet the area and {} of the area's corners lie inside it.", who,
+                             words_of<Bin>[static_cast<std::size_t>(e.bin)], e.crossings, e.corners_inside));
   t.formula(fmt::format("edges that meet the area: {}", e.crossings));
   t.formula(fmt::format("corners of the area inside {}: {}", who, e.corners_inside));
 }

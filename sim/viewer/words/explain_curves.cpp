@@ -129,8 +129,8 @@ void tell(Telling& t, const HorizonTest& e) {
   if (!one) t.value("lower[x]", now.lower);
   const Horizon rule = above ? Horizon::above : below ? Horizon::below : Horizon::hidden;
   if (rule != e.verdict)
-    t.doubt(fmt::format("The trace says {}, but by these numbers it is {}.", words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
-                              words_of<Horizon>[static_cast<std::size_t>(rule)]));
+    t.contradict(fmt::format("On column {} the trace says {}, but by these numbers the curve is {}.", e.x, words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
+                             words_of<Horizon>[static_cast<std::size_t>(rule)]));
 }
 
 void tell(Telling& t, const HorizonCross& e) {

@@ -114,13 +114,21 @@ void tell(Telling& t, const EdgeTableInsert& e) {
 }
 
 void tell(Telling& t, const EdgeTableSkip& e) {
-  t.say(e.why == EdgeSkip::horizontal
-            ? fmt::format("The edge from vertex {} to vertex {} is horizontal: it meets no scan line in one point and is left out.",
-                          vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1))
-            : fmt::format("The edge from vertex {} to vertex {} lies between two scan lines and meets none: it is left out.",
-                          vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1)));
+  const std::string edge = fmt::format("edge from vertex {} to vertex {}", vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1));
+  const bool horizontal = e.why == EdgeSkip::horizontal;
+  t.say(horizontal ? fmt::format("The {} is horizontal: it meets no scan line in one point and is left out.", edge)
+                   : fmt::format("The {} lies between two scan lines and meets none: it is left out.", edge));
   const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
-  if (a && b) t.formula(fmt::format("y_0 = {}, y_1 = {}", number(a->y), number(b->y)));
+  if (!a || !b) return;
+  const double from = std::min(a->y, b->y), to = std::max(a->y, b->y), height = t.scene.raster.height;
+  // Half-open: an edge that ends on a scan line does not meet it.
+  const double first = std::ceil(from), end = std::ceil(to), first_within = std::clamp(first, 0.0, height);
+  if (horizontal && from != to) t.contradict(fmt::format("The trace leaves out the {} as horizontal, but it is not: {} \u2260 {}.", edge, number(a->y), number(b->y)));
+  if (!horizontal && first_within < std::min(end, height))
+    t.contradict(fmt::format("The trace leaves out the {} as lying between two scan lines, but it meets scan line {}.", edge, number(first_within)));
+  else if (!horizontal && first < end)
+    t.say(fmt::format("The {} lies {} the raster and meets none of its scan lines: it is left out.", edge, to <= 0 ? "above" : "below"));
+  t.formula(fmt::format("y_0 = {}, y_1 = {}", number(a->y), number(b->y)));
 }
 
 void tell(Telling& t, const ScanLineBegin& e) {
@@ -134,6 +142,14 @@ void tell(Telling& t, const ScanLineBegin& e) {
 void tell(Telling& t, const EdgeEnter& e) {
   t.say(with_capital(fmt::format("{} begins at this scan line and enters the active edge list at place {}, sorted by x.",
                                  named(t, e.edge), e.place)));
+  const auto place = static_cast<std::size_t>(e.place);
+  const auto& active = t.machine.active;
+  const auto out_of_order = [&](std::size_t left) { return left + 1 < active.size() && active[left].x > active[left + 1].x; };
+  if (out_of_order(place) || (place > 0 && out_of_order(place - 1))) {
+    const ActiveEdge &one = active[out_of_order(place) ? place : place - 1], &other = active[out_of_order(place) ? place + 1 : place];
+    t.contradict(with_capital(fmt::format("{} begins at this scan line and enters the active edge list at place {}, which leaves it unsorted: {} at x = {} is left of {} at x = {}.",
+                                          named(t, e.edge), e.place, brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x))));
+  }
   if (const EdgeTableInsert* entry = entry_of(t, e.edge)) {
     t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.z, number(entry->z_edge), entry->end_row));
     t.value("x", entry->x_edge);
@@ -145,11 +161,18 @@ void tell(Telling& t, const EdgeRetire& e) {
   t.say(with_capital(fmt::format("{} ends here and leaves the active edge list.", named(t, e.edge))));
   const EdgeTableInsert* entry = entry_of(t, e.edge);
   if (!entry || !t.machine.scan_line) return;
-  const std::int32_t y = *t.machine.scan_line;
-  if (y >= entry->end_row) return t.formula(fmt::format("y = {}; it leaves at y = {}", y, entry->end_row));
-  t.say(with_capital(fmt::format("Scan line {} was the last of {}: {} leaves the active edge list.", y, all_at_once(t) ? "all" : t.here(),
-                                 named(t, e.edge))));
-  t.formula(fmt::format("y + 1 = {}; it leaves at y = {}", y + 1, entry->end_row));
+  const std::int32_t y = *t.machine.scan_line, end = entry->end_row;
+  t.formula(y >= end ? fmt::format("y = {}; it leaves at y = {}", y, end) : fmt::format("y + 1 = {}; it leaves at y = {}", y + 1, end));
+  if (y != end && y + 1 != end)
+    return t.contradict(with_capital(fmt::format("{} leaves the active edge list at scan line {}, though it is to leave at {}.", named(t, e.edge), y, end)));
+  if (y == end) return;
+  const auto goes_on = [&](const ActiveEdge& active) {
+    const EdgeTableInsert* other = entry_of(t, active.edge);
+    return other && other->end_row > end;
+  };
+  const bool last_of_all = std::none_of(t.machine.active.begin(), t.machine.active.end(), goes_on);
+  t.say(with_capital(last_of_all ? fmt::format("Scan line {} was the last of {}: {} leaves the active edge list.", y, all_at_once(t) ? "all" : t.here(), named(t, e.edge))
+                                 : fmt::format("Scan line {} was the last of {}, which leaves the active edge list.", y, named(t, e.edge))));
 }
 
 void tell(Telling& t, const EdgeStep& e) {
@@ -176,6 +199,11 @@ void tell(Telling& t, const EdgeStep& e) {
 void tell(Telling& t, const EdgeSwap& e) {
   t.say(fmt::format("Places {} and {} of the active edge list change: left to right, x must not fall.", e.place, e.place + 1));
   t.formula(list_of_active(t));
+  const auto left = static_cast<std::size_t>(e.place);
+  if (left + 1 >= t.machine.active.size() || t.machine.active[left].x <= t.machine.active[left + 1].x) return;
+  const ActiveEdge &one = t.machine.active[left], &other = t.machine.active[left + 1];
+  t.contradict(fmt::format("Places {} and {} of the active edge list change, though they were in order: now {} at x = {} is left of {} at x = {}.", e.place, e.place + 1,
+                           brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x)));
 }
 
 void tell(Telling& t, const SpanBegin& e) {

@@ -27,6 +27,8 @@ void tell(Telling& t, const ShadowCompare& e) {
   const std::string what = e.lit ? fmt::format("the light reaches {}", t.label(polygon))
                                  : fmt::format("{} is nearer to the light, so {} is in shadow", t.label(state.light.polygon[cell]), t.label(polygon));
   t.say(fmt::format("At pixel ({}, {}) {}.", e.x, e.y, what));
+  if (!e.lit && t.trace.header().comparison.behind(e.z_light, stored) < 0)
+    t.contradict(fmt::format("The trace says that {} is in shadow at pixel ({}, {}), but its depth, {}, is less than the {} that the light sees there.", t.label(polygon), e.x, e.y, z, shadow));
   t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it {}", column, row, shadow, z, e.lit ? "is not behind" : "is behind",
                         e.lit ? "by more than the bias" : "by more than the bias: dark"));
   t.value("shadow[x',y']", stored);

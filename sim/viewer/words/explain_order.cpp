@@ -64,6 +64,10 @@ void tell(Telling& t, const ExtentTest& e) {
     t.say(fmt::format("The whole of {} is nearer than all of {}: {} cannot hide it.", other, one, one));
   else
     t.say(fmt::format("The {} extents of {} and {} do not overlap: neither can hide the other.", axis, one, other));
+  const bool meet = e.low < e.other_high && e.other_low < e.high;
+  if (e.overlap ? !meet && e.axis != Axis::z : meet)
+    t.contradict(fmt::format("The trace says that the {} extents of {} and {} {}, but {} and {} {}.", axis, one, other, e.overlap ? "overlap" : "do not overlap",
+                             range(e.low, e.high), range(e.other_low, e.other_high), meet ? "do" : "do not"));
   t.formula(fmt::format("{}: {} and {}", one, range(e.low, e.high), range(e.other_low, e.other_high)));
   if (!e.overlap && e.high <= e.other_low) t.formula(fmt::format("{} \u2264 {}", number(e.high), number(e.other_low)));
   else if (!e.overlap) t.formula(fmt::format("{} \u2264 {}", number(e.other_high), number(e.low)));
@@ -90,6 +94,12 @@ void tell(Telling& t, const SideTest& e) {
     const std::string earlier = exchanged ? t.piece(t.machine.pair->other) : t.piece(t.machine.pair->piece);
     t.out.sentence += passed ? fmt::format(" So {} may be drawn first.", earlier) : " This test cannot decide.";
   }
+  const double rounding = 1e-6 * std::max(std::abs(e.least), std::abs(e.greatest));
+  const bool both_sides = e.least < -rounding && e.greatest > rounding, one_side = e.least > rounding || e.greatest < -rounding;
+  if (e.side == Side::crossing ? one_side : both_sides)
+    t.contradict(fmt::format("The trace says that {} lies {} the plane of {}, but its values there run from {} to {}: it lies on {}.", piece,
+                             e.side == Side::crossing ? "on both sides of" : e.side == Side::front ? before : e.side == Side::behind ? "behind" : "in", plane,
+                             number(e.least), number(e.greatest), both_sides ? "both sides" : "one side"));
   t.formula(fmt::format("f at the corners of {}: {}", piece, range(e.least, e.greatest)));
   t.value("least", e.least);
   t.value("greatest", e.greatest);

@@ -31,6 +31,11 @@ struct Telling {
         camera(camera_at_work(trace_.scene(), after_.machine)), machine(after_.machine), z(depth_symbol(trace_.scene(), trace_.header().conventions)) {}
 
   void say(std::string sentence) { out.sentence = std::move(sentence); }
+  /// What the trace says and its own numbers contradict.
+  void contradict(std::string sentence) {
+    out.doubt = sentence;
+    say(std::move(sentence));
+  }
   void formula(std::string line) { out.formulas.push_back(std::move(line)); }
   void value(std::string name, double v) { out.values.emplace_back(std::move(name), v); }
   std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }

@@ -53,6 +53,77 @@ std::optional<double> glass_here(const Telling& t) {
   return opacity < 1 ? std::optional(opacity) : std::nullopt;
 }
 
+/// What the depth buffer was cleared to last; nullopt where no clearing is recorded.
+std::optional<double> cleared_to(const Telling& t) {
+  const auto clears = t.trace.clears();
+  const auto after = std::upper_bound(clears.begin(), clears.end(), t.after.position);
+  if (after == clears.begin()) return std::nullopt;
+  return std::get<BuffersClear>(t.trace.event(*std::prev(after)).event).z;
+}
+
+/// What is stored where a depth is compared, as far as it can be named.
+struct Stored {
+  double z = no_depth;
+  bool empty = true;        ///< the frame shows the background
+  bool cleared = true;      ///< the depth buffer holds what it was cleared to
+  std::string who = "what is stored";  ///< "A", "what the depth buffer was cleared to"
+};
+Stored stored_of(const Telling& t, const Fragment& f) {
+  Stored is{f.stored, f.stored_polygon == no_polygon, false, t.label(f.stored_polygon)};
+  is.cleared = cleared_to(t).value_or(t.trace.header().empty_depth()) == f.stored;
+  if (is.empty) is.who = is.cleared ? "what the depth buffer was cleared to" : "the depth that was written here without a colour";
+  return is;
+}
+
+/// Why a depth is nearer: "nearer than A", or that nothing is there which it could lie behind.
+std::string nearer_text(const Stored& is, double z) {
+  if (z == is.z && !is.empty) return fmt::format("as near as {}, and of equals the last one stays", is.who);
+  if (!is.cleared) return "nearer than " + is.who;
+  if (!is.empty) return fmt::format("{} was drawn here, but the depth buffer still holds what it was cleared to", is.who);
+  return std::isinf(is.z) ? "nothing was drawn here yet" : "the depth buffer was cleared to that, and nothing was drawn here yet";
+}
+
+/// The colour that is written to a pixel together with a compare.
+struct Written {
+  std::int64_t step = 0;
+  std::int32_t polygon = no_polygon;
+  bool unknown = false;  ///< the trace ends before
+};
+template <class E>
+bool is_at(const Event& event, std::int32_t x, std::int32_t y) {
+  const E* found = std::get_if<E>(&event);
+  return found && found->x == x && found->y == y;
+}
+Written write_of(const Telling& t, const DepthCompare& e) {
+  const auto colour = [&](std::int64_t step) -> std::optional<Written> {
+    const Event& event = t.trace.event(step).event;
+    if (is_at<PixelWrite>(event, e.x, e.y)) return Written{step, std::get<PixelWrite>(event).polygon, false};
+    if (is_at<ColorBlend>(event, e.x, e.y)) return Written{step, std::get<ColorBlend>(event).polygon, false};
+    return std::nullopt;
+  };
+  for (std::int64_t step = t.after.position + 1; step <= t.trace.size(); ++step) {
+    if (const auto written = colour(step)) return *written;
+    if (!is_at<DepthWrite>(t.trace.event(step).event, e.x, e.y)) break;
+    if (step == t.trace.size()) return {0, no_polygon, true};
+  }
+  if (t.after.position == t.trace.size()) return {0, no_polygon, true};
+  // Some programs write first and compare then.
+  if (t.after.position > 1)
+    if (const auto written = colour(t.after.position - 1)) return *written;
+  return {};
+}
+
+/// "so pixel (1, 3) becomes A", as far as the trace has it.
+std::string becomes_text(const Telling& t, const DepthCompare& e, const Written& written) {
+  const std::string where = pixel(e.x, e.y);
+  const bool named = t.machine.polygon != no_polygon;
+  if (written.step != 0 && named && written.polygon != t.machine.polygon)
+    return fmt::format("so pixel {} should become {}, but step {} writes {}", where, t.here(), grouped(written.step), t.label(written.polygon));
+  if (written.step != 0 || (written.unknown && named)) return fmt::format("so pixel {} becomes {}", where, written.step != 0 ? t.label(written.polygon) : t.here());
+  return named ? fmt::format("so pixel {} should become {}, but nothing is written", where, t.here())
+               : fmt::format("so pixel {} should be written, but the trace neither names a polygon nor writes one", where);
+}
+
 }  // namespace
 
 void tell(Telling& t, const DepthInterpolate& e) {
@@ -69,35 +140,39 @@ void tell(Telling& t, const DepthInterpolate& e) {
 
 void tell(Telling& t, const DepthCompare& e) {
   const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
-  const double stored = f ? f->stored : no_depth;
+  const Stored is = f ? stored_of(t, *f) : Stored{};
+  const Comparison& comparison = t.trace.header().comparison;
+  const double stored = f ? f->stored : comparison.farthest();
   const auto [z, before] = tell_apart(e.z, stored);
-  const std::string who = f ? t.label(f->stored_polygon) : "what is stored";
-  const bool numbers_say = f ? e.z < stored : e.nearer;
+  const bool numbers_say = f ? comparison.wins(e.z, stored) : e.nearer;
+  const std::string_view sign = comparison.sign(), relation = e.z < stored ? "<" : e.z > stored ? ">" : "=";
   const auto glass = glass_here(t);
-  if (numbers_say != e.nearer)
-    t.say(fmt::format("The trace says {} at pixel {}, although {} < {} is {}: {} {}.", e.nearer ? "nearer" : "not nearer",
-                      pixel(e.x, e.y), z, before, numbers_say ? "true" : "false", t.here(),
-                      numbers_say ? "should win over " + who : "should not win over " + who));
-  else if (e.nearer && glass)
-    t.say(fmt::format("{} < {}: {}, so {} is seen at pixel {}; through its glass, of opacity {}, so is what lies behind: the two are mixed.", z, before,
-                      std::isinf(stored) ? "nothing that is opaque was drawn here" : "nearer than " + who, t.here(), pixel(e.x, e.y), number(*glass)));
-  else if (e.nearer && std::isinf(stored))
-    t.say(fmt::format("{} < \u221e: nothing was drawn here yet, so pixel {} becomes {}.", z, pixel(e.x, e.y), t.here()));
-  else if (e.nearer)
-    t.say(fmt::format("{} < {}: nearer than {}, so pixel {} becomes {}.", z, before, who, pixel(e.x, e.y), t.here()));
-  else if (e.z == stored)
-    t.say(fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, who, pixel(e.x, e.y)));
-  else
-    t.say(fmt::format("{} > {}: {} is hidden behind {} at pixel {}, nothing is written.", z, before, t.here(), who, pixel(e.x, e.y)));
-  const std::string buffer = buffer_of(t) + "[" + pixel_of(t, "x", "y") + "]";
-  t.formula(fmt::format("{} < {}:  {} < {}  is {}", t.z, buffer, z, before, numbers_say ? "true" : "false"));
-  t.value(t.z, e.z);
-  if (const auto interpolated = interpolated_at(t, e.x, e.y)) t.taken_over("compares", e.z, "interpolated", *interpolated);
-  if (f) {
-    t.value(buffer, stored);
-    if (numbers_say != e.nearer)
-      t.doubt(fmt::format("The trace says {}, but {} < {} is {}.", e.nearer ? "nearer" : "not nearer", z, before, numbers_say ? "true" : "false"));
+  const Written written = write_of(t, e);
+  const std::string where = pixel(e.x, e.y), drawn = t.machine.polygon == no_polygon ? "the polygon at work, which the trace does not name," : t.here();
+  if (numbers_say != e.nearer) {
+    t.say(fmt::format("The trace says {} at pixel {}, although {} {} {} is {}: {} {}.", e.nearer ? "nearer" : "not nearer", where, z, sign, before,
+                      numbers_say ? "true" : "false", drawn, numbers_say ? "should win over " + is.who : "should not win over " + is.who));
+    t.out.doubt = fmt::format("The trace says {}, but {} {} {} is {}.", e.nearer ? "nearer" : "not nearer", z, sign, before, numbers_say ? "true" : "false");
+  } else if (e.nearer && glass) {
+    t.say(fmt::format("{} {} {}: {}, so {} is seen at pixel {}; through its glass, of opacity {}, so is what lies behind: the two are mixed.", z, relation, before,
+                      std::isinf(stored) ? "nothing that is opaque was drawn here" : "nearer than " + is.who, drawn, where, number(*glass)));
+  } else if (e.nearer) {
+    t.say(fmt::format("{} {} {}: {}, {}.", z, relation, before, nearer_text(is, e.z), becomes_text(t, e, written)));
+    const bool as_found = written.unknown || (written.step != 0 && (t.machine.polygon == no_polygon || written.polygon == t.machine.polygon));
+    if (!as_found) t.out.doubt = t.out.sentence;
+  } else if (written.step != 0 && written.step > t.after.position) {
+    t.contradict(fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, and step {} writes {} all the same.", z, relation, before, drawn, is.who, where,
+                             grouped(written.step), t.label(written.polygon)));
+  } else if (e.z == stored) {
+    t.say(is.cleared || is.empty ? fmt::format("{} = {}: equal to {}, so pixel {} stays.", z, before, is.who, where)
+                                 : fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, is.who, where));
+  } else {
+    t.say(is.cleared || is.empty ? fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, nothing is written.", z, relation, before, drawn, is.who, where)
+                                 : fmt::format("{} {} {}: {} is hidden behind {} at pixel {}, nothing is written.", z, relation, before, drawn, is.who, where));
   }
+  t.formula(fmt::format("{} {} zbuffer[x,y]:  {} {} {}  is {}", t.z, sign, z, sign, before, numbers_say ? "true" : "false"));
+  t.value(t.z, e.z);
+  if (f) t.value("zbuffer[x,y]", stored);
 }
 
 void tell(Telling& t, const DepthWrite& e) {

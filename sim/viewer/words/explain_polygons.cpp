@@ -1,5 +1,6 @@
 // One polygon before it reaches the raster: facing (000, 001, 003), outcodes and clipping.
 #include "sim/viewer/words/explain_parts.hpp"
+#include "sim/viewer/words/rejects.hpp"
 
 #include <algorithm>
 
@@ -49,10 +50,15 @@ void tell(Telling& t, const PolygonBegin& e) {
 }
 
 void tell(Telling& t, const FacingTest& e) {
-  const char* verdict = e.facing == Facing::front  ? "faces the eye"
-                        : e.facing == Facing::back ? "faces away from the eye"
-                                                   : "is seen edge-on";
-  t.say(fmt::format("Polygon {} {}: four ways to ask, one answer.", t.here(), verdict));
+  const FacingVotes votes = votes_of(t.scene, t.machine.facet, e);
+  if (votes.disagree()) {
+    t.contradict(fmt::format("The trace says that polygon {} {}, but its four numbers do not agree.", t.here(), facing_text(e.facing)));
+  } else if (votes.speak_against(e.facing)) {
+    t.contradict(fmt::format("The trace says that polygon {} {}, but by its four numbers it {}.", t.here(), facing_text(e.facing),
+                      facing_text(votes.front ? Facing::front : Facing::back)));
+  } else {
+    t.say(fmt::format("Polygon {} {}: four ways to ask, one answer.", t.here(), facing_text(e.facing)));
+  }
   const auto sign = [](double v) { return v < 0 ? "< 0" : v > 0 ? "> 0" : "= 0"; };
   t.formula(fmt::format("(p \u2212 e)\u00b7n = {} {}   positive faces away", number(e.view_dot_normal), e.view_dot_normal == 0 ? "" : sign(e.view_dot_normal)));
   t.formula(fmt::format("A x + B y + C z + D at the eye = {}   negative faces away", number(e.plane_at_eye)));
@@ -65,14 +71,24 @@ void tell(Telling& t, const FacingTest& e) {
 }
 
 void tell(Telling& t, const PolygonReject& e) {
-  const char* why = "";
+  const char *why = "", *as = "";
   switch (e.reason) {
-    case Reject::back_facing: why = "it faces away, so something in front of it hides it if the object is closed"; break;
-    case Reject::edge_on: why = "it is seen edge-on and covers no area"; break;
-    case Reject::outside: why = "nothing of it lies in the view volume"; break;
-    case Reject::degenerate: why = "it has no area, or coordinates that no raster can hold"; break;
+    case Reject::back_facing: why = "it faces away, so something in front of it hides it if the object is closed", as = "facing away"; break;
+    case Reject::edge_on: why = "it is seen edge-on and covers no area", as = "seen edge-on"; break;
+    case Reject::outside: why = "nothing of it lies in the view volume", as = "outside the view volume"; break;
+    case Reject::degenerate: why = "it has no area, or coordinates that no raster can hold", as = "having no area"; break;
   }
-  t.say(fmt::format("Polygon {} is dropped: {}.", t.label(e.polygon), why));
+  const bool its_own = t.machine.polygon == e.polygon && t.machine.facet >= 0;
+  const FacingTest* test = t.machine.facing ? &*t.machine.facing : nullptr;
+  const bool checkable = its_own && (test || t.machine.pass == Pass::eye);
+  const RejectCheck check = checkable ? check_reject(t.scene, t.machine.facet, e.reason, test) : RejectCheck{};
+  if (!check.holds) {
+    t.contradict(fmt::format("The trace drops polygon {} as {}, but {}.", t.label(e.polygon), as, check.text));
+  } else if (!check.shown) {
+    t.say(fmt::format("The trace drops polygon {} as {}; {}.", t.label(e.polygon), as, check.text));
+  } else {
+    t.say(fmt::format("Polygon {} is dropped: {}.", t.label(e.polygon), why));
+  }
 }
 
 void tell(Telling& t, const ClipTest& e) {
@@ -89,6 +105,9 @@ void tell(Telling& t, const ClipTest& e) {
 void tell(Telling& t, const ClipVertex& e) {
   t.say(fmt::format("Vertex {} is {} the {} plane: it is {}.", e.vertex, e.inside ? "inside" : "outside", plane_name(e.plane),
                     e.inside ? "kept" : "cut off"));
+  if (e.inside != (e.distance >= 0))
+    t.contradict(fmt::format("The trace takes vertex {} for {} the {} plane, but its distance says {}.", e.vertex, e.inside ? "inside" : "outside", plane_name(e.plane),
+                             e.inside ? "outside" : "inside"));
   t.formula(fmt::format("distance = {} {} 0", number(e.distance), e.distance >= 0 ? "\u2265" : "<"));
   t.value("distance", e.distance);
 }

@@ -72,6 +72,7 @@ void tell(Telling& t, const CellVisit& e) {
 void tell(Telling& t, const BoxTest& e) {
   const auto [enter, leave] = tell_apart(e.t_enter, e.t_leave);
   if (!(e.t_enter <= e.t_leave)) {
+    if (e.hit) t.out.doubt = fmt::format("The trace says that the ray meets {}, but t_enter = {} > {} = t_leave.", box_name(e.box), enter, leave);
     t.say(fmt::format("The ray misses {}: it would enter the last of its slabs only after it has left the first.", box_name(e.box)));
     t.formula(fmt::format("t_enter = {} > {} = t_leave", enter, leave));
   } else if (e.hit) {
@@ -110,7 +111,7 @@ const RayHit* kept_before(const Telling& t) {
   return nullptr;
 }
 
-/// Why a hit inside its facet is kept, or not: by the numbers, and against them where the trace says otherwise.
+/// Why a hit inside its facet is kept, or not.
 std::string why_kept(Telling& t, const RayHit& e, const std::string& who) {
   const RayHit* kept = kept_before(t);
   const std::string inside = fmt::format("The point lies inside {}", who);
@@ -122,13 +123,30 @@ std::string why_kept(Telling& t, const RayHit& e, const std::string& who) {
       return inside + (e.nearest ? fmt::format(", just as near as {}: a tie, and it takes its place.", other) : fmt::format(", just as near as {}: a tie, and {} stays.", other, other));
     return inside + fmt::format(", just as near as {}: a tie, and {}, the first of the two in the file, {}.", other, e.nearest ? who : other, e.nearest ? "is kept" : "stays");
   }
-  if (e.nearest != (e.t < kept->t)) {
-    const std::string contradiction = fmt::format("{} < {} is {}", here, before, e.t < kept->t ? "true" : "false");
-    t.doubt(fmt::format("The trace says {}, but {}.", e.nearest ? "nearest" : "not nearest", contradiction));
-    return inside + fmt::format(". The trace {} although {} is {}: {}.", e.nearest ? "keeps it," : "does not keep it,", other, e.t < kept->t ? "farther" : "nearer", contradiction);
-  }
-  t.formula(fmt::format("t < t kept:  {} < {}  is {}", here, before, e.t < kept->t ? "true" : "false"));
+  const Comparison& comparison = t.trace.header().comparison;
+  t.formula(fmt::format("t {0} t kept:  {1} {0} {2}  is {3}", comparison.sign(), here, before,
+                        comparison.wins(e.t, kept->t) ? "true" : "false"));
   return inside + (e.nearest ? fmt::format(", nearer than {}, which was kept so far: it is kept.", other) : fmt::format(", but {} is nearer: it is not kept.", other));
+}
+
+/// Where what is kept and the numbers part.
+void check_kept(Telling& t, const RayHit& e) {
+  const RayHit* kept = kept_before(t);
+  const RayRow* row = ray_now(t);
+  const std::string who = facet_name(t, e.facet);
+  if (e.nearest && !e.inside) return t.contradict(fmt::format("The point lies outside {}, and yet the trace keeps it.", who));
+  if (!e.inside) return;
+  if (kept == nullptr) {
+    const bool should = !e.nearest && row && row->entry.role == RayRole::eye;
+    if (should) t.contradict(fmt::format("The point lies inside {}, and nothing nearer is known, but the trace does not keep it.", who));
+    return;
+  }
+  const double behind = t.trace.header().comparison.behind(e.t, kept->t);
+  const auto [its, other] = tell_apart(e.t, kept->t);
+  if (e.nearest && behind > 0)
+    t.contradict(fmt::format("The point lies inside {} at t = {}, and the trace keeps it, though {} at t = {} is nearer.", who, its, facet_name(t, kept->facet), other));
+  if (!e.nearest && behind < 0)
+    t.contradict(fmt::format("The point lies inside {} at t = {}, nearer than {} at t = {}, but the trace keeps {}.", who, its, facet_name(t, kept->facet), other, facet_name(t, kept->facet)));
 }
 
 }  // namespace
@@ -136,6 +154,7 @@ std::string why_kept(Telling& t, const RayHit& e, const std::string& who) {
 void tell(Telling& t, const RayHit& e) {
   const std::string who = facet_name(t, e.facet);
   t.say(e.inside ? why_kept(t, e, who) : fmt::format("The point lies outside {}.", who));
+  check_kept(t, e);
   t.formula(fmt::format("X = X_0 + t dX = {}", point(e.x_hit, e.y_hit, e.z_hit)));
   t.value("t", e.t);
   const RayRow* row = ray_now(t);

@@ -43,6 +43,8 @@ void tell(Telling& t, const EyeSide& e) {
   const char* near = e.front ? "in front of" : "behind";
   t.say(fmt::format("The eye is {} the plane of {}, so what lies {} it is drawn first.", near, node_name(t, e.node),
                     front_to_back(t) ? near : far));
+  if (e.front != (e.value > 0))
+    t.contradict(fmt::format("The trace takes the eye for {} the plane of {}, but its value there, {}, says {}.", near, node_name(t, e.node), number(e.value), far));
   t.value("at the eye", e.value);
   const PlaneEquation* plane = plane_of_node(t.machine, e.node);
   if (!plane) return;
@@ -58,6 +60,9 @@ void tell(Telling& t, const EyeSide& e) {
 void tell(Telling& t, const NodeSkip& e) {
   t.say(fmt::format("All that the eye sees lies {} the plane of {}, so what lies {} it is not drawn.", e.front ? "behind" : "in front of",
                     node_name(t, e.node), e.front ? "in front of" : "behind"));
+  if (e.front ? e.value >= 0 : e.value <= 0)
+    t.contradict(fmt::format("The trace skips what lies {} the plane of {}, but the view volume reaches there: its {} value is {}.", e.front ? "in front of" : "behind",
+                             node_name(t, e.node), e.front ? "greatest" : "least", number(e.value)));
   t.formula(fmt::format("{} of A x + B y + C z + D over the view volume's corners = {} {} 0", e.front ? "greatest" : "least",
                         number(e.value), e.value > 0 ? ">" : "<"));
   t.value("nearest corner", e.value);

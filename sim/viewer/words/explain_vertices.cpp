@@ -46,9 +46,8 @@ void tell_depth(Telling& t, const Projection& e, const glm::dvec3& v) {
 
 void tell(Telling& t, const BuffersClear& e) {
   const Raster& r = t.scene.raster;
-  t.say(std::isinf(e.z)
-            ? "Every pixel becomes background and every depth becomes \u221e, so whatever comes first will be nearer."
-            : fmt::format("Every pixel becomes background and every depth becomes {}.", number(e.z)));
+  t.say(e.z == t.trace.header().comparison.farthest() ? fmt::format("Every pixel becomes background and every depth becomes {}, so whatever comes first will be nearer.", number(e.z))
+                        : fmt::format("Every pixel becomes background and every depth becomes {}.", number(e.z)));
   t.formula(fmt::format("zbuffer[x,y] = {} at {} \u00d7 {} = {} pixels", number(e.z), r.width, r.height,
                         grouped(std::int64_t{r.width} * r.height)));
 }
