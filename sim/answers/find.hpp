@@ -110,22 +110,4 @@ std::int64_t next_mark(const Trace& trace, std::int64_t step);
 /// Of the last mark, 0 if there is none.
 std::int64_t last_mark(const Trace& trace);
 
-/// Something that a polygon did to a pixel of the eye's picture.
-struct Touch {
-  enum class How : std::uint8_t { compared, painted, blended } how = How::compared;
-  std::int64_t step = 0;
-  std::int32_t polygon = no_polygon;  ///< of whom; none where the trace does not say
-  double z = 0;                       ///< its depth
-  bool nearer = true;                 ///< of a compare, its outcome
-  std::int64_t written = 0;           ///< the step that changed the pixel, 0 if none did
-  bool takes = false;                 ///< the pixel is this polygon's from then on: glass that is mixed in only colours it
-  double opacity = 1;                 ///< of what is blended
-};
-/// All that happened to a pixel after a step (standard: since its picture began), in order. A blend that follows a compare is one with it.
-std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after);
-std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel);
-
-/// The last that took the pixel before a step; nullptr while it shows the background.
-const Touch* holder(const std::vector<Touch>& touches, std::int64_t before);
-
 }  // namespace zstep::answers

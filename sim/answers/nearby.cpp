@@ -5,11 +5,11 @@ namespace {
 
 /// The pixel at work, as the replay would have it.
 template <class E>
-void set_fragment(State& state, const E& event, const Touch* stored) {
+void set_fragment(State& state, const E& event, const Touch& touch) {
   Fragment fragment;
   fragment.x = event.x, fragment.y = event.y, fragment.z = event.z;
-  fragment.stored = stored ? stored->z : no_depth;
-  fragment.stored_polygon = stored ? stored->polygon : no_polygon;
+  fragment.stored = touch.stored;
+  fragment.stored_polygon = touch.stored_polygon;
   state.machine.fragment = fragment;
 }
 
@@ -34,18 +34,18 @@ void set_ray(State& state, const Trace& trace, std::int64_t step) {
 
 }  // namespace
 
-std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::int32_t polygon, const Touch* stored) {
+std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::int32_t polygon, const Touch* touch) {
   const RecordedEvent recorded = trace.event(step);
   State state;
   state.position = step;
   state.machine.polygon = polygon;
-  if (const auto* compare = std::get_if<DepthCompare>(&recorded.event)) {
-    set_fragment(state, *compare, stored);
+  if (const auto* compare = std::get_if<DepthCompare>(&recorded.event); compare && touch) {
+    set_fragment(state, *compare, *touch);
     state.machine.fragment->nearer = compare->nearer;
     return state;
   }
-  if (const auto* paint = std::get_if<PixelPaint>(&recorded.event)) {
-    set_fragment(state, *paint, stored);
+  if (const auto* paint = std::get_if<PixelPaint>(&recorded.event); paint && touch) {
+    set_fragment(state, *paint, *touch);
     set_span(state, trace, step, *paint);
     return state;
   }

@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/answers/find.hpp"
+#include "sim/answers/touches.hpp"
 #include "traces/replay/state.hpp"
 
 namespace zstep::answers {
 
 /// For steps of one pixel, of one polygon before the raster, and along a ray; nullopt for others: those need a replay.
-/// `stored`: who held the pixel before, if anybody did.
-std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::int32_t polygon, const Touch* stored);
+/// `touch`: what that step is part of, for a step of one pixel.
+std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::int32_t polygon, const Touch* touch);
 
 }  // namespace zstep::answers

@@ -14,6 +14,7 @@
 #include "sim/compare/facet_at.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
+#include "sim/viewer/words/rejects.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::answers {
@@ -26,9 +27,9 @@ std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
 }
 
 /// Does the trace say of a compare what its two depths do not?
-bool contradicts(const Visit& visit) {
+bool contradicts(const Trace& trace, const Visit& visit) {
   const bool compared = visit.outcome == Outcome::won || visit.outcome == Outcome::lost || visit.outcome == Outcome::tie;
-  return compared && visit.z && visit.stored && (*visit.z < *visit.stored) != (visit.outcome == Outcome::won);
+  return compared && visit.z && visit.stored && is_nearer(trace, *visit.z, *visit.stored) != (visit.outcome == Outcome::won);
 }
 
 bool page_has(const Trace& trace, std::uint8_t kind) {
@@ -39,20 +40,11 @@ bool page_has(const Trace& trace, std::uint8_t kind) {
 class History {
  public:
   History(const Trace& trace, const FacetsNear& facets, Trace::Pixel pixel)
-      : trace_(trace), facets_(facets), pixel_(pixel), all_at_once_(page_has(trace, kind_of<TablesBegin>) && !page_has(trace, kind_of<PieceDraw>)) {}
+      : trace_(trace), facets_(facets), pixel_(pixel) {}
 
   std::vector<Visit> all() {
-    find_what_is_for_all_pixels();
-    std::vector<std::pair<std::int64_t, Event>> touching;
-    trace_.scan(pixel_, [&](std::int64_t step, const RecordedEvent& recorded) {
-      touching.emplace_back(step, recorded.event);
-      return true;
-    });
-    for (const auto& [step, event] : touching) {
-      const auto passed = std::upper_bound(of_all_.begin(), of_all_.end(), step, [](std::int64_t at, const auto& change) { return at < change.first; });
-      for (; next_of_all_ < passed - of_all_.begin(); ++next_of_all_) change_all(of_all_[static_cast<std::size_t>(next_of_all_)].second);
-      if (pass_ == Pass::eye) look_at(step, event);  // else a pixel of another picture
-    }
+    if (page_has(trace_, kind_of<RayBegin>)) add_hits();
+    for (const Touch& touch : touches_of(trace_, pixel_, 0)) add(touch);
     find_there();
     add_behind();
     add_rejected();
@@ -63,93 +55,81 @@ class History {
   }
 
  private:
-  /// Events that concern this pixel as they do all others.
-  void find_what_is_for_all_pixels() {
-    for (const std::uint8_t kind : {kind_of<BuffersClear>, kind_of<PassBegin>}) {
-      if (!page_has(trace_, kind)) continue;
-      trace_.scan(Trace::Among({}, kind), [&](std::int64_t step, const RecordedEvent& recorded) {
-        of_all_.emplace_back(step, recorded.event);
-        return true;
-      });
-    }
-    std::stable_sort(of_all_.begin(), of_all_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  }
-  void change_all(const Event& event) {
-    if (const auto* clear = std::get_if<BuffersClear>(&event)) depth_ = clear->z, polygon_ = no_polygon, after_rays_ = false;
-    if (const auto* pass = std::get_if<PassBegin>(&event)) pass_ = pass->pass;
-  }
-
   Visit& add(std::int64_t step, std::int32_t polygon, Outcome outcome) {
     Visit visit;
     visit.step = step, visit.polygon = polygon, visit.outcome = outcome;
-    visit.takes = outcome == Outcome::won || outcome == Outcome::painted;
     visits_.push_back(std::move(visit));
     return visits_.back();
   }
-  /// The polygon on which work began last.
-  std::int32_t polygon_at(std::int64_t step) const {
-    if (all_at_once_) {
-      Replay replay(trace_);
-      replay.go_to(step);
-      return polygon_at_work(replay.state().machine);
+  void add(const Touch& touch) {
+    if (touch.how == Touch::How::colored) {
+      add(touch.step, no_polygon, Outcome::colored);
+      return;
     }
-    const auto marks = trace_.polygons();
-    const auto after = std::upper_bound(marks.begin(), marks.end(), step, [](std::int64_t at, const PolygonMark& mark) { return at < mark.position; });
-    return after == marks.begin() ? no_polygon : (after - 1)->polygon;
+    // What a ray meets stands there already; only what is painted against it does not.
+    if (keeper_ && touch.how != Touch::How::blended && touch.shows == *keeper_) return;
+    const bool blend = touch.how == Touch::How::blended, compared = touch.how == Touch::How::compared || (blend && touch.z);
+    if (compared || !blend) {
+      const Outcome outcome = !compared ? Outcome::painted : touch.nearer ? Outcome::won : touch.z == touch.stored ? Outcome::tie : Outcome::lost;
+      Visit& visit = add(touch.step, touch.polygon, outcome);
+      visit.z = touch.z, visit.takes = touch.takes, visit.shows = touch.shows;
+      if (touch.known && (compared || touch.how == Touch::How::painted)) visit.stored = touch.stored, visit.stored_polygon = touch.stored_polygon;
+      visit.remark = remark(touch);
+    }
+    if (blend) add(touch.blended, touch.polygon, Outcome::mixed).opacity = touch.opacity;
   }
 
-  void look_at(std::int64_t step, const Event& event) {
-    if (const auto* compare = std::get_if<DepthCompare>(&event)) {
-      const Outcome outcome = compare->nearer ? Outcome::won : compare->z == depth_ ? Outcome::tie : Outcome::lost;
-      Visit& visit = add(step, polygon_at(step), outcome);
-      visit.z = compare->z, visit.stored = depth_, visit.stored_polygon = polygon_;
-      if (contradicts(visit)) visit.takes = false;  // until it is written
-    } else if (const auto* depth = std::get_if<DepthWrite>(&event)) {
-      depth_ = depth->z;
-    } else if (const auto* write = std::get_if<PixelWrite>(&event)) {
-      polygon_ = write->polygon;
-      if (!visits_.empty() && contradicts(visits_.back())) visits_.back().takes = true;
-    } else if (const auto* paint = std::get_if<PixelPaint>(&event)) {
-      if (!after_rays_) {  // else it is the nearest of the hits, which stand there already
-        Visit& visit = add(step, paint->polygon, Outcome::painted);
-        visit.z = paint->z, visit.stored = depth_, visit.stored_polygon = polygon_;
-      }
-      depth_ = paint->z, polygon_ = paint->polygon;
-    } else if (const auto* blend = std::get_if<ColorBlend>(&event)) {
-      const bool shares = blend->opacity < 1 && !visits_.empty() && visits_.back().polygon == blend->polygon;
-      if (shares) visits_.back().takes = false;  // it won the compare, and what lies behind shines through
-      add(step, blend->polygon, Outcome::mixed).opacity = blend->opacity;
-    } else if (std::holds_alternative<ColorWrite>(event)) {
-      add(step, no_polygon, Outcome::colored);
-    } else if (const auto* ray = std::get_if<RayBegin>(&event); ray && ray->role == RayRole::eye) {
-      add_hits(step);
-    }
+  /// What is not as the rule has it: another polygon written, another depth, none at all, or written though it is not nearer.
+  std::string remark(const Touch& touch) const {
+    std::string text;
+    const auto also = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
+    const bool compared = touch.how == Touch::How::compared;
+    if (compared && !touch.nearer && touch.takes) also(fmt::format("written all the same at step {}", grouped(touch.written)));
+    if (compared && touch.polygon == no_polygon) also("the trace does not say whose");
+    if (touch.takes && touch.polygon != touch.shows) also(fmt::format("step {} writes {}", grouped(touch.written), polygon_label(trace_.scene(), touch.shows)));
+    if (compared && touch.nearer && !touch.takes && trace_.size() > touch.step) also("not written");
+    if (touch.how == Touch::How::written && !touch.takes) also("its depth alone");
+    if (lacks_depth(touch)) also("its depth was not written");
+    if (keeps_other_depth(touch)) also("the depth written is " + depth_text(*touch.kept));
+    return text;
   }
 
   /// What the eye's ray met, until it ends or casts others.
-  void add_hits(std::int64_t begin) {
-    after_rays_ = true;
+  void add_hits() {
+    const auto begin = trace_.next(0, [&](const RecordedEvent& recorded) {
+      const auto* ray = std::get_if<RayBegin>(&recorded.event);
+      return ray && ray->role == RayRole::eye;
+    }, pixel_);
+    if (!begin) return;
     std::optional<double> kept;
-    std::int32_t keeper = no_polygon;
-    trace_.each(begin, trace_.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+    keeper_ = no_polygon;
+    trace_.each(*begin, trace_.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
       if (is_one_of<RayEnd, RayBegin>(recorded)) return false;
       const auto* hit = std::get_if<RayHit>(&recorded.event);
       if (!hit || !hit->inside) return true;
       const std::int32_t polygon = polygon_of_facet(trace_.scene(), hit->facet);
       Visit& visit = add(step, polygon, hit->nearest ? Outcome::won : kept == hit->t ? Outcome::tie : Outcome::lost);
-      visit.z = hit->t, visit.stored = kept, visit.stored_polygon = keeper;
-      if (hit->nearest) kept = hit->t, keeper = polygon;
+      visit.z = hit->t, visit.stored = kept, visit.stored_polygon = *keeper_;
+      visit.takes = hit->nearest, visit.shows = polygon;
+      if (hit->nearest) kept = hit->t, keeper_ = polygon;
       return true;
     });
   }
 
   bool cut() const { return !trace_.warnings().empty(); }
+  /// Work on some polygons begins in the trace, and on others it never does.
+  bool marks_some_only() {
+    if (trace_.polygons().empty() || trace_.has(kind_of<RayBegin>)) return false;
+    begun_.assign(trace_.scene().polygons.size(), false);
+    for (const PolygonMark& mark : trace_.polygons()) begun_[static_cast<std::size_t>(mark.polygon)] = true;
+    return std::find(begun_.begin(), begun_.end(), false) != begun_.end();
+  }
 
   /// Polygons that cover the pixel's centre.
   void find_there() {
     const Scene& scene = trace_.scene();
     there_.assign(scene.polygons.size(), false), towards_ = away_ = there_;
-    const bool matters = trace_.has(kind_of<PolygonReject>) || cut() || owner_by_interval_or_area() != nullptr;
+    const bool matters = trace_.has(kind_of<PolygonReject>) || cut() || marks_some_only() || owner_by_interval_or_area() != nullptr;
     if (!matters || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
     for (const std::int32_t facet : facets_.near(pixel_)) {
       const auto at = compare::facet_at(scene, facet, false, pixel_.x, pixel_.y);
@@ -250,7 +230,7 @@ class History {
 
   /// Those of them whose turn did not come before the recording was cut off.
   void add_cut_off() {
-    if (!cut() || trace_.size() == 0 || page_has(trace_, kind_of<LineBegin>) || page_has(trace_, kind_of<HorizonTest>)) return;
+    if ((!cut() && begun_.empty()) || trace_.size() == 0 || page_has(trace_, kind_of<LineBegin>) || page_has(trace_, kind_of<HorizonTest>)) return;
     // Each polygon is compared at each pixel that it covers; by other methods what is settled is not looked at again.
     const bool all_come = page_has(trace_, kind_of<DepthCompare>);
     const bool settled = std::any_of(visits_.begin(), visits_.end(), [](const Visit& visit) { return visit.outcome != Outcome::rejected; });
@@ -259,24 +239,28 @@ class History {
     for (const Visit& visit : visits_)
       if (visit.polygon != no_polygon) came[static_cast<std::size_t>(visit.polygon)] = true;
     for (std::size_t polygon = 0; polygon < towards_.size(); ++polygon) {
-      if (!towards_[polygon] || came[polygon]) continue;
+      if (!towards_[polygon] || came[polygon] || (!cut() && begun_[polygon])) continue;
       Visit& visit = add(trace_.size(), static_cast<std::int32_t>(polygon), Outcome::cut_off);
-      visit.sentence = fmt::format("{} covers pixel ({}, {}), but the recording was cut off before its turn there.", polygon_label(trace_.scene(), visit.polygon), pixel_.x, pixel_.y);
+visit.reason = cut() ? "the recording was cut off before its turn" : fmt::format("the trace ends at step {}, before work on it begins", grouped(trace_.size()));
+      visit.sentence = fmt::format("{} covers pixel ({}, {}), but {}{}.", polygon_label(trace_.scene(), visit.polygon), pixel_.x, pixel_.y, visit.reason, cut() ? " there" : "");
     }
   }
   void add_rejected(const RejectMark& reject) {
     Visit& visit = add(reject.position, reject.polygon, Outcome::rejected);
     visit.reason = words_of<Reject>[static_cast<std::size_t>(reject.reason)];
     std::replace(visit.reason.begin(), visit.reason.end(), '_', '-');
+    for (const std::int32_t facet : facets_there_)
+      if (const RejectCheck check = check_reject(trace_.scene(), facet, reject.reason, nullptr); polygon_of_facet(trace_.scene(), facet) == reject.polygon && !check.holds)
+        visit.remark = "but " + check.text;
   }
 
   void find_who_came_over() {
     Visit* holder = nullptr;
-    auto next = of_all_.begin();
+    const auto clears = trace_.clears();
+    auto next = std::upper_bound(clears.begin(), clears.end(), begin_of_eye_pass(trace_));
     const auto clear_until = [&](std::int64_t step) {
-      for (; next != of_all_.end() && next->first < step; ++next) {
-        if (!std::holds_alternative<BuffersClear>(next->second)) continue;
-        if (holder) holder->wiped = next->first;
+      for (; next != clears.end() && *next < step; ++next) {
+        if (holder) holder->wiped = *next;
         holder = nullptr;
       }
     };
@@ -292,13 +276,8 @@ class History {
   const Trace& trace_;
   const FacetsNear& facets_;
   Trace::Pixel pixel_;
-  bool all_at_once_;  ///< the method goes through all polygons line by line
-  std::vector<std::pair<std::int64_t, Event>> of_all_;
-  std::ptrdiff_t next_of_all_ = 0;  ///< of those, the first that is still to come
-  Pass pass_ = Pass::eye;
-  double depth_ = no_depth;  ///< what the pixel holds
-  std::int32_t polygon_ = no_polygon;
-  bool after_rays_ = false;
+  std::optional<std::int32_t> keeper_;  ///< of the eye's ray, whose hit is kept; none where no ray is recorded
+  std::vector<bool> begun_;  ///< by polygon: work on it begins; empty where that tells nothing
   std::vector<bool> there_, towards_, away_;  ///< by polygon: it covers the pixel; with a facet that may be drawn; with one that is culled
   std::set<std::int32_t> facets_there_;
   std::map<std::int32_t, double> depths_;  ///< of those that may be drawn and surely cover the centre, by polygon
@@ -318,10 +297,11 @@ void tell(Replay& replay, Visit& visit) {
   if (said.doubt) visit.formulas.push_back(*said.doubt);
 }
 
-std::string depth_text(double z) { return std::isinf(z) ? "inf" : fmt::format("{:.9g}", z); }
+std::string depth_text(double z) { return std::isinf(z) ? number(z) : fmt::format("{:.9g}", z); }
 
-std::string contradiction_text(bool nearer, double z, double stored) {
-  return fmt::format("the trace says {}, but {} < {} is {}", nearer ? "nearer" : "not nearer", depth_text(z), depth_text(stored), z < stored ? "true" : "false");
+std::string contradiction_text(const Trace& trace, bool nearer, double z, double stored) {
+  return fmt::format("the trace says {}, but {} {} {} is {}", nearer ? "nearer" : "not nearer", depth_text(z), trace.header().comparison.sign(), depth_text(stored),
+                     is_nearer(trace, z, stored) ? "true" : "false");
 }
 
 namespace {
@@ -338,7 +318,7 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
   std::string text;
   switch (visit.outcome) {
     case Outcome::won: text = "nearer"; break;
-    case Outcome::lost: text = visit.z && visit.stored ? "behind by " + depth_text(*visit.z - *visit.stored) : "behind"; break;
+    case Outcome::lost: text = visit.z && visit.stored ? "behind by " + depth_text(trace.header().comparison.behind(*visit.z, *visit.stored)) : "behind"; break;
     case Outcome::tie: text = "a tie: the first stays"; break;
     case Outcome::painted: text = "painted"; break;
     case Outcome::mixed:
@@ -347,13 +327,15 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
     case Outcome::colored: text = "the pixel's colour"; break;
     case Outcome::behind: text = behind_text(*visit.z - *visit.stored, *visit.z, *visit.stored); break;
     case Outcome::rejected: text = "not drawn: " + visit.reason; break;
-    case Outcome::cut_off: text = "the recording was cut off before its turn"; break;
+    case Outcome::cut_off: text = visit.reason; break;
   }
-  if (contradicts(visit)) text = contradiction_text(visit.outcome == Outcome::won, *visit.z, *visit.stored);
+  if (contradicts(trace, visit)) text = contradiction_text(trace, visit.outcome == Outcome::won, *visit.z, *visit.stored);
+  if (!visit.remark.empty()) text += "; " + visit.remark;
   if (visit.wiped) return fmt::format("{}; cleared at step {}", text, grouped(*visit.wiped));
   if (!visit.over) return text;
   const Visit& other = history[*visit.over];
-  return fmt::format("{}; {} comes over it at step {}", text, polygon_label(trace.scene(), other.polygon), grouped(other.step));
+  if (other.shows == visit.shows) return fmt::format("{}; written once more after step {}", text, grouped(other.step));
+  return fmt::format("{}; {} comes over it at step {}", text, polygon_label(trace.scene(), other.shows), grouped(other.step));
 }
 
 }  // namespace zstep::answers

@@ -20,7 +20,7 @@ enum class Outcome : std::uint8_t {
   colored,   ///< the pixel got a colour that is no polygon's own
   behind,    ///< it covers the pixel, and on the interval or in the area around it another was found to be in front
   rejected,  ///< it would cover the pixel, but was not drawn: culled, edge-on, out of view
-  cut_off,   ///< it covers the pixel, and the recording ends before its turn
+  cut_off,   ///< it covers the pixel, and the trace ends before its turn
 };
 
 /// One thing that happened to the pixel.
@@ -33,9 +33,11 @@ struct Visit {
   std::int32_t stored_polygon = no_polygon;
   std::string sentence;               ///< why, in words, once tell() was asked
   std::vector<std::string> formulas;  ///< and in numbers
-  std::string reason;                 ///< of a rejected one: "back-facing"
+  std::string remark;                 ///< what is not as a compare and its writes should be: "step 205 writes A"
+  std::string reason;                 ///< of a rejected one: "back-facing"; of one that was cut off, how
   std::optional<double> opacity;      ///< of a mixed one
-  bool takes = false;                 ///< afterwards the pixel is this polygon's alone
+  bool takes = false;                 ///< afterwards the pixel is one polygon's alone
+  std::int32_t shows = no_polygon;    ///< that polygon: mostly its own
   std::optional<std::int64_t> wiped;  ///< the step that cleared the pixel while it was this polygon's
   std::optional<std::size_t> over;    ///< the visit that next took the pixel from this one, by its place in the history
 };
@@ -54,7 +56,7 @@ void tell(Replay& replay, Visit& visit);
 std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, const Visit& visit);
 
 /// Of a compare whose outcome is not what its numbers give: "the trace says nearer, but 7 < 7 is false".
-std::string contradiction_text(bool nearer, double z, double stored);
+std::string contradiction_text(const Trace& trace, bool nearer, double z, double stored);
 
 /// A depth with nine significant digits: those that two depths are told apart by are worth more than a short number.
 std::string depth_text(double z);

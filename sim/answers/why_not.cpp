@@ -30,6 +30,18 @@ Asked::Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel 
   if (at.x < 0 || at.y < 0 || at.x >= raster.width || at.y >= raster.height) throw std::out_of_range("why_not: no such pixel");
 }
 
+Family family_of(const Trace& trace) {
+  const auto& options = trace.header().conventions.options;
+  const auto resolve = options.find("resolve");
+  const bool line_buffer = resolve != options.end() && resolve->second == "line-buffer";
+  return trace.has(kind_of<HorizonTest>)               ? Family::curves
+         : trace.has(kind_of<LineBegin>)               ? Family::lines
+         : trace.has(kind_of<RayBegin>)                ? Family::rays
+         : trace.has(kind_of<AreaBegin>)               ? Family::areas
+         : trace.has(kind_of<FlagFlip>) && !line_buffer ? Family::sweep
+                                                       : Family::pixels;
+}
+
 std::int32_t Asked::polygon_of_facet(std::int32_t facet) const {
   const auto at = static_cast<std::size_t>(facet);
   return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
@@ -55,9 +67,9 @@ const State& Asked::state_at(std::int64_t step) {
   return replay()->state();
 }
 
-void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored) {
+void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* touch) {
   if (step < 1) return;
-  const std::optional<State> nearby = state_nearby(trace, step, of, stored);
+  const std::optional<State> nearby = state_nearby(trace, step, of, touch);
   const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
   verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
   if (said.doubt) verdict.formulas.push_back(*said.doubt);
@@ -66,6 +78,11 @@ void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, c
 Verdict not_recorded(const Asked& q) {
   return q.verdict(Why::not_recorded, 0, q.trace.warnings().empty() ? "it covers the pixel, but the trace records no step of it there"
                                                                    : "it covers the pixel, but the recording was cut off before its turn there");
+}
+
+Verdict not_begun(const Asked& q) {
+  if (!q.trace.warnings().empty()) return not_recorded(q);
+  return q.verdict(Why::not_recorded, 0, fmt::format("the trace ends at step {}, before work on {} begins", grouped(q.trace.size()), q.name));
 }
 
 Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::string& what) {
@@ -79,19 +96,17 @@ Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::str
 Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Replay* replay) {
   Asked q(trace, replay, polygon, pixel);
   Verdict verdict;
-  if (records<HorizonTest>(trace)) {
+  const Family family = family_of(trace);
+  if (family == Family::curves) {
     verdict = why_by_curves(q);
-  } else if (records<LineBegin>(trace)) {
+  } else if (family == Family::lines) {
     verdict = why_by_lines(q);
   } else {
     const std::vector<FacetThere> facets = facets_there(q);
-    const auto& options = trace.header().conventions.options;
-    const auto resolve = options.find("resolve");
-    const bool line_buffer = resolve != options.end() && resolve->second == "line-buffer";
-    verdict = records<RayBegin>(trace)                    ? why_by_rays(q, facets)
-              : records<AreaBegin>(trace)                 ? why_by_areas(q, facets)
-              : records<FlagFlip>(trace) && !line_buffer ? why_by_sweep(q, facets)
-                                                          : why_by_pixels(q, facets);
+    verdict = family == Family::rays    ? why_by_rays(q, facets)
+              : family == Family::areas ? why_by_areas(q, facets)
+              : family == Family::sweep ? why_by_sweep(q, facets)
+                                        : why_by_pixels(q, facets);
     if (facets.size() > 1 && verdict.kind != Why::seen)
       verdict.sentence += fmt::format(" ({} has {} facets; this is {}.)", q.name, facets.size(), verdict.facet < 0 ? "the one that came nearest to it" : fmt::format("facet {}", verdict.facet));
   }

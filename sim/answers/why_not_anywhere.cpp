@@ -84,12 +84,25 @@ std::string fate(const Asked& q, const std::vector<Covered>& all) {
                      grouped(static_cast<std::int64_t>(pending)), lost.size() == 1 ? "other" : "others", losses(q, lost, ""));
 }
 
+/// The first pixel whose centre the facet surely covers, whatever way it faces.
+std::optional<Trace::Pixel> covered_pixel(const Asked& q, std::int32_t facet) {
+  Scene alone = q.scene;
+  alone.facets = {q.scene.facets[static_cast<std::size_t>(facet)]};
+  const compare::Truth truth(alone, false);
+  for (std::int32_t y = 0; y < truth.height(); ++y)
+    for (std::int32_t x = 0; x < truth.width(); ++x)
+      for (const compare::Candidate& candidate : truth.at(x, y))
+        if (candidate.covers && candidate.sure()) return Trace::Pixel{x, y};
+  return std::nullopt;
+}
+
 /// Where its facets were rejected one and all; else nullopt.
 std::optional<Verdict> gone_as_a_whole(Asked& q, std::vector<FacetThere> facets) {
   for (FacetThere& there : facets) {
     if (!there.rejected() && !there.away) return std::nullopt;
     // Over the whole picture it does not matter whether this one pixel would be covered.
     there.cut_at.reset();
+    if (there.rejected() && !there.surely) there.surely = covered_pixel(q, there.facet);
     if (there.at) there.at->candidate.covers = there.away || there.reason == Reject::back_facing;
   }
   q.where = "anywhere";
@@ -111,6 +124,12 @@ Verdict filled(Asked& q, const Picture& picture) {
   if (auto verdict = gone_as_a_whole(q, facets)) {
     verdict->pixel.reset();
     return *verdict;
+  }
+  if (q.trace.warnings().empty() && std::all_of(facets.begin(), facets.end(), [&](const FacetThere& there) { return never_begun(q, there); })) {
+    q.where = "anywhere";
+    Verdict verdict = facets.empty() ? *why_by_facets(q, facets) : not_begun(q);
+    verdict.pixel.reset();
+    return verdict;
   }
   std::vector<Covered> all = covered(q, facets, picture);
   if (all.empty()) {
@@ -170,8 +189,9 @@ Verdict by_curves(Asked& q) {
 
 Verdict why_not(const Trace& trace, std::int32_t polygon, Replay* replay) {
   Asked q(trace, replay, polygon, {0, 0});
-  if (records<HorizonTest>(trace)) return tidied(by_curves(q));
-  if (records<LineBegin>(trace)) return tidied(by_lines(q));
+  const Family family = family_of(trace);
+  if (family == Family::curves) return tidied(by_curves(q));
+  if (family == Family::lines) return tidied(by_lines(q));
   return tidied(filled(q, Picture(q.state_at(trace.size()).picture)));
 }
 

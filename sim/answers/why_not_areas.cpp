@@ -113,13 +113,13 @@ Depths depths_in(const Asked& q, const AreaThere& leaf, std::int32_t piece) {
 
 Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const Touch& owner) {
   const bool surrounded = leaf.decide.what == AreaCase::front_surrounder;
-  const std::string other = q.label(owner.polygon);
+  const std::string other = q.label(owner.shows);
   const Depths depths = depths_in(q, leaf, bin.bin.piece);
   if (depths.mine.empty() || depths.its.empty()) return not_recorded(q);
   Verdict verdict;
   if (surrounded) {
     verdict = q.verdict(Why::surrounded, leaf.decided, fmt::format("{} surrounds {} and is in front of it at all four corners, so all of the area became {} without a look at this pixel", other, area_text(leaf.area), other));
-    verdict.other = owner.polygon;
+    verdict.other = owner.shows;
     double least = no_depth;
     for (std::size_t k = 0; k < std::min(depths.mine.size(), depths.its.size()); ++k) {
       const PlaneDepth &mine = depths.mine[k].second, &its = depths.its[k].second;
@@ -127,20 +127,26 @@ Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const T
       least = std::min(least, mine.z - its.z);
     }
     verdict.gap = least;
+    if (least < -1e-9 * std::max(1.0, std::abs(depths.its.front().second.z))) {
+      verdict.kind = Why::contradicted;
+      verdict.sentence += fmt::format(" But at one of the corners {} is nearer by \u0394{} = {}.", q.name, q.z, told(-least));
+    }
     verdict.formulas.push_back(fmt::format("at the corner where it comes nearest: \u0394{} = {}", q.z, told(least)));
   } else {
     const double z = depths.mine.back().second.z, its = depths.its.back().second.z;
     const bool tie = std::abs(z - its) <= 1e-12 * std::max({1.0, std::abs(z), std::abs(its)});
-    verdict = tie ? q.verdict(Why::tie, leaf.decided, fmt::format("at the pixel's centre it is exactly as near as {}, which comes first in the file", other))
+    const bool nearer = z < its && !tie;  // and yet the other is painted
+    verdict = nearer ? q.verdict(Why::contradicted, leaf.decided, fmt::format("the area is this pixel alone, and at its centre it is nearer than {} by \u0394{} = {}, but the area is given to {}", other, q.z, told(its - z), other))
+              : tie ? q.verdict(Why::tie, leaf.decided, fmt::format("at the pixel's centre it is exactly as near as {}, which comes first in the file", other))
                   : q.verdict(Why::lost, leaf.decided, fmt::format("the area is this pixel alone, and at its centre {} is nearer by \u0394{} = {}", other, q.z, told(z - its)));
-    verdict.other = owner.polygon, verdict.gap = z - its;
+    verdict.other = owner.shows, verdict.gap = z - its;
     verdict.formulas.push_back(difference(q.z, q.name, other, z, its));
   }
   verdict.chain.push_back({bin.step, q.polygon, fmt::format("{} is {} in area {}", q.name, words_of<Bin>[static_cast<std::size_t>(bin.bin.bin)], leaf.area.area)});
   for (const auto& [step, depth] : depths.mine) verdict.chain.push_back({step, q.polygon, fmt::format("{} at ({}, {}): {} = {}", q.name, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
-  for (const auto& [step, depth] : depths.its) verdict.chain.push_back({step, owner.polygon, fmt::format("{} at ({}, {}): {} = {}", other, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
-  verdict.chain.push_back({leaf.decided, owner.polygon, fmt::format("area {} is given to {}", leaf.area.area, other)});
-  verdict.chain.push_back({owner.written, owner.polygon, fmt::format("the pixel becomes {}", other)});
+  for (const auto& [step, depth] : depths.its) verdict.chain.push_back({step, owner.shows, fmt::format("{} at ({}, {}): {} = {}", other, number(depth.x_at), number(depth.y_at), q.z, told(depth.z))});
+  verdict.chain.push_back({leaf.decided, owner.shows, fmt::format("area {} is given to {}", leaf.area.area, other)});
+  verdict.chain.push_back({owner.written, owner.shows, fmt::format("the pixel becomes {}", other)});
   return verdict;
 }
 
@@ -150,9 +156,9 @@ Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
   const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
   const std::vector<AreaThere> chain = areas_around(q);
   const Touch* owner = holder(touches, q.trace.size() + 1);
-  if (owner && owner->polygon == q.polygon) {
+  if (owner && owner->shows == q.polygon) {
     const std::string area = chain.empty() ? "its area" : area_text(chain.back().area);
-    Verdict verdict = seen(q, owner->written, fmt::format("{} is filled with it, {} = {}", area, q.z, told(owner->z)), fmt::format("the pixel becomes {}", q.name));
+    Verdict verdict = seen(q, owner->written, fmt::format("{} is filled with it{}", area, owner->z ? fmt::format(", {} = {}", q.z, told(*owner->z)) : ""), fmt::format("the pixel becomes {}", q.name));
     if (!chain.empty()) verdict.chain.push_back({chain.back().decided, q.polygon, fmt::format("area {} is given to {}", chain.back().area.area, q.name)});
     return verdict;
   }
@@ -179,11 +185,11 @@ Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
   verdict->chain.push_back({bin->step, q.polygon, fmt::format("{} is {} in area {}", q.name, words_of<Bin>[static_cast<std::size_t>(bin->bin.bin)], area.area.area)});
   const AreaThere& leaf = chain.back();
   const auto given = [&]() -> std::string {
-    if (owner) return "is given to " + q.label(owner->polygon);
+    if (owner) return "is given to " + q.label(owner->shows);
     return leaf.decide.what == AreaCase::background ? "stays background" : "is settled";
   };
-  verdict->chain.push_back({leaf.decided, owner ? owner->polygon : no_polygon, fmt::format("area {} {}", leaf.area.area, given())});
-  if (owner) verdict->other = owner->polygon, verdict->chain.push_back({owner->written, owner->polygon, fmt::format("the pixel becomes {}", q.label(owner->polygon))});
+  verdict->chain.push_back({leaf.decided, owner ? owner->shows : no_polygon, fmt::format("area {} {}", leaf.area.area, given())});
+  if (owner) verdict->other = owner->shows, verdict->chain.push_back({owner->written, owner->shows, fmt::format("the pixel becomes {}", q.label(owner->shows))});
   return *verdict;
 }
 

@@ -4,6 +4,7 @@
 #include "algorithms/viewing/back_face.hpp"
 #include "sim/answers/why_not_parts.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "sim/viewer/words/rejects.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -48,17 +49,43 @@ void find_rejected_elsewhere(Asked& q, std::vector<FacetThere>& facets) {
 
 std::string point(const glm::dvec3& p) { return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z)); }
 
+/// The facing test that was recorded for it, 0 if none was.
+std::int64_t facing_test_of(const Trace& trace, const FacetThere& there) {
+  if (there.mark == 0) return 0;
+  const std::int64_t end = there.rejected() ? there.reject_step : next_mark(trace, there.mark);
+  return next_of<FacingTest>(trace, there.mark, end).value_or(0);
+}
+
+/// Why it counts as facing away, where it does.
 void add_facing(Asked& q, Verdict& verdict, const FacetThere& there) {
   const auto corners = corners_of(q.scene, there.facet);
   const bool parallel = q.scene.camera.kind == Camera::Kind::orthographic;
   const glm::dvec3 p = q.scene.points[static_cast<std::size_t>(corners[0])], e = q.scene.camera.eye;
   const glm::dvec3 n = clipping::newell_normal(q.scene, corners);
   const double value = clipping::view_dot_normal(q.scene, corners);
+  if (!(value > 0)) return;
   verdict.formulas.push_back(fmt::format("{}\u00b7n = {}\u00b7{} = {} > 0: it faces away", parallel ? "(line of sight)" : "(p \u2212 e)", point(parallel ? -e : p - e), point(n), number(value)));
   if (!parallel) verdict.formulas.push_back(fmt::format("p = {} its first corner, e = {} the eye, n = {} its normal", point(p), point(e), point(n)));
-  if (there.mark > 0)
-    if (const auto test = next_of<FacingTest, PolygonReject>(q.trace, there.mark, there.reject_step); test && event_at<FacingTest>(q.trace, *test))
-      verdict.chain.push_back({*test, q.polygon, fmt::format("facing test: {} faces away", q.name)});
+  if (const std::int64_t test = facing_test_of(q.trace, there)) verdict.chain.push_back({test, q.polygon, fmt::format("facing test: {} faces away", q.name)});
+}
+
+const char* dropped_as(Reject reason) {
+  switch (reason) {
+    case Reject::back_facing: return "facing away";
+    case Reject::edge_on: return "seen edge-on";
+    case Reject::outside: return "outside the view volume";
+    case Reject::degenerate: return "having no area";
+  }
+  return "";
+}
+
+/// What speaks against the reason for which it was dropped.
+RejectCheck check_of(const Asked& q, const FacetThere& there) {
+  const std::int64_t step = facing_test_of(q.trace, there);
+  const auto test = event_at<FacingTest>(q.trace, step);
+  RejectCheck check = check_reject(q.scene, there.facet, there.reason, test ? &*test : nullptr);
+  if (there.reason != Reject::back_facing && there.surely) check = {false, true, fmt::format("it covers the centre of pixel ({}, {})", there.surely->x, there.surely->y)};
+  return check;
 }
 
 const char* reason_text(Reject reason) {
@@ -93,7 +120,22 @@ const char* away_text(const Asked& q) {
   return records<RayBegin>(q.trace) ? "it faces away, and such are not met by rays from the eye" : "it faces away, and such are not drawn";
 }
 
+/// It was dropped for a reason that the scene or the trace's own numbers contradict, or that cannot be checked.
+Verdict of_doubtful_reject(Asked& q, const FacetThere& there, const RejectCheck& check) {
+  Verdict verdict = q.verdict(check.holds ? kind_of_reason(there.reason) : Why::contradicted, there.reject_step,
+                              fmt::format("the trace drops it as {}{} {}", dropped_as(there.reason), check.holds ? ";" : ", but", check.text));
+  add_beginning(q, verdict, there);
+  if (const std::int64_t test = facing_test_of(q.trace, there)) {
+    q.add_formulas(verdict, test);
+    verdict.chain.push_back({test, q.polygon, fmt::format("facing test of {}", q.name)});
+  }
+  verdict.chain.push_back({there.reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
+  return verdict;
+}
+
 Verdict of_rejected(Asked& q, const FacetThere& there) {
+  if (there.rejected())
+    if (const RejectCheck check = check_of(q, there); !check.holds || !check.shown) return of_doubtful_reject(q, there, check);
   const Reject reason = culled(there) ? Reject::back_facing : there.reason;
   Verdict verdict = q.verdict(kind_of_reason(reason), there.reject_step, there.rejected() ? reason_text(reason) : away_text(q));
   add_beginning(q, verdict, there);
@@ -156,6 +198,7 @@ std::vector<FacetThere> facets_there(Asked& q) {
     const auto corners = corners_of(q.scene, facet);
     there.away = in_space(q.scene) && q.trace.header().conventions.cull && !clipping::degenerate(q.scene, corners) && clipping::view_dot_normal(q.scene, corners) > 0;
     there.at = compare::facet_at(q.scene, facet, false, q.pixel.x, q.pixel.y);
+    if (there.covers() && there.at->candidate.sure()) there.surely = q.pixel;
     if (in_space(q.scene) && !there.covers())
       if (const auto z = compare::depth_on_sight(q.scene, facet, q.pixel.x, q.pixel.y); z && (*z < q.scene.camera.near || *z > q.scene.camera.far)) there.cut_at = z;
     facets.push_back(there);
@@ -170,6 +213,10 @@ std::vector<FacetThere> facets_there(Asked& q) {
   }
   find_rejected_elsewhere(q, facets);
   return facets;
+}
+
+bool never_begun(const Asked& q, const FacetThere& there) {
+  return there.mark == 0 && !there.rejected() && !there.away && !q.trace.polygons().empty() && !q.trace.has(kind_of<RayBegin>);
 }
 
 std::string beside_text(const Asked& q, const FacetThere& there) {
@@ -194,6 +241,7 @@ std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& fa
   for (const FacetThere& there : facets)
     if (!best || nearer(there, *best)) best = &there;
   if (rank(*best) == 5) {
+    if (never_begun(q, *best)) return not_begun(q);
     // On its outline rounding decides, and the method's own arithmetic has.
     if (best->at->candidate.sure()) return std::nullopt;
     Verdict verdict = q.verdict(Why::not_covered, best->mark, beside_text(q, *best));
@@ -210,10 +258,12 @@ std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& fa
     verdict = q.verdict(Why::not_covered, best->mark, beside_text(q, *best));
     add_beginning(q, verdict, *best);
     if (best->at) verdict.formulas.push_back(fmt::format("from ({}, {}) to its nearest edge: {} pixels", q.pixel.x, q.pixel.y, number(best->at->candidate.edge)));
-    if (culled(*best)) verdict.sentence += " Besides, it faces away and is not drawn.";
-    if (best->rejected()) {
-      verdict.chain.push_back({best->reject_step, q.polygon, fmt::format("{} is dropped: it faces away", q.name)});
+    if (culled(*best)) {
+      const RejectCheck check = best->rejected() ? check_of(q, *best) : RejectCheck{};
+      verdict.sentence += check.holds && check.shown ? " Besides, it faces away and is not drawn." : " Besides, the trace drops it as facing away.";
+      if (!check.text.empty()) verdict.sentence += fmt::format(" ({})", check.text);
     }
+    if (best->rejected()) verdict.chain.push_back({best->reject_step, q.polygon, fmt::format("{} is dropped", q.name)});
   }
   verdict.facet = best->facet;
   return verdict;

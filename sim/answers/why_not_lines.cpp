@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/answers/why_not_lines.hpp"
+#include "sim/viewer/words/rejects.hpp"
 
 namespace zstep::answers {
 
@@ -92,6 +93,15 @@ std::string place_text(double t, double from, double to) {
   return t < from || t > to ? fmt::format("{}: the end at t = {} is rounded to this pixel", place, number(t < from ? from : to)) : place;
 }
 
+/// Do all polygons at the edge face away, or lie edge-on?
+bool all_away(const Asked& q, const Line& line) {
+  for (const std::int32_t facet : {line.row.entry.left_facet, line.row.entry.right_facet}) {
+    if (facet < 0 || static_cast<std::size_t>(facet) >= q.scene.facets.size()) continue;
+    if (!check_reject(q.scene, facet, Reject::back_facing, nullptr).holds) return false;
+  }
+  return true;
+}
+
 Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
   const std::int64_t begin = begin_of(q, line).value_or(0);
   const std::int64_t part = begin > 0 ? step_of_piece(q, begin, piece) : 0;
@@ -100,7 +110,8 @@ Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
     if (!by || std::max({0.0, hide.t_0 - t, t - hide.t_1}) < std::max({0.0, by->t_0 - t, t - by->t_1})) by = &hide;
   Verdict verdict;
   if (!by) {
-    verdict = q.verdict(Why::back_edge, part, fmt::format("its {} passes there, but all faces at it face away, so it is left out", name_of(q, line)));
+    verdict = all_away(q, line) ? q.verdict(Why::back_edge, part, fmt::format("its {} passes there, but all faces at it face away, so it is left out", name_of(q, line)))
+                                : q.verdict(Why::line_hidden, part, fmt::format("its {} passes there, but the trace takes this piece of it for hidden, and does not say by what", name_of(q, line)));
   } else {
     const std::int32_t other = q.polygon_of_facet(by->facet);
     verdict = q.verdict(Why::line_hidden, part, fmt::format("its {} passes there, but {} hides it from t = {} to t = {}", name_of(q, line), q.label(other), number(by->t_0), number(by->t_1)));

@@ -9,6 +9,7 @@
 
 #include "sim/answers/find.hpp"
 #include "sim/answers/pixel_history.hpp"
+#include "sim/answers/touches.hpp"
 #include "sim/answers/why_not.hpp"
 #include "sim/compare/facet_at.hpp"
 #include "sim/viewer/words/explain.hpp"
@@ -34,6 +35,10 @@ inline std::string difference(const std::string& symbol, const std::string& one,
   return fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", symbol, one, other, first, b < 0 ? "(" + second + ")" : second, told(a - b));
 }
 
+/// How a trace decides what is seen at a pixel, by the events that it has.
+enum class Family : std::uint8_t { pixels, sweep, areas, rays, curves, lines };
+Family family_of(const Trace& trace);
+
 /// A question: this polygon at this pixel.
 struct Asked {
   const Trace& trace;
@@ -53,9 +58,10 @@ struct Asked {
 
   /// "A is not seen at pixel (3, 4): " and the reason.
   Verdict verdict(Why kind, std::int64_t step, const std::string& reason) const;
-  /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas. `stored`: who held the pixel before.
-  void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* stored = nullptr);
+  /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas; of one at a pixel by what came to the pixel there.
+  void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* touch = nullptr);
   void add_formulas(Verdict& verdict, std::int64_t step) { add_formulas(verdict, step, polygon); }
+  void add_formulas(Verdict& verdict, const Touch& touch) { add_formulas(verdict, touch.step, touch.polygon, &touch); }
   Replay* replay() { return at_hand_ != nullptr ? at_hand_ : own_ ? &*own_ : nullptr; }
   /// By a replay: dear in a long trace, so only for what single events cannot tell.
   const State& state_at(std::int64_t step);
@@ -73,11 +79,14 @@ struct FacetThere {
   Reject reason = Reject::degenerate;          ///< if it was
   bool away = false;                           ///< it faces away, and such are not drawn
   std::optional<compare::FacetAt> at;          ///< facing left aside
+  std::optional<Trace::Pixel> surely;          ///< whose centre it covers beyond rounding
   std::optional<double> cut_at;                ///< z_v at which it would be seen, were it not before near or beyond far
   bool rejected() const { return reject_step != 0; }
   bool covers() const { return at && at->candidate.covers; }
 };
 std::vector<FacetThere> facets_there(Asked& q);
+/// The trace marks where work on polygons begins, and never does so for this facet.
+bool never_begun(const Asked& q, const FacetThere& there);
 
 /// Why the polygon left nothing at the pixel, by its facets: culled, clipped, beside the pixel …
 /// nullopt if one that was drawn covers the centre: then the method has to say why.
@@ -98,6 +107,8 @@ void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t la
 
 /// It covers the pixel, but the trace says no more.
 Verdict not_recorded(const Asked& q);
+/// The trace says where work on polygons begins, and of this one it never does.
+Verdict not_begun(const Asked& q);
 /// It is what is seen: "A is what is seen at pixel (3, 4): how"; `what` the step did.
 Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::string& what);
 

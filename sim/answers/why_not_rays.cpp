@@ -20,6 +20,7 @@ struct Ray {
   std::vector<At<RayPlane>> planes;  ///< of the polygon's facets
   std::vector<At<RayHit>> hits;      ///< of the polygon's facets
   std::vector<At<RayHit>> kept;      ///< whose ever, each nearer than all before
+  std::vector<At<RayHit>> passed;    ///< whose ever, inside and not kept
   std::vector<At<BoxTest>> boxes;
   std::vector<At<CellVisit>> cells;
 
@@ -49,6 +50,7 @@ std::optional<Ray> follow(const Asked& q) {
     if (const auto* cell = std::get_if<CellVisit>(&event)) ray.cells.push_back({step, *cell});
     if (const auto* hit = std::get_if<RayHit>(&event)) {
       if (hit->nearest) ray.kept.push_back({step, *hit});
+      else if (hit->inside) ray.passed.push_back({step, *hit});
       if (q.polygon_of_facet(hit->facet) == q.polygon) ray.hits.push_back({step, *hit});
     }
   }
@@ -56,7 +58,7 @@ std::optional<Ray> follow(const Asked& q) {
 }
 
 void add_gap_along_ray(const Asked& q, Verdict& verdict, double t, double other) {
-  verdict.gap = t - other;
+  verdict.gap = q.trace.header().comparison.behind(t, other);
   verdict.formulas.push_back(difference("t", q.name, q.label(verdict.other), t, other));
 }
 
@@ -77,10 +79,12 @@ Verdict why_behind(Asked& q, const Ray& ray, const At<RayHit>& mine) {
   if (!other) return not_recorded(q);
   const std::int32_t who = q.polygon_of_facet(other->event.facet);
   const bool tie = mine.event.t == other->event.t;
-  const std::string gap = told(mine.event.t - other->event.t);
-  Verdict verdict = tie                  ? q.verdict(Why::tie, std::max(mine.step, other->step), fmt::format("the ray meets it at exactly the same t as {}, which comes first in the file", q.label(who)))
-                    : mine.event.nearest ? q.verdict(Why::overwritten, other->step, fmt::format("it was the nearest on the ray from step {} on, until {} was met at step {}, nearer by \u0394t = {}", grouped(mine.step), q.label(who), grouped(other->step), gap))
-                                         : q.verdict(Why::lost, mine.step, fmt::format("the ray meets it at step {}, but {} is nearer by \u0394t = {}", grouped(mine.step), q.label(who), gap));
+  const std::string gap = told(mine.event.t - other->event.t), name = q.label(who);
+  const bool nearer = q.trace.header().comparison.behind(mine.event.t, other->event.t) < 0;  // and yet the other is kept
+  Verdict verdict = tie      ? q.verdict(Why::tie, std::max(mine.step, other->step), fmt::format("the ray meets it at exactly the same t as {}, which {}", name, other->event.facet < mine.event.facet ? "comes first in the file" : "is kept"))
+                    : nearer ? q.verdict(Why::contradicted, std::max(mine.step, other->step), fmt::format("the ray meets it at step {} at t = {}, nearer than {} at t = {}, but the trace keeps {}", grouped(mine.step), told(mine.event.t), name, told(other->event.t), name))
+                    : mine.event.nearest ? q.verdict(Why::overwritten, other->step, fmt::format("it was the nearest on the ray from step {} on, until {} was met at step {}, nearer by \u0394t = {}", grouped(mine.step), name, grouped(other->step), gap))
+                                         : q.verdict(Why::lost, mine.step, fmt::format("the ray meets it at step {}, but {} is nearer by \u0394t = {}", grouped(mine.step), name, gap));
   verdict.other = who, verdict.facet = mine.event.facet;
   add_gap_along_ray(q, verdict, mine.event.t, other->event.t);
   q.add_formulas(verdict, mine.step);
@@ -187,6 +191,40 @@ void tell_ray(Asked& q, Verdict& verdict, const Ray& ray) {
   verdict.chain.push_back({barrier->step, q.polygon, barrier->what.starts_with("box") ? fmt::format("the ray is held against {}, which holds {}", barrier->what, q.name) : "the last cell that the ray enters"});
 }
 
+/// Its hit is the one that the ray kept.
+Verdict why_kept(Asked& q, const Ray& ray, const Touch* painted) {
+  const At<RayHit>& hit = ray.kept.back();
+  const At<RayHit>* nearer = nullptr;
+  for (const At<RayHit>& other : ray.passed)
+    if (q.trace.header().comparison.behind(other.event.t, hit.event.t) < 0) nearer = &other;
+  const std::string how = nearer ? fmt::format("the trace keeps it at t = {}, though the ray meets {} at t = {}", told(hit.event.t), q.label(q.polygon_of_facet(nearer->event.facet)), told(nearer->event.t))
+                                 : fmt::format("the ray meets it first, at t = {}", told(hit.event.t));
+  // A recording may end before it is painted.
+  Verdict verdict = seen(q, painted ? painted->written : hit.step, how, painted ? fmt::format("the pixel becomes {}", q.name) : "");
+  if (!painted) verdict.chain.clear();
+  verdict.facet = hit.event.facet;
+  q.add_formulas(verdict, hit.step);
+  add_hit(q, verdict, hit);
+  if (nearer) add_hit(q, verdict, *nearer);
+  return verdict;
+}
+
+/// The ray kept one and the pixel was given to another; it is one of the two.
+Verdict why_painted_otherwise(Asked& q, const Ray& ray, const Touch& painted, std::int32_t kept) {
+  const std::string step = "step " + grouped(painted.written), other = q.label(painted.shows);
+  const std::string meets = kept == no_polygon ? "meets nothing" : fmt::format("keeps {} at t = {}", kept == q.polygon ? "it" : q.label(kept), told(ray.kept.back().event.t));
+  Verdict verdict;
+  if (painted.shows == q.polygon) {
+    verdict = seen(q, painted.written, fmt::format("{} paints it there, though the ray {}", step, meets), fmt::format("the pixel becomes {}", q.name));
+  } else {
+    verdict = q.verdict(Why::contradicted, painted.written, fmt::format("the ray {}, but {} paints {} there", meets, step, other));
+    verdict.other = painted.shows;
+    verdict.chain.push_back({painted.written, painted.shows, fmt::format("the pixel becomes {}", other)});
+  }
+  if (kept != no_polygon) add_hit(q, verdict, ray.kept.back());
+  return verdict;
+}
+
 }  // namespace
 
 Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
@@ -195,20 +233,12 @@ Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
     const auto verdict = why_by_facets(q, facets);
     return verdict ? *verdict : not_recorded(q);
   }
-  if (!ray->kept.empty() && q.polygon_of_facet(ray->kept.back().event.facet) == q.polygon) {
-    const At<RayHit>& hit = ray->kept.back();
-    const auto paint = next_within(q.trace, ray->end, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
-      const auto* painted = std::get_if<PixelPaint>(&recorded.event);
-      const auto* next = std::get_if<RayBegin>(&recorded.event);
-      return painted || (next && next->role == RayRole::eye);
-    });
-    const std::int64_t step = paint && event_at<PixelPaint>(q.trace, *paint) ? *paint : hit.step;  // a recording may end before
-    Verdict verdict = seen(q, step, fmt::format("the ray meets it first, at t = {}", told(hit.event.t)), fmt::format("the pixel becomes {}", q.name));
-    verdict.facet = hit.event.facet;
-    q.add_formulas(verdict, hit.step);
-    add_hit(q, verdict, hit);
-    return verdict;
-  }
+  // What is painted after the ray is what is seen; mostly that is what it kept.
+  const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
+  const Touch* painted = holder(touches, q.trace.size() + 1);
+  const std::int32_t kept = ray->kept.empty() ? no_polygon : q.polygon_of_facet(ray->kept.back().event.facet);
+  if (painted && painted->shows != kept && (painted->shows == q.polygon || kept == q.polygon)) return why_painted_otherwise(q, *ray, *painted, kept);
+  if (kept == q.polygon) return why_kept(q, *ray, painted);
   const At<RayHit>* mine = nullptr;
   for (const At<RayHit>& hit : ray->hits)
     if (hit.event.inside && (!mine || hit.event.t < mine->event.t)) mine = &hit;

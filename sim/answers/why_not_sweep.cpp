@@ -91,9 +91,11 @@ Verdict why_behind(Asked& q, const Line& line, const std::vector<Row>& rows) {
   const std::string other = q.label(line.owner);
   // As the method has it: planes that slant give large numbers that cancel.
   const double rounding = 2e-13 * (std::abs(p.plane_a * q.pixel.x) + std::abs(p.plane_b * q.pixel.y) + std::abs(p.plane_d)) / std::abs(p.plane_c);
-  const bool tie = gap <= rounding;
-  Verdict verdict = q.verdict(tie ? Why::tie : Why::lost, line.winner != 0 ? line.winner : line.paint,
-                              tie ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} comes first in the file", other, other)
+  const bool tie = std::abs(gap) <= rounding;
+  const bool nearer = gap < 0 && !tie;  // and yet the other is painted
+  Verdict verdict = q.verdict(tie ? Why::tie : nearer ? Why::contradicted : Why::lost, line.winner != 0 ? line.winner : line.paint,
+                              nearer ? fmt::format("its flag is in and its plane is nearer than {} by \u0394{} = {}, but {} is painted", other, q.z, told(-gap), other)
+                              : tie ? fmt::format("its flag is in, but it is as near as {} to rounding, and {} comes first in the file", other, other)
                                   : fmt::format("its flag is in, but {} is in front on this interval of the line, here by \u0394{} = {}", other, q.z, told(gap)));
   verdict.other = line.owner, verdict.gap = gap;
   verdict.formulas.push_back(fmt::format("{} of {} = \u2212(A x + B y + D)/C = \u2212({}\u00b7{} + {}\u00b7{} + {})/{} = {}", q.z, q.name, factor(p.plane_a), q.pixel.x, factor(p.plane_b), q.pixel.y,

@@ -9,11 +9,13 @@
 
 #include "sim/answers/explain_value.hpp"
 #include "sim/cli/budget.hpp"
+#include "sim/answers/touches.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/viewer/words/explain.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::cli {
@@ -89,11 +91,20 @@ nlohmann::ordered_json json_of(const answers::Chain& chain) {
   return {{"links", links}, {"cut", chain.cut}};
 }
 
+/// Why a pixel has no depth: nothing came there, or its colour alone was written.
+std::string no_depth_text(const Trace& trace, Trace::Pixel pixel, std::int64_t at) {
+  const std::string where = fmt::format("pixel ({}, {}) has no depth", pixel.x, pixel.y);
+  const std::vector<answers::Touch> touches = answers::touches_of(trace, pixel);
+  const answers::Touch* last = answers::holder(touches, at + 1);
+  if (last == nullptr) return fmt::format("{}: nothing was drawn there up to step {}", where, grouped(at));
+  return fmt::format("{}: step {} colours it {}, but no step up to {} writes its depth", where, grouped(last->written), polygon_label(trace.scene(), last->shows), grouped(at));
+}
+
 int explain(const ExplainOptions& options) {
   const Trace trace = open_trace(options.trace);
   const answers::Question question = question_of(trace, options);
   const answers::Chain chain = answers::explain_value(trace, question);
-  if (chain.links.empty() && question.pixel) fmt::print("pixel ({}, {}) has no depth: nothing was drawn there up to step {}\n", question.pixel->x, question.pixel->y, question.at);
+  if (chain.links.empty() && question.pixel) fmt::print("{}\n", no_depth_text(trace, *question.pixel, question.at));
   else if (chain.links.empty()) fmt::print("step {} has no number to explain\n", question.at);
   else if (options.json) fmt::print("{}\n", json_of(chain).dump(2));
   else fmt::print("{}", text_of(chain));

@@ -31,12 +31,12 @@ int history(const HistoryOptions& options) {
     throw InputError(fmt::format("{} {}", x, y), fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height), "columns and rows count from 0");
   std::vector<answers::Visit> all = answers::pixel_history(trace, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
   if (all.empty()) {
-    fmt::print("pixel ({}, {}): nothing reached it{}; it shows the background\n", x, y, trace.impl().whole ? "" : " before the recording was cut off");
+    fmt::print("pixel ({}, {}): no step reaches it{}; it shows the background\n", x, y, trace.impl().whole ? "" : " before the recording was cut off");
     return exit_code::done;
   }
   using enum Table::Align;
   Table table({right, left, right, right, left, left});
-  const bool rays = trace.header().algorithm.starts_with("ray-");
+  const bool rays = trace.has(kind_of<RayBegin>);
   table.row({"STEP", "POLYGON", rays ? "T" : "DEPTH", "AGAINST", "OF", "OUTCOME"});
   std::string why;
   Replay replay(trace);

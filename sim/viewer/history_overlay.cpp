@@ -51,7 +51,7 @@ void draw_polygon(App& app, ImVec2 at, float y, float height, std::int32_t polyg
 void draw_headings(App& app, const VisitColumns& columns) {
   const Ui& ui = app.ui();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool rays = app.session().header().algorithm.starts_with("ray-");
+  const bool rays = app.session().trace().has(kind_of<RayBegin>);
   for (const auto& [x, text] : {std::pair{ui.em * 0.5f, "step"}, {columns.polygon, "polygon"}, {columns.depth, rays ? "t" : "depth"}, {columns.against, "against"}, {columns.of, "of"}, {columns.outcome, "outcome"}})
     draw_text(ui, {at.x + x, at.y}, ui.fonts.small, ui.colors().muted, text);
   ImGui::Dummy({1, std::round(ui.fonts.small->FontSize * 1.4f)});

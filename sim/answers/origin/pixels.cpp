@@ -74,8 +74,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const DepthCompare& e, st
   const Number stored = work.derived(step, "stored", fmt::format("stored depth at pixel ({}, {}), of {}", e.x, e.y, work.label(fragment->stored_polygon)), "stored",
                                      fragment->stored, [&](Datum& inner) {
     const Step wrote = step_of_depth(work.trace, step - 1, {e.x, e.y}, work.machine().pass == Pass::light);
-    const bool kept = wrote && fragment->stored_polygon != no_polygon;
-    if (!kept) return inner.note("nothing was drawn there yet");
+    if (!wrote) return inner.note(fragment->stored_polygon == no_polygon ? "nothing was drawn there yet" : "its depth was never written there");
     inner.is("z", {{"z", fragment->stored}});
     work.later(*wrote, "z", "z");
   });

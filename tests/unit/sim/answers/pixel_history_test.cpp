@@ -229,7 +229,7 @@ TEST_SUITE("pixel history") {
     const std::vector<Visit> history = pixel_history(trace, {1, 1});
     REQUIRE(history.size() == 2);
     CHECK(answers::outcome_text(trace, history, history[0]) == "nearer");
-    CHECK(answers::outcome_text(trace, history, history[1]) == "the trace says nearer, but 7 < 7 is false");
+    CHECK(answers::outcome_text(trace, history, history[1]) == "the trace says nearer, but 7 < 7 is false; not written");
     CHECK(history[0].takes);
     CHECK_FALSE(history[1].takes);
   }

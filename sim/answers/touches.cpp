@@ -1,0 +1,175 @@
+#include "sim/answers/touches.hpp"
+
+#include <algorithm>
+
+namespace zstep::answers {
+namespace {
+
+/// The polygon at work at a step, and where that work began.
+struct AtWork {
+  std::int32_t polygon = no_polygon;
+  std::int64_t since = 0;
+  bool operator==(const AtWork&) const = default;
+};
+
+/// Where edges of all polygons stand in one table: the polygon of the edge at the left of the span.
+std::optional<AtWork> by_span(const Trace& trace, std::int64_t step) {
+  const auto span = previous_of<SpanBegin>(trace, step);
+  if (!span) return std::nullopt;
+  const std::int32_t edge = event_at<SpanBegin>(trace, *span)->left_edge;
+  const auto entry = numbered(trace, last_mark(trace), *span, &EdgeTableInsert::edge, edge);
+  return AtWork{entry ? event_at<EdgeTableInsert>(trace, *entry)->polygon : no_polygon, *span};
+}
+
+AtWork at_work(const Trace& trace, std::int64_t step) {
+  const bool one_table = records<FlagFlip>(trace) || (records<TablesBegin>(trace) && !records<PieceDraw>(trace));
+  if (one_table)
+    if (const auto found = by_span(trace, step)) return *found;
+  const auto marks = trace.polygons();
+  const auto beyond = std::upper_bound(marks.begin(), marks.end(), step, [](std::int64_t at, const PolygonMark& mark) { return at < mark.position; });
+  const std::int64_t mark = beyond == marks.begin() ? 0 : std::prev(beyond)->position;
+  if (records<PieceDraw>(trace))
+    if (const auto draw = previous_of<PieceDraw>(trace, step, mark)) return {event_at<PieceDraw>(trace, *draw)->polygon, *draw};
+  return mark == 0 ? AtWork{} : AtWork{std::prev(beyond)->polygon, mark};
+}
+
+/// Puts the events of one pixel together.
+class Reading {
+ public:
+  explicit Reading(const Trace& trace) : trace_(trace), depth_(trace.header().empty_depth()), known_(trace.header().initial_depth.has_value()) {}
+
+  void clear(double z) {
+    depth_ = z, polygon_ = no_polygon;
+    only_cleared_ = known_ = true;
+    open_ = false;
+  }
+  void close() { open_ = false; }
+
+  void take(std::int64_t step, const Event& event) {
+    if (const auto* z = std::get_if<DepthInterpolate>(&event)) {
+      open_ = false;  // a new fragment
+      interpolated_ = {at_work(trace_, step), z->z};
+    } else if (const auto* compare = std::get_if<DepthCompare>(&event)) {
+      const AtWork work = at_work(trace_, step);
+      // A colour that was written before its compare belongs to it.
+      const bool belongs = goes_on(work) && all.back().how == Touch::How::written && all.back().kept_at == 0;
+      Touch& touch = belongs ? all.back() : add(step, work, Touch::How::compared);
+      touch.step = step, touch.how = Touch::How::compared, touch.z = compare->z, touch.nearer = compare->nearer;
+    } else if (const auto* depth = std::get_if<DepthWrite>(&event)) {
+      const AtWork work = at_work(trace_, step);
+      Touch& touch = goes_on(work) && all.back().kept_at == 0 ? all.back() : add(step, work, Touch::How::written);
+      if (!touch.z) touch.z = depth->z;
+      touch.kept = depth->z, touch.kept_at = step;
+      depth_ = depth->z, only_cleared_ = false, known_ = true;
+    } else if (const auto* write = std::get_if<PixelWrite>(&event)) {
+      const AtWork work = at_work(trace_, step);
+      const bool after_blend = goes_on(work) && all.back().how == Touch::How::blended && all.back().polygon == write->polygon && !all.back().takes;
+      const bool belongs = goes_on(work) && all.back().written == 0;
+      Touch& touch = after_blend || belongs ? all.back() : add(step, work, Touch::How::written);
+      if (touch.polygon == no_polygon) touch.polygon = write->polygon;
+      if (!touch.z && interpolated_ && interpolated_->work == work) touch.z = interpolated_->z;
+      if (touch.how == Touch::How::written) touch.step = step;
+      if (!after_blend) touch.written = step;  // a blend has coloured it already
+      take_pixel(touch, write->polygon);
+    } else if (const auto* paint = std::get_if<PixelPaint>(&event)) {
+      Touch& touch = add(step, {paint->polygon, 0}, Touch::How::painted);
+      touch.z = touch.kept = paint->z, touch.kept_at = touch.written = step;
+      take_pixel(touch, paint->polygon);
+      depth_ = paint->z, only_cleared_ = false, known_ = true;
+      open_ = false;
+    } else if (const auto* blend = std::get_if<ColorBlend>(&event)) {
+      const AtWork work = at_work(trace_, step);
+      const bool belongs = goes_on(work) && all.back().how == Touch::How::compared && all.back().nearer && !all.back().takes;
+      Touch& touch = belongs ? all.back() : add(step, work, Touch::How::blended);
+      touch.how = Touch::How::blended, touch.polygon = blend->polygon, touch.opacity = blend->opacity;
+      touch.blended = touch.written = step;
+    } else if (std::holds_alternative<ColorWrite>(event)) {
+      add(step, {}, Touch::How::colored).written = step;
+      open_ = false;
+    }
+  }
+
+  std::vector<Touch> all;
+
+ private:
+  struct Interpolated {
+    AtWork work;
+    double z = 0;
+  };
+
+  /// Does a step of this work belong to what came to the pixel last?
+  bool goes_on(const AtWork& work) const { return open_ && !all.empty() && work == work_; }
+
+  Touch& add(std::int64_t step, const AtWork& work, Touch::How how) {
+    Touch touch;
+    touch.how = how, touch.step = step, touch.polygon = work.polygon;
+    touch.stored = depth_, touch.stored_polygon = polygon_;
+    touch.only_cleared = only_cleared_, touch.known = known_;
+    all.push_back(touch);
+    work_ = work, open_ = true;
+    return all.back();
+  }
+  void take_pixel(Touch& touch, std::int32_t polygon) {
+    touch.takes = true, touch.shows = polygon_ = polygon;
+  }
+
+  const Trace& trace_;
+  double depth_;
+  std::int32_t polygon_ = no_polygon;
+  bool known_, only_cleared_ = true;
+  AtWork work_;        ///< of the last touch
+  bool open_ = false;  ///< steps that follow may belong to it
+  std::optional<Interpolated> interpolated_;
+};
+
+}  // namespace
+
+std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel) { return touches_of(trace, pixel, begin_of_picture(trace)); }
+
+std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after) {
+  // The events of this pixel and those that concern all pixels alike.
+  std::vector<std::pair<std::int64_t, Event>> here;
+  trace.scan(pixel, [&](std::int64_t step, const RecordedEvent& recorded) {
+    if (is_one_of<DepthInterpolate, DepthCompare, DepthWrite, PixelWrite, PixelPaint, ColorBlend, ColorWrite>(recorded)) here.emplace_back(step, recorded.event);
+    return true;
+  });
+  const auto add_all = [&](std::uint8_t kind) {
+    trace.scan(Trace::Among({}, kind), [&](std::int64_t step, const RecordedEvent& recorded) {
+      here.emplace_back(step, recorded.event);
+      return true;
+    });
+  };
+  if (records<BuffersClear>(trace)) add_all(kind_of<BuffersClear>);
+  if (records<PassBegin>(trace)) add_all(kind_of<PassBegin>);
+  std::stable_sort(here.begin(), here.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+
+  Reading reading(trace);
+  Pass pass = Pass::eye;
+  for (const auto& [step, event] : here) {
+    if (const auto* begin = std::get_if<PassBegin>(&event)) pass = begin->pass, reading.close();
+    else if (pass == Pass::light) continue;  // another picture
+    else if (const auto* clear = std::get_if<BuffersClear>(&event)) reading.clear(clear->z);
+    else reading.take(step, event);
+  }
+  std::erase_if(reading.all, [after](const Touch& touch) { return touch.step <= after; });
+  return std::move(reading.all);
+}
+
+const Touch* holder(const std::vector<Touch>& touches, std::int64_t before) {
+  const Touch* last = nullptr;
+  for (const Touch& touch : touches)
+    if (touch.step < before && touch.takes) last = &touch;
+  return last;
+}
+
+bool is_nearer(const Trace& trace, double z, double stored) { return trace.header().comparison.wins(z, stored); }
+
+bool follows(const Trace& trace, const Touch& compared) {
+  return !compared.known || !compared.z || is_nearer(trace, *compared.z, compared.stored) == compared.nearer;
+}
+
+bool lacks_depth(const Touch& touch) { return touch.how == Touch::How::compared && touch.takes && !touch.kept; }
+
+bool keeps_other_depth(const Touch& touch) { return touch.kept && touch.z && *touch.kept != *touch.z; }
+
+}  // namespace zstep::answers
