@@ -300,8 +300,11 @@ void tell(Replay& replay, Visit& visit) {
 std::string depth_text(double z) { return std::isinf(z) ? number(z) : fmt::format("{:.9g}", z); }
 
 std::string contradiction_text(const Trace& trace, bool nearer, double z, double stored) {
-  return fmt::format("the trace says {}, but {} {} {} is {}", nearer ? "nearer" : "not nearer", depth_text(z), trace.header().comparison.sign(), depth_text(stored),
-                     is_nearer(trace, z, stored) ? "true" : "false");
+  // Along a ray t is compared, and the smaller is nearer whatever depths there are.
+  const std::string open = page_has(trace, kind_of<RayHit>) ? "" : undeclared_text(trace.header(), z == stored);
+  return fmt::format("the trace says {}, but {} {} {} is {}{}", nearer ? "nearer" : "not nearer", depth_text(z),
+                     trace.header().comparison.sign(), depth_text(stored), is_nearer(trace, z, stored) ? "true" : "false",
+                     open.empty() ? "" : " (" + open + ")");
 }
 
 namespace {

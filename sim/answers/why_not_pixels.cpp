@@ -24,8 +24,11 @@ std::string z_text(const Asked& q, const Touch& touch) { return touch.z ? fmt::f
 /// By how much it is behind the other, where both depths are recorded.
 void add_gap(const Asked& q, Verdict& verdict, std::optional<double> z, std::optional<double> other) {
   if (!z || !other || !std::isfinite(*other)) return;
-  verdict.gap = q.trace.header().comparison.behind(*z, *other);
-  verdict.formulas.push_back(difference(q.z, q.name, q.label(verdict.other), *z, *other));
+  const Comparison& comparison = q.trace.header().comparison;
+  verdict.gap = comparison.behind(*z, *other);
+  const bool greater = comparison.nearer == Comparison::Nearer::greater;
+  verdict.formulas.push_back(greater ? difference(q.z, q.label(verdict.other), q.name, *other, *z)
+                                     : difference(q.z, q.name, q.label(verdict.other), *z, *other));
 }
 
 /// What the last owner is, when it is neither of the two that the verdict is about.
@@ -61,7 +64,7 @@ std::string lost_text(const Asked& q, const Touch& mine) {
   if (mine.only_cleared) return fmt::format("at {} its {} is {} {}; {} was drawn there, but its depth was never written", step, q.z, tie ? "equal to" : "not nearer than", cleared, other);
   if (mine.stored_polygon == no_polygon) return fmt::format("at {} its {} is {} {}, the depth written there before without a colour", step, q.z, tie ? "equal to" : "not nearer than", told(mine.stored));
   return tie ? fmt::format("at {} it is exactly as near as {}, which was there first, and of equals the first stays", step, other)
-             : fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step, other, q.z, told(*mine.z - mine.stored));
+             : fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step, other, q.z, told(q.trace.header().comparison.behind(*mine.z, mine.stored)));
 }
 
 /// It was compared and was not nearer than what stood there.

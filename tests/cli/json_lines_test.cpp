@@ -57,7 +57,8 @@ TEST_CASE("mistakes in JSON Lines are told one a line, with line, column and cur
 
 TEST_CASE("what a header declares stays declared, and what it does not is no fact") {
   const Folder folder;
-  write_text(folder / "run.jsonl", foreign("greater.jsonl"));
+  const std::string greater = foreign("greater.jsonl"), declared = R"({"nearer": "greater"})";
+  write_text(folder / "run.jsonl", greater);
   CHECK(run(folder, "import run.jsonl -o run.ztrace").code == 0);
   for (const char* file : {"run.jsonl", "run.ztrace"}) {
     CAPTURE(file);
@@ -66,5 +67,11 @@ TEST_CASE("what a header declares stays declared, and what it does not is no fac
     CHECK(has(info, "nearer         the greater depth wins\n"));
     CHECK(has(info, "ties           not declared\n"));
     CHECK(has(info, "coverage       not declared\n"));
+    const Outcome found = run(folder, std::string("find ") + file + " compare");
+    CHECK(has(found.out, "5 > 0"));
+    CHECK(!has(found.out, "should not win"));
   }
+  std::string undeclared = greater;
+  write_text(folder / "open.jsonl", undeclared.replace(undeclared.find(declared), declared.size(), "{}"));
+  CHECK(has(run(folder, "find open.jsonl compare").out, "its header does not declare which depth is nearer"));
 }

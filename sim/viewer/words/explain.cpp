@@ -69,6 +69,11 @@ std::string edge_label(const Scene& scene, const EdgeTableInsert& edge) {
   return from && to ? std::string{from, to} : fmt::format("e{}", edge.edge);
 }
 
+std::string undeclared_text(const Header& header, bool tie) {
+  if (tie) return header.declares(Convention::ties) ? "" : "its header does not declare which of equal depths wins";
+  return header.declares(Convention::nearer) ? "" : "its header does not declare which depth is nearer";
+}
+
 std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
   if (scene.camera.kind == Camera::Kind::screen) return "z";
   return conventions.depth == Conventions::Depth::view ? "z_v" : "z*";

@@ -38,6 +38,9 @@ std::string piece_label(const Scene& scene, const MethodState& machine, std::int
 std::string vertex_label(const Scene& scene, std::int32_t vertex);
 /// "AB" where both its ends have letters, else "e3".
 std::string edge_label(const Scene& scene, const EdgeTableInsert& edge);
+/// "its header does not declare which depth is nearer": why numbers that contradict a compare may be right all the same;
+/// empty where the header declares what they are held against. `tie`: the two are equal.
+std::string undeclared_text(const Header& header, bool tie);
 /// What the buffer's numbers are called: "z*", "z_v" or "z".
 std::string depth_symbol(const Scene& scene, const Conventions& conventions);
 

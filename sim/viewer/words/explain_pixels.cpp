@@ -150,9 +150,11 @@ void tell(Telling& t, const DepthCompare& e) {
   const Written written = write_of(t, e);
   const std::string where = pixel(e.x, e.y), drawn = t.machine.polygon == no_polygon ? "the polygon at work, which the trace does not name," : t.here();
   if (numbers_say != e.nearer) {
-    t.say(fmt::format("The trace says {} at pixel {}, although {} {} {} is {}: {} {}.", e.nearer ? "nearer" : "not nearer", where, z, sign, before,
-                      numbers_say ? "true" : "false", drawn, numbers_say ? "should win over " + is.who : "should not win over " + is.who));
-    t.out.doubt = fmt::format("The trace says {}, but {} {} {} is {}.", e.nearer ? "nearer" : "not nearer", z, sign, before, numbers_say ? "true" : "false");
+    const std::string undeclared = undeclared_text(t.trace.header(), e.z == stored), says = e.nearer ? "nearer" : "not nearer";
+    const std::string holds = fmt::format("{} {} {} is {}", z, sign, before, numbers_say ? "true" : "false");
+    const std::string ought = fmt::format(": {} {} {}", drawn, numbers_say ? "should win over" : "should not win over", is.who);
+    t.say(fmt::format("The trace says {} at pixel {}, although {}{}.", says, where, holds, undeclared.empty() ? ought : "; " + undeclared));
+    t.out.doubt = fmt::format("The trace says {}, but {}{}.", says, holds, undeclared.empty() ? "" : "; " + undeclared);
   } else if (e.nearer && glass) {
     t.say(fmt::format("{} {} {}: {}, so {} is seen at pixel {}; through its glass, of opacity {}, so is what lies behind: the two are mixed.", z, relation, before,
                       std::isinf(stored) ? "nothing that is opaque was drawn here" : "nearer than " + is.who, drawn, where, number(*glass)));

@@ -1,0 +1,107 @@
+// Sentences are made by the comparison that a header declares, and state nothing as a fact that it leaves undeclared.
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sim/answers/pixel_history.hpp"
+#include "sim/answers/why_not.hpp"
+#include "sim/viewer/words/explain.hpp"
+#include "tests/where.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/replay/replay.hpp"
+
+using namespace zstep;
+
+namespace {
+
+/// A Z-buffer with A at z = 5 and B at z = 1 + x + y, where the greater depth wins, under these conventions.
+Trace with_conventions(const std::string& conventions) {
+  std::stringstream text;
+  text << std::ifstream(test::in_checkout("tests/data/foreign/greater.jsonl")).rdbuf();
+  std::string all = text.str();
+  const std::string declared = R"({"nearer": "greater"})";
+  const std::size_t at = all.find(declared);
+  REQUIRE(at != std::string::npos);
+  std::istringstream in(all.replace(at, declared.size(), conventions));
+  Scene kept;
+  std::optional<TraceRecorder> recorder;
+  read_jsonl(in, "greater.jsonl", [&](const Header& header, Scene scene) -> TraceRecorder& {
+    kept = std::move(scene);
+    return recorder.emplace(header, kept);
+  });
+  recorder->finish();
+  return Trace::from_bytes(recorder->take_bytes(), "greater.jsonl");
+}
+
+/// What is said of each compare at a pixel.
+std::vector<Explanation> compares(const Trace& trace, std::int32_t x, std::int32_t y) {
+  std::vector<Explanation> all;
+  Replay replay(trace);
+  trace.each(0, trace.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+    const auto* compare = std::get_if<DepthCompare>(&recorded.event);
+    if (!compare || compare->x != x || compare->y != y) return true;
+    const RecordedEvent event = recorded;
+    replay.go_to(step);
+    all.push_back(explain(trace, replay.state(), event));
+    return true;
+  });
+  REQUIRE(all.size() == 2);
+  return all;
+}
+
+answers::Verdict why_not(const Trace& trace, const char* polygon, std::int32_t x, std::int32_t y) {
+  return answers::why_not(trace, *answers::polygon_called(trace.scene(), polygon), {x, y});
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("declared: where the greater depth wins, every sentence goes by that") {
+  const Trace trace = with_conventions(R"({"nearer": "greater"})");
+  const std::vector<Explanation> lost = compares(trace, 1, 1), won = compares(trace, 3, 2);
+  CHECK(has(lost[0].sentence, "5 > 0: the depth buffer was cleared to that, and nothing was drawn here yet, so pixel (1, 1) becomes A."));
+  CHECK(has(lost[1].sentence, "3 < 5: B is hidden behind A at pixel (1, 1), nothing is written."));
+  CHECK(has(won[1].sentence, "6 > 5: nearer than A, so pixel (3, 2) becomes B."));
+  CHECK(lost[1].formulas.front() == "z > zbuffer[x,y]:  3 > 5  is false");
+  for (const auto& all : {lost, won})
+    for (const Explanation& each : all) CHECK(!each.doubt);
+
+  const auto history = answers::pixel_history(trace, {1, 1});
+  REQUIRE(history.size() == 2);
+  CHECK(answers::outcome_text(trace, history, history[0]) == "nearer");
+  CHECK(answers::outcome_text(trace, history, history[1]) == "behind by 2");
+
+  const answers::Verdict behind = why_not(trace, "B", 1, 1), gone = why_not(trace, "A", 3, 2);
+  CHECK(has(behind.sentence, "it lost the compare to A by \u0394z = 2"));
+  CHECK(behind.gap == 2);
+  CHECK(has(gone.sentence, "until B was found to be nearer at step"));
+  CHECK(!has(gone.sentence, "the trace says"));
+  CHECK(gone.gap == 1);
+  CHECK(gone.formulas.back() == "\u0394z = z of B \u2212 z of A = 6 \u2212 5 = 1");
+}
+
+TEST_CASE("declared: what a header leaves open is no fact that its compares break") {
+  const Trace trace = with_conventions("{}");
+  const Explanation first = compares(trace, 1, 1)[0];
+  CHECK(first.sentence == "The trace says nearer at pixel (1, 1), although 5 < 0 is false; its header does not declare which depth is nearer.");
+  CHECK(first.doubt == "The trace says nearer, but 5 < 0 is false; its header does not declare which depth is nearer.");
+  const auto history = answers::pixel_history(trace, {1, 1});
+  CHECK(has(answers::outcome_text(trace, history, history[0]), "the trace says nearer, but 5 < 0 is false (its header does not declare which depth is nearer)"));
+  // By what it declares they do.
+  const Explanation broken = compares(with_conventions(R"({"nearer": "smaller"})"), 1, 1)[0];
+  CHECK(has(broken.sentence, "although 5 < 0 is false: A should not win over"));
+}
+
+TEST_CASE("declared: of equal depths the last wins where it says so") {
+  // B is at z = 5 where x + y = 4, and is drawn last, so it should win there; the trace lets A stay.
+  const Explanation tie = compares(with_conventions(R"({"nearer": "greater", "ties": "last"})"), 2, 2)[1];
+  CHECK(has(tie.sentence, "The trace says not nearer at pixel (2, 2), although 5 \u2265 5 is true: B should win over A."));
+  const Explanation stays = compares(with_conventions(R"({"nearer": "greater", "ties": "first"})"), 2, 2)[1];
+  CHECK(stays.sentence == "5 = 5: a tie, and A was first, so pixel (2, 2) stays.");
+  CHECK(!stays.doubt);
+}
