@@ -172,9 +172,11 @@ void tell(Telling& t, const DepthCompare& e) {
     t.say(is.cleared || is.empty ? fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, nothing is written.", z, relation, before, drawn, is.who, where)
                                  : fmt::format("{} {} {}: {} is hidden behind {} at pixel {}, nothing is written.", z, relation, before, drawn, is.who, where));
   }
-  t.formula(fmt::format("{} {} zbuffer[x,y]:  {} {} {}  is {}", t.z, sign, z, sign, before, numbers_say ? "true" : "false"));
+  const std::string buffer = buffer_of(t) + "[" + pixel_of(t, "x", "y") + "]";
+  t.formula(fmt::format("{} {} {}:  {} {} {}  is {}", t.z, sign, buffer, z, sign, before, numbers_say ? "true" : "false"));
   t.value(t.z, e.z);
-  if (f) t.value("zbuffer[x,y]", stored);
+  if (const auto interpolated = interpolated_at(t, e.x, e.y)) t.taken_over("compares", e.z, "interpolated", *interpolated);
+  if (f) t.value(buffer, stored);
 }
 
 void tell(Telling& t, const DepthWrite& e) {
