@@ -116,7 +116,7 @@ class History {
     });
   }
 
-  bool cut() const { return !trace_.warnings().empty(); }
+  bool cut() const { return !trace_.whole(); }
   /// Work on some polygons begins in the trace, and on others it never does.
   bool marks_some_only() {
     if (trace_.polygons().empty() || trace_.has(kind_of<RayBegin>)) return false;

@@ -76,12 +76,12 @@ void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, c
 }
 
 Verdict not_recorded(const Asked& q) {
-  return q.verdict(Why::not_recorded, 0, q.trace.warnings().empty() ? "it covers the pixel, but the trace records no step of it there"
+  return q.verdict(Why::not_recorded, 0, q.trace.whole() ? "it covers the pixel, but the trace records no step of it there"
                                                                    : "it covers the pixel, but the recording was cut off before its turn there");
 }
 
 Verdict not_begun(const Asked& q) {
-  if (!q.trace.warnings().empty()) return not_recorded(q);
+  if (!q.trace.whole()) return not_recorded(q);
   return q.verdict(Why::not_recorded, 0, fmt::format("the trace ends at step {}, before work on {} begins", grouped(q.trace.size()), q.name));
 }
 

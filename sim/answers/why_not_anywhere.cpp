@@ -53,7 +53,7 @@ std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& face
 }
 
 /// Was the recording cut off before the pixel was settled? Nothing was drawn there, or only what lies behind.
-bool is_pending(const Asked& q, const Covered& one) { return !q.trace.warnings().empty() && (one.owner == no_polygon || one.gap < 0); }
+bool is_pending(const Asked& q, const Covered& one) { return !q.trace.whole() && (one.owner == no_polygon || one.gap < 0); }
 
 /// "to Q at 12 pixels, to R at 3 pixels", the most first, where `to` is "to ".
 std::string losses(const Asked& q, const std::vector<Covered>& all, const char* to) {
@@ -125,7 +125,7 @@ Verdict filled(Asked& q, const Picture& picture) {
     verdict->pixel.reset();
     return *verdict;
   }
-  if (q.trace.warnings().empty() && std::all_of(facets.begin(), facets.end(), [&](const FacetThere& there) { return never_begun(q, there); })) {
+  if (q.trace.whole() && std::all_of(facets.begin(), facets.end(), [&](const FacetThere& there) { return never_begun(q, there); })) {
     q.where = "anywhere";
     Verdict verdict = facets.empty() ? *why_by_facets(q, facets) : not_begun(q);
     verdict.pixel.reset();

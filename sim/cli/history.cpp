@@ -31,7 +31,7 @@ int history(const HistoryOptions& options) {
     throw InputError(fmt::format("{} {}", x, y), fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height), "columns and rows count from 0");
   std::vector<answers::Visit> all = answers::pixel_history(trace, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
   if (all.empty()) {
-    fmt::print("pixel ({}, {}): no step reaches it{}; it shows the background\n", x, y, trace.impl().whole ? "" : " before the recording was cut off");
+    fmt::print("pixel ({}, {}): no step reaches it{}; it shows the background\n", x, y, trace.whole() ? "" : " before the recording was cut off");
     return exit_code::done;
   }
   using enum Table::Align;

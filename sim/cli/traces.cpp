@@ -47,7 +47,7 @@ Trace open_trace(const std::string& path, Cost cost) {
   try {
     Trace trace = has_extension(path, ".jsonl") ? open_jsonl(path) : Trace::open(path);
     if (is_strict()) check_strictly(trace);
-    for (const std::string& warning : trace.warnings()) trace.impl().whole ? complain(warning) : complain_incomplete(warning);
+    for (const std::string& warning : trace.warnings()) trace.whole() ? complain(warning) : complain_incomplete(warning);
     trace.impl().on_loss = [](const std::string& loss) { complain_incomplete(loss + "; what is said leaves them out"); };
     return trace;
   } catch (const std::bad_alloc&) {

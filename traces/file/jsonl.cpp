@@ -68,7 +68,7 @@ void write_jsonl(const Trace& trace, std::ostream& out) {
     out << jsonl_event(trace.header().page, recorded) << '\n';
     return static_cast<bool>(out);
   });
-  if (!trace.warnings().empty()) out << fmt::format("{{\"{}\":true}}\n", cut_off_key);
+  if (!trace.whole()) out << fmt::format("{{\"{}\":true}}\n", cut_off_key);
 }
 
 namespace {

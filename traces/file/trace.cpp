@@ -27,6 +27,7 @@ const Header& Trace::header() const { return impl_->header; }
 const Scene& Trace::scene() const { return impl_->scene; }
 const std::string& Trace::name() const { return impl_->name; }
 std::int64_t Trace::size() const { return impl_->size; }
+bool Trace::whole() const { return impl_->whole; }
 const std::vector<std::string>& Trace::warnings() const { return impl_->warnings; }
 std::span<const PolygonMark> Trace::polygons() const { return impl_->polygons; }
 

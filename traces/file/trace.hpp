@@ -63,6 +63,8 @@ class Trace {
   const Scene& scene() const;
   const std::string& name() const;                   ///< the path it was opened from, or the name given
   std::int64_t size() const;                         ///< number of events
+  /// Does it have all that was recorded? What the warnings say may concern something else, as an index that was made anew.
+  bool whole() const;
   const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
   std::span<const PolygonMark> polygons() const;     ///< all of them, by position
   std::span<const RejectMark> rejects() const;       ///< likewise; they are read when they are first asked for
