@@ -70,7 +70,9 @@ void tell(Datum& datum, Work& work, std::int64_t step, const DepthCompare& e, st
   if (field != "nearer") return;
   const auto fragment = work.machine().fragment;
   const Comparison& comparison = work.trace.header().comparison;
-  if (!fragment) return datum.comes_of(fmt::format("z {} the stored depth", comparison.sign()), {work.field(step, "z")});
+  const bool smaller = comparison.nearer == Comparison::Nearer::smaller, first = comparison.ties == Comparison::Ties::first;
+  const std::string sign = fmt::format("{}{}", smaller ? '<' : '>', first ? "" : "=");
+  if (!fragment) return datum.comes_of(fmt::format("z {} the stored depth", sign), {work.field(step, "z")});
   // What was stored was made elsewhere in the run: it is told when all of this is.
   const Number stored = work.derived(step, "stored", fmt::format("stored depth at pixel ({}, {}), of {}", e.x, e.y, work.label(fragment->stored_polygon)), "stored",
                                      fragment->stored, [&](Datum& inner) {
@@ -79,9 +81,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const DepthCompare& e, st
     inner.is("z", {{"z", fragment->stored}});
     work.later(*wrote, "z", "z");
   });
-  datum.holds_if(comparison.nearer == Comparison::Nearer::smaller ? (comparison.ties == Comparison::Ties::first ? "z < stored" : "z <= stored")
-                                                                  : (comparison.ties == Comparison::Ties::first ? "z > stored" : "z >= stored"),
-                 {{"z", work.field(step, "z")}, {"stored", stored}});
+  datum.holds_if(fmt::format("z {} stored", sign), {{"z", work.field(step, "z")}, {"stored", stored}});
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const DepthWrite& e, std::string_view field) {
