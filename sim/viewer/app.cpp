@@ -125,6 +125,7 @@ void App::update_fonts() {
   const float pixels = std::clamp(std::round((ui_.presenter ? 24.0f : 16.0f) * grown * settings_.text_scale), 9.0f, 96.0f);
   if (pixels == built_for_) return;
   built_for_ = ui_.em = pixels;
+  ui_.thin = std::max(1.0f, std::round(grown));
   ui_.fonts.load(pixels);
   renderer_.take_fonts();
 }
@@ -164,8 +165,8 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
     if (picked >= static_cast<int>(found.size())) return true;
     const Command* command = found[static_cast<std::size_t>(picked)];
     open(Overlay::none);
-    if (!command->release) command->run(*this);  // what is held cannot be run from a list
-    else say("Hold " + key_names(*command) + " for that.");
+    if (command->release) hold(*command);
+    else command->run(*this);
     return true;
   }
   if (code == SDLK_UP || code == SDLK_DOWN) {
@@ -230,9 +231,16 @@ bool App::key(const SDL_KeyboardEvent& event) {
   return false;
 }
 
+void App::hold(const Command& command) {
+  command.run(*this);
+  held_ = &command;
+  say("Until the next key or click; with " + key_names(command) + " as long as it is held.");
+}
+
 bool App::handle(const SDL_Event& event, float pixels_per_point) {
   ImGui::SetCurrentContext(context_.context);
   ImGuiIO& io = ImGui::GetIO();
+  if (held_ && (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN)) std::exchange(held_, nullptr)->release(*this);
   const auto mouse = [&](float x, float y) {
 #if IMGUI_VERSION_NUM >= 18700
     io.AddMousePosEvent(x, y);
@@ -302,7 +310,7 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
 }
 
 void App::settle() {
-  for (int i = 0; i < 4; ++i) frame();
+  for (int i = 0; i < frames_to_settle; ++i) frame();
 }
 
 }  // namespace zstep::viewer

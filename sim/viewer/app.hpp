@@ -50,6 +50,8 @@ class App {
   /// From now on draws this pane and nothing else. False where there is none of this name.
   bool show_only(const std::string& pane);
 
+  /// Frames after a change until nothing moves any more.
+  static constexpr int frames_to_settle = 4;
   /// Draws what is to be seen now into renderer().picture(). A field that opens has the keyboard afterwards.
   void frame();
   /// Frames until nothing moves any more: hovering, scrolling and sizes need more than one.
@@ -116,12 +118,16 @@ class App {
   void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
   void take_settings(const Settings& settings);  ///< as another App was left
   void say(std::string message);
+  void hold(const Command& command);  ///< what a key is held for, until the next key or click
 
  private:
   void draw();
   void update_fonts();
+  void begin_scrolling();
+  void take_clicks();
   void draw_title(ImVec2 at, ImVec2 size);
   void draw_panes(ImVec2 at, ImVec2 size);
+  ImVec2 presented_frame() const;
   void draw_pane(const Pane& pane, ImVec2 at, ImVec2 size);
   void draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id);
   void draw_structures(ImVec2 at, ImVec2 size);
@@ -173,6 +179,7 @@ class App {
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
   bool text_taken_ = false;   ///< the text of the key that went down last is not typed: a command was run by it
+  const Command* held_ = nullptr;
   std::uint64_t seen_revision_ = 0;
 };
 

@@ -87,7 +87,7 @@ void App::ask_typed() {
 void App::ask_now() {
   inquiry_.ask(typed, ends_waiting);
   picked = 0;
-  if (ui_.heat && !pixel_overlay_.shown()) ui_.heat = inquiry_.heat(), ++ui_.paint_version;
+  if (ui_.heat && !pixel_overlay_.shown()) ui_.heat = inquiry_.heat();
   session_.touch();
 }
 

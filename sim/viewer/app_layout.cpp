@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/commands.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
 
@@ -101,10 +102,15 @@ void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
     ImGui::SetCursorScreenPos({at.x, at.y + head});
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav |
                                    (pane.scrolls ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    if (ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) pane.draw(ui_);
+    const bool wraps = pane.id == lesson_pane.id || pane.id == happened_pane.id || pane.id == pseudo_code_pane.id;
+    if (wraps ? begin_wrapped(ui_, pane.id, {size.x, body}, flags) : ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) {
+      // Where a pane is scrolled to follows from what it shows, not from what it showed before.
+      if (pane.id == lesson_pane.id ? ui_.speaks_now : ui_.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
+      pane.draw(ui_);
+    }
     ImGui::EndChild();
   }
-  frame_box(list, at, {at.x + size.x, at.y + size.y}, c.rule);
+  frame_box(ui_, at, {at.x + size.x, at.y + size.y}, c.rule);
 }
 
 bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole) {
@@ -173,6 +179,25 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
   }
 }
 
+/// The size of the pane in which the framebuffer is as large as it would be with small letters. The raster has in a pane what title,
+/// borders, rulers and legend leave of it, all of which go with the letters.
+ImVec2 App::presented_frame() const {
+  const Layout& l = settings_.layout;
+  const Raster& raster = session_.scene().raster;
+  const bool lesson = session_.lesson() != nullptr;
+  const float digits = static_cast<float>(std::to_string(std::max(raster.width, raster.height) - 1).size());
+  const auto around = [&](float em, bool legend) { return ImVec2{em * (1.9f + 0.46f * digits), em * (3.15f + (legend ? 1.0f : 0.0f))}; };
+  const float em = ui_.em * 16 / 24, gap = em * 0.35f;
+  const float width = static_cast<float>(renderer_.width()) - 0.8f * em, height = static_cast<float>(renderer_.height()) - em * 8.05f;
+  const float left = width * (lesson ? l.left * 0.94f : l.left), right = lesson ? width * l.right + gap : 0;
+  const ImVec2 usual{(width - left - gap - right - gap) * l.frame - around(em, true).x,
+                     (structures_.empty() ? height : (height - gap) * l.buffers) - around(em, true).y};
+  // A little more, for pixels are rounded down to quarters.
+  const float cell = 1.03f * std::min(usual.x / static_cast<float>(raster.width), usual.y / static_cast<float>(raster.height));
+  const ImVec2 now = around(ui_.em, false);
+  return {std::ceil(cell * static_cast<float>(raster.width) + now.x), std::ceil(cell * static_cast<float>(raster.height) + now.y)};
+}
+
 void App::draw_panes(ImVec2 at, ImVec2 size) {
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
@@ -205,30 +230,35 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   }
   // With a lesson there is a column more, and the code gives way a little.
   const float shared = std::round(size.x * (session_.lesson() ? l.left * 0.94f : l.left));
-  const bool roomy = !session_.lesson() || size.x > ui_.em * 52;
-  const float left = ui_.presenter && roomy ? std::max(shared, std::min(ui_.em * 14, size.x * 0.34f)) : shared;  // large letters need room
-  // Presenter mode gives the buffers a larger share of what is left of the height.
-  float presented = std::max(l.buffers, 0.66f);
-  float& buffers = ui_.presenter ? presented : l.buffers;
-  const float right = session_.lesson() ? std::round(size.x * l.right) : 0;
-  const float middle = size.x - left - gap - (right > 0 ? right + gap : 0);
-  const float x = at.x + left + gap;
-  // A class reads what happened to its end: a sentence of two lines and a formula of five.
-  float code = ui_.presenter ? std::min(l.code, 1 - std::min(0.5f, ui_.em * 11 / size.y)) : l.code;
-  const float code_before = code;
-  draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, code, "code");
-  if (code != code_before) l.code = code;
-
-  const float upper = structures_.empty() ? size.y : std::round((size.y - gap) * buffers);
-  const float frame = std::round((middle - gap) * l.frame);
+  // A class that is asked has the question before it, with all its answers, instead of the code.
+  const bool asks = ui_.presenter && session_.question_open();
+  const float left = asks ? 0 : shared;
+  float right = session_.lesson() ? std::round(size.x * l.right) : 0;
+  if (asks) right += std::round(shared * 0.6f);
+  const float x = at.x + (asks ? 0 : left + gap);
+  const float middle = at.x + size.x - x - (right > 0 ? right + gap : 0);
+  float upper = structures_.empty() ? size.y : std::round((size.y - gap) * l.buffers), frame = std::round((middle - gap) * l.frame);
+  if (ui_.presenter) {
+    // The framebuffer is at least as large as with small letters; what is beside and below it has the rest, but never nothing.
+    const ImVec2 needed = presented_frame();
+    frame = std::clamp(needed.x, frame, std::max(frame, middle - gap - ui_.em * 9));
+    if (!structures_.empty()) upper = std::clamp(needed.y, upper, std::max(upper, size.y - gap - ui_.em * 5));
+  }
+  if (!asks) {
+    // A class reads what happened to its end: a sentence of two lines and a formula of five.
+    float code = ui_.presenter ? std::min(l.code, 1 - std::min(0.5f, ui_.em * 11 / size.y)) : l.code;
+    const float code_before = code;
+    draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, code, "code");
+    if (code != code_before) l.code = code;
+    splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
+  }
   draw_pane(frame_pane, {x, at.y}, {frame, upper});
   draw_pane(beside_, {x + frame + gap, at.y}, {middle - frame - gap, upper});
   splitter("frame", {x + frame, at.y}, {gap, upper}, true, l.frame, middle - gap);
   if (!structures_.empty()) {
     draw_structures({x, at.y + upper + gap}, {middle, size.y - upper - gap});
-    splitter("buffers", {x, at.y + upper}, {middle, gap}, false, buffers, size.y - gap);
+    splitter("buffers", {x, at.y + upper}, {middle, gap}, false, l.buffers, size.y - gap);
   }
-  splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
   if (right > 0) {
     draw_pane(lesson_pane, {x + middle + gap, at.y}, {right, size.y});
     float others = 1 - l.right;
@@ -272,6 +302,41 @@ void App::draw_overlay() {
   }
 }
 
+/// What was clicked in this frame, where no question lies over it.
+void App::take_clicks() {
+  if (ui_.clicked) {
+    session_.message.clear();
+    ui_.clicked->run(*this);
+    session_.touch();
+  } else if (ui_.asked_history) {
+    session_.select(ui_.asked_history);
+    open_history();
+  } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    open(Overlay::menu);
+  }
+}
+
+/// Panes scroll to what is at work when the step or the layout changes, for some frames: the first may bring a scroll bar, which
+/// wraps lines anew.
+void App::begin_scrolling() {
+  const auto scrolls = [](std::uint64_t now, std::uint64_t& follows, int& frames) {
+    if (follows != now) follows = now, frames = frames_to_settle - 1;
+    return frames > 0 && frames-- > 0;
+  };
+  const Layout& l = settings_.layout;
+  Fingerprint layout;
+  for (const float part : {static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height()), built_for_, l.left, l.right, l.code, l.frame, l.buffers})
+    take(layout, part);
+  for (const auto& [pane, share] : l.structures) take(layout, share);
+  take(layout, ui_.presenter);
+  take(layout, ui_.vertices_always);
+  Fingerprint moment = layout, stop = layout;
+  take(moment, session_.position());
+  take(stop, session_.stop());
+  ui_.scroll_now = scrolls(moment.value(), ui_.scroll_follows, ui_.scroll_frames);
+  ui_.speaks_now = scrolls(stop.value(), ui_.speaks_follows, ui_.speaks_frames);
+}
+
 void App::draw() {
   ImGui::SetCurrentContext(context_.context);
   places_.look_on();
@@ -281,10 +346,12 @@ void App::draw() {
   apply_style(ui_);
   const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
   ImGui::GetIO().DisplaySize = size;
-  ui_.scroll_now = ui_.scroll_follows != session_.position();
+  begin_scrolling();
   ui_.mouse_help = ui_.fonts.lacking;
   ui_.asked.reset();
   ui_.asked_as.clear();
+  ui_.asked_history.reset();
+  ui_.clicked = nullptr;
   ui_.pointed_next.reset();
   ui_.hovered_edge_next.reset();
   ImGui::NewFrame();
@@ -310,9 +377,9 @@ void App::draw() {
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);
+  if (overlay_ == Overlay::none) take_clicks();
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
-  if (ui_.scroll_now) ui_.scroll_follows = session_.position();
   if (ui_.pointed != ui_.pointed_next || session_.hovered_edge != ui_.hovered_edge_next) session_.touch();
   ui_.pointed = ui_.pointed_next;
   session_.hovered_edge = ui_.hovered_edge_next;

@@ -45,7 +45,6 @@ void App::turn_overlay(int direction) {
 void App::end_painting() {
   ui_.heat.reset();
   ui_.heat_behind.clear();
-  ++ui_.paint_version;
   if (pixel_overlay_.shown()) pixel_overlay_.show(std::nullopt);
   session_.touch();
 }
@@ -53,7 +52,7 @@ void App::end_painting() {
 /// What is painted over the frame goes where the reader is, as far as a part of a frame's time reaches.
 void App::follow_overlay() {
   if (pixel_overlay_.look_on()) {
-    if (pixel_overlay_.shown()) pixel_overlay_.take_picture(ui_.heat), ++ui_.paint_version;
+    if (pixel_overlay_.shown()) pixel_overlay_.take_picture(ui_.heat);
     else end_painting();
   }
   ui_.heat_behind = pixel_overlay_.behind();
@@ -71,7 +70,6 @@ void App::take_range() {
   open(Overlay::none);
   ui_.range_mode = empty ? Ui::RangeMode::whole : Ui::RangeMode::by_hand;
   ui_.hand_range = {near, far, true};
-  ++ui_.paint_version;
   say(empty ? "The colours span all depths of the trace." : fmt::format("The colours span {} to {}; R ends that.", number(near), number(far)));
 }
 

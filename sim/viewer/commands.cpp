@@ -104,7 +104,6 @@ void fit_range(App& app) {
   const std::vector<double>& depths = s.picture().depth;
   const bool any = std::any_of(depths.begin(), depths.end(), [](double z) { return std::isfinite(z); });
   ui.range_mode = ui.range_mode == Ui::RangeMode::whole ? Ui::RangeMode::fitted : Ui::RangeMode::whole;
-  ++ui.paint_version;
   app.say(ui.range_mode == Ui::RangeMode::fitted ? any ? "The colours span the depths that are shown." : "No depths are shown yet; the colours will span those that are."
                                                  : "The colours span all depths of the trace.");
 }
@@ -166,7 +165,7 @@ const std::vector<Command>& table() {
       {"next-method", "Pixel", "The same moment by the next method", {{SDLK_x}}, [](App& a) { a.requests.switch_method = 1; }},
       {"previous-method", "Pixel", "The same moment by the previous method", {{SDLK_x, S}}, [](App& a) { a.requests.switch_method = -1; }},
       {"next-edge", "Pixel", "Light the next edge of the table (or click one)", {{SDLK_e}}, next_edge},
-      {"before", "Look", "Hold: the buffers one step ago", {{SDLK_b}},
+      {"before", "Look", "Hold: the buffers before the last move", {{SDLK_b}},
        [](App& a) { a.session().looking_back = true; a.session().touch(); },
        [](App& a) { a.session().looking_back = false; a.session().touch(); }},
       {"zoom-in", "Look", "Zoom into the buffers (or wheel)", {{SDLK_z}}, zoom<1>},

@@ -149,7 +149,7 @@ KeySheet sheet_in(Ui& ui, std::size_t columns) {
 
 void run(App& app, const Command& command) {
   app.open(Overlay::none);
-  if (command.release) app.say("Hold " + key_names(command) + " for that.");
+  if (command.release) app.hold(command);
   else command.run(app);
 }
 

@@ -117,7 +117,7 @@ void draw_search(App& app) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + size.x, at.y + size.y};
   list->AddRectFilled(at, end, c.pane);
-  frame_box(list, at, end, c.now, 2);
+  frame_box(ui, at, end, c.now, 2);
   draw_text(ui, {at.x + pad, at.y + ui.em * 0.5f}, ui.fonts.text, c.text, text);
   draw_text(ui, {end.x - pad - text_size(ui, ui.fonts.bold, help).x, at.y + ui.em * 0.5f}, ui.fonts.bold, c.now, help);
   const float y = end.y - bar - ui.em * 0.35f, whole = size.x - 2 * pad;

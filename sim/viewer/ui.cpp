@@ -10,16 +10,6 @@
 
 namespace zstep::viewer {
 
-std::uint64_t fingerprint(std::initializer_list<double> parts) {
-  std::uint64_t hash = 1469598103934665603u;
-  for (const double part : parts) {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &part, sizeof bits);
-    for (int shift = 0; shift < 64; shift += 8) hash = (hash ^ (bits >> shift & 255u)) * 1099511628211u;
-  }
-  return hash;
-}
-
 ImVec2 text_size(const Ui& ui, const ImFont* font, const std::string& text) {
   const std::string shown = ui.fonts.drawable(text);
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, shown.c_str(), shown.c_str() + shown.size());
@@ -221,16 +211,35 @@ float scroll_for(float at, float height, float view) {
   return std::round(std::max(target, std::min(at, at + height - foot)));
 }
 
-void follow(Ui& ui, float top, float height, bool again) {
-  if (!ui.scroll_now && !again) return;
+bool begin_wrapped(Ui& ui, const char* id, ImVec2 size, ImGuiWindowFlags flags) {
+  bool& overflows = ui.overflows[id];
+  const ImVec4 grab = overflows ? ImGui::GetStyle().Colors[ImGuiCol_ScrollbarGrab] : ImGui::GetStyle().Colors[ImGuiCol_ScrollbarBg];
+  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
+  if (!overflows) ImGui::PushStyleColor(ImGuiCol_ScrollbarGrabHovered, grab), ImGui::PushStyleColor(ImGuiCol_ScrollbarGrabActive, grab);
+  const int pushed = overflows ? 1 : 3;
+  const bool shown = ImGui::BeginChild(id, size, false, flags | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  ImGui::PopStyleColor(pushed);
+  overflows = ImGui::GetScrollMaxY() > 0;
+  return shown;
+}
+
+void begin_part(Ui& ui, const char* id) {
+  begin_wrapped(ui, id, ImGui::GetContentRegionAvail(), ImGuiWindowFlags_HorizontalScrollbar);
+  if (ui.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
+}
+
+void follow(Ui& ui, float top, float height) {
+  if (!ui.scroll_now) return;
   ImGui::SetScrollY(scroll_for(top - ImGui::GetWindowPos().y + ImGui::GetScrollY(), height, ImGui::GetWindowHeight()));
 }
 
-void frame_box(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
-  list->AddRectFilled(a, {b.x, a.y + thickness}, color);
-  list->AddRectFilled({a.x, b.y - thickness}, b, color);
-  list->AddRectFilled({a.x, a.y + thickness}, {a.x + thickness, b.y - thickness}, color);
-  list->AddRectFilled({b.x - thickness, a.y + thickness}, {b.x, b.y - thickness}, color);
+void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float line = std::round(thickness * ui.thin);
+  list->AddRectFilled(a, {b.x, a.y + line}, color);
+  list->AddRectFilled({a.x, b.y - line}, b, color);
+  list->AddRectFilled({a.x, a.y + line}, {a.x + line, b.y - line}, color);
+  list->AddRectFilled({b.x - line, a.y + line}, {b.x, b.y - line}, color);
 }
 
 bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question) {
@@ -238,7 +247,7 @@ bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question) {
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) || !ImGui::IsMouseHoveringRect(a, b)) return false;
   ImGui::GetWindowDrawList()->AddRectFilled({a.x, b.y - 2}, b, ui.colors().selected);
   ui.mouse_help = "Click: where this number comes from.";
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) ui.asked = question;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.asked = question;
   return true;
 }
 
@@ -252,7 +261,7 @@ bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(at, end, lit ? c.now_soft : hovered ? c.button_hovered : c.button);
-  frame_box(list, at, end, lit ? c.now : c.rule);
+  frame_box(ui, at, end, lit ? c.now : c.rule);
   draw_text(ui, {at.x + pad_x, at.y + pad_y}, ui.fonts.text, enabled ? c.text : c.muted, shown);
   return clicked;
 }

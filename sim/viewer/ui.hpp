@@ -16,7 +16,9 @@
 #include "sim/viewer/draw/fonts.hpp"
 #include "sim/viewer/draw/renderer.hpp"
 #include "sim/viewer/draw/theme.hpp"
+#include "sim/viewer/kept.hpp"
 #include "sim/viewer/model/inquiry.hpp"
+#include "sim/viewer/model/label_spots.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/model/raster_view.hpp"
 #include "sim/viewer/model/session.hpp"
@@ -24,11 +26,13 @@
 
 namespace zstep::viewer {
 
-/// One of the two buffers as a pane shows it, kept between frames.
-struct RasterContent {
-  Canvas canvas;
-  std::vector<Pixel32> cells;
-  std::uint64_t cells_version = 0, canvas_version = 0;
+struct Command;
+
+/// The pixels of a raster as a pane colours them.
+struct Cells {
+  std::vector<Pixel32> colors;
+  std::vector<double> counts;  ///< where these are counts: pixels of the screen that cover several show the greatest
+  int decimals = 0;            ///< that the numbers in them need
 };
 
 struct Ui {
@@ -51,30 +55,34 @@ struct Ui {
   RangeMode range_mode = RangeMode::whole;       ///< of the depth buffer's colours
   DepthRange hand_range;
   bool histogram = false;                        ///< of depths, below the depth buffer
-  std::uint64_t paint_version = 0;               ///< grows when cells get other colours at the same step
-  std::map<std::string, RasterContent> rasters;  ///< by pane
-  std::map<std::string, Canvas> canvases;        ///< by what is painted there
-  std::map<std::string, std::uint64_t> painted;  ///< the version each canvas shows
-  int depth_decimals = 2;                        ///< what the depth buffer's numbers need
+  KeptThings<Cells> cells;                       ///< by pane
+  KeptThings<Canvas> canvases;                   ///< by what is painted there
+  KeptThings<std::vector<LabelSpot>> spots;
   float em = 16;            ///< body text in pixels
+  float thin = 1;           ///< pixels of a thin line: more than one on a large screen
   bool presenter = false;
   bool vertices_always = false;      ///< the way of the vertices is shown even where room is scarce
   std::optional<Cell> pointed;       ///< cell under the mouse, in either buffer
   std::optional<Cell> pointed_next;  ///< collected while this frame is drawn
   std::optional<std::int32_t> hovered_edge_next;
-  std::int64_t scroll_follows = -1;  ///< position for which panes have scrolled to what is at work
+  std::map<std::string, bool> overflows;  ///< by wrapped child: its text is longer than it is high
+  std::uint64_t scroll_follows = 0;  ///< the moment and the layout for which panes have scrolled to what is at work
+  int scroll_frames = 0;             ///< frames until they have: a scroll bar that comes wraps lines anew
   bool scroll_now = false;           ///< this frame they must
+  std::uint64_t speaks_follows = 0;  ///< the same for the lesson, which stays where it was scrolled to until another stop speaks
+  int speaks_frames = 0;
+  bool speaks_now = false;
   std::optional<answers::Question> asked;  ///< the number that was clicked in this frame
+  std::optional<Cell> asked_history;       ///< the pixel whose history was asked for in this frame
+  const Command* clicked = nullptr;        ///< the command whose button was clicked in this frame
   std::string asked_as;                    ///< how it is written there, where it is one of a formula's
   bool reads = false;                ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
   std::string mouse_help;            ///< what the mouse does here, for the bottom line
 
   const Theme& colors() const { return *theme; }
+  Moment moment() const { return Moment(session); }
   float line() const { return em * 1.3f; }
 };
-
-/// A number for image versions: changes whenever one of these does.
-std::uint64_t fingerprint(std::initializer_list<double> parts);
 
 // --- Text. All of it goes through Fonts::drawable. Sizes in pixels.
 
@@ -101,13 +109,18 @@ void flow_markdown(Ui& ui, const std::string& markdown);
 void say_empty(Ui& ui, const std::string& why);
 
 /// Scrolls the pane so that the line at `top` (on screen) can be read with what follows it. Where it scrolls to depends on the
-/// line alone, never on where the pane was: the same step always looks the same. Does so once a step, or `again`.
-void follow(Ui& ui, float top, float height, bool again = false);
+/// line alone, never on where the pane was: the same step always looks the same. Does so when the step or the layout changed.
+void follow(Ui& ui, float top, float height);
+/// A child window of text that is wrapped. The place of its scroll bar is kept free: where a bar came and went, it would wrap lines
+/// anew, and whether it is needed would depend on whether it was there before. Ends with ImGui::EndChild().
+bool begin_wrapped(Ui& ui, const char* id, ImVec2 size, ImGuiWindowFlags flags);
+/// The rest of a pane as a part that scrolls by itself; ends with ImGui::EndChild().
+void begin_part(Ui& ui, const char* id);
 /// Where follow() scrolls to for a line at `at` in what is scrolled, in a pane that shows `view` of it: all of the line is seen.
 float scroll_for(float at, float height, float view);
 
-/// A frame of whole pixels, inside these corners.
-void frame_box(ImDrawList* list, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 1);
+/// A frame of whole pixels, inside these corners; `thickness` in thin lines.
+void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 1);
 
 /// What stands between these corners is a number that can be asked about: under the mouse it is underlined, a click puts the
 /// question into `asked`. True under the mouse: whatever else a click does there must then give way.

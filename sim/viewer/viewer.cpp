@@ -68,7 +68,7 @@ void serve(Stage& stage, const Window& window) {
 double seconds() { return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency()); }
 
 void loop(Stage& stage, const Window& window) {
-  int frames_due = 4;  // after a change, until nothing moves any more
+  int frames_due = App::frames_to_settle;  // after a change, until nothing moves any more
   std::uint64_t drawn = 0;
   bool on_way = false;  // the title says so
   while (!stage.app().requests.quit) {
@@ -82,12 +82,12 @@ void loop(Stage& stage, const Window& window) {
     };
     if (stage.app().session().revision() < drawn) drawn = 0;  // another method's
     const double wait = stage.app().session().play(seconds());
-    if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, 3);
+    if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, App::frames_to_settle);
     SDL_Event event;
     const int milliseconds = frames_due > 0 ? 0 : static_cast<int>(std::min(wait, 3600.0) * 1000);
     bool got = milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) != 0 : SDL_PollEvent(&event) != 0;
     while (got) {
-      frames_due = std::max(frames_due, 3);
+      frames_due = std::max(frames_due, App::frames_to_settle);
       if (stage.app().handle(event, window.pixels_per_point())) break;
       got = SDL_PollEvent(&event) != 0;
     }
@@ -97,7 +97,7 @@ void loop(Stage& stage, const Window& window) {
     if (target->w != stage.app().renderer().width() || target->h != stage.app().renderer().height()) {
       stage.app().resize(target->w, target->h);
       stage.app().set_dpi_scale(window.dpi_scale());
-      frames_due = 4;
+      frames_due = App::frames_to_settle;
     }
     if (frames_due <= 0 && stage.app().session().revision() == drawn) continue;
     drawn = stage.app().session().revision();

@@ -26,7 +26,7 @@ void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32
   const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled({at.x, top}, {at.x + box, top + box}, to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
-  frame_box(list, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
+  frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
 }
 
 /// Whether a step does nothing but begin work on something: it leads to a verdict, and decides none.

@@ -134,13 +134,13 @@ TEST_CASE("stepping into an unanswered question's answer is allowed, and nudged"
   Session s(trace, &lesson);
   s.to_stop(1);
   CHECK(s.question_open());
-  CHECK_FALSE(s.nudged);
+  CHECK_FALSE(s.nudged());
   s.move(Unit::event, 1);
   CHECK(s.position() == 21);
-  CHECK(s.nudged);
+  CHECK(s.nudged());
   s.answer(0);
   CHECK(s.question_open());
-  CHECK_FALSE(s.nudged);
+  CHECK_FALSE(s.nudged());
   s.answer(1);
   CHECK_FALSE(s.question_open());
   s.answer(7);
@@ -183,7 +183,7 @@ TEST_CASE("playing says that it waits for the reader and how long, and never run
   jumped.to_stop(1);
   jumped.toggle_play();
   CHECK_FALSE(jumped.playing);
-  CHECK(jumped.nudged);
+  CHECK(jumped.nudged());
   CHECK(jumped.message.find("the lesson asks") != std::string::npos);
   jumped.answer(0);
   jumped.toggle_play();

@@ -66,15 +66,12 @@ Session::Session(const Trace& trace, const Lesson* lesson)
 
 void Session::go_to(std::int64_t position, Unit unit) {
   const std::int64_t from = this->position(), to = std::clamp<std::int64_t>(position, 0, size());
-  const bool was_open = question_open();
-  const int was_stop = stop_;
   if (to == from && unit == unit_ && message.empty()) return;
   unit_ = unit;
   if (to != from) {
     replay_.go_to(to, on_way);
     selected_edge.reset();
     stop_ = stop_at(this->position());
-    nudged = was_open && to > from && stop_ >= was_stop;
   }
   arrived();
   if (this->position() != to) message = fmt::format("The way to step {} was ended here.", grouped(to));
@@ -83,6 +80,8 @@ void Session::go_to(std::int64_t position, Unit unit) {
 void Session::arrived() {
   before_.reset();
   changed_.reset();
+  changed_here_.reset();
+  told_to_answer_ = false;
   message.clear();
   touch();
 }
@@ -159,25 +158,39 @@ std::int64_t Session::before() const {
   return *before_;
 }
 
-const std::vector<Cell>& Session::changed() const {
-  if (changed_) return *changed_;
-  changed_.emplace();
+namespace {
+
+/// The cells that events of steps beyond `before` up to `position` wrote.
+std::vector<Cell> cells_written(const Trace& trace, std::int64_t before, std::int64_t position) {
+  std::vector<Cell> cells;
   constexpr std::int64_t readable = 500'000;  // beyond, marks would cover the picture and cost more than a frame
-  if (position() - before() > readable) return *changed_;
+  if (position - before > readable) return cells;
   const auto look = [&](const auto& event) {
     using E = std::decay_t<decltype(event)>;
     if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelWrite>)
-      if (const Cell cell{event.x, event.y}; changed_->empty() || changed_->back() != cell) changed_->push_back(cell);
+      if (const Cell cell{event.x, event.y}; cells.empty() || cells.back() != cell) cells.push_back(cell);
   };
-  if (position() - before() == 1) {
-    std::visit(look, trace_.event(position()).event);
+  if (position - before == 1) {
+    std::visit(look, trace.event(position).event);
   } else {
-    trace_.visit(before(), position(), [&](std::int64_t, std::uint8_t, const auto& event) {
+    trace.visit(before, position, [&](std::int64_t, std::uint8_t, const auto& event) {
       look(event);
       return true;
     });
   }
+  return cells;
+}
+
+}  // namespace
+
+const std::vector<Cell>& Session::changed() const {
+  if (!changed_) changed_ = cells_written(trace_, before(), position());
   return *changed_;
+}
+
+const std::vector<Cell>& Session::changed_here() const {
+  if (!changed_here_) changed_here_ = cells_written(trace_, std::max<std::int64_t>(0, position() - 1), position());
+  return *changed_here_;
 }
 
 const Picture& Session::picture() const {
@@ -214,7 +227,6 @@ void Session::to_stop(int index) {
   unit_ = Unit::event;
   replay_.go_to(lesson_->stops[static_cast<std::size_t>(index)].position);
   stop_ = index;
-  nudged = false;
   selected_edge.reset();
   arrived();
 }
@@ -245,12 +257,15 @@ bool Session::question_open() const {
   return !given || !question->answers[static_cast<std::size_t>(*given)].right;
 }
 
+bool Session::nudged() const {
+  return question_open() && !chosen(stop_) && (told_to_answer_ || position() > lesson_->stops[static_cast<std::size_t>(stop_)].position);
+}
+
 void Session::answer(int choice) {
   if (stop_ < 0) return;
   const auto& question = lesson_->stops[static_cast<std::size_t>(stop_)].question;
   if (!question || choice < 0 || choice >= static_cast<int>(question->answers.size())) return;
   chosen_[static_cast<std::size_t>(stop_)] = choice;
-  nudged = false;
   touch();
 }
 
@@ -271,7 +286,7 @@ bool Session::asks_here() const {
 }
 
 void Session::say_that_it_asks() {
-  nudged = true;
+  told_to_answer_ = true;
   const std::size_t answers = lesson_->stops[static_cast<std::size_t>(stop_)].question->answers.size();
   message = fmt::format("Here the lesson asks. Answer first (a key from 1 to {}, or a click), then Space plays on.", answers);
   touch();

@@ -32,7 +32,7 @@ class Session {
   std::int64_t position() const { return replay_.position(); }
   std::int64_t size() const { return trace_.size(); }
 
-  // --- Moving. All clamp to the trace; what is shown as "changed by this step" spans the unit of the last move.
+  // --- Moving. All clamp to the trace; looking back goes back by the unit of the last move.
   void go_to(std::int64_t position, Unit unit = Unit::event);
   /// Stays, and says so, where no such unit begins that way. After the last scan line, span or pixel it goes to the end, and says so.
   void move(Unit unit, int direction);
@@ -58,7 +58,9 @@ class Session {
   // --- Before and after
   Unit unit() const { return unit_; }
   std::int64_t before() const;               ///< where the last move's unit began
-  const std::vector<Cell>& changed() const;  ///< cells written since before()
+  const std::vector<Cell>& changed() const;  ///< cells written since before(), for who looks back
+  /// Cells that the step itself wrote: how one came to it does not change the picture.
+  const std::vector<Cell>& changed_here() const;
   bool looking_back = false;                 ///< show the buffers as they were at before()
   const Picture& picture() const;            ///< the buffers, or those of before()
   std::optional<Cell> current_cell() const;  ///< the pixel of the current event, or that at work
@@ -70,7 +72,7 @@ class Session {
   void answer(int choice);
   std::optional<int> chosen(int stop) const { return chosen_[static_cast<std::size_t>(stop)]; }
   bool question_open() const;                ///< the current stop asks and has no right answer yet
-  bool nudged = false;                       ///< stepped on while the question was open
+  bool nudged() const;                       ///< beyond the question of the current stop, which has no answer yet
 
   // --- Selected and pointed at, the same in every pane
   std::optional<Cell> selected;
@@ -110,7 +112,8 @@ class Session {
   mutable std::optional<Replay> replay_before_;
   Unit unit_ = Unit::event;
   mutable std::optional<std::int64_t> before_;
-  mutable std::optional<std::vector<Cell>> changed_;
+  mutable std::optional<std::vector<Cell>> changed_, changed_here_;
+  bool told_to_answer_ = false;  ///< the reader wanted to play on from an open question
   int stop_ = -1;
   std::vector<std::optional<int>> chosen_;
   double played_until_ = -1, owed_ = 0, reading_until_ = -1;

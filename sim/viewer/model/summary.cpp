@@ -4,6 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include <glm/vec4.hpp>
+
 #include "traces/file/visit.hpp"
 
 namespace zstep::viewer {
@@ -13,31 +15,31 @@ constexpr std::int64_t quick = 3'000'000;  // events that can be looked through 
 }
 
 DepthRange depth_range(const Trace& trace) {
-  DepthRange range;
-  double near = no_depth, far = -no_depth;
-  const auto add = [&](double z) {
-    if (!std::isfinite(z)) return;
-    near = std::min(near, z);
-    far = std::max(far, z);
-  };
   const Scene& scene = trace.scene();
   const Camera& camera = scene.camera;
-  if (camera.kind == Camera::Kind::screen) {
-    for (const std::int32_t corner : scene.corners)
-      if (corner >= 0 && static_cast<std::size_t>(corner) < scene.points.size()) add(scene.points[static_cast<std::size_t>(corner)].z);
-  } else {
-    // The vertices that are in view in depth, as the trace's own projection gives them; where some are not, the planes.
-    const std::int64_t end = trace.polygons().empty() ? trace.size() : trace.polygons().front().position;
-    trace.visit(0, std::min(end, quick), [&](std::int64_t, std::uint8_t, const auto& event) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(event)>, Projection>) {
-        const double z_v = view_depth(camera, trace.header().conventions, event.z);
-        if (z_v >= camera.near && z_v <= camera.far) add(event.z);
-      }
-      return true;
-    });
+  const bool screen = camera.kind == Camera::Kind::screen;
+  DepthRange range;
+  if (!screen && !(camera.near < camera.far)) return range;
+  const auto add = [&](double z) {
+    if (!std::isfinite(z)) return;
+    range = range.known ? DepthRange{std::min(range.near, z), std::max(range.far, z), true} : DepthRange{z, z, true};
+  };
+  for (const Facet& facet : scene.facets) {
+    double nearest = no_depth, farthest = -no_depth;
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+      const auto corner = static_cast<std::size_t>(facet.first_corner + k);
+      const auto point = corner < scene.corners.size() ? static_cast<std::size_t>(scene.corners[corner]) : scene.points.size();
+      if (point >= scene.points.size()) continue;
+      const double z = screen ? scene.points[point].z : (camera.view * glm::dvec4(scene.points[point], 1)).z;
+      nearest = std::min(nearest, z);
+      farthest = std::max(farthest, z);
+    }
+    if (screen) add(nearest), add(farthest);
+    if (screen || !(nearest <= camera.far && farthest >= camera.near)) continue;  // nothing of it is in view
+    // What is cut by the near or the far plane reaches as far as that.
+    for (const double z_v : {nearest, farthest}) add(buffer_depth(camera, trace.header().conventions, std::clamp(z_v, camera.near, camera.far)));
   }
-  if (!(near <= far)) return range;
-  return {near, far, true};
+  return range;
 }
 
 std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
@@ -53,8 +55,6 @@ std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
 }
 
 const ScanLineMarks::Interval& ScanLineMarks::at(const Trace& trace, std::int64_t position) {
-  if (interval_ && position >= interval_->first && position < interval_->last) return *interval_;
-  if (interval_ && position == interval_->last && position == trace.size()) return *interval_;
   const auto polygons = trace.polygons();
   const auto after = std::upper_bound(polygons.begin(), polygons.end(), position,
                                       [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
@@ -72,6 +72,7 @@ const ScanLineMarks::Interval& ScanLineMarks::at(const Trace& trace, std::int64_
   } else if (sweep && s.last > *sweep) {
     s.last = *sweep;
   }
+  if (interval_ && interval_->first == s.first && interval_->last == s.last && interval_->polygon == s.polygon) return *interval_;
   s.complete = s.last - s.first <= quick;
   if (s.complete && (sweeping || s.polygon != no_polygon))
     trace.visit(s.first, s.last, [&](std::int64_t p, std::uint8_t, const auto& event) {
@@ -126,13 +127,12 @@ const std::vector<RowMarks::Mark>& RowMarks::of(const Trace& trace) {
 std::ptrdiff_t RowMarks::at(const Trace& trace, std::int64_t position) { return last_before(of(trace), position); }
 
 void HitCounts::follow(const Trace& trace, std::int64_t position) {
-  if (known_ && position == position_) return;
-  if (!known_ || std::abs(position - position_) > std::min(position, quick)) {
-    // Cheaper to count from the beginning, or too far to count at all.
+  // However one came here: what may be known depends on the place alone.
+  known_ = position <= quick;
+  if (!known_) return;
+  if (std::abs(position - position_) > position) {  // cheaper to count from the beginning
     count_.fill(0);
     position_ = 0;
-    known_ = position <= quick;
-    if (!known_) return;
   }
   const std::int64_t change = position > position_ ? 1 : -1;
   const std::int64_t low = std::min(position, position_), high = std::max(position, position_);

@@ -10,8 +10,8 @@
 
 namespace zstep::viewer {
 
-/// The depths that can be drawn, in the buffer's own numbers; the colours of the depth buffer span it. Fixed for a trace,
-/// so that a colour means the same depth at every step.
+/// The depths that can be drawn, in the buffer's own numbers; the colours of the depth buffer span it. Fixed for a scene and its
+/// camera, so that a colour means the same depth at every step.
 struct DepthRange {
   double near = 0, far = 1;
   bool known = false;
@@ -67,7 +67,7 @@ class RowMarks {
   std::optional<std::vector<Mark>> marks_;
 };
 
-/// How often each step ran up to a position. Follows small moves by counting, and gives up on far ones in huge traces.
+/// How often each step ran up to a position. Follows small moves by counting; late in a huge trace that would take too long.
 class HitCounts {
  public:
   void follow(const Trace& trace, std::int64_t position);

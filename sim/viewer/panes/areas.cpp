@@ -1,6 +1,7 @@
 // Warnock's areas over the frame, each settled one with the number of its case, and the bins of the area at work.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -31,31 +32,30 @@ void frame(Canvas& canvas, const Box& b, int thickness, Pixel32 color) {
 
 bool has_pixels(const AreaBegin& a) { return a.first_column < a.end_column && a.first_row < a.end_row; }
 
-void paint(Ui& ui, Canvas& canvas, const RasterMap& map) {
-  const Session& s = ui.session;
-  const MethodState& m = s.state().machine;
-  const Theme& c = ui.colors();
-  const Picture& picture = s.state().picture;
+void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& thin) {
+  const MethodState& m = now.state().machine;
+  const Picture& picture = now.state().picture;
+  const int line = static_cast<int>(std::lround(thin));
   std::vector<Pixel32> cells(picture.polygon.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = mixed(opaque(zstep::color_at(picture, s.scene(), i)), to_pixel(c.pane), 110);
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = mixed(opaque(zstep::color_at(picture, now.scene(), i)), to_pixel(c.pane), 110);
   paint_raster(canvas, map, cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
   for (const AreaRow& row : m.areas)
-    if (has_pixels(row.entry)) frame(canvas, box_of(map, row.entry), 1, to_pixel(c.text));
+    if (has_pixels(row.entry)) frame(canvas, box_of(map, row.entry), line, to_pixel(c.text));
   if (m.pieces.size() <= most_outlines)
     for (const Piece& piece : m.pieces)
       for (std::size_t i = 0; i < piece.outline.size(); ++i) {
-        const auto a = on_raster(s.scene(), s.state(), piece.outline[i]);
-        const auto b = on_raster(s.scene(), s.state(), piece.outline[(i + 1) % piece.outline.size()]);
+        const auto a = on_raster(now.scene(), now.state(), piece.outline[i]);
+        const auto b = on_raster(now.scene(), now.state(), piece.outline[(i + 1) % piece.outline.size()]);
         if (!a || !b) continue;
         const auto polygon = static_cast<std::size_t>(piece.polygon);
-        const Pixel32 color = polygon < s.scene().polygons.size() ? opaque(s.scene().polygons[polygon].color) : to_pixel(c.muted);
-        canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 3.6, to_pixel(c.text), 200);
-        canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 2, color);
+        const Pixel32 color = polygon < now.scene().polygons.size() ? opaque(now.scene().polygons[polygon].color) : to_pixel(c.muted);
+        canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 3.6 * line, to_pixel(c.text), 200);
+        canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 2.0 * line, color);
       }
   const auto at = static_cast<std::size_t>(m.area);
   if (m.area >= 0 && at < m.areas.size() && has_pixels(m.areas[at].entry)) {
     const Box b = box_of(map, m.areas[at].entry);
-    frame(canvas, {b.left - 2, b.top - 2, b.right + 2, b.bottom + 2}, 4, to_pixel(c.now));
+    frame(canvas, {b.left - 2 * line, b.top - 2 * line, b.right + 2 * line, b.bottom + 2 * line}, 4 * line, to_pixel(c.now));
   }
 }
 
@@ -116,7 +116,7 @@ void draw_bin(Ui& ui, Bin bin) {
     const float top = at.y + std::round((height - side) / 2);
     if (static_cast<std::size_t>(polygon) < s.scene().polygons.size())
       list->AddRectFilled({x, top}, {x + side, top + side}, to_im(opaque(s.scene().polygons[static_cast<std::size_t>(polygon)].color)));
-    frame_box(list, {x, top}, {x + side, top + side}, c.text);
+    frame_box(ui, {x, top}, {x + side, top + side}, c.text);
     draw_text(ui, {x + ui.em * 0.75f, y}, now == nullptr || now->piece != row.piece ? ui.fonts.text : ui.fonts.bold, c.text, label);
     x += width;
     ++shown;
@@ -148,21 +148,13 @@ void draw(Ui& ui) {
   const int height = static_cast<int>(beside ? avail.y : avail.y - bins_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width - 4, height - 4);
-  Canvas& canvas = ui.canvases["areas"];
-  const std::uint64_t version = fingerprint({static_cast<double>(width), static_cast<double>(height), static_cast<double>(s.position()),
-                                             ui.theme == &light_theme() ? 0.0 : 1.0});
-  if (ui.painted["areas"] != version) {
-    canvas.resize(width - 4, height - 4);
-    canvas.fill(to_pixel(ui.colors().pane));
-    paint(ui, canvas, map);
-    ui.painted["areas"] = version;
-  }
+  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at, {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});
   draw_signs(ui, map, at);
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
-  ImGui::BeginChild("bins", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_None);
+  begin_part(ui, "bins");
   draw_bins(ui);
   ImGui::EndChild();
 }

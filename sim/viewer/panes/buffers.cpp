@@ -14,22 +14,38 @@ namespace zstep::viewer {
 namespace {
 
 /// Numbers in the colours of depths, from the least to the most, polygons in their own; hatched where there is none.
-void paint_heat(const Ui& ui, std::vector<Pixel32>& cells) {
-  const HeatMap& heat = *ui.heat;
-  cells.resize(heat.values.size());
-  const auto& polygons = ui.session.scene().polygons;
+void color_heat(Cells& cells, const HeatMap& heat, const Scene& scene, const DepthScale& scale) {
+  cells.colors.resize(heat.values.size());
+  cells.counts.clear();
+  if (!heat.polygons) cells.counts = heat.values;
   const auto color = [&](double value) {
     if (std::isnan(value)) return hatched_cell;
-    if (!heat.polygons) return ui.depth_scale.at(heat.share(value));
+    if (!heat.polygons) return scale.at(heat.share(value));
     const auto at = static_cast<std::size_t>(value);
-    return at < polygons.size() ? opaque(polygons[at].color) : hatched_cell;
+    return at < scene.polygons.size() ? opaque(scene.polygons[at].color) : hatched_cell;
   };
   double last = std::nan("");
   Pixel32 its_color = hatched_cell;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (std::size_t i = 0; i < cells.colors.size(); ++i) {
     // Neighbours mostly have the same number.
     if (const double value = heat.values[i]; value != last) last = value, its_color = color(value);
-    cells[i] = its_color;
+    cells.colors[i] = its_color;
+  }
+}
+
+void color_frame(Cells& cells, const Moment& now) {
+  const Picture& picture = now.picture();
+  std::vector<Pixel32> colors;
+  for (const Polygon& polygon : now.scene().polygons) colors.push_back(opaque(polygon.color));
+  const Pixel32 background = opaque(now.scene().background);
+  cells.colors.resize(picture.polygon.size());
+  for (std::size_t i = 0; i < cells.colors.size(); ++i) {
+    if (!picture.ink.empty() && picture.ink[i] != no_ink) {
+      cells.colors[i] = opaque(color_of(picture.ink[i]));
+      continue;
+    }
+    const std::int32_t p = picture.polygon[i];
+    cells.colors[i] = p >= 0 && static_cast<std::size_t>(p) < colors.size() ? colors[static_cast<std::size_t>(p)] : background;
   }
 }
 
@@ -60,30 +76,15 @@ void draw_frame(Ui& ui) {
   const Scene& scene = s.scene();
   const float bottom = ImGui::GetCursorScreenPos().y + ImGui::GetContentRegionAvail().y;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const Kept<Cells>& cells = ui.heat ? keep(ui.cells, "heat", color_heat, *ui.heat, scene, ui.depth_scale) : keep(ui.cells, "frame", color_frame, ui.moment());
   draw_raster(
-      ui, "frame", std::round(ui.fonts.small->FontSize * 1.3f),
-      [&](std::vector<Pixel32>& cells) {
-        if (ui.heat) return paint_heat(ui, cells);
-        const Picture& picture = s.picture();
-        std::vector<Pixel32> colors;
-        for (const Polygon& polygon : scene.polygons) colors.push_back(opaque(polygon.color));
-        const Pixel32 background = opaque(scene.background);
-        cells.resize(picture.polygon.size());
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-          if (!picture.ink.empty() && picture.ink[i] != no_ink) {
-            cells[i] = opaque(color_of(picture.ink[i]));
-            continue;
-          }
-          const std::int32_t p = picture.polygon[i];
-          cells[i] = p >= 0 && static_cast<std::size_t>(p) < colors.size() ? colors[static_cast<std::size_t>(p)] : background;
-        }
-      },
+      ui, "frame", ui.presenter && !ui.heat ? 0 : legend_height(ui), cells,
       [&](std::size_t at, int) {
         if (ui.heat) return heat_text(ui, at);
         const std::int32_t p = s.picture().polygon[at];
         return p < 0 ? std::string() : polygon_label(scene, p);
       },
-      0, [&](Cell cell) { return about_cell(ui, cell); }, {}, ui.heat && !ui.heat->polygons ? &ui.heat->values : nullptr);
+      [&](Cell cell) { return about_cell(ui, cell); }, {{}, !ui.heat});
   if (!ui.heat) return;
   ImGui::SetCursorScreenPos(corner);
   draw_heat_legend(ui, bottom);
@@ -99,7 +100,7 @@ std::string frame_note(Ui& ui) {
                      ui.view.zoom >= 100 ? fmt::format(", zoom {:.0f}", ui.view.zoom) : ui.view.zoom > 1 ? fmt::format(", zoom {:.3g}", ui.view.zoom) : "");
 }
 
-/// Decimals that the final numbers of this trace need; from what is in the buffer now.
+/// Decimals that the numbers in the buffer need.
 int decimals_in(const Picture& picture) {
   std::vector<double> values;
   for (const double z : picture.depth)
@@ -109,39 +110,36 @@ int decimals_in(const Picture& picture) {
   return decimals_needed(values, 3);
 }
 
-/// What the colours of the depth buffer span: the trace's range, that of what is shown, or one set by hand.
-DepthRange range_of(const Ui& ui, const Picture& picture) {
+/// What the colours of the depth buffer span: one set by hand, that of what is shown, or the scene's. The light's picture, and a
+/// trace that does not say where its vertices are, have that of what is shown.
+DepthRange range_of(const Ui& ui, const Moment& now) {
   if (ui.range_mode == Ui::RangeMode::by_hand) return ui.hand_range;
-  return ui.range_mode == Ui::RangeMode::fitted ? fitted_range(picture) : ui.depth_range;
+  const bool fits = ui.range_mode == Ui::RangeMode::fitted || !ui.depth_range.known || now.state().machine.pass == Pass::light;
+  return fits ? fitted_range(now.picture()) : ui.depth_range;
+}
+
+void color_depths(Cells& cells, const Moment& now, const DepthRange& range, const DepthScale& scale) {
+  const Picture& picture = now.picture();
+  cells.decimals = picture.depth.size() <= 16384 ? decimals_in(picture) : 2;
+  cells.colors.resize(picture.depth.size());
+  for (std::size_t i = 0; i < cells.colors.size(); ++i)
+    cells.colors[i] = std::isfinite(picture.depth[i]) ? scale.at(range.share(picture.depth[i])) : hatched_cell;
 }
 
 void draw_depth(Ui& ui) {
   const Session& s = ui.session;
-  if (!ui.depth_range.known) {
-    // A trace that does not say where its vertices are: the range is what the buffer has shown so far.
-    for (const double z : s.picture().depth)
-      if (std::isfinite(z)) ui.depth_range = ui.depth_range.known ? DepthRange{std::min(ui.depth_range.near, z), std::max(ui.depth_range.far, z), true}
-                                                                  : DepthRange{z, z, true};
-  }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float bottom = corner.y + ImGui::GetContentRegionAvail().y;
-  const DepthRange range = range_of(ui, s.picture());
+  const DepthRange range = range_of(ui, ui.moment());
   const bool spread = ui.histogram && ImGui::GetContentRegionAvail().y > 2.5f * histogram_height(ui);
+  RasterTalk talk;
+  talk.question = [&](Cell cell) -> std::optional<answers::Question> {
+    if (!std::isfinite(s.picture().depth[s.picture().at(cell.x, cell.y)])) return std::nullopt;
+    return answers::of_pixel(s.looking_back ? s.before() : s.position(), {cell.x, cell.y});
+  };
   draw_raster(
-      ui, "depth", legend_height(ui) + (spread ? histogram_height(ui) : 0.0f),
-      [&](std::vector<Pixel32>& cells) {
-        const Picture& picture = s.picture();
-        ui.depth_decimals = picture.depth.size() <= 16384 ? decimals_in(picture) : 2;
-        cells.resize(picture.depth.size());
-        for (std::size_t i = 0; i < cells.size(); ++i)
-          cells[i] = std::isfinite(picture.depth[i]) ? ui.depth_scale.at(range.share(picture.depth[i])) : hatched_cell;
-      },
-      [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, ui.depth_decimals,
-      [&](Cell cell) { return about_cell(ui, cell); },
-      [&](Cell cell) -> std::optional<answers::Question> {
-        if (!std::isfinite(s.picture().depth[s.picture().at(cell.x, cell.y)])) return std::nullopt;
-        return answers::of_pixel(s.looking_back ? s.before() : s.position(), {cell.x, cell.y});
-      });
+      ui, "depth", legend_height(ui) + (spread ? histogram_height(ui) : 0.0f), keep(ui.cells, "depth", color_depths, ui.moment(), range, ui.depth_scale),
+      [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, [&](Cell cell) { return about_cell(ui, cell); }, talk);
   ImGui::SetCursorScreenPos(corner);
   draw_depth_legend(ui, bottom, range);
   if (spread) draw_histogram(ui, bottom, range, s.picture());

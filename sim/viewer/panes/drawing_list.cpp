@@ -26,7 +26,7 @@ void draw_chip(Ui& ui, ImVec2 at, float height, ImU32 color) {
   const float side = std::round(ui.em * 0.55f), y = at.y + std::round((height - side) / 2);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled({at.x, y}, {at.x + side, y + side}, color);
-  frame_box(list, {at.x, y}, {at.x + side, y + side}, ui.colors().text);
+  frame_box(ui, {at.x, y}, {at.x + side, y + side}, ui.colors().text);
 }
 
 struct Axis3 {
@@ -124,7 +124,7 @@ void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   const float from = at.x + rows.x_of(piece->extent->z_max), to = std::max(from + 2, at.x + rows.x_of(piece->extent->z_min));
   const float top = at.y + std::round(rows.height * 0.22f), bottom = at.y + std::round(rows.height * 0.8f);
   list->AddRectFilled({from, top}, {to, bottom}, chip_of(s, piece->polygon));
-  frame_box(list, {from, top}, {to, bottom}, c.text, is_p || is_q ? 2.0f : 1.0f);
+  frame_box(ui, {from, top}, {to, bottom}, c.text, is_p || is_q ? 2.0f : 1.0f);
   number_at(ui, {from, top}, {to, bottom}, answers::made_by<Extent>(s.position(), "z_max", {{"piece", entry.piece}}));
 }
 

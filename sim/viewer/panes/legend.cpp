@@ -31,7 +31,7 @@ void draw_hatched_box(Ui& ui, ImVec2 at, float box, const std::string& meaning) 
   const ImVec2 from{at.x, at.y + 1}, end{at.x + box, at.y + 1 + box};
   list->AddRectFilled(from, end, c.empty);
   for (float d = 3; d < box; d += 4) list->AddRectFilled({from.x + d, from.y}, {from.x + d + 1, end.y}, c.empty_hatch);
-  frame_box(list, from, end, c.rule);
+  frame_box(ui, from, end, c.rule);
   draw_text(ui, {end.x + 3, at.y}, ui.fonts.small, c.muted, meaning);
 }
 
@@ -41,6 +41,11 @@ std::pair<std::string, std::string> ends_of(const DepthRange& range, bool by_han
   const int decimals = std::min(4, decimals_needed(ends, range.far - range.near < 0.1 ? 4 : 2));
   // Set by hand, the ends stand for what lies beyond them, too.
   return {(by_hand ? "near \u2264 " : "near ") + number(range.near, decimals), (by_hand ? "\u2265 " : "") + number(range.far, decimals) + " far"};
+}
+
+void paint_scale(Canvas& canvas, const DepthScale& scale) {
+  for (int y = 0; y < canvas.height(); ++y)
+    for (int x = 0; x < canvas.width(); ++x) canvas.row(y)[x] = scale.at((x + 0.5) / canvas.width());
 }
 
 bool by_hand(const Ui& ui) { return ui.range_mode == Ui::RangeMode::by_hand; }
@@ -60,11 +65,8 @@ void draw_scale(Ui& ui, float bottom, const std::string& before, const std::stri
   const float box = std::round(font->FontSize * 0.9f), gap = std::round(ui.em * 0.35f);
   draw_text(ui, at, font, c.muted, before);
   const int width = static_cast<int>(bar.right - bar.left), height = static_cast<int>(box);
-  Canvas& canvas = ui.canvases[fmt::format("scale {}", width)];
-  canvas.resize(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) canvas.row(y)[x] = ui.depth_scale.at((x + 0.5) / width);
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), {bar.left, at.y + 1}, {bar.left + static_cast<float>(width), at.y + 1 + box});
+  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, fmt::format("scale {}", width), width, height, paint_scale, ui.depth_scale);
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), {bar.left, at.y + 1}, {bar.left + static_cast<float>(width), at.y + 1 + box});
   draw_text(ui, {bar.right + gap, at.y}, font, c.muted, after);
   draw_hatched_box(ui, {bar.right + text_size(ui, font, after).x + 2 * gap, at.y}, box, hatched);
 }

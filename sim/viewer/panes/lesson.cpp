@@ -1,4 +1,6 @@
 // The lesson's narration beside the trace; its questions ask for a prediction before the step that answers them.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "sim/viewer/panes/pane.hpp"
@@ -20,7 +22,7 @@ void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImU32 edge = given ? (answer.right ? c.good : c.bad) : c.rule;
   list->AddRectFilled(at, end, hovered ? c.button_hovered : c.button);
-  frame_box(list, at, end, edge, given ? 2.0f : 1.0f);
+  frame_box(ui, at, end, edge, given ? 2.0f : 1.0f);
   draw_text(ui, {at.x + pad, at.y + pad * 0.6f}, ui.fonts.bold, given ? edge : c.muted, given ? (answer.right ? "\u2713" : "\u2717") : fmt::format("{}", index + 1));
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({at.x + pad + key, at.y + pad * 0.6f});
@@ -33,9 +35,9 @@ void draw_question(Ui& ui, const Question& question) {
   Session& s = ui.session;
   const Theme& c = ui.colors();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + 2}, s.nudged ? c.now : c.rule);
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(2 * ui.thin)}, s.nudged() ? c.now : c.rule);
   ImGui::Dummy({1, ui.em * 0.4f});
-  if (s.nudged) {
+  if (s.nudged()) {
     Flow nudge;
     nudge.color = c.now;
     nudge.font = ui.fonts.bold;
@@ -80,6 +82,8 @@ void draw(Ui& ui) {
   else ImGui::Dummy({1, ui.em * 0.25f});
   if (button(ui, on, !last && !s.question_open(), !last)) s.next_stop(1);
   ImGui::PopID();
+  // A class sees all answers, also where the text before them is long.
+  if (ui.presenter && ui.speaks_now && s.question_open()) ImGui::SetScrollY(ImGui::GetScrollMaxY());
 }
 
 std::string note(Ui& ui) {

@@ -14,7 +14,7 @@ namespace {
 
 struct Ends { double x0, y0, x1, y1; };
 
-std::optional<Ends> ends_of(const Session& s, const RasterMap& map, const LineBegin& line) {
+std::optional<Ends> ends_of(const Moment& s, const RasterMap& map, const LineBegin& line) {
   const auto a = on_raster(s.scene(), s.state(), line.vertex_0), b = on_raster(s.scene(), s.state(), line.vertex_1);
   if (!a || !b) return std::nullopt;
   return Ends{map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y)};
@@ -38,17 +38,17 @@ void dashes(Canvas& canvas, const Ends& e, double thickness, Pixel32 color) {
 /// The face of the last test, if that was of the edge at work.
 std::int32_t face_now(const MethodState& m) { return m.against && m.against->line == m.line ? m.against->facet : -1; }
 
-void draw_face(const Session& s, Canvas& canvas, const RasterMap& map, std::int32_t facet, Pixel32 color) {
+void draw_face(const Moment& s, Canvas& canvas, const RasterMap& map, std::int32_t facet, double thickness, Pixel32 color) {
   if (facet < 0 || static_cast<std::size_t>(facet) >= s.scene().facets.size()) return;
   const Facet& face = s.scene().facets[static_cast<std::size_t>(facet)];
   for (std::int32_t k = 0; k < face.corner_count; ++k) {
     const std::int32_t a = s.scene().corners[static_cast<std::size_t>(face.first_corner + k)];
     const std::int32_t b = s.scene().corners[static_cast<std::size_t>(face.first_corner + (k + 1) % face.corner_count)];
-    if (const auto e = ends_of(s, map, {0, a, b, -1, -1, LineKind::inner})) canvas.line(e->x0, e->y0, e->x1, e->y1, 4, color);
+    if (const auto e = ends_of(s, map, {0, a, b, -1, -1, LineKind::inner})) canvas.line(e->x0, e->y0, e->x1, e->y1, thickness, color);
   }
 }
 
-void draw_pieces(const Session& s, Canvas& canvas, const RasterMap& map, const LineRow& row, double thickness, Pixel32 visible, Pixel32 hidden) {
+void draw_pieces(const Moment& s, Canvas& canvas, const RasterMap& map, const LineRow& row, double thickness, Pixel32 visible, Pixel32 hidden) {
   const auto ends = ends_of(s, map, row.entry);
   if (!ends) return;
   for (const LinePiece& piece : row.pieces) {
@@ -58,23 +58,23 @@ void draw_pieces(const Session& s, Canvas& canvas, const RasterMap& map, const L
   }
 }
 
-void paint(Ui& ui, Canvas& canvas, const RasterMap& map) {
-  const Session& s = ui.session;
-  const MethodState& m = s.state().machine;
-  const Theme& c = ui.colors();
-  draw_face(s, canvas, map, face_now(m), to_pixel(c.selected));
-  for (const LineRow& row : m.lines) draw_pieces(s, canvas, map, row, 1.6, to_pixel(c.text), to_pixel(c.muted));
+void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& weight) {
+  const MethodState& m = now.state().machine;
+  const auto thin = static_cast<double>(weight);
+  canvas.fill(to_pixel(c.pane));
+  draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
+  for (const LineRow& row : m.lines) draw_pieces(now, canvas, map, row, 1.6 * thin, to_pixel(c.text), to_pixel(c.muted));
   const auto at = static_cast<std::size_t>(m.line);
   if (m.line < 0 || at >= m.lines.size()) return;
   const LineRow& row = m.lines[at];
-  const auto ends = ends_of(s, map, row.entry);
+  const auto ends = ends_of(now, map, row.entry);
   if (!ends) return;
-  if (!row.pieces.empty()) return draw_pieces(s, canvas, map, row, 3.4, to_pixel(c.now), to_pixel(c.now));
-  canvas.line(ends->x0, ends->y0, ends->x1, ends->y1, 3.4, to_pixel(c.now));
+  if (!row.pieces.empty()) return draw_pieces(now, canvas, map, row, 3.4 * thin, to_pixel(c.now), to_pixel(c.now));
+  canvas.line(ends->x0, ends->y0, ends->x1, ends->y1, 3.4 * thin, to_pixel(c.now));
   for (const LineHide& hidden : row.hidden) {  // found so far
     const Ends part = part_of(*ends, hidden.t_0, hidden.t_1);
-    canvas.line(part.x0, part.y0, part.x1, part.y1, 4, to_pixel(c.pane));
-    dashes(canvas, part, 3, to_pixel(c.now));
+    canvas.line(part.x0, part.y0, part.x1, part.y1, 4 * thin, to_pixel(c.pane));
+    dashes(canvas, part, 3 * thin, to_pixel(c.now));
   }
 }
 
@@ -141,20 +141,12 @@ void draw(Ui& ui) {
   map.cell = std::min((width - 8.0) / map.width, (height - 8.0) / map.height);  // not in whole pixels: lines may use all the room
   map.left = std::floor((width - map.width * map.cell) / 2);
   map.top = std::floor((height - map.height * map.cell) / 2);
-  Canvas& canvas = ui.canvases["lines"];
-  const std::uint64_t version = fingerprint({static_cast<double>(width), static_cast<double>(height), static_cast<double>(s.position()),
-                                             ui.theme == &light_theme() ? 0.0 : 1.0});
-  if (ui.painted["lines"] != version) {
-    canvas.resize(width, height);
-    canvas.fill(to_pixel(ui.colors().pane));
-    paint(ui, canvas, map);
-    ui.painted["lines"] = version;
-  }
+  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, "lines", width, height, paint, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at, {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
-  ImGui::BeginChild("intervals", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_None);
+  begin_part(ui, "intervals");
   draw_table(ui);
   ImGui::EndChild();
 }

@@ -52,7 +52,8 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   TableResult result;
   const Theme& c = ui.colors();
   const float room = ImGui::GetContentRegionAvail().x;
-  // When it does not fit: smaller gaps, fewer decimals, smaller type, signs for words; and at last the pane scrolls.
+  // When it does not fit: smaller gaps, two decimals of numbers that have many, smaller type, signs for words; and at last the pane
+  // scrolls. With fewer decimals a number would be another one.
   float gap = std::round(ui.em * 0.85f);
   const ImFont* font = ui.fonts.mono;
   int at_most = usual_decimals;
@@ -65,7 +66,6 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   if (!fits()) font = ui.fonts.small, again();
   if (!fits()) brief = true, again();
   while (!fits() && gap > ui.em * 0.35f) gap -= 1;
-  while (!fits() && at_most > 1) --at_most, again();
   const float width = std::max(room, total(columns, gap));
   const float height = std::round(ui.fonts.mono->FontSize * 1.35f), text_top = std::round((height - font->FontSize) / 2) - 1;
   ImGui::PushID(id);
@@ -82,7 +82,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       draw_text(ui, {left + shift, y}, ui.fonts.small, c.muted, headings[k]);
       left += columns[k].width + gap;
     }
-    list->AddRectFilled({top.x, y + heading_height - 1}, {top.x + width, y + heading_height}, c.rule);
+    list->AddRectFilled({top.x, y + heading_height - ui.thin}, {top.x + width, y + heading_height}, c.rule);
   };
   draw_headings(top.y);
   ImGui::Dummy({width, heading_height});
@@ -98,8 +98,8 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     const ImVec2 end{at.x + width, at.y + height};
     if (row.look == TableRow::Look::now) list->AddRectFilled(at, end, c.now_soft);
     if (row.lit) list->AddRectFilled(at, end, c.selected_soft);
-    if (row.look == TableRow::Look::now) list->AddRectFilled(at, {at.x + 3, end.y}, c.now);
-    if (row.lit) frame_box(list, at, end, c.selected);
+    if (row.look == TableRow::Look::now) list->AddRectFilled(at, {at.x + std::round(3 * ui.thin), end.y}, c.now);
+    if (row.lit) frame_box(ui, at, end, c.selected);
     if (hovered && row.key >= 0) result.hovered = row.key;
     bool on_number = false;
     const ImU32 color = row.look == TableRow::Look::gone ? c.muted : c.text;
@@ -110,7 +110,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       if (k < row.cells.size() && row.cells[k].chip) {
         const float side = std::round(ui.em * 0.55f), y = at.y + std::round((height - side) / 2);
         list->AddRectFilled({left, y}, {left + side, y + side}, row.cells[k].chip);
-        frame_box(list, {left, y}, {left + side, y + side}, c.text);
+        frame_box(ui, {left, y}, {left + side, y + side}, c.text);
         left += ui.em * 0.75f;
       }
       if (columns[k].numeric) left = x + columns[k].width - text_size(ui, font, columns[k].shown[r]).x;

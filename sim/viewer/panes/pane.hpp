@@ -42,7 +42,7 @@ extern const Pane scene_pane;
 
 /// Across the window, below the panes.
 void draw_timeline(Ui& ui, ImVec2 size);
-float timeline_height(const Ui& ui);  ///< presenter mode shows the strip alone
+float timeline_height(const Ui& ui);
 
 /// Does this trace's pseudo-code have a step that records this event?
 template <class E>

@@ -158,9 +158,9 @@ void draw_pieces(const View& v) {
     const Pixel32 own = polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
     const bool painted = draw_places[at(number)] >= 0;
     if (lit)
-      for (std::size_t k = 0; k < points.size(); ++k) v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now, 9);
+      for (std::size_t k = 0; k < points.size(); ++k) v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now, 9 * v.ui.thin);
     for (std::size_t k = 0; k < points.size(); ++k)
-      v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own), painted || shown < most_names ? 4.0f : 1.5f);
+      v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own), (painted || shown < most_names ? 4.0f : 1.5f) * v.ui.thin);
     if (shown > most_names && !lit) continue;
     const std::string name = piece_label(v.s.scene(), v.m, number);
     const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, name), middle = label_place(v, points, size);
@@ -174,7 +174,7 @@ void draw_planes(const View& v) {
   if (v.m.tree.size() <= most_planes)
     for (std::size_t node = 0; node < v.m.tree.size(); ++node)
       if (const auto ends = reach_of_line(v.m, static_cast<std::int32_t>(node), v.section, v.frame))
-        v.list->AddLine(v.frame.place((*ends)[0]), v.frame.place((*ends)[1]), v.c.muted, 1);
+        v.list->AddLine(v.frame.place((*ends)[0]), v.frame.place((*ends)[1]), v.c.muted, v.ui.thin);
   const auto ends = v.node >= 0 ? reach_of_line(v.m, v.node, v.section, v.frame) : std::nullopt;
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);
   if (!ends || !line) return;
@@ -183,7 +183,7 @@ void draw_planes(const View& v) {
   for (float k = 0; k < length; k += 14) {  // dashed
     const float stop = std::min(k + 9, length);
     v.list->AddLine({a.x + (b.x - a.x) * k / length, a.y + (b.y - a.y) * k / length},
-                    {a.x + (b.x - a.x) * stop / length, a.y + (b.y - a.y) * stop / length}, v.c.now, 2.5f);
+                    {a.x + (b.x - a.x) * stop / length, a.y + (b.y - a.y) * stop / length}, v.c.now, 2.5f * v.ui.thin);
   }
 }
 
@@ -221,7 +221,7 @@ void draw_the_eye(const View& v) {
   const bool outside = beyond > 1;
   if (outside) place = {centre.x + (place.x - centre.x) / beyond, centre.y + (place.y - centre.y) / beyond};
   v.list->AddCircleFilled(place, margin * 0.7f, v.c.pane);
-  v.list->AddCircle(place, margin * 0.7f, v.c.text, 0, 2);
+  v.list->AddCircle(place, margin * 0.7f, v.c.text, 0, 2 * v.ui.thin);
   v.list->AddCircleFilled(place, margin * 0.3f, v.c.text);
   const std::string text = outside ? "eye, further out" : "eye";
   const ImVec2 size = text_size(v.ui, v.ui.fonts.small, text);

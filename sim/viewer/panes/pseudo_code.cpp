@@ -11,21 +11,6 @@
 namespace zstep::viewer {
 namespace {
 
-/// Whether the line at work has another place or size than in the last frame: a scroll bar that came between wraps lines anew.
-bool laid_out_anew(float top, float height) {
-  ImGuiStorage* kept = ImGui::GetStateStorage();
-  bool anew = false;
-  const auto keep = [&](const char* name, float value) {
-    float& last = *kept->GetFloatRef(ImGui::GetID(name), -1);
-    anew = anew || std::abs(last - value) > 1;
-    last = value;
-  };
-  keep("top", top - ImGui::GetWindowPos().y + ImGui::GetScrollY());
-  keep("height", height);
-  keep("view", ImGui::GetWindowHeight());
-  return anew;
-}
-
 /// How far in a level stands: the deepest line of the page keeps most of the pane for its words.
 float indent_of(const Ui& ui, const Page& page) {
   int deepest = 1;
@@ -68,7 +53,7 @@ void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   ImGui::SetCursorScreenPos(after);
   if (!hits.empty()) draw_text(ui, {end.x - hits_width + ui.em * 0.2f, at.y + 3}, ui.fonts.small, c.muted, hits);
 
-  if (now) follow(ui, at.y, height, laid_out_anew(at.y, height));
+  if (now) follow(ui, at.y, height);
   if (hovered) ui.mouse_help = "Click: on to the next time this line runs. Shift+click: back to the last time.";
   if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
 }
@@ -79,7 +64,6 @@ void draw(Ui& ui) {
   ui.hits.follow(ui.session.trace(), ui.session.position());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const RecordedEvent* event = ui.session.event();
-  if (!event && ui.scroll_now) ImGui::SetScrollY(0);
   const float level = indent_of(ui, page);
   std::vector<bool> shown(page.size(), true);
   for (std::size_t i = 0; i < page.size(); ++i)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "sim/viewer/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -60,22 +62,35 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
 }
 
 /// The outline of the polygon at work and the edge that is lit, over the cells.
-void draw_geometry(Ui& ui, Canvas& canvas, const RasterMap& map) {
-  const Session& s = ui.session;
-  const MethodState& m = s.state().machine;
+void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, const std::optional<std::int32_t>& lit, const Theme& c, double thin) {
+  const MethodState& m = now.state().machine;
   const auto line = [&](std::int32_t a, std::int32_t b, double thickness, ImU32 color, unsigned share) {
-    const auto from = on_raster(s.scene(), s.state(), a), to = on_raster(s.scene(), s.state(), b);
-    if (from && to) canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness, to_pixel(color), share);
+    const auto from = on_raster(now.scene(), now.state(), a), to = on_raster(now.scene(), now.state(), b);
+    if (from && to) canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness * thin, to_pixel(color), share);
   };
   // Dark on a light border: visible on every colour a cell can have.
   if (map.cell >= 3 && m.outline.size() > 1) {
     for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 3, IM_COL32(255, 255, 255, 255), 130);
     for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, IM_COL32(40, 40, 40, 255), 200);
   }
-  if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
+  if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)];
-    line(e.vertex_0, e.vertex_1, 4, ui.colors().selected, 220);
+    line(e.vertex_0, e.vertex_1, 4, c.selected, 220);
   }
+}
+
+void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const Moment& now, const std::optional<std::int32_t>& lit,
+           const Theme& c, const float& thin) {
+  paint_raster(canvas, map, cells.made.colors, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
+               cells.made.counts.empty() ? nullptr : &cells.made.counts);
+  draw_geometry(canvas, map, now, lit, c, static_cast<double>(thin));
+  const int line = static_cast<int>(std::lround(thin));
+  const int x0 = map.column_begin(0) - line, x1 = map.column_begin(map.width) + line - 1;
+  const int y0 = static_cast<int>(std::lround(map.top)) - line, y1 = static_cast<int>(std::lround(map.top + map.height * map.cell)) + line - 1;
+  canvas.rectangle(x0, y0, x1, y0 + line, to_pixel(c.grid));
+  canvas.rectangle(x0, y1 - line, x1, y1, to_pixel(c.grid));
+  canvas.rectangle(x0, y0, x0 + line, y1, to_pixel(c.grid));
+  canvas.rectangle(x1 - line, y0, x1, y1, to_pixel(c.grid));
 }
 
 void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
@@ -104,10 +119,10 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
   view.center_y = std::clamp(view.center_y, -map.height / 2.0, map.height / 2.0);
 }
 
-/// As many decimals as fit every visible cell; none at all when two do not: a depth without decimals would mislead.
-void draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const RasterContent& content,
-                  const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals) {
-  if (map.cell < numbers_from) return;
+/// As many decimals as fit every visible cell; none at all when two do not: a depth without decimals would mislead. True when
+/// there are any.
+bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cells, const std::function<std::string(std::size_t, int)>& cell_text) {
+  if (map.cell < numbers_from) return false;
   const int x0 = std::max(0, static_cast<int>(-map.left / map.cell)), x1 = std::min(map.width - 1, static_cast<int>((map.box_width - map.left) / map.cell));
   const int r0 = std::max(0, static_cast<int>(-map.top / map.cell)), r1 = std::min(map.height - 1, static_cast<int>((map.box_height - map.top) / map.cell));
   const auto widest_with = [&](const ImFont* font, int decimals) {
@@ -122,8 +137,8 @@ void draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const RasterConte
   for (const ImFont* font : {ui.fonts.mono, ui.fonts.small}) {
     if (font->FontSize > map.cell - 3) continue;
     // Smaller type is better than fewer decimals; fewer decimals are better than nothing.
-    const auto decimals = font == ui.fonts.mono ? widest_with(font, most_decimals) <= map.cell - 4 ? std::optional(most_decimals) : std::nullopt
-                                                : decimals_that_fit(most_decimals, map.cell - 4, [&](int fewer) { return widest_with(font, fewer); });
+    const auto decimals = font == ui.fonts.mono ? widest_with(font, cells.decimals) <= map.cell - 4 ? std::optional(cells.decimals) : std::nullopt
+                                                : decimals_that_fit(cells.decimals, map.cell - 4, [&](int fewer) { return widest_with(font, fewer); });
     if (!decimals) continue;
     for (int r = r0; r <= r1; ++r)
       for (int x = x0; x <= x1; ++x) {
@@ -134,18 +149,44 @@ void draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const RasterConte
         const ImVec2 size = text_size(ui, font, text);
         // Cells that the pane's border cuts go without.
         if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 || map.py(y) + size.y / 2 > map.box_height) continue;
-        const Pixel32 back = content.cells[at] == hatched_cell ? to_pixel(ui.colors().empty) : content.cells[at];
+        const Pixel32 back = cells.colors[at] == hatched_cell ? to_pixel(ui.colors().empty) : cells.colors[at];
         draw_text(ui, {origin.x + static_cast<float>(map.px(x)) - size.x / 2, origin.y + static_cast<float>(map.py(y)) - size.y / 2}, font,
                   wants_dark_text(back) ? IM_COL32(20, 20, 20, 255) : IM_COL32(250, 250, 250, 255), text);
       }
-    return;
+    return true;
+  }
+  return false;
+}
+
+/// The letter of each polygon, once, with a halo: where pixels are too small for one each. The largest first, and none over another.
+void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const auto find = static_cast<void (*)(std::vector<LabelSpot>&, const RasterMap&, const Moment&)>(find_label_spots);
+  const ImFont* font = ui.fonts.bold;
+  const float halo = std::round(2 * ui.thin);
+  struct Box { float left, top, right, bottom; };
+  std::vector<Box> taken;
+  for (const LabelSpot& spot : keep(ui.spots, "frame", find, map, ui.moment()).made) {
+    const std::string label = polygon_label(ui.session.scene(), spot.polygon);
+    const ImVec2 size = text_size(ui, font, label);
+    // What is seen of it must be as large as its letter.
+    if (static_cast<double>(spot.pixels) * map.cell * map.cell < static_cast<double>(size.x * font->FontSize)) continue;
+    const ImVec2 at{std::round(origin.x + std::clamp(static_cast<float>(map.px(spot.cell.x)) - size.x / 2, halo, std::max(halo, static_cast<float>(map.box_width) - size.x - halo))),
+                    std::round(origin.y + std::clamp(static_cast<float>(map.py(spot.cell.y)) - size.y / 2, halo, std::max(halo, static_cast<float>(map.box_height) - size.y - halo)))};
+    const Box box{at.x - halo, at.y, at.x + size.x + halo, at.y + size.y};
+    const auto meets = [&](const Box& other) { return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom; };
+    if (std::any_of(taken.begin(), taken.end(), meets)) continue;
+    taken.push_back(box);
+    for (const float x : {-halo, 0.0f, halo})
+      for (const float y : {-halo, 0.0f, halo}) draw_text(ui, {at.x + x, at.y + y}, font, ui.colors().pane, label);
+    draw_text(ui, at, font, ui.colors().text, label);
   }
 }
 
-void frame_cell(ImDrawList* list, const RasterMap& map, ImVec2 origin, Cell cell, float out, float thickness, ImU32 color) {
+void frame_cell(const Ui& ui, const RasterMap& map, ImVec2 origin, Cell cell, float out, float thickness, ImU32 color) {
+  out = std::round(out * ui.thin);
   const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)) - out, origin.y + static_cast<float>(map.row_begin(cell.y)) - out};
   const ImVec2 b{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) + out - 1, origin.y + static_cast<float>(map.row_end(cell.y)) + out - 1};
-  frame_box(list, a, b, color, thickness);
+  frame_box(ui, a, b, color, thickness);
 }
 
 }  // namespace
@@ -160,7 +201,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto& changed = s.changed();
+  const auto& changed = s.looking_back ? s.changed() : s.changed_here();
   if (map.cell >= 6) {
     // A filled corner in each changed cell.
     const float size = std::max(4.0f, std::round(static_cast<float>(map.cell) * 0.3f));
@@ -180,66 +221,44 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
     const float y0 = origin.y + static_cast<float>(std::min(map.row_begin(low.y), map.row_begin(high.y))) - 2;
     const float y1 = origin.y + static_cast<float>(std::max(map.row_end(low.y), map.row_end(high.y))) + 2;
     const float arm = std::min(8.0f, std::max(3.0f, (x1 - x0) / 3));
-    for (const float x : {x0, x1 - 2}) list->AddRectFilled({x, y0}, {x + 2, y1}, c.changed);
-    for (const float y : {y0, y1 - 2}) {
-      list->AddRectFilled({x0, y}, {x0 + arm, y + 2}, c.changed);
-      list->AddRectFilled({x1 - arm, y}, {x1, y + 2}, c.changed);
+    const float line = std::round(2 * ui.thin);
+    for (const float x : {x0, x1 - line}) list->AddRectFilled({x, y0}, {x + line, y1}, c.changed);
+    for (const float y : {y0, y1 - line}) {
+      list->AddRectFilled({x0, y}, {x0 + arm, y + line}, c.changed);
+      list->AddRectFilled({x1 - arm, y}, {x1, y + line}, c.changed);
     }
   }
   if (const auto& span = s.state().machine.span; span && span->last >= span->first && map.cell >= 3) {
     // The span at work: a line along its lower side.
-    const float y = origin.y + static_cast<float>(map.row_end(span->y)) - 2;
+    const float line = std::round(2 * ui.thin), y = origin.y + static_cast<float>(map.row_end(span->y)) - line;
     list->AddRectFilled({origin.x + static_cast<float>(map.column_begin(span->first)), y},
-                        {origin.x + static_cast<float>(map.column_begin(span->last + 1)) - 1, y + 2}, c.now);
+                        {origin.x + static_cast<float>(map.column_begin(span->last + 1)) - 1, y + line}, c.now);
   }
   const float small = map.cell < 8 ? 3.0f : 0.0f;
-  if (ui.pointed) frame_cell(list, map, origin, *ui.pointed, small, 1, c.text);
+  if (ui.pointed) frame_cell(ui, map, origin, *ui.pointed, small, 1, c.text);
   if (s.selected) {
-    frame_cell(list, map, origin, *s.selected, small + 1, 2, c.selected);
-    frame_cell(list, map, origin, *s.selected, small + 4, 1, c.selected);
+    frame_cell(ui, map, origin, *s.selected, small + 1, 2, c.selected);
+    frame_cell(ui, map, origin, *s.selected, small + 4, 1, c.selected);
   }
   if (const auto now = s.current_cell()) {
-    frame_cell(list, map, origin, *now, small + 2, 3, c.now);
-    frame_cell(list, map, origin, *now, small - 1, 1, ui.colors().pane);
+    frame_cell(ui, map, origin, *now, small + 2, 3, c.now);
+    frame_cell(ui, map, origin, *now, small - 1, 1, ui.colors().pane);
   }
 }
 
-void draw_raster(Ui& ui, const char* id, float reserve_below, const std::function<void(std::vector<Pixel32>&)>& refill,
-                 const std::function<std::string(std::size_t, int)>& cell_text, int most_decimals,
-                 const std::function<std::vector<std::string>(Cell)>& cell_tip, const std::function<std::optional<answers::Question>(Cell)>& question,
-                 const std::vector<double>* counts) {
+void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>& cells,
+                 const std::function<std::string(std::size_t, int)>& cell_text, const std::function<std::vector<std::string>(Cell)>& cell_tip,
+                 const RasterTalk& talk) {
   Session& s = ui.session;
-  const Theme& c = ui.colors();
-  RasterContent& content = ui.rasters[id];
   const Rulers rulers = room_for_rulers(ui, s.scene().raster);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), avail = ImGui::GetContentRegionAvail();
   const ImVec2 origin{corner.x + rulers.left, corner.y};
   const int width = static_cast<int>(avail.x - rulers.left), height = static_cast<int>(avail.y - rulers.below - reserve_below);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, ui.view, width, height);
-
-  const std::uint64_t state = fingerprint({static_cast<double>(s.position()), s.looking_back ? static_cast<double>(s.before()) : -1,
-                                           ui.theme == &light_theme() ? 0.0 : 1.0, static_cast<double>(ui.paint_version)});
-  if (content.cells_version != state || content.cells.empty()) {
-    refill(content.cells);
-    content.cells_version = state;
-  }
-  const std::uint64_t version = fingerprint({static_cast<double>(state >> 12), static_cast<double>(width), static_cast<double>(height), ui.view.zoom,
-                                             ui.view.center_x, ui.view.center_y, static_cast<double>(s.lit_edge().value_or(-1))});
-  if (content.canvas_version != version) {
-    content.canvas.resize(width, height);
-    paint_raster(content.canvas, map, content.cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)}, counts);
-    draw_geometry(ui, content.canvas, map);
-    const int x0 = map.column_begin(0) - 1, x1 = map.column_begin(map.width);
-    const int y0 = static_cast<int>(std::lround(map.top)) - 1, y1 = static_cast<int>(std::lround(map.top + map.height * map.cell));
-    content.canvas.rectangle(x0, y0, x1, y0 + 1, to_pixel(c.grid));
-    content.canvas.rectangle(x0, y1 - 1, x1, y1, to_pixel(c.grid));
-    content.canvas.rectangle(x0, y0, x0 + 1, y1, to_pixel(c.grid));
-    content.canvas.rectangle(x1 - 1, y0, x1, y1, to_pixel(c.grid));
-    content.canvas_version = version;
-  }
+  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
   const ImVec2 end{origin.x + static_cast<float>(width), origin.y + static_cast<float>(height)};
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(content.canvas), origin, end);
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), origin, end);
 
   ImGui::SetCursorScreenPos(origin);
   ImGui::InvisibleButton(id, {static_cast<float>(width), static_cast<float>(height)},
@@ -249,17 +268,19 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const std::functio
   const auto under = ImGui::IsItemHovered() ? map.cell_at(mouse.x - origin.x, mouse.y - origin.y) : std::nullopt;
   if (under) {
     ui.pointed_next = under;
-    ui.mouse_help = "Click: select this pixel; then F / Shift+F: next / previous step that touches it. Wheel: zoom. Drag: pan.";
+    const char* moves = ui.view.zoom > 1 ? "Wheel: zoom. Drag: pan." : "Wheel: zoom.";
     const float moved = std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).x) + std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).y);
-    const auto asks = question && s.selected == under ? question(*under) : std::nullopt;
-    if (asks) ui.mouse_help = "Click: where this depth comes from. Esc: select nothing. Wheel: zoom. Drag: pan.";
+    const auto asks = talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
+    ui.mouse_help = asks ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
+                         : fmt::format("Click: select this pixel; F goes to the next step that touches it. Right click: its history. {}", moves);
     if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
       if (asks) ui.asked = asks;
       else s.select(s.selected == under ? std::nullopt : under);
     }
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.asked_history = under;
   }
   ImGui::PushClipRect(origin, end, true);
-  draw_numbers(ui, map, origin, content, cell_text, most_decimals);
+  if (!draw_numbers(ui, map, origin, cells.made, cell_text) && talk.polygons) draw_labels(ui, map, origin);
   draw_marks(ui, map, origin);
   ImGui::PopClipRect();
   draw_rulers(ui, map, origin, rulers);

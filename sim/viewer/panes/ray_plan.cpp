@@ -84,7 +84,7 @@ void draw_boxes(const Ui& ui, const Plan& plan) {
   if (machine.boxes.size() <= most_drawn) {
     for (const BoxRow& row : machine.boxes) {
       const BoxMake& b = row.entry;
-      outline_box(plan, {b.x_min, b.y_min, b.z_min}, {b.x_max, b.y_max, b.z_max}, c.rule, 1);
+      outline_box(plan, {b.x_min, b.y_min, b.z_min}, {b.x_max, b.y_max, b.z_max}, c.rule, ui.thin);
     }
   }
   for (const BoxTest& test : machine.rays.boxes) {
@@ -92,7 +92,7 @@ void draw_boxes(const Ui& ui, const Plan& plan) {
     if (test.box < 0 || i >= machine.boxes.size()) continue;
     const BoxMake& b = machine.boxes[i].entry;
     outline_box(plan, {b.x_min, b.y_min, b.z_min}, {b.x_max, b.y_max, b.z_max}, test.hit ? c.selected : c.muted,
-                test.hit ? 2.5f : 1.0f);
+                (test.hit ? 2.5f : 1.0f) * ui.thin);
   }
 }
 
@@ -114,11 +114,11 @@ void draw_cells(const Ui& ui, const Plan& plan) {
     outline(visit, corners);
     list->AddConvexPolyFilled(corners.data(), 4, c.selected_soft);
   }
-  for (std::int32_t x = 0; x <= g.cells_x; ++x) list->AddLine(corner(x, 0, 0), corner(x, g.cells_y, 0), c.rule);
-  for (std::int32_t y = 0; y <= g.cells_y; ++y) list->AddLine(corner(0, y, 0), corner(g.cells_x, y, 0), c.rule);
+  for (std::int32_t x = 0; x <= g.cells_x; ++x) list->AddLine(corner(x, 0, 0), corner(x, g.cells_y, 0), c.rule, ui.thin);
+  for (std::int32_t y = 0; y <= g.cells_y; ++y) list->AddLine(corner(0, y, 0), corner(g.cells_x, y, 0), c.rule, ui.thin);
   for (const CellVisit& visit : machine.rays.cells) {
     outline(visit, corners);
-    list->AddPolyline(corners.data(), 4, c.selected, ImDrawFlags_Closed, 2);
+    list->AddPolyline(corners.data(), 4, c.selected, ImDrawFlags_Closed, 2 * ui.thin);
   }
 }
 
@@ -131,7 +131,7 @@ void mark_facet(const Ui& ui, const Plan& plan, std::int32_t number, ImU32 color
     const auto corner = [&](std::int32_t i) {
       return scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + i % facet.corner_count)])];
     };
-    ImGui::GetWindowDrawList()->AddLine(plan.place(corner(k)), plan.place(corner(k + 1)), color, thickness);
+    ImGui::GetWindowDrawList()->AddLine(plan.place(corner(k)), plan.place(corner(k + 1)), color, thickness * ui.thin);
   }
 }
 
@@ -182,18 +182,18 @@ void draw_rays(const Ui& ui, const Plan& plan) {
     const RayBegin* child = row.end ? nullptr : first_child(machine.rays, ray.ray);
     const ImVec2 a = plan.place(from), b = plan.place(child ? glm::dvec3(child->x_0, child->y_0, child->z_0) : from + t_end * along);
     const ImU32 color = now ? c.now : c.text;
-    if (ray.role == RayRole::shadow || (!met && !child)) dash(a, b, color, now ? 2.0f : 1.2f);
-    else list->AddLine(a, b, color, now ? 2.5f : 1.5f);
+    if (ray.role == RayRole::shadow || (!met && !child)) dash(a, b, color, (now ? 2.0f : 1.2f) * ui.thin);
+    else list->AddLine(a, b, color, (now ? 2.5f : 1.5f) * ui.thin);
     if (met || child) list->AddCircleFilled(b, 4, color, 12);
   }
   for (const RayHit& hit : machine.rays.hits) {
     const ImVec2 p = plan.place({hit.x_hit, hit.y_hit, hit.z_hit});
     if (hit.inside) {
       list->AddCircleFilled(p, 5, hit.nearest ? c.now : c.pane, 14);
-      list->AddCircle(p, 5, c.now, 14, 1.5f);
+      list->AddCircle(p, 5, c.now, 14, 1.5f * ui.thin);
     } else {
-      list->AddLine({p.x - 4, p.y - 4}, {p.x + 4, p.y + 4}, c.muted, 1.5f);
-      list->AddLine({p.x - 4, p.y + 4}, {p.x + 4, p.y - 4}, c.muted, 1.5f);
+      list->AddLine({p.x - 4, p.y - 4}, {p.x + 4, p.y + 4}, c.muted, 1.5f * ui.thin);
+      list->AddLine({p.x - 4, p.y + 4}, {p.x + 4, p.y - 4}, c.muted, 1.5f * ui.thin);
     }
   }
 }

@@ -8,6 +8,7 @@
 
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_pieces.hpp"
+#include "sim/viewer/panes/vertex_stages.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
 #include "sim/viewer/words/pieces.hpp"
@@ -44,9 +45,7 @@ struct Lens {
   }
 };
 
-void paint_wireframe(Ui& ui, Canvas& canvas, const RasterMap& map) {
-  const Scene& scene = ui.session.scene();
-  const Theme& c = ui.colors();
+void paint_wireframe(Canvas& canvas, const RasterMap& map, const Scene& scene, const Theme& c, const float& thin) {
   const Lens lens(scene);
   canvas.fill(to_pixel(c.pane));
   canvas.rectangle(static_cast<int>(map.left), static_cast<int>(map.top), static_cast<int>(map.left + map.width * map.cell),
@@ -60,12 +59,12 @@ void paint_wireframe(Ui& ui, Canvas& canvas, const RasterMap& map) {
       const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
       if (!drawn.insert(std::minmax(a, b)).second) continue;
       if (const auto s = lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
-        canvas.line(map.px(s->first.x), map.py(s->first.y), map.px(s->second.x), map.py(s->second.y), 1, ink);
+        canvas.line(map.px(s->first.x), map.py(s->first.y), map.px(s->second.x), map.py(s->second.y), static_cast<double>(thin), ink);
     }
 }
 
 /// The piece that the step is about, or that is being drawn; -1 if none.
-std::int32_t piece_shown(const Session& s) {
+std::int32_t piece_shown(const Moment& s) {
   if (s.event()) {
     const Event& e = s.event()->event;
     if (const auto* side = std::get_if<SideTest>(&e)) return side->piece;
@@ -78,11 +77,9 @@ std::int32_t piece_shown(const Session& s) {
 }
 
 /// The facet at work, over the wireframe; its corners dotted and, where there are few, numbered.
-void draw_polygon(Ui& ui, Canvas& canvas, const RasterMap& map) {
-  const Session& s = ui.session;
+void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const std::optional<std::int32_t>& lit, const Theme& c, double thin) {
   const Scene& scene = s.scene();
   const MethodState& m = s.state().machine;
-  const Theme& c = ui.colors();
   const Lens lens(scene);
   if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < scene.facets.size()) {
     const Facet& facet = scene.facets[static_cast<std::size_t>(m.facet)];
@@ -90,7 +87,7 @@ void draw_polygon(Ui& ui, Canvas& canvas, const RasterMap& map) {
       const std::int32_t a = scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
       const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
       if (const auto e = lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
-        canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4, to_pixel(c.now));
+        canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4 * thin, to_pixel(c.now));
     }
   }
   if (const std::int32_t piece = piece_shown(s); piece >= 0 && static_cast<std::size_t>(piece) < m.pieces.size()) {
@@ -101,127 +98,33 @@ void draw_polygon(Ui& ui, Canvas& canvas, const RasterMap& map) {
       const auto a = cutting_point(scene, s.state(), outline[k]), b = cutting_point(scene, s.state(), outline[(k + 1) % outline.size()]);
       if (!a || !b) continue;
       const auto e = world ? lens.segment(*a, *b) : std::make_pair(glm::dvec2(*a), glm::dvec2(*b));
-      if (e) canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4, to_pixel(c.now));
+      if (e) canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4 * thin, to_pixel(c.now));
     }
   }
-  if (const auto lit = s.lit_edge(); lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
+  if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)];
     const auto a = on_raster(scene, s.state(), e.vertex_0), b = on_raster(scene, s.state(), e.vertex_1);
-    if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 5, to_pixel(c.selected));
+    if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 5 * thin, to_pixel(c.selected));
   }
   if (m.scan_line) {
     const int y = static_cast<int>(std::lround(map.py(*m.scan_line)));
     const int left = std::max(0, static_cast<int>(map.left)), right = std::min(canvas.width(), static_cast<int>(map.left + map.width * map.cell));
-    for (int x = left; x < right; x += 8) canvas.rectangle(x, y, std::min(x + 5, right), y + 1, to_pixel(c.now));
+    for (int x = left; x < right; x += 8) canvas.rectangle(x, y, std::min(x + 5, right), y + static_cast<int>(std::lround(thin)), to_pixel(c.now));
   }
 }
 
-/// The vertex that the step is about: that of the event, the selected one, or none.
-std::int32_t vertex_now(const Session& s) {
-  if (s.event()) {
-    const Event& e = s.event()->event;
-    if (const auto* v = std::get_if<ViewTransform>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<Projection>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<ViewportTransform>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<ClipVertex>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<ClipCross>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<OutlineVertex>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<VertexSide>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<SplitVertex>(&e)) return v->vertex;
-  }
-  return -1;
-}
-
-std::vector<std::int32_t> vertices_shown(const Session& s) {
-  const MethodState& m = s.state().machine;
-  const std::int32_t now = vertex_now(s);
-  std::vector<std::int32_t> shown;
-  if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < s.scene().facets.size()) {
-    const Facet& facet = s.scene().facets[static_cast<std::size_t>(m.facet)];
-    for (std::int32_t k = 0; k < facet.corner_count; ++k) shown.push_back(s.scene().corners[static_cast<std::size_t>(facet.first_corner + k)]);
-    for (const std::int32_t v : m.outline)
-      if (std::find(shown.begin(), shown.end(), v) == shown.end()) shown.push_back(v);
-  }
-  if (now >= 0 && std::find(shown.begin(), shown.end(), now) == shown.end()) shown.insert(shown.begin(), now);
-  return shown;
-}
-
-struct WayRow {
-  const char* stage;
-  std::optional<glm::dvec3> at;
-  bool flat;
-  std::string field;  ///< what x, y and z are called there: x_v, y_v, z_v
-};
-
-/// The stages of one vertex as aligned lines.
-void draw_way(Ui& ui, std::int32_t vertex, bool now) {
-  const Session& s = ui.session;
-  const Theme& c = ui.colors();
-  const auto at = static_cast<std::size_t>(vertex);
-  const VertexStages* way = at < s.state().vertices.size() ? &s.state().vertices[at] : nullptr;
-  std::vector<WayRow> rows;
-  const bool screen = s.scene().camera.kind == Camera::Kind::screen;
-  if (at < s.scene().points.size()) rows.push_back({screen ? "screen" : "world", s.scene().points[at], false, "_w"});
-  if (screen && way && at >= s.scene().points.size()) rows.push_back({"screen", glm::dvec3(way->raster, way->plane.z), false, "_s"});
-  else if (!s.state().machine.tree.empty() && way && way->world != glm::dvec3(0)) rows.push_back({"world", way->world, false, "_w"});
-  if (!screen && way) {
-    if (way->stage >= VertexStages::viewed) rows.push_back({"view", way->view, false, "_v"});
-    if (way->stage >= VertexStages::projected) rows.push_back({"plane", way->plane, false, "_p"});
-    if (way->stage >= VertexStages::on_raster) rows.push_back({"screen", glm::dvec3(way->raster, 0), true, "_s"});
-  }
-  std::vector<double> values;
-  for (const WayRow& row : rows)
-    for (int k = 0; k < (row.flat ? 2 : 3); ++k) values.push_back((*row.at)[k]);
-  const ImFont* font = ui.fonts.mono;
-  const float height = std::round(font->FontSize * 1.3f), name = text_size(ui, font, "screen ").x;
-  const float room = ImGui::GetContentRegionAvail().x - ui.em * 0.4f - name;
-  int decimals = decimals_needed(values, 3);
-  float column = 0;
-  for (; decimals >= 0; --decimals) {
-    column = 0;
-    for (const double v : values) column = std::max(column, text_size(ui, font, number(v, decimals)).x);
-    column += ui.em * 0.6f;
-    if (3 * column <= room || decimals == 0) break;
-  }
-  const ImVec2 top = ImGui::GetCursorScreenPos();
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const float block = height * static_cast<float>(rows.size() + 1);
-  if (now) {
-    list->AddRectFilled(top, {top.x + ImGui::GetContentRegionAvail().x, top.y + block}, c.now_soft);
-    list->AddRectFilled(top, {top.x + 3, top.y + block}, c.now);
-  }
-  const float x = top.x + ui.em * 0.4f;
-  draw_text(ui, {x, top.y + 1}, ui.fonts.bold, now ? c.now : c.text, fmt::format("vertex {}", vertex));
-  std::vector<std::string> tips;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const float y = top.y + height * static_cast<float>(r + 1);
-    draw_text(ui, {x, y}, font, c.muted, rows[r].stage);
-    for (int k = 0; k < (rows[r].flat ? 2 : 3); ++k) {
-      const std::string text = number((*rows[r].at)[k], decimals);
-      draw_text(ui, {x + name + column * static_cast<float>(k + 1) - text_size(ui, font, text).x, y}, font, c.text, text);
-      const float right = x + name + column * static_cast<float>(k + 1);
-      if (!rows[r].field.empty())
-        number_at(ui, {right - text_size(ui, font, text).x - 2, y}, {right + 2, y + height}, answers::of_vertex(s.position(), vertex, k == 2 && rows[r].field == "_p" ? "z" : "xyz"[k] + rows[r].field));
-      tips.push_back(fmt::format("{} {} = {}", rows[r].stage, "xyz"[k], exact((*rows[r].at)[k])));
-    }
-  }
-  ImGui::Dummy({std::max(1.0f, std::min(ImGui::GetContentRegionAvail().x, name + 3 * column + ui.em)), block});
-  if (ImGui::IsItemHovered()) tooltip(ui, tips);
-  if (now) follow(ui, top.y, block);
-}
-
-void draw_vertices(Ui& ui) {
-  const std::vector<std::int32_t> shown = vertices_shown(ui.session);
-  if (shown.empty()) return say_empty(ui, "The way of a vertex stands here once a polygon or a vertex is at work.");
-  const std::int32_t now = vertex_now(ui.session);
-  for (const std::int32_t vertex : shown) draw_way(ui, vertex, vertex == now);
+void paint_scene(Canvas& canvas, const RasterMap& map, const Kept<Canvas>& wires, const Moment& now, const std::optional<std::int32_t>& lit,
+                 const Theme& c, const float& thin) {
+  canvas = wires.made;
+  draw_pieces(canvas, map, now, c, static_cast<double>(thin));
+  draw_polygon(canvas, map, now, lit, c, static_cast<double>(thin));
 }
 
 void draw(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   // Where room is scarce the picture has it, but for the steps that move a vertex.
-  const bool scarce = avail.y < ui.em * 15 && !ui.vertices_always && vertex_now(s) < 0;
+  const bool scarce = avail.y < ui.em * 15 && !ui.vertices_always && vertex_at_work(s) < 0;
   const float way_height = scarce ? 0 : std::min(avail.y * 0.6f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
   // Side by side when there is more width than height, else the way below the picture.
   const bool beside = avail.x > avail.y * 1.9f && avail.x > ui.em * 30;
@@ -235,32 +138,17 @@ void draw(Ui& ui) {
     m.top = std::floor((height - m.height * m.cell) / 2);
     return m;
   }();
-  const double theme = ui.theme == &light_theme() ? 0 : 1;
-  const std::uint64_t still = fingerprint({static_cast<double>(width), static_cast<double>(height), theme});
-  const std::uint64_t version = fingerprint({static_cast<double>(still >> 12), static_cast<double>(s.position()), static_cast<double>(s.lit_edge().value_or(-1))});
-  Canvas& wires = ui.canvases["wires"];
-  Canvas& shown = ui.canvases["scene"];
-  if (ui.painted["wires"] != still || wires.width() != width) {
-    wires.resize(width, height);
-    paint_wireframe(ui, wires, map);
-    ui.painted["wires"] = still;
-    ui.painted["scene"] = 0;
-  }
-  if (ui.painted["scene"] != version) {
-    shown = wires;
-    draw_pieces(ui, shown, map);
-    draw_polygon(ui, shown, map);
-    ui.painted["scene"] = version;
-  }
+  const Kept<Canvas>& wires = keep_canvas(ui.canvases, "wires", width, height, paint_wireframe, map, s.scene(), ui.colors(), ui.thin);
+  const Kept<Canvas>& shown = keep_canvas(ui.canvases, "scene", width, height, paint_scene, map, wires, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown), at,
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
   label_pair(ui, map, at);
   if (scarce && !beside) return;
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.5f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
-  ImGui::BeginChild("way", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_None);
-  draw_vertices(ui);
+  begin_part(ui, "way");
+  draw_vertex_stages(ui);
   ImGui::EndChild();
 }
 

@@ -7,15 +7,13 @@
 
 namespace zstep::viewer {
 
-void draw_pieces(Ui& ui, Canvas& canvas, const RasterMap& map) {
-  const Session& s = ui.session;
-  const MethodState& m = s.state().machine;
-  const Theme& c = ui.colors();
+void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin) {
+  const MethodState& m = now.state().machine;
   const auto outline = [&](const Piece& piece, double thickness, ImU32 color) {
     for (std::size_t k = 0; k < piece.outline.size(); ++k) {
-      const auto a = on_raster(s.scene(), s.state(), piece.outline[k]);
-      const auto b = on_raster(s.scene(), s.state(), piece.outline[(k + 1) % piece.outline.size()]);
-      if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), thickness, to_pixel(color));
+      const auto a = on_raster(now.scene(), now.state(), piece.outline[k]);
+      const auto b = on_raster(now.scene(), now.state(), piece.outline[(k + 1) % piece.outline.size()]);
+      if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), thickness * thin, to_pixel(color));
     }
   };
   if (m.list.empty()) return;
@@ -50,8 +48,8 @@ void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const auto* overlap = s.event() ? std::get_if<OverlapTest>(&s.event()->event) : nullptr;
   if (!overlap || !overlap->overlap) return;
   const ImVec2 at{origin.x + static_cast<float>(map.px(overlap->x_at)), origin.y + static_cast<float>(map.py(overlap->y_at))};
-  ImGui::GetWindowDrawList()->AddLine({at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, c.text, 3);
-  ImGui::GetWindowDrawList()->AddLine({at.x - 6, at.y + 6}, {at.x + 6, at.y - 6}, c.text, 3);
+  ImGui::GetWindowDrawList()->AddLine({at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, c.text, 3 * ui.thin);
+  ImGui::GetWindowDrawList()->AddLine({at.x - 6, at.y + 6}, {at.x + 6, at.y - 6}, c.text, 3 * ui.thin);
 }
 
 }  // namespace zstep::viewer

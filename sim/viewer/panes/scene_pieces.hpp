@@ -6,7 +6,7 @@
 namespace zstep::viewer {
 
 /// Over the wireframe.
-void draw_pieces(Ui& ui, Canvas& canvas, const RasterMap& map);
+void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin);
 /// P with its letter to its left, Q to its right; and where their projections were found to overlap.
 void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin);
 

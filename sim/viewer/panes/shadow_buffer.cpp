@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/draw/raster_canvas.hpp"
+#include "sim/viewer/panes/legend.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/words/numbers.hpp"
 
@@ -12,22 +13,11 @@ namespace zstep::viewer {
 namespace {
 
 /// The range of the light's depths at this step: near is bright, as in the depth buffer.
-DepthRange range_of(const Picture& light) {
-  DepthRange range;
-  for (const double z : light.depth) {
-    if (!std::isfinite(z)) continue;
-    range = range.known ? DepthRange{std::min(range.near, z), std::max(range.far, z), true} : DepthRange{z, z, true};
-  }
-  return range;
-}
-
-void paint(Ui& ui, Canvas& canvas, const RasterMap& map) {
-  const State& state = ui.session.state();
-  const Theme& c = ui.colors();
-  const DepthRange range = range_of(state.light);
-  std::vector<Pixel32> cells(state.light.depth.size());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    cells[i] = std::isfinite(state.light.depth[i]) ? ui.depth_scale.at(range.share(state.light.depth[i])) : hatched_cell;
+void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const DepthScale& scale) {
+  const Picture& light = now.state().light;
+  const DepthRange range = fitted_range(light);
+  std::vector<Pixel32> cells(light.depth.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = std::isfinite(light.depth[i]) ? scale.at(range.share(light.depth[i])) : hatched_cell;
   paint_raster(canvas, map, cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
 }
 
@@ -37,9 +27,8 @@ void mark_point(Ui& ui, const RasterMap& map, ImVec2 origin, const ShadowCompare
   if (!(column >= 0 && column < map.width && row >= 0 && row < map.height)) return;
   const float half = static_cast<float>(std::max(map.cell / 2, 4.0));
   const ImVec2 centre{origin.x + static_cast<float>(map.px(column)), origin.y + static_cast<float>(map.py(row))};
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  frame_box(list, {centre.x - half - 2, centre.y - half - 2}, {centre.x + half + 2, centre.y + half + 2}, IM_COL32(255, 255, 255, 255), 2);
-  frame_box(list, {centre.x - half, centre.y - half}, {centre.x + half, centre.y + half}, ui.colors().now, 2);
+  frame_box(ui, {centre.x - half - 2, centre.y - half - 2}, {centre.x + half + 2, centre.y + half + 2}, IM_COL32(255, 255, 255, 255), 2);
+  frame_box(ui, {centre.x - half, centre.y - half}, {centre.x + half, centre.y + half}, ui.colors().now, 2);
 }
 
 std::string verdict(const ShadowCompare& at, const State& state) {
@@ -59,16 +48,9 @@ void draw(Ui& ui) {
   const int width = static_cast<int>(room.x), height = static_cast<int>(room.y - caption);
   if (width < 16 || height < 16) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(Raster{state.light.width, state.light.height, false}, {}, width, height);
-  Canvas& canvas = ui.canvases["shadow"];
-  // The light's picture is done when this is shown: only its place in the window changes it.
-  const std::uint64_t version = fingerprint({static_cast<double>(width), static_cast<double>(height), ui.theme == &light_theme() ? 0.0 : 1.0});
-  if (ui.painted["shadow"] != version || canvas.width() != width) {
-    canvas.resize(width, height);
-    paint(ui, canvas, map);
-    ui.painted["shadow"] = version;
-  }
+  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, "shadow", width, height, paint, map, ui.moment(), ui.colors(), ui.depth_scale);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at, {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
   ImGui::Dummy({room.x, static_cast<float>(height)});
   if (!state.machine.shadow) return;
   mark_point(ui, map, at, *state.machine.shadow);

@@ -94,12 +94,12 @@ void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
     const auto at = static_cast<std::size_t>(edge.edge);
     if (at >= m.edge_table.size()) continue;
     const bool now = flip && flip->edge == edge.edge, lit = s.lit_edge() == edge.edge;
-    tick(edge.x, edge_label(s.scene(), m.edge_table[at]), now ? c.now : lit ? c.selected : c.text, now || lit ? 3.0f : 1.0f);
+    tick(edge.x, edge_label(s.scene(), m.edge_table[at]), now ? c.now : lit ? c.selected : c.text, (now || lit ? 3.0f : 1.0f) * ui.thin);
   }
   for (const ImpliedEdge& implied : m.sweep.implied) {
     const float x = strip.x(implied.x_at), y = (strip.at.y + strip.end.y) / 2, half = ui.em * 0.3f;
-    list->AddLine({x - half, y - half}, {x + half, y + half}, c.text, 2);
-    list->AddLine({x - half, y + half}, {x + half, y - half}, c.text, 2);
+    list->AddLine({x - half, y - half}, {x + half, y + half}, c.text, 2 * ui.thin);
+    list->AddLine({x - half, y + half}, {x + half, y - half}, c.text, 2 * ui.thin);
   }
 }
 
@@ -112,7 +112,7 @@ void draw_strip(Ui& ui, std::int32_t y) {
   const Strip strip{{top.x + 2, top.y + names}, {top.x + width - 2, top.y + names + bar}, std::max(1.0, static_cast<double>(s.scene().raster.width))};
   ImDrawList* list = ImGui::GetWindowDrawList();
   draw_cells(s, list, strip, y, c);
-  frame_box(list, strip.at, strip.end, c.rule);
+  frame_box(ui, strip.at, strip.end, c.rule);
   draw_crossings(ui, list, strip);
   if (m.sweep.interval) {
     const float left = strip.x(m.sweep.interval->x_left), right = strip.x(m.sweep.interval->x_right);

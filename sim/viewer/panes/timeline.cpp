@@ -4,33 +4,44 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/strip.hpp"
 #include "sim/viewer/words/explain.hpp"
 #include "sim/viewer/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {
 
-struct Strip {
-  ImVec2 at;
-  float width, height;
-  std::int64_t first, last;  ///< positions at its ends
-  float x(std::int64_t position) const {
-    if (last <= first) return at.x;
-    return at.x + width * static_cast<float>(static_cast<double>(position - first) / static_cast<double>(last - first));
-  }
-  std::int64_t position(float mouse) const {
-    const double share = std::clamp((mouse - at.x) / width, 0.0f, 1.0f);
-    return first + std::llround(share * static_cast<double>(last - first));
-  }
+/// What stands on a strip and is gone to by a click: a bookmark, or a stop of the lesson.
+struct Sign {
+  std::int64_t step = 0;
+  int stop = -1;     ///< −1: a bookmark
+  std::string help;
 };
 
-/// The bookmark that the mouse points at.
-const places::Bookmark* bookmark_under(const Ui& ui, const Strip& strip) {
-  if (!ui.places) return nullptr;
-  for (const places::Bookmark& mark : ui.places->bookmarks())
-    if (mark.step >= strip.first && mark.step <= strip.last && std::abs(strip.x(mark.step) - ImGui::GetIO().MousePos.x) <= 4) return &mark;
-  return nullptr;
+/// The one under the mouse; of several the nearest, of those a bookmark.
+std::optional<Sign> sign_under(const Ui& ui, const Strip& strip, bool with_stops) {
+  std::optional<Sign> found;
+  float nearest = std::round(4 * ui.thin) + 0.5f;
+  const auto look = [&](std::int64_t step, int stop, auto&& help) {
+    const float away = std::abs(strip.x(step) - ImGui::GetIO().MousePos.x);
+    if (!strip.holds(step) || away >= nearest) return;
+    nearest = away;
+    found = {step, stop, help()};
+  };
+  if (ui.places)
+    for (const places::Bookmark& mark : ui.places->bookmarks())
+      look(mark.step, -1, [&] { return fmt::format("Click: to the bookmark {} at step {}.", mark.name, grouped(mark.step)); });
+  if (const Lesson* lesson = with_stops ? ui.session.lesson() : nullptr)
+    for (int i = 0; i < static_cast<int>(lesson->stops.size()); ++i) {
+      const Stop& stop = lesson->stops[static_cast<std::size_t>(i)];
+      look(stop.position, i, [&] {
+        const char* what = stop.question ? "question" : "stop";
+        return fmt::format("Click: to {} {}{} at step {}.", what, i + 1, stop.heading.empty() ? "" : ", " + stop.heading + ",", grouped(stop.position));
+      });
+    }
+  return found;
 }
 
 /// Above the strip, clear of its words. Bookmarks: a flag on a staff. What playing repeats: a bar between two arms.
@@ -39,7 +50,7 @@ void draw_places(Ui& ui, const Strip& strip) {
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float flag = std::round(ui.em * 0.38f), top = strip.at.y, foot = top + std::round(ui.em * 0.3f);
-  const auto inside = [&](std::int64_t step) { return step >= strip.first && step <= strip.last; };
+  const auto inside = [&](std::int64_t step) { return strip.holds(step); };
   if (s.loops() && s.loop_first < strip.last && s.loop_last > strip.first) {
     const float x0 = std::floor(strip.x(std::max(s.loop_first, strip.first))), x1 = std::floor(strip.x(std::min(s.loop_last, strip.last)));
     list->AddRectFilled({x0, top - 3}, {x1 + 1, top}, c.selected);
@@ -55,28 +66,32 @@ void draw_places(Ui& ui, const Strip& strip) {
   }
 }
 
-/// True while it is scrubbed.
-bool scrub(Ui& ui, const char* id, const Strip& strip) {
+void scrub(Ui& ui, const char* id, const Strip& strip, bool with_stops) {
   ImGui::SetCursorScreenPos(strip.at);
   ImGui::InvisibleButton(id, {strip.width, strip.height});
-  if (ImGui::IsItemHovered()) {
-    const places::Bookmark* mark = bookmark_under(ui, strip);
-    ui.mouse_help = mark ? fmt::format("Click: to the bookmark {} at step {}.", mark->name, grouped(mark->step)) : "Drag: go to any step.";
+  const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
+  if (!hovered && !active) return;
+  const std::optional<Sign> sign = sign_under(ui, strip, with_stops);
+  if (hovered) {
+    ui.mouse_help = sign ? sign->help : "Click or drag: go to any step.";
+    if (sign && !active) tooltip(ui, {sign->help});
   }
-  if (!ImGui::IsItemActive()) return false;
-  ui.session.playing = false;
-  const places::Bookmark* mark = bookmark_under(ui, strip);
-  ui.session.go_to(mark ? mark->step : strip.position(ImGui::GetIO().MousePos.x));
-  return true;
+  if (!active) return;
+  Session& s = ui.session;
+  s.playing = false;
+  if (!sign) s.go_to(strip.position(ImGui::GetIO().MousePos.x));
+  else if (sign->stop < 0) s.go_to(sign->step);
+  else if (s.stop() != sign->stop || s.position() != sign->step) s.to_stop(sign->stop);
 }
 
 /// Where the reader is: a line and, as its second sign, an arrow head from below.
 void draw_place(Ui& ui, const Strip& strip) {
   const std::int64_t p = ui.session.position();
-  if (p < strip.first || p > strip.last) return;
+  if (!strip.holds(p)) return;
   const float x = std::floor(strip.x(p)), head = std::round(ui.em * 0.35f), bottom = strip.at.y + strip.height;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({x - 1, strip.at.y}, {x + 2, bottom}, ui.colors().now);
+  const float half = std::round(1.5f * ui.thin);
+  list->AddRectFilled({x + 1 - half, strip.at.y}, {x + half, bottom}, ui.colors().now);
   list->AddTriangleFilled({x - head, bottom + 1}, {x + 0.5f, bottom - head - 1}, {x + 1 + head, bottom + 1}, ui.colors().now);
 }
 
@@ -132,7 +147,7 @@ void draw_sections(Ui& ui, const Strip& strip, const Sections& sections) {
     drawn_to = x1;
     list->AddRectFilled({x0, bottom - 5}, {std::max(x0 + 1, x1), bottom}, i % 2 == 0 ? c.muted : c.grid);
     if (x1 - x0 < 4) continue;
-    list->AddRectFilled({x0, strip.at.y}, {x0 + 1, bottom}, c.rule);
+    list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, bottom}, c.rule);
     const std::string number = std::to_string(marks[i].number), label = (x1 - x0 > ui.em * 6 ? sections.word + std::string(" ") : "") + number;
     const float width = text_size(ui, ui.fonts.small, label).x;
     if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, ui.fonts.small, c.text, label);
@@ -153,7 +168,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
   if (gathered < s.size()) {
     const char* units = sweep ? "lines of all polygons" : has_step_of<AreaBegin>(s.header()) ? "areas" : "edges";
     const float x0 = std::floor(strip.x(gathered));
-    list->AddRectFilled({x0, strip.at.y}, {x0 + 1, end.y}, c.rule);
+    list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, end.y}, c.rule);
     draw_text(ui, {(x0 + end.x - text_size(ui, font, units).x) / 2, strip.at.y + 1}, font, c.text, units);
   }
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -162,7 +177,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
     drawn_to = x1;
     list->AddRectFilled({x0, end.y - 5}, {std::max(x0 + 1, x1), end.y}, color_of(s, marks[i].polygon));
     if (x1 - x0 < 4) continue;
-    list->AddRectFilled({x0, strip.at.y}, {x0 + 1, end.y}, c.rule);
+    list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, end.y}, c.rule);
     const std::string label = (x1 - x0 > ui.em * 6 ? "polygon " : "") + polygon_label(s.scene(), marks[i].polygon);
     const float width = text_size(ui, font, label).x;
     if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, font, c.text, label);
@@ -171,10 +186,10 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
   else if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, has_step_of<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
-      const float x = std::floor(strip.x(stop.position)), y = end.y - 4;
-      list->AddQuadFilled({x, y - 4}, {x + 4, y}, {x, y + 4}, {x - 4, y}, stop.question ? c.selected : c.changed);
+      const float arm = std::round(4 * ui.thin), x = std::floor(strip.x(stop.position)), y = end.y - arm;
+      list->AddQuadFilled({x, y - arm}, {x + arm, y}, {x, y + arm}, {x - arm, y}, stop.question ? c.selected : c.changed);
     }
-  frame_box(list, strip.at, end, c.rule);
+  frame_box(ui, strip.at, end, c.rule);
   draw_places(ui, strip);
   draw_place(ui, strip);
 }
@@ -199,7 +214,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
       list->AddRectFilled({x0, strip.at.y}, {x1, end.y}, c.selected_soft);
       list->AddRectFilled({x0, end.y - 3}, {x1, end.y}, c.selected);
     }
-    list->AddRectFilled({x0, strip.at.y}, {x0 + 1, end.y}, c.rule);
+    list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, end.y}, c.rule);
     if (x0 < labelled_to || x0 + needed > end.x) continue;
     draw_text(ui, {x0 + 3, strip.at.y + 1}, font, c.muted, fmt::format("y {}", mark.y));
     labelled_to = x0 + needed;
@@ -213,25 +228,37 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
   else if (!has_step_of<ScanLineBegin>(s.header())) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this method has no scan lines");
   else if (!interval.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
   else if (interval.lines.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), interval.polygon)));
-  frame_box(list, strip.at, end, c.rule);
+  frame_box(ui, strip.at, end, c.rule);
   draw_places(ui, strip);
   draw_place(ui, strip);
 }
 
+/// A button that does what a key does, and says so.
+void command_button(Ui& ui, const char* label, const char* id, bool lit = false) {
+  const auto all = commands();
+  const auto command = std::find_if(all.begin(), all.end(), [&](const Command& one) { return one.id == std::string(id); });
+  if (command == all.end()) return;
+  if (button(ui, label, lit)) ui.clicked = &*command;
+  if (!ImGui::IsItemHovered()) return;
+  const std::string says = fmt::format("{} ({})", command->title, key_names(*command));
+  tooltip(ui, {says});
+  ui.mouse_help = says;
+}
+
 void draw_transport(Ui& ui) {
-  Session& s = ui.session;
+  const Session& s = ui.session;
   const float gap = ui.em * 0.25f;
-  if (button(ui, "|\u25c0")) s.go_to(0);
+  command_button(ui, "|\u25c0", "first");
   ImGui::SameLine(0, gap);
-  if (button(ui, "\u25c0")) s.move(Unit::event, -1);
+  command_button(ui, "\u25c0", "previous");
   ImGui::SameLine(0, gap);
-  if (button(ui, s.playing ? "Pause" : "Play \u25b6\u25b6", s.playing)) s.toggle_play();
+  command_button(ui, s.playing ? "Pause" : "Play \u25b6\u25b6", "play", s.playing);
   ImGui::SameLine(0, gap);
-  if (button(ui, "\u25b6")) s.move(Unit::event, 1);
+  command_button(ui, "\u25b6", "next");
   ImGui::SameLine(0, gap);
-  if (button(ui, "\u25b6|")) s.go_to(s.size());
+  command_button(ui, "\u25b6|", "last");
   ImGui::SameLine(0, ui.em * 0.7f);
-  if (button(ui, "\u2212##slower")) s.speed = std::max(0, s.speed - 1), s.touch();
+  command_button(ui, "\u2212##slower", "slower");
   ImGui::SameLine(0, gap);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   float widest = 0;
@@ -240,19 +267,31 @@ void draw_transport(Ui& ui) {
   draw_text(ui, {at.x + (widest - text_size(ui, ui.fonts.text, name).x) / 2, at.y + std::round(ui.em * 0.25f)}, ui.fonts.text, ui.colors().text, name);
   ImGui::Dummy({widest, ui.em});
   ImGui::SameLine(0, gap);
-  if (button(ui, "+##faster")) s.speed = std::min(static_cast<int>(Session::speeds().size()) - 1, s.speed + 1), s.touch();
+  command_button(ui, "+##faster", "faster");
+}
+
+}  // namespace
+
+namespace {
+
+struct StripSizes {
+  float height, gap;
+};
+/// With large letters the strips lie closer.
+StripSizes strip_sizes(const Ui& ui) {
+  return ui.presenter ? StripSizes{std::round(ui.em * 1.1f), std::round(ui.em * 0.35f)} : StripSizes{std::round(ui.em * 1.25f), std::round(ui.em * 0.55f)};
 }
 
 }  // namespace
 
 float timeline_height(const Ui& ui) {
-  const float strip = std::round(ui.em * 1.25f), gap = std::round(ui.em * 0.55f);
-  return ui.presenter ? strip : std::round(2 * (strip + gap) + ui.em * 1.75f);
+  const auto [height, gap] = strip_sizes(ui);
+  return std::round(2 * (height + gap) + ui.em * 1.75f);
 }
 
 void draw_timeline(Ui& ui, ImVec2 size) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float strip_height = std::round(ui.em * 1.25f), gap = std::round(ui.em * 0.55f);
+  const auto [strip_height, gap] = strip_sizes(ui);
   ScanLineMarks::Interval interval = ui.lines.at(ui.session.trace(), ui.session.position());
   const Sections sections = sections_of(ui);
   if (!sections.all.empty()) {
@@ -262,10 +301,9 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   }
   const Strip whole{{origin.x, origin.y}, size.x, strip_height, 0, ui.session.size()};
   const Strip polygon{{origin.x, origin.y + strip_height + gap}, size.x, strip_height, interval.first, interval.last};
-  scrub(ui, "whole", whole);
+  scrub(ui, "whole", whole, true);
   draw_whole(ui, whole, sections);
-  if (ui.presenter) return;
-  scrub(ui, "polygon", polygon);
+  scrub(ui, "polygon", polygon, false);
   draw_polygon(ui, polygon, interval, sections);
   ImGui::SetCursorScreenPos({origin.x, origin.y + 2 * (strip_height + gap)});
   draw_transport(ui);

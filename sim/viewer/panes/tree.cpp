@@ -104,7 +104,7 @@ void draw_whole(Ui& ui) {
       if (child < 0) continue;
       const ImVec2 from = centre(node), to = centre(at(child));
       const bool near_side = one.eye && one.eye->front == front, skipped = front ? one.front_skipped : one.back_skipped;
-      list->AddLine(from, to, skipped ? c.rule : near_side ? c.text : c.muted, near_side ? 2.5f : 1.2f);
+      list->AddLine(from, to, skipped ? c.rule : near_side ? c.text : c.muted, (near_side ? 2.5f : 1.2f) * ui.thin);
       const ImVec2 middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
       const std::string sign = skipped ? "skipped" : front ? "+" : "\u2212";
       const ImVec2 size = text_size(ui, ui.fonts.small, sign);
@@ -121,7 +121,7 @@ void draw_whole(Ui& ui) {
     const bool lit = static_cast<std::int32_t>(node) == now;
     list->AddRectFilled(low, end, lit ? c.now_soft : c.pane);
     list->AddRectFilled({low.x, end.y - 4}, end, color_of_node(s, one));
-    frame_box(list, low, end, lit ? c.now : c.text, lit ? 3 : 1);
+    frame_box(ui, low, end, lit ? c.now : c.text, lit ? 3 : 1);
     draw_text(ui, {std::round(middle.x - text_size(ui, font, name).x / 2), std::round(middle.y - font->FontSize * 0.62f)}, font, c.text, name);
     if (one.eye) number_at(ui, low, end, answers::made_by<EyeSide>(s.position(), "value", {{"node", static_cast<std::int32_t>(node)}}));
     if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);

@@ -1,0 +1,89 @@
+#include "sim/viewer/model/label_spots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace zstep::viewer {
+namespace {
+
+/// The pixels that a map shows at least half of.
+struct SeenPart {
+  int left, right, low, high;  ///< the last ones exclusive
+  int width() const { return right - left; }
+  int height() const { return high - low; }
+};
+
+SeenPart seen_part_of(const RasterMap& map) {
+  const auto first = [&](double begin) { return std::max(0, static_cast<int>(std::ceil(-begin / map.cell - 0.5))); };
+  const auto end = [&](double begin, int box, int count) {
+    return std::min(count, static_cast<int>(std::floor((box - begin) / map.cell + 0.5)));
+  };
+  SeenPart seen{first(map.left), end(map.left, map.box_width, map.width), first(map.top), end(map.top, map.box_height, map.height)};
+  if (map.y_up) seen = {seen.left, seen.right, map.height - seen.high, map.height - seen.low};
+  return seen;
+}
+
+/// How many pixels in every direction have the same polygon: 1 at its border. Two passes over the window.
+std::vector<int> depth_inside(const Picture& picture, const SeenPart& seen) {
+  const int width = seen.width(), height = seen.height();
+  std::vector<int> inside(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  const auto polygon = [&](int x, int y) { return picture.polygon[picture.at(seen.left + x, seen.low + y)]; };
+  const auto at = [&](int x, int y) -> int& {
+    return inside[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  };
+  const auto beyond = [&](int x, int y, int to_x, int to_y) {
+    const bool there = to_x >= 0 && to_y >= 0 && to_x < width && to_y < height;
+    return there && polygon(to_x, to_y) == polygon(x, y) ? at(to_x, to_y) : 0;
+  };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      at(x, y) = 1 + std::min({beyond(x, y, x - 1, y), beyond(x, y, x - 1, y - 1), beyond(x, y, x, y - 1), beyond(x, y, x + 1, y - 1)});
+  for (int y = height; y-- > 0;)
+    for (int x = width; x-- > 0;)
+      at(x, y) = std::min(at(x, y), 1 + std::min({beyond(x, y, x + 1, y), beyond(x, y, x + 1, y + 1), beyond(x, y, x, y + 1), beyond(x, y, x - 1, y + 1)}));
+  return inside;
+}
+
+struct Best {
+  int depth = 0;
+  std::int64_t pixels = 0, ties = 0, sum_x = 0, sum_y = 0;
+  double distance = INFINITY;
+  Cell cell;
+};
+
+}  // namespace
+
+void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const Picture& picture) {
+  spots.clear();
+  const SeenPart seen = seen_part_of(map);
+  if (seen.width() <= 0 || seen.height() <= 0 || picture.width != map.width || picture.height != map.height) return;
+  const std::vector<int> inside = depth_inside(picture, seen);
+  std::map<std::int32_t, Best> best;
+  const auto each = [&](auto&& visit) {
+    std::size_t i = 0;
+    for (int y = seen.low; y < seen.high; ++y)
+      for (int x = seen.left; x < seen.right; ++x, ++i)
+        if (const std::int32_t polygon = picture.polygon[picture.at(x, y)]; polygon >= 0) visit(best[polygon], inside[i], x, y);
+  };
+  each([](Best& one, int depth, int x, int y) {
+    ++one.pixels;
+    if (depth > one.depth) one = {depth, one.pixels, 0, 0, 0, INFINITY, {}};
+    if (depth == one.depth) ++one.ties, one.sum_x += x, one.sum_y += y;
+  });
+  // Of pixels that lie as far inside, the one nearest to the middle of them.
+  each([](Best& one, int depth, int x, int y) {
+    if (depth != one.depth) return;
+    const auto ties = static_cast<double>(one.ties);
+    const double distance = std::hypot(x - static_cast<double>(one.sum_x) / ties, y - static_cast<double>(one.sum_y) / ties);
+    if (distance < one.distance) one.distance = distance, one.cell = {x, y};
+  });
+  for (const auto& [polygon, one] : best) spots.push_back({polygon, one.cell, one.pixels});
+  std::stable_sort(spots.begin(), spots.end(), [](const LabelSpot& a, const LabelSpot& b) { return a.pixels > b.pixels; });
+}
+
+void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const Moment& moment) {
+  find_label_spots(spots, map, moment.picture());
+}
+
+}  // namespace zstep::viewer
