@@ -12,7 +12,7 @@ struct Column {
   std::vector<std::string> shown;
   int decimals = 0;
   float width = 0;
-  bool numeric = false;
+  bool numeric = false, hidden = false;
 };
 
 std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, const std::vector<TableRow>& rows, const ImFont* font, int at_most, bool brief) {
@@ -42,7 +42,7 @@ std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, co
 
 float total(const std::vector<Column>& columns, float gap) {
   float width = 0;
-  for (const Column& column : columns) width += column.width + gap;
+  for (const Column& column : columns) width += column.hidden ? 0 : column.width + gap;
   return width;
 }
 
@@ -52,8 +52,8 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   TableResult result;
   const Theme& c = ui.colors();
   const float room = ImGui::GetContentRegionAvail().x;
-  // When it does not fit: smaller gaps, two decimals of numbers that have many, smaller type, signs for words; and at last the pane
-  // scrolls. With fewer decimals a number would be another one.
+  // When it does not fit: smaller gaps, two decimals of numbers that have many, smaller type, signs for words, fewer columns; and
+  // at last the pane scrolls. With fewer decimals a number would be another one.
   float gap = std::round(ui.em * 0.85f);
   const ImFont* font = ui.fonts.mono;
   int at_most = usual_decimals;
@@ -66,6 +66,9 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   if (!fits()) font = ui.fonts.small, again();
   if (!fits()) brief = true, again();
   while (!fits() && gap > ui.em * 0.35f) gap -= 1;
+  while (!fits() && gap > ui.em * 0.2f) gap -= 1;
+  // The last columns of numbers give way before a number would become another; the first two stay, and what stands last in words.
+  for (std::size_t k = columns.size(); k-- > 2 && !fits();) columns[k].hidden = columns[k].numeric;
   const float width = std::max(room, total(columns, gap));
   const float height = std::round(ui.fonts.mono->FontSize * 1.35f), text_top = std::round((height - font->FontSize) / 2) - 1;
   ImGui::PushID(id);
@@ -78,6 +81,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   const auto draw_headings = [&](float y) {
     float left = top.x + gap / 2;
     for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (columns[k].hidden) continue;
       const float shift = columns[k].numeric ? columns[k].width - text_size(ui, ui.fonts.small, headings[k]).x : 0;
       draw_text(ui, {left + shift, y}, ui.fonts.small, c.muted, headings[k]);
       left += columns[k].width + gap;
@@ -106,6 +110,8 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     x = at.x + gap / 2;
     std::vector<std::string> exact_values;
     for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (k < row.cells.size() && row.cells[k].value) exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
+      if (columns[k].hidden) continue;
       float left = x;
       if (k < row.cells.size() && row.cells[k].chip) {
         const float side = std::round(ui.em * 0.55f), y = at.y + std::round((height - side) / 2);
@@ -117,7 +123,6 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       draw_text(ui, {left, at.y + text_top}, font, color, columns[k].shown[r]);
       if (k < row.cells.size() && row.cells[k].value && row.cells[k].question)
         on_number = number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y}, *row.cells[k].question) || on_number;
-      if (k < row.cells.size() && row.cells[k].value) exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
       x += columns[k].width + gap;
     }
     result.on_number = result.on_number || on_number;

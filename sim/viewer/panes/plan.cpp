@@ -225,7 +225,7 @@ void draw_the_eye(const View& v) {
   v.list->AddCircleFilled(place, margin * 0.3f, v.c.text);
   const std::string text = outside ? "eye, further out" : "eye";
   const ImVec2 size = text_size(v.ui, v.ui.fonts.small, text);
-  const float x = place.x + margin + size.x > v.frame.top.x + v.frame.size.x ? place.x - margin - size.x : place.x + margin;
+  const float x = std::max(v.frame.top.x, place.x + margin + size.x > v.frame.top.x + v.frame.size.x ? place.x - margin - size.x : place.x + margin);
   const float y = std::clamp(place.y - size.y / 2, v.frame.top.y, v.frame.top.y + v.frame.size.y - size.y);
   v.list->AddRectFilled({x - 1, y}, {x + size.x + 1, y + size.y}, v.c.pane);
   draw_text(v.ui, {std::round(x), std::round(y)}, v.ui.fonts.small, v.c.text, text);
