@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "sim/answers/origin/fields.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::answers {
 

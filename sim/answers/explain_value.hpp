@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/answers/chain.hpp"
+#include "sim/answers/origin/chain.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
 

@@ -11,10 +11,10 @@
 #include <fmt/format.h>
 
 #include "sim/answers/why_not_parts.hpp"
-#include "sim/compare/facet_at.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
-#include "sim/viewer/words/rejects.hpp"
+#include "sim/truth/facet_at.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/rejects.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::answers {

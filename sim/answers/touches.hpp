@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/answers/find.hpp"
+#include "sim/answers/origin/find.hpp"
 
 namespace zstep::answers {
 

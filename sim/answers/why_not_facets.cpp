@@ -4,7 +4,7 @@
 #include "algorithms/viewing/back_face.hpp"
 #include "sim/answers/why_not_parts.hpp"
 #include "traces/formulas/rounding.hpp"
-#include "sim/viewer/words/rejects.hpp"
+#include "sim/words/rejects.hpp"
 
 namespace zstep::answers {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "sim/answers/why_not_lines.hpp"
-#include "sim/viewer/words/rejects.hpp"
+#include "sim/words/rejects.hpp"
 
 namespace zstep::answers {
 

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "sim/answers/find.hpp"
+#include "sim/answers/origin/find.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/touches.hpp"
 #include "sim/answers/why_not.hpp"
-#include "sim/compare/facet_at.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/truth/facet_at.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/replay/replay.hpp"
 
 namespace zstep::answers {

@@ -14,7 +14,7 @@
 
 #include "sim/cli/messages.hpp"
 #include "sim/cli/run_options.hpp"
-#include "sim/compare/allocation_peak.hpp"
+#include "sim/cost/allocation_peak.hpp"
 #include "traces/error.hpp"
 #include "traces/file/output.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/cli/run_options.hpp"
-#include "sim/compare/comparison.hpp"
+#include "sim/cost/comparison.hpp"
 #include "sim/image/png.hpp"
 
 namespace zstep::cli {

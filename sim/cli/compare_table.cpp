@@ -12,7 +12,7 @@
 #include "sim/cli/table.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/compare/book_table.hpp"
+#include "sim/cost/book_table.hpp"
 #include "traces/error.hpp"
 #if ZSTEP_HAS_VIEWER
 #include "sim/viewer/charts/chart.hpp"

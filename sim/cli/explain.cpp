@@ -15,7 +15,7 @@
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::cli {

@@ -12,7 +12,7 @@
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/places/search.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "traces/error.hpp"
 #include "traces/replay/replay.hpp"
 

@@ -10,7 +10,7 @@
 #include "sim/cli/table.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "traces/error.hpp"
 #include "traces/file/trace_impl.hpp"
 

@@ -18,7 +18,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/compare/comparison.hpp"
+#include "sim/cost/comparison.hpp"
 #include "sim/query/columns.hpp"
 #include "sim/query/database.hpp"
 #include "traces/outcome.hpp"

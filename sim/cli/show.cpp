@@ -10,7 +10,7 @@
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "sim/places/typed_place.hpp"
-#include "sim/viewer/words/shell_word.hpp"
+#include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::cli {

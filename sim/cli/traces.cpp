@@ -10,7 +10,7 @@
 #include "sim/cli/budget.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/watch.hpp"
-#include "sim/compare/allocation_peak.hpp"
+#include "sim/cost/allocation_peak.hpp"
 #include "sim/places/bookmarks.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/output.hpp"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/image/file.hpp"
-#include "sim/viewer/words/shell_word.hpp"
+#include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::cli {

@@ -7,7 +7,7 @@
 
 #include "sim/classroom/evaluate.hpp"
 #include "sim/places/condition.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::places {

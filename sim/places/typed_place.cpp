@@ -11,8 +11,8 @@
 
 #include "sim/classroom/evaluate.hpp"
 #include "sim/places/condition.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::places {

@@ -9,8 +9,8 @@
 
 #include "sim/query/columns.hpp"
 #include "sim/viewer/commands.hpp"
-#include "sim/viewer/words/numbers.hpp"
-#include "sim/viewer/words/shell_word.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {

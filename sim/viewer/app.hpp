@@ -15,7 +15,7 @@
 #include "sim/viewer/field.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
-#include "sim/viewer/ui.hpp"
+#include "sim/viewer/panes/ui.hpp"
 #include "sim/viewer/viewer.hpp"
 
 namespace zstep::viewer {

@@ -7,7 +7,7 @@
 
 #include "sim/query/columns.hpp"
 #include "sim/viewer/app.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {

@@ -3,7 +3,7 @@
 
 #include "sim/places/typed_place.hpp"
 #include "sim/viewer/app.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {

@@ -7,7 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 

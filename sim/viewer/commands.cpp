@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {

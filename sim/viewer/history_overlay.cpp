@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/overlays.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/overlays.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 

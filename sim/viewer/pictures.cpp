@@ -7,8 +7,8 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/charts/sheet.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 
 namespace zstep {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/overlays.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -12,7 +12,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/embree/embree.hpp"
-#include "sim/compare/explain_difference.hpp"
+#include "sim/truth/explain_difference.hpp"
 #include "tests/laws/agreement/scenes.hpp"
 
 using namespace zstep;

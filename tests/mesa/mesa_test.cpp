@@ -16,7 +16,7 @@
 
 #include "algorithms/scene/load.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
-#include "sim/compare/explain_difference.hpp"
+#include "sim/truth/explain_difference.hpp"
 #include "tests/mesa/mesa.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "traces/record/recorder.hpp"

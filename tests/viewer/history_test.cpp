@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "sim/viewer/overlays.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 

@@ -12,7 +12,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/strip.hpp"
 #include "sim/viewer/panes/vertex_stages.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "sim/viewer/draw/raster_canvas.hpp"
+#include "sim/viewer/panes/raster_canvas.hpp"
 #include "sim/viewer/panes/raster_pane.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"

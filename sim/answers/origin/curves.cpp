@@ -4,7 +4,7 @@
 
 #include "sim/answers/origin/planes.hpp"
 #include "sim/answers/origin/work.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::answers {
 namespace {

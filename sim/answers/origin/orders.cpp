@@ -5,7 +5,7 @@
 #include "algorithms/bsp/traverse.hpp"
 #include "sim/answers/origin/planes.hpp"
 #include "sim/answers/origin/work.hpp"
-#include "sim/viewer/words/pieces.hpp"
+#include "sim/words/pieces.hpp"
 
 namespace zstep::answers {
 namespace {

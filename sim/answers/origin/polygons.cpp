@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "sim/answers/origin/work.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::answers {
 namespace {

@@ -5,7 +5,7 @@
 #include "algorithms/viewing/vertices.hpp"
 #include "sim/answers/origin/planes.hpp"
 #include "sim/answers/origin/work.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::answers {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "sim/answers/origin/fields.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::answers {
 namespace {

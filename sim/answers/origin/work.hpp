@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/answers/chain.hpp"
-#include "sim/answers/find_origins.hpp"
-#include "sim/viewer/words/shown.hpp"
+#include "sim/answers/origin/chain.hpp"
+#include "sim/answers/origin/find_origins.hpp"
+#include "sim/words/shown.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
 

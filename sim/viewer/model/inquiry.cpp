@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {

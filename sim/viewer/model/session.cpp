@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/file/visit.hpp"
 
 namespace zstep::viewer {

@@ -6,7 +6,7 @@
 
 #include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
 namespace {

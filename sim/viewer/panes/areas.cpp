@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/draw/raster_canvas.hpp"
+#include "sim/viewer/panes/raster_canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {

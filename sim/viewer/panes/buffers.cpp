@@ -7,8 +7,8 @@
 #include "sim/viewer/panes/legend.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_pane.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {

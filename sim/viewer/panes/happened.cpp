@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
 namespace {

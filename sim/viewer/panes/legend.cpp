@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/draw/raster_canvas.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/viewer/panes/raster_canvas.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/viewer/ui.hpp"
+#include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
 

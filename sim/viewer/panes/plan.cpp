@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/pieces.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/pieces.hpp"
 
 namespace zstep::viewer {
 namespace {

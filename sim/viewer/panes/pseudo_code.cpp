@@ -6,7 +6,7 @@
 
 #include "sim/viewer/model/lines_near.hpp"
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 namespace {

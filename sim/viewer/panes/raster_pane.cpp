@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
 namespace {

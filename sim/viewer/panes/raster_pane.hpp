@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/viewer/draw/raster_canvas.hpp"
-#include "sim/viewer/ui.hpp"
+#include "sim/viewer/panes/raster_canvas.hpp"
+#include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
 

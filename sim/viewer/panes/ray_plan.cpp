@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -9,9 +9,9 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_pieces.hpp"
 #include "sim/viewer/panes/vertex_stages.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
-#include "sim/viewer/words/pieces.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/pieces.hpp"
 
 namespace zstep::viewer {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
 

@@ -1,7 +1,7 @@
 // What the scene's pane shows of pieces: those that cutting made, and the pair under test.
 #pragma once
 
-#include "sim/viewer/ui.hpp"
+#include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
 

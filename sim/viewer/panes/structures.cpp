@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 

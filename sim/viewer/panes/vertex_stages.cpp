@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/panes/pane.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
 

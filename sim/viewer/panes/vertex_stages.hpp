@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "sim/viewer/ui.hpp"
+#include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
 

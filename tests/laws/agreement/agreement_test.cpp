@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/compare/explain_difference.hpp"
+#include "sim/truth/explain_difference.hpp"
 #include "tests/laws/agreement/exact_methods.hpp"
 #include "tests/laws/agreement/scenes.hpp"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "algorithms/z_buffer/z_buffer.hpp"
-#include "sim/compare/explain_difference.hpp"
+#include "sim/truth/explain_difference.hpp"
 #include "tests/laws/agreement/scenes.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 

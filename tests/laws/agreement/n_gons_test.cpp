@@ -2,7 +2,7 @@
 #include <string>
 
 #include "algorithms/scene/load.hpp"
-#include "sim/compare/explain_difference.hpp"
+#include "sim/truth/explain_difference.hpp"
 #include "tests/laws/agreement/exact_methods.hpp"
 #include "tests/laws/agreement/n_gons.hpp"
 #include "tests/where.hpp"

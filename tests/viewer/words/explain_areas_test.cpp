@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 #include "tests/where.hpp"
 #include "traces/replay/replay.hpp"

@@ -6,7 +6,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/where.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"

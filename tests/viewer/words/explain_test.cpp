@@ -1,4 +1,4 @@
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 
 #include <set>
 #include <string>

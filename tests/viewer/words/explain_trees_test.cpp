@@ -5,8 +5,8 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/pieces.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/pieces.hpp"
 #include "tests/where.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/where.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/replay/replay.hpp"

@@ -1,4 +1,4 @@
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/numbers.hpp"
 
 #include <cmath>
 #include <limits>

@@ -15,8 +15,8 @@
 
 #include <doctest/doctest.h>
 
-#include "sim/viewer/words/explain.hpp"
-#include "sim/viewer/words/numbers.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
 #include "tests/golden/golden.hpp"
 #include "traces/replay/replay.hpp"
 

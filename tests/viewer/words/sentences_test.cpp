@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/where.hpp"
 #include "traces/replay/replay.hpp"

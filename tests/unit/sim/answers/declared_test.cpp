@@ -9,7 +9,7 @@
 
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/where.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/replay/replay.hpp"

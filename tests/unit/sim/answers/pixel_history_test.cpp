@@ -13,7 +13,7 @@
 #include "sim/answers/explain_value.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
-#include "sim/compare/truth.hpp"
+#include "sim/truth/truth.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"

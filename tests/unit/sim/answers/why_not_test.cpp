@@ -9,8 +9,8 @@
 
 #include "algorithms/scene/load.hpp"
 #include "sim/answers/why_not.hpp"
-#include "sim/compare/truth.hpp"
-#include "sim/viewer/words/explain.hpp"
+#include "sim/truth/truth.hpp"
+#include "sim/words/explain.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/laws/degenerate_checks.hpp"
 #include "tests/unit/algorithms/scenes.hpp"

@@ -1,0 +1,38 @@
+// Methods beside each other on one scene, as numbers and as a file of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/cost/measure.hpp"
+
+namespace zstep::compare {
+
+/// How a picture stands to another one, pixel by pixel (explain_difference has the rule).
+struct Agreement {
+  std::int64_t pixels = 0, equal = 0;
+  std::int64_t at_edges = 0, ties = 0;  ///< they differ, and both may be right
+  std::int64_t unexplained = 0;         ///< they differ, and one of them is wrong
+
+  std::int64_t differing() const { return pixels - equal; }
+};
+Agreement agreement(const Scene& scene, const Conventions& conventions, const Picture& first, const Picture& other);
+
+struct Compared {
+  std::string id;     ///< "bsp", or with its options "bsp:root=random"
+  std::string title;  ///< "BSP tree", "BSP tree, root=random"
+  Measured measured;
+  Agreement agreement;      ///< with the first method's picture
+  bool comparable = false;  ///< both are done and have polygons at their pixels
+};
+
+/// The numbers as CSV, one a line: scene,method,measure,step,value. Measures: pixels, equal, differing, at_edges, ties,
+/// unexplained, runs, time_s (the median), heap_bytes, steps, count (of the step named). A method that was not done has
+/// one line, measure `end`, value `out_of_time` or `failed`.
+std::string csv_of(const std::string& scene, const std::vector<Compared>& methods);
+
+/// A cell of CSV: quoted where it must be.
+std::string csv_cell(const std::string& text);
+
+}  // namespace zstep::compare

@@ -1,0 +1,72 @@
+// How a facet lies to the lines of sight, in long double and without any code of the methods. For truth.cpp and facet_at.cpp only.
+#pragma once
+
+#include <vector>
+
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "sim/truth/truth.hpp"
+
+namespace zstep::compare {
+
+using Real = long double;
+using Vec2 = glm::vec<2, Real>;
+using Vec3 = glm::vec<3, Real>;
+
+inline constexpr Real edge_on_sine = 1e-9L;  // below: rounding decides which way a facet faces, and what its plane says
+
+Vec3 in_view(const Camera& camera, const glm::dvec3& world);
+
+/// Where lines of sight and the raster meet. Pixel centres are at integers, row 0 on top.
+struct Sight {
+  const Camera& camera;
+  Real half_x, half_y, width, height;
+
+  explicit Sight(const Scene& scene)
+      : camera(scene.camera), half_y(scene.camera.window), width(scene.raster.width), height(scene.raster.height) {
+    half_x = half_y * width / height;
+  }
+  bool screen() const { return camera.kind == Camera::Kind::screen; }
+  bool perspective() const { return camera.kind == Camera::Kind::perspective; }
+
+  Vec2 on_raster(const Vec3& view) const {
+    if (screen()) return {view.x, view.y};
+    const Real shrink = perspective() ? static_cast<Real>(camera.d) / view.z : 1;
+    return {(view.x * shrink / half_x + 1) / 2 * width - 0.5L, (1 - view.y * shrink / half_y) / 2 * height - 0.5L};
+  }
+  /// A point of the line of sight, and how it moves for z growing by one: at depth z it is from + z * along.
+  void line(const Vec2& raster, Vec3& from, Vec3& along) const {
+    from = {raster.x, raster.y, 0}, along = {0, 0, 1};
+    if (screen()) return;
+    const Real x_p = ((raster.x + 0.5L) / width * 2 - 1) * half_x, y_p = (1 - (raster.y + 0.5L) / height * 2) * half_y;
+    from = perspective() ? Vec3(0) : Vec3(x_p, y_p, 0);
+    if (perspective()) along = {x_p / static_cast<Real>(camera.d), y_p / static_cast<Real>(camera.d), 1};
+  }
+  /// How far the line of sight moves sideways at depth z when the raster's point moves by one pixel.
+  Real pixel_at(Real z) const {
+    if (screen()) return 1;
+    const Real pixel = 2 * half_y / height;
+    return perspective() ? pixel * std::fabs(z) / static_cast<Real>(camera.d) : pixel;
+  }
+};
+
+struct Seen {
+  std::vector<Vec2> outline;  // on the raster
+  Vec3 middle, normal;        // its plane, in view space; unit normal, 0 if there is none
+  Real bend = 0;              // the largest distance of a corner from it
+  Real z_low = 0, z_high = 0;
+  bool edge_on = false;
+};
+
+/// A facet as it is seen; false if nothing of it may be drawn.
+bool see(const Scene& scene, const Facet& facet, const Sight& sight, bool cull, Seen& seen);
+
+/// Inside by the even-odd rule, and how far from the nearest edge.
+void locate(const Seen& seen, const Vec2& place, Candidate& candidate);
+
+/// The depth of the facet's plane on the line of sight.
+void measure_depth(const Seen& seen, const Sight& sight, const Vec2& place, Candidate& candidate);
+
+}  // namespace zstep::compare

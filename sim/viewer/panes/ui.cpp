@@ -1,0 +1,282 @@
+#include "sim/viewer/panes/ui.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "sim/words/numbers.hpp"
+
+namespace zstep::viewer {
+
+ImVec2 text_size(const Ui& ui, const ImFont* font, const std::string& text) {
+  const std::string shown = ui.fonts.drawable(text);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, shown.c_str(), shown.c_str() + shown.size());
+  return {std::ceil(size.x), size.y};
+}
+
+void draw_text(const Ui& ui, ImVec2 at, const ImFont* font, ImU32 color, const std::string& text) {
+  const std::string shown = ui.fonts.drawable(text);
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {std::floor(at.x), std::floor(at.y)}, color, shown.c_str(),
+                                      shown.c_str() + shown.size());
+}
+
+namespace {
+
+struct Word {
+  std::string text;
+  const ImFont* font;
+  float width;
+  bool space_before, code, breaks_line;
+};
+
+const ImFont* font_of(const Ui& ui, const TextRun& run, const Flow& how) {
+  if (run.code) return ui.fonts.mono;
+  if (run.bold) return ui.fonts.bold;
+  return how.font ? how.font : ui.fonts.text;
+}
+
+/// Bytes of the longest beginning of a word, at least a character, that is no wider than this. What is much too long is not measured whole.
+std::size_t fitting(const Ui& ui, const ImFont* font, std::string_view text, float limit) {
+  const auto border = [&](std::size_t at) {
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0u) == 0x80u) ++at;
+    return std::min(at, text.size());
+  };
+  const auto fits = [&](std::size_t bytes) { return text_size(ui, font, std::string(text.substr(0, bytes))).x <= limit; };
+  std::size_t low = border(1), high = std::min<std::size_t>(border(64), text.size());
+  while (high < text.size() && fits(high)) low = high, high = border(2 * high);
+  if (high == text.size() && fits(high)) return high;
+  for (std::size_t next = border(low + 1); next < high; next = border(low + 1)) {
+    std::size_t middle = border(low + (high - low) / 2);
+    if (middle <= low || middle >= high) middle = next;
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Cuts a word that is wider than a whole line into pieces that are not, at character borders.
+void push_word(const Ui& ui, std::vector<Word>& words, std::string_view text, const ImFont* font, bool space, bool code, float limit) {
+  while (!text.empty()) {
+    const std::string piece(text.substr(0, fitting(ui, font, text, limit)));
+    words.push_back({piece, font, text_size(ui, font, piece).x, space, code, false});
+    text.remove_prefix(piece.size());
+    space = false;
+  }
+}
+
+std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const Flow& how, float limit) {
+  std::vector<Word> words;
+  bool space = false;
+  for (const TextRun& run : runs) {
+    const ImFont* font = font_of(ui, run, how);
+    std::string word;
+    const auto end_word = [&] {
+      if (!word.empty()) push_word(ui, words, std::exchange(word, {}), font, std::exchange(space, false), run.code, limit);
+    };
+    for (const char c : run.text) {
+      if (c == '\n') {
+        end_word();
+        words.push_back({"", font, 0, false, false, true});
+        space = false;
+      } else if (c == ' ') {
+        end_word();
+        space = true;
+      } else {
+        word += c;
+      }
+    }
+    end_word();
+  }
+  return words;
+}
+
+void tell_numbers(const Ui& ui, const Word& word, ImVec2 at, const Flow& how) {
+  for (const auto& [from, bytes] : numbers_in(word.text)) {
+    const float left = at.x + text_size(ui, word.font, word.text.substr(0, from)).x;
+    const std::string text = word.text.substr(from, bytes);
+    how.on_number(text, {left, at.y}, {left + text_size(ui, word.font, text).x, at.y + std::round(word.font->FontSize * 1.15f)});
+  }
+}
+
+float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool draw) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float width = how.width > 0 ? how.width : std::max(ui.em, ImGui::GetContentRegionAvail().x);
+  const ImU32 color = how.color ? how.color : ui.colors().text;
+  const ImFont* base = how.font ? how.font : ui.fonts.text;
+  const float line = std::round(base->FontSize * 1.28f);
+  float x = 0, y = 0;
+  for (const Word& word : words_in(ui, runs, how, width - how.indent)) {
+    if (word.breaks_line) {
+      x = how.indent;
+      y += line;
+      continue;
+    }
+    const float space = word.space_before ? std::round(base->FontSize * 0.28f) + (word.font == ui.fonts.mono ? 2.0f : 0.0f) : 0;
+    const bool first = x == 0 || (y > 0 && x == how.indent);
+    if (!first && x + space + word.width > width) {
+      x = how.indent;
+      y += line;
+    } else if (!first) {
+      x += space;
+    }
+    if (draw) {
+      const float baseline = std::round((base->Ascent - word.font->Ascent));
+      const ImVec2 at{origin.x + x, origin.y + y + baseline};
+      if (word.code && base != ui.fonts.mono)
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x - 1, at.y - 1}, {at.x + word.width + 1, at.y + word.font->FontSize + 1}, ui.colors().head);
+      draw_text(ui, at, word.font, color, word.text);
+      if (how.on_number) tell_numbers(ui, word, at, how);
+    }
+    x += word.width;
+  }
+  return y + line;
+}
+
+/// A block of code keeps its columns. In a line that fits no space flows; in a longer one those that begin it or stand in
+/// a row do not.
+std::string keep_columns(const Ui& ui, const std::string& code, float width) {
+  std::string kept;
+  for (std::size_t at = 0; at <= code.size();) {
+    const std::size_t end = std::min(code.find('\n', at), code.size());
+    const std::string line = code.substr(at, end - at);
+    const bool fits = text_size(ui, ui.fonts.mono, line).x <= width;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool alone = i > 0 && line[i - 1] != ' ' && i + 1 < line.size() && line[i + 1] != ' ';
+      if (line[i] == ' ' && (fits || !alone)) kept += "\u00A0";
+      else kept += line[i];
+    }
+    if (end < code.size()) kept += '\n';
+    at = end + 1;
+  }
+  return kept;
+}
+
+}  // namespace
+
+void flow(Ui& ui, const std::vector<TextRun>& runs, const Flow& how) {
+  const float width = how.width > 0 ? how.width : ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy({std::max(1.0f, width), lay_out(ui, runs, how, true)});
+}
+
+void flow(Ui& ui, const std::string& text, const Flow& how) { flow(ui, std::vector<TextRun>{{text, false, false, false}}, how); }
+
+float flow_height(Ui& ui, const std::string& text, const Flow& how) {
+  return lay_out(ui, std::vector<TextRun>{{text, false, false, false}}, how, false);
+}
+
+void flow_markdown(Ui& ui, const std::string& markdown) {
+  for (TextBlock& block : parse_markdown(markdown)) {
+    const float indent = static_cast<float>(block.depth) * ui.em * 1.2f;
+    Flow how;
+    switch (block.kind) {
+      case TextBlock::Kind::heading: how.font = ui.fonts.bold; break;
+      case TextBlock::Kind::code: how.font = ui.fonts.mono; break;
+      case TextBlock::Kind::quote: how.color = ui.colors().muted; break;
+      case TextBlock::Kind::rule: {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + 1}, ui.colors().rule);
+        ImGui::Dummy({1, ui.em * 0.4f});
+        continue;
+      }
+      case TextBlock::Kind::item: {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        draw_text(ui, {at.x + indent - ui.em, at.y}, ui.fonts.text, ui.colors().text,
+                  block.number ? std::to_string(block.number) + "." : "\u2022");
+        break;
+      }
+      case TextBlock::Kind::paragraph: break;
+    }
+    if (indent > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+    if (block.kind == TextBlock::Kind::code) {
+      for (TextRun& run : block.runs) run.text = keep_columns(ui, run.text, ImGui::GetContentRegionAvail().x);
+    }
+    flow(ui, block.runs, how);
+    ImGui::Dummy({1, std::round(ui.em * 0.35f)});
+  }
+}
+
+void say_empty(Ui& ui, const std::string& why) {
+  Flow how;
+  how.color = ui.colors().muted;
+  flow(ui, why, how);
+}
+
+float scroll_for(float at, float height, float view) {
+  const float page = view / 2, foot = view * 0.92f;
+  if (page < 1 || at + height < foot) return 0;
+  // In steps of half a view: the line begins between a tenth and six tenths of it, and the page rarely moves.
+  const float target = std::max(0.0f, std::floor((at - view * 0.1f) / page) * page);
+  // A line of many rows is shown to its end, unless its beginning would leave the view.
+  return std::round(std::max(target, std::min(at, at + height - foot)));
+}
+
+bool begin_wrapped(Ui& ui, const char* id, ImVec2 size, ImGuiWindowFlags flags) {
+  bool& overflows = ui.overflows[id];
+  const ImVec4 grab = overflows ? ImGui::GetStyle().Colors[ImGuiCol_ScrollbarGrab] : ImGui::GetStyle().Colors[ImGuiCol_ScrollbarBg];
+  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
+  if (!overflows) ImGui::PushStyleColor(ImGuiCol_ScrollbarGrabHovered, grab), ImGui::PushStyleColor(ImGuiCol_ScrollbarGrabActive, grab);
+  const int pushed = overflows ? 1 : 3;
+  const bool shown = ImGui::BeginChild(id, size, false, flags | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  ImGui::PopStyleColor(pushed);
+  overflows = ImGui::GetScrollMaxY() > 0;
+  return shown;
+}
+
+void begin_part(Ui& ui, const char* id) {
+  begin_wrapped(ui, id, ImGui::GetContentRegionAvail(), ImGuiWindowFlags_HorizontalScrollbar);
+  if (ui.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
+}
+
+void follow(Ui& ui, float top, float height) {
+  if (!ui.scroll_now) return;
+  ImGui::SetScrollY(scroll_for(top - ImGui::GetWindowPos().y + ImGui::GetScrollY(), height, ImGui::GetWindowHeight()));
+}
+
+void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float line = std::round(thickness * ui.thin);
+  list->AddRectFilled(a, {b.x, a.y + line}, color);
+  list->AddRectFilled({a.x, b.y - line}, b, color);
+  list->AddRectFilled({a.x, a.y + line}, {a.x + line, b.y - line}, color);
+  list->AddRectFilled({b.x - line, a.y + line}, {b.x, b.y - line}, color);
+}
+
+bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question) {
+  // What it lies on, a row of a table, may have taken the press already.
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) || !ImGui::IsMouseHoveringRect(a, b)) return false;
+  ImGui::GetWindowDrawList()->AddRectFilled({a.x, b.y - 2}, b, ui.colors().selected);
+  ui.mouse_help = "Click: where this number comes from.";
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.asked = question;
+  return true;
+}
+
+bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
+  const std::string shown = label.substr(0, label.find("##"));
+  const ImVec2 size = text_size(ui, ui.fonts.text, shown), at = ImGui::GetCursorScreenPos();
+  const float pad_x = std::round(ui.em * 0.55f), pad_y = std::round(ui.em * 0.25f);
+  const ImVec2 end{at.x + size.x + 2 * pad_x, at.y + ui.em + 2 * pad_y + 2};
+  const bool clicked = ImGui::InvisibleButton(label.c_str(), {end.x - at.x, end.y - at.y}) && enabled;
+  const bool hovered = ImGui::IsItemHovered() && enabled;
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(at, end, lit ? c.now_soft : hovered ? c.button_hovered : c.button);
+  frame_box(ui, at, end, lit ? c.now : c.rule);
+  draw_text(ui, {at.x + pad_x, at.y + pad_y}, ui.fonts.text, enabled ? c.text : c.muted, shown);
+  return clicked;
+}
+
+void tooltip(Ui& ui, const std::vector<std::string>& lines, std::optional<ImVec2> at) {
+  if (ui.reads) return;
+  float width = 0;
+  for (const std::string& line : lines) width = std::max(width, text_size(ui, ui.fonts.mono, line).x);
+  if (at) ImGui::SetNextWindowPos(*at);
+  ImGui::BeginTooltip();
+  for (const std::string& line : lines) {
+    draw_text(ui, ImGui::GetCursorScreenPos(), ui.fonts.mono, ui.colors().text, line);
+    ImGui::Dummy({width, std::round(ui.fonts.mono->FontSize * 1.2f)});
+  }
+  ImGui::EndTooltip();
+}
+
+}  // namespace zstep::viewer

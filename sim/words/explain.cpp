@@ -1,0 +1,98 @@
+#include "sim/words/explain.hpp"
+
+#include <algorithm>
+
+#include "algorithms/viewing/camera.hpp"
+#include "sim/words/explain_parts.hpp"
+
+namespace zstep {
+
+std::string polygon_label(const Scene& scene, std::int32_t polygon) {
+  if (polygon < 0) return "background";
+  const auto at = static_cast<std::size_t>(polygon);
+  if (at < scene.polygons.size() && !scene.polygons[at].name->empty()) return *scene.polygons[at].name;
+  return fmt::format("P{}", polygon);
+}
+
+Camera camera_at_work(const Scene& scene, const MethodState& machine) {
+  return machine.pass == Pass::light && scene.light ? viewing::camera_of(*scene.light) : scene.camera;
+}
+
+std::int32_t polygon_at_work(const MethodState& machine) {
+  if (machine.polygon != no_polygon || !machine.span) return machine.polygon;
+  const auto edge = static_cast<std::size_t>(machine.span->left_edge);
+  return machine.span->left_edge >= 0 && edge < machine.edge_table.size() ? machine.edge_table[edge].polygon : no_polygon;
+}
+
+std::string piece_label(const Scene& scene, const MethodState& machine, std::int32_t piece) {
+  if (piece < 0 || static_cast<std::size_t>(piece) >= machine.pieces.size()) return fmt::format("piece {}", piece);
+  const auto& pieces = machine.pieces;
+  const auto at = static_cast<std::size_t>(piece);
+  const std::int32_t polygon = pieces[at].polygon;
+  // A part was cut from a piece, or is one of several facets: those stand side by side as they are gathered.
+  const auto same = [&](std::size_t other) {
+    return other < pieces.size() && pieces[other].polygon == polygon && pieces[other].parent < 0;
+  };
+  const auto part = [&](std::size_t one) { return pieces[one].parent >= 0 || same(one + 1) || (one > 0 && same(one - 1)); };
+  const std::string whole = polygon_label(scene, polygon);
+  if (!part(at)) return whole;
+  int number = 1;
+  for (std::size_t before = 0; before < at; ++before) number += pieces[before].polygon == polygon && part(before);
+  const bool digit = whole.back() >= '0' && whole.back() <= '9';
+  return fmt::format("{}{}{}", whole, digit ? "." : "", number);
+}
+
+namespace {
+
+/// 0 where the vertex has no letter.
+char letter_of(const Scene& scene, std::int32_t vertex) {
+  constexpr std::size_t few = 100;  // facets; nobody names more polygons by their corners
+  for (std::size_t k = 0; k < std::min(few, scene.facets.size()); ++k) {
+    const Facet& facet = scene.facets[k];
+    const std::string& name = *scene.polygons[static_cast<std::size_t>(facet.polygon)].name;
+    if (name.size() != static_cast<std::size_t>(facet.corner_count)) continue;
+    for (std::size_t i = 0; i < name.size(); ++i)
+      if (scene.corners[static_cast<std::size_t>(facet.first_corner) + i] == vertex && name[i] >= 'A' && name[i] <= 'Z') return name[i];
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string vertex_label(const Scene& scene, std::int32_t vertex) {
+  const char letter = letter_of(scene, vertex);
+  return letter ? std::string(1, letter) : fmt::format("{}", vertex);
+}
+
+std::string edge_label(const Scene& scene, const EdgeTableInsert& edge) {
+  const char from = letter_of(scene, edge.vertex_0), to = letter_of(scene, edge.vertex_1);
+  return from && to ? std::string{from, to} : fmt::format("e{}", edge.edge);
+}
+
+std::string undeclared_text(const Header& header, bool tie) {
+  if (tie) return header.declares(Convention::ties) ? "" : "its header does not declare which of equal depths wins";
+  return header.declares(Convention::nearer) ? "" : "its header does not declare which depth is nearer";
+}
+
+std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
+  if (scene.camera.kind == Camera::Kind::screen) return "z";
+  return conventions.depth == Conventions::Depth::view ? "z_v" : "z*";
+}
+
+std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::int32_t vertex) {
+  const auto at = static_cast<std::size_t>(vertex);
+  if (vertex < 0) return std::nullopt;
+  if (scene.camera.kind == Camera::Kind::screen && at < scene.points.size())
+    return OnRaster{scene.points[at].x, scene.points[at].y, scene.points[at].z};
+  if (at >= state.vertices.size() || state.vertices[at].stage < VertexStages::on_raster) return std::nullopt;
+  const VertexStages& way = state.vertices[at];
+  return OnRaster{way.raster.x, way.raster.y, way.plane.z};
+}
+
+Explanation explain(const Trace& trace, const State& after, const RecordedEvent event) {
+  words::Telling telling(trace, after);
+  std::visit([&](const auto& e) { words::tell(telling, e); }, event.event);
+  return std::move(telling.out);
+}
+
+}  // namespace zstep

@@ -1,0 +1,104 @@
+// Warnock's areas: the four bins and the four cases (002, "Warnock's Algorithm").
+#include "sim/words/explain_parts.hpp"
+
+namespace zstep::words {
+namespace {
+
+std::string columns_and_rows(const AreaBegin& a) {
+  const auto range = [](const char* one, const char* many, std::int32_t first, std::int32_t end) {
+    return end - first == 1 ? fmt::format("{} {}", one, first) : fmt::format("{} {} to {}", many, first, end - 1);
+  };
+  return range("column", "columns", a.first_column, a.end_column) + ", " + range("row", "rows", a.first_row, a.end_row);
+}
+
+const AreaBegin* area_of(const Telling& t, std::int32_t area) {
+  const auto at = static_cast<std::size_t>(area);
+  return area >= 0 && at < t.machine.areas.size() ? &t.machine.areas[at].entry : nullptr;
+}
+
+std::string named(const Telling& t, Bin bin) {
+  std::string text;
+  for (const AreaBin& row : t.machine.bins)
+    if (row.bin == bin) text += (text.empty() ? "" : ", ") + t.piece(row.piece);
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+void tell(Telling& t, const AreaBegin& e) {
+  const std::string where = columns_and_rows(e);
+  if (e.parent < 0) t.say(fmt::format("The first area is the whole picture: {}.", where));
+  else t.say(fmt::format("Area {} is a quarter of area {}: {}.", e.area, e.parent, where));
+  t.formula(fmt::format("the squares of its pixels: {} \u2264 x \u2264 {}, {} \u2264 y \u2264 {}", number(e.first_column - 0.5), number(e.end_column - 0.5),
+                        number(e.first_row - 0.5), number(e.end_row - 0.5)));
+}
+
+void tell(Telling& t, const AreaBin& e) {
+  const std::string who = t.piece(e.piece);
+  if (t.step() == "still_surrounding") {
+    t.say(fmt::format("{} surrounds the area around this one, so it surrounds this one, too: no test is needed.", who));
+    return t.formula("a part of what is surrounded is surrounded");
+  }
+  const AreaBegin* area = area_of(t, t.machine.area);
+  const auto at = static_cast<std::size_t>(e.piece);
+  if (e.by_box) {
+    t.say(e.bin == Bin::disjoint ? fmt::format("The box of {} misses the area: {} is disjoint, and its edges need no test.", who, who)
+                                 : fmt::format("The box of {} lies in the area: {} is contained, and its edges need no test.", who, who));
+    if (area && at < t.machine.pieces.size() && t.machine.pieces[at].extent) {
+      const Extent& box = *t.machine.pieces[at].extent;
+      t.formula(fmt::format("its box: x {} to {}, y {} to {}", number(box.x_min), number(box.x_max), number(box.y_min), number(box.y_max)));
+      t.formula(fmt::format("the area: x {} to {}, y {} to {}", number(area->first_column - 0.5), number(area->end_column - 0.5),
+                            number(area->first_row - 0.5), number(area->end_row - 0.5)));
+    }
+    return;
+  }
+  switch (e.bin) {
+    case Bin::disjoint:
+      t.say(fmt::format("No edge of {} meets the area, and {} is not around it: disjoint.", who, who));
+      break;
+    case Bin::surrounding:
+      t.say(fmt::format("No edge of {} meets the area, and the area lies inside {}: surrounding.", who, who));
+      break;
+    case Bin::contained:
+      t.say(fmt::format("All edges of {} lie in the area: contained.", who));
+      break;
+    default:
+      t.say(fmt::format("An edge of {} meets the area, and {} goes on outside it: intersecting.", who, who));
+  }
+  // An area that no edge meets lies wholly inside or wholly outside.
+  const bool apart = e.bin == Bin::disjoint || e.bin == Bin::surrounding;
+  const bool numbers = e.crossings == 0 ? apart && e.corners_inside == (e.bin == Bin::surrounding ? 4 : 0) : !apart;
+  if (!numbers)
+    t.contradict(fmt::format("The trace says that {} is {}, but {} of its edges meet the area and {} of the area's corners lie inside it.", who,
+                             words_of<Bin>[static_cast<std::size_t>(e.bin)], e.crossings, e.corners_inside));
+  t.formula(fmt::format("edges that meet the area: {}", e.crossings));
+  t.formula(fmt::format("corners of the area inside {}: {}", who, e.corners_inside));
+}
+
+void tell(Telling& t, const AreaDecide& e) {
+  const std::string who = t.piece(e.piece);
+  switch (e.what) {
+    case AreaCase::background:
+      t.say("Case 1: all polygons are disjoint, so the area stays background.");
+      break;
+    case AreaCase::one_polygon:
+      t.say(fmt::format("Case 2: {} alone reaches into the area, so the part of it that lies there is filled.", who));
+      break;
+    case AreaCase::surrounded:
+      t.say(fmt::format("Case 3: {} surrounds the area and nothing else reaches into it, so all of it is filled with {}.", who, who));
+      break;
+    case AreaCase::front_surrounder:
+      t.say(fmt::format("Case 4: {} surrounds the area and is in front of all others at its four corners, so all of it is filled with {}.", who, who));
+      break;
+    case AreaCase::pixel:
+      t.say(e.piece < 0 ? std::string("A single pixel cannot be quartered. No polygon covers its centre, so it stays background.")
+                        : fmt::format("A single pixel cannot be quartered. {} is the nearest at its centre, so the pixel becomes {}.", who, who));
+      break;
+    default:
+      t.say(fmt::format("None of the cases holds for area {}: it is quartered, and each quarter is settled by itself.", e.area));
+  }
+  t.formula("surrounding: " + named(t, Bin::surrounding));
+  t.formula(fmt::format("intersecting: {}; contained: {}", named(t, Bin::intersecting), named(t, Bin::contained)));
+}
+
+}  // namespace zstep::words

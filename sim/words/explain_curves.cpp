@@ -1,0 +1,174 @@
+// The floating horizon (004, "Some of the methods of hidden surface elimination"): curves, tests, crossings, horizons.
+#include <tuple>
+
+#include "sim/words/explain_parts.hpp"
+
+#include <algorithm>
+
+namespace zstep::words {
+namespace {
+
+bool one_horizon(const Telling& t) {
+  const auto found = t.conventions.options.find("horizons");
+  return found != t.conventions.options.end() && found->second == "one";
+}
+
+/// The name of the line of pseudo-code that recorded this event.
+std::string step_name(const Telling& t) {
+  const StepInfo* step = find_step(t.trace.header().page, t.trace.event(t.after.position).step);
+  return step ? step->name : "";
+}
+
+std::string place(std::int32_t vertex, const std::optional<OnRaster>& at) {
+  return at ? fmt::format("sample {} at ({}, {})", vertex, number(at->x, 2, true), number(at->y, 2, true))
+            : fmt::format("sample {}, which is out of view", vertex);
+}
+
+/// A curve on a column, and the horizons that it found there.
+struct Passage {
+  std::int32_t x;
+  double y, upper, lower;
+  Horizon where;
+};
+
+/// A horizon of a column as it stood before `position`.
+double horizon_before(const Telling& t, std::int64_t position, std::int32_t x, bool upper) {
+  const auto moved = t.trace.previous(position, [&](const RecordedEvent& event) {
+    const auto* move = std::get_if<HorizonMove>(&event.event);
+    return move && move->x == x && move->upper == upper;
+  });
+  if (moved) return std::get<HorizonMove>(t.trace.event(*moved).event).y_curve;
+  return upper ? no_depth : -no_depth;
+}
+
+/// The `back`-th test before this step, 0 for the last one.
+std::optional<Passage> passage(const Telling& t, int back) {
+  std::int64_t position = t.after.position + 1;
+  for (int i = 0; i <= back; ++i) {
+    const auto found = t.trace.previous(position, [](const RecordedEvent& event) {
+      return std::holds_alternative<HorizonTest>(event.event) || std::holds_alternative<CurveBegin>(event.event);
+    });
+    if (!found || !std::holds_alternative<HorizonTest>(t.trace.event(*found).event)) return std::nullopt;
+    position = *found;
+  }
+  const auto test = std::get<HorizonTest>(t.trace.event(position).event);
+  return Passage{test.x, test.y_curve, horizon_before(t, position, test.x, true), horizon_before(t, position, test.x, false), test.verdict};
+}
+
+/// Rows as they can be told apart.
+std::string row_of(const std::string& number) { return "row " + number; }
+
+void tell_y(Telling& t, const Passage& now) {
+  if (!t.machine.horizon.segment) return;
+  const auto a = on_raster(t.scene, t.after, t.machine.horizon.segment->vertex_0);
+  const auto b = on_raster(t.scene, t.after, t.machine.horizon.segment->vertex_1);
+  if (!a || !b || a->x == b->x) return;
+  if (now.x < std::min(a->x, b->x) || now.x > std::max(a->x, b->x)) {
+    // Seen edge-on between two columns: the curve's samples stand on the nearest one.
+    const OnRaster& end = now.y == a->y ? *a : *b;
+    t.formula(fmt::format("y = {}, of the sample at x = {}: column {} is the nearest", number(end.y), number(end.x), now.x));
+    t.hold_against("y", now.y, end.y);
+    return;
+  }
+  t.gives("y", formulas::on_line(Shown("y_0", a->y), Shown("y_1", b->y), Shown("x", now.x), Shown("x_0", a->x), Shown("x_1", b->x)), now.y);
+}
+
+/// "y ≤ upper[x]:  10.4 ≤ 12.1  is true"
+void tell_test(Telling& t, const char* sign, const char* horizon, double y, double entry, bool holds) {
+  const auto [left, right] = tell_apart(y, entry);
+  t.formula(fmt::format("y {0} {1}[x]:  {2} {0} {3}  is {4}", sign, horizon, left, right, holds ? "true" : "false"));
+}
+
+}  // namespace
+
+void tell(Telling& t, const CurveBegin& e) {
+  if (e.across)
+    t.say(fmt::format("From curve to curve along x = {}, column {} of the surface's grid.", number(e.constant), e.row));
+  else
+    t.say(fmt::format("The next curve has z = {}: row {} of the surface's grid. All that is nearer was drawn before.",
+                      number(e.constant), e.row));
+  t.value(e.across ? "x" : "z", e.constant);
+}
+
+void tell(Telling& t, const CurveSegment& e) {
+  const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
+  const std::string way = fmt::format("from {} to {}", place(e.vertex_0, a), place(e.vertex_1, b));
+  if (step_name(t) == "side")
+    t.say(fmt::format("The surface goes on between its curves, here {}. Nothing is drawn, but what lies behind is hidden.", way));
+  else
+    t.say(fmt::format("The curve goes straight {}.", way));
+}
+
+void tell(Telling& t, const HorizonTest& e) {
+  const auto found = passage(t, 0);
+  if (!found) return t.say(fmt::format("Column {}: row {}.", e.x, number(e.y_curve)));
+  const Passage now = *found;
+  const bool one = one_horizon(t), empty = std::isinf(now.upper);
+  const bool above = now.y <= now.upper, below = !one && now.y >= now.lower;
+  const auto [over, upper] = tell_apart(now.y, now.upper);
+  const auto [under, lower] = tell_apart(now.y, now.lower);
+  if (empty)
+    t.say(fmt::format("No curve has passed column {} yet: {} is visible.", e.x, row_of(over)));
+  else if (above)
+    t.say(fmt::format("On column {} the curve, {}, is {} the upper horizon, {}: visible.", e.x, row_of(over),
+                      now.y == now.upper ? "on" : "above", row_of(upper)));
+  else if (below)
+    t.say(fmt::format("On column {} the curve, {}, is {} the lower horizon, {}: visible, from below.", e.x, row_of(under),
+                      now.y == now.lower ? "on" : "below", row_of(lower)));
+  else if (one)
+    t.say(fmt::format("On column {} the curve, {}, is not above the horizon, {}: hidden, by this rule.", e.x, row_of(over),
+                      row_of(upper)));
+  else
+    t.say(fmt::format("On column {} the curve, {}, lies between the horizons, rows {} and {}: hidden.", e.x, row_of(over), upper,
+                      lower));
+  tell_y(t, now);
+  tell_test(t, "\u2264", "upper", now.y, now.upper, above);
+  if (!one && !above) tell_test(t, "\u2265", "lower", now.y, now.lower, below);
+  t.value("y", now.y);
+  t.value("upper[x]", now.upper);
+  if (!one) t.value("lower[x]", now.lower);
+  const Horizon rule = above ? Horizon::above : below ? Horizon::below : Horizon::hidden;
+  if (rule != e.verdict)
+    t.contradict(fmt::format("On column {} the trace says {}, but by these numbers the curve is {}.", e.x, words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
+                             words_of<Horizon>[static_cast<std::size_t>(rule)]));
+}
+
+void tell(Telling& t, const HorizonCross& e) {
+  const auto before = passage(t, 1), now = passage(t, 0);
+  const char* horizon = e.upper ? "upper" : "lower";
+  const std::string at = fmt::format("({}, {})", number(e.x_at), number(e.y_at));
+  if (!before || !now) return t.say(fmt::format("The curve crosses the {} horizon at {}.", horizon, at));
+  const Passage &from = *before, &to = *now;
+  const bool leaves = from.where == (e.upper ? Horizon::above : Horizon::below);
+  t.say(fmt::format("Between columns {} and {} the curve {} the {} horizon at {}.", from.x, to.x,
+                    leaves ? "goes behind" : "comes out at", horizon, at));
+  const double d_0 = from.y - (e.upper ? from.upper : from.lower), d_1 = to.y - (e.upper ? to.upper : to.lower);
+  for (const auto& [name, passage, d] : {std::tuple("d_0", &from, d_0), std::tuple("d_1", &to, d_1)}) {
+    const auto [y, entry] = tell_apart(passage->y, e.upper ? passage->upper : passage->lower);
+    t.formula(fmt::format("{} = y \u2212 {}[{}] = {} \u2212 {} = {}", name, horizon, passage->x, y, operand(e.upper ? passage->upper : passage->lower, entry), number(d)));
+  }
+  const Shown x_0("x_0", from.x), x_1("x_1", to.x), at_0("d_0", d_0), at_1("d_1", d_1);
+  if (d_0 != d_1) t.gives("x", x_0 + formulas::where_zero(at_0, at_1) * (x_1 - x_0), e.x_at);
+  t.value("x", e.x_at);
+  t.value("y", e.y_at);
+}
+
+void tell(Telling& t, const HorizonMove& e) {
+  const std::string step = step_name(t);
+  if (step == "clear_horizons") {
+    t.say(fmt::format("Nothing is drawn yet on column {}: {} the {} horizon.", e.x, e.upper ? "every row is above" : "every row is below", e.upper ? "upper" : "lower"));
+    return t.formula(fmt::format("{}[{}] = {}", e.upper ? "upper" : "lower", e.x, number(e.y_curve)));
+  }
+  const double was = horizon_before(t, t.after.position, e.x, e.upper);
+  const char* horizon = e.upper ? "upper" : "lower";
+  const std::string why = step == "fill" ? ", out to the side edge" : "";
+  const auto [before, now] = tell_apart(was, e.y_curve);
+  if (std::isinf(was))
+    t.say(fmt::format("The {} horizon of column {} begins at row {}{}.", horizon, e.x, now, why));
+  else
+    t.say(fmt::format("The {} horizon of column {} {} from row {} to row {}{}.", horizon, e.x, e.upper ? "rises" : "sinks", before, now, why));
+  t.formula(fmt::format("{}[{}] = {}", horizon, e.x, now));
+  t.value("y", e.y_curve);
+}
+
+}  // namespace zstep::words

@@ -1,0 +1,187 @@
+// What the explanations of single events share. For explain*.cpp only.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/shown.hpp"
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/planes.hpp"
+#include "traces/formulas/rounding.hpp"
+
+namespace zstep::words {
+
+struct Telling {
+  const Trace& trace;
+  const State& after;
+  const Scene& scene;
+  const Conventions& conventions;
+  Camera camera;  ///< by which the scene is being drawn: the light's in its pass
+  const MethodState& machine;
+  std::string z;  ///< what depths are called
+  Explanation out;
+
+  Telling(const Trace& trace_, const State& after_)
+      : trace(trace_), after(after_), scene(trace_.scene()), conventions(trace_.header().conventions),
+        camera(camera_at_work(trace_.scene(), after_.machine)), machine(after_.machine), z(depth_symbol(trace_.scene(), trace_.header().conventions)) {}
+
+  void say(std::string sentence) { out.sentence = std::move(sentence); }
+  /// What the trace says and its own numbers contradict.
+  void contradict(std::string sentence) {
+    out.doubt = sentence;
+    say(std::move(sentence));
+  }
+  void formula(std::string line) { out.formulas.push_back(std::move(line)); }
+  void value(std::string name, double v) { out.values.emplace_back(std::move(name), v); }
+  std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
+  std::string here() const { return label(polygon_at_work(machine)); }
+  std::string piece(std::int32_t number) const { return piece_label(scene, machine, number); }
+  /// A row of the table of pieces; nullptr where there is none.
+  const Piece* piece_at(std::int32_t number) const {
+    return number >= 0 && static_cast<std::size_t>(number) < machine.pieces.size() ? &machine.pieces[static_cast<std::size_t>(number)] : nullptr;
+  }
+  /// The name of the step that recorded the event, "" in a trace whose page lacks it.
+  std::string step() const {
+    const StepInfo* found = find_step(trace.header().page, trace.event(after.position).step);
+    return found ? found->name : "";
+  }
+
+  /// What the trace's numbers may be off by.
+  double rounding() const { return formulas::rounding_of(trace.header()); }
+  void doubt(const std::string& text) { out.doubt = out.doubt ? *out.doubt + " " + text : text; }
+  /// Holds the recorded number against what the shown formula gives; rounding of an honest computation passes.
+  bool hold_against(const std::string& name, double recorded, const formulas::Rounded& computed) {
+    if (formulas::gives(computed, recorded, rounding())) return true;
+    const auto [is, ought] = tell_apart(recorded, computed.value);
+    doubt(fmt::format("The trace records {} = {}, but this formula gives {}.", name, is, ought));
+    return false;
+  }
+  /// "name = symbols = numbers = recorded" as a line of its own, held against what it gives: then that is what it ends in.
+  void gives(const std::string& name, const Shown& formula, double recorded) {
+    const bool so = hold_against(name, recorded, formula.rounded());
+    this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), number(recorded)) : contradicted(name, formula, recorded));
+  }
+  /// The depth that a span has at column x, held against the recorded one.
+  void depth_on(const SpanBegin& s, std::int32_t x, double recorded) {
+    const Shown z_left("z_L", s.z_left);
+    if (s.x_right != s.x_left)
+      return gives(z, formulas::on_line(z_left, Shown("z_R", s.z_right), Shown("x", x), Shown("x_L", s.x_left), Shown("x_R", s.x_right)), recorded);
+    gives("x_L = x_R: " + z, z_left, recorded);
+  }
+  /// A depth that was taken over from the step before: "The trace writes z = 0.35, but had compared z = 0.3."
+  bool taken_over(const char* does, double recorded, const char* had, double before) {
+    if (formulas::gives(before, recorded, rounding())) return true;
+    const auto [is, was] = tell_apart(recorded, before);
+    doubt(fmt::format("The trace {} {} = {}, but had {} {} = {}.", does, z, is, had, z, was));
+    return false;
+  }
+  /// The same of a whole number, which the raster may limit to another one.
+  bool whole(const std::string& name, const Shown& formula, std::int32_t recorded, std::int32_t within_raster) {
+    const bool limited = formula.value() != within_raster;
+    const std::string ought = limited ? fmt::format("{}, within the raster {}", number(formula.value()), within_raster) : number(formula.value());
+    if (recorded == within_raster) {
+      this->formula(fmt::format("{} = {} = {}", name, formula.equation(), ought));
+      return true;
+    }
+    this->formula(fmt::format("{} = {} = {}, but the trace records {}", name, formula.equation(), ought, recorded));
+    doubt(fmt::format("The trace records {} = {}, but this formula gives {}.", name, recorded, within_raster));
+    return false;
+  }
+  static std::string contradicted(const std::string& name, const Shown& formula, double recorded) {
+    const auto [is, ought] = tell_apart(recorded, formula.value());
+    return fmt::format("{} = {} = {}, but the trace records {}", name, formula.equation(), ought, is);
+  }
+};
+
+/// In parentheses when negative, so that "3 − (−2)" reads right.
+inline std::string operand(double value, std::string text) {
+  return value < 0 && text.find("\u2212") == 0 ? "(" + text + ")" : text;
+}
+
+inline std::string operand(double value) { return operand(value, number(value)); }
+
+void tell(Telling& t, const CurveBegin& e);
+void tell(Telling& t, const CurveSegment& e);
+void tell(Telling& t, const HorizonTest& e);
+void tell(Telling& t, const HorizonCross& e);
+void tell(Telling& t, const HorizonMove& e);
+
+void tell(Telling& t, const BuffersClear& e);
+void tell(Telling& t, const ViewTransform& e);
+void tell(Telling& t, const Projection& e);
+void tell(Telling& t, const ViewportTransform& e);
+void tell(Telling& t, const PolygonBegin& e);
+void tell(Telling& t, const FacingTest& e);
+void tell(Telling& t, const PolygonReject& e);
+void tell(Telling& t, const ClipTest& e);
+void tell(Telling& t, const ClipVertex& e);
+void tell(Telling& t, const ClipCross& e);
+void tell(Telling& t, const OutlineVertex& e);
+void tell(Telling& t, const EdgeTableInsert& e);
+void tell(Telling& t, const EdgeTableSkip& e);
+void tell(Telling& t, const ScanLineBegin& e);
+void tell(Telling& t, const EdgeEnter& e);
+void tell(Telling& t, const EdgeRetire& e);
+void tell(Telling& t, const EdgeStep& e);
+void tell(Telling& t, const EdgeSwap& e);
+void tell(Telling& t, const SpanBegin& e);
+void tell(Telling& t, const DepthInterpolate& e);
+void tell(Telling& t, const DepthCompare& e);
+void tell(Telling& t, const DepthWrite& e);
+void tell(Telling& t, const PixelWrite& e);
+void tell(Telling& t, const ColorWrite& e);
+void tell(Telling& t, const ColorBlend& e);
+void tell(Telling& t, const PassBegin& e);
+void tell(Telling& t, const ShadowCompare& e);
+void tell(Telling& t, const AreaBegin& e);
+void tell(Telling& t, const AreaBin& e);
+void tell(Telling& t, const AreaDecide& e);
+void tell(Telling& t, const PixelPaint& e);
+void tell(Telling& t, const TablesBegin& e);
+void tell(Telling& t, const PieceMake& e);
+void tell(Telling& t, const PlaneEquation& e);
+void tell(Telling& t, const Extent& e);
+void tell(Telling& t, const SplitVertex& e);
+void tell(Telling& t, const PieceDraw& e);
+void tell(Telling& t, const PairBegin& e);
+void tell(Telling& t, const ExtentTest& e);
+void tell(Telling& t, const SideTest& e);
+void tell(Telling& t, const OverlapTest& e);
+void tell(Telling& t, const ListInsert& e);
+void tell(Telling& t, const ListRemove& e);
+void tell(Telling& t, const ListMark& e);
+void tell(Telling& t, const FlagFlip& e);
+void tell(Telling& t, const SpanFlags& e);
+void tell(Telling& t, const PlaneDepth& e);
+void tell(Telling& t, const ImpliedEdge& e);
+void tell(Telling& t, const SpanWinner& e);
+void tell(Telling& t, const CoverageAdd& e);
+void tell(Telling& t, const BoxMake& e);
+void tell(Telling& t, const BoxHold& e);
+void tell(Telling& t, const GridMake& e);
+void tell(Telling& t, const CellHold& e);
+void tell(Telling& t, const RayBegin& e);
+void tell(Telling& t, const CellVisit& e);
+void tell(Telling& t, const BoxTest& e);
+void tell(Telling& t, const RayPlane& e);
+void tell(Telling& t, const RayHit& e);
+void tell(Telling& t, const RayEnd& e);
+void tell(Telling& t, const VertexSide& e);
+void tell(Telling& t, const Saved& e);
+void tell(Telling& t, const RootCandidate& e);
+void tell(Telling& t, const NodeMake& e);
+void tell(Telling& t, const NodeAdd& e);
+void tell(Telling& t, const EyeSide& e);
+void tell(Telling& t, const NodeSkip& e);
+void tell(Telling& t, const LineBegin& e);
+void tell(Telling& t, const LineAgainst& e);
+void tell(Telling& t, const LineCross& e);
+void tell(Telling& t, const LineHide& e);
+void tell(Telling& t, const LinePiece& e);
+
+}  // namespace zstep::words

@@ -1,0 +1,143 @@
+// One polygon before it reaches the raster: facing (000, 001, 003), outcodes and clipping.
+#include "sim/words/explain_parts.hpp"
+#include "sim/words/rejects.hpp"
+
+#include <algorithm>
+
+namespace zstep::words {
+namespace {
+
+constexpr int plane_count = 6;
+
+std::string plane_name(ClipPlane plane) { return std::string(words_of<ClipPlane>[static_cast<std::size_t>(plane)]); }
+
+std::string planes_in(std::int32_t bits) {
+  std::string text;
+  for (int plane = 0; plane < plane_count; ++plane) {
+    if (!(bits >> plane & 1)) continue;
+    if (!text.empty()) text += ", ";
+    text += plane_name(static_cast<ClipPlane>(plane));
+  }
+  return text;
+}
+
+std::string in_binary(std::int32_t bits) { return fmt::format("{:06b}", static_cast<unsigned>(bits) & 63u); }
+
+/// The distance that was found a few events ago for this vertex and plane; looks back over one polygon's clipping only.
+std::optional<double> distance_found(const Telling& t, ClipPlane plane, std::int32_t vertex) {
+  const std::int64_t first = std::max<std::int64_t>(1, t.after.position - 256);
+  for (std::int64_t p = t.after.position - 1; p >= first; --p) {
+    const Event& event = t.trace.event(p).event;
+    if (const auto* found = std::get_if<ClipVertex>(&event); found && found->plane == plane && found->vertex == vertex)
+      return found->distance;
+    if (std::holds_alternative<PolygonBegin>(event)) break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void tell(Telling& t, const PolygonBegin& e) {
+  std::int32_t pieces = 0, corners = 0;
+  for (const Facet& facet : t.scene.facets)
+    if (facet.polygon == e.polygon) ++pieces;
+  if (e.facet >= 0 && static_cast<std::size_t>(e.facet) < t.scene.facets.size())
+    corners = t.scene.facets[static_cast<std::size_t>(e.facet)].corner_count;
+  std::string text = fmt::format("Work on polygon {} begins", t.label(e.polygon));
+  if (corners > 0) text += fmt::format(": {} corners", corners);
+  if (pieces > 1) text += fmt::format("; it is not planar and comes in {} pieces, this is facet {}", pieces, e.facet);
+  t.say(text + ".");
+}
+
+void tell(Telling& t, const FacingTest& e) {
+  const FacingVotes votes = votes_of(t.scene, t.machine.facet, e);
+  if (votes.disagree()) {
+    t.contradict(fmt::format("The trace says that polygon {} {}, but its four numbers do not agree.", t.here(), facing_text(e.facing)));
+  } else if (votes.speak_against(e.facing)) {
+    t.contradict(fmt::format("The trace says that polygon {} {}, but by its four numbers it {}.", t.here(), facing_text(e.facing),
+                      facing_text(votes.front ? Facing::front : Facing::back)));
+  } else {
+    t.say(fmt::format("Polygon {} {}: four ways to ask, one answer.", t.here(), facing_text(e.facing)));
+  }
+  const auto sign = [](double v) { return v < 0 ? "< 0" : v > 0 ? "> 0" : "= 0"; };
+  t.formula(fmt::format("(p \u2212 e)\u00b7n = {} {}   positive faces away", number(e.view_dot_normal), e.view_dot_normal == 0 ? "" : sign(e.view_dot_normal)));
+  t.formula(fmt::format("A x + B y + C z + D at the eye = {}   negative faces away", number(e.plane_at_eye)));
+  t.formula(fmt::format("V0\u00b7(V1 \u00d7 V2) = {}   negative faces away", number(e.determinant)));
+  t.formula(fmt::format("n_z after projection = {}   positive faces away", number(e.projected_normal_z)));
+  t.value("(p - e).n", e.view_dot_normal);
+  t.value("plane at eye", e.plane_at_eye);
+  t.value("determinant", e.determinant);
+  t.value("projected n_z", e.projected_normal_z);
+}
+
+void tell(Telling& t, const PolygonReject& e) {
+  const char *why = "", *as = "";
+  switch (e.reason) {
+    case Reject::back_facing: why = "it faces away, so something in front of it hides it if the object is closed", as = "facing away"; break;
+    case Reject::edge_on: why = "it is seen edge-on and covers no area", as = "seen edge-on"; break;
+    case Reject::outside: why = "nothing of it lies in the view volume", as = "outside the view volume"; break;
+    case Reject::degenerate: why = "it has no area, or coordinates that no raster can hold", as = "having no area"; break;
+  }
+  const bool its_own = t.machine.polygon == e.polygon && t.machine.facet >= 0;
+  const FacingTest* test = t.machine.facing ? &*t.machine.facing : nullptr;
+  const bool checkable = its_own && (test || t.machine.pass == Pass::eye);
+  const RejectCheck check = checkable ? check_reject(t.scene, t.machine.facet, e.reason, test) : RejectCheck{};
+  if (!check.holds) {
+    t.contradict(fmt::format("The trace drops polygon {} as {}, but {}.", t.label(e.polygon), as, check.text));
+  } else if (!check.shown) {
+    t.say(fmt::format("The trace drops polygon {} as {}; {}.", t.label(e.polygon), as, check.text));
+  } else {
+    t.say(fmt::format("Polygon {} is dropped: {}.", t.label(e.polygon), why));
+  }
+}
+
+void tell(Telling& t, const ClipTest& e) {
+  if (e.outside_all)
+    t.say(fmt::format("All vertices of {} lie outside the {} plane: nothing of it can be seen.", t.here(), planes_in(e.outside_all)));
+  else if (e.outside_some)
+    t.say(fmt::format("Some vertices of {} lie outside ({}): it must be clipped there.", t.here(), planes_in(e.outside_some)));
+  else
+    t.say(fmt::format("All vertices of {} lie inside all six planes: nothing to clip.", t.here()));
+  t.formula(fmt::format("OR of the outcodes = {}, AND = {}", in_binary(e.outside_some), in_binary(e.outside_all)));
+  t.formula("bits from the right: near, far, left, right, bottom, top");
+}
+
+void tell(Telling& t, const ClipVertex& e) {
+  t.say(fmt::format("Vertex {} is {} the {} plane: it is {}.", e.vertex, e.inside ? "inside" : "outside", plane_name(e.plane),
+                    e.inside ? "kept" : "cut off"));
+  if (e.inside != (e.distance >= 0))
+    t.contradict(fmt::format("The trace takes vertex {} for {} the {} plane, but its distance says {}.", e.vertex, e.inside ? "inside" : "outside", plane_name(e.plane),
+                             e.inside ? "outside" : "inside"));
+  t.formula(fmt::format("distance = {} {} 0", number(e.distance), e.distance >= 0 ? "\u2265" : "<"));
+  t.value("distance", e.distance);
+}
+
+void tell(Telling& t, const ClipCross& e) {
+  t.say(fmt::format("The edge from vertex {} to vertex {} crosses the {} plane: a new vertex {} is made there.",
+                    e.vertex_inside, e.vertex_outside, plane_name(e.plane), e.vertex));
+  const auto in = distance_found(t, e.plane, e.vertex_inside), outside = distance_found(t, e.plane, e.vertex_outside);
+  if (in && outside) {
+    t.gives("t", formulas::where_zero(Shown("d_in", *in), Shown("d_out", *outside)), e.t);
+  } else {
+    t.formula(fmt::format("t = d_in/(d_in \u2212 d_out) = {}", number(e.t)));
+  }
+  t.formula(fmt::format("V = V_in + t(V_out \u2212 V_in) = ({}, {}, {})", number(e.x_v), number(e.y_v), number(e.z_v)));
+  t.value("t", e.t);
+  t.value("x_v", e.x_v);
+  t.value("y_v", e.y_v);
+  t.value("z_v", e.z_v);
+}
+
+void tell(Telling& t, const OutlineVertex& e) {
+  const StepInfo* step = find_step(t.trace.header().page, t.trace.event(t.after.position).step);
+  if (step && step->module == "cutting") t.say(fmt::format("Vertex {} is corner {} of the part.", e.vertex, t.machine.outline.size()));
+  else t.say(fmt::format("Vertex {} is corner {} of {} as it is drawn.", e.vertex, t.machine.outline.size(), t.here()));
+  if (const auto p = on_raster(t.scene, t.after, e.vertex)) {
+    t.formula(fmt::format("(x_s, y_s) = ({}, {}), {} = {}", number(p->x), number(p->y), t.z, number(p->z)));
+    t.value("x_s", p->x);
+    t.value("y_s", p->y);
+    t.value(t.z, p->z);
+  }
+}
+
+}  // namespace zstep::words

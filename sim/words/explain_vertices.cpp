@@ -1,0 +1,108 @@
+// Clearing the buffers; a vertex on its way through viewing, projection and viewport (000, "Viewing"; 003 for z*).
+#include "sim/words/explain_parts.hpp"
+#include "traces/formulas/viewing.hpp"
+
+namespace zstep::words {
+namespace {
+
+const glm::dvec3* world(const Telling& t, std::int32_t vertex) {
+  const auto at = static_cast<std::size_t>(vertex);
+  return vertex >= 0 && at < t.scene.points.size() ? &t.scene.points[at] : nullptr;
+}
+
+const VertexStages* way(const Telling& t, std::int32_t vertex) {
+  const auto at = static_cast<std::size_t>(vertex);
+  return vertex >= 0 && at < t.after.vertices.size() ? &t.after.vertices[at] : nullptr;
+}
+
+/// One row of T_v times a point: sum of products, products with 0 left out.
+Shown row_times_point(const glm::dmat4& m, int row, const glm::dvec3& p) {
+  std::optional<Shown> sum;
+  for (int column = 0; column < 4; ++column) {
+    const double factor = m[column][row];
+    if (std::abs(factor) < 1e-12) continue;
+    const Shown product = column < 3 ? Shown(factor) * Shown(p[column]) : Shown(factor);
+    sum = sum ? *sum + product : product;
+  }
+  return sum.value_or(Shown(0.0));
+}
+
+void tell_depth(Telling& t, const Projection& e, const glm::dvec3& v) {
+  const Camera& c = t.camera;
+  if (t.conventions.depth == Conventions::Depth::view) {
+    t.formula(fmt::format("z_v stays: {}", number(e.z)));
+    t.hold_against("z_v", e.z, v.z);
+    return;
+  }
+  if (!(c.near < c.far)) return t.formula(fmt::format("z* = {}", number(e.z)));
+  const Shown f("f", c.near), F("F", c.far), z_v("z_v", v.z);
+  if (c.kind == Camera::Kind::orthographic) return t.gives("z*", formulas::parallel_pseudodepth(f, F, z_v), e.z);
+  const Shown a = formulas::pseudodepth_a(f, F), b = formulas::pseudodepth_b(f, F);
+  t.gives("z*", formulas::pseudodepth(f, Shown("a", a.value()), Shown("b", b.value()), z_v), e.z);
+  t.formula(fmt::format("a = {} = {}, b = {} = {}; near f = {}, far F = {}", a.symbols(), number(a.value()), b.symbols(), number(b.value()), f.numbers(), F.numbers()));
+}
+
+}  // namespace
+
+void tell(Telling& t, const BuffersClear& e) {
+  const Raster& r = t.scene.raster;
+  t.say(e.z == t.trace.header().comparison.farthest() ? fmt::format("Every pixel becomes background and every depth becomes {}, so whatever comes first will be nearer.", number(e.z))
+                        : fmt::format("Every pixel becomes background and every depth becomes {}.", number(e.z)));
+  t.formula(fmt::format("zbuffer[x,y] = {} at {} \u00d7 {} = {} pixels", number(e.z), r.width, r.height,
+                        grouped(std::int64_t{r.width} * r.height)));
+}
+
+void tell(Telling& t, const ViewTransform& e) {
+  t.say(fmt::format("Vertex {} goes from world to viewing coordinates: seen from the {}, x_v is to the right, y_v up, z_v away.",
+                    e.vertex, t.machine.pass == Pass::light ? "light" : "eye"));
+  const double out[3] = {e.x_v, e.y_v, e.z_v};
+  const char* names[3] = {"x_v", "y_v", "z_v"};
+  const glm::dvec3* p = world(t, e.vertex);
+  if (p) t.formula(fmt::format("T_v \u00b7 ({}, {}, {})", number(p->x), number(p->y), number(p->z)));
+  for (int row = 0; row < 3; ++row) {
+    const glm::dmat4& m = t.camera.view;
+    if (p) {
+      t.gives(names[row], row_times_point(m, row, *p), out[row]);
+    } else {
+      t.formula(fmt::format("{} = {}", names[row], number(out[row])));
+    }
+    t.value(names[row], out[row]);
+  }
+}
+
+void tell(Telling& t, const Projection& e) {
+  const Camera& c = t.camera;
+  const VertexStages* w = way(t, e.vertex);
+  const bool perspective = c.kind == Camera::Kind::perspective;
+  t.say(perspective ? fmt::format("Vertex {} is projected: divided by its distance z_v, so what is far becomes small.", e.vertex)
+                    : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its distance.", e.vertex));
+  if (w && perspective) {
+    const glm::dvec3& v = w->view;
+    const Shown d("d", c.d), z_v("z_v", v.z);
+    t.gives("x_p", formulas::projected(d, Shown("x_v", v.x), z_v), e.x_p);
+    t.gives("y_p", formulas::projected(d, Shown("y_v", v.y), z_v), e.y_p);
+  } else {
+    t.formula(fmt::format("x_p = x_v = {}, y_p = y_v = {}", number(e.x_p), number(e.y_p)));
+  }
+  if (w) tell_depth(t, e, w->view);
+  t.value("x_p", e.x_p);
+  t.value("y_p", e.y_p);
+  t.value(t.z, e.z);
+}
+
+void tell(Telling& t, const ViewportTransform& e) {
+  const Camera& c = t.camera;
+  const Raster& r = t.scene.raster;
+  t.say(fmt::format("Vertex {} lands on the raster at column {}, row {}; pixel centres are at whole numbers.", e.vertex,
+                    number(e.x_s), number(e.y_s)));
+  const VertexStages* w = way(t, e.vertex);
+  if (w && c.window > 0 && r.height > 0) {
+    const double half = c.window * r.width / r.height;
+    t.gives("x_s", formulas::screen_x(Shown("x_p", w->plane.x), Shown("w_x", half), Shown("W", r.width)), e.x_s);
+    t.gives("y_s", formulas::screen_y(Shown("y_p", w->plane.y), Shown("w_y", c.window), Shown("H", r.height)), e.y_s);
+  }
+  t.value("x_s", e.x_s);
+  t.value("y_s", e.y_s);
+}
+
+}  // namespace zstep::words
