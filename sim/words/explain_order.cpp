@@ -94,7 +94,10 @@ void tell(Telling& t, const SideTest& e) {
     const std::string earlier = exchanged ? t.piece(t.machine.pair->other) : t.piece(t.machine.pair->piece);
     t.out.sentence += passed ? fmt::format(" So {} may be drawn first.", earlier) : " This test cannot decide.";
   }
-  const double rounding = 1e-6 * std::max(std::abs(e.least), std::abs(e.greatest));
+  // A vertex on the plane leaves digits of rounding, on either side of it.
+  const Piece* of = t.piece_at(e.plane_of);
+  const double size = of && of->plane ? std::abs(of->plane->plane_d) : 0;
+  const double rounding = std::max(1e-6 * std::max(std::abs(e.least), std::abs(e.greatest)), 1e-9 * std::max(1.0, size));
   const bool both_sides = e.least < -rounding && e.greatest > rounding, one_side = e.least > rounding || e.greatest < -rounding;
   if (e.side == Side::crossing ? one_side : both_sides)
     t.contradict(fmt::format("The trace says that {} lies {} the plane of {}, but its values there run from {} to {}: it lies on {}.", piece,
@@ -103,7 +106,6 @@ void tell(Telling& t, const SideTest& e) {
   t.formula(fmt::format("f at the corners of {}: {}", piece, range(e.least, e.greatest)));
   t.value("least", e.least);
   t.value("greatest", e.greatest);
-  const Piece* of = t.piece_at(e.plane_of);
   if (!sorted || !of || !of->plane) return;
   t.formula(equation(turned(*of->plane)) + "   the eye: f < 0");
   hold_extremes(t, e, turned(*of->plane));
