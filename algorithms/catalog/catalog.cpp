@@ -129,7 +129,13 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
 }
 
 Header header_for(const Method& method, const Conventions& conventions) {
-  return {"zstep " ZSTEP_VERSION, std::string(method.id), std::string(method.title), conventions, method.page()};
+  Header header;
+  header.writer = "zstep " ZSTEP_VERSION;
+  header.algorithm = method.id;
+  header.title = method.title;
+  header.conventions = conventions;
+  header.page = method.page();
+  return header;
 }
 
 }  // namespace zstep

@@ -71,7 +71,10 @@ Scene polygon_at(const std::vector<double>& depths) {
 }
 
 DepthRange range_in(const Scene& scene) {
-  TraceRecorder record(Header{"a program", "mine", "", {}, {}}, scene);
+  Header header;
+  header.writer = "a program";
+  header.algorithm = "mine";
+  TraceRecorder record(header, scene);
   record.finish();
   return depth_range(Trace::from_bytes(record.take_bytes(), "made"));
 }
