@@ -105,3 +105,18 @@ TEST_CASE("declared: of equal depths the last wins where it says so") {
   CHECK(stays.sentence == "5 = 5: a tie, and A was first, so pixel (2, 2) stays.");
   CHECK(!stays.doubt);
 }
+
+TEST_CASE("declared: a number of float32 is held to the digits of float32") {
+  const Trace trace = open_jsonl(test::in_checkout("tests/data/foreign/f32.jsonl"));
+  Replay replay(trace);
+  int doubts = 0;
+  trace.each(0, trace.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+    const RecordedEvent event = recorded;
+    replay.go_to(step);
+    const Explanation said = explain(trace, replay.state(), event);
+    CAPTURE(said.sentence);
+    CHECK(said.doubt.value_or("") == "");
+    doubts += said.doubt ? 1 : 0;
+    return doubts < 3;
+  });
+}
