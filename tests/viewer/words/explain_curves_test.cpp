@@ -16,15 +16,18 @@ using namespace zstep;
 
 namespace {
 
+Trace horizon_run(const Scene& scene, Conventions conventions, const std::map<std::string, std::string>& options) {
+  conventions.options = options;
+  const Method& m = method("floating-horizon");
+  TraceRecorder record(header_for(m, conventions), scene);
+  m.record(scene, conventions, record);
+  record.finish();
+  return Trace::from_bytes(record.take_bytes(), "horizons");
+}
+
 Trace horizon_run(const std::map<std::string, std::string>& options = {}) {
   SceneFile file = load_scene(test::in_checkout("lessons/scenes/ridge-valley.toml"));
-  const Scene scene = look_at_scene(std::move(file.scene), {});
-  file.conventions.options = options;
-  const Method& m = method("floating-horizon");
-  TraceRecorder record(header_for(m, file.conventions), scene);
-  m.record(scene, file.conventions, record);
-  record.finish();
-  return Trace::from_bytes(record.take_bytes(), "ridge-valley");
+  return horizon_run(look_at_scene(std::move(file.scene), {}), file.conventions, options);
 }
 
 /// The explanation of the first event of a kind of which the condition holds.
@@ -78,6 +81,35 @@ TEST_CASE("floating horizon: the tests of the lesson, in words and numbers") {
   CHECK(formula(at(18, Horizon::below), "is true"));
   const Explanation one = told<HorizonTest>(horizon_run({{"horizons", "one"}}), [](const HorizonTest& test) { return test.x == 18 && test.verdict == Horizon::hidden; });
   CHECK(has(one.sentence, "is not above the horizon"));
+}
+
+TEST_CASE("floating horizon: a curve on the lower horizon alone is visible, and called on it") {
+  // Level curves, seen level: the second one below the first, the third at the same height as the second.
+  ViewOptions level;
+  level.theta = -90, level.phi = 90, level.rho = 20, level.window = 5;
+  level.orthographic = true;
+  level.width = 12, level.height = 9;
+  SceneFile file = load_scene("y = 0");
+  Scene scene = look_at_scene(std::move(file.scene), level);
+  const auto columns = static_cast<std::size_t>(scene.surface->columns);
+  for (std::size_t i = columns; i < scene.points.size(); ++i) scene.points[i].z = -1;
+  const Trace trace = horizon_run(scene, file.conventions, {});
+  int lower = 0;
+  Replay replay(trace);
+  for (std::int64_t position = 1; position <= trace.size(); ++position) {
+    const auto* test = std::get_if<HorizonTest>(&trace.event(position).event);
+    if (!test || test->verdict != Horizon::below) continue;
+    replay.go_to(position);
+    const Explanation explanation = explain(trace, replay.state(), *replay.current());
+    CAPTURE(explanation.sentence);
+    CHECK_FALSE(explanation.doubt);
+    if (lower++ < scene.raster.width) continue;  // the second curve, which makes this horizon
+    REQUIRE(has(explanation.sentence, "is on the lower horizon"));
+    REQUIRE(has(explanation.sentence, "visible"));
+    CHECK(formula(explanation, "lower[x]"));
+    if (lower > 3 * scene.raster.width) break;
+  }
+  CHECK(lower > 2 * scene.raster.width);
 }
 
 TEST_CASE("floating horizon: a crossing is told with the distances on both sides of it") {
