@@ -43,10 +43,10 @@ const RayBegin* ray_at_work(const Work& work) {
 }
 
 /// t at one side of a box along one axis.
-void tell_at_side(Datum& datum, Work& work, std::int64_t step, int axis, const Number& side) {
+void tell_at_side(Datum& datum, Work& work, std::int64_t step, int axis, const Number& bound) {
   const Step begin = find_last<RayBegin>(work.trace, step, [](const RayBegin&) { return true; });
   if (!begin) return;
-  datum.is(fmt::format("(side - {})/{}", from_fields[axis], along_fields[axis]), {{"side", side}, {from_fields[axis], work.field(*begin, from_fields[axis])}, {along_fields[axis], work.field(*begin, along_fields[axis])}});
+  datum.is(fmt::format("(side - {})/{}", from_fields[axis], along_fields[axis]), {{"side", bound}, {from_fields[axis], work.field(*begin, from_fields[axis])}, {along_fields[axis], work.field(*begin, along_fields[axis])}});
 }
 
 struct Sides {
@@ -55,14 +55,14 @@ struct Sides {
 
 /// The side at which t is reached; false where it is none of them (the ray's own beginning or end).
 template <class Side>
-bool tell_passage(Datum& datum, Work& work, std::int64_t step, const Sides& sides, Side&& side) {
+bool tell_passage(Datum& datum, Work& work, std::int64_t step, const Sides& sides, Side&& bound) {
   const RayBegin* ray = ray_at_work(work);
   if (!ray) return false;
   const double from[] = {ray->x_0, ray->y_0, ray->z_0}, along[] = {ray->dir_x, ray->dir_y, ray->dir_z};
   for (int axis = 0; axis < 3; ++axis)
     for (const bool low : {true, false}) {
       if (along[axis] == 0 || ((low ? sides.low[axis] : sides.high[axis]) - from[axis]) / along[axis] != datum.number()) continue;
-      tell_at_side(datum, work, step, axis, side(axis, low));
+      tell_at_side(datum, work, step, axis, bound(axis, low));
       return true;
     }
   return false;
