@@ -148,7 +148,7 @@ bool Field::draw(App& app, const std::string& hint) {
   ImGui::PopStyleColor(3);
   ImGui::PopStyleVar();
   ImGui::PopFont();
-  frame_box(ImGui::GetWindowDrawList(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), c.now);
+  frame_box(ui, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), c.now);
   ImGui::Dummy({1, std::round(ui.em * 0.3f)});
   return changed && !replaced;
 }

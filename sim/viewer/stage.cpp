@@ -30,7 +30,7 @@ std::int64_t last_write(const Trace& trace, Cell cell) {
   return trace.previous(trace.size() + 1, writes, Trace::Pixel{cell.x, cell.y}).value_or(trace.size());
 }
 
-Moment moment_of(const Session& session) {
+Whereabouts moment_of(const Session& session) {
   const auto size = static_cast<double>(std::max<std::int64_t>(1, session.size()));
   return {session.selected, session.current_cell(), session.state().machine.polygon, static_cast<double>(session.position()) / size};
 }
@@ -53,7 +53,7 @@ std::optional<std::int64_t> first_where(const Trace& trace, const std::string& c
 
 }  // namespace
 
-MomentThere moment_in(const Trace& trace, const Moment& moment) {
+MomentThere moment_in(const Trace& trace, const Whereabouts& moment) {
   const auto name = [](const Cell& cell) { return fmt::format("pixel ({}, {})", cell.x, cell.y); };
   const std::string polygon = moment.polygon < 0 ? "" : polygon_label(trace.scene(), moment.polygon);
   if (moment.selected) return {last_write(trace, *moment.selected), name(*moment.selected)};

@@ -10,19 +10,19 @@
 namespace zstep::viewer {
 
 /// Where a reader is, by what that means to every method.
-struct Moment {
+struct Whereabouts {
   std::optional<Cell> selected, cell;  ///< cell: at work
   std::int32_t polygon = no_polygon;   ///< at work
   double share = 0;                    ///< of the run
 };
-Moment moment_of(const Session& session);
+Whereabouts moment_of(const Session& session);
 
 /// Where another method's run of the same scene is at such a moment, and what that is, in words.
 struct MomentThere {
   std::int64_t step = 0;
   std::string what;
 };
-MomentThere moment_in(const Trace& trace, const Moment& moment);
+MomentThere moment_in(const Trace& trace, const Whereabouts& moment);
 
 class Stage {
  public:
@@ -45,7 +45,7 @@ class Stage {
   App first_app_;
   std::optional<OtherRun> other_;  ///< nullopt while the first is shown
   std::unique_ptr<App> other_app_;
-  Moment moment_;                  ///< where the reader went last, by hand
+  Whereabouts moment_;                  ///< where the reader went last, by hand
   std::int64_t arrived_ = -1;      ///< where switching led; the reader has not moved while that is the position
 };
 
