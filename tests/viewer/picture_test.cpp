@@ -195,7 +195,9 @@ TEST_CASE("a foreign trace without most kinds of events opens, and its panes say
   scene.camera.kind = Camera::Kind::screen;
   scene.raster = {4, 4, false};
   scene.polygons.push_back({"", {200, 0, 0}, 0});
-  Header header{"somebody's homework", "mine", "", {}, {}};
+  Header header;
+  header.writer = "somebody's homework";
+  header.algorithm = "mine";
   header.page.push_back({1, kind_of<PixelWrite>, 0, "mine", "write", "write the pixel"});
   TraceRecorder record(header, scene);
   const Step<PixelWrite> write{1};

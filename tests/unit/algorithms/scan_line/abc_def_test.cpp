@@ -52,7 +52,11 @@ std::map<std::int32_t, Line> lines_of(const Trace& trace) {
 TEST_CASE("scan line: ABC and DEF, the active edge table of 002 on the lines alpha to gamma + 2") {
   const SceneFile file = load_scene(test::in_checkout("lessons/scenes/abc-def.toml"));
   const Scene scene = look_at_scene(file.scene, {});
-  TraceRecorder recorder({"test", "scan-line", "Scan line", file.conventions, scan_line::page()}, scene);
+  Header header;
+  header.algorithm = "scan-line";
+  header.conventions = file.conventions;
+  header.page = scan_line::page();
+  TraceRecorder recorder(header, scene);
   scan_line::run(scene, file.conventions, recorder);
   recorder.finish();
   auto lines = lines_of(Trace::from_bytes(recorder.take_bytes(), "abc-def"));
