@@ -67,8 +67,8 @@ TEST_CASE("a hit is held against what the ray has kept at that moment, and ties 
   const Folder folder;
   must(folder, "record pyramid-behind --algorithm ray-casting -o run.ztrace");
   const std::string history = must(folder, "history run.ztrace 15 10 --why");
-  HAS_LINE(history, "3 922: The point lies inside D, nearer than F, which was kept so far: it is kept.");
-  HAS_LINE(history, "3 925: The point lies inside G, but D is nearer: it is not kept.");
+  HAS_LINE(history, "3 922: The point lies inside D, nearer than F, which was kept so far: it is kept.");
+  HAS_LINE(history, "3 925: The point lies inside G, but D is nearer: it is not kept.");
   HAS_LINE(history, "t < t kept:  2.843 < 2.2138  is false");
   must(folder, "record '" + in_checkout("tests/golden/bsp.toml") + "' --algorithm ray-tracing -o ties.ztrace");
   HAS_LINE(must(folder, "find ties.ztrace \"step==1127\""),

@@ -46,7 +46,7 @@ bool says(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("depth sort: every event has a sentence, and its formula gives the recorded number") {
-  for (const std::string scene : {"cyclic", "intersecting", "pyramid", test::in_checkout("lessons/scenes/five-tests.toml")}) {
+  for (const std::string& scene : {std::string("cyclic"), std::string("intersecting"), std::string("pyramid"), test::in_checkout("lessons/scenes/five-tests.toml")}) {
     for (const char* by : {"painter", "depth-sort"}) {
       const Trace trace = test::record_run_by(by, scene);
       Replay replay(trace);
