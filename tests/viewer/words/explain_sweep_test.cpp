@@ -71,7 +71,7 @@ TEST_CASE("the plane's depth and the implied edge are told with their numbers") 
   const Trace trace = swept("lessons/scenes/abc-def.toml", {});
   const Explanation depth = first_of<PlaneDepth>(trace, [](const PlaneDepth& e) { return e.piece == 1 && e.y_at == 9; });
   REQUIRE(depth.formulas.size() == 1);
-  CHECK(depth.formulas[0].find("z of DEF = \u2212(A x + B y + D)/C = ") == 0);
+  CHECK(depth.formulas[0].find("z of DEF = \u2212(A\u00b7x + B\u00b7y + D)/C = ") == 0);
   CHECK(depth.formulas[0].ends_with("= 1.25"));
   const Explanation implied = first_of<ImpliedEdge>(trace, [](const ImpliedEdge&) { return true; });
   CHECK(implied.sentence.find("x = 10.5") != std::string::npos);
