@@ -216,7 +216,9 @@ std::vector<FacetThere> facets_there(Asked& q) {
 }
 
 bool never_begun(const Asked& q, const FacetThere& there) {
-  return there.mark == 0 && !there.rejected() && !there.away && !q.trace.polygons().empty() && !q.trace.has(kind_of<RayBegin>);
+  // Where all pieces are made before any is drawn, a mark is of drawing, and what is hidden may have none.
+  const bool by_pieces = q.trace.has(kind_of<PieceMake>) || q.trace.has(kind_of<TablesBegin>) || q.trace.has(kind_of<RayBegin>);
+  return there.mark == 0 && !there.rejected() && !there.away && !q.trace.polygons().empty() && !by_pieces;
 }
 
 std::string beside_text(const Asked& q, const FacetThere& there) {

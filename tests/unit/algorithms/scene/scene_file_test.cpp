@@ -166,7 +166,7 @@ TEST_SUITE("scene files") {
           "s.toml:3: 'vermilion' is no colour; did you mean 'vermillion'?");
     CHECK(error_of(triangle + "color = \"#12345\"\n") == "s.toml:3: '#12345' is no colour; write #rrggbb");
     CHECK(error_of(triangle + "[options]\ndepth = \"pseudo\"\n") ==
-          "s.toml:4: depth is 'pseudo'; known are: pseudodepth, view");
+          "s.toml:4: depth is 'pseudo'; did you mean 'pseudodepth'?");
     CHECK(error_of("[[mesh]]\nbuiltin = \"teapod\"\n") ==
           "s.toml:2: there is no built-in mesh 'teapod'; did you mean 'teapot'?");
     CHECK(contains(error_of("[[mesh]]\nbuiltin = \"teapot:65\"\n"), "s.toml:1: the level is not a whole number from 1 to 64; write teapot:8"));
