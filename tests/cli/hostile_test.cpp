@@ -124,7 +124,7 @@ TEST_CASE("a damaged block loses itself alone, and the steps that are lost are n
     CHECK(run(folder, "dump --strict " + name).code >= 2);
     const Outcome history = run(folder, "history " + name + " 30 20");
     CHECK(history.code == 3);
-    CHECK(run(folder, "view " + name + " --screenshot a.png").code == 3);
+    CHECK(run(folder, "view " + name + " --at 9000 --screenshot a.png").code == 3);
     CHECK(run(folder, "query " + name + " 'select count(*) from depth_compare'").code == 3);
   }
 }
@@ -142,7 +142,7 @@ TEST_CASE("a flipped bit in the end of a file is damage of its index, and costs 
     CHECK(dump.code == 0);
     CHECK(dump.out == whole);
     CHECK(has(dump.err, "flipped.ztrace: its index is damaged and was made anew from its blocks; all "));
-    CHECK(times(dump.err, "\n") == 1);
+    CHECK(times(dump.err, "flipped.ztrace: ") == 1);
   }
 }
 

@@ -77,7 +77,9 @@ void check_runs(const Folder& clone, std::string line) {
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);
   const bool no_films_here = outcome.err.find("ffmpeg, which is not installed") != std::string::npos;
-  CHECK_MESSAGE((outcome.code == 0 || no_films_here), line);
+  // 1: it found pixels that are wrong, as the painter's algorithm has some on most scenes.
+  const bool found = outcome.code == 1 && line.find("compare-methods") != std::string::npos;
+  CHECK_MESSAGE((outcome.code == 0 || found || no_films_here), line);
 }
 
 /// A synopsis, or a command's name in a sentence, is not typed as it is printed; its command and its options must be
