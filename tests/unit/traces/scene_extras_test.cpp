@@ -178,7 +178,7 @@ TEST_CASE("scene: materials cut off, too many or of no polygon are refused") {
   more.back() = 9;
   CHECK(said_of(more).find("a count larger than the data") != std::string::npos);
   CHECK(said_of(with("[1]", {2})) == "");
-  CHECK(said_of(with("{\"light\":7}", {2})).find("\"position\" is missing") != std::string::npos);
+  CHECK(said_of(with("{\"light\":7}", {2})).find("is not an object") != std::string::npos);
   CHECK(said_of(with("{\"surface\":{}}", {2})).find("\"formula\" is missing") != std::string::npos);
   CHECK(said_of(with("{", {2})) != "");
   CHECK(said_of(with(std::string(5000, ' ') + "{}", {2})).find("more than 4 KiB") != std::string::npos);
