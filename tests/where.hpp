@@ -1,5 +1,5 @@
-// Where the checkout and the program lie. Only where.cpp is compiled with these paths, so that a compiler cache serves the other tests
-// to every checkout.
+// Where the checkout and the program lie. Only where.cpp is compiled with these paths, so that a compiler cache serves
+// the other tests to every checkout.
 #pragma once
 
 #include <string>

@@ -55,7 +55,8 @@ std::string_view near_word(std::string_view word, std::span<const std::string_vi
     std::size_t d = distance(typed, name);
     const std::size_t longer = std::max(typed.size(), name.size());
     const std::size_t limit = longer == 1 ? 0 : std::max<std::size_t>(1, longer / 3);  // any letter is near any other
-    const bool beginning = typed.size() >= 2 && name.size() >= 2 && (name.starts_with(typed) || typed.starts_with(name));
+    const bool beginning =
+        typed.size() >= 2 && name.size() >= 2 && (name.starts_with(typed) || typed.starts_with(name));
     if (d > limit && !beginning) continue;
     if (beginning) d = std::min<std::size_t>(d, 2);
     if (d < least) {

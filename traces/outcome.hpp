@@ -11,7 +11,8 @@ class Exhausted : public InputError {
   using InputError::InputError;
 };
 
-/// A part is missing: of the file, or of the work, which came to the end of its budget. What was printed is right. Exit code 3.
+/// A part is missing: of the file, or of the work, which came to the end of its budget. What was printed is right. Exit
+/// code 3.
 class Incomplete : public InputError {
  public:
   using InputError::InputError;

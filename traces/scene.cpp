@@ -24,7 +24,9 @@ double buffer_depth(const Camera& camera, const Conventions& conventions, double
 
 const Placement* placement_of(const Scene& scene, std::int32_t point) {
   const auto& placements = scene.placements;
-  const auto after = std::upper_bound(placements.begin(), placements.end(), point, [](std::int32_t p, const Placement& placement) { return p < placement.first_point; });
+  const auto after =
+      std::upper_bound(placements.begin(), placements.end(), point,
+                       [](std::int32_t p, const Placement& placement) { return p < placement.first_point; });
   if (after == placements.begin()) return nullptr;
   const Placement& last = *std::prev(after);
   return point - last.first_point < last.point_count ? &last : nullptr;

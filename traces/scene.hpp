@@ -79,8 +79,8 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
-/// A surface y = f(x, z) as a grid of samples: sample (column, row) is Scene::points[row * columns + column], and all of
-/// a row have the same z. The height y is drawn upwards, so a sample stands at (x, z, y) in the world.
+/// A surface y = f(x, z) as a grid of samples: sample (column, row) is Scene::points[row * columns + column], and all
+/// of a row have the same z. The height y is drawn upwards, so a sample stands at (x, z, y) in the world.
 struct Surface {
   std::string formula;  ///< f, without "y ="
   double x_min = 0, x_max = 0, z_min = 0, z_max = 0;
@@ -117,7 +117,8 @@ struct Scene {
   std::string name;                       ///< "pyramid"
   std::string source;                     ///< the file or "built-in"
   std::vector<glm::dvec3> points;         ///< world; for Camera::Kind::screen (x_s, y_s, z)
-  std::vector<std::int32_t> point_lines;  ///< line of its file each point stands at, 0 if there is none; empty if none has one
+  std::vector<std::int32_t>
+      point_lines;  ///< line of its file each point stands at, 0 if there is none; empty if none has one
   std::vector<Polygon> polygons;
   std::vector<Facet> facets;
   std::vector<std::int32_t> corners;  ///< indices into points

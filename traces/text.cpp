@@ -48,7 +48,8 @@ std::string escaped(std::string_view text, bool by_lines) {
   while (!text.empty()) {
     const Letter letter = letter_at(text);
     if (letter.bytes == 0) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
-    else if (!acts(letter.code) || (by_lines && (letter.code == '\n' || letter.code == '\t'))) out += text.substr(0, letter.bytes);
+    else if (!acts(letter.code) || (by_lines && (letter.code == '\n' || letter.code == '\t')))
+      out += text.substr(0, letter.bytes);
     else if (letter.code == '\n') out += "\\n";
     else if (letter.code == '\t') out += "\\t";
     else if (letter.code == '\r') out += "\\r";

@@ -6,8 +6,9 @@
 
 namespace zstep {
 
-/// The same text with every character escaped that would not show itself but do something: controls (\n, \t, \x1b, \u0085), marks that
-/// turn the direction of writing (\u202e), and bytes that are no UTF-8 (\xff). What stays is one line that is what it seems to be.
+/// The same text with every character escaped that would not show itself but do something: controls (\n, \t, \x1b,
+/// \u0085), marks that turn the direction of writing (\u202e), and bytes that are no UTF-8 (\xff). What stays is one
+/// line that is what it seems to be.
 std::string printable(std::string_view text);
 /// The same line by line: line ends, and tabs, stay.
 std::string printable_lines(std::string_view text);

@@ -31,9 +31,9 @@ struct BuildOptions {
 /// are left out, for they have no plane.
 ///
 /// A value of a plane counts as zero within 1e-9 of the diagonal of the box around them (and 1e-14 of the largest
-/// coordinate, where that is rounding), and within what the piece's own corners are off its plane. Of a piece that crosses, both parts have a vertex further off than that, so
-/// each node uses up a piece and building ends; it keeps a stack of its own, so the tree may be as deep as there are
-/// pieces.
+/// coordinate, where that is rounding), and within what the piece's own corners are off its plane. Of a piece that
+/// crosses, both parts have a vertex further off than that, so each node uses up a piece and building ends; it keeps a
+/// stack of its own, so the tree may be as deep as there are pieces.
 template <Recorder R>
 Tree build(const Scene& scene, const BuildOptions& options, R& record);
 

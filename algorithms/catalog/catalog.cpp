@@ -43,18 +43,19 @@ Picture draw_ray_casting(const Scene& scene, const Conventions& conventions, Nul
 }
 
 constexpr std::array catalog{
-    METHOD_DRAWN_BY(draw_z_buffer, z_buffer, .id = "z-buffer", .title = "Z-buffer",
-           .paper =
-               "E. Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, PhD thesis, University "
-               "of Utah, 1974",
-           .interpolates = true),
+    METHOD_DRAWN_BY(
+        draw_z_buffer, z_buffer, .id = "z-buffer", .title = "Z-buffer",
+        .paper = "E. Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, PhD thesis, University "
+                 "of Utah, 1974",
+        .interpolates = true),
     METHOD(scan_line, .id = "scan-line", .title = "Scan line",
            .paper = "W. J. Bouknight, A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics "
                     "Presentations, Communications of the ACM 13(9), 1970",
            .interpolates = true, .options = scan_line::options, .check = scan_line::check),
     METHOD(painter, .id = "painter", .title = "Painter's algorithm",
-           .paper = "the first step, alone, of M. E. Newell, R. G. Newell, T. L. Sancha, A Solution to the Hidden Surface "
-                    "Problem, ACM National Conference, 1972",
+           .paper =
+               "the first step, alone, of M. E. Newell, R. G. Newell, T. L. Sancha, A Solution to the Hidden Surface "
+               "Problem, ACM National Conference, 1972",
            .exact = false),
     METHOD(depth_sort, .id = "depth-sort", .title = "Depth sort",
            .paper = "M. E. Newell, R. G. Newell, T. L. Sancha, A Solution to the Hidden Surface Problem, ACM National "
@@ -65,28 +66,31 @@ constexpr std::array catalog{
                "SIGGRAPH 1980",
            .options = bsp::options),
     METHOD(warnock, .id = "warnock", .title = "Warnock",
-           .paper =
-               "J. E. Warnock, A Hidden Surface Algorithm for Computer Generated Halftone Pictures, TR 4-15, "
-               "University of Utah, 1969",
+           .paper = "J. E. Warnock, A Hidden Surface Algorithm for Computer Generated Halftone Pictures, TR 4-15, "
+                    "University of Utah, 1969",
            .options = warnock::options),
-    METHOD_DRAWN_BY(draw_ray_casting, ray_casting, .id = "ray-casting", .title = "Ray casting",
-           .paper = "A. Appel, Some Techniques for Shading Machine Renderings of Solids, AFIPS Spring Joint Computer "
-                    "Conference 32, 1968",
-           .options = ray_casting::options),
-    METHOD(ray_tracing, .id = "ray-tracing", .title = "Ray tracing",
-           .paper = "T. Whitted, An Improved Illumination Model for Shaded Display, Communications of the ACM 23(6), 1980",
-           .gives = Gives::colors, .options = ray_tracing::options),
+    METHOD_DRAWN_BY(
+        draw_ray_casting, ray_casting, .id = "ray-casting", .title = "Ray casting",
+        .paper = "A. Appel, Some Techniques for Shading Machine Renderings of Solids, AFIPS Spring Joint Computer "
+                 "Conference 32, 1968",
+        .options = ray_casting::options),
+    METHOD(
+        ray_tracing, .id = "ray-tracing", .title = "Ray tracing",
+        .paper = "T. Whitted, An Improved Illumination Model for Shaded Display, Communications of the ACM 23(6), 1980",
+        .gives = Gives::colors, .options = ray_tracing::options),
     METHOD(floating_horizon, .id = "floating-horizon", .title = "Floating horizon",
            .paper =
                "T. J. Wright, A Two-Space Solution to the Hidden Line Problem for Plotting Functions of Two Variables, "
                "IEEE Transactions on Computers C-22(1), 1973",
            .gives = Gives::lines, .needs = Needs::surface, .exact = false, .options = floating_horizon::options),
-    METHOD(wireframe, .id = "wireframe", .title = "Wireframe",
-           .paper = "as every line drawing; J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 1990",
-           .gives = Gives::lines, .options = wireframe::options),
-    METHOD(hidden_line, .id = "hidden-line", .title = "Hidden lines",
-           .paper = "L. G. Roberts, Machine Perception of Three-Dimensional Solids, MIT Lincoln Laboratory TR 315, 1963",
-           .gives = Gives::lines, .options = hidden_line::options),
+    METHOD(
+        wireframe, .id = "wireframe", .title = "Wireframe",
+        .paper = "as every line drawing; J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics, 1990",
+        .gives = Gives::lines, .options = wireframe::options),
+    METHOD(
+        hidden_line, .id = "hidden-line", .title = "Hidden lines",
+        .paper = "L. G. Roberts, Machine Perception of Three-Dimensional Solids, MIT Lincoln Laboratory TR 315, 1963",
+        .gives = Gives::lines, .options = hidden_line::options),
     METHOD(shadow_buffer, .id = "shadow-buffer", .title = "Shadow buffer",
            .paper = "L. Williams, Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978", .gives = Gives::colors,
            .needs = Needs::light, .interpolates = true, .options = shadow_buffer::options),

@@ -41,8 +41,8 @@ struct Method {
   Page (*page)() = nullptr;  ///< its pseudo-code
   /// The page's own loops without a recording, which is what comparisons measure.
   Picture (*taught)(const Scene&, const Conventions&, NullRecorder&) = nullptr;
-  /// The same picture, as fast as it can be had: to the bit, but for ray casting, where a centre within 1e-9 px of an edge
-  /// may fall to either side.
+  /// The same picture, as fast as it can be had: to the bit, but for ray casting, where a centre within 1e-9 px of an
+  /// edge may fall to either side.
   Picture (*render)(const Scene&, const Conventions&, NullRecorder&) = nullptr;
   Picture (*count)(const Scene&, const Conventions&, CountRecorder&) = nullptr;
   Picture (*collect)(const Scene&, const Conventions&, CollectRecorder&) = nullptr;

@@ -40,8 +40,9 @@ inline bool is_on(std::span<const Option> table, const Conventions& conventions,
 void check_options(std::span<const Option> table, std::string_view method, const Conventions& conventions,
                    const std::string& who);
 
-/// For methods that work with planes, whose depths are pseudodepths, directly computed at pixel centres: what must be given
-/// on the command line in place of conventions that mean something else, "--coverage top-left"; empty if there are none.
+/// For methods that work with planes, whose depths are pseudodepths, directly computed at pixel centres: what must be
+/// given on the command line in place of conventions that mean something else, "--coverage top-left"; empty if there
+/// are none.
 std::string options_for_planes(const Conventions& conventions);
 
 }  // namespace zstep

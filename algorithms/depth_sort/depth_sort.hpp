@@ -6,8 +6,8 @@
 // plane is where z is smaller (003).
 //
 // Departures from the page, each because the page alone would not be exact or not end:
-// - P is compared with every Q that does not lie wholly before it in z, also with one that lies wholly behind it: once a
-//   polygon has been moved to the front of the list, such a Q may stand after it.
+// - P is compared with every Q that does not lie wholly before it in z, also with one that lies wholly behind it: once
+//   a polygon has been moved to the front of the list, such a Q may stand after it.
 // - Pieces in one plane: the later one in the file goes first, so that the earlier is seen, as with the Z-buffer. "On
 //   the plane" passes tests 3 and 4 in that order only.
 // - When a marked Q would have to be moved again, P and Q stand in a ring with those between them in the list. Nearly
@@ -18,12 +18,12 @@
 //
 // Why it ends. Between two splits a piece is moved at most once, as it is marked; so after finitely many moves a piece
 // is drawn or split. Parts keep the plane of the facet they come from, so there are as many planes as facets. A split
-// needs corners further than the tolerance (tolerance_for) on both sides of the plane; the new corners lie in that plane
-// but for rounding, which is hundreds of times smaller. Corners of polygons from files lie off their own plane by what
-// was rounded there, so a facet's corners must lie that much further off (Piece::bend): else its parts would seem to
-// cross each other, and be taken for others that are in the way. So no descendant is cut by the same plane again: a facet is cut
-// by each plane once at most along each line of descent, and the number of splits is finite. Where rounding leaves a
-// pair that neither order nor split can mend, P is drawn first.
+// needs corners further than the tolerance (tolerance_for) on both sides of the plane; the new corners lie in that
+// plane but for rounding, which is hundreds of times smaller. Corners of polygons from files lie off their own plane by
+// what was rounded there, so a facet's corners must lie that much further off (Piece::bend): else its parts would seem
+// to cross each other, and be taken for others that are in the way. So no descendant is cut by the same plane again: a
+// facet is cut by each plane once at most along each line of descent, and the number of splits is finite. Where
+// rounding leaves a pair that neither order nor split can mend, P is drawn first.
 #pragma once
 
 #include "algorithms/depth_sort/steps.hpp"

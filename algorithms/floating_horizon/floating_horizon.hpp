@@ -4,8 +4,8 @@
 // Transactions on Computers C-22(1), 1973; D. F. Rogers, "Procedural Elements for Computer Graphics", McGraw-Hill,
 // 1985, section 4-2, for crossings and side edges; as told in 004, "Some of the methods of hidden surface elimination".
 // Departures from 004: rows of the raster grow downwards, so its "y larger" is "row smaller" here; a curve that touches
-// a horizon is visible, as in Rogers; it is tested on every column of the raster, and drawn straight from column to
-// column.
+// a horizon is visible, as in Rogers; it is tested on every column of the raster, and drawn straight from column
+// to column.
 //
 // Why it works: a plane through the eye and a column of the picture cuts the surface in one curve, as no place has two
 // heights; what was drawn of it so far covers the column from one horizon to the other without a gap. For that the

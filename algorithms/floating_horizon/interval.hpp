@@ -18,7 +18,8 @@ struct Interval {
 };
 
 /// Cut at the near and the far plane; nothing if nothing is left, or if it ends farther than 10⁹ pixels away.
-std::optional<Interval> interval_on_raster(const viewing::Lens& lens, const viewing::Vertex& a, const viewing::Vertex& b);
+std::optional<Interval> interval_on_raster(const viewing::Lens& lens, const viewing::Vertex& a,
+                                           const viewing::Vertex& b);
 
 /// Calls visit(x, y) for every column of the raster between the ends, from the first to the second, with the interval's
 /// row there. The column of the first end itself belongs to the interval before, so it is visited only `with_first`.

@@ -15,7 +15,9 @@ double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 std::vector<double> crossings_on_picture(const lines::Line& line, std::span<const glm::dvec3> face) {
   const glm::dvec2 from(line.from), along = glm::dvec2(line.to) - from;
   const double length = line.length();
-  const auto side = [&](glm::dvec3 corner) { return snapped(cross(along, glm::dvec2(corner) - from) / length, on_line); };
+  const auto side = [&](glm::dvec3 corner) {
+    return snapped(cross(along, glm::dvec2(corner) - from) / length, on_line);
+  };
   std::vector<double> crossings;
   for (std::size_t i = 0; i < face.size(); ++i) {
     const glm::dvec3 start = face[i], end = face[i + 1 < face.size() ? i + 1 : 0];

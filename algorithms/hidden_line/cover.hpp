@@ -1,8 +1,8 @@
 // What a face hides of a line.
 //
-// On the raster, with z* for depth, lines stay lines and planes stay planes. A point of the line from + t (to - from) is
-// hidden by a face if it lies inside the face's outline on the picture (even-odd rule) and behind its plane: an interval
-// of t, or several where the face is concave.
+// On the raster, with z* for depth, lines stay lines and planes stay planes. A point of the line from + t (to - from)
+// is hidden by a face if it lies inside the face's outline on the picture (even-odd rule) and behind its plane: an
+// interval of t, or several where the face is concave.
 #pragma once
 
 #include <span>
@@ -26,9 +26,9 @@ struct Cover {
   std::vector<Interval> hidden;      ///< ascending, longer than shortest
 };
 
-/// Tolerances. An end of the line within on_plane of the face's plane is on it, and what is on a plane is not behind it:
-/// an edge does not vanish in a face that it touches. A corner of the face within on_line of the line counts as on its
-/// right. What is hidden or seen over less than shortest is nothing.
+/// Tolerances. An end of the line within on_plane of the face's plane is on it, and what is on a plane is not behind
+/// it: an edge does not vanish in a face that it touches. A corner of the face within on_line of the line counts as on
+/// its right. What is hidden or seen over less than shortest is nothing.
 inline constexpr double on_plane = 1e-9;  ///< distance on the raster, where depths run from -1 to 1
 inline constexpr double on_line = 1e-9;   ///< pixels
 inline constexpr double shortest = 1e-6;  ///< pixels

@@ -82,7 +82,8 @@ std::vector<Edge> find_edges(const Scene& scene, const viewing::Vertices& vertic
       const std::int32_t facet = half_edges.face_handle(half).idx();
       if (facet == -1 || facing[static_cast<std::size_t>(facet)] == Face::none) return -1;
       const std::int32_t polygon = scene.facets[static_cast<std::size_t>(facet)].polygon;
-      is_cut = is_cut || std::binary_search(cuts.begin(), cuts.end(), Cut{polygon, std::min(from, to), std::max(from, to)});
+      is_cut =
+          is_cut || std::binary_search(cuts.begin(), cuts.end(), Cut{polygon, std::min(from, to), std::max(from, to)});
       return facet;
     };
     const std::int32_t left = facet_of(forth), right = facet_of(back);

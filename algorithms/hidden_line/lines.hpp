@@ -21,8 +21,8 @@ struct Edge {
 /// planar are none. Of a screen scene all faces count as facing the eye. `vertices`: the scene's points, viewed.
 std::vector<Edge> find_edges(const Scene& scene, const viewing::Vertices& vertices);
 
-/// Cuts an edge to the view volume; new ends are put behind the vertices. False if nothing of it is to be seen: it is out
-/// of view, or seen end-on, as a point (below 1e-9 px).
+/// Cuts an edge to the view volume; new ends are put behind the vertices. False if nothing of it is to be seen: it is
+/// out of view, or seen end-on, as a point (below 1e-9 px).
 template <Recorder R>
 bool bring_into_view(Edge& edge, const Scene& scene, const viewing::Lens& lens, viewing::Vertices& vertices, R& record);
 

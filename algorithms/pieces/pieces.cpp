@@ -91,7 +91,8 @@ template <Recorder R>
 Parts cut(Pieces& all, std::int32_t number, const Plane& plane, double tolerance, R& record) {
   const clipping::Outline outline = all[number].outline;
   const Halves halves = split(
-      outline, all[number].plane, all[number].bend, plane, tolerance, [&](std::int32_t vertex) { return all.corner(vertex); },
+      outline, all[number].plane, all[number].bend, plane, tolerance,
+      [&](std::int32_t vertex) { return all.corner(vertex); },
       [&](std::int32_t from, std::int32_t to, double t, glm::dvec3 point) {
         const auto made = static_cast<std::int32_t>(all.vertices.size());
         record(cutting::step::cut, SplitVertex{from, to, t, made, Space::raster, point.x, point.y, point.z});

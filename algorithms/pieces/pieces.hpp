@@ -36,8 +36,8 @@ struct Pieces {
 };
 
 /// Views, culls and clips every facet. What is left of each is a piece, in the order of the facets; a facet that is
-/// edge-on to the eye covers no pixel and has none. Planes are planes on the raster only as long as conventions.depth is
-/// pseudodepth; z_v is for methods that interpolate.
+/// edge-on to the eye covers no pixel and has none. Planes are planes on the raster only as long as conventions.depth
+/// is pseudodepth; z_v is for methods that interpolate.
 template <Recorder R>
 Pieces gather(const Scene& scene, const Conventions& conventions, R& record);
 

@@ -31,8 +31,8 @@ inline bool crosses_once(const std::vector<double>& distance) {
 
 /// The parts of an outline on the two sides of a plane. `own` is the outline's plane and `bend` how far from it its
 /// corners lie. `corner(vertex)` is where a vertex lies; `make(from, to, t, point)` makes the vertex at which the edge
-/// from -> to crosses, t of the way along, and returns its index. Values of the plane within `tolerance` count as on it;
-/// such a vertex belongs to both parts.
+/// from -> to crosses, t of the way along, and returns its index. Values of the plane within `tolerance` count as on
+/// it; such a vertex belongs to both parts.
 ///
 /// Where an outline crosses the plane more than twice, what is on one side hangs together by edges along the cut. What
 /// they enclose beside the outline cancels by the even-odd rule, but only if the ends of all of them lie on one line.

@@ -16,7 +16,7 @@ struct Meets {
   bool cull = false;            ///< no facet whose back it would see
   std::int32_t not_facet = -1;  ///< not the facet on which it begins
   double here = 0;              ///< t up to which a point counts as the one where it begins: on the same plane
-  bool layers = false;          ///< of the facets there, those that come later in the file lie behind; else there are none
+  bool layers = false;  ///< of the facets there, those that come later in the file lie behind; else there are none
 };
 
 /// Of equal t the facet that is drawn first is the nearest, in whatever order they are tested: so the result is the

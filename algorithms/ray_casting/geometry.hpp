@@ -48,12 +48,12 @@ struct Target {
 
 Target target_of(const Scene& scene, std::int32_t facet);
 
-/// Is there a plane, and does the facet count? As everywhere, a facet in space that encloses no area is dropped, while a
-/// screen scene's facets are taken as they are.
+/// Is there a plane, and does the facet count? As everywhere, a facet in space that encloses no area is dropped, while
+/// a screen scene's facets are taken as they are.
 bool can_be_met(const Scene& scene, const Target& target);
 
-/// Where a ray meets a plane: t = -(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ), NaN where it runs along it: where the
-/// sine of the angle between them is that of a facet seen edge-on.
+/// Where a ray meets a plane: t = -(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ), NaN where it runs along it: where
+/// the sine of the angle between them is that of a facet seen edge-on.
 struct Crossing {
   double numerator, denominator, t;
 };

@@ -126,7 +126,8 @@ void Coherence::keep(const Pieces& polygons, std::size_t place, const std::vecto
     const Plane &one = polygons[visible[0].piece].plane, &other = polygons[visible[1].piece].plane;
     const double p = other.a / other.c - one.a / one.c, q = other.b / other.c - one.b / one.c;
     const Interval& left = visible[0].where;
-    const double rounding = depth_of(one, left.x_right, left.y).rounding + depth_of(other, left.x_right, left.y).rounding;
+    const double rounding =
+        depth_of(one, left.x_right, left.y).rounding + depth_of(other, left.x_right, left.y).rounding;
     constexpr double sharp = 1e-10;  // px: what x may be off by, as it decides about pixels
     if (!(rounding <= sharp * std::abs(p))) return;
     seen = {-1, visible[1].piece, left.x_right, left.y, -q / p};

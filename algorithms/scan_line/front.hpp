@@ -42,8 +42,8 @@ void find_front(const pieces::Pieces& polygons, const std::vector<std::int32_t>&
 
 /// Coherence from line to line, on an interval between the same two edges as on the line before.
 ///
-/// Scan-line coherence: the polygon that was in front all along still is, if it and each other one inside lie apart: all
-/// corners of the one beyond the plane of the other, by more than rounding. The difference of two planes' depths is
+/// Scan-line coherence: the polygon that was in front all along still is, if it and each other one inside lie apart:
+/// all corners of the one beyond the plane of the other, by more than rounding. The difference of two planes' depths is
 /// linear in x and y, so what is positive at a polygon's corners is positive on all of it: whichever is in front at one
 /// pixel is so at every pixel of both.
 ///

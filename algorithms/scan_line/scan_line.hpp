@@ -3,9 +3,9 @@
 // C. Wylie, G. Romney, D. Evans and A. Erdahl, "Half-Tone Perspective Drawings by Computer", Fall Joint Computer
 // Conference 1967; W. J. Bouknight, "A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics
 // Presentations", Communications of the ACM 13(9), 1970; as taught in 002, "Scan Line Algorithm" (Foley, van Dam,
-// Feiner and Hughes, section 15.6). Departures from the page: the frontmost polygon is found at both ends of an interval
-// and not only at its left one, so that polygons may penetrate each other (front.hpp); a scene's polygons may be
-// concave, and clipping may have left only part of one.
+// Feiner and Hughes, section 15.6). Departures from the page: the frontmost polygon is found at both ends of an
+// interval and not only at its left one, so that polygons may penetrate each other (front.hpp); a scene's polygons may
+// be concave, and clipping may have left only part of one.
 #pragma once
 
 #include <array>

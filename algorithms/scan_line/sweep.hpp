@@ -37,7 +37,8 @@ void sweep(const Tables& tables, const std::vector<std::int32_t>& active, double
     record(step::flags, SpanFlags{row, interval.x_left, interval.x_right, interval.first, interval.last, flags});
     if (inside.empty() || (wanted == Wanted::pixels && interval.last < interval.first)) continue;
 
-    const bool known = coherence && flags > 1 && coherence->as_before(tables.polygons, i, inside, interval, visible, record);
+    const bool known =
+        coherence && flags > 1 && coherence->as_before(tables.polygons, i, inside, interval, visible, record);
     if (!known) {
       find_front(tables.polygons, inside, interval, visible, record);
       if (coherence) coherence->keep(tables.polygons, i, visible);

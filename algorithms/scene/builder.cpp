@@ -52,10 +52,12 @@ void note_topology(const PolygonSoup& soup, const std::string& where, std::int64
 
 /// Does any of the facets from `first` on enclose an area?
 bool has_area(const Scene& scene, std::size_t first) {
-  return std::any_of(scene.facets.begin() + static_cast<std::ptrdiff_t>(first), scene.facets.end(), [&](const Facet& facet) {
-    const std::span corners(scene.corners.data() + facet.first_corner, static_cast<std::size_t>(facet.corner_count));
-    return newell_normal(scene.points, corners) != glm::dvec3(0);
-  });
+  return std::any_of(scene.facets.begin() + static_cast<std::ptrdiff_t>(first), scene.facets.end(),
+                     [&](const Facet& facet) {
+                       const std::span corners(scene.corners.data() + facet.first_corner,
+                                               static_cast<std::size_t>(facet.corner_count));
+                       return newell_normal(scene.points, corners) != glm::dvec3(0);
+                     });
 }
 
 }  // namespace
@@ -80,7 +82,8 @@ void SceneBuilder::keep_origins(const PolygonSoup& soup, const std::string& wher
   }
   const bool moved = style.placement.linear != glm::dmat3(1) || style.placement.offset != glm::dvec3(0);
   if (moved && scene.file_points.empty()) scene.file_points = scene.points;
-  if (moved || !scene.file_points.empty()) scene.file_points.insert(scene.file_points.end(), soup.points.begin(), soup.points.end());
+  if (moved || !scene.file_points.empty())
+    scene.file_points.insert(scene.file_points.end(), soup.points.begin(), soup.points.end());
   if (!style.is_placed_mesh()) return;
   Placement placement = style.placement;
   placement.first_point = static_cast<std::int32_t>(first);

@@ -81,7 +81,8 @@ SceneFile load_any(const std::string& name_or_path) {
   std::vector<std::string_view> names;
   for (const BuiltIn& built_in : built_in_scenes()) names.push_back(built_in.name);
   throw InputError(in_quotes(name_or_path), "there is no such scene",
-                   fmt::format("name a .toml, .obj, .off, .ply or .stl file, write y = sin(x), or one of: {}", fmt::join(names, ", ")));
+                   fmt::format("name a .toml, .obj, .off, .ply or .stl file, write y = sin(x), or one of: {}",
+                               fmt::join(names, ", ")));
 }
 
 }  // namespace

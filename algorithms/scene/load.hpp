@@ -28,16 +28,16 @@ struct SceneFile {
   std::vector<std::string> notes;  ///< what a user should know about it, a sentence each: holes, polygons not drawn, …
 };
 
-/// Loads a scene: the name of a built-in one ("pyramid", "teapot", "teapot:8" for a level of tessellation), a scene file
-/// (.toml), a mesh (.obj .off .ply .stl), or a surface by its formula ("y = sin(x) * cos(z)"). Throws InputError with
-/// FILE:LINE on anything wrong with it.
+/// Loads a scene: the name of a built-in one ("pyramid", "teapot", "teapot:8" for a level of tessellation), a scene
+/// file (.toml), a mesh (.obj .off .ply .stl), or a surface by its formula ("y = sin(x) * cos(z)"). Throws InputError
+/// with FILE:LINE on anything wrong with it.
 SceneFile load_scene(const std::string& name_or_path);
 
 /// Whether a scene's name is a formula: "y = …".
 bool names_formula(std::string_view name);
 
-/// Applies the options and completes the camera (view matrix, eye, near and far) and the light. What the algorithms may
-/// run on.
+/// Applies the options and completes the camera (view matrix, eye, near and far) and the light. What the algorithms
+/// may run on.
 /// Throws InputError on impossible options (near >= far, a size of 0, …).
 Scene look_at_scene(Scene scene, const ViewOptions& options);
 

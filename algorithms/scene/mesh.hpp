@@ -20,12 +20,10 @@ using HalfEdgeMesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
 
 /// Face k is the k-th of the given faces, vertices of a face keep their order, and every face is there:
 /// - a face that a half-edge mesh cannot hold beside the others (a third face at an edge, a neighbour that runs the
-/// other way
-///   round, a repeated vertex) gets vertices of its own, so it is cut loose from its neighbours;
+///   other way round, a repeated vertex) gets vertices of its own, so it is cut loose from its neighbours;
 /// - where two surfaces touch at a point, each has a vertex of its own there;
 /// - a face with fewer than three different corners cannot be a face at all: it is a triangle on its own with all
-/// vertices at
-///   its first point (at the origin and with point -1 if it has no corner at all).
+///   vertices at its first point (at the origin and with point -1 if it has no corner at all).
 struct Mesh {
   HalfEdgeMesh half_edges;
   std::int64_t loose_faces = 0;     ///< faces that got vertices of their own

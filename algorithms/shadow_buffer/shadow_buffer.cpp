@@ -13,8 +13,10 @@ namespace zstep::shadow_buffer {
 namespace {
 
 /// The point of the world that is seen at a pixel, from its depth: the way of a vertex, backwards.
-glm::dvec3 point_at(const viewing::Lens& lens, const glm::dmat4& world_of_view, std::int32_t x, std::int32_t y, double z_v) {
-  const double x_p = (2 * (x + 0.5) / lens.width - 1) * lens.window_x, y_p = (1 - 2 * (y + 0.5) / lens.height) * lens.window_y;
+glm::dvec3 point_at(const viewing::Lens& lens, const glm::dmat4& world_of_view, std::int32_t x, std::int32_t y,
+                    double z_v) {
+  const double x_p = (2 * (x + 0.5) / lens.width - 1) * lens.window_x,
+               y_p = (1 - 2 * (y + 0.5) / lens.height) * lens.window_y;
   const double per_plane = lens.orthographic ? 1 : z_v / lens.d;
   return glm::dvec3(world_of_view * glm::dvec4(x_p * per_plane, y_p * per_plane, z_v, 1));
 }

@@ -11,8 +11,8 @@
 
 namespace zstep::simd {
 
-/// Calls work(part) once for each part from 0 on, on this thread and up to threads - 1 others at the same time; on fewer
-/// where the system gives no more. What a part throws is thrown here, when all threads have ended.
+/// Calls work(part) once for each part from 0 on, on this thread and up to threads - 1 others at the same time; on
+/// fewer where the system gives no more. What a part throws is thrown here, when all threads have ended.
 template <class Work>
 void parallel_for(int threads, std::size_t parts, Work&& work) {
   std::atomic<std::size_t> next = 0;

@@ -1,4 +1,5 @@
-// The steps of drawing what is transparent. Those of building a BSP tree and of going through it have the numbers from 64.
+// The steps of drawing what is transparent. Those of building a BSP tree and of going through it have the numbers from
+// 64.
 #pragma once
 #include "algorithms/bsp/steps.hpp"
 #define ZSTEP_MODULE transparency

@@ -39,8 +39,8 @@ Turns turns_of(const Scene& scene, Order order) {
 }
 
 template <Recorder R>
-void fill(const viewing::Vertices& vertices, const clipping::Outline& outline, std::int32_t number, const Scene& scene, Order order,
-          Picture& picture, R& record) {
+void fill(const viewing::Vertices& vertices, const clipping::Outline& outline, std::int32_t number, const Scene& scene,
+          Order order, Picture& picture, R& record) {
   const Polygon& polygon = scene.polygons[static_cast<std::size_t>(number)];
   const double opacity = polygon.material->opacity;
   const bool hides = opacity >= 1 || order == Order::file;

@@ -2,8 +2,8 @@
 //
 // A facet's corners run counter-clockwise as seen from its front. The notes draw V, the vector between eye and polygon,
 // now this way and now that way, and count in left-handed or right-handed coordinates, so their signs differ; here they
-// agree: determinant and plane_at_eye are negative, view_dot_normal and projected_normal_z positive, when the facet
-// faces away.
+// agree: determinant and plane_at_eye are negative, view_dot_normal and projected_normal_z positive, when the
+// facet faces away.
 //
 // The three in space are one number but for sign and rounding, and decide the same; the one after projection has the
 // same sign. The verdict is view_dot_normal's.

@@ -1,8 +1,8 @@
 // An area of the picture, and how a polygon lies to it.
 //
-// The area of the pixels first_column <= x < end_column, first_row <= y < end_row is the rectangle of their squares: half
-// a pixel wider than their centres on each side, edges included. So an edge that does not meet the area stays half a
-// pixel away from every centre in it, and no rounding can put a centre on the wrong side. What a polygon covers is
+// The area of the pixels first_column <= x < end_column, first_row <= y < end_row is the rectangle of their squares:
+// half a pixel wider than their centres on each side, edges included. So an edge that does not meet the area stays half
+// a pixel away from every centre in it, and no rounding can put a centre on the wrong side. What a polygon covers is
 // decided at the centres, with the bits of scan conversion (top-left rule).
 #pragma once
 
@@ -42,7 +42,8 @@ class Shape {
   };
   Judgement judge(const Area& area, bool boxes) const;
 
-  bool covers(double x, double y) const;  ///< is the point in it? Even-odd rule; of edges, the left and upper ones count
+  bool covers(double x,
+              double y) const;  ///< is the point in it? Even-odd rule; of edges, the left and upper ones count
   /// Where edges cross the line of centres of row y, from left to right: it covers the centres x with
   /// crossings[0] <= x < crossings[1] and so on.
   void find_crossings(std::int32_t y, std::vector<double>& crossings) const;

@@ -110,8 +110,8 @@ class Subdivision {
     return depths;
   }
 
-  // The surrounding piece that is in front of all others at all four corners, -1 if none is. Planes are compared, so what
-  // only intersects the area is taken to reach its corners: that is sufficient, not necessary.
+  // The surrounding piece that is in front of all others at all four corners, -1 if none is. Planes are compared, so
+  // what only intersects the area is taken to reach its corners: that is sufficient, not necessary.
   std::int32_t front_surrounder(const Area& area, const Numbers& surrounding, const Numbers& partly) {
     std::int32_t front = -1;
     Depths z{};

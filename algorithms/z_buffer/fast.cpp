@@ -218,7 +218,8 @@ std::int32_t bands_for(const Raster& raster, int threads) {
   constexpr std::int64_t of_pixel = sizeof(double) + sizeof(std::int32_t);
   const std::int64_t bytes = of_pixel * raster.width * raster.height;
   const std::int64_t shared = threads == 1 ? 1 : 4 * std::int64_t{threads};
-  return static_cast<std::int32_t>(std::min<std::int64_t>(std::max(shared, bytes / near_by), std::max(1, raster.height / 8)));
+  return static_cast<std::int32_t>(
+      std::min<std::int64_t>(std::max(shared, bytes / near_by), std::max(1, raster.height / 8)));
 }
 
 }  // namespace

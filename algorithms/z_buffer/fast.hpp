@@ -13,7 +13,8 @@
 // - The picture is cut into bands of rows, which threads draw at the same time: each goes through all outlines in their
 //   order, so every pixel sees its polygons in the order of the taught loop.
 //
-// What it costs: 670 lines, with simd.hpp, beside the 100 of z_buffer.cpp, and a test that holds the two together to the bit.
+// What it costs: 670 lines, with simd.hpp, beside the 100 of z_buffer.cpp, and a test that holds the two together to
+// the bit.
 #pragma once
 
 #include "traces/scene.hpp"

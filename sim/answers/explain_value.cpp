@@ -13,19 +13,25 @@ namespace {
 bool matches(const Event& event, const Question& question) {
   if (std::find(question.kinds.begin(), question.kinds.end(), event.index()) == question.kinds.end()) return false;
   if (question.value && field_number(event, question.field) != question.value) return false;
-  return std::all_of(question.where.begin(), question.where.end(), [&](const auto& wanted) { return field_number(event, wanted.first) == static_cast<double>(wanted.second); });
+  return std::all_of(question.where.begin(), question.where.end(), [&](const auto& wanted) {
+    return field_number(event, wanted.first) == static_cast<double>(wanted.second);
+  });
 }
 
-bool asks_for(const Question& question, std::uint8_t kind) { return std::find(question.kinds.begin(), question.kinds.end(), kind) != question.kinds.end(); }
+bool asks_for(const Question& question, std::uint8_t kind) {
+  return std::find(question.kinds.begin(), question.kinds.end(), kind) != question.kinds.end();
+}
 
 /// A depth that a pixel has may be a line's of the other buffer; it is the picture's of the pass at work.
 bool light_at_work(const Trace& trace, std::int64_t at) {
   if (!trace.scene().light) return false;
   const auto marks = trace.polygons();
   const std::size_t facets = trace.scene().facets.size();
-  const bool passes = std::any_of(trace.header().page.begin(), trace.header().page.end(), [](const StepInfo& s) { return s.kind == kind_of<PassBegin>; });
+  const bool passes = std::any_of(trace.header().page.begin(), trace.header().page.end(),
+                                  [](const StepInfo& s) { return s.kind == kind_of<PassBegin>; });
   if (!passes || facets == 0 || marks.size() <= facets) return passes;
-  const auto eye = find_last<PassBegin>(trace, marks[facets].position, [](const PassBegin& e) { return e.pass == Pass::eye; });
+  const auto eye =
+      find_last<PassBegin>(trace, marks[facets].position, [](const PassBegin& e) { return e.pass == Pass::eye; });
   return eye && at < *eye;
 }
 
@@ -90,14 +96,17 @@ std::optional<Place> find_place(const Trace& trace, Replay& replay, const Questi
   if (question.vertex || !question.kinds.empty()) {
     replay.go_to(at);
     if (question.field.ends_with("_w")) return Place{0, question.field};
-    step = question.vertex ? step_of_coordinate(steps_of_vertex(trace, replay.state().machine, at, *question.vertex), question.field)
+    step = question.vertex ? step_of_coordinate(steps_of_vertex(trace, replay.state().machine, at, *question.vertex),
+                                                question.field)
                            : step_of_row(trace, replay.state().machine, question);
   }
   if (!step || *step < 1) return std::nullopt;
   const Event event = trace.event(*step).event;
   // What cutting made has its coordinates from there.
   const bool cut = question.vertex && std::holds_alternative<SplitVertex>(event);
-  const std::string field = question.field.empty() ? main_field(event) : cut ? std::string(1, question.field[0]) + "_cut" : question.field;
+  const std::string field = question.field.empty() ? main_field(event)
+                            : cut                  ? std::string(1, question.field[0]) + "_cut"
+                                                   : question.field;
   return field_number(event, field) ? std::optional(Place{*step, field}) : std::nullopt;
 }
 
@@ -127,7 +136,9 @@ Chain explain_value(const Trace& trace, Replay& replay, const Question& question
   return in_reading_order(std::move(work.chain));
 }
 
-std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step) { return fields_in(trace.event(step).event); }
+std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step) {
+  return fields_in(trace.event(step).event);
+}
 
 std::string field_called(const Trace& trace, std::int64_t step, const std::string& name) {
   if (step < 1 || step > trace.size()) return "";

@@ -53,7 +53,8 @@ std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::in
     set_ray(state, trace, step);
     return state;
   }
-  if (is_one_of<FacingTest, ClipTest, ClipVertex, PolygonReject, BoxTest, CellVisit, CoverageAdd>(recorded)) return state;
+  if (is_one_of<FacingTest, ClipTest, ClipVertex, PolygonReject, BoxTest, CellVisit, CoverageAdd>(recorded))
+    return state;
   return std::nullopt;
 }
 

@@ -63,11 +63,16 @@ void PixelCounts::take(const E& event) {
     const auto& facets = trace_->scene().facets;
     const auto facet = static_cast<std::size_t>(event.facet);
     if (event.inside && now_.ray_x >= 0 && event.facet >= 0 && facet < facets.size())
-      cover(static_cast<std::size_t>(now_.ray_y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(now_.ray_x), facets[facet].polygon);
+      cover(static_cast<std::size_t>(now_.ray_y) * static_cast<std::size_t>(width_) +
+                static_cast<std::size_t>(now_.ray_x),
+            facets[facet].polygon);
   }
   if constexpr (requires { event.x; event.y; }) {
-    const std::size_t pixel = static_cast<std::size_t>(event.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(event.x);
-    const auto counts = [&](Count count) -> std::int32_t& { return now_.counts[static_cast<std::size_t>(count)][pixel]; };
+    const std::size_t pixel =
+        static_cast<std::size_t>(event.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(event.x);
+    const auto counts = [&](Count count) -> std::int32_t& {
+      return now_.counts[static_cast<std::size_t>(count)][pixel];
+    };
     if (event.x < 0 || event.x >= width_ || pixel >= now_.covered_by.size()) return;
     ++counts(Count::work);
     if constexpr (std::is_same_v<E, RayBegin>) {
@@ -79,7 +84,8 @@ void PixelCounts::take(const E& event) {
       if (!event.nearer) ++counts(Count::failed);
     } else if constexpr (std::is_same_v<E, ColorWrite>) {
       ++counts(Count::writes);
-    } else if constexpr (std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint> || std::is_same_v<E, ColorBlend>) {
+    } else if constexpr (std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint> ||
+                         std::is_same_v<E, ColorBlend>) {
       ++counts(Count::writes);
       if (!rays_) cover(pixel, event.polygon);
       if (event.polygon == no_polygon) return;
@@ -107,7 +113,8 @@ bool PixelCounts::count_to(std::int64_t position, std::chrono::microseconds time
   while (now_.position < position) {
     if (position - now_.position <= 256) {
       for (std::int64_t step = now_.position + 1; step <= position; ++step)
-        if (trace_->impl().readable(step)) std::visit([this](const auto& event) { take(event); }, trace_->event(step).event);
+        if (trace_->impl().readable(step))
+          std::visit([this](const auto& event) { take(event); }, trace_->event(step).event);
       now_.position = position;
       break;
     }
@@ -125,7 +132,9 @@ bool PixelCounts::count_to(std::int64_t position, std::chrono::microseconds time
     if (std::chrono::steady_clock::now() >= end) break;
   }
   // Steps back from where one walks: the moment follows.
-  if (now_.position == position && (!recent_ || position - recent_->position > 2 * near_by) && position - moments_.back().position > near_by) keep_recent();
+  if (now_.position == position && (!recent_ || position - recent_->position > 2 * near_by) &&
+      position - moments_.back().position > near_by)
+    keep_recent();
   return now_.position == position;
 }
 

@@ -1,5 +1,5 @@
-// How much work each pixel was, up to a position of a trace, and who wrote it first and last. Counted in one pass, a part at a
-// time; the light's picture is another one and does not count.
+// How much work each pixel was, up to a position of a trace, and who wrote it first and last. Counted in one pass, a
+// part at a time; the light's picture is another one and does not count.
 #pragma once
 
 #include <array>
@@ -21,7 +21,8 @@ enum class Count : std::uint8_t {
   work,     ///< events that name it
   covers,   ///< polygons that were compared or painted there, or met by the eye's ray: depth complexity
 };
-inline constexpr std::array<std::string_view, 6> count_names{"overdraw", "failed", "first-writer", "last-writer", "work", "complexity"};
+inline constexpr std::array<std::string_view, 6> count_names{"overdraw",    "failed", "first-writer",
+                                                             "last-writer", "work",   "complexity"};
 inline constexpr std::size_t count_kinds = count_names.size();
 
 class PixelCounts {
@@ -30,8 +31,8 @@ class PixelCounts {
   explicit PixelCounts(const Trace& trace);
 
   std::int64_t position() const { return now_.position; }
-  /// Counts up to `position`, forwards or backwards, for about this long; a block is counted whole. True when it is there.
-  /// Throws InputError where the trace is damaged.
+  /// Counts up to `position`, forwards or backwards, for about this long; a block is counted whole. True when it is
+  /// there. Throws InputError where the trace is damaged.
   bool count_to(std::int64_t position, std::chrono::microseconds time);
   void count_to(std::int64_t position) { while (!count_to(position, std::chrono::seconds(1))) {} }
 

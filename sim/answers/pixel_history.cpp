@@ -28,8 +28,10 @@ std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
 
 /// Does the trace say of a compare what its two depths do not?
 bool contradicts(const Trace& trace, const Visit& visit) {
-  const bool compared = visit.outcome == Outcome::won || visit.outcome == Outcome::lost || visit.outcome == Outcome::tie;
-  return compared && visit.z && visit.stored && is_nearer(trace, *visit.z, *visit.stored) != (visit.outcome == Outcome::won);
+  const bool compared =
+      visit.outcome == Outcome::won || visit.outcome == Outcome::lost || visit.outcome == Outcome::tie;
+  return compared && visit.z && visit.stored &&
+         is_nearer(trace, *visit.z, *visit.stored) != (visit.outcome == Outcome::won);
 }
 
 bool page_has(const Trace& trace, std::uint8_t kind) {
@@ -68,25 +70,33 @@ class History {
     }
     // What a ray meets stands there already; only what is painted against it does not.
     if (keeper_ && touch.how != Touch::How::blended && touch.shows == *keeper_) return;
-    const bool blend = touch.how == Touch::How::blended, compared = touch.how == Touch::How::compared || (blend && touch.z);
+    const bool blend = touch.how == Touch::How::blended,
+               compared = touch.how == Touch::How::compared || (blend && touch.z);
     if (compared || !blend) {
-      const Outcome outcome = !compared ? Outcome::painted : touch.nearer ? Outcome::won : touch.z == touch.stored ? Outcome::tie : Outcome::lost;
+      const Outcome outcome = !compared                 ? Outcome::painted
+                              : touch.nearer            ? Outcome::won
+                              : touch.z == touch.stored ? Outcome::tie
+                                                        : Outcome::lost;
       Visit& visit = add(touch.step, touch.polygon, outcome);
       visit.z = touch.z, visit.takes = touch.takes, visit.shows = touch.shows;
-      if (touch.known && (compared || touch.how == Touch::How::painted)) visit.stored = touch.stored, visit.stored_polygon = touch.stored_polygon;
+      if (touch.known && (compared || touch.how == Touch::How::painted))
+        visit.stored = touch.stored, visit.stored_polygon = touch.stored_polygon;
       visit.remark = remark(touch);
     }
     if (blend) add(touch.blended, touch.polygon, Outcome::mixed).opacity = touch.opacity;
   }
 
-  /// What is not as the rule has it: another polygon written, another depth, none at all, or written though it is not nearer.
+  /// What is not as the rule has it: another polygon written, another depth, none at all, or written though it is not
+  /// nearer.
   std::string remark(const Touch& touch) const {
     std::string text;
     const auto also = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
     const bool compared = touch.how == Touch::How::compared;
-    if (compared && !touch.nearer && touch.takes) also(fmt::format("written all the same at step {}", grouped(touch.written)));
+    if (compared && !touch.nearer && touch.takes)
+      also(fmt::format("written all the same at step {}", grouped(touch.written)));
     if (compared && touch.polygon == no_polygon) also("the trace does not say whose");
-    if (touch.takes && touch.polygon != touch.shows) also(fmt::format("step {} writes {}", grouped(touch.written), polygon_label(trace_.scene(), touch.shows)));
+    if (touch.takes && touch.polygon != touch.shows)
+      also(fmt::format("step {} writes {}", grouped(touch.written), polygon_label(trace_.scene(), touch.shows)));
     if (compared && touch.nearer && !touch.takes && trace_.size() > touch.step) also("not written");
     if (touch.how == Touch::How::written && !touch.takes) also("its depth alone");
     if (lacks_depth(touch)) also("its depth was not written");
@@ -129,12 +139,15 @@ class History {
   void find_there() {
     const Scene& scene = trace_.scene();
     there_.assign(scene.polygons.size(), false), towards_ = away_ = there_;
-    const bool matters = trace_.has(kind_of<PolygonReject>) || cut() || marks_some_only() || owner_by_interval_or_area() != nullptr;
-    if (!matters || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height) return;
+    const bool matters =
+        trace_.has(kind_of<PolygonReject>) || cut() || marks_some_only() || owner_by_interval_or_area() != nullptr;
+    if (!matters || pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= scene.raster.width || pixel_.y >= scene.raster.height)
+      return;
     for (const std::int32_t facet : facets_.near(pixel_)) {
       const auto at = compare::facet_at(scene, facet, false, pixel_.x, pixel_.y);
       if (!at || !at->candidate.covers) continue;
-      const bool away = trace_.header().conventions.cull && scene.camera.kind != Camera::Kind::screen && !compare::facet_at(scene, facet, true, pixel_.x, pixel_.y);
+      const bool away = trace_.header().conventions.cull && scene.camera.kind != Camera::Kind::screen &&
+                        !compare::facet_at(scene, facet, true, pixel_.x, pixel_.y);
       const auto polygon = static_cast<std::size_t>(at->candidate.polygon);
       there_[polygon] = true, (away ? away_ : towards_)[polygon] = true;
       facets_there_.insert(facet);
@@ -152,21 +165,25 @@ class History {
     return last != visits_.rend() && last->outcome == Outcome::painted ? &*last : nullptr;
   }
 
-  /// Those of them that came to no step at this pixel, as they were found to be behind on all of the interval or the area.
+  /// Those of them that came to no step at this pixel, as they were found to be behind on all of the interval or the
+  /// area.
   void add_behind() {
     const Visit* const painted = owner_by_interval_or_area();
     if (!painted || !painted->z) return;
     const Visit owner = *painted;
     const bool areas = page_has(trace_, kind_of<AreaDecide>);
-    const auto decided = areas ? previous_of<AreaDecide>(trace_, owner.step) : previous_of<SpanWinner>(trace_, owner.step);
-    const std::string symbol = depth_symbol(trace_.scene(), trace_.header().conventions), other = polygon_label(trace_.scene(), owner.polygon);
+    const auto decided =
+        areas ? previous_of<AreaDecide>(trace_, owner.step) : previous_of<SpanWinner>(trace_, owner.step);
+    const std::string symbol = depth_symbol(trace_.scene(), trace_.header().conventions),
+                      other = polygon_label(trace_.scene(), owner.polygon);
     for (const auto& [polygon, z] : depths_) {
       if (polygon == owner.polygon) continue;
       const std::string name = polygon_label(trace_.scene(), polygon);
       Visit& visit = add(decided.value_or(owner.step), polygon, Outcome::behind);
       visit.z = z, visit.stored = owner.z, visit.stored_polygon = owner.polygon;
-      visit.sentence = fmt::format("{} covers pixel ({}, {}), but {} was found to be in front {}.", name, pixel_.x, pixel_.y, other,
-                                   areas ? "in the area around it" : "on the interval of the scan line around it");
+      visit.sentence =
+          fmt::format("{} covers pixel ({}, {}), but {} was found to be in front {}.", name, pixel_.x, pixel_.y, other,
+                      areas ? "in the area around it" : "on the interval of the scan line around it");
       visit.formulas.push_back(difference(symbol, name, other, z, *owner.z));
     }
   }
@@ -175,17 +192,19 @@ class History {
   void add_rejected() {
     if (!trace_.has(kind_of<PolygonReject>) || facets_there_.empty()) return;
 
-    // A polygon is rejected after work on it begins, and before work on another does. A tree's back faces are rejected when their node is
-    // come to, between pieces that are drawn.
+    // A polygon is rejected after work on it begins, and before work on another does. A tree's back faces are rejected
+    // when their node is come to, between pieces that are drawn.
     const bool tree = page_has(trace_, kind_of<EyeSide>);
     const auto marks = trace_.polygons();
     const auto listed = all_rejects();
     for (std::size_t i = 0; i < marks.size(); ++i) {
       if (!there_[static_cast<std::size_t>(marks[i].polygon)]) continue;
-      const std::int64_t begin = marks[i].position, end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
+      const std::int64_t begin = marks[i].position,
+                         end = i + 1 < marks.size() ? marks[i + 1].position - 1 : trace_.size();
       for (const RejectMark& reject : listed ? rejects_among(*listed, begin, end) : rejects_within(begin, end)) {
         const bool by_node = tree && reject.reason == Reject::back_facing;
-        if (reject.polygon == marks[i].polygon && !by_node && !is_of_another_facet(begin, reject.polygon)) add_rejected(reject);
+        if (reject.polygon == marks[i].polygon && !by_node && !is_of_another_facet(begin, reject.polygon))
+          add_rejected(reject);
       }
     }
     if (!marks.empty() && !tree) return;
@@ -193,11 +212,13 @@ class History {
     for (const RejectMark& reject : trace_.rejects()) {
       const auto polygon = static_cast<std::size_t>(reject.polygon);
       if (!tree && there_[polygon]) add_rejected(reject);
-      if (tree && reject.reason == Reject::back_facing && of_node[polygon]) add_rejected(reject), of_node[polygon] = false;
+      if (tree && reject.reason == Reject::back_facing && of_node[polygon])
+        add_rejected(reject), of_node[polygon] = false;
     }
   }
 
-  /// The trace's list of rejects; nothing where a damaged block keeps it from being made, which need not concern this pixel.
+  /// The trace's list of rejects; nothing where a damaged block keeps it from being made, which need not concern this
+  /// pixel.
   std::optional<std::span<const RejectMark>> all_rejects() const {
     try {
       return trace_.rejects();
@@ -207,14 +228,17 @@ class History {
   }
   /// Those of them at steps from first to last.
   static std::vector<RejectMark> rejects_among(std::span<const RejectMark> all, std::int64_t first, std::int64_t last) {
-    const auto from = std::lower_bound(all.begin(), all.end(), first, [](const RejectMark& mark, std::int64_t at) { return mark.position < at; });
-    const auto end = std::upper_bound(from, all.end(), last, [](std::int64_t at, const RejectMark& mark) { return at < mark.position; });
+    const auto from = std::lower_bound(all.begin(), all.end(), first,
+                                       [](const RejectMark& mark, std::int64_t at) { return mark.position < at; });
+    const auto end = std::upper_bound(from, all.end(), last,
+                                      [](std::int64_t at, const RejectMark& mark) { return at < mark.position; });
     return {from, end};
   }
   /// The same, read from the steps themselves.
   std::vector<RejectMark> rejects_within(std::int64_t first, std::int64_t last) const {
     std::vector<RejectMark> found;
-    for (auto at = next_of<PolygonReject>(trace_, first - 1, last + 1); at; at = next_of<PolygonReject>(trace_, *at, last + 1)) {
+    for (auto at = next_of<PolygonReject>(trace_, first - 1, last + 1); at;
+         at = next_of<PolygonReject>(trace_, *at, last + 1)) {
       const auto event = event_at<PolygonReject>(trace_, *at);
       found.push_back({*at, event->polygon, event->reason});
     }
@@ -230,10 +254,13 @@ class History {
 
   /// Those of them whose turn did not come before the recording was cut off.
   void add_cut_off() {
-    if ((!cut() && begun_.empty()) || trace_.size() == 0 || page_has(trace_, kind_of<LineBegin>) || page_has(trace_, kind_of<HorizonTest>)) return;
+    if ((!cut() && begun_.empty()) || trace_.size() == 0 || page_has(trace_, kind_of<LineBegin>) ||
+        page_has(trace_, kind_of<HorizonTest>))
+      return;
     // Each polygon is compared at each pixel that it covers; by other methods what is settled is not looked at again.
     const bool all_come = page_has(trace_, kind_of<DepthCompare>);
-    const bool settled = std::any_of(visits_.begin(), visits_.end(), [](const Visit& visit) { return visit.outcome != Outcome::rejected; });
+    const bool settled = std::any_of(visits_.begin(), visits_.end(),
+                                     [](const Visit& visit) { return visit.outcome != Outcome::rejected; });
     if (settled && !all_come) return;
     std::vector<bool> came(there_.size());
     for (const Visit& visit : visits_)
@@ -241,8 +268,10 @@ class History {
     for (std::size_t polygon = 0; polygon < towards_.size(); ++polygon) {
       if (!towards_[polygon] || came[polygon] || (!cut() && begun_[polygon])) continue;
       Visit& visit = add(trace_.size(), static_cast<std::int32_t>(polygon), Outcome::cut_off);
-visit.reason = cut() ? "the recording was cut off before its turn" : fmt::format("the trace ends at step {}, before work on it begins", grouped(trace_.size()));
-      visit.sentence = fmt::format("{} covers pixel ({}, {}), but {}{}.", polygon_label(trace_.scene(), visit.polygon), pixel_.x, pixel_.y, visit.reason, cut() ? " there" : "");
+      visit.reason = cut() ? "the recording was cut off before its turn"
+                           : fmt::format("the trace ends at step {}, before work on it begins", grouped(trace_.size()));
+      visit.sentence = fmt::format("{} covers pixel ({}, {}), but {}{}.", polygon_label(trace_.scene(), visit.polygon),
+                                   pixel_.x, pixel_.y, visit.reason, cut() ? " there" : "");
     }
   }
   void add_rejected(const RejectMark& reject) {
@@ -250,7 +279,8 @@ visit.reason = cut() ? "the recording was cut off before its turn" : fmt::format
     visit.reason = words_of<Reject>[static_cast<std::size_t>(reject.reason)];
     std::replace(visit.reason.begin(), visit.reason.end(), '_', '-');
     for (const std::int32_t facet : facets_there_)
-      if (const RejectCheck check = check_reject(trace_.scene(), facet, reject.reason, nullptr); polygon_of_facet(trace_.scene(), facet) == reject.polygon && !check.holds)
+      if (const RejectCheck check = check_reject(trace_.scene(), facet, reject.reason, nullptr);
+          polygon_of_facet(trace_.scene(), facet) == reject.polygon && !check.holds)
         visit.remark = "but " + check.text;
   }
 
@@ -278,7 +308,8 @@ visit.reason = cut() ? "the recording was cut off before its turn" : fmt::format
   Trace::Pixel pixel_;
   std::optional<std::int32_t> keeper_;  ///< of the eye's ray, whose hit is kept; none where no ray is recorded
   std::vector<bool> begun_;  ///< by polygon: work on it begins; empty where that tells nothing
-  std::vector<bool> there_, towards_, away_;  ///< by polygon: it covers the pixel; with a facet that may be drawn; with one that is culled
+  std::vector<bool> there_, towards_,
+      away_;  ///< by polygon: it covers the pixel; with a facet that may be drawn; with one that is culled
   std::set<std::int32_t> facets_there_;
   std::map<std::int32_t, double> depths_;  ///< of those that may be drawn and surely cover the centre, by polygon
   std::vector<Visit> visits_;
@@ -286,8 +317,12 @@ visit.reason = cut() ? "the recording was cut off before its turn" : fmt::format
 
 }  // namespace
 
-std::vector<Visit> pixel_history(const Trace& trace, const FacetsNear& facets, Trace::Pixel pixel) { return History(trace, facets, pixel).all(); }
-std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel) { return pixel_history(trace, FacetsNear(trace), pixel); }
+std::vector<Visit> pixel_history(const Trace& trace, const FacetsNear& facets, Trace::Pixel pixel) {
+  return History(trace, facets, pixel).all();
+}
+std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel) {
+  return pixel_history(trace, FacetsNear(trace), pixel);
+}
 
 void tell(Replay& replay, Visit& visit) {
   if (!visit.sentence.empty()) return;
@@ -303,8 +338,8 @@ std::string contradiction_text(const Trace& trace, bool nearer, double z, double
   // Along a ray t is compared, and the smaller is nearer whatever depths there are.
   const std::string open = page_has(trace, kind_of<RayHit>) ? "" : undeclared_text(trace.header(), z == stored);
   return fmt::format("the trace says {}, but {} {} {} is {}{}", nearer ? "nearer" : "not nearer", depth_text(z),
-                     trace.header().comparison.sign(), depth_text(stored), is_nearer(trace, z, stored) ? "true" : "false",
-                     open.empty() ? "" : " (" + open + ")");
+                     trace.header().comparison.sign(), depth_text(stored),
+                     is_nearer(trace, z, stored) ? "true" : "false", open.empty() ? "" : " (" + open + ")");
 }
 
 namespace {
@@ -312,7 +347,8 @@ namespace {
 /// Planes' depths at one pixel; what is within rounding of each other is as near.
 std::string behind_text(double gap, double z, double stored) {
   if (std::abs(gap) <= 1e-9 * std::max({1.0, std::abs(z), std::abs(stored)})) return "as near; the first stays";
-  return gap > 0 ? "behind by " + depth_text(gap) : fmt::format("its plane is nearer by {}, and yet it was found to be behind", depth_text(-gap));
+  return gap > 0 ? "behind by " + depth_text(gap)
+                 : fmt::format("its plane is nearer by {}, and yet it was found to be behind", depth_text(-gap));
 }
 
 }  // namespace
@@ -321,24 +357,31 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
   std::string text;
   switch (visit.outcome) {
     case Outcome::won: text = "nearer"; break;
-    case Outcome::lost: text = visit.z && visit.stored ? "behind by " + depth_text(trace.header().comparison.behind(*visit.z, *visit.stored)) : "behind"; break;
+    case Outcome::lost:
+      text = visit.z && visit.stored
+                 ? "behind by " + depth_text(trace.header().comparison.behind(*visit.z, *visit.stored))
+                 : "behind";
+      break;
     case Outcome::tie: text = "a tie: the first stays"; break;
     case Outcome::painted: text = "painted"; break;
     case Outcome::mixed:
-      text = visit.opacity && *visit.opacity < 1 ? "mixed in, with opacity " + depth_text(*visit.opacity) : "the pixel's colour";
+      text = visit.opacity && *visit.opacity < 1 ? "mixed in, with opacity " + depth_text(*visit.opacity)
+                                                 : "the pixel's colour";
       break;
     case Outcome::colored: text = "the pixel's colour"; break;
     case Outcome::behind: text = behind_text(*visit.z - *visit.stored, *visit.z, *visit.stored); break;
     case Outcome::rejected: text = "not drawn: " + visit.reason; break;
     case Outcome::cut_off: text = visit.reason; break;
   }
-  if (contradicts(trace, visit)) text = contradiction_text(trace, visit.outcome == Outcome::won, *visit.z, *visit.stored);
+  if (contradicts(trace, visit))
+    text = contradiction_text(trace, visit.outcome == Outcome::won, *visit.z, *visit.stored);
   if (!visit.remark.empty()) text += "; " + visit.remark;
   if (visit.wiped) return fmt::format("{}; cleared at step {}", text, grouped(*visit.wiped));
   if (!visit.over) return text;
   const Visit& other = history[*visit.over];
   if (other.shows == visit.shows) return fmt::format("{}; written once more after step {}", text, grouped(other.step));
-  return fmt::format("{}; {} comes over it at step {}", text, polygon_label(trace.scene(), other.shows), grouped(other.step));
+  return fmt::format("{}; {} comes over it at step {}", text, polygon_label(trace.scene(), other.shows),
+                     grouped(other.step));
 }
 
 }  // namespace zstep::answers

@@ -1,4 +1,5 @@
-// What happened to one pixel: every polygon that reached it, in order, with the numbers that decided and the reason in words.
+// What happened to one pixel: every polygon that reached it, in order, with the numbers that decided and the reason in
+// words.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +43,8 @@ struct Visit {
   std::optional<std::size_t> over;    ///< the visit that next took the pixel from this one, by its place in the history
 };
 
-/// All that happened to a pixel, by step. Of polygons that were rejected only those that cover its centre; so, too, of those whose turn did
-/// not come before a recording was cut off, which stand at its last step.
+/// All that happened to a pixel, by step. Of polygons that were rejected only those that cover its centre; so, too, of
+/// those whose turn did not come before a recording was cut off, which stand at its last step.
 /// Throws InputError where the trace is damaged, or tells what cannot be.
 std::vector<Visit> pixel_history(const Trace& trace, Trace::Pixel pixel);
 /// The same for who asks more than once, and keeps what tells which facets come near a pixel.

@@ -26,17 +26,20 @@ AtWork at_work(const Trace& trace, std::int64_t step) {
   if (one_table)
     if (const auto found = by_span(trace, step)) return *found;
   const auto marks = trace.polygons();
-  const auto beyond = std::upper_bound(marks.begin(), marks.end(), step, [](std::int64_t at, const PolygonMark& mark) { return at < mark.position; });
+  const auto beyond = std::upper_bound(marks.begin(), marks.end(), step,
+                                       [](std::int64_t at, const PolygonMark& mark) { return at < mark.position; });
   const std::int64_t mark = beyond == marks.begin() ? 0 : std::prev(beyond)->position;
   if (records<PieceDraw>(trace))
-    if (const auto draw = previous_of<PieceDraw>(trace, step, mark)) return {event_at<PieceDraw>(trace, *draw)->polygon, *draw};
+    if (const auto draw = previous_of<PieceDraw>(trace, step, mark))
+      return {event_at<PieceDraw>(trace, *draw)->polygon, *draw};
   return mark == 0 ? AtWork{} : AtWork{std::prev(beyond)->polygon, mark};
 }
 
 /// Puts the events of one pixel together.
 class Reading {
  public:
-  explicit Reading(const Trace& trace) : trace_(trace), depth_(trace.header().empty_depth()), known_(trace.header().initial_depth.has_value()) {}
+  explicit Reading(const Trace& trace)
+      : trace_(trace), depth_(trace.header().empty_depth()), known_(trace.header().initial_depth.has_value()) {}
 
   void clear(double z) {
     depth_ = z, polygon_ = no_polygon;
@@ -63,7 +66,8 @@ class Reading {
       depth_ = depth->z, only_cleared_ = false, known_ = true;
     } else if (const auto* write = std::get_if<PixelWrite>(&event)) {
       const AtWork work = at_work(trace_, step);
-      const bool after_blend = goes_on(work) && all.back().how == Touch::How::blended && all.back().polygon == write->polygon && !all.back().takes;
+      const bool after_blend = goes_on(work) && all.back().how == Touch::How::blended &&
+                               all.back().polygon == write->polygon && !all.back().takes;
       const bool belongs = goes_on(work) && all.back().written == 0;
       Touch& touch = after_blend || belongs ? all.back() : add(step, work, Touch::How::written);
       if (touch.polygon == no_polygon) touch.polygon = write->polygon;
@@ -79,7 +83,8 @@ class Reading {
       open_ = false;
     } else if (const auto* blend = std::get_if<ColorBlend>(&event)) {
       const AtWork work = at_work(trace_, step);
-      const bool belongs = goes_on(work) && all.back().how == Touch::How::compared && all.back().nearer && !all.back().takes;
+      const bool belongs =
+          goes_on(work) && all.back().how == Touch::How::compared && all.back().nearer && !all.back().takes;
       Touch& touch = belongs ? all.back() : add(step, work, Touch::How::blended);
       touch.how = Touch::How::blended, touch.polygon = blend->polygon, touch.opacity = blend->opacity;
       touch.blended = touch.written = step;
@@ -124,13 +129,16 @@ class Reading {
 
 }  // namespace
 
-std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel) { return touches_of(trace, pixel, begin_of_picture(trace)); }
+std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel) {
+  return touches_of(trace, pixel, begin_of_picture(trace));
+}
 
 std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after) {
   // The events of this pixel and those that concern all pixels alike.
   std::vector<std::pair<std::int64_t, Event>> here;
   trace.scan(pixel, [&](std::int64_t step, const RecordedEvent& recorded) {
-    if (is_one_of<DepthInterpolate, DepthCompare, DepthWrite, PixelWrite, PixelPaint, ColorBlend, ColorWrite>(recorded)) here.emplace_back(step, recorded.event);
+    if (is_one_of<DepthInterpolate, DepthCompare, DepthWrite, PixelWrite, PixelPaint, ColorBlend, ColorWrite>(recorded))
+      here.emplace_back(step, recorded.event);
     return true;
   });
   const auto add_all = [&](std::uint8_t kind) {

@@ -1,5 +1,5 @@
-// What came to one pixel, and what of it was compared and written, as the trace records it: the one reading on which why-not and
-// the history of a pixel rest.
+// What came to one pixel, and what of it was compared and written, as the trace records it: the one reading on which
+// why-not and the history of a pixel rest.
 #pragma once
 
 #include <cstdint>
@@ -20,25 +20,27 @@ struct Touch {
     colored,  ///< a colour that is no polygon's own
   } how = How::compared;
   std::int64_t step = 0;              ///< that decided it: the compare, where there is one
-  std::int32_t polygon = no_polygon;  ///< at work there; where nothing says so, the one that is written; none if that is not known either
+  std::int32_t polygon =
+      no_polygon;  ///< at work there; where nothing says so, the one that is written; none if that is not known either
   std::optional<double> z;            ///< its depth: compared, painted or written
   bool nearer = true;                 ///< of a compare, its outcome
 
   double stored = no_depth;                  ///< the depth buffer's number before it
   std::int32_t stored_polygon = no_polygon;  ///< the frame's polygon before it
   bool only_cleared = true;                  ///< no depth was written here since the buffers were cleared
-  bool known = false;                        ///< `stored` is recorded or declared: the buffers were cleared, or a depth was written
+  bool known = false;  ///< `stored` is recorded or declared: the buffers were cleared, or a depth was written
 
   std::optional<double> kept;         ///< the depth that was written
   std::int64_t kept_at = 0;           ///< the step that wrote it
   std::int64_t written = 0;           ///< the step that changed the pixel's colour, 0 if none did
-  bool takes = false;                 ///< the pixel is one polygon's from then on: glass that is mixed in only colours it
+  bool takes = false;  ///< the pixel is one polygon's from then on: glass that is mixed in only colours it
   std::int32_t shows = no_polygon;    ///< that polygon
   double opacity = 1;                 ///< of what is blended
   std::int64_t blended = 0;           ///< the step of the blend, also where a compare came first
 };
 
-/// All that happened to a pixel after a step (standard: since its picture began), in order. A blend that follows a compare is one with it.
+/// All that happened to a pixel after a step (standard: since its picture began), in order. A blend that follows a
+/// compare is one with it.
 std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after);
 std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel);
 

@@ -23,11 +23,19 @@ bool does_not_cover(Why kind) {
 }
 
 Asked::Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel at)
-    : trace(asked), scene(asked.scene()), polygon(of), pixel(at), name(polygon_label(scene, of)), where(fmt::format("at pixel ({}, {})", at.x, at.y)),
-      z(depth_symbol(scene, asked.header().conventions)), at_hand_(at_hand) {
-  if (of < 0 || static_cast<std::size_t>(of) >= scene.polygons.size()) throw std::out_of_range("why_not: no such polygon");
+    : trace(asked),
+      scene(asked.scene()),
+      polygon(of),
+      pixel(at),
+      name(polygon_label(scene, of)),
+      where(fmt::format("at pixel ({}, {})", at.x, at.y)),
+      z(depth_symbol(scene, asked.header().conventions)),
+      at_hand_(at_hand) {
+  if (of < 0 || static_cast<std::size_t>(of) >= scene.polygons.size())
+    throw std::out_of_range("why_not: no such polygon");
   const Raster& raster = scene.raster;
-  if (at.x < 0 || at.y < 0 || at.x >= raster.width || at.y >= raster.height) throw std::out_of_range("why_not: no such pixel");
+  if (at.x < 0 || at.y < 0 || at.x >= raster.width || at.y >= raster.height)
+    throw std::out_of_range("why_not: no such pixel");
 }
 
 Family family_of(const Trace& trace) {
@@ -76,13 +84,15 @@ void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, c
 }
 
 Verdict not_recorded(const Asked& q) {
-  return q.verdict(Why::not_recorded, 0, q.trace.whole() ? "it covers the pixel, but the trace records no step of it there"
-                                                                   : "it covers the pixel, but the recording was cut off before its turn there");
+  return q.verdict(Why::not_recorded, 0,
+                   q.trace.whole() ? "it covers the pixel, but the trace records no step of it there"
+                                   : "it covers the pixel, but the recording was cut off before its turn there");
 }
 
 Verdict not_begun(const Asked& q) {
   if (!q.trace.whole()) return not_recorded(q);
-  return q.verdict(Why::not_recorded, 0, fmt::format("the trace ends at step {}, before work on {} begins", grouped(q.trace.size()), q.name));
+  return q.verdict(Why::not_recorded, 0,
+                   fmt::format("the trace ends at step {}, before work on {} begins", grouped(q.trace.size()), q.name));
 }
 
 Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::string& what) {
@@ -108,10 +118,13 @@ Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Re
               : family == Family::sweep ? why_by_sweep(q, facets)
                                         : why_by_pixels(q, facets);
     if (facets.size() > 1 && verdict.kind != Why::seen)
-      verdict.sentence += fmt::format(" ({} has {} facets; this is {}.)", q.name, facets.size(), verdict.facet < 0 ? "the one that came nearest to it" : fmt::format("facet {}", verdict.facet));
+      verdict.sentence +=
+          fmt::format(" ({} has {} facets; this is {}.)", q.name, facets.size(),
+                      verdict.facet < 0 ? "the one that came nearest to it" : fmt::format("facet {}", verdict.facet));
   }
   std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
-  std::stable_sort(verdict.chain.begin(), verdict.chain.end(), [](const Link& a, const Link& b) { return a.step < b.step; });
+  std::stable_sort(verdict.chain.begin(), verdict.chain.end(),
+                   [](const Link& a, const Link& b) { return a.step < b.step; });
   return verdict;
 }
 

@@ -34,7 +34,8 @@ enum class Why : std::uint8_t {
   flag_out,      ///< the same by a scan line: its in/out flag is out there
   apart,         ///< the same by areas: it is disjoint from one around the pixel
   box_missed,    ///< the same by rays: the ray misses a box around it, or all cells that hold it
-  contradicted,  ///< what the trace records of it there cannot all be so: won and not written, lost and overwritten all the same
+  contradicted,  ///< what the trace records of it there cannot all be so: won and not written, lost and overwritten all
+                 ///< the same
   not_recorded,  ///< it covers the pixel, and the trace has no step of it there
 };
 inline constexpr std::size_t why_count = static_cast<std::size_t>(Why::not_recorded) + 1;
@@ -52,7 +53,7 @@ struct Link {
 struct Verdict {
   Why kind = Why::not_recorded;
   std::int64_t step = 0;              ///< that decided it, 0 where none is recorded
-  std::int32_t facet = -1;            ///< of the polygon's facets the one nearest to be seen; -1 where it does not matter
+  std::int32_t facet = -1;  ///< of the polygon's facets the one nearest to be seen; -1 where it does not matter
   std::int32_t other = no_polygon;    ///< who is there instead
   std::optional<double> gap;          ///< its depth (along a ray its t) minus the other's: positive is behind it
   std::optional<Trace::Pixel> pixel;  ///< asked for, or picked where none was
@@ -61,8 +62,8 @@ struct Verdict {
   std::vector<Link> chain;            ///< the steps that led there, in order
 };
 
-/// At a pixel. Throws InputError where the trace is damaged or tells what cannot be, std::out_of_range for a polygon or a pixel
-/// that the scene does not have.
+/// At a pixel. Throws InputError where the trace is damaged or tells what cannot be, std::out_of_range for a polygon or
+/// a pixel that the scene does not have.
 /// `replay`: one of the same trace that may be moved; with none, one begins anew where it is needed.
 Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Replay* replay = nullptr);
 

@@ -9,12 +9,15 @@
 namespace zstep::answers {
 namespace {
 
-std::string count_text(std::size_t count, const char* one, const char* many) { return fmt::format("{} {}", grouped(static_cast<std::int64_t>(count)), count == 1 ? one : many); }
+std::string count_text(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", grouped(static_cast<std::int64_t>(count)), count == 1 ? one : many);
+}
 
 /// Without links to steps that are not recorded, and in order.
 Verdict tidied(Verdict verdict) {
   std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
-  std::stable_sort(verdict.chain.begin(), verdict.chain.end(), [](const Link& a, const Link& b) { return a.step < b.step; });
+  std::stable_sort(verdict.chain.begin(), verdict.chain.end(),
+                   [](const Link& a, const Link& b) { return a.step < b.step; });
   return verdict;
 }
 
@@ -45,7 +48,9 @@ std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& face
       for (const compare::Candidate& candidate : truth.at(x, y)) {
         if (!candidate.covers) continue;
         const std::size_t at = picture.at(x, y);
-        const double seen = std::isinf(picture.depth[at]) ? no_depth : view_depth(q.scene.camera, q.trace.header().conventions, picture.depth[at]);
+        const double seen = std::isinf(picture.depth[at])
+                                ? no_depth
+                                : view_depth(q.scene.camera, q.trace.header().conventions, picture.depth[at]);
         all.push_back({{x, y}, candidate.z - seen, picture.polygon[at]});
         break;
       }
@@ -53,7 +58,9 @@ std::vector<Covered> covered(const Asked& q, const std::vector<FacetThere>& face
 }
 
 /// Was the recording cut off before the pixel was settled? Nothing was drawn there, or only what lies behind.
-bool is_pending(const Asked& q, const Covered& one) { return !q.trace.whole() && (one.owner == no_polygon || one.gap < 0); }
+bool is_pending(const Asked& q, const Covered& one) {
+  return !q.trace.whole() && (one.owner == no_polygon || one.gap < 0);
+}
 
 /// "to Q at 12 pixels, to R at 3 pixels", the most first, where `to` is "to ".
 std::string losses(const Asked& q, const std::vector<Covered>& all, const char* to) {
@@ -66,7 +73,9 @@ std::string losses(const Asked& q, const std::vector<Covered>& all, const char* 
   std::size_t rest = 0;
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     if (k >= named) rest += sorted[k].second;
-    else text += fmt::format("{}{}{} at {}", text.empty() ? "" : ", ", to, q.label(sorted[k].first), count_text(sorted[k].second, "pixel", "pixels"));
+    else
+      text += fmt::format("{}{}{} at {}", text.empty() ? "" : ", ", to, q.label(sorted[k].first),
+                          count_text(sorted[k].second, "pixel", "pixels"));
   }
   if (rest > 0) text += fmt::format(", {}others at {}", to, count_text(rest, "pixel", "pixels"));
   return text;
@@ -75,13 +84,16 @@ std::string losses(const Asked& q, const std::vector<Covered>& all, const char* 
 /// "it covers 9 pixels and loses them all, to Q at 9 pixels", as far as the recording goes.
 std::string fate(const Asked& q, const std::vector<Covered>& all) {
   std::vector<Covered> lost;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(lost), [&](const Covered& one) { return !is_pending(q, one); });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(lost),
+               [&](const Covered& one) { return !is_pending(q, one); });
   const std::size_t pending = all.size() - lost.size();
   const std::string covers = "it covers " + count_text(all.size(), "pixel", "pixels");
-  if (pending == 0) return fmt::format("{} and loses {}, {}", covers, all.size() == 1 ? "it" : "them all", losses(q, all, "to "));
+  if (pending == 0)
+    return fmt::format("{} and loses {}, {}", covers, all.size() == 1 ? "it" : "them all", losses(q, all, "to "));
   if (lost.empty()) return fmt::format("{}, but the recording was cut off before its turn there", covers);
-  return fmt::format("{}; the recording was cut off before its turn at {}, and at the {} it lies behind what was drawn by then, {}", covers,
-                     grouped(static_cast<std::int64_t>(pending)), lost.size() == 1 ? "other" : "others", losses(q, lost, ""));
+  return fmt::format(
+      "{}; the recording was cut off before its turn at {}, and at the {} it lies behind what was drawn by then, {}",
+      covers, grouped(static_cast<std::int64_t>(pending)), lost.size() == 1 ? "other" : "others", losses(q, lost, ""));
 }
 
 /// The first pixel whose centre the facet surely covers, whatever way it faces.
@@ -118,14 +130,18 @@ Verdict filled(Asked& q, const Picture& picture) {
       if (!first) first = Trace::Pixel{x, y};
       ++count;
     }
-  if (first) return with_pixel(q.trace, q.polygon, *first, fmt::format("{} is seen at {}; the first of them:", q.name, count_text(count, "pixel", "pixels")));
+  if (first)
+    return with_pixel(
+        q.trace, q.polygon, *first,
+        fmt::format("{} is seen at {}; the first of them:", q.name, count_text(count, "pixel", "pixels")));
 
   const std::vector<FacetThere> facets = facets_there(q);
   if (auto verdict = gone_as_a_whole(q, facets)) {
     verdict->pixel.reset();
     return *verdict;
   }
-  if (q.trace.whole() && std::all_of(facets.begin(), facets.end(), [&](const FacetThere& there) { return never_begun(q, there); })) {
+  if (q.trace.whole() &&
+      std::all_of(facets.begin(), facets.end(), [&](const FacetThere& there) { return never_begun(q, there); })) {
     q.where = "anywhere";
     Verdict verdict = facets.empty() ? *why_by_facets(q, facets) : not_begun(q);
     verdict.pixel.reset();
@@ -134,17 +150,22 @@ Verdict filled(Asked& q, const Picture& picture) {
   std::vector<Covered> all = covered(q, facets, picture);
   if (all.empty()) {
     q.where = "anywhere";
-    Verdict verdict = q.verdict(Why::not_covered, facets.empty() ? 0 : facets.front().mark, "as it is drawn it covers no pixel's centre");
+    Verdict verdict = q.verdict(Why::not_covered, facets.empty() ? 0 : facets.front().mark,
+                                "as it is drawn it covers no pixel's centre");
     verdict.pixel.reset();
-    for (const FacetThere& there : facets) verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
+    for (const FacetThere& there : facets)
+      verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
     return verdict;
   }
-  const Covered best = *std::min_element(all.begin(), all.end(), [](const Covered& a, const Covered& b) { return a.gap < b.gap; });
+  const Covered best =
+      *std::min_element(all.begin(), all.end(), [](const Covered& a, const Covered& b) { return a.gap < b.gap; });
   Verdict verdict = why_not(q.trace, q.polygon, best.pixel, q.replay());
   const std::string covers = count_text(all.size(), "pixel", "pixels");
-  verdict.sentence = (verdict.kind == Why::mixed ? fmt::format("{} takes no pixel for itself; it covers {}. Where it is nearest: ", q.name, covers)
-                                                 : fmt::format("{} is not seen anywhere: {}. Where it comes nearest to being seen: ", q.name, fate(q, all))) +
-                     verdict.sentence;
+  verdict.sentence =
+      (verdict.kind == Why::mixed
+           ? fmt::format("{} takes no pixel for itself; it covers {}. Where it is nearest: ", q.name, covers)
+           : fmt::format("{} is not seen anywhere: {}. Where it comes nearest to being seen: ", q.name, fate(q, all))) +
+      verdict.sentence;
   return verdict;
 }
 
@@ -153,7 +174,8 @@ Verdict by_lines(Asked& q) {
   std::size_t seen_edges = 0;
   const Line *visible = nullptr, *hidden = nullptr;
   for (const Line& line : lines) {
-    const bool any = std::any_of(line.row.pieces.begin(), line.row.pieces.end(), [](const LinePiece& piece) { return piece.visible; });
+    const bool any = std::any_of(line.row.pieces.begin(), line.row.pieces.end(),
+                                 [](const LinePiece& piece) { return piece.visible; });
     if (any) visible = visible ? visible : &line, ++seen_edges;
     else hidden = hidden ? hidden : &line;
   }
@@ -161,12 +183,18 @@ Verdict by_lines(Asked& q) {
   if (!picked) return why_by_lines(q);
   // A pixel on it: the first that was drawn, or for one that was not the middle of the edge.
   const std::int64_t begin = begin_of(q, *picked).value_or(0);
-  Trace::Pixel pixel{static_cast<std::int32_t>(std::lround((picked->from.x + picked->to.x) / 2)), static_cast<std::int32_t>(std::lround((picked->from.y + picked->to.y) / 2))};
+  Trace::Pixel pixel{static_cast<std::int32_t>(std::lround((picked->from.x + picked->to.x) / 2)),
+                     static_cast<std::int32_t>(std::lround((picked->from.y + picked->to.y) / 2))};
   const auto draw = next_of<ColorWrite, LineBegin>(q.trace, begin, q.trace.size() + 1);
   if (const auto color = draw ? event_at<ColorWrite>(q.trace, *draw) : std::nullopt) pixel = {color->x, color->y};
-  pixel.x = std::clamp(pixel.x, 0, q.scene.raster.width - 1), pixel.y = std::clamp(pixel.y, 0, q.scene.raster.height - 1);
-  return with_pixel(q.trace, q.polygon, pixel, visible ? fmt::format("Of the {} of {} in view, {} seen, in whole or in part. On one of them:", count_text(lines.size(), "edge", "edges"), q.name, seen_edges == 1 ? "one is" : fmt::format("{} are", seen_edges))
-                                                       : fmt::format("None of the {} of {} in view is seen. On one of them:", count_text(lines.size(), "edge", "edges"), q.name));
+  pixel.x = std::clamp(pixel.x, 0, q.scene.raster.width - 1),
+  pixel.y = std::clamp(pixel.y, 0, q.scene.raster.height - 1);
+  return with_pixel(q.trace, q.polygon, pixel,
+                    visible ? fmt::format("Of the {} of {} in view, {} seen, in whole or in part. On one of them:",
+                                          count_text(lines.size(), "edge", "edges"), q.name,
+                                          seen_edges == 1 ? "one is" : fmt::format("{} are", seen_edges))
+                            : fmt::format("None of the {} of {} in view is seen. On one of them:",
+                                          count_text(lines.size(), "edge", "edges"), q.name));
 }
 
 Verdict by_curves(Asked& q) {
@@ -174,14 +202,18 @@ Verdict by_curves(Asked& q) {
   std::optional<Trace::Pixel> drawn, behind;
   for (const Segment& segment : segments_of(q))
     for (std::int64_t step = segment.begin + 1; step < segment.end; ++step) {
-      if (const auto color = event_at<ColorWrite>(q.trace, step); color && !drawn) drawn = Trace::Pixel{color->x, color->y};
+      if (const auto color = event_at<ColorWrite>(q.trace, step); color && !drawn)
+        drawn = Trace::Pixel{color->x, color->y};
       const auto test = event_at<HorizonTest>(q.trace, step);
       if (!test) continue;
       (test->verdict == Horizon::hidden ? hidden : visible) += 1;
-      const auto row = static_cast<std::int32_t>(std::clamp(std::round(test->y_curve), 0.0, q.scene.raster.height - 1.0));
-      if (test->verdict == Horizon::hidden && !behind) behind = Trace::Pixel{std::clamp(test->x, 0, q.scene.raster.width - 1), row};
+      const auto row =
+          static_cast<std::int32_t>(std::clamp(std::round(test->y_curve), 0.0, q.scene.raster.height - 1.0));
+      if (test->verdict == Horizon::hidden && !behind)
+        behind = Trace::Pixel{std::clamp(test->x, 0, q.scene.raster.width - 1), row};
     }
-  const std::string whole = fmt::format("Of the {} of the curves around {}, {} visible and {} hidden.", count_text(visible + hidden, "point", "points"), q.name, visible, hidden);
+  const std::string whole = fmt::format("Of the {} of the curves around {}, {} visible and {} hidden.",
+                                        count_text(visible + hidden, "point", "points"), q.name, visible, hidden);
   return with_pixel(q.trace, q.polygon, drawn ? *drawn : behind.value_or(q.pixel), whole);
 }
 

@@ -12,7 +12,8 @@ std::set<std::int32_t> corners_of(const Asked& q, std::int32_t polygon) {
   std::set<std::int32_t> corners;
   for (const Facet& facet : q.scene.facets) {
     if (facet.polygon != polygon) continue;
-    for (std::int32_t k = 0; k < facet.corner_count; ++k) corners.insert(q.scene.corners[static_cast<std::size_t>(facet.first_corner + k)]);
+    for (std::int32_t k = 0; k < facet.corner_count; ++k)
+      corners.insert(q.scene.corners[static_cast<std::size_t>(facet.first_corner + k)]);
   }
   return corners;
 }
@@ -74,8 +75,11 @@ std::optional<Verdict> drawn(Asked& q, const Segment& segment) {
   };
   const auto step = next_within(q.trace, segment.begin, segment.end, here);
   if (!step) return std::nullopt;
-  Verdict verdict = seen(q, *step, "a curve along its border is drawn through it", "the pixel gets the colour of curves");
-  verdict.chain.push_back({segment.begin, q.polygon, fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
+  Verdict verdict =
+      seen(q, *step, "a curve along its border is drawn through it", "the pixel gets the colour of curves");
+  verdict.chain.push_back(
+      {segment.begin, q.polygon,
+       fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
   if (const auto test = previous_of<HorizonTest>(q.trace, *step, segment.begin)) {
     verdict.chain.push_back({*test, q.polygon, "the curve is held against the horizons of its column"});
     q.add_formulas(verdict, *test);
@@ -88,13 +92,20 @@ Verdict hidden(Asked& q, const Segment& segment, const There& there) {
     const auto* move = std::get_if<HorizonMove>(&recorded.event);
     return move && move->x == q.pixel.x && std::isfinite(move->y_curve);
   });
-  Verdict verdict = q.verdict(Why::horizon, there.step, fmt::format("its curve passes there at y = {}, but it is hidden by the horizons of column {}", number(there.test.y_curve), q.pixel.x));
+  Verdict verdict =
+      q.verdict(Why::horizon, there.step,
+                fmt::format("its curve passes there at y = {}, but it is hidden by the horizons of column {}",
+                            number(there.test.y_curve), q.pixel.x));
   q.add_formulas(verdict, there.step);
   if (moved) {
     verdict.other = owner_of(q, *moved);
-    verdict.chain.push_back({*moved, verdict.other, fmt::format("a nearer curve moves a horizon of column {} to y = {}", q.pixel.x, number(event_at<HorizonMove>(q.trace, *moved)->y_curve))});
+    verdict.chain.push_back({*moved, verdict.other,
+                             fmt::format("a nearer curve moves a horizon of column {} to y = {}", q.pixel.x,
+                                         number(event_at<HorizonMove>(q.trace, *moved)->y_curve))});
   }
-  verdict.chain.push_back({segment.begin, q.polygon, fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
+  verdict.chain.push_back(
+      {segment.begin, q.polygon,
+       fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
   verdict.chain.push_back({there.step, q.polygon, "its point in this column is hidden"});
   return verdict;
 }
@@ -110,7 +121,8 @@ std::vector<Segment> segments_of(const Asked& q) {
   const std::int64_t end = q.trace.size() + 1;
   std::vector<Segment> segments;
   for (auto step = q.trace.next(0, of_it); step; step = q.trace.next(*step, of_it))
-    segments.push_back({*step, next_of<CurveSegment, CurveBegin>(q.trace, *step, end).value_or(end), *event_at<CurveSegment>(q.trace, *step)});
+    segments.push_back({*step, next_of<CurveSegment, CurveBegin>(q.trace, *step, end).value_or(end),
+                        *event_at<CurveSegment>(q.trace, *step)});
   return segments;
 }
 
@@ -131,9 +143,15 @@ Verdict why_by_curves(Asked& q) {
     }
   if (behind) return hidden(q, *its, *behind);
   const std::int64_t step = segments.empty() ? 0 : segments.front().begin;
-  Verdict verdict = q.verdict(Why::not_covered, step, rows.empty() ? fmt::format("only curves are drawn, and none along its border meets column {}", q.pixel.x)
-                                                                   : fmt::format("only curves are drawn, and those along its border pass column {} at y = {}", q.pixel.x, rows));
-  for (const Segment& segment : segments) verdict.chain.push_back({segment.begin, q.polygon, fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
+  Verdict verdict = q.verdict(
+      Why::not_covered, step,
+      rows.empty()
+          ? fmt::format("only curves are drawn, and none along its border meets column {}", q.pixel.x)
+          : fmt::format("only curves are drawn, and those along its border pass column {} at y = {}", q.pixel.x, rows));
+  for (const Segment& segment : segments)
+    verdict.chain.push_back(
+        {segment.begin, q.polygon,
+         fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
   return verdict;
 }
 

@@ -11,15 +11,16 @@ namespace {
 
 std::span<const std::int32_t> corners_of(const Scene& scene, std::int32_t facet) {
   const Facet& shape = scene.facets[static_cast<std::size_t>(facet)];
-  return std::span(scene.corners).subspan(static_cast<std::size_t>(shape.first_corner), static_cast<std::size_t>(shape.corner_count));
+  return std::span(scene.corners)
+      .subspan(static_cast<std::size_t>(shape.first_corner), static_cast<std::size_t>(shape.corner_count));
 }
 
 bool in_space(const Scene& scene) { return scene.camera.kind != Camera::Kind::screen; }
 
 /// Where it was rejected after its mark, 0 if it was not.
 std::int64_t rejected_after(const Trace& trace, std::int64_t mark) {
-  const auto stop = next_of<PolygonReject, PolygonBegin, PieceMake, EdgeTableInsert, EdgeTableSkip, ScanLineBegin, AreaBegin, LineBegin, RayBegin>(
-      trace, mark, trace.size() + 1);
+  const auto stop = next_of<PolygonReject, PolygonBegin, PieceMake, EdgeTableInsert, EdgeTableSkip, ScanLineBegin,
+                            AreaBegin, LineBegin, RayBegin>(trace, mark, trace.size() + 1);
   return stop && event_at<PolygonReject>(trace, *stop) ? *stop : 0;
 }
 
@@ -36,12 +37,15 @@ void find_rejected_elsewhere(Asked& q, std::vector<FacetThere>& facets) {
     const auto corners = corners_of(q.scene, there.facet);
     const bool nothing = clipping::degenerate(q.scene, corners);
     if (!(rays && nothing) && !(tree && there.away)) continue;
-    const std::int64_t end = rays ? next_of<RayBegin>(q.trace, last_mark(q.trace), q.trace.size() + 1).value_or(q.trace.size() + 1) : q.trace.size() + 1;
+    const std::int64_t end =
+        rays ? next_of<RayBegin>(q.trace, last_mark(q.trace), q.trace.size() + 1).value_or(q.trace.size() + 1)
+             : q.trace.size() + 1;
     // The pieces of a tree are drawn, or not, in the tree's order: others may be drawn before.
     const std::int64_t from = rays ? last_mark(q.trace) : there.mark;
     const auto rejects = q.trace.rejects();
     const auto reject = std::find_if(rejects.begin(), rejects.end(), [&](const RejectMark& mark) {
-      return mark.polygon == q.polygon && mark.position > from && mark.position < end && (rays || mark.reason == Reject::back_facing);
+      return mark.polygon == q.polygon && mark.position > from && mark.position < end &&
+             (rays || mark.reason == Reject::back_facing);
     });
     if (reject != rejects.end()) set_rejected(there, q.trace, reject->position);
   }
@@ -64,9 +68,14 @@ void add_facing(Asked& q, Verdict& verdict, const FacetThere& there) {
   const glm::dvec3 n = clipping::newell_normal(q.scene, corners);
   const double value = clipping::view_dot_normal(q.scene, corners);
   if (!(value > 0)) return;
-  verdict.formulas.push_back(fmt::format("{}\u00b7n = {}\u00b7{} = {} > 0: it faces away", parallel ? "(line of sight)" : "(p \u2212 e)", point(parallel ? -e : p - e), point(n), number(value)));
-  if (!parallel) verdict.formulas.push_back(fmt::format("p = {} its first corner, e = {} the eye, n = {} its normal", point(p), point(e), point(n)));
-  if (const std::int64_t test = facing_test_of(q.trace, there)) verdict.chain.push_back({test, q.polygon, fmt::format("facing test: {} faces away", q.name)});
+  verdict.formulas.push_back(fmt::format("{}\u00b7n = {}\u00b7{} = {} > 0: it faces away",
+                                         parallel ? "(line of sight)" : "(p \u2212 e)", point(parallel ? -e : p - e),
+                                         point(n), number(value)));
+  if (!parallel)
+    verdict.formulas.push_back(
+        fmt::format("p = {} its first corner, e = {} the eye, n = {} its normal", point(p), point(e), point(n)));
+  if (const std::int64_t test = facing_test_of(q.trace, there))
+    verdict.chain.push_back({test, q.polygon, fmt::format("facing test: {} faces away", q.name)});
 }
 
 const char* dropped_as(Reject reason) {
@@ -84,7 +93,8 @@ RejectCheck check_of(const Asked& q, const FacetThere& there) {
   const std::int64_t step = facing_test_of(q.trace, there);
   const auto test = event_at<FacingTest>(q.trace, step);
   RejectCheck check = check_reject(q.scene, there.facet, there.reason, test ? &*test : nullptr);
-  if (there.reason != Reject::back_facing && there.surely) check = {false, true, fmt::format("it covers the centre of pixel ({}, {})", there.surely->x, there.surely->y)};
+  if (there.reason != Reject::back_facing && there.surely)
+    check = {false, true, fmt::format("it covers the centre of pixel ({}, {})", there.surely->x, there.surely->y)};
   return check;
 }
 
@@ -112,18 +122,21 @@ void add_beginning(const Asked& q, Verdict& verdict, const FacetThere& there) {
   if (there.mark > 0) verdict.chain.push_back({there.mark, q.polygon, fmt::format("work on {} begins", q.name)});
 }
 
-/// Facing away, whether a step says so or not: a ray's plane test alone, a tree's side that is skipped, a recording that ends before.
+/// Facing away, whether a step says so or not: a ray's plane test alone, a tree's side that is skipped, a recording
+/// that ends before.
 bool culled(const FacetThere& there) { return there.rejected() ? there.reason == Reject::back_facing : there.away; }
 
 /// Facing away, and no step drops it.
 const char* away_text(const Asked& q) {
-  return records<RayBegin>(q.trace) ? "it faces away, and such are not met by rays from the eye" : "it faces away, and such are not drawn";
+  return records<RayBegin>(q.trace) ? "it faces away, and such are not met by rays from the eye"
+                                    : "it faces away, and such are not drawn";
 }
 
 /// It was dropped for a reason that the scene or the trace's own numbers contradict, or that cannot be checked.
 Verdict of_doubtful_reject(Asked& q, const FacetThere& there, const RejectCheck& check) {
-  Verdict verdict = q.verdict(check.holds ? kind_of_reason(there.reason) : Why::contradicted, there.reject_step,
-                              fmt::format("the trace drops it as {}{} {}", dropped_as(there.reason), check.holds ? ";" : ", but", check.text));
+  Verdict verdict = q.verdict(
+      check.holds ? kind_of_reason(there.reason) : Why::contradicted, there.reject_step,
+      fmt::format("the trace drops it as {}{} {}", dropped_as(there.reason), check.holds ? ";" : ", but", check.text));
   add_beginning(q, verdict, there);
   if (const std::int64_t test = facing_test_of(q.trace, there)) {
     q.add_formulas(verdict, test);
@@ -135,9 +148,11 @@ Verdict of_doubtful_reject(Asked& q, const FacetThere& there, const RejectCheck&
 
 Verdict of_rejected(Asked& q, const FacetThere& there) {
   if (there.rejected())
-    if (const RejectCheck check = check_of(q, there); !check.holds || !check.shown) return of_doubtful_reject(q, there, check);
+    if (const RejectCheck check = check_of(q, there); !check.holds || !check.shown)
+      return of_doubtful_reject(q, there, check);
   const Reject reason = culled(there) ? Reject::back_facing : there.reason;
-  Verdict verdict = q.verdict(kind_of_reason(reason), there.reject_step, there.rejected() ? reason_text(reason) : away_text(q));
+  Verdict verdict =
+      q.verdict(kind_of_reason(reason), there.reject_step, there.rejected() ? reason_text(reason) : away_text(q));
   add_beginning(q, verdict, there);
   if (reason == Reject::back_facing) add_facing(q, verdict, there);
   if (reason == Reject::outside && there.mark > 0)
@@ -154,19 +169,24 @@ Verdict of_cut(Asked& q, const FacetThere& there) {
   const Camera& camera = q.scene.camera;
   const double z = *there.cut_at;
   const bool before = z < camera.near, behind_eye = z <= 0 && camera.kind == Camera::Kind::perspective;
-  const std::string reason = behind_eye ? "what would cover the pixel lies behind the eye and was cut off" : before ? "what would cover the pixel lies before the near plane and was cut off" : "what would cover the pixel lies beyond the far plane and was cut off";
+  const std::string reason = behind_eye ? "what would cover the pixel lies behind the eye and was cut off"
+                             : before   ? "what would cover the pixel lies before the near plane and was cut off"
+                                        : "what would cover the pixel lies beyond the far plane and was cut off";
   Verdict verdict = q.verdict(Why::clipped, 0, reason);
   add_beginning(q, verdict, there);
-  verdict.formulas.push_back(fmt::format("on the line of sight it is at z_v = {}; near = {}, far = {}", number(z), number(camera.near), number(camera.far)));
+  verdict.formulas.push_back(fmt::format("on the line of sight it is at z_v = {}; near = {}, far = {}", number(z),
+                                         number(camera.near), number(camera.far)));
   if (there.mark > 0) {
     const std::int64_t end = next_mark(q.trace, there.mark);
     const auto cut = next_within(q.trace, there.mark, end, [&](const RecordedEvent& recorded) {
       const auto* held = std::get_if<ClipVertex>(&recorded.event);
-      return (held && !held->inside && (held->plane == ClipPlane::near) == before) || is_one_of<EdgeTableInsert, PieceMake, PolygonReject>(recorded);
+      return (held && !held->inside && (held->plane == ClipPlane::near) == before) ||
+             is_one_of<EdgeTableInsert, PieceMake, PolygonReject>(recorded);
     });
     if (cut && event_at<ClipVertex>(q.trace, *cut)) {
       verdict.step = *cut;
-      verdict.chain.push_back({*cut, q.polygon, fmt::format("a vertex of {} lies outside the {} plane", q.name, before ? "near" : "far")});
+      verdict.chain.push_back(
+          {*cut, q.polygon, fmt::format("a vertex of {} lies outside the {} plane", q.name, before ? "near" : "far")});
       q.add_formulas(verdict, *cut);
     } else if (there.rejected()) {
       verdict.step = there.reject_step;
@@ -196,11 +216,14 @@ std::vector<FacetThere> facets_there(Asked& q) {
     FacetThere there;
     there.facet = facet;
     const auto corners = corners_of(q.scene, facet);
-    there.away = in_space(q.scene) && q.trace.header().conventions.cull && !clipping::degenerate(q.scene, corners) && clipping::view_dot_normal(q.scene, corners) > 0;
+    there.away = in_space(q.scene) && q.trace.header().conventions.cull && !clipping::degenerate(q.scene, corners) &&
+                 clipping::view_dot_normal(q.scene, corners) > 0;
     there.at = compare::facet_at(q.scene, facet, false, q.pixel.x, q.pixel.y);
     if (there.covers() && there.at->candidate.sure()) there.surely = q.pixel;
     if (in_space(q.scene) && !there.covers())
-      if (const auto z = compare::depth_on_sight(q.scene, facet, q.pixel.x, q.pixel.y); z && (*z < q.scene.camera.near || *z > q.scene.camera.far)) there.cut_at = z;
+      if (const auto z = compare::depth_on_sight(q.scene, facet, q.pixel.x, q.pixel.y);
+          z && (*z < q.scene.camera.near || *z > q.scene.camera.far))
+        there.cut_at = z;
     facets.push_back(there);
   }
   for (const std::int64_t mark : marks_of(q.trace, q.polygon)) {
@@ -217,24 +240,28 @@ std::vector<FacetThere> facets_there(Asked& q) {
 
 bool never_begun(const Asked& q, const FacetThere& there) {
   // Where all pieces are made before any is drawn, a mark is of drawing, and what is hidden may have none.
-  const bool by_pieces = q.trace.has(kind_of<PieceMake>) || q.trace.has(kind_of<TablesBegin>) || q.trace.has(kind_of<RayBegin>);
+  const bool by_pieces =
+      q.trace.has(kind_of<PieceMake>) || q.trace.has(kind_of<TablesBegin>) || q.trace.has(kind_of<RayBegin>);
   return there.mark == 0 && !there.rejected() && !there.away && !q.trace.polygons().empty() && !by_pieces;
 }
 
 std::string beside_text(const Asked& q, const FacetThere& there) {
   if (!there.at) return fmt::format("no part of it is in view {}", q.where);
   const std::string far = number(there.at->candidate.edge);
-  const double rounding = formulas::rounding_of(q.trace.header()) * std::max(q.scene.raster.width, q.scene.raster.height);
+  const double rounding =
+      formulas::rounding_of(q.trace.header()) * std::max(q.scene.raster.width, q.scene.raster.height);
   if (there.at->candidate.edge <= rounding && half_open(q))
     return "the pixel's centre lies on a right or last edge of it, and by the half-open rule such a centre is outside";
   if (there.at->candidate.edge <= rounding || there.covers())
     return "the pixel's centre lies so near its outline that rounding decides, and it came to lie outside";
-  if (there.at->in_square) return fmt::format("it covers the pixel only in part: the centre lies {} pixels outside its outline", far);
+  if (there.at->in_square)
+    return fmt::format("it covers the pixel only in part: the centre lies {} pixels outside its outline", far);
   return fmt::format("it does not cover the pixel's centre, which lies {} pixels outside its outline", far);
 }
 
 std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& facets) {
-  if (facets.empty()) return q.verdict(Why::degenerate, 0, "it has fewer than three different corners, so there is no facet to draw");
+  if (facets.empty())
+    return q.verdict(Why::degenerate, 0, "it has fewer than three different corners, so there is no facet to draw");
   const FacetThere* best = nullptr;
   const auto nearer = [](const FacetThere& one, const FacetThere& other) {
     if (rank(one) != rank(other)) return rank(one) > rank(other);
@@ -259,10 +286,13 @@ std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& fa
   } else {
     verdict = q.verdict(Why::not_covered, best->mark, beside_text(q, *best));
     add_beginning(q, verdict, *best);
-    if (best->at) verdict.formulas.push_back(fmt::format("from ({}, {}) to its nearest edge: {} pixels", q.pixel.x, q.pixel.y, number(best->at->candidate.edge)));
+    if (best->at)
+      verdict.formulas.push_back(fmt::format("from ({}, {}) to its nearest edge: {} pixels", q.pixel.x, q.pixel.y,
+                                             number(best->at->candidate.edge)));
     if (culled(*best)) {
       const RejectCheck check = best->rejected() ? check_of(q, *best) : RejectCheck{};
-      verdict.sentence += check.holds && check.shown ? " Besides, it faces away and is not drawn." : " Besides, the trace drops it as facing away.";
+      verdict.sentence += check.holds && check.shown ? " Besides, it faces away and is not drawn."
+                                                     : " Besides, the trace drops it as facing away.";
       if (!check.text.empty()) verdict.sentence += fmt::format(" ({})", check.text);
     }
     if (best->rejected()) verdict.chain.push_back({best->reject_step, q.polygon, fmt::format("{} is dropped", q.name)});

@@ -11,20 +11,24 @@ std::vector<Line> lines_of(Asked& q) {
   const State& state = q.state_at(q.trace.size());
   std::vector<Line> lines;
   for (const LineRow& row : state.machine.lines) {
-    if (q.polygon_of_facet(row.entry.left_facet) != q.polygon && q.polygon_of_facet(row.entry.right_facet) != q.polygon) continue;
+    if (q.polygon_of_facet(row.entry.left_facet) != q.polygon && q.polygon_of_facet(row.entry.right_facet) != q.polygon)
+      continue;
     const auto from = on_raster(q.scene, state, row.entry.vertex_0), to = on_raster(q.scene, state, row.entry.vertex_1);
     if (from && to) lines.push_back({row, *from, *to});
   }
   return lines;
 }
 
-std::optional<std::int64_t> begin_of(const Asked& q, const Line& line) { return numbered(q.trace, last_mark(q.trace), q.trace.size() + 1, &LineBegin::line, line.row.entry.line); }
+std::optional<std::int64_t> begin_of(const Asked& q, const Line& line) {
+  return numbered(q.trace, last_mark(q.trace), q.trace.size() + 1, &LineBegin::line, line.row.entry.line);
+}
 
 namespace {
 
 double nearest_pixel(double at) { return std::floor(at + 0.5); }
 
-/// Where a line passes the pixel, 0 to 1 along it, by the rule of drawing: one pixel a column, or a row where it is steep.
+/// Where a line passes the pixel, 0 to 1 along it, by the rule of drawing: one pixel a column, or a row where it is
+/// steep.
 std::optional<double> passes(const Line& line, Trace::Pixel pixel) {
   const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y;
   const bool steep = std::abs(dy) > std::abs(dx);
@@ -33,12 +37,15 @@ std::optional<double> passes(const Line& line, Trace::Pixel pixel) {
   const double at = steep ? pixel.y : pixel.x, across = steep ? pixel.x : pixel.y;
   if (along == 0) return std::nullopt;
   const double end_0 = nearest_pixel(from), end_1 = nearest_pixel(from + along);
-  if (at < std::min(end_0, end_1) || at > std::max(end_0, end_1) || nearest_pixel(beside + (at - from) * slope) != across) return std::nullopt;
+  if (at < std::min(end_0, end_1) || at > std::max(end_0, end_1) ||
+      nearest_pixel(beside + (at - from) * slope) != across)
+    return std::nullopt;
   return (at - from) / along;
 }
 
 double distance_to(const Line& line, Trace::Pixel pixel) {
-  const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y, px = pixel.x - line.from.x, py = pixel.y - line.from.y;
+  const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y, px = pixel.x - line.from.x,
+               py = pixel.y - line.from.y;
   const double length = dx * dx + dy * dy, t = length > 0 ? std::clamp((px * dx + py * dy) / length, 0.0, 1.0) : 0;
   return std::hypot(px - t * dx, py - t * dy);
 }
@@ -53,13 +60,15 @@ const LinePiece* piece_at(const Line& line, double t) {
 }
 
 std::string name_of(const Asked& q, const Line& line) {
-  return fmt::format("edge {}{}{}", vertex_label(q.scene, line.row.entry.vertex_0), "\u2013", vertex_label(q.scene, line.row.entry.vertex_1));
+  return fmt::format("edge {}{}{}", vertex_label(q.scene, line.row.entry.vertex_0), "\u2013",
+                     vertex_label(q.scene, line.row.entry.vertex_1));
 }
 
 std::int64_t step_of_piece(const Asked& q, std::int64_t begin, const LinePiece& wanted) {
   const auto step = next_within(q.trace, begin, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
     const auto* piece = std::get_if<LinePiece>(&recorded.event);
-    return (piece && piece->t_0 == wanted.t_0 && piece->t_1 == wanted.t_1 && piece->visible == wanted.visible) || is_one_of<LineBegin>(recorded);
+    return (piece && piece->t_0 == wanted.t_0 && piece->t_1 == wanted.t_1 && piece->visible == wanted.visible) ||
+           is_one_of<LineBegin>(recorded);
   });
   return step && event_at<LinePiece>(q.trace, *step) ? *step : begin;
 }
@@ -77,20 +86,28 @@ std::optional<Verdict> drawn(Asked& q) {
     const LineBegin line = *event_at<LineBegin>(q.trace, *begin);
     if (q.polygon_of_facet(line.left_facet) != q.polygon && q.polygon_of_facet(line.right_facet) != q.polygon) continue;
     const LinePiece piece = *event_at<LinePiece>(q.trace, *part);
-    verdict = seen(q, *step, fmt::format("its edge {}\u2013{} is drawn through it{}", vertex_label(q.scene, line.vertex_0), vertex_label(q.scene, line.vertex_1), piece.visible ? "" : ", dashed, as it is hidden there"), "the pixel gets the colour of lines");
+    verdict =
+        seen(q, *step,
+             fmt::format("its edge {}\u2013{} is drawn through it{}", vertex_label(q.scene, line.vertex_0),
+                         vertex_label(q.scene, line.vertex_1), piece.visible ? "" : ", dashed, as it is hidden there"),
+             "the pixel gets the colour of lines");
     q.add_formulas(*verdict, *part);
     verdict->chain.push_back({*begin, q.polygon, "work on the edge begins"});
-    verdict->chain.push_back({*part, q.polygon, piece.visible ? "a piece of it that is visible" : "a piece of it that is hidden"});
+    verdict->chain.push_back(
+        {*part, q.polygon, piece.visible ? "a piece of it that is visible" : "a piece of it that is hidden"});
     if (piece.visible) break;
   }
   return verdict;
 }
 
-/// Where the pixel is along the edge. The ends of pieces are rounded to pixels, so it may lie a little beside what is drawn there.
+/// Where the pixel is along the edge. The ends of pieces are rounded to pixels, so it may lie a little beside what is
+/// drawn there.
 std::string place_text(double t, double from, double to) {
   const std::string place = fmt::format("at the pixel t = {} along the edge", number(std::clamp(t, 0.0, 1.0)));
   if (t < 0 || t > 1) return fmt::format("{}: its end is rounded to this pixel", place);
-  return t < from || t > to ? fmt::format("{}: the end at t = {} is rounded to this pixel", place, number(t < from ? from : to)) : place;
+  return t < from || t > to
+             ? fmt::format("{}: the end at t = {} is rounded to this pixel", place, number(t < from ? from : to))
+             : place;
 }
 
 /// Do all polygons at the edge face away, or lie edge-on?
@@ -110,11 +127,21 @@ Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
     if (!by || std::max({0.0, hide.t_0 - t, t - hide.t_1}) < std::max({0.0, by->t_0 - t, t - by->t_1})) by = &hide;
   Verdict verdict;
   if (!by) {
-    verdict = all_away(q, line) ? q.verdict(Why::back_edge, part, fmt::format("its {} passes there, but all faces at it face away, so it is left out", name_of(q, line)))
-                                : q.verdict(Why::line_hidden, part, fmt::format("its {} passes there, but the trace takes this piece of it for hidden, and does not say by what", name_of(q, line)));
+    verdict =
+        all_away(q, line)
+            ? q.verdict(Why::back_edge, part,
+                        fmt::format("its {} passes there, but all faces at it face away, so it is left out",
+                                    name_of(q, line)))
+            : q.verdict(
+                  Why::line_hidden, part,
+                  fmt::format(
+                      "its {} passes there, but the trace takes this piece of it for hidden, and does not say by what",
+                      name_of(q, line)));
   } else {
     const std::int32_t other = q.polygon_of_facet(by->facet);
-    verdict = q.verdict(Why::line_hidden, part, fmt::format("its {} passes there, but {} hides it from t = {} to t = {}", name_of(q, line), q.label(other), number(by->t_0), number(by->t_1)));
+    verdict = q.verdict(Why::line_hidden, part,
+                        fmt::format("its {} passes there, but {} hides it from t = {} to t = {}", name_of(q, line),
+                                    q.label(other), number(by->t_0), number(by->t_1)));
     verdict.other = other;
     const auto hide = next_within(q.trace, begin, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
       const auto* found = std::get_if<LineHide>(&recorded.event);
@@ -139,7 +166,9 @@ Verdict why_by_lines(Asked& q) {
   const std::vector<Line> lines = lines_of(q);
   if (lines.empty()) {
     const std::vector<FacetThere> facets = facets_there(q);
-    const bool nothing = facets.empty() || std::none_of(facets.begin(), facets.end(), [](const FacetThere& there) { return there.at || there.cut_at; });
+    const bool nothing = facets.empty() || std::none_of(facets.begin(), facets.end(), [](const FacetThere& there) {
+                           return there.at || there.cut_at;
+                         });
     return q.verdict(nothing ? Why::outside : Why::not_covered, 0, "none of its edges is in view");
   }
   const Line* nearest = nullptr;
@@ -150,7 +179,10 @@ Verdict why_by_lines(Asked& q) {
     if (piece && !piece->visible) return hidden(q, line, *piece, *t);
   }
   const std::int64_t begin = begin_of(q, *nearest).value_or(0);
-  Verdict verdict = q.verdict(Why::not_covered, begin, fmt::format("only edges are drawn, and the nearest of its own, {}, passes {} pixels from the centre", name_of(q, *nearest), number(distance_to(*nearest, q.pixel))));
+  Verdict verdict =
+      q.verdict(Why::not_covered, begin,
+                fmt::format("only edges are drawn, and the nearest of its own, {}, passes {} pixels from the centre",
+                            name_of(q, *nearest), number(distance_to(*nearest, q.pixel))));
   verdict.chain.push_back({begin, q.polygon, fmt::format("work on {} begins", name_of(q, *nearest))});
   return verdict;
 }

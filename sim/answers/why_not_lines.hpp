@@ -1,4 +1,5 @@
-// A polygon's edges as lines, and its curves on a surface: for why_not_lines.cpp, why_not_curves.cpp and why_not_anywhere.cpp only.
+// A polygon's edges as lines, and its curves on a surface: for why_not_lines.cpp, why_not_curves.cpp and
+// why_not_anywhere.cpp only.
 #pragma once
 
 #include <vector>

@@ -30,9 +30,11 @@ inline std::pair<std::string, std::string> told_apart(double a, double b) {
   return a == b || texts.first != texts.second ? texts : tell_apart(a, b);
 }
 /// "Δz = z of A − z of B = 2 − (−1) = 3".
-inline std::string difference(const std::string& symbol, const std::string& one, const std::string& other, double a, double b) {
+inline std::string difference(const std::string& symbol, const std::string& one, const std::string& other, double a,
+                              double b) {
   const auto [first, second] = told_apart(a, b);
-  return fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", symbol, one, other, first, b < 0 ? "(" + second + ")" : second, told(a - b));
+  return fmt::format("\u0394{0} = {0} of {1} \u2212 {0} of {2} = {3} \u2212 {4} = {5}", symbol, one, other, first,
+                     b < 0 ? "(" + second + ")" : second, told(a - b));
 }
 
 /// How a trace decides what is seen at a pixel, by the events that it has.
@@ -58,7 +60,8 @@ struct Asked {
 
   /// "A is not seen at pixel (3, 4): " and the reason.
   Verdict verdict(Why kind, std::int64_t step, const std::string& reason) const;
-  /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas; of one at a pixel by what came to the pixel there.
+  /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas; of one at a pixel by what
+  /// came to the pixel there.
   void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* touch = nullptr);
   void add_formulas(Verdict& verdict, std::int64_t step) { add_formulas(verdict, step, polygon); }
   void add_formulas(Verdict& verdict, const Touch& touch) { add_formulas(verdict, touch.step, touch.polygon, &touch); }

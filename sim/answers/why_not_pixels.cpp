@@ -15,11 +15,14 @@ std::int32_t whose(const Touch& touch) { return touch.takes ? touch.shows : touc
 
 /// "B at z = 5 wins the compare".
 std::string compare_link(const Asked& q, const Touch& touch, const char* outcome) {
-  return fmt::format("{}{} {}", q.label(touch.polygon), touch.z ? fmt::format(" at {} = {}", q.z, told(*touch.z)) : "", outcome);
+  return fmt::format("{}{} {}", q.label(touch.polygon), touch.z ? fmt::format(" at {} = {}", q.z, told(*touch.z)) : "",
+                     outcome);
 }
 const char* outcome_of(const Touch& touch) { return touch.nearer ? "wins the compare" : "loses the compare"; }
 
-std::string z_text(const Asked& q, const Touch& touch) { return touch.z ? fmt::format(", {} = {}", q.z, told(*touch.z)) : ""; }
+std::string z_text(const Asked& q, const Touch& touch) {
+  return touch.z ? fmt::format(", {} = {}", q.z, told(*touch.z)) : "";
+}
 
 /// By how much it is behind the other, where both depths are recorded.
 void add_gap(const Asked& q, Verdict& verdict, std::optional<double> z, std::optional<double> other) {
@@ -36,35 +39,48 @@ void add_last(const Asked& q, Verdict& verdict, const std::vector<Touch>& touche
   const Touch* last = holder(touches, q.trace.size() + 1);
   if (!last || last->shows == verdict.other || last->shows == q.polygon) return;
   verdict.sentence += fmt::format(" In the end {} is seen there.", q.label(last->shows));
-  verdict.chain.push_back({last->written, last->shows, fmt::format("the pixel becomes {}, which is seen in the end", q.label(last->shows))});
+  verdict.chain.push_back({last->written, last->shows,
+                           fmt::format("the pixel becomes {}, which is seen in the end", q.label(last->shows))});
 }
 
 /// What of a polygon that took the pixel is not as the rule has it: its depth, or whose colour it is.
 void add_remarks(const Asked& q, Verdict& verdict, const Touch& touch) {
   const std::string who = q.label(touch.shows);
   if (touch.polygon != touch.shows && touch.how == Touch::How::compared)
-    verdict.sentence += fmt::format(" It is {} that was compared at {}: {} writes {} instead.", q.label(touch.polygon), step_text(touch.step), step_text(touch.written), who);
+    verdict.sentence += fmt::format(" It is {} that was compared at {}: {} writes {} instead.", q.label(touch.polygon),
+                                    step_text(touch.step), step_text(touch.written), who);
   if (lacks_depth(touch)) verdict.sentence += fmt::format(" The depth of {} was never written there.", who);
   if (keeps_other_depth(touch))
-    verdict.sentence += fmt::format(" The depth that {} wrote for {} is {}, though {} was compared.", step_text(touch.kept_at), who, told(*touch.kept), told(*touch.z));
+    verdict.sentence += fmt::format(" The depth that {} wrote for {} is {}, though {} was compared.",
+                                    step_text(touch.kept_at), who, told(*touch.kept), told(*touch.z));
 }
 
 /// "the trace says nearer, but 7 < 7 is false".
-std::string contradiction_of(const Asked& q, const Touch& touch) { return contradiction_text(q.trace, touch.nearer, *touch.z, touch.stored); }
+std::string contradiction_of(const Asked& q, const Touch& touch) {
+  return contradiction_text(q.trace, touch.nearer, *touch.z, touch.stored);
+}
 
 /// Why a compare that was not followed by a write left no trace.
 std::string lost_text(const Asked& q, const Touch& mine) {
   const std::string step = step_text(mine.step), other = q.label(mine.stored_polygon);
   if (!follows(q.trace, mine)) return fmt::format("at {} {}, and nothing was written", step, contradiction_of(q, mine));
-  if (mine.nearer) return fmt::format("at {} it was found to be nearer, but the trace does not say that it was written", step);
+  if (mine.nearer)
+    return fmt::format("at {} it was found to be nearer, but the trace does not say that it was written", step);
   if (!mine.known) return fmt::format("at {} the trace says that it is not nearer, and does not say than what", step);
   const bool tie = mine.z == mine.stored;
   const std::string cleared = fmt::format("{}, to which the depth buffer was cleared", told(mine.stored));
-  if (mine.only_cleared && mine.stored_polygon == no_polygon) return fmt::format("at {} its {} is {} {}", step, q.z, tie ? "equal to" : "not nearer than", cleared);
-  if (mine.only_cleared) return fmt::format("at {} its {} is {} {}; {} was drawn there, but its depth was never written", step, q.z, tie ? "equal to" : "not nearer than", cleared, other);
-  if (mine.stored_polygon == no_polygon) return fmt::format("at {} its {} is {} {}, the depth written there before without a colour", step, q.z, tie ? "equal to" : "not nearer than", told(mine.stored));
-  return tie ? fmt::format("at {} it is exactly as near as {}, which was there first, and of equals the first stays", step, other)
-             : fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step, other, q.z, told(q.trace.header().comparison.behind(*mine.z, mine.stored)));
+  if (mine.only_cleared && mine.stored_polygon == no_polygon)
+    return fmt::format("at {} its {} is {} {}", step, q.z, tie ? "equal to" : "not nearer than", cleared);
+  if (mine.only_cleared)
+    return fmt::format("at {} its {} is {} {}; {} was drawn there, but its depth was never written", step, q.z,
+                       tie ? "equal to" : "not nearer than", cleared, other);
+  if (mine.stored_polygon == no_polygon)
+    return fmt::format("at {} its {} is {} {}, the depth written there before without a colour", step, q.z,
+                       tie ? "equal to" : "not nearer than", told(mine.stored));
+  return tie ? fmt::format("at {} it is exactly as near as {}, which was there first, and of equals the first stays",
+                           step, other)
+             : fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step, other, q.z,
+                           told(q.trace.header().comparison.behind(*mine.z, mine.stored)));
 }
 
 /// It was compared and was not nearer than what stood there.
@@ -77,9 +93,14 @@ Verdict why_lost(Asked& q, const std::vector<Touch>& touches, const Touch& mine)
   if (there) {
     if (!mine.only_cleared) add_gap(q, verdict, mine.z, mine.stored);
     if (keeps_other_depth(*there)) add_remarks(q, verdict, *there);
-    verdict.chain.push_back({there->written, there->shows, fmt::format("the pixel becomes {}{}", q.label(there->shows), z_text(q, *there))});
+    verdict.chain.push_back({there->written, there->shows,
+                             fmt::format("the pixel becomes {}{}", q.label(there->shows), z_text(q, *there))});
   }
-  verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine, !sound ? "is compared" : tie ? "is a tie" : "loses the compare")});
+  verdict.chain.push_back({mine.step, q.polygon,
+                           compare_link(q, mine,
+                                        !sound ? "is compared"
+                                        : tie  ? "is a tie"
+                                               : "loses the compare")});
   add_last(q, verdict, touches);
   return verdict;
 }
@@ -87,7 +108,10 @@ Verdict why_lost(Asked& q, const std::vector<Touch>& touches, const Touch& mine)
 /// It won its compare, and another polygon's colour was written.
 Verdict why_miswritten(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
   const std::string other = q.label(mine.shows);
-  Verdict verdict = q.verdict(Why::contradicted, mine.written, fmt::format("it {} the compare at {}, but {} writes {} there", mine.nearer ? "won" : "lost", step_text(mine.step), step_text(mine.written), other));
+  Verdict verdict =
+      q.verdict(Why::contradicted, mine.written,
+                fmt::format("it {} the compare at {}, but {} writes {} there", mine.nearer ? "won" : "lost",
+                            step_text(mine.step), step_text(mine.written), other));
   verdict.other = mine.shows;
   q.add_formulas(verdict, mine);
   verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine, outcome_of(mine))});
@@ -99,13 +123,22 @@ Verdict why_miswritten(Asked& q, const std::vector<Touch>& touches, const Touch&
 /// How another polygon took the pixel from it.
 std::string gone_text(const Asked& q, const Touch& mine, const Touch& next) {
   const std::string other = q.label(whose(next)), since = step_text(mine.written);
-  if (next.how == Touch::How::painted) return fmt::format("it was painted there at {}, and {} was painted over it at {}", since, other, step_text(next.written));
-  if (next.how == Touch::How::written) return fmt::format("it was there from {} on, until {} wrote {} there without a compare", since, step_text(next.written), other);
+  if (next.how == Touch::How::painted)
+    return fmt::format("it was painted there at {}, and {} was painted over it at {}", since, other,
+                       step_text(next.written));
+  if (next.how == Touch::How::written)
+    return fmt::format("it was there from {} on, until {} wrote {} there without a compare", since,
+                       step_text(next.written), other);
   if (next.how == Touch::How::compared && !next.nearer)
-    return fmt::format("it was there from {} on; {} lost the compare at {}, and {} wrote {} all the same", since, q.label(next.polygon), step_text(next.step), step_text(next.written), other);
+    return fmt::format("it was there from {} on; {} lost the compare at {}, and {} wrote {} all the same", since,
+                       q.label(next.polygon), step_text(next.step), step_text(next.written), other);
   if (next.how == Touch::How::compared && next.stored_polygon == q.polygon && lacks_depth(mine))
-    return fmt::format("it was there from {} on, but its depth was never written; so {} was held against {} at {} and found to be nearer", since, q.label(next.polygon), told(next.stored), step_text(next.step));
-  return fmt::format("it was there from {} on, until {} was found to be nearer at {}", since, q.label(next.polygon), step_text(next.step));
+    return fmt::format(
+        "it was there from {} on, but its depth was never written; so {} was held against {} at {} and found to be "
+        "nearer",
+        since, q.label(next.polygon), told(next.stored), step_text(next.step));
+  return fmt::format("it was there from {} on, until {} was found to be nearer at {}", since, q.label(next.polygon),
+                     step_text(next.step));
 }
 
 /// It was there until another came.
@@ -116,11 +149,13 @@ Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine,
   Verdict verdict = q.verdict(kind, compared ? next.step : next.written, gone_text(q, mine, next));
   verdict.other = whose(next);
   if (compared) q.add_formulas(verdict, next);
-  if (next.how == Touch::How::compared && !follows(q.trace, next)) verdict.sentence += fmt::format(" There {}.", contradiction_of(q, next));
+  if (next.how == Touch::How::compared && !follows(q.trace, next))
+    verdict.sentence += fmt::format(" There {}.", contradiction_of(q, next));
   if (!lacks_depth(mine)) add_gap(q, verdict, mine.z, next.z);
   if (keeps_other_depth(mine)) add_remarks(q, verdict, mine);
   if (next.takes && compared && next.polygon != next.shows) add_remarks(q, verdict, next);
-  if (painted && verdict.gap && *verdict.gap < 0) verdict.sentence += fmt::format(" {} is the nearer one there: the order was wrong for this pixel.", q.name);
+  if (painted && verdict.gap && *verdict.gap < 0)
+    verdict.sentence += fmt::format(" {} is the nearer one there: the order was wrong for this pixel.", q.name);
   verdict.chain.push_back({mine.written, q.polygon, fmt::format("the pixel becomes {}{}", q.name, z_text(q, mine))});
   if (painted) add_order(q, verdict, mine.step, next.step);
   else if (compared) verdict.chain.push_back({next.step, next.polygon, compare_link(q, next, outcome_of(next))});
@@ -129,7 +164,8 @@ Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine,
   return verdict;
 }
 
-/// What part of the pixel's colour is its own after all that was laid over it; `over` is the first that hides it wholly.
+/// What part of the pixel's colour is its own after all that was laid over it; `over` is the first that hides it
+/// wholly.
 struct Share {
   double part = 0;
   const Touch* over = nullptr;
@@ -153,36 +189,48 @@ Share share_of(const std::vector<Touch>& touches, const Touch& mine) {
 std::optional<Verdict> why_mixed(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
   const Share share = share_of(touches, mine);
   if (share.over) return std::nullopt;
-  const std::string layers = share.layers == 0 ? "" : fmt::format(", behind {} layer{} of glass", share.layers, share.layers == 1 ? "" : "s");
+  const std::string layers =
+      share.layers == 0 ? "" : fmt::format(", behind {} layer{} of glass", share.layers, share.layers == 1 ? "" : "s");
   Verdict verdict = q.verdict(Why::mixed, mine.written, "");
-  verdict.sentence = fmt::format("{} is a part of what is seen {}: {} of its colour is its own{}.", q.name, q.where, number(share.part), layers);
+  verdict.sentence = fmt::format("{} is a part of what is seen {}: {} of its colour is its own{}.", q.name, q.where,
+                                 number(share.part), layers);
   if (share.part == 0) verdict.sentence = fmt::format("{} is not to be seen {}: its opacity is 0.", q.name, q.where);
   q.add_formulas(verdict, mine.written);
-  verdict.chain.push_back({mine.written, q.polygon, fmt::format("{} is laid over the pixel with opacity {}", q.name, number(mine.opacity))});
+  verdict.chain.push_back({mine.written, q.polygon,
+                           fmt::format("{} is laid over the pixel with opacity {}", q.name, number(mine.opacity))});
   for (const Touch& later : touches)
-    if (later.step > mine.step && later.written != 0) verdict.chain.push_back({later.written, later.polygon, fmt::format("{} is laid over it with opacity {}", q.label(later.polygon), number(later.opacity))});
+    if (later.step > mine.step && later.written != 0)
+      verdict.chain.push_back(
+          {later.written, later.polygon,
+           fmt::format("{} is laid over it with opacity {}", q.label(later.polygon), number(later.opacity))});
   return verdict;
 }
 
 /// Front to back: what covers the pixel but found it painted already.
 Verdict why_taken(Asked& q, const Touch& first) {
-  Verdict verdict = q.verdict(Why::taken, first.written, fmt::format("{} was painted there at {}, and from front to back what is painted stays", q.label(first.polygon), step_text(first.written)));
+  Verdict verdict = q.verdict(Why::taken, first.written,
+                              fmt::format("{} was painted there at {}, and from front to back what is painted stays",
+                                          q.label(first.polygon), step_text(first.written)));
   verdict.other = first.polygon;
-  verdict.chain.push_back({first.written, first.polygon, fmt::format("the pixel becomes {}{}", q.label(first.polygon), z_text(q, first))});
+  verdict.chain.push_back(
+      {first.written, first.polygon, fmt::format("the pixel becomes {}{}", q.label(first.polygon), z_text(q, first))});
   return verdict;
 }
 
 /// It had the pixel before the buffers were cleared once more.
 std::optional<Verdict> why_wiped(Asked& q) {
   const std::int64_t eye = begin_of_eye_pass(q.trace), clear = begin_of_picture(q.trace);
-  const auto again = std::count_if(q.trace.clears().begin(), q.trace.clears().end(), [eye](std::int64_t step) { return step > eye; });
+  const auto again =
+      std::count_if(q.trace.clears().begin(), q.trace.clears().end(), [eye](std::int64_t step) { return step > eye; });
   if (again < 2) return std::nullopt;
   const std::vector<Touch> touches = touches_of(q.trace, q.pixel, eye);
   const Touch* last = nullptr;
   for (const Touch& touch : touches)
     if (touch.takes && touch.shows == q.polygon) last = &touch;
   if (!last) return std::nullopt;
-  Verdict verdict = q.verdict(Why::wiped, clear, fmt::format("it was there at {}, until the buffers were cleared once more at {}", step_text(last->written), step_text(clear)));
+  Verdict verdict = q.verdict(Why::wiped, clear,
+                              fmt::format("it was there at {}, until the buffers were cleared once more at {}",
+                                          step_text(last->written), step_text(clear)));
   verdict.chain.push_back({last->written, q.polygon, fmt::format("the pixel becomes {}", q.name)});
   verdict.chain.push_back({clear, no_polygon, "the buffers are cleared"});
   return verdict;
@@ -204,15 +252,21 @@ Verdict why_seen(Asked& q, const std::vector<Touch>& touches, const Touch& last)
   const Share share = share_of(touches, last);
   const std::string step = step_text(last.written);
   const bool compared = last.how == Touch::How::compared;
-  const std::string how = last.how == Touch::How::written ? fmt::format("{} wrote it there without a compare{}", step, z_text(q, last))
-                          : compared && !last.nearer      ? fmt::format("{} wrote it there, though {} lost the compare at {}", step, last.polygon == q.polygon ? "it" : q.label(last.polygon), step_text(last.step))
-                                                          : fmt::format("{} put it there{}", step, z_text(q, last));
+  const std::string how =
+      last.how == Touch::How::written ? fmt::format("{} wrote it there without a compare{}", step, z_text(q, last))
+      : compared && !last.nearer
+          ? fmt::format("{} wrote it there, though {} lost the compare at {}", step,
+                        last.polygon == q.polygon ? "it" : q.label(last.polygon), step_text(last.step))
+          : fmt::format("{} put it there{}", step, z_text(q, last));
   Verdict verdict = seen(q, last.written, how, fmt::format("the pixel becomes {}", q.name));
-  if (last.step != last.written) verdict.chain.push_back({last.step, last.polygon, compare_link(q, last, outcome_of(last))});
-  if (compared && !follows(q.trace, last)) verdict.sentence += fmt::format(" At {} {}.", step_text(last.step), contradiction_of(q, last));
+  if (last.step != last.written)
+    verdict.chain.push_back({last.step, last.polygon, compare_link(q, last, outcome_of(last))});
+  if (compared && !follows(q.trace, last))
+    verdict.sentence += fmt::format(" At {} {}.", step_text(last.step), contradiction_of(q, last));
   add_remarks(q, verdict, last);
   if (share.layers > 0 && share.over == nullptr)
-    verdict.sentence += fmt::format(" {} layer{} of glass before it leave{} it {} of the pixel's colour.", share.layers, share.layers == 1 ? "" : "s", share.layers == 1 ? "s" : "", number(share.part));
+    verdict.sentence += fmt::format(" {} layer{} of glass before it leave{} it {} of the pixel's colour.", share.layers,
+                                    share.layers == 1 ? "" : "s", share.layers == 1 ? "s" : "", number(share.part));
   q.add_formulas(verdict, last);
   if (records<ShadowCompare>(q.trace)) add_shadow(q, verdict);
   return verdict;
@@ -222,12 +276,15 @@ Verdict why_seen(Asked& q, const std::vector<Touch>& touches, const Touch& last)
 std::string unnamed_text(const std::vector<Touch>& touches) {
   for (const Touch& touch : touches)
     if (touch.polygon == no_polygon && touch.how == Touch::How::compared)
-      return fmt::format("it covers the pixel; at {} a polygon that the trace does not name was compared there, and {}", step_text(touch.step), touch.nearer ? "found to be nearer" : "found not to be nearer");
+      return fmt::format("it covers the pixel; at {} a polygon that the trace does not name was compared there, and {}",
+                         step_text(touch.step), touch.nearer ? "found to be nearer" : "found not to be nearer");
   return "";
 }
 
 /// How far a compare is from being won.
-double behind(const Asked& q, const Touch& touch) { return q.trace.header().comparison.behind(touch.z.value_or(0), std::isfinite(touch.stored) ? touch.stored : 0); }
+double behind(const Asked& q, const Touch& touch) {
+  return q.trace.header().comparison.behind(touch.z.value_or(0), std::isfinite(touch.stored) ? touch.stored : 0);
+}
 
 }  // namespace
 
@@ -237,9 +294,11 @@ Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
   const Touch *last = holder(touches, q.trace.size() + 1), *mine = nullptr, *least = nullptr, *miswritten = nullptr;
   for (const Touch& touch : touches) {
     const bool its_own = touch.polygon == q.polygon;
-    if ((touch.takes && touch.shows == q.polygon) || (its_own && touch.how == Touch::How::blended)) mine = &touch;  // the last time that it changed the pixel
+    if ((touch.takes && touch.shows == q.polygon) || (its_own && touch.how == Touch::How::blended))
+      mine = &touch;  // the last time that it changed the pixel
     else if (its_own && touch.takes) miswritten = &touch;
-    else if (its_own && touch.how == Touch::How::compared && (!least || behind(q, touch) < behind(q, *least))) least = &touch;
+    else if (its_own && touch.how == Touch::How::compared && (!least || behind(q, touch) < behind(q, *least)))
+      least = &touch;
   }
   if (last && last->shows == q.polygon) return why_seen(q, touches, *last);
   if (mine && mine->how == Touch::How::blended)
@@ -248,7 +307,9 @@ Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
     const Touch* next = nullptr;
     const bool blends = mine->how == Touch::How::blended;
     for (const Touch& touch : touches)
-      if (!next && touch.step > mine->step && (touch.takes || touch.how == Touch::How::blended) && (!blends || touch.opacity >= 1)) next = &touch;
+      if (!next && touch.step > mine->step && (touch.takes || touch.how == Touch::How::blended) &&
+          (!blends || touch.opacity >= 1))
+        next = &touch;
     if (next) return why_gone(q, touches, *mine, *next);
   }
   if (miswritten) return why_miswritten(q, touches, *miswritten);
@@ -257,7 +318,8 @@ Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
   if (auto verdict = why_by_facets(q, facets)) return *verdict;
   const auto& options = q.trace.header().conventions.options;
   const auto order = options.find("order");
-  if (order != options.end() && order->second == "front-to-back" && !touches.empty()) return why_taken(q, touches.front());
+  if (order != options.end() && order->second == "front-to-back" && !touches.empty())
+    return why_taken(q, touches.front());
   if (const std::string text = unnamed_text(touches); !text.empty()) return q.verdict(Why::not_recorded, 0, text);
   return not_recorded(q);
 }

@@ -1,5 +1,5 @@
-// Rays: was the polygon's plane tested along the pixel's ray, was the point inside, was it the nearest; and if it was never
-// tested, which box or cell kept it from the ray.
+// Rays: was the polygon's plane tested along the pixel's ray, was the point inside, was it the nearest; and if it was
+// never tested, which box or cell kept it from the ray.
 #include <algorithm>
 #include <cmath>
 
@@ -45,7 +45,8 @@ std::optional<Ray> follow(const Asked& q) {
     const std::int64_t step = ray.end;
     const Event& event = q.trace.event(step).event;
     if (std::holds_alternative<RayEnd>(event) || std::holds_alternative<RayBegin>(event)) break;
-    if (const auto* plane = std::get_if<RayPlane>(&event); plane && q.polygon_of_facet(plane->facet) == q.polygon) ray.planes.push_back({step, *plane});
+    if (const auto* plane = std::get_if<RayPlane>(&event); plane && q.polygon_of_facet(plane->facet) == q.polygon)
+      ray.planes.push_back({step, *plane});
     if (const auto* box = std::get_if<BoxTest>(&event)) ray.boxes.push_back({step, *box});
     if (const auto* cell = std::get_if<CellVisit>(&event)) ray.cells.push_back({step, *cell});
     if (const auto* hit = std::get_if<RayHit>(&event)) {
@@ -64,7 +65,9 @@ void add_gap_along_ray(const Asked& q, Verdict& verdict, double t, double other)
 
 void add_hit(const Asked& q, Verdict& verdict, const At<RayHit>& hit) {
   const std::int32_t polygon = q.polygon_of_facet(hit.event.facet);
-  verdict.chain.push_back({hit.step, polygon, fmt::format("the ray meets {} at t = {}{}", q.label(polygon), told(hit.event.t), hit.event.nearest ? ", the nearest so far" : "")});
+  verdict.chain.push_back({hit.step, polygon,
+                           fmt::format("the ray meets {} at t = {}{}", q.label(polygon), told(hit.event.t),
+                                       hit.event.nearest ? ", the nearest so far" : "")});
 }
 
 /// It was met inside its outline, and another is nearer.
@@ -80,11 +83,24 @@ Verdict why_behind(Asked& q, const Ray& ray, const At<RayHit>& mine) {
   const std::int32_t who = q.polygon_of_facet(other->event.facet);
   const bool tie = mine.event.t == other->event.t;
   const std::string gap = told(mine.event.t - other->event.t), name = q.label(who);
-  const bool nearer = q.trace.header().comparison.behind(mine.event.t, other->event.t) < 0;  // and yet the other is kept
-  Verdict verdict = tie      ? q.verdict(Why::tie, std::max(mine.step, other->step), fmt::format("the ray meets it at exactly the same t as {}, which {}", name, other->event.facet < mine.event.facet ? "comes first in the file" : "is kept"))
-                    : nearer ? q.verdict(Why::contradicted, std::max(mine.step, other->step), fmt::format("the ray meets it at step {} at t = {}, nearer than {} at t = {}, but the trace keeps {}", grouped(mine.step), told(mine.event.t), name, told(other->event.t), name))
-                    : mine.event.nearest ? q.verdict(Why::overwritten, other->step, fmt::format("it was the nearest on the ray from step {} on, until {} was met at step {}, nearer by \u0394t = {}", grouped(mine.step), name, grouped(other->step), gap))
-                                         : q.verdict(Why::lost, mine.step, fmt::format("the ray meets it at step {}, but {} is nearer by \u0394t = {}", grouped(mine.step), name, gap));
+  const bool nearer =
+      q.trace.header().comparison.behind(mine.event.t, other->event.t) < 0;  // and yet the other is kept
+  Verdict verdict =
+      tie ? q.verdict(Why::tie, std::max(mine.step, other->step),
+                      fmt::format("the ray meets it at exactly the same t as {}, which {}", name,
+                                  other->event.facet < mine.event.facet ? "comes first in the file" : "is kept"))
+      : nearer
+          ? q.verdict(
+                Why::contradicted, std::max(mine.step, other->step),
+                fmt::format("the ray meets it at step {} at t = {}, nearer than {} at t = {}, but the trace keeps {}",
+                            grouped(mine.step), told(mine.event.t), name, told(other->event.t), name))
+      : mine.event.nearest ? q.verdict(Why::overwritten, other->step,
+                                       fmt::format("it was the nearest on the ray from step {} on, until {} was met at "
+                                                   "step {}, nearer by \u0394t = {}",
+                                                   grouped(mine.step), name, grouped(other->step), gap))
+                           : q.verdict(Why::lost, mine.step,
+                                       fmt::format("the ray meets it at step {}, but {} is nearer by \u0394t = {}",
+                                                   grouped(mine.step), name, gap));
   verdict.other = who, verdict.facet = mine.event.facet;
   add_gap_along_ray(q, verdict, mine.event.t, other->event.t);
   q.add_formulas(verdict, mine.step);
@@ -94,7 +110,9 @@ Verdict why_behind(Asked& q, const Ray& ray, const At<RayHit>& mine) {
 }
 
 /// Boxes and cells are made before the first ray.
-std::int64_t first_ray(const Asked& q) { return next_of<RayBegin>(q.trace, 0, q.trace.size() + 1).value_or(q.trace.size() + 1); }
+std::int64_t first_ray(const Asked& q) {
+  return next_of<RayBegin>(q.trace, 0, q.trace.size() + 1).value_or(q.trace.size() + 1);
+}
 
 /// The boxes around a facet, the innermost first.
 std::vector<std::int32_t> boxes_around(const Asked& q, std::int32_t facet, std::int64_t rays) {
@@ -119,7 +137,8 @@ std::vector<CellHold> cells_around(const Asked& q, std::int32_t facet, std::int6
   };
   std::vector<CellHold> cells;
   if (const auto first = next_within(q.trace, 0, rays, of_it))  // those of one facet stand side by side
-    for (std::int64_t step = *first; step < rays && of_it(q.trace.event(step)); ++step) cells.push_back(*event_at<CellHold>(q.trace, step));
+    for (std::int64_t step = *first; step < rays && of_it(q.trace.event(step)); ++step)
+      cells.push_back(*event_at<CellHold>(q.trace, step));
   return cells;
 }
 
@@ -138,25 +157,35 @@ std::optional<Barrier> barrier_before(const Asked& q, const Ray& ray, std::int32
   for (auto box = around.rbegin(); box != around.rend(); ++box)  // from the outermost
     for (const At<BoxTest>& test : ray.boxes) {
       if (test.event.box != *box) continue;
-      barrier = Barrier{test.step, !(test.event.t_enter <= test.event.t_leave), test.event.t_enter, fmt::format("box {}", *box)};
+      barrier = Barrier{test.step, !(test.event.t_enter <= test.event.t_leave), test.event.t_enter,
+                        fmt::format("box {}", *box)};
       if (!test.event.hit) return barrier;
     }
   if (barrier) return barrier;  // it was met, and another was found before its inside was looked at
   const std::vector<CellHold> cells = cells_around(q, facet, rays);
   if (cells.empty() || ray.cells.empty()) return std::nullopt;
   const At<CellVisit>& last = ray.cells.back();
-  return Barrier{last.step, ray.kept.empty(), last.event.t_leave, fmt::format("each of the {} cell{} that hold{} it", cells.size(), cells.size() == 1 ? "" : "s", cells.size() == 1 ? "s" : "")};
+  return Barrier{last.step, ray.kept.empty(), last.event.t_leave,
+                 fmt::format("each of the {} cell{} that hold{} it", cells.size(), cells.size() == 1 ? "" : "s",
+                             cells.size() == 1 ? "s" : "")};
 }
 
 Verdict why_unreached(Asked& q, const Ray& ray, const Barrier& barrier, std::int32_t facet) {
   if (ray.kept.empty()) return not_recorded(q);
   const At<RayHit>& other = ray.kept.back();
   const std::int32_t who = q.polygon_of_facet(other.event.facet);
-  Verdict verdict = q.verdict(Why::unreached, barrier.step, fmt::format("the ray met {} at t = {} and would enter {} only beyond that, so it was never tested", q.label(who), told(other.event.t), barrier.what));
+  Verdict verdict =
+      q.verdict(Why::unreached, barrier.step,
+                fmt::format("the ray met {} at t = {} and would enter {} only beyond that, so it was never tested",
+                            q.label(who), told(other.event.t), barrier.what));
   verdict.other = who, verdict.facet = facet;
-  verdict.formulas.push_back(fmt::format("t kept = {}, t where {} begins \u2265 {}", told(other.event.t), barrier.what, told(barrier.t)));
+  verdict.formulas.push_back(
+      fmt::format("t kept = {}, t where {} begins \u2265 {}", told(other.event.t), barrier.what, told(barrier.t)));
   q.add_formulas(verdict, barrier.step);
-  verdict.chain.push_back({barrier.step, q.polygon, barrier.what.starts_with("box") ? fmt::format("the ray is held against {}, which holds {}", barrier.what, q.name) : "the last cell that the ray enters"});
+  verdict.chain.push_back({barrier.step, q.polygon,
+                           barrier.what.starts_with("box")
+                               ? fmt::format("the ray is held against {}, which holds {}", barrier.what, q.name)
+                               : "the last cell that the ray enters"});
   add_hit(q, verdict, other);
   return verdict;
 }
@@ -171,10 +200,14 @@ void tell_ray(Asked& q, Verdict& verdict, const Ray& ray) {
   const At<RayPlane>* plane = ray.planes.empty() ? nullptr : of_facet(ray.planes);
   const At<RayHit>* hit = ray.hits.empty() ? nullptr : of_facet(ray.hits);
   if (plane) {
-    verdict.chain.push_back({plane->step, q.polygon, fmt::format("the ray and the plane of {}: t = {}", q.name, number(plane->event.t))});
+    verdict.chain.push_back(
+        {plane->step, q.polygon, fmt::format("the ray and the plane of {}: t = {}", q.name, number(plane->event.t))});
     if (verdict.kind != Why::not_covered || !hit) verdict.step = plane->step;
     q.add_formulas(verdict, plane->step);
-    if (verdict.kind == Why::culled) verdict.formulas.push_back(fmt::format("A dX + B dY + C dZ = {} > 0: (A, B, C), which is n made 1 long, points the way the ray goes", number(plane->event.denominator)));
+    if (verdict.kind == Why::culled)
+      verdict.formulas.push_back(
+          fmt::format("A dX + B dY + C dZ = {} > 0: (A, B, C), which is n made 1 long, points the way the ray goes",
+                      number(plane->event.denominator)));
   }
   if (hit && verdict.kind == Why::not_covered) {
     verdict.step = hit->step;
@@ -186,9 +219,14 @@ void tell_ray(Asked& q, Verdict& verdict, const Ray& ray) {
   if (!barrier) return;
   if (barrier->missed) verdict.kind = Why::box_missed;
   verdict.step = barrier->step;
-  verdict.sentence += barrier->missed ? fmt::format(" The ray misses {}, so it was never tested.", barrier->what) : fmt::format(" It was not tested, as something nearer was met before {}.", barrier->what);
+  verdict.sentence += barrier->missed
+                          ? fmt::format(" The ray misses {}, so it was never tested.", barrier->what)
+                          : fmt::format(" It was not tested, as something nearer was met before {}.", barrier->what);
   q.add_formulas(verdict, barrier->step);
-  verdict.chain.push_back({barrier->step, q.polygon, barrier->what.starts_with("box") ? fmt::format("the ray is held against {}, which holds {}", barrier->what, q.name) : "the last cell that the ray enters"});
+  verdict.chain.push_back({barrier->step, q.polygon,
+                           barrier->what.starts_with("box")
+                               ? fmt::format("the ray is held against {}, which holds {}", barrier->what, q.name)
+                               : "the last cell that the ray enters"});
 }
 
 /// Its hit is the one that the ray kept.
@@ -197,10 +235,13 @@ Verdict why_kept(Asked& q, const Ray& ray, const Touch* painted) {
   const At<RayHit>* nearer = nullptr;
   for (const At<RayHit>& other : ray.passed)
     if (q.trace.header().comparison.behind(other.event.t, hit.event.t) < 0) nearer = &other;
-  const std::string how = nearer ? fmt::format("the trace keeps it at t = {}, though the ray meets {} at t = {}", told(hit.event.t), q.label(q.polygon_of_facet(nearer->event.facet)), told(nearer->event.t))
-                                 : fmt::format("the ray meets it first, at t = {}", told(hit.event.t));
+  const std::string how =
+      nearer ? fmt::format("the trace keeps it at t = {}, though the ray meets {} at t = {}", told(hit.event.t),
+                           q.label(q.polygon_of_facet(nearer->event.facet)), told(nearer->event.t))
+             : fmt::format("the ray meets it first, at t = {}", told(hit.event.t));
   // A recording may end before it is painted.
-  Verdict verdict = seen(q, painted ? painted->written : hit.step, how, painted ? fmt::format("the pixel becomes {}", q.name) : "");
+  Verdict verdict =
+      seen(q, painted ? painted->written : hit.step, how, painted ? fmt::format("the pixel becomes {}", q.name) : "");
   if (!painted) verdict.chain.clear();
   verdict.facet = hit.event.facet;
   q.add_formulas(verdict, hit.step);
@@ -212,12 +253,17 @@ Verdict why_kept(Asked& q, const Ray& ray, const Touch* painted) {
 /// The ray kept one and the pixel was given to another; it is one of the two.
 Verdict why_painted_otherwise(Asked& q, const Ray& ray, const Touch& painted, std::int32_t kept) {
   const std::string step = "step " + grouped(painted.written), other = q.label(painted.shows);
-  const std::string meets = kept == no_polygon ? "meets nothing" : fmt::format("keeps {} at t = {}", kept == q.polygon ? "it" : q.label(kept), told(ray.kept.back().event.t));
+  const std::string meets =
+      kept == no_polygon
+          ? "meets nothing"
+          : fmt::format("keeps {} at t = {}", kept == q.polygon ? "it" : q.label(kept), told(ray.kept.back().event.t));
   Verdict verdict;
   if (painted.shows == q.polygon) {
-    verdict = seen(q, painted.written, fmt::format("{} paints it there, though the ray {}", step, meets), fmt::format("the pixel becomes {}", q.name));
+    verdict = seen(q, painted.written, fmt::format("{} paints it there, though the ray {}", step, meets),
+                   fmt::format("the pixel becomes {}", q.name));
   } else {
-    verdict = q.verdict(Why::contradicted, painted.written, fmt::format("the ray {}, but {} paints {} there", meets, step, other));
+    verdict = q.verdict(Why::contradicted, painted.written,
+                        fmt::format("the ray {}, but {} paints {} there", meets, step, other));
     verdict.other = painted.shows;
     verdict.chain.push_back({painted.written, painted.shows, fmt::format("the pixel becomes {}", other)});
   }
@@ -237,7 +283,8 @@ Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
   const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
   const Touch* painted = holder(touches, q.trace.size() + 1);
   const std::int32_t kept = ray->kept.empty() ? no_polygon : q.polygon_of_facet(ray->kept.back().event.facet);
-  if (painted && painted->shows != kept && (painted->shows == q.polygon || kept == q.polygon)) return why_painted_otherwise(q, *ray, *painted, kept);
+  if (painted && painted->shows != kept && (painted->shows == q.polygon || kept == q.polygon))
+    return why_painted_otherwise(q, *ray, *painted, kept);
   if (kept == q.polygon) return why_kept(q, *ray, painted);
   const At<RayHit>* mine = nullptr;
   for (const At<RayHit>& hit : ray->hits)
@@ -247,12 +294,14 @@ Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
   auto verdict = why_by_facets(q, facets);
   if (verdict) {
     tell_ray(q, *verdict, *ray);
-    if (!ray->kept.empty()) verdict->other = q.polygon_of_facet(ray->kept.back().event.facet), add_hit(q, *verdict, ray->kept.back());
+    if (!ray->kept.empty())
+      verdict->other = q.polygon_of_facet(ray->kept.back().event.facet), add_hit(q, *verdict, ray->kept.back());
     return *verdict;
   }
   for (const FacetThere& there : facets)
     if (there.covers() && !there.rejected())
-      if (const auto barrier = barrier_before(q, *ray, there.facet)) return why_unreached(q, *ray, *barrier, there.facet);
+      if (const auto barrier = barrier_before(q, *ray, there.facet))
+        return why_unreached(q, *ray, *barrier, there.facet);
   return not_recorded(q);
 }
 

@@ -150,9 +150,11 @@ std::string nearest_first(std::string_view written, std::vector<std::string_view
     const bool part = !written.empty() && (candidate.starts_with(written) || written.starts_with(candidate));
     by_distance.emplace_back(part ? 1 : 1 + word_distance(written, candidate), candidate);
   }
-  std::stable_sort(by_distance.begin(), by_distance.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(by_distance.begin(), by_distance.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   std::string list;
-  for (std::size_t i = 0; i < std::min(most, by_distance.size()); ++i) list += (i ? ", " : "") + std::string(by_distance[i].second);
+  for (std::size_t i = 0; i < std::min(most, by_distance.size()); ++i)
+    list += (i ? ", " : "") + std::string(by_distance[i].second);
   if (candidates.size() > most) list += fmt::format(", … ({} in all)", candidates.size());
   return list;
 }

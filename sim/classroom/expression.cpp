@@ -75,7 +75,8 @@ struct Parser {
   }
 
   Expression node() {
-    if (++nodes > most_nodes) fail(fmt::format("there are more than {} numbers, names and signs", most_nodes), "write it in parts");
+    if (++nodes > most_nodes)
+      fail(fmt::format("there are more than {} numbers, names and signs", most_nodes), "write it in parts");
     return {};
   }
   Expression of(Kind kind, Expression first, Expression second) {
@@ -205,8 +206,8 @@ struct Parser {
     const std::string_view after = trim(left.substr(1));
     const std::string_view word = leading_step_name(after);
     const char first = after.empty() ? ')' : after.front();
-    return std::string_view("<>=!)&|_").find(first) != std::string_view::npos || after.starts_with("≠") || after.starts_with("≤") ||
-           after.starts_with("≥") || is_word(word, "and") || is_word(word, "or");
+    return std::string_view("<>=!)&|_").find(first) != std::string_view::npos || after.starts_with("≠") ||
+           after.starts_with("≤") || after.starts_with("≥") || is_word(word, "and") || is_word(word, "or");
   }
 
   Expression number(Expression made) {
@@ -214,7 +215,10 @@ struct Parser {
     int places = 0;
     bool any = false, point = false;
     // 0,42 where a person types it; between arguments a comma parts them.
-    const auto is_point = [&](char c) { return !point && (c == '.' || (typed && c == ',' && arguments == 0 && any && left.size() > 1 && is_digit(left[1]))); };
+    const auto is_point = [&](char c) {
+      return !point &&
+             (c == '.' || (typed && c == ',' && arguments == 0 && any && left.size() > 1 && is_digit(left[1])));
+    };
     while (!left.empty() && (is_digit(left.front()) || is_point(left.front()))) {
       if (is_point(left.front())) {
         point = true;

@@ -1,5 +1,5 @@
-// The small language of lessons: `nearer and stored < infinity`, `x_left + (x - x_left)/2`, `count(compare where not
-// nearer)`.
+// The small language of lessons: `nearer and stored < infinity`, `x_left + (x - x_left)/2`, `count(compare where
+// not nearer)`.
 //
 // One grammar serves the conditions of anchors and the numbers in the text:
 //

@@ -44,7 +44,8 @@ Slot parse_slot(std::string_view text, std::string_view where) {
   }
   slot.written = trim(rest);
   const bool known = slot.mark == ':' || slot.mark == '=' || slot.mark == '~';
-  if (!known || slot.written.empty()) throw InputError(where, fmt::format("`{{{}}}` cannot be read", text), form_of_slots);
+  if (!known || slot.written.empty())
+    throw InputError(where, fmt::format("`{{{}}}` cannot be read", text), form_of_slots);
   if (slot.mark == ':' && (slot.written.size() != 1 || slot.written[0] < '0' || slot.written[0] > '9')) {
     throw InputError(where, fmt::format("`:{}` is no number of decimals", slot.written), "write a digit, {z:2}");
   }

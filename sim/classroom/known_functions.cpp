@@ -114,10 +114,10 @@ double plane_value(const Moment& moment, double number, double vertex) {
 
 double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
 
-#define OF_VERTEX(name, stage, part, meaning)                                                                         \
-  KnownFunction {                                                                                                     \
-    name, 1, Type::number, [](const Moment& m, Args a) { return Quantity::of(way(m, a[0], VertexStages::stage).part); }, \
-        meaning                                                                                                       \
+#define OF_VERTEX(name, stage, part, meaning)                                                                 \
+  KnownFunction {                                                                                             \
+    name, 1, Type::number,                                                                                    \
+        [](const Moment& m, Args a) { return Quantity::of(way(m, a[0], VertexStages::stage).part); }, meaning \
   }
 #define OF_POINT(name, part, meaning)                                                                         \
   KnownFunction {                                                                                             \

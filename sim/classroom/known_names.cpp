@@ -37,8 +37,8 @@ const CurveBegin& curve_at(const Moment& moment) {
 }
 const Camera& camera_at(const Moment& moment) { return moment.trace().scene().camera; }
 
-/// Just before interpolate_z, or a paint without one, the state still has the last fragment; the buffers have the stored
-/// values of the coming one. This is its pixel.
+/// Just before interpolate_z, or a paint without one, the state still has the last fragment; the buffers have the
+/// stored values of the coming one. This is its pixel.
 std::optional<std::size_t> coming_pixel(const Moment& moment) {
   if (!moment.event) return std::nullopt;
   const auto pixel_of = [&](const auto& coming) -> std::optional<std::size_t> {

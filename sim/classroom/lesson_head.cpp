@@ -110,7 +110,8 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
     throw InputError(read.at(error.source()), fmt::format("the head is no TOML: {}", error.description()),
                      "write key = value lines");
   }
-  read.known_keys(all, "a lesson's head", {"title", "summary", "scene", "method", "camera", "raster", "conventions", "options"});
+  read.known_keys(all, "a lesson's head",
+                  {"title", "summary", "scene", "method", "camera", "raster", "conventions", "options"});
   read.text(all, "title", lesson.title);
   read.text(all, "summary", lesson.summary);
   read.text(all, "scene", lesson.scene);

@@ -55,7 +55,8 @@ void declare(CLI::App& app, Action& action) {
 
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
   return names;
 }
 
@@ -74,12 +75,14 @@ bool is_option(const std::string& word) {
 }
 
 /// An option must have its value (after it, or joined to it), and stand once.
-void check_option(const std::string& command, const CLI::Option& option, const std::string& name, bool value_follows, const std::string& next,
-                  std::vector<const CLI::Option*>& given) {
+void check_option(const std::string& command, const CLI::Option& option, const std::string& name, bool value_follows,
+                  const std::string& next, std::vector<const CLI::Option*>& given) {
   const bool takes_value = option.get_items_expected_min() > 0;
   if (takes_value && value_follows && (next.empty() || next.starts_with("--")))
-    throw InputError(command, fmt::format("{} needs a value", name), fmt::format("write {} {}", name, option.get_type_name()));
-  if (takes_value && option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw && std::find(given.begin(), given.end(), &option) != given.end())
+    throw InputError(command, fmt::format("{} needs a value", name),
+                     fmt::format("write {} {}", name, option.get_type_name()));
+  if (takes_value && option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw &&
+      std::find(given.begin(), given.end(), &option) != given.end())
     throw InputError(command, fmt::format("{} is given twice", name), "keep one of them");
   given.push_back(&option);
 }
@@ -92,9 +95,10 @@ void check_words(const CLI::App& app, const std::vector<std::string>& words) {
     const std::vector<std::string> commands = command_names(app);
     if (std::find(commands.begin(), commands.end(), words[0]) == commands.end()) {
       const bool file = words[0].find('.') != std::string::npos;
-      throw InputError("zstep", fmt::format("there is no command '{}'", words[0]),
-                       file ? fmt::format("to open it: zstep view {}", words[0])
-                            : did_you_mean(words[0], commands, fmt::format("the commands are {}", enumerate(commands, "and"))));
+      throw InputError(
+          "zstep", fmt::format("there is no command '{}'", words[0]),
+          file ? fmt::format("to open it: zstep view {}", words[0])
+               : did_you_mean(words[0], commands, fmt::format("the commands are {}", enumerate(commands, "and"))));
     }
     command = app.get_subcommand(words[0]);
     name += " " + words[0];
@@ -107,9 +111,11 @@ void check_words(const CLI::App& app, const std::vector<std::string>& words) {
     const std::string option = words[k].substr(0, is_long ? words[k].find('=') : 2);
     if (std::find(known.begin(), known.end(), option) == known.end()) {
       const std::string typed = is_long ? option : words[k];
-      throw InputError(name, fmt::format("there is no option {}", typed), did_you_mean(typed, known, fmt::format("'{} --help' names them", name)));
+      throw InputError(name, fmt::format("there is no option {}", typed),
+                       did_you_mean(typed, known, fmt::format("'{} --help' names them", name)));
     }
-    check_option(name, *command->get_option(option), option, words[k] == option, k + 1 < words.size() ? words[k + 1] : "", given);
+    check_option(name, *command->get_option(option), option, words[k] == option,
+                 k + 1 < words.size() ? words[k + 1] : "", given);
   }
 }
 
@@ -120,7 +126,8 @@ const CLI::App& chosen(const CLI::App& app) {
 
 int parse_and_run(const std::vector<std::string>& words) {
   Action action = start;
-  CLI::App app("zstep shows how a computer decides what is visible: every step of a method, recorded and replayed.", "zstep");
+  CLI::App app("zstep shows how a computer decides what is visible: every step of a method, recorded and replayed.",
+               "zstep");
   declare(app, action);
   set_commands(command_names(app));
   try {

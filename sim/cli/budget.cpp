@@ -46,8 +46,9 @@ double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_
 /// Looks at the clock beside the work, so that nothing that takes long must do so itself.
 void watch_time() {
   while (processor_time() < budget().until) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  end_incomplete(fmt::format("zstep: stopped after {:.0f} seconds; what is printed so far is right; --seconds {:.0f} gives it more time",
-                             budget().until.load(), std::ceil(10 * budget().until)));
+  end_incomplete(fmt::format(
+      "zstep: stopped after {:.0f} seconds; what is printed so far is right; --seconds {:.0f} gives it more time",
+      budget().until.load(), std::ceil(10 * budget().until)));
 }
 
 [[noreturn]] void end_without_memory() {
@@ -59,9 +60,15 @@ void watch_time() {
 }  // namespace
 
 void add_budget_options(CLI::App& command) {
-  add_number(command, "--seconds", budget().seconds, "Stop after this much processor time (default: 7, and more for a large file)")->group("Limits");
-  add_number(command, "--memory", budget().memory, "Stop when it would need more than so many MiB (default: 768, and more for a large file)")->type_name("MIB")->group("Limits");
-  command.add_flag("--strict", budget().strict, "Anything that is doubtful about the file is an error")->group("Limits");
+  add_number(command, "--seconds", budget().seconds,
+             "Stop after this much processor time (default: 7, and more for a large file)")
+      ->group("Limits");
+  add_number(command, "--memory", budget().memory,
+             "Stop when it would need more than so many MiB (default: 768, and more for a large file)")
+      ->type_name("MIB")
+      ->group("Limits");
+  command.add_flag("--strict", budget().strict, "Anything that is doubtful about the file is an error")
+      ->group("Limits");
 }
 
 bool time_is_up() { return budget().until > 0 && processor_time() > budget().until - 0.5; }
@@ -69,10 +76,12 @@ bool time_is_up() { return budget().until > 0 && processor_time() > budget().unt
 void begin_budget(std::uintmax_t file_bytes) {
   for (const auto& [name, value] : {std::pair{"--seconds", budget().seconds}, {"--memory", budget().memory}})
     if (value && !(*value > 0)) throw InputError(name, "is not more than 0", "leave it out, or give a larger number");
-  const double bytes = budget().memory ? *budget().memory * 1048576 : least_memory * 1048576 + static_cast<double>(file_bytes) * memory_a_byte;
+  const double bytes = budget().memory ? *budget().memory * 1048576
+                                       : least_memory * 1048576 + static_cast<double>(file_bytes) * memory_a_byte;
   compare::limit_heap(static_cast<std::int64_t>(std::fmin(bytes, 9e18)));
   if (budget().until > 0) return extend_budget(static_cast<double>(file_bytes) * seconds_a_byte);
-  budget().until = processor_time() + budget().seconds.value_or(least_seconds + static_cast<double>(file_bytes) * seconds_a_byte);
+  budget().until =
+      processor_time() + budget().seconds.value_or(least_seconds + static_cast<double>(file_bytes) * seconds_a_byte);
   std::set_terminate(end_without_memory);
   std::thread(watch_time).detach();
 }

@@ -1,4 +1,5 @@
-// What a command may cost. A small file that makes much work, whether it means to or not, ends it within seconds, and is told so.
+// What a command may cost. A small file that makes much work, whether it means to or not, ends it within seconds, and
+// is told so.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +10,12 @@
 
 namespace zstep::cli {
 
-/// --seconds, --memory and --strict, for commands that read a file. One command runs in a process, so these are its own.
+/// --seconds, --memory and --strict, for commands that read a file. One command runs in a process, so these are its
+/// own.
 void add_budget_options(CLI::App& command);
 
-/// From now on the command ends with exit_code::incomplete when it has taken more than is meant for a file of so many bytes, or than a
-/// person gave it: what it printed stays, what it has half written goes. Another file adds to it.
+/// From now on the command ends with exit_code::incomplete when it has taken more than is meant for a file of so many
+/// bytes, or than a person gave it: what it printed stays, what it has half written goes. Another file adds to it.
 void begin_budget(std::uintmax_t file_bytes);
 /// Half a second before that, for who can end better by itself.
 bool time_is_up();

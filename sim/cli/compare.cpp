@@ -44,7 +44,8 @@ std::vector<std::string> compare_outputs(const CompareOptions& options) {
     if (!path.empty()) files.push_back(path);
 #if !ZSTEP_HAS_VIEWER
   if (!options.plot.empty())
-    throw InputError("--plot", "this zstep was built without the viewer, which draws charts", "leave it out, or build again with -DZSTEP_VIEWER=ON");
+    throw InputError("--plot", "this zstep was built without the viewer, which draws charts",
+                     "leave it out, or build again with -DZSTEP_VIEWER=ON");
 #endif
   return files;
 }
@@ -64,11 +65,16 @@ void write_comparison(const CompareOptions& options, const std::string& csv, con
 #if ZSTEP_HAS_VIEWER
 Image chart_of(const Scene& scene, const std::vector<compare::Compared>& methods, double limit) {
   DotChart chart;
-  chart.title = fmt::format("{}: {}, {} x {} pixels", scene.name, counted(static_cast<std::int64_t>(scene.polygons.size()), "polygon", "polygons"),
+  chart.title = fmt::format("{}: {}, {} x {} pixels", scene.name,
+                            counted(static_cast<std::int64_t>(scene.polygons.size()), "polygon", "polygons"),
                             scene.raster.width, scene.raster.height);
-  chart.subtitle = fmt::format("Time: of the processor, median of runs without recording. Memory: the most held at once. Pixels: against {}.",
-                               methods.front().title);
-  chart.columns = {{"Time", "milliseconds", {}}, {"Memory", "KiB", {}}, {"Steps", "that a recording has", {}}, {"Pixels", "that differ", {}}};
+  chart.subtitle = fmt::format(
+      "Time: of the processor, median of runs without recording. Memory: the most held at once. Pixels: against {}.",
+      methods.front().title);
+  chart.columns = {{"Time", "milliseconds", {}},
+                   {"Memory", "KiB", {}},
+                   {"Steps", "that a recording has", {}},
+                   {"Pixels", "that differ", {}}};
   for (const compare::Compared& compared : methods) {
     chart.rows.push_back(compared.title);
     const compare::Measured& m = compared.measured;
@@ -87,7 +93,8 @@ Image chart_of(const Scene& scene, const std::vector<compare::Compared>& methods
     const std::int64_t differ = a.differing();
     if (!compared.comparable) put(3, no_mark, "not compared");
     else if (a.unexplained > 0)
-      put(3, static_cast<double>(differ), (a.unexplained < differ ? grouped(differ) + ", " : "") + grouped(a.unexplained) + " wrong", true);
+      put(3, static_cast<double>(differ),
+          (a.unexplained < differ ? grouped(differ) + ", " : "") + grouped(a.unexplained) + " wrong", true);
     else put(3, static_cast<double>(differ), differ == 0 ? "0" : grouped(differ) + ", explained");
   }
   return draw_chart(chart);

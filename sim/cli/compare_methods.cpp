@@ -67,7 +67,8 @@ std::vector<Entrant> entrants_of(const CompareOptions& options, const Run& run) 
     for (const std::string& text : parts_of(options.methods, ',')) {
       entrants.push_back(entrant_of(text, run.conventions));
       check_run(*entrants.back().method, run.scene, entrants.back().conventions, "--methods " + text);
-      if (!seen.insert(text).second) throw InputError("--methods", fmt::format("{} is named twice", text), "name each once");
+      if (!seen.insert(text).second)
+        throw InputError("--methods", fmt::format("{} is named twice", text), "name each once");
     }
     return entrants;
   }
@@ -90,8 +91,8 @@ std::string end_text(const Measured& measured, double limit) {
 void print_summary(const CompareOptions& options, const Run& run, const std::vector<Compared>& all) {
   using enum Table::Align;
   fmt::print("{}: {}, {}x{} pixels. Pictures are held against that of {}.\n\n", run.scene.name,
-             counted(static_cast<std::int64_t>(run.scene.polygons.size()), "polygon", "polygons"), run.scene.raster.width, run.scene.raster.height,
-             all.front().title);
+             counted(static_cast<std::int64_t>(run.scene.polygons.size()), "polygon", "polygons"),
+             run.scene.raster.width, run.scene.raster.height, all.front().title);
   Table table({left, right, right, right, right, right, right, right, right});
   table.row({"METHOD", "EQUAL", "EDGES", "TIES", "WRONG", "STEPS", "MEMORY", "TIME", "RUNS"});
   std::string ends;
@@ -104,13 +105,16 @@ void print_summary(const CompareOptions& options, const Run& run, const std::vec
     }
     const compare::Agreement& a = compared.agreement;
     const auto pixels = [&](std::int64_t count) { return compared.comparable ? grouped(count) : std::string("-"); };
-    table.row({compared.title, pixels(a.equal), pixels(a.at_edges), pixels(a.ties), pixels(a.unexplained), grouped(m.steps()), bytes_text(m.heap),
-               seconds_text(m.median_seconds()), fmt::format("{}", m.seconds.size())});
+    table.row({compared.title, pixels(a.equal), pixels(a.at_edges), pixels(a.ties), pixels(a.unexplained),
+               grouped(m.steps()), bytes_text(m.heap), seconds_text(m.median_seconds()),
+               fmt::format("{}", m.seconds.size())});
   }
   fmt::print("{}{}\n", table.text(0), ends);
   fmt::print(
-      "EQUAL, EDGES, TIES, WRONG: pixels with the same polygon; with another one, as an edge runs within 1.5/256 of a pixel of\n"
-      "the centre, or as depths are equal to 1e-5; and those that neither explains; - where a method draws lines, or glass is\n"
+      "EQUAL, EDGES, TIES, WRONG: pixels with the same polygon; with another one, as an edge runs within 1.5/256 of a "
+      "pixel of\n"
+      "the centre, or as depths are equal to 1e-5; and those that neither explains; - where a method draws lines, or "
+      "glass is\n"
       "mixed with what lies behind. STEPS: what a recording would hold.\n"
       "MEMORY: the most that a run holds at once, its picture included. TIME: of the processor, the median of\n"
       "runs without recording.\n");
@@ -130,11 +134,12 @@ void print_work(const std::vector<Compared>& all) {
   }
 }
 
-/// Do two methods mean the same by the polygon at a pixel? One that draws lines has none, and one that mixes colours names
-/// what is behind the glass.
+/// Do two methods mean the same by the polygon at a pixel? One that draws lines has none, and one that mixes colours
+/// names what is behind the glass.
 bool have_same_polygons(const Scene& scene, const Method& one, const Method& other) {
   if (one.gives == Gives::lines || other.gives == Gives::lines) return false;
-  const bool glass = std::any_of(scene.polygons.begin(), scene.polygons.end(), [](const Polygon& p) { return p.material->opacity < 1; });
+  const bool glass = std::any_of(scene.polygons.begin(), scene.polygons.end(),
+                                 [](const Polygon& p) { return p.material->opacity < 1; });
   return !glass || (one.gives == Gives::mixtures) == (other.gives == Gives::mixtures);
 }
 
@@ -143,7 +148,8 @@ int compare_scene(const CompareOptions& options) {
   check_outputs({}, {options.run.scene}, compare_outputs(options));
   const Run run = prepare(options.run);
   const std::vector<Entrant> entrants = entrants_of(options, run);
-  if (entrants.empty()) throw InputError(run.scene.name, "no method can draw it so", "'zstep list methods' says what they need");
+  if (entrants.empty())
+    throw InputError(run.scene.name, "no method can draw it so", "'zstep list methods' says what they need");
 
   std::vector<Compared> all;
   bool stopped = false;
@@ -152,13 +158,19 @@ int compare_scene(const CompareOptions& options) {
       compare::MeasureOptions measuring;
       measuring.limit = options.limit;
       const auto tick = [&](double seconds) {
-        watch.show(
-            fmt::format("{} of {}: {}, {:.1f} s (Ctrl-C stops and prints what is done)", all.size() + 1, entrants.size(), entrant.title, seconds));
+        watch.show(fmt::format("{} of {}: {}, {:.1f} s (Ctrl-C stops and prints what is done)", all.size() + 1,
+                               entrants.size(), entrant.title, seconds));
       };
-      Compared compared{entrant.id, entrant.title, compare::measure(*entrant.method, run.scene, entrant.conventions, measuring, tick), {}, false};
+      Compared compared{entrant.id,
+                        entrant.title,
+                        compare::measure(*entrant.method, run.scene, entrant.conventions, measuring, tick),
+                        {},
+                        false};
       const Measured& first = all.empty() ? compared.measured : all.front().measured;
-      compared.comparable = compared.measured.done() && first.done() && have_same_polygons(run.scene, *entrant.method, *first.method);
-      if (compared.comparable) compared.agreement = compare::agreement(run.scene, run.conventions, first.picture, compared.measured.picture);
+      compared.comparable =
+          compared.measured.done() && first.done() && have_same_polygons(run.scene, *entrant.method, *first.method);
+      if (compared.comparable)
+        compared.agreement = compare::agreement(run.scene, run.conventions, first.picture, compared.measured.picture);
       all.push_back(std::move(compared));
     }
   } catch (const Interrupted&) {
@@ -168,12 +180,14 @@ int compare_scene(const CompareOptions& options) {
   watch.clear_line();
   print_summary(options, run, all);
   if (options.steps) print_work(all);
-  write_comparison(options, compare::csv_of(run.scene.name, all), [&] { return chart_of(run.scene, all, options.limit); });
+  write_comparison(options, compare::csv_of(run.scene.name, all),
+                   [&] { return chart_of(run.scene, all, options.limit); });
   if (stopped) complain(fmt::format("stopped by Ctrl-C after {} of {} methods", all.size(), entrants.size()));
   if (stopped) return exit_code::interrupted;
   const auto unfinished = [](const Compared& one) { return one.measured.end == compare::Apart::End::out_of_time; };
   if (std::any_of(all.begin(), all.end(), unfinished)) return exit_code::incomplete;
-  const bool wrong = std::any_of(all.begin(), all.end(), [](const Compared& one) { return one.comparable && one.agreement.unexplained > 0; });
+  const bool wrong = std::any_of(all.begin(), all.end(),
+                                 [](const Compared& one) { return one.comparable && one.agreement.unexplained > 0; });
   return wrong ? exit_code::finding : exit_code::done;
 }
 
@@ -181,21 +195,30 @@ int compare_scene(const CompareOptions& options) {
 
 void add_compare_methods(CLI::App& app, Action& action) {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare-methods", "Run several methods on one scene: do their pictures agree, what does each cost");
-  command->add_option("scene", options->run.scene, "A built-in scene's name, a .toml scene, or a .obj, .off, .ply or .stl mesh")
+  CLI::App* command = app.add_subcommand(
+      "compare-methods", "Run several methods on one scene: do their pictures agree, what does each cost");
+  command
+      ->add_option("scene", options->run.scene,
+                   "A built-in scene's name, a .toml scene, or a .obj, .off, .ply or .stl mesh")
       ->type_name("SCENE|MESH");
   const auto in = [&](CLI::Option* option) { option->group("Comparison"); };
   in(command
-         ->add_option("--methods", options->methods,
-                      "Which ones, as z-buffer,bsp or with options bsp:root=random (default: all that can draw the scene)")
+         ->add_option(
+             "--methods", options->methods,
+             "Which ones, as z-buffer,bsp or with options bsp:root=random (default: all that can draw the scene)")
          ->type_name("METHOD,…"));
   in(command->add_flag("--steps", options->steps, "Also say how often each method does each of its steps"));
   const auto take_limit = [options](const std::string& text) {
     options->limit = parse_number("--limit", text);
-    if (!(options->limit > 0)) throw InputError("--limit", fmt::format("'{}' is no time to run in", text), "give seconds above 0");
+    if (!(options->limit > 0))
+      throw InputError("--limit", fmt::format("'{}' is no time to run in", text), "give seconds above 0");
   };
-  in(command->add_option_function<std::string>("--limit", take_limit, "Seconds after which a method is stopped (default 60)")->type_name("SECONDS"));
-  in(command->add_flag("--table", options->table, "The comparison table of the lecture: random scenes of 100, 2 500 and 60 000 polygons"));
+  in(command
+         ->add_option_function<std::string>("--limit", take_limit,
+                                            "Seconds after which a method is stopped (default 60)")
+         ->type_name("SECONDS"));
+  in(command->add_flag("--table", options->table,
+                       "The comparison table of the lecture: random scenes of 100, 2 500 and 60 000 polygons"));
   in(command->add_flag("--quick", options->quick, "The table from small rasters, without the largest scene"));
   const auto file = [&](const char* name, std::string& path, const char* type, const char* help) {
     command->add_option(name, path, help)->type_name(type)->group("Output");
@@ -214,7 +237,8 @@ void add_compare_methods(CLI::App& app, Action& action) {
     action = [options] {
       if (options->table) return compare_table(*options);
       if (options->quick) throw InputError("--quick", "goes with --table", "leave it out, or give --table");
-      if (options->run.scene.empty()) throw InputError("zstep compare-methods", "there is no scene", "name one, or give --table");
+      if (options->run.scene.empty())
+        throw InputError("zstep compare-methods", "there is no scene", "name one, or give --table");
       return compare_scene(*options);
     };
   });

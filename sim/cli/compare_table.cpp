@@ -67,12 +67,14 @@ bool measure_rows(const CompareOptions& options, std::vector<Row>& rows) {
       const Scene scene = compare::random_scene(table_sizes[k], layers, side_of(options), seed);
       for (Row& row : rows) {
         const auto tick = [&](double seconds) {
-          watch.show(
-              fmt::format("{} polygons, {}: {:.1f} s (Ctrl-C stops and prints what is done)", grouped(table_sizes[k]), row.method->title, seconds));
+          watch.show(fmt::format("{} polygons, {}: {:.1f} s (Ctrl-C stops and prints what is done)",
+                                 grouped(table_sizes[k]), row.method->title, seconds));
         };
         const compare::Measured measured = compare::measure(*row.method, scene, conventions, measuring, tick);
         if (measured.done()) row.cells[k] = {measured.median_seconds(), ""};
-        else row.cells[k].without = measured.end == Apart::End::out_of_time ? fmt::format("> {:g} s", options.limit) : "failed: " + measured.what;
+        else
+          row.cells[k].without = measured.end == Apart::End::out_of_time ? fmt::format("> {:g} s", options.limit)
+                                                                         : "failed: " + measured.what;
       }
     }
   } catch (const Interrupted&) {
@@ -98,9 +100,16 @@ std::string growth_text(double from, double to, std::size_t first, std::size_t l
 
 void print_rows(const CompareOptions& options, const std::vector<Row>& rows, std::optional<double> unit) {
   const std::int32_t side = side_of(options);
-  fmt::print("Random triangles in parallel projection, {}x{} pixels; their areas sum to {:g} rasters whatever their number.\n", side, side, layers);
-  if (unit) fmt::print("Costs are times; depth sort of 100 polygons, 1, took {}. In brackets: the book's.\n\n", seconds_text(*unit));
-  else fmt::print("Times, as depth sort of 100 polygons, the book's 1, could not be measured. In brackets: the book's costs.\n\n");
+  fmt::print(
+      "Random triangles in parallel projection, {}x{} pixels; their areas sum to {:g} rasters whatever their number.\n",
+      side, side, layers);
+  if (unit)
+    fmt::print("Costs are times; depth sort of 100 polygons, 1, took {}. In brackets: the book's.\n\n",
+               seconds_text(*unit));
+  else
+    fmt::print(
+        "Times, as depth sort of 100 polygons, the book's 1, could not be measured. In brackets: the book's "
+        "costs.\n\n");
 
   using enum Table::Align;
   Table table({left, right, left, right, left, right, left, right, left});
@@ -114,17 +123,23 @@ void print_rows(const CompareOptions& options, const std::vector<Row>& rows, std
     for (std::size_t k = 0; k < columns; ++k) {
       const Cell& cell = row.cells[k];
       if (cell.seconds) last = k;
-      line.push_back(!cell.seconds ? cell.without : unit ? cost_text(*cell.seconds / *unit) : seconds_text(*cell.seconds));
+      line.push_back(!cell.seconds ? cell.without
+                     : unit        ? cost_text(*cell.seconds / *unit)
+                                   : seconds_text(*cell.seconds));
       line.push_back(fmt::format("({:g})", row.book->costs[k]));
     }
     const Cell &first_cell = row.cells[0], &last_cell = row.cells[last];
-    line.push_back(last > 0 && first_cell.seconds ? "N^" + growth_text(*first_cell.seconds, *last_cell.seconds, 0, last) : "-");
-    line.push_back(fmt::format("(N^{})", growth_text(row.book->costs[0], row.book->costs[columns - 1], 0, columns - 1)));
+    line.push_back(last > 0 && first_cell.seconds ? "N^" + growth_text(*first_cell.seconds, *last_cell.seconds, 0, last)
+                                                  : "-");
+    line.push_back(
+        fmt::format("(N^{})", growth_text(row.book->costs[0], row.book->costs[columns - 1], 0, columns - 1)));
     table.row(line);
   }
   fmt::print("{}\n", table.text(0));
-  fmt::print("GROWTH: how cost grows with the number N of polygons, from the first column to the last that was measured.\n");
-  fmt::print("The notes print {} over the middle column; the book's costs fit {}.\n", compare::printed_middle_size, grouped(table_sizes[1]));
+  fmt::print(
+      "GROWTH: how cost grows with the number N of polygons, from the first column to the last that was measured.\n");
+  fmt::print("The notes print {} over the middle column; the book's costs fit {}.\n", compare::printed_middle_size,
+             grouped(table_sizes[1]));
 }
 
 std::string csv_of(const std::vector<Row>& rows, std::optional<double> unit) {
@@ -132,8 +147,9 @@ std::string csv_of(const std::vector<Row>& rows, std::optional<double> unit) {
   for (const Row& row : rows)
     for (std::size_t k = 0; k < columns; ++k) {
       const std::optional<double> seconds = row.cells[k].seconds;
-      text += fmt::format("{},{},{},{},{}\n", row.method->id, table_sizes[k], seconds ? fmt::format("{}", *seconds) : "",
-                          seconds && unit ? fmt::format("{}", *seconds / *unit) : "", row.book->costs[k]);
+      text +=
+          fmt::format("{},{},{},{},{}\n", row.method->id, table_sizes[k], seconds ? fmt::format("{}", *seconds) : "",
+                      seconds && unit ? fmt::format("{}", *seconds / *unit) : "", row.book->costs[k]);
     }
   return text;
 }
@@ -142,15 +158,17 @@ std::string csv_of(const std::vector<Row>& rows, std::optional<double> unit) {
 Image chart_of(const CompareOptions& options, const std::vector<Row>& rows, std::optional<double> unit) {
   LineChart chart;
   chart.title = "Cost of four methods by the number of polygons";
-  chart.subtitle =
-      fmt::format("Solid: measured here, {0} x {0} pixels. Dashed: the book's estimate of 1974. Depth sort of 100 polygons = 1.", side_of(options));
+  chart.subtitle = fmt::format(
+      "Solid: measured here, {0} x {0} pixels. Dashed: the book's estimate of 1974. Depth sort of 100 polygons = 1.",
+      side_of(options));
   chart.x_title = "polygons", chart.y_title = unit ? "cost" : "milliseconds";
   chart.x_ticks.assign(table_sizes.begin(), table_sizes.end());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     LineChart::Line measured{std::string(rows[k].method->title), {}, false, static_cast<int>(k)};
     LineChart::Line book{std::string(rows[k].method->title) + ", book", {}, true, static_cast<int>(k)};
     for (std::size_t n = 0; n < columns; ++n) {
-      if (rows[k].cells[n].seconds) measured.points.emplace_back(table_sizes[n], *rows[k].cells[n].seconds / unit.value_or(1e-3));
+      if (rows[k].cells[n].seconds)
+        measured.points.emplace_back(table_sizes[n], *rows[k].cells[n].seconds / unit.value_or(1e-3));
       book.points.emplace_back(table_sizes[n], rows[k].book->costs[n]);
     }
     if (!measured.points.empty()) chart.lines.push_back(std::move(measured));

@@ -57,7 +57,9 @@ std::vector<std::string> words_behind(std::string_view type) {
   return words;
 }
 
-bool names_file(std::string_view type) { return type.find("FILE") != std::string_view::npos || type.find("MESH") != std::string_view::npos; }
+bool names_file(std::string_view type) {
+  return type.find("FILE") != std::string_view::npos || type.find("MESH") != std::string_view::npos;
+}
 
 CommandWords words_of_command(const CLI::App& command) {
   CommandWords words{command.get_name(), command.get_description(), {}, {}, false};
@@ -79,11 +81,14 @@ CommandWords words_of_command(const CLI::App& command) {
 
 std::vector<CommandWords> all_commands(const CLI::App& app) {
   std::vector<CommandWords> commands;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(words_of_command(*command));
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(words_of_command(*command));
   return commands;
 }
 
-std::string joined(const std::vector<std::string>& words, std::string_view between = " ") { return fmt::format("{}", fmt::join(words, between)); }
+std::string joined(const std::vector<std::string>& words, std::string_view between = " ") {
+  return fmt::format("{}", fmt::join(words, between));
+}
 
 /// For a shell's single quotes.
 std::string shell_quoted(std::string_view text) {
@@ -102,11 +107,12 @@ std::string bash_script(const std::vector<CommandWords>& commands) {
       if (!option.takes_value) continue;
       std::vector<std::string> patterns;
       for (const std::string& name : option.names) patterns.push_back(command.name + ":" + name);
-      const std::string what = option.takes_file ? "files=1" : fmt::format("words={}", shell_quoted(joined(option.values)));
+      const std::string what =
+          option.takes_file ? "files=1" : fmt::format("words={}", shell_quoted(joined(option.values)));
       values += fmt::format("    {}) {} ;;\n", joined(patterns, "|"), what);
     }
-    arguments += fmt::format("        {}) options={}; words={};{} ;;\n", command.name, shell_quoted(joined(options)), shell_quoted(joined(command.places)),
-                             command.takes_file ? " files=1" : "");
+    arguments += fmt::format("        {}) options={}; words={};{} ;;\n", command.name, shell_quoted(joined(options)),
+                             shell_quoted(joined(command.places)), command.takes_file ? " files=1" : "");
   }
   return fmt::format(R"(# bash completion for zstep. To use it now:   source <(zstep completion bash)
 # In every shell:   zstep completion bash > ~/.local/share/bash-completion/completions/zstep
@@ -145,7 +151,8 @@ std::string zsh_text(std::string_view text) {
 }
 
 std::string zsh_values(bool file, const std::vector<std::string>& words) {
-  if (file && !words.empty()) return fmt::format("_alternative \"words:name:({})\" \"files:file:_files\"", joined(words));
+  if (file && !words.empty())
+    return fmt::format("_alternative \"words:name:({})\" \"files:file:_files\"", joined(words));
   return file ? "_files" : words.empty() ? " " : fmt::format("({})", joined(words));
 }
 
@@ -156,8 +163,12 @@ std::string zsh_script(const std::vector<CommandWords>& commands) {
     cases += fmt::format("    {})\n      _arguments \\\n", command.name);
     for (const OptionWords& option : command.options)
       for (const std::string& name : option.names)
-        cases += fmt::format("        {} \\\n", shell_quoted(name + "[" + zsh_text(option.help) + "]" + (option.takes_value ? ":value:" + zsh_values(option.takes_file, option.values) : "")));
-    cases += fmt::format("        {} ;;\n", shell_quoted("*:argument:" + zsh_values(command.takes_file, command.places)));
+        cases += fmt::format(
+            "        {} \\\n",
+            shell_quoted(name + "[" + zsh_text(option.help) + "]" +
+                         (option.takes_value ? ":value:" + zsh_values(option.takes_file, option.values) : "")));
+    cases +=
+        fmt::format("        {} ;;\n", shell_quoted("*:argument:" + zsh_values(command.takes_file, command.places)));
   }
   return fmt::format(R"(#compdef zstep
 # zsh completion for zstep. To use it now:   source <(zstep completion zsh)
@@ -189,14 +200,17 @@ std::string fish_script(const std::vector<CommandWords>& commands) {
       "complete -c zstep -n __fish_use_subcommand -l version -d 'Print the version'\n";
   for (const CommandWords& command : commands) {
     const std::string condition = fmt::format("complete -c zstep -n '__fish_seen_subcommand_from {}'", command.name);
-    text += fmt::format("complete -c zstep -n __fish_use_subcommand -a {} -d {}\n", command.name, shell_quoted(command.help));
+    text += fmt::format("complete -c zstep -n __fish_use_subcommand -a {} -d {}\n", command.name,
+                        shell_quoted(command.help));
     if (!command.takes_file) text += condition + " -f\n";
     if (!command.places.empty()) text += fmt::format("{} -a {}\n", condition, shell_quoted(joined(command.places)));
     for (const OptionWords& option : command.options) {
       text += condition;
-      for (const std::string& name : option.names) text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+      for (const std::string& name : option.names)
+        text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (option.takes_file) text += " -r -F";
-      else if (option.takes_value) text += option.values.empty() ? " -x" : " -x -a " + shell_quoted(joined(option.values));
+      else if (option.takes_value)
+        text += option.values.empty() ? " -x" : " -x -a " + shell_quoted(joined(option.values));
       text += " -d " + shell_quoted(option.help) + "\n";
     }
   }
@@ -205,7 +219,9 @@ std::string fish_script(const std::vector<CommandWords>& commands) {
 
 int completion(const CLI::App& app, const std::string& shell) {
   const std::vector<CommandWords> commands = all_commands(app);
-  fmt::print("{}", shell == "bash" ? bash_script(commands) : shell == "zsh" ? zsh_script(commands) : fish_script(commands));
+  fmt::print("{}", shell == "bash"  ? bash_script(commands)
+                   : shell == "zsh" ? zsh_script(commands)
+                                    : fish_script(commands));
   return exit_code::done;
 }
 
@@ -219,7 +235,8 @@ void add_completion(CLI::App& app, Action& action) {
     *shell = shells.at(parse_choice("zstep completion", text, shells));
   };
   command->add_option_function<std::string>("shell", take, "The shell")->type_name("bash|zsh|fish")->required();
-  command->footer("Examples:\n  source <(zstep completion bash)\n  zstep completion fish > ~/.config/fish/completions/zstep.fish");
+  command->footer(
+      "Examples:\n  source <(zstep completion bash)\n  zstep completion fish > ~/.config/fish/completions/zstep.fish");
   command->callback([&app, shell, &action] { action = [&app, shell] { return completion(app, *shell); }; });
 }
 

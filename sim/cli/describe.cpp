@@ -28,7 +28,8 @@ std::string interpolation_text(Conventions::Interpolation interpolation) {
 
 std::string coverage_text(Conventions::Coverage coverage, const Raster& raster) {
   if (coverage == Conventions::Coverage::inclusive) return "inclusive (every x from x_L to x_R)";
-  return fmt::format("top-left (centres inside, ties to the left edge and to that of the smaller y, the {} one)", raster.y_up ? "bottom" : "top");
+  return fmt::format("top-left (centres inside, ties to the left edge and to that of the smaller y, the {} one)",
+                     raster.y_up ? "bottom" : "top");
 }
 
 std::string nearer_text(Comparison::Nearer nearer) {

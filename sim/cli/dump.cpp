@@ -59,7 +59,8 @@ class Filter {
     for (const std::string& name : names) {
       const auto found = std::find(known.begin(), known.end(), name);
       if (found == known.end())
-        throw InputError("--kind", fmt::format("'{}' is not a kind of event", name), did_you_mean(name, known, "'zstep info' names those of a trace"));
+        throw InputError("--kind", fmt::format("'{}' is not a kind of event", name),
+                         did_you_mean(name, known, "'zstep info' names those of a trace"));
       for (const StepInfo& step : page)
         if (step.kind == found - known.begin()) wanted[step.id] = true;
     }
@@ -77,7 +78,8 @@ class Filter {
         wanted[step.id] = found = true;
       }
       if (!found)
-        throw InputError("--step", fmt::format("'{}' is not a step of this trace", name), did_you_mean(name, known, "'zstep info' names them"));
+        throw InputError("--step", fmt::format("'{}' is not a step of this trace", name),
+                         did_you_mean(name, known, "'zstep info' names them"));
     }
     narrow(wanted);
   }
@@ -85,8 +87,8 @@ class Filter {
   Ids shown_ = all();
 };
 
-/// What the words doubt of a step. For a replay of each step this takes some twenty times as long as printing it, so of many steps it is
-/// left out and said so.
+/// What the words doubt of a step. For a replay of each step this takes some twenty times as long as printing it, so of
+/// many steps it is left out and said so.
 class Doubts {
  public:
   static constexpr std::int64_t most = 20'000;
@@ -119,13 +121,16 @@ int dump(const DumpOptions& options) {
     const std::int64_t from = options.from.value_or(1), to = options.to.value_or(trace.size());
     if (options.from && from > trace.size())
       throw InputError("--from", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
-    if (options.to && from > to) throw InputError("--from", fmt::format("{} is after --to {}", from, to), "give a smaller one");
+    if (options.to && from > to)
+      throw InputError("--from", fmt::format("{} is after --to {}", from, to), "give a smaller one");
     std::size_t widest = 0;
     for (const StepInfo& step : page)
       if (filter.shows(step.id)) widest = std::max(widest, step.name.size());
     const bool few = std::min(to, trace.size()) - from < Doubts::most;
     if (!few && !options.jsonl)
-      fmt::print(stderr, "note: more than {} steps: they are not held against their formulas; --from and --to pick some\n", grouped(Doubts::most));
+      fmt::print(stderr,
+                 "note: more than {} steps: they are not held against their formulas; --from and --to pick some\n",
+                 grouped(Doubts::most));
     std::optional<Doubts> doubts;
     if (few && !options.jsonl) doubts.emplace(trace);
     const std::size_t digits = fmt::format("{}", std::min(to, trace.size())).size();
@@ -136,8 +141,10 @@ int dump(const DumpOptions& options) {
       } else {
         const StepInfo* info = find_step(page, recorded.step);
         const std::string fields = std::visit([](const auto& event) { return fields_text(event); }, recorded.event);
-        std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest, fields);
-        if (const std::string doubt = doubts ? doubts->of(position) : ""; !doubt.empty()) std::cout << fmt::format("{:>{}}  {}\n", "", digits, doubt);
+        std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest,
+                                 fields);
+        if (const std::string doubt = doubts ? doubts->of(position) : ""; !doubt.empty())
+          std::cout << fmt::format("{:>{}}  {}\n", "", digits, doubt);
       }
       return static_cast<bool>(std::cout);
     };
@@ -167,8 +174,17 @@ void add_dump(CLI::App& app, Action& action) {
   add_budget_options(*command);
   add_whole(*command, "--from", options->from, 1, "The first step to print (steps count from 1)");
   add_whole(*command, "--to", options->to, 1, "The last step to print");
-  command->add_option("--kind", options->kinds, "Only events of this kind, as depth_compare; may be given more than once")->type_name("KIND")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--step", options->steps, "Only this line of the pseudo-code, as compare; may be given more than once")->type_name("NAME")->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      ->add_option("--kind", options->kinds, "Only events of this kind, as depth_compare; may be given more than once")
+      ->type_name("KIND")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      ->add_option("--step", options->steps,
+                   "Only this line of the pseudo-code, as compare; may be given more than once")
+      ->type_name("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--jsonl", options->jsonl, "As JSON Lines; the whole trace so can be read back by zstep import");
   command->footer(
       "Where a step's numbers are not what its formula gives, the line below says so (of at most 20 000 steps).\n"

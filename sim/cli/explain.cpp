@@ -31,22 +31,30 @@ struct ExplainOptions {
 answers::Question question_of(const Trace& trace, const ExplainOptions& options) {
   answers::Question question;
   question.at = options.at.empty() ? trace.size() : step_of(trace, options.at);
-  if (options.what.size() > 2) throw InputError("zstep explain", fmt::format("asks about one pixel or one field, not about '{}'", fmt::join(options.what, " ")), "give X Y, or --at STEP FIELD");
+  if (options.what.size() > 2)
+    throw InputError("zstep explain",
+                     fmt::format("asks about one pixel or one field, not about '{}'", fmt::join(options.what, " ")),
+                     "give X Y, or --at STEP FIELD");
   if (options.what.size() == 2) {
     const Raster& raster = trace.scene().raster;
     const std::int64_t x = parse_whole("X", options.what[0], 0), y = parse_whole("Y", options.what[1], 0);
     if (x >= raster.width || y >= raster.height)
-      throw InputError(fmt::format("{} {}", x, y), fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height), "columns and rows count from 0");
+      throw InputError(fmt::format("{} {}", x, y),
+                       fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height),
+                       "columns and rows count from 0");
     question.pixel = Trace::Pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
     return question;
   }
-  if (options.at.empty()) throw InputError("zstep explain", "asks about nothing", "give a pixel, X Y, or a step, --at STEP");
+  if (options.at.empty())
+    throw InputError("zstep explain", "asks about nothing", "give a pixel, X Y, or a step, --at STEP");
   if (question.at == 0) throw InputError("--at", "nothing has happened before the first step", "give a step from 1 on");
   const std::vector<std::string> fields = answers::fields_of_step(trace, question.at);
   if (!options.what.empty()) {
     question.field = options.what[0];
     if (std::find(fields.begin(), fields.end(), question.field) == fields.end())
-      throw InputError(question.field, fmt::format("is no field of step {}", question.at), did_you_mean(question.field, fields, fields.empty() ? "it has none" : "it has " + enumerate(fields, "and")));
+      throw InputError(
+          question.field, fmt::format("is no field of step {}", question.at),
+          did_you_mean(question.field, fields, fields.empty() ? "it has none" : "it has " + enumerate(fields, "and")));
   }
   return question;
 }
@@ -56,13 +64,17 @@ std::string text_of(const answers::Chain& chain) {
   for (const answers::ChainLink& link : chain.links) width = std::max(width, grouped(link.step).size());
   std::string text = fmt::format("{:>{}}\n", "STEP", width);
   for (const answers::ChainLink& link : chain.links) {
-    const std::string indent(static_cast<std::size_t>(2 * link.depth), ' '), step = link.step == 0 ? "scene" : grouped(link.step);
-    text += fmt::format("{:>{}}  {}{}{}\n", step, width, indent, link.what, link.source.empty() ? "" : "   " + link.source);
+    const std::string indent(static_cast<std::size_t>(2 * link.depth), ' '),
+        step = link.step == 0 ? "scene" : grouped(link.step);
+    text +=
+        fmt::format("{:>{}}  {}{}{}\n", step, width, indent, link.what, link.source.empty() ? "" : "   " + link.source);
     for (const answers::ChainValue& value : link.values) {
       const bool asked = &value == &chain.links.front().values.front();
-      const std::string hex = asked && !value.condition && value.word.empty() ? fmt::format("   ({:a})", value.value) : "";
+      const std::string hex =
+          asked && !value.condition && value.word.empty() ? fmt::format("   ({:a})", value.value) : "";
       text += fmt::format("{:>{}}    {}{}{}\n", "", width, indent, answers::line_text(value), hex);
-      if (const std::string doubt = answers::doubt_text(value); !doubt.empty()) text += fmt::format("{:>{}}    {}{}\n", "", width, indent, doubt);
+      if (const std::string doubt = answers::doubt_text(value); !doubt.empty())
+        text += fmt::format("{:>{}}    {}{}\n", "", width, indent, doubt);
     }
   }
   if (chain.cut) text += "… and what is behind that: ask about one of these numbers\n";
@@ -80,13 +92,23 @@ nlohmann::ordered_json json_of(const answers::Chain& chain) {
     nlohmann::ordered_json values = nlohmann::ordered_json::array();
     for (const answers::ChainValue& value : link.values) {
       nlohmann::ordered_json operands = nlohmann::ordered_json::array();
-      for (const answers::Operand& operand : value.operands) operands.push_back({{"symbol", operand.symbol}, {"value", json_number(operand.value)}, {"link", operand.link}});
-      values.push_back({{"name", value.name}, {"value", json_number(value.value)}, {"hex", fmt::format("{:a}", value.value)}, {"formula", value.formula},
-                        {"numbers", answers::numbers_text(value)}, {"note", value.note}, {"operands", operands}});
+      for (const answers::Operand& operand : value.operands)
+        operands.push_back({{"symbol", operand.symbol}, {"value", json_number(operand.value)}, {"link", operand.link}});
+      values.push_back({{"name", value.name},
+                        {"value", json_number(value.value)},
+                        {"hex", fmt::format("{:a}", value.value)},
+                        {"formula", value.formula},
+                        {"numbers", answers::numbers_text(value)},
+                        {"note", value.note},
+                        {"operands", operands}});
       if (!value.word.empty()) values.back()["word"] = value.word;
       if (const std::string doubt = answers::doubt_text(value); !doubt.empty()) values.back()["doubt"] = doubt;
     }
-    links.push_back({{"step", link.step}, {"parent", link.parent}, {"what", link.what}, {"source", link.source}, {"values", values}});
+    links.push_back({{"step", link.step},
+                     {"parent", link.parent},
+                     {"what", link.what},
+                     {"source", link.source},
+                     {"values", values}});
   }
   return {{"links", links}, {"cut", chain.cut}};
 }
@@ -97,7 +119,8 @@ std::string no_depth_text(const Trace& trace, Trace::Pixel pixel, std::int64_t a
   const std::vector<answers::Touch> touches = answers::touches_of(trace, pixel);
   const answers::Touch* last = answers::holder(touches, at + 1);
   if (last == nullptr) return fmt::format("{}: nothing was drawn there up to step {}", where, grouped(at));
-  return fmt::format("{}: step {} colours it {}, but no step up to {} writes its depth", where, grouped(last->written), polygon_label(trace.scene(), last->shows), grouped(at));
+  return fmt::format("{}: step {} colours it {}, but no step up to {} writes its depth", where, grouped(last->written),
+                     polygon_label(trace.scene(), last->shows), grouped(at));
 }
 
 int explain(const ExplainOptions& options) {
@@ -115,14 +138,23 @@ int explain(const ExplainOptions& options) {
 
 void add_explain(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command = app.add_subcommand("explain", "Tell where a number comes from, back to the lines of the mesh file");
+  CLI::App* command =
+      app.add_subcommand("explain", "Tell where a number comes from, back to the lines of the mesh file");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   add_budget_options(*command);
-  command->add_option("what", options->what, "A pixel whose depth is meant, or with --at a field of that step (its main one if none is given)")->type_name("X Y or FIELD")->expected(0, -1);
-  command->add_option("--at", options->at, "The step, part of the trace or bookmark; for a pixel, the moment (default: the end)")->type_name("STEP|PERCENT%|BOOKMARK");
+  command
+      ->add_option("what", options->what,
+                   "A pixel whose depth is meant, or with --at a field of that step (its main one if none is given)")
+      ->type_name("X Y or FIELD")
+      ->expected(0, -1);
+  command
+      ->add_option("--at", options->at,
+                   "The step, part of the trace or bookmark; for a pixel, the moment (default: the end)")
+      ->type_name("STEP|PERCENT%|BOOKMARK");
   command->add_flag("--json", options->json, "As JSON, with each value's hex float");
   command->footer(
-      "Each number stands with its formula, the same with numbers, and its result; what it was made of is indented below it.\n"
+      "Each number stands with its formula, the same with numbers, and its result; what it was made of is indented "
+      "below it.\n"
       "The fields of a step's event are listed by zstep dump.\n"
       "\n"
       "Examples:\n"

@@ -37,15 +37,18 @@ const std::vector<std::string>& buffer_names() {
 }
 
 template <class Value>
-void write_table(const std::string& path, const std::vector<Value>& values, std::int32_t width, std::int32_t height, const std::string& what) {
+void write_table(const std::string& path, const std::vector<Value>& values, std::int32_t width, std::int32_t height,
+                 const std::string& what) {
   if (std::filesystem::path(path).extension() == ".npy") {
     write_npy(path, std::span<const Value>(values), height, width);
   } else {
     std::string text;
-    for (std::size_t i = 0; i < values.size(); ++i) text += fmt::format("{}{}", values[i], (i + 1) % static_cast<std::size_t>(width) == 0 ? '\n' : ',');
+    for (std::size_t i = 0; i < values.size(); ++i)
+      text += fmt::format("{}{}", values[i], (i + 1) % static_cast<std::size_t>(width) == 0 ? '\n' : ',');
     write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   }
-  say_written(path, fmt::format("{}, {} [{},{}]", what, std::is_same_v<Value, double> ? "float64" : "int32", height, width));
+  say_written(path,
+              fmt::format("{}, {} [{},{}]", what, std::is_same_v<Value, double> ? "float64" : "int32", height, width));
 }
 
 int export_table(const Trace& trace, const ExportOptions& options) {
@@ -61,21 +64,33 @@ int export_table(const Trace& trace, const ExportOptions& options) {
   if (place >= before_counts) {
     Watch watch;
     answers::PixelCounts counts(trace);
-    while (!counts.count_to(at, std::chrono::milliseconds(100))) watch.show(fmt::format("counting: step {} of {} (Ctrl-C stops)", grouped(counts.position()), grouped(at)));
+    while (!counts.count_to(at, std::chrono::milliseconds(100)))
+      watch.show(fmt::format("counting: step {} of {} (Ctrl-C stops)", grouped(counts.position()), grouped(at)));
     watch.clear_line();
-    write_table(options.out, top_row_first<std::int32_t>(counts.of(static_cast<answers::Count>(place - before_counts)), width, height, y_up, same), width, height, what);
+    write_table(options.out,
+                top_row_first<std::int32_t>(counts.of(static_cast<answers::Count>(place - before_counts)), width,
+                                            height, y_up, same),
+                width, height, what);
     return exit_code::done;
   }
   Replay replay(trace);
   replay.go_to(at);
   const State& state = replay.state();
   const Picture& picture = buffer.starts_with("light") ? state.light : state.picture;
-  if (picture.depth.empty()) throw InputError("--buffer", fmt::format("{} makes no picture as the light sees it", trace.header().algorithm), "ask for frame or depth");
+  if (picture.depth.empty())
+    throw InputError("--buffer", fmt::format("{} makes no picture as the light sees it", trace.header().algorithm),
+                     "ask for frame or depth");
   const bool none = std::none_of(picture.depth.begin(), picture.depth.end(), [](double z) { return z != no_depth; });
-  if (options.buffer.empty() && none && std::any_of(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; }))
-    throw InputError("--buffer", fmt::format("{} draws lines, which have no depth in a buffer", trace.header().algorithm), "ask for colors");
+  if (options.buffer.empty() && none &&
+      std::any_of(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; }))
+    throw InputError("--buffer",
+                     fmt::format("{} draws lines, which have no depth in a buffer", trace.header().algorithm),
+                     "ask for colors");
   if (buffer.ends_with("depth")) {
-    write_table(options.out, top_row_first<double>(picture.depth, picture.width, picture.height, y_up && &picture == &state.picture, same), picture.width, picture.height, what);
+    write_table(
+        options.out,
+        top_row_first<double>(picture.depth, picture.width, picture.height, y_up && &picture == &state.picture, same),
+        picture.width, picture.height, what);
   } else if (buffer == "colors") {
     std::vector<std::int32_t> colors;
     for (std::size_t i = 0; i < picture.polygon.size(); ++i) {
@@ -84,7 +99,10 @@ int export_table(const Trace& trace, const ExportOptions& options) {
     }
     write_table(options.out, top_row_first<std::int32_t>(colors, width, height, y_up, same), width, height, what);
   } else {
-    write_table(options.out, top_row_first<std::int32_t>(picture.polygon, picture.width, picture.height, y_up && &picture == &state.picture, same), picture.width, picture.height, what);
+    write_table(options.out,
+                top_row_first<std::int32_t>(picture.polygon, picture.width, picture.height,
+                                            y_up && &picture == &state.picture, same),
+                picture.width, picture.height, what);
   }
   return exit_code::done;
 }
@@ -93,13 +111,19 @@ int run_export(const ExportOptions& options) {
   const std::filesystem::path path = options.out;
   const std::string extension = path.extension().string();
   const bool table = extension == ".npy" || extension == ".csv", pictures = extension == ".png" || is_video(path);
-  if (!table && !pictures) throw InputError(options.out, "does not say what to write", "end its name with .npy or .csv (a buffer), .png (pictures), .gif, .mp4, .webm or .mkv (a film)");
+  if (!table && !pictures)
+    throw InputError(options.out, "does not say what to write",
+                     "end its name with .npy or .csv (a buffer), .png (pictures), .gif, .mp4, .webm or .mkv (a film)");
   check_outputs({}, {options.trace}, {options.out});
   const auto needless = [&](const char* name, bool given, const char* of) {
     if (given) throw InputError(name, fmt::format("does not go with {}", options.out), fmt::format("it is for {}", of));
   };
   needless("--buffer", pictures && !options.buffer.empty(), "tables: .npy, .csv");
-  for (const auto& [name, given] : {std::pair{"--sheet", options.sheet.has_value()}, {"--steps", !options.steps.empty()}, {"--from", options.from.has_value()}, {"--to", options.to.has_value()}, {"--pane", !options.pane.empty()}})
+  for (const auto& [name, given] : {std::pair{"--sheet", options.sheet.has_value()},
+                                    {"--steps", !options.steps.empty()},
+                                    {"--from", options.from.has_value()},
+                                    {"--to", options.to.has_value()},
+                                    {"--pane", !options.pane.empty()}})
     needless(name, table && given, "pictures: .png, .gif, .mp4");
   needless("--fps", !is_video(path) && options.fps.has_value(), "films: .gif, .mp4, .webm, .mkv");
   const Trace trace = open_trace(options.trace);
@@ -113,22 +137,38 @@ void add_export(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ExportOptions>();
   std::string buffers;
   for (const std::string& name : buffer_names()) buffers += (buffers.empty() ? "" : "|") + name;
-  CLI::App* command = app.add_subcommand("export", "Write a buffer of any step as a table, a sheet of pictures, or a film");
+  CLI::App* command =
+      app.add_subcommand("export", "Write a buffer of any step as a table, a sheet of pictures, or a film");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   add_budget_options(*command);
-  command->add_option("-o,--out", options->out, "What to write; its extension says in which form")->type_name("FILE")->required();
-  command->add_option("--at", options->at, "At this step, part of the trace or bookmark (default: the end)")->type_name("STEP|PERCENT%|BOOKMARK");
+  command->add_option("-o,--out", options->out, "What to write; its extension says in which form")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--at", options->at, "At this step, part of the trace or bookmark (default: the end)")
+      ->type_name("STEP|PERCENT%|BOOKMARK");
   command->add_option("--buffer", options->buffer, "Which buffer, as .npy or .csv (default depth)")->type_name(buffers);
-  add_whole(*command, "--sheet", options->sheet, 1, "A contact sheet of so many steps, evenly apart")->type_name("N")->group("Pictures");
-  command->add_option("--steps", options->steps, "Of these steps and bookmarks")->type_name("A,B,...")->group("Pictures");
+  add_whole(*command, "--sheet", options->sheet, 1, "A contact sheet of so many steps, evenly apart")
+      ->type_name("N")
+      ->group("Pictures");
+  command->add_option("--steps", options->steps, "Of these steps and bookmarks")
+      ->type_name("A,B,...")
+      ->group("Pictures");
   add_whole(*command, "--from", options->from, 0, "First step (default 0)")->group("Pictures");
   add_whole(*command, "--to", options->to, 0, "Last step (default: the end)")->group("Pictures");
-  add_whole(*command, "--frames", options->frames, 2, "How many frames a film has (default: one a step, at most 200)")->type_name("N")->group("Pictures");
+  add_whole(*command, "--frames", options->frames, 2, "How many frames a film has (default: one a step, at most 200)")
+      ->type_name("N")
+      ->group("Pictures");
   add_number(*command, "--fps", options->fps, "Frames a second of a film (default 10)");
-  add_whole(*command, "--columns", options->columns, 1, "Pictures in a row of a sheet")->type_name("N")->group("Pictures");
-  command->add_option("--pane", options->pane, "One pane instead of the window: frame, depth, pseudo-code, ...")->type_name("PANE")->group("Pictures");
+  add_whole(*command, "--columns", options->columns, 1, "Pictures in a row of a sheet")
+      ->type_name("N")
+      ->group("Pictures");
+  command->add_option("--pane", options->pane, "One pane instead of the window: frame, depth, pseudo-code, ...")
+      ->type_name("PANE")
+      ->group("Pictures");
   const auto take_size = [options](const std::string& text) { options->size = parse_size("--size-window", text); };
-  command->add_option_function<std::string>("--size-window", take_size, "Size of each picture")->type_name("WxH")->group("Pictures");
+  command->add_option_function<std::string>("--size-window", take_size, "Size of each picture")
+      ->type_name("WxH")
+      ->group("Pictures");
   command->add_flag("--dark", options->dark, "Dark colours")->group("Pictures");
   command->footer(
       "Films need ffmpeg. Rows of tables begin at the top.\n"

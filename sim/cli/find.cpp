@@ -28,12 +28,15 @@ struct FindOptions {
 int find(const FindOptions& options) {
   using places::Search;
   const Trace trace = open_trace(options.trace);
-  if (options.from && *options.from > trace.size()) throw InputError("--from", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
-  if (options.all && options.most) throw InputError("zstep find", "--all and --most are both given", "keep one of them");
+  if (options.from && *options.from > trace.size())
+    throw InputError("--from", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+  if (options.all && options.most)
+    throw InputError("zstep find", "--all and --most are both given", "keep one of them");
   const std::int64_t most = options.all ? trace.size() : options.most.value_or(1);
   // --from is where one stands: the step itself counts.
   const std::int64_t from = options.backwards ? options.from.value_or(trace.size()) + 1 : options.from.value_or(1) - 1;
-  Search search(trace, places::Condition(trace, options.condition), from, options.backwards ? Search::Way::backwards : Search::Way::forwards);
+  Search search(trace, places::Condition(trace, options.condition), from,
+                options.backwards ? Search::Way::backwards : Search::Way::forwards);
   Watch watch;
   Replay replay(trace);
   std::int64_t found = 0;
@@ -41,7 +44,8 @@ int find(const FindOptions& options) {
     const Search::Result result = search.look(std::chrono::milliseconds(50));
     if (result == Search::Result::none) break;
     if (result == Search::Result::not_yet) {
-      watch.show(fmt::format("looking: step {} of {}, {} found (Ctrl-C stops)", grouped(search.at()), grouped(trace.size()), grouped(found)));
+      watch.show(fmt::format("looking: step {} of {}, {} found (Ctrl-C stops)", grouped(search.at()),
+                             grouped(trace.size()), grouped(found)));
       continue;
     }
     watch.clear_line();
@@ -68,14 +72,18 @@ void add_find(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("find", "Find the steps that fulfil a condition");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   add_budget_options(*command);
-  command->add_option("condition", options->condition, "\"not nearer\", \"z < 4.2 && x == 9\", \"changes(9, 17)\"")->type_name("CONDITION")->required();
+  command->add_option("condition", options->condition, "\"not nearer\", \"z < 4.2 && x == 9\", \"changes(9, 17)\"")
+      ->type_name("CONDITION")
+      ->required();
   add_whole(*command, "--from", options->from, 1, "The first step to look at (default 1; backwards, the last)");
   command->add_flag("--backwards", options->backwards, "From there to the beginning");
   add_whole(*command, "--most", options->most, 1, "How many to print (default 1, with its numbers)")->type_name("N");
   command->add_flag("--all", options->all, "Print all of them");
   command->footer(
-      "A condition speaks of the fields of events (zstep query FILE lists them): == != < <= > >=, + - * /, and or not or\n"
-      "&& || !. A step without such a field does not fulfil it. Besides: step; polygon == NAME; changes(x, y), touches(x, y);\n"
+      "A condition speaks of the fields of events (zstep query FILE lists them): == != < <= > >=, + - * /, and or not "
+      "or\n"
+      "&& || !. A step without such a field does not fulfil it. Besides: step; polygon == NAME; changes(x, y), "
+      "touches(x, y);\n"
       "line == 12; a step of the pseudo-code or a kind of event, alone or before `where`.\n"
       "\n"
       "Examples:\n"

@@ -28,10 +28,14 @@ int history(const HistoryOptions& options) {
   const Raster& raster = trace.scene().raster;
   const std::int64_t x = parse_whole("X", options.x, 0), y = parse_whole("Y", options.y, 0);
   if (x >= raster.width || y >= raster.height)
-    throw InputError(fmt::format("{} {}", x, y), fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height), "columns and rows count from 0");
-  std::vector<answers::Visit> all = answers::pixel_history(trace, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
+    throw InputError(fmt::format("{} {}", x, y),
+                     fmt::format("is no pixel: the picture has {} by {}", raster.width, raster.height),
+                     "columns and rows count from 0");
+  std::vector<answers::Visit> all =
+      answers::pixel_history(trace, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)});
   if (all.empty()) {
-    fmt::print("pixel ({}, {}): no step reaches it{}; it shows the background\n", x, y, trace.whole() ? "" : " before the recording was cut off");
+    fmt::print("pixel ({}, {}): no step reaches it{}; it shows the background\n", x, y,
+               trace.whole() ? "" : " before the recording was cut off");
     return exit_code::done;
   }
   using enum Table::Align;
@@ -44,7 +48,8 @@ int history(const HistoryOptions& options) {
     if (options.why) answers::tell(replay, visit);
     const std::string polygon = visit.polygon == no_polygon ? "" : polygon_label(trace.scene(), visit.polygon);
     const std::string of = !visit.stored ? "" : polygon_label(trace.scene(), visit.stored_polygon);
-    table.row({grouped(visit.step), polygon, visit.z ? answers::depth_text(*visit.z) : "", visit.stored ? answers::depth_text(*visit.stored) : "", of, answers::outcome_text(trace, all, visit)});
+    table.row({grouped(visit.step), polygon, visit.z ? answers::depth_text(*visit.z) : "",
+               visit.stored ? answers::depth_text(*visit.stored) : "", of, answers::outcome_text(trace, all, visit)});
     why += fmt::format("\n{}: {}\n", grouped(visit.step), visit.sentence);
     for (const std::string& formula : visit.formulas) why += "  " + formula + "\n";
   }
@@ -64,8 +69,10 @@ void add_history(CLI::App& app, Action& action) {
   command->add_option("y", options->y, "Its row")->type_name("Y")->required();
   command->add_flag("--why", options->why, "Each step in words, with its numbers");
   command->footer(
-      "Polygons that cover the pixel's centre and were not drawn (culled, seen edge-on, out of view) are told, too; so\n"
-      "are those that were found to be behind on a whole interval of a scan line or a whole area, with their planes' depths.\n"
+      "Polygons that cover the pixel's centre and were not drawn (culled, seen edge-on, out of view) are told, too; "
+      "so\n"
+      "are those that were found to be behind on a whole interval of a scan line or a whole area, with their planes' "
+      "depths.\n"
       "\n"
       "Examples:\n"
       "  zstep history run.ztrace 15 12\n"

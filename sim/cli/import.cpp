@@ -29,8 +29,13 @@ int import_trace(const ImportOptions& options) {
 void add_import(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ImportOptions>();
   CLI::App* command = app.add_subcommand("import", "Turn JSON Lines into a trace");
-  command->add_option("jsonl", options->from, "The JSON Lines file, or - for standard input")->type_name("FILE.jsonl")->required();
-  command->add_option("-o,--output", options->to, "The trace to write")->type_name("FILE.ztrace")->required()->group("Output");
+  command->add_option("jsonl", options->from, "The JSON Lines file, or - for standard input")
+      ->type_name("FILE.jsonl")
+      ->required();
+  command->add_option("-o,--output", options->to, "The trace to write")
+      ->type_name("FILE.ztrace")
+      ->required()
+      ->group("Output");
   command->footer(
       "An existing file is replaced; nothing is written when the input has a mistake.\n"
       "\n"

@@ -27,7 +27,8 @@ std::string head_text(const Trace& trace, const std::string& path) {
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   std::string size = counted(trace.size(), "step", "steps");
   if (!error) size += fmt::format(" in {} bytes", grouped(static_cast<std::int64_t>(bytes)));
-  if (!error && trace.size() > 0) size += fmt::format(" ({:.2f} a step)", static_cast<double>(bytes) / static_cast<double>(trace.size()));
+  if (!error && trace.size() > 0)
+    size += fmt::format(" ({:.2f} a step)", static_cast<double>(bytes) / static_cast<double>(trace.size()));
   table.row({"trace", path});
   table.row({"written by", header.writer});
   table.row({"method", fmt::format("{} ({})", header.title, header.algorithm)});
@@ -39,14 +40,17 @@ std::string head_text(const Trace& trace, const std::string& path) {
   table.row({"raster", raster_text(scene.raster)});
   table.row({"camera", camera_text(scene.camera)});
   // What the header does not declare is no fact.
-  const auto declared = [&](Convention which, std::string text) { return header.declares(which) ? text : "not declared"; };
+  const auto declared = [&](Convention which, std::string text) {
+    return header.declares(which) ? text : "not declared";
+  };
   const std::string depth = depth_text(scene.camera, header.conventions.depth);
   table.row({"depth", scene.camera.kind == Camera::Kind::screen ? depth : declared(Convention::depth, depth)});
   table.row({"nearer", declared(Convention::nearer, nearer_text(header.comparison.nearer))});
   table.row({"ties", declared(Convention::ties, ties_text(header.comparison.ties))});
   if (header.initial_depth) table.row({"initial depth", value_text(*header.initial_depth)});
   table.row({"numbers", declared(Convention::number_format, number_format_text(header.number_format))});
-  table.row({"interpolation", declared(Convention::interpolation, interpolation_text(header.conventions.interpolation))});
+  table.row(
+      {"interpolation", declared(Convention::interpolation, interpolation_text(header.conventions.interpolation))});
   table.row({"coverage", declared(Convention::coverage, coverage_text(header.conventions.coverage, scene.raster))});
   table.row({"back faces", declared(Convention::cull, header.conventions.cull ? "culled" : "drawn")});
   return table.text(0);
@@ -64,17 +68,22 @@ int info(const std::string& path) {
 
   std::array<std::string_view, kind_count> kind_names{};
   for_each_kind([&]<class E>() { kind_names[kind_of<E>] = kind_text<E>.name; });
-  const auto share = [&](std::int64_t count) { return fmt::format("{:.1f} %", trace.size() == 0 ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(trace.size())); };
+  const auto share = [&](std::int64_t count) {
+    return fmt::format(
+        "{:.1f} %", trace.size() == 0 ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(trace.size()));
+  };
 
   Table steps({left, left, right, right, left});
   steps.row({"STEP", "KIND", "COUNT", "SHARE", "PSEUDO-CODE"});
   for (const StepInfo& step : trace.header().page)
-    steps.row({step.module + "." + step.name, std::string(kind_names.at(step.kind)), fmt::format("{}", by_step[step.id]), share(by_step[step.id]),
+    steps.row({step.module + "." + step.name, std::string(kind_names.at(step.kind)),
+               fmt::format("{}", by_step[step.id]), share(by_step[step.id]),
                std::string(2 * std::size_t{step.indent}, ' ') + step.text});
   Table kinds({left, right, right});
   kinds.row({"KIND", "COUNT", "SHARE"});
   for (std::size_t kind = 0; kind < kind_count; ++kind)
-    if (by_kind[kind] > 0) kinds.row({std::string(kind_names[kind]), fmt::format("{}", by_kind[kind]), share(by_kind[kind])});
+    if (by_kind[kind] > 0)
+      kinds.row({std::string(kind_names[kind]), fmt::format("{}", by_kind[kind]), share(by_kind[kind])});
 
   fmt::print("{}\n{}\n{}", head_text(trace, path), steps.text(0), kinds.text(0));
   return exit_code::done;

@@ -23,7 +23,8 @@ struct LessonOptions {
 
 /// What opens where no lesson is named: the first about the Z-buffer in teaching order.
 Lesson first_lesson(std::vector<Lesson> lessons) {
-  if (lessons.empty()) throw InputError("zstep lesson", "no lessons were found", "set ZSTEP_LESSONS to the folder that holds them");
+  if (lessons.empty())
+    throw InputError("zstep lesson", "no lessons were found", "set ZSTEP_LESSONS to the folder that holds them");
   const std::string id = "z-buffer";
   for (Lesson& lesson : lessons)
     if (lesson.id.starts_with(id)) return std::move(lesson);
@@ -41,7 +42,8 @@ Lesson lesson_named(const std::string& name) {
     if (lesson.id == name) return lesson;
     ids.push_back(lesson.id);
   }
-  throw InputError(name, "there is no such lesson", did_you_mean(name, ids, fmt::format("the lessons are {}", enumerate(ids, "and"))));
+  throw InputError(name, "there is no such lesson",
+                   did_you_mean(name, ids, fmt::format("the lessons are {}", enumerate(ids, "and"))));
 }
 
 int open(Lesson lesson, const ShowOptions& options) {
@@ -53,7 +55,8 @@ int open(Lesson lesson, const ShowOptions& options) {
 [[maybe_unused]] std::string first_steps_without_display(const std::string& lesson) {
   Table table({Table::Align::left, Table::Align::left});
   table.row({"zstep list", "name the methods, lessons and scenes"});
-  table.row({fmt::format("zstep lesson {} --at 600 --screenshot later.png", lesson), "a later step of the same lesson"});
+  table.row(
+      {fmt::format("zstep lesson {} --at 600 --screenshot later.png", lesson), "a later step of the same lesson"});
   table.row({"zstep view pyramid --at 100 --screenshot step.png", "a step of another scene"});
   table.row({"zstep render teapot", "draw a picture"});
   table.row({"zstep record pyramid -o run.ztrace", "record every step"});
@@ -83,15 +86,18 @@ int start() {
 
 void add_lesson(CLI::App& app, Action& action) {
   const auto options = std::make_shared<LessonOptions>();
-  CLI::App* command = app.add_subcommand("lesson", "Open a lesson in the viewer; without a name, the one about the Z-buffer");
-  command->add_option("name", options->name, "One of 'zstep list lessons', or the path of a lesson's .md")->type_name("NAME");
+  CLI::App* command =
+      app.add_subcommand("lesson", "Open a lesson in the viewer; without a name, the one about the Z-buffer");
+  command->add_option("name", options->name, "One of 'zstep list lessons', or the path of a lesson's .md")
+      ->type_name("NAME");
   add_show_options(*command, options->show);
   command->footer(
       "Examples:\n"
       "  zstep lesson\n"
       "  zstep lesson z-buffer --presenter\n"
       "  zstep lesson my-lesson.md --at 40 --screenshot lesson.png");
-  command->callback([options, &action] { action = [options] { return open(lesson_named(options->name), options->show); }; });
+  command->callback(
+      [options, &action] { action = [options] { return open(lesson_named(options->name), options->show); }; });
 }
 
 }  // namespace zstep::cli

@@ -26,8 +26,10 @@ std::string options_text() {
   Table table({left, left, left, left});
   for (const Method& m : methods())
     for (const Option& option : m.options) {
-      const std::string values = option.words.empty() ? fmt::format("{}…{}", option.least, option.most) : std::string(option.words);
-      table.row({std::string(m.id), fmt::format("{}={}", option.name, option.standard), values, std::string(option.meaning)});
+      const std::string values =
+          option.words.empty() ? fmt::format("{}…{}", option.least, option.most) : std::string(option.words);
+      table.row(
+          {std::string(m.id), fmt::format("{}={}", option.name, option.standard), values, std::string(option.meaning)});
     }
   return table.text();
 }
@@ -52,7 +54,9 @@ int list(const std::string& what) {
   if (all || what == "lessons") fmt::print("{}{}", all ? "\nLessons (zstep lesson NAME)\n" : "", lessons_text());
   if (all || what == "scenes") {
     fmt::print("{}{}", all ? "\nScenes (zstep render NAME, record NAME, view NAME)\n" : "", scenes_text());
-    fmt::print("In place of a name: a .toml scene, a .obj, .off, .ply or .stl mesh, or a surface by its formula, \"y = sin(x) * cos(z)\".\n");
+    fmt::print(
+        "In place of a name: a .toml scene, a .obj, .off, .ply or .stl mesh, or a surface by its formula, \"y = sin(x) "
+        "* cos(z)\".\n");
   }
   return exit_code::done;
 }
@@ -61,7 +65,8 @@ int list(const std::string& what) {
 
 void add_list(CLI::App& app, Action& action) {
   const auto what = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("list", "Name the methods and their options, the lessons and the scenes there are");
+  CLI::App* command =
+      app.add_subcommand("list", "Name the methods and their options, the lessons and the scenes there are");
   const auto take = [what](const std::string& text) {
     const std::vector<std::string> words{"methods", "options", "lessons", "scenes"};
     *what = words.at(parse_choice("zstep list", text, words));

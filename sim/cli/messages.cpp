@@ -32,7 +32,8 @@ std::string as_typed(std::string text) {
     const std::string printed = "zstep " + word, typed = called + (" " + word);
     for (std::size_t at = text.find(printed); at != std::string::npos; at = text.find(printed, at)) {
       const char next = at + printed.size() < text.size() ? text[at + printed.size()] : '\n';
-      const bool command = (at == 0 || std::strchr(" \n'\"`(", text[at - 1]) != nullptr) && next != '-' && (next < 'a' || next > 'z');
+      const bool command =
+          (at == 0 || std::strchr(" \n'\"`(", text[at - 1]) != nullptr) && next != '-' && (next < 'a' || next > 'z');
       if (command) text.replace(at, printed.size(), typed);
       at += command ? typed.size() : printed.size();
     }
@@ -52,7 +53,9 @@ void complain_incomplete(std::string_view line) {
 
 bool is_incomplete() { return incomplete; }
 
-void say_written(std::string_view path, std::string_view what) { fmt::print("wrote {}: {}\n", printable(path), printable(what)); }
+void say_written(std::string_view path, std::string_view what) {
+  fmt::print("wrote {}: {}\n", printable(path), printable(what));
+}
 
 void stdout_failed() { throw Exhausted("standard output", "cannot be written", "make room on the disk"); }
 

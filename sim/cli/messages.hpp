@@ -18,7 +18,8 @@ inline constexpr int mistake = 70;      ///< of zstep's own
 inline constexpr int interrupted = 130;
 }  // namespace exit_code
 
-/// A text with the commands in it as this reader types them: `./zstep view` where the launcher, called so, says it in ZSTEP_CALLED.
+/// A text with the commands in it as this reader types them: `./zstep view` where the launcher, called so, says it in
+/// ZSTEP_CALLED.
 std::string as_typed(std::string text);
 void set_commands(std::vector<std::string> names);  ///< those that as_typed() knows
 

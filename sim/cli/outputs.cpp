@@ -25,7 +25,8 @@ constexpr std::int64_t longest_side = 32768;  // what a PNG viewer still opens
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code error;
   if (fs::equivalent(a, b, error) && !error) return fs::is_regular_file(a, error);
-  return !fs::exists(a, error) && fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
+  return !fs::exists(a, error) &&
+         fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
 }
 
 }  // namespace
@@ -35,14 +36,19 @@ void add_outputs(CLI::App& command, Outputs& outputs) {
     command.add_option(name, path, help)->type_name(type)->group("Output");
   };
   add("--save", outputs.image, "FILE.png", "Write the picture");
-  add("--save-ids", outputs.ids, "FILE.npy", "Write the polygon seen at each pixel: int32 [H,W], top row first, -1 where none is");
-  add("--save-depth", outputs.depth, "FILE.npy", "Write the distance z_v seen at each pixel: float32 [H,W], +inf where nothing is");
+  add("--save-ids", outputs.ids, "FILE.npy",
+      "Write the polygon seen at each pixel: int32 [H,W], top row first, -1 where none is");
+  add("--save-depth", outputs.depth, "FILE.npy",
+      "Write the distance z_v seen at each pixel: float32 [H,W], +inf where nothing is");
   add("--save-depth-raw", outputs.raw_depth, "FILE.npy", "Write the depth buffer's own numbers: float64 [H,W]");
   const auto take = [&outputs](const std::string& text) { outputs.enlarge = parse_whole("--enlarge", text, 1); };
-  command.add_option_function<std::string>("--enlarge", take, "Draw each pixel as N x N pixels of the PNG (default 1)")->type_name("N")->group("Output");
+  command.add_option_function<std::string>("--enlarge", take, "Draw each pixel as N x N pixels of the PNG (default 1)")
+      ->type_name("N")
+      ->group("Output");
 }
 
-void check_outputs(const Outputs& outputs, const std::vector<std::string>& inputs, const std::vector<std::string>& others) {
+void check_outputs(const Outputs& outputs, const std::vector<std::string>& inputs,
+                   const std::vector<std::string>& others) {
   std::vector<std::string> files;
   for (const std::string& path : {outputs.image, outputs.ids, outputs.depth, outputs.raw_depth})
     if (!path.empty()) files.push_back(path);
@@ -51,14 +57,19 @@ void check_outputs(const Outputs& outputs, const std::vector<std::string>& input
   for (std::size_t k = 0; k < files.size(); ++k) {
     check_writable(files[k]);
     for (std::size_t other = 0; other < k; ++other)
-      if (same_file(files[k], files[other])) throw InputError(files[k], "is asked for twice", "give each output a file of its own");
+      if (same_file(files[k], files[other]))
+        throw InputError(files[k], "is asked for twice", "give each output a file of its own");
   }
 }
 
 void check_gives(const Outputs& outputs, const Method& method) {
   if (method.gives != Gives::lines) return;
-  for (const auto& [option, path] : {std::pair{"--save-ids", &outputs.ids}, {"--save-depth", &outputs.depth}, {"--save-depth-raw", &outputs.raw_depth}})
-    if (!path->empty()) throw InputError(option, fmt::format("{} draws lines: no pixel has a polygon and a depth", method.id), "leave it out; --save FILE.png writes the picture");
+  for (const auto& [option, path] : {std::pair{"--save-ids", &outputs.ids},
+                                     {"--save-depth", &outputs.depth},
+                                     {"--save-depth-raw", &outputs.raw_depth}})
+    if (!path->empty())
+      throw InputError(option, fmt::format("{} draws lines: no pixel has a polygon and a depth", method.id),
+                       "leave it out; --save FILE.png writes the picture");
 }
 
 Image image_of(const Picture& picture, const Scene& scene, int enlarge) {
@@ -81,22 +92,34 @@ void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& 
   const int height = picture.height, width = picture.width;
   if (!outputs.image.empty()) {
     if (std::max<std::int64_t>(width, height) * outputs.enlarge > longest_side)
-      throw InputError("--enlarge", fmt::format("{} makes the picture more than {} pixels wide or high", outputs.enlarge, longest_side), "give a smaller number");
+      throw InputError(
+          "--enlarge",
+          fmt::format("{} makes the picture more than {} pixels wide or high", outputs.enlarge, longest_side),
+          "give a smaller number");
     const Image image = image_of(picture, scene, static_cast<int>(outputs.enlarge));
     write_png(outputs.image, image.width, image.height, image.rgb);
     say_written(outputs.image, fmt::format("picture, {}x{} pixels", image.width, image.height));
   }
   if (!outputs.ids.empty()) {
-    write_npy(outputs.ids, top_row_first<std::int32_t>(picture.polygon, picture.width, picture.height, y_up, [](std::int32_t id) { return id; }), height, width);
+    write_npy(outputs.ids,
+              top_row_first<std::int32_t>(picture.polygon, picture.width, picture.height, y_up,
+                                          [](std::int32_t id) { return id; }),
+              height, width);
     say_written(outputs.ids, fmt::format("polygon indices, int32 [{},{}]", height, width));
   }
   if (!outputs.depth.empty()) {
-    const auto distance = [&](double depth) { return static_cast<float>(view_depth(scene.camera, conventions, depth)); };
-    write_npy(outputs.depth, top_row_first<float>(picture.depth, picture.width, picture.height, y_up, distance), height, width);
+    const auto distance = [&](double depth) {
+      return static_cast<float>(view_depth(scene.camera, conventions, depth));
+    };
+    write_npy(outputs.depth, top_row_first<float>(picture.depth, picture.width, picture.height, y_up, distance), height,
+              width);
     say_written(outputs.depth, fmt::format("distances z_v, float32 [{},{}]", height, width));
   }
   if (!outputs.raw_depth.empty()) {
-    write_npy(outputs.raw_depth, top_row_first<double>(picture.depth, picture.width, picture.height, y_up, [](double depth) { return depth; }), height, width);
+    write_npy(
+        outputs.raw_depth,
+        top_row_first<double>(picture.depth, picture.width, picture.height, y_up, [](double depth) { return depth; }),
+        height, width);
     say_written(outputs.raw_depth, fmt::format("depth buffer, float64 [{},{}]", height, width));
   }
 }

@@ -24,7 +24,8 @@ void add_outputs(CLI::App& command, Outputs& outputs);
 
 /// Throws InputError when one of the files cannot be written, two of them are one, or one of them is an input:
 /// before the work, not after it.
-void check_outputs(const Outputs& outputs, const std::vector<std::string>& inputs, const std::vector<std::string>& others = {});
+void check_outputs(const Outputs& outputs, const std::vector<std::string>& inputs,
+                   const std::vector<std::string>& others = {});
 /// Throws InputError where polygons or depths are asked for of a method that draws lines.
 void check_gives(const Outputs& outputs, const Method& method);
 

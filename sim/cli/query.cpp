@@ -50,7 +50,8 @@ std::string number_text(double value) {
 class Csv : public Answer {
  public:
   void columns(const std::vector<std::string>& names) override {
-    for (std::size_t i = 0; i < names.size(); ++i) fmt::print("{}{}", i == 0 ? "" : ",", compare::csv_cell(printable(names[i])));
+    for (std::size_t i = 0; i < names.size(); ++i)
+      fmt::print("{}{}", i == 0 ? "" : ",", compare::csv_cell(printable(names[i])));
     fmt::print("\n");
   }
   void row(std::span<const query::Value> values) override {
@@ -77,7 +78,8 @@ class Json : public Answer {
     for (std::size_t i = 0; i < values.size(); ++i) {
       line += (i == 0 ? "" : ",") + names_[i] + ":";
       if (const auto* whole = std::get_if<std::int64_t>(&values[i])) line += std::to_string(*whole);
-      else if (const auto* number = std::get_if<double>(&values[i])) line += std::isfinite(*number) ? fmt::format("{}", *number) : text_of(number_text(*number));
+      else if (const auto* number = std::get_if<double>(&values[i]))
+        line += std::isfinite(*number) ? fmt::format("{}", *number) : text_of(number_text(*number));
       else if (const auto* text = std::get_if<std::string>(&values[i])) line += text_of(*text);
       else line += "null";
     }
@@ -86,7 +88,9 @@ class Json : public Answer {
   void end(bool) override { fmt::print("{}\n", rows_ == 0 ? "[]" : "\n]"); }
 
  private:
-  static std::string text_of(const std::string& text) { return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+  static std::string text_of(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  }
   std::vector<std::string> names_;
   std::int64_t rows_ = 0;
 };
@@ -102,8 +106,10 @@ class Lines : public Answer {
     std::vector<std::string> cells;
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (const auto* whole = std::get_if<std::int64_t>(&values[i])) cells.push_back(std::to_string(*whole));
-      else if (const auto* number = std::get_if<double>(&values[i])) cells.push_back(std::isfinite(*number) ? fmt::format("{:.9g}", *number) : number_text(*number));
-      else if (const auto* text = std::get_if<std::string>(&values[i])) cells.push_back(*text), align_[i] = Table::Align::left;
+      else if (const auto* number = std::get_if<double>(&values[i]))
+        cells.push_back(std::isfinite(*number) ? fmt::format("{:.9g}", *number) : number_text(*number));
+      else if (const auto* text = std::get_if<std::string>(&values[i]))
+        cells.push_back(*text), align_[i] = Table::Align::left;
       else cells.emplace_back();
     }
     rows_.push_back(std::move(cells));
@@ -142,7 +148,8 @@ void print_tables(const Trace& trace) {
 }
 
 int ask(const QueryOptions& options) {
-  if (options.csv && options.json) throw InputError("zstep query", "--csv and --json are both given", "keep one of them");
+  if (options.csv && options.json)
+    throw InputError("zstep query", "--csv and --json are both given", "keep one of them");
   const Trace trace = open_trace(options.trace);
   if (options.sql.empty()) {
     print_tables(trace);
@@ -170,7 +177,8 @@ int ask(const QueryOptions& options) {
     answer->end(false);
     written();
     if (watch.interrupted()) throw Interrupted{0};
-    throw Incomplete("query", "was not done in time; what is printed is a part", "ask for fewer steps, or give --seconds more");
+    throw Incomplete("query", "was not done in time; what is printed is a part",
+                     "ask for fewer steps, or give --seconds more");
   }
   answer->end(true);
   written();
@@ -184,11 +192,13 @@ void add_query(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("query", "Ask a trace in SQL: each kind of event is a table");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   add_budget_options(*command);
-  command->add_option("sql", options->sql, "One SELECT of SQLite; without it, the tables and their columns")->type_name("SQL");
+  command->add_option("sql", options->sql, "One SELECT of SQLite; without it, the tables and their columns")
+      ->type_name("SQL");
   command->add_flag("--csv", options->csv, "Comma-separated values, with a head");
   command->add_flag("--json", options->json, "A list of objects");
   command->footer(
-      "Besides an event's own columns each table has step, name (of the line of pseudo-code), polygon and scan_line (at\n"
+      "Besides an event's own columns each table has step, name (of the line of pseudo-code), polygon and scan_line "
+      "(at\n"
       "work). docs/querying.md has questions to begin with.\n"
       "\n"
       "Examples:\n"

@@ -52,10 +52,12 @@ int record(const RecordOptions& options) {
   recorder.on_block(nullptr);
   recorder.finish();
   if (!picture) {
-    complain(fmt::format("{}: stopped by Ctrl-C after {}; the file holds them and can be opened", path, counted(recorder.size(), "step", "steps")));
+    complain(fmt::format("{}: stopped by Ctrl-C after {}; the file holds them and can be opened", path,
+                         counted(recorder.size(), "step", "steps")));
     return exit_code::interrupted;
   }
-  say_written(path, fmt::format("{} of {} on {}{}", counted(recorder.size(), "step", "steps"), run.method->title, run.scene.name, megabytes(path)));
+  say_written(path, fmt::format("{} of {} on {}{}", counted(recorder.size(), "step", "steps"), run.method->title,
+                                run.scene.name, megabytes(path)));
   write_outputs(options.outputs, *picture, run.scene, run.conventions);
   return exit_code::done;
 }
@@ -64,9 +66,17 @@ int record(const RecordOptions& options) {
 
 void add_record(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RecordOptions>();
-  CLI::App* command = app.add_subcommand("record", "Run a method on a scene or a mesh and record every step as a trace");
-  command->add_option("scene", options->run.scene, "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")->type_name("SCENE|MESH")->required();
-  command->add_option("-o,--output", options->trace, "The trace to write (default: NAME.ztrace in the current folder)")->type_name("FILE.ztrace")->group("Output");
+  CLI::App* command =
+      app.add_subcommand("record", "Run a method on a scene or a mesh and record every step as a trace");
+  command
+      ->add_option(
+          "scene", options->run.scene,
+          "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")
+      ->type_name("SCENE|MESH")
+      ->required();
+  command->add_option("-o,--output", options->trace, "The trace to write (default: NAME.ztrace in the current folder)")
+      ->type_name("FILE.ztrace")
+      ->group("Output");
   add_outputs(*command, options->outputs);
   add_run_options(*command, options->run);
   command->footer(

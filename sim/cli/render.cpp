@@ -38,7 +38,8 @@ int render(const RenderOptions& options) {
   const Picture picture = run.method->render(run.scene, run.conventions, nothing);
   write_outputs(outputs, picture, run.scene, run.conventions);
   if (run.method->gives == Gives::lines || run.method->gives == Gives::mixtures) {
-    const auto drawn = std::count_if(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; });
+    const auto drawn =
+        std::count_if(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; });
     fmt::print("{}: {} drawn by {}\n", run.scene.name, counted(drawn, "pixel", "pixels"), run.method->title);
     return exit_code::done;
   }
@@ -53,7 +54,12 @@ int render(const RenderOptions& options) {
 void add_render(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw a scene or a mesh and write the picture");
-  command->add_option("scene", options->run.scene, "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")->type_name("SCENE|MESH")->required();
+  command
+      ->add_option(
+          "scene", options->run.scene,
+          "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")
+      ->type_name("SCENE|MESH")
+      ->required();
   add_outputs(*command, options->outputs);
   add_run_options(*command, options->run);
   command->footer(

@@ -8,7 +8,8 @@ namespace zstep::cli {
 
 /// The values [height*width] from the top row to the bottom one; `y_up`: the picture's row 0 is the bottom one.
 template <class Out, class In, class Function>
-std::vector<Out> top_row_first(const std::vector<In>& values, std::int32_t width, std::int32_t height, bool y_up, Function&& convert) {
+std::vector<Out> top_row_first(const std::vector<In>& values, std::int32_t width, std::int32_t height, bool y_up,
+                               Function&& convert) {
   std::vector<Out> result;
   result.reserve(values.size());
   for (std::int32_t row = 0; row < height; ++row) {

@@ -44,11 +44,14 @@ void check_scene_exists(const std::string& name) {
   if (names_formula(name)) return;
   std::error_code ignored;
   if (fs::exists(name, ignored)) {
-    if (is_trace(name)) throw InputError(name, "is a recorded trace, not a scene", fmt::format("to open it: zstep view {}", name));
+    if (is_trace(name))
+      throw InputError(name, "is a recorded trace, not a scene", fmt::format("to open it: zstep view {}", name));
     return;
   }
   throw InputError(name, "there is no such file and no built-in scene of this name",
-                   did_you_mean(stem, known, "'zstep list scenes' names the scenes, or give the path of a .toml, .obj, .off, .ply or .stl, or a formula: \"y = sin(x)\""));
+                   did_you_mean(stem, known,
+                                "'zstep list scenes' names the scenes, or give the path of a .toml, .obj, .off, .ply "
+                                "or .stl, or a formula: \"y = sin(x)\""));
 }
 
 void add_method_options(CLI::App& command, RunOptions& options) {
@@ -56,26 +59,43 @@ void add_method_options(CLI::App& command, RunOptions& options) {
     const std::vector<std::string> ids = method_ids();
     options.algorithm = ids.at(parse_choice("--algorithm", id, ids));
   };
-  options.declared.push_back(command.add_option_function<std::string>("--algorithm", take_algorithm, "The method, one of 'zstep list methods' (default z-buffer)")->type_name("METHOD")->group("Method"));
+  options.declared.push_back(
+      command
+          .add_option_function<std::string>("--algorithm", take_algorithm,
+                                            "The method, one of 'zstep list methods' (default z-buffer)")
+          ->type_name("METHOD")
+          ->group("Method"));
   const auto take_option = [&options](const std::vector<std::string>& given) {
     for (const std::string& text : given) {
       const std::size_t equals = text.find('=');
-      if (equals == 0 || equals == text.npos) throw InputError("--option " + text, "is not NAME=VALUE", "give for example --option boxes=on");
+      if (equals == 0 || equals == text.npos)
+        throw InputError("--option " + text, "is not NAME=VALUE", "give for example --option boxes=on");
       const bool fresh = options.options.try_emplace(text.substr(0, equals), text.substr(equals + 1)).second;
-      if (!fresh) throw InputError("--option " + text, "is the second value of " + text.substr(0, equals), "keep one of them");
+      if (!fresh)
+        throw InputError("--option " + text, "is the second value of " + text.substr(0, equals), "keep one of them");
     }
   };
-  options.declared.push_back(command.add_option_function<std::vector<std::string>>("--option", take_option, "An option of the method, as 'zstep list options' names them; may be given more than once")->type_name("NAME=VALUE")->allow_extra_args(false)->take_all()->group("Method"));
+  options.declared.push_back(
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--option", take_option,
+              "An option of the method, as 'zstep list options' names them; may be given more than once")
+          ->type_name("NAME=VALUE")
+          ->allow_extra_args(false)
+          ->take_all()
+          ->group("Method"));
 }
 
 }  // namespace
 
-CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value, const std::string& help) {
+CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
+                        const std::string& help) {
   const auto take = [name, &value](const std::string& text) { value = parse_number(name, text); };
   return command.add_option_function<std::string>(name, take, help)->type_name("NUMBER");
 }
 
-CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& value, std::int64_t least, const std::string& help) {
+CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& value,
+                       std::int64_t least, const std::string& help) {
   const auto take = [name, least, &value](const std::string& text) { value = parse_whole(name, text, least); };
   return command.add_option_function<std::string>(name, take, help)->type_name("STEP");
 }
@@ -97,22 +117,36 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
     view.width = width;
     view.height = height;
   };
-  in("Method", command.add_option_function<std::string>("--size", take_size, "Pixels of the raster, as 640x480 (default: the scene's)")->type_name("WxH"));
+  in("Method", command
+                   .add_option_function<std::string>("--size", take_size,
+                                                     "Pixels of the raster, as 640x480 (default: the scene's)")
+                   ->type_name("WxH"));
   in("Method", command.add_flag("--no-cull", options.no_cull, "Draw back faces too"));
-  in("Method", add_choice(command, "--depth", options.depth, {"pseudodepth", "view"}, "What the depth buffer holds: pseudodepth, linear on the picture (default), or z_v, as it stands"));
-  in("Method", add_choice(command, "--interpolation", options.interpolation, {"direct", "increments"}, "How x and z go along edges and spans: by the formula each time (default), or by adding slopes"));
-  in("Method", add_choice(command, "--coverage", options.coverage, {"top-left", "inclusive"}, "Which pixels a polygon owns: centres inside, top-left rule (default), or the textbook's x_L to x_R"));
+  in("Method",
+     add_choice(command, "--depth", options.depth, {"pseudodepth", "view"},
+                "What the depth buffer holds: pseudodepth, linear on the picture (default), or z_v, as it stands"));
+  in("Method",
+     add_choice(command, "--interpolation", options.interpolation, {"direct", "increments"},
+                "How x and z go along edges and spans: by the formula each time (default), or by adding slopes"));
+  in("Method",
+     add_choice(command, "--coverage", options.coverage, {"top-left", "inclusive"},
+                "Which pixels a polygon owns: centres inside, top-left rule (default), or the textbook's x_L to x_R"));
 
   in("Camera", add_number(command, "--rho", view.rho, "Distance of the eye from the origin"));
-  in("Camera", add_number(command, "--theta", view.theta, "Angle of the eye around the z axis, from the x axis, in degrees"));
+  in("Camera",
+     add_number(command, "--theta", view.theta, "Angle of the eye around the z axis, from the x axis, in degrees"));
   in("Camera", add_number(command, "--phi", view.phi, "Angle of the eye from the z axis, in degrees"));
   in("Camera", add_number(command, "--d", view.d, "Distance of the projection plane from the eye"));
-  in("Camera", add_number(command, "--window", view.window, "Half the height of the window on the projection plane (default 1)"));
-  in("Camera", add_number(command, "--near", view.near, "z_v of the near clipping plane (default: from the scene's extent)"));
-  in("Camera", add_number(command, "--far", view.far, "z_v of the far clipping plane (default: from the scene's extent)"));
+  in("Camera",
+     add_number(command, "--window", view.window, "Half the height of the window on the projection plane (default 1)"));
+  in("Camera",
+     add_number(command, "--near", view.near, "z_v of the near clipping plane (default: from the scene's extent)"));
+  in("Camera",
+     add_number(command, "--far", view.far, "z_v of the far clipping plane (default: from the scene's extent)"));
   const auto take_ortho = [&view](std::int64_t count) { view.orthographic = count > 0; };
   in("Camera", command.add_flag_function("--ortho", take_ortho, "Parallel projection instead of perspective"));
-  in("Camera", command.add_flag("--fit", view.fit, "Move the scene's centre to the origin and scale its farthest vertex to distance 1"));
+  in("Camera", command.add_flag("--fit", view.fit,
+                                "Move the scene's centre to the origin and scale its farthest vertex to distance 1"));
 }
 
 Run prepare(const RunOptions& options) {
@@ -132,7 +166,8 @@ Run prepare(const RunOptions& options) {
 std::string file_stem(const Scene& scene) {
   std::string stem = scene.name.empty() || names_formula(scene.name) ? scene.surface ? "surface" : "scene" : scene.name;
   for (char& c : stem) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
     if (!plain) c = '-';
   }
   return stem.front() == '.' || stem.front() == '-' ? "scene" + stem : stem;

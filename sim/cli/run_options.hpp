@@ -46,7 +46,9 @@ Run prepare(const RunOptions& options);
 std::string file_stem(const Scene& scene);
 
 /// Adds an option that takes a number, a size, or one of some words, with errors that say what was expected.
-CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value, const std::string& help);
-CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& value, std::int64_t least, const std::string& help);
+CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
+                        const std::string& help);
+CLI::Option* add_whole(CLI::App& command, const std::string& name, std::optional<std::int64_t>& value,
+                       std::int64_t least, const std::string& help);
 
 }  // namespace zstep::cli

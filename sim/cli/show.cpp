@@ -17,16 +17,30 @@ namespace zstep::cli {
 
 void add_show_options(CLI::App& command, ShowOptions& options) {
   options.command = &command;
-  command.add_option("--at", options.at, "Open at this step (0 is before the first), this part of the trace, this bookmark, or any place that G takes")->type_name("STEP|PERCENT%|BOOKMARK")->group("Viewer");
-  command.add_option("--screenshot", options.screenshot, "Write the window as a picture instead of opening it; needs no display")->type_name("FILE.png")->group("Viewer");
-  command.add_option("--pane", options.pane, "The screenshot shows one pane: frame, depth, pseudo-code, ...")->type_name("PANE")->group("Viewer");
+  command
+      .add_option(
+          "--at", options.at,
+          "Open at this step (0 is before the first), this part of the trace, this bookmark, or any place that G takes")
+      ->type_name("STEP|PERCENT%|BOOKMARK")
+      ->group("Viewer");
+  command
+      .add_option("--screenshot", options.screenshot,
+                  "Write the window as a picture instead of opening it; needs no display")
+      ->type_name("FILE.png")
+      ->group("Viewer");
+  command.add_option("--pane", options.pane, "The screenshot shows one pane: frame, depth, pseudo-code, ...")
+      ->type_name("PANE")
+      ->group("Viewer");
   const auto take_size = [&options](const std::string& text) {
     const auto [width, height] = parse_size("--size-window", text);
-    if (width > 16384 || height > 16384) throw InputError("--size-window", fmt::format("{} is larger than any screen", text), "give at most 16384x16384");
+    if (width > 16384 || height > 16384)
+      throw InputError("--size-window", fmt::format("{} is larger than any screen", text), "give at most 16384x16384");
     options.width = width;
     options.height = height;
   };
-  command.add_option_function<std::string>("--size-window", take_size, "Size of the window (default 1280x720)")->type_name("WxH")->group("Viewer");
+  command.add_option_function<std::string>("--size-window", take_size, "Size of the window (default 1280x720)")
+      ->type_name("WxH")
+      ->group("Viewer");
   CLI::Option* dark = command.add_flag("--dark", options.dark, "Dark colours, this time");
   dark->group("Viewer");
   command.add_flag("--light", options.light, "Light colours, this time")->group("Viewer")->excludes(dark);
@@ -50,7 +64,8 @@ std::string words_of(const CLI::App& command) {
 }
 
 std::string without_display() {
-  return "these work without one: zstep list, render, record, info, dump, import, and view or lesson with --screenshot FILE.png";
+  return "these work without one: zstep list, render, record, info, dump, import, and view or lesson with --screenshot "
+         "FILE.png";
 }
 
 void check_can_show(const ShowOptions& options) {
@@ -60,7 +75,8 @@ void check_can_show(const ShowOptions& options) {
     throw InputError("zstep", "no window can be opened here: there is no display", without_display());
 #else
   (void)options;
-  throw InputError("zstep", "this zstep was built without the viewer", "install SDL2 and Dear ImGui and build again with -DZSTEP_VIEWER=ON");
+  throw InputError("zstep", "this zstep was built without the viewer",
+                   "install SDL2 and Dear ImGui and build again with -DZSTEP_VIEWER=ON");
 #endif
 }
 
@@ -68,9 +84,11 @@ std::int64_t step_of(const Trace& trace, const std::string& at, const std::strin
   const places::Bookmarks marks(trace, lesson);
   const places::Place place = places::find_place({trace, marks, lesson, 0}, at, option);
   if (place.pixel)
-    throw InputError(option, fmt::format("({}, {}) is a pixel, and a step is needed", place.pixel->x, place.pixel->y),
-                     fmt::format("zstep history FILE {} {} names the steps that touch it", place.pixel->x, place.pixel->y));
-  if (place.step > trace.size()) throw InputError(option, fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
+    throw InputError(
+        option, fmt::format("({}, {}) is a pixel, and a step is needed", place.pixel->x, place.pixel->y),
+        fmt::format("zstep history FILE {} {} names the steps that touch it", place.pixel->x, place.pixel->y));
+  if (place.step > trace.size())
+    throw InputError(option, fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
   return place.step;
 }
 
@@ -81,7 +99,8 @@ int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   ViewerOptions viewer;
   if (at >= 0) viewer.at = at;
   if (!options.screenshot.empty()) viewer.screenshot = options.screenshot;
-  if (options.screenshot.empty() && !options.pane.empty()) throw InputError("--pane", "is of a screenshot", "add --screenshot FILE.png");
+  if (options.screenshot.empty() && !options.pane.empty())
+    throw InputError("--pane", "is of a screenshot", "add --screenshot FILE.png");
   viewer.pane = options.pane;
   const bool sized = options.command != nullptr && options.command->count("--size-window") > 0;
   if (sized || viewer.screenshot) viewer.size = WindowSize{options.width, options.height};
@@ -91,7 +110,8 @@ int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   viewer.other_method = record_other_method;
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
   const int code = run_viewer(trace, viewer);
-  if (code == exit_code::done && viewer.screenshot) say_written(options.screenshot, fmt::format("the viewer, {}x{} pixels", options.width, options.height));
+  if (code == exit_code::done && viewer.screenshot)
+    say_written(options.screenshot, fmt::format("the viewer, {}x{} pixels", options.width, options.height));
   return code;
 #else
   (void)lesson;

@@ -30,8 +30,10 @@ std::string words_of(const CLI::App& command);
 /// display, when the step is not in the trace, and when this zstep was built without the viewer.
 int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson);
 
-/// The step of a place, as G in the viewer takes it (sim/places/typed_place.hpp). Throws InputError where the trace has none such.
-std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option = "--at", const Lesson* lesson = nullptr);
+/// The step of a place, as G in the viewer takes it (sim/places/typed_place.hpp). Throws InputError where the trace has
+/// none such.
+std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option = "--at",
+                     const Lesson* lesson = nullptr);
 
 /// Before any work: throws what show() would throw for want of a display or a folder.
 void check_can_show(const ShowOptions& options);

@@ -24,11 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_extension(const std::string& path, std::string_view extension) { return fs::path(path).extension().string() == extension; }
+bool has_extension(const std::string& path, std::string_view extension) {
+  return fs::path(path).extension().string() == extension;
+}
 
 /// Reads all of it; throws what is doubtful.
 void check_strictly(const Trace& trace) {
-  if (!trace.warnings().empty()) throw Incomplete("--strict", trace.warnings().front(), "leave out --strict, or record it again");
+  if (!trace.warnings().empty())
+    throw Incomplete("--strict", trace.warnings().front(), "leave out --strict, or record it again");
   trace.each(0, trace.size(), [](std::int64_t, const RecordedEvent&) { return true; });
 }
 
@@ -39,20 +42,25 @@ bool is_trace(const std::string& path) { return has_extension(path, ".ztrace") |
 Trace open_trace(const std::string& path, Cost cost) {
   std::error_code ignored;
   if (!fs::exists(path, ignored))
-    throw InputError(path, "there is no such file", is_trace(path) ? "check its name, or make one: zstep record SCENE -o run.ztrace"
-                                                                   : "give a trace: zstep record SCENE -o run.ztrace makes one");
+    throw InputError(path, "there is no such file",
+                     is_trace(path) ? "check its name, or make one: zstep record SCENE -o run.ztrace"
+                                    : "give a trace: zstep record SCENE -o run.ztrace makes one");
   for (const fs::path& own : {fs::path(path), journal_of(path), places::marks_file(path)}) note_input(own);
   const std::uintmax_t bytes = fs::file_size(path, ignored);
   if (cost == Cost::limited) begin_budget(ignored ? 0 : bytes);
   try {
     Trace trace = has_extension(path, ".jsonl") ? open_jsonl(path) : Trace::open(path);
     if (is_strict()) check_strictly(trace);
-    for (const std::string& warning : trace.warnings()) trace.whole() ? complain(warning) : complain_incomplete(warning);
-    trace.impl().on_loss = [](const std::string& loss) { complain_incomplete(loss + "; what is said leaves them out"); };
+    for (const std::string& warning : trace.warnings())
+      trace.whole() ? complain(warning) : complain_incomplete(warning);
+    trace.impl().on_loss = [](const std::string& loss) {
+      complain_incomplete(loss + "; what is said leaves them out");
+    };
     return trace;
   } catch (const std::bad_alloc&) {
     if (compare::met_heap_limit()) throw;
-    throw Exhausted(path, "there is not enough memory to open it", "close other programs, or record with a smaller --size");
+    throw Exhausted(path, "there is not enough memory to open it",
+                    "close other programs, or record with a smaller --size");
   }
 }
 

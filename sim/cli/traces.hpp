@@ -22,8 +22,8 @@ Trace open_trace(const std::string& path, Cost cost = Cost::limited);
 /// Records the run to memory. Throws Interrupted after Ctrl-C.
 Trace record_to_memory(const Run& run);
 
-/// The run of the next (1) or previous (-1) method of the catalog that can draw this trace's scene, in a circle; nullopt when there
-/// is no other. A run that is too long for a reader's patience is cut off there.
+/// The run of the next (1) or previous (-1) method of the catalog that can draw this trace's scene, in a circle;
+/// nullopt when there is no other. A run that is too long for a reader's patience is cut off there.
 std::optional<OtherRun> record_other_method(const Trace& trace, int direction);
 
 }  // namespace zstep::cli

@@ -58,19 +58,25 @@ bool is_video(const fs::path& path) {
 
 Video::Video(const fs::path& path, int width, int height, double frames_a_second) : path_(path) {
   check_writable(path);
-  if (!have_ffmpeg()) throw InputError(path.string(), "films are made by ffmpeg, which is not installed", "install ffmpeg, or write a contact sheet: --sheet 12 -o sheet.png");
+  if (!have_ffmpeg())
+    throw InputError(path.string(), "films are made by ffmpeg, which is not installed",
+                     "install ffmpeg, or write a contact sheet: --sheet 12 -o sheet.png");
   // ffmpeg knows a film by its extension, so that it stays the last one.
   std::random_device device;
   part_ = path;
   part_.replace_extension(fmt::format("{:08x}.part{}", device(), path.extension().string()));
   const bool gif = path.extension() == ".gif";
   // A GIF has 256 colours of its own; other films want even sizes.
-  const std::string how = gif ? "-filter_complex 'split[a][b];[a]palettegen[p];[b][p]paletteuse'" : "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p";
-  const std::string file = part_.is_absolute() ? part_.string() : "./" + part_.string();  // no option of ffmpeg's, whatever its name
+  const std::string how = gif ? "-filter_complex 'split[a][b];[a]palettegen[p];[b][p]paletteuse'"
+                              : "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p";
+  const std::string file =
+      part_.is_absolute() ? part_.string() : "./" + part_.string();  // no option of ffmpeg's, whatever its name
 #if !defined(_WIN32)
   before_ = std::signal(SIGPIPE, SIG_IGN);
 #endif
-  pipe_ = open_pipe(fmt::format("ffmpeg -loglevel error -y -f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i - {} {}", width, height, frames_a_second, how, shell_word(file)));
+  pipe_ = open_pipe(fmt::format(
+      "ffmpeg -loglevel error -y -f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i - {} {}", width,
+      height, frames_a_second, how, shell_word(file)));
   if (!pipe_) failed();
 }
 
@@ -83,7 +89,10 @@ Video::~Video() {
 #endif
 }
 
-void Video::failed() const { throw InputError(path_.string(), "ffmpeg could not make it", "what it says above tells why; another extension may do"); }
+void Video::failed() const {
+  throw InputError(path_.string(), "ffmpeg could not make it",
+                   "what it says above tells why; another extension may do");
+}
 
 void Video::frame(const Image& image) {
   if (std::fwrite(image.rgb.data(), 1, image.rgb.size(), pipe_) != image.rgb.size()) failed();
@@ -95,7 +104,8 @@ void Video::finish() {
   std::error_code error;
   if (close_pipe(pipe) != 0 || !fs::is_regular_file(part_, error)) failed();
   fs::rename(part_, path_, error);
-  if (error) throw InputError(path_.string(), "cannot be written: " + error.message(), "choose a place that can be written to");
+  if (error)
+    throw InputError(path_.string(), "cannot be written: " + error.message(), "choose a place that can be written to");
 }
 
 }  // namespace zstep::cli

@@ -14,7 +14,8 @@ bool is_video(const std::filesystem::path& path);
 
 class Video {
  public:
-  /// Frames of this size, so many a second. Throws InputError where there is no ffmpeg, or the folder cannot be written to.
+  /// Frames of this size, so many a second. Throws InputError where there is no ffmpeg, or the folder cannot be written
+  /// to.
   Video(const std::filesystem::path& path, int width, int height, double frames_a_second);
   /// What was not finished leaves nothing.
   ~Video();

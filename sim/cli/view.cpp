@@ -25,7 +25,8 @@ int view(const ViewOptionsOfCommand& options) {
   if (!is_trace(what)) return show(record_to_memory(prepare(options.run)), options.show, nullptr);
   const std::string given = options.run.given();
   if (!given.empty())
-    throw InputError(given, fmt::format("{} was recorded already, with options of its own", what), "record the scene again with other ones");
+    throw InputError(given, fmt::format("{} was recorded already, with options of its own", what),
+                     "record the scene again with other ones");
   return show(open_trace(what, options.show.screenshot.empty() ? Cost::free : Cost::limited), options.show, nullptr);
 }
 
@@ -33,8 +34,11 @@ int view(const ViewOptionsOfCommand& options) {
 
 void add_view(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ViewOptionsOfCommand>();
-  CLI::App* command = app.add_subcommand("view", "Step through a trace, or through a scene that is recorded on the spot");
-  command->add_option("what", options->run.scene, "A .ztrace or .jsonl file, or a scene or mesh as record takes them")->type_name("FILE.ztrace|SCENE|MESH")->required();
+  CLI::App* command =
+      app.add_subcommand("view", "Step through a trace, or through a scene that is recorded on the spot");
+  command->add_option("what", options->run.scene, "A .ztrace or .jsonl file, or a scene or mesh as record takes them")
+      ->type_name("FILE.ztrace|SCENE|MESH")
+      ->required();
   add_show_options(*command, options->show);
   add_run_options(*command, options->run);
   command->footer(

@@ -14,9 +14,9 @@ struct Interrupted {
   std::int64_t events;  ///< of a recording
 };
 
-/// While it lives, Ctrl-C stops the recordings it is attached to at their next block, and other work where it next shows
-/// how far it is; a second Ctrl-C kills as always. On a terminal it shows that on stderr, once it takes longer than a
-/// moment.
+/// While it lives, Ctrl-C stops the recordings it is attached to at their next block, and other work where it next
+/// shows how far it is; a second Ctrl-C kills as always. On a terminal it shows that on stderr, once it takes longer
+/// than a moment.
 class Watch {
  public:
   Watch();

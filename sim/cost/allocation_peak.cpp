@@ -46,7 +46,8 @@ bool counts() noexcept { return watching.load(std::memory_order_relaxed) || limi
 
 void* given(void* memory) noexcept {
   if (!memory || !counts()) return memory;
-  const std::int64_t size = size_of(memory), now = held.fetch_add(size) + size, allowed = limit.load(std::memory_order_relaxed);
+  const std::int64_t size = size_of(memory), now = held.fetch_add(size) + size,
+                     allowed = limit.load(std::memory_order_relaxed);
   if (allowed > 0 && now > allowed) {
     limit_met = true;
     held.fetch_sub(size);

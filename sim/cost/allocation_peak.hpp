@@ -18,7 +18,8 @@ class AllocationPeak {
   std::int64_t peak() const;
 };
 
-/// From now on memory beyond so many bytes is refused as if there were none; 0: no more. What was taken before does not count.
+/// From now on memory beyond so many bytes is refused as if there were none; 0: no more. What was taken before does not
+/// count.
 void limit_heap(std::int64_t bytes);
 /// Whether some was.
 bool met_heap_limit();

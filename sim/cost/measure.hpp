@@ -33,8 +33,8 @@ struct MeasureOptions {
   bool count = true;     ///< steps and memory, too, which takes one run more
 };
 
-/// Runs the method as it is taught, in a process of its own. `tick` is called about ten times a second with the seconds so far and may
-/// throw, which stops it.
+/// Runs the method as it is taught, in a process of its own. `tick` is called about ten times a second with the seconds
+/// so far and may throw, which stops it.
 Measured measure(const Method& method, const Scene& scene, const Conventions& conventions,
                  const MeasureOptions& options, const std::function<void(double)>& tick);
 

@@ -44,9 +44,11 @@ void check_place(const fs::path& path) {
     throw InputError(path.string(), "is a folder", "name a file in it");
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
-    throw InputError(path.string(), fmt::format("there is no folder {}", folder.string()), "make it first, or write to another place");
+    throw InputError(path.string(), fmt::format("there is no folder {}", folder.string()),
+                     "make it first, or write to another place");
   // Renaming over a file asks only the folder; a file that its owner protected stays as it is.
-  if (fs::is_regular_file(target, ignored) && !OpenFile(std::fopen(target.string().c_str(), "r+b"))) output_failed(path, errno);
+  if (fs::is_regular_file(target, ignored) && !OpenFile(std::fopen(target.string().c_str(), "r+b")))
+    output_failed(path, errno);
 }
 
 }  // namespace
@@ -82,7 +84,8 @@ std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t limit) 
   if (fs::is_directory(path, ignored)) throw InputError(path.string(), "is a folder", "name a file in it");
   OpenFile file(std::fopen(path.string().c_str(), "rb"));
   if (!file)
-    throw InputError(path.string(), fmt::format("cannot be opened: {}", std::strerror(errno)), "check its name and that it may be read");
+    throw InputError(path.string(), fmt::format("cannot be opened: {}", std::strerror(errno)),
+                     "check its name and that it may be read");
   std::vector<std::uint8_t> bytes;
   std::vector<std::uint8_t> piece(std::size_t{1} << 16);
   while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get())) {
@@ -90,7 +93,8 @@ std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t limit) 
     if (bytes.size() > limit)
       throw InputError(path.string(), fmt::format("has more than {} bytes", limit), "give a smaller file");
   }
-  if (std::ferror(file.get())) throw InputError(path.string(), "cannot be read to its end", "check the file and the disk");
+  if (std::ferror(file.get()))
+    throw InputError(path.string(), "cannot be read to its end", "check the file and the disk");
   return bytes;
 }
 

@@ -28,8 +28,10 @@ template <> constexpr std::string_view type_code<double> = "f8";
 template <class Value>
 void write(const std::filesystem::path& path, std::span<const Value> values, int height, int width) {
   if (height < 0 || width < 0 || values.size() != static_cast<std::size_t>(height) * static_cast<std::size_t>(width))
-    throw std::invalid_argument(fmt::format("write_npy: {} values do not make a {}x{} table", values.size(), height, width));
-  std::string text = fmt::format("{{'descr': '{}{}', 'fortran_order': False, 'shape': ({}, {}), }}", byte_order, type_code<Value>, height, width);
+    throw std::invalid_argument(
+        fmt::format("write_npy: {} values do not make a {}x{} table", values.size(), height, width));
+  std::string text = fmt::format("{{'descr': '{}{}', 'fortran_order': False, 'shape': ({}, {}), }}", byte_order,
+                                 type_code<Value>, height, width);
   while ((head_size + text.size() + 1) % alignment != 0) text += ' ';
   text += '\n';
 
@@ -99,14 +101,21 @@ std::vector<Value> values_of(std::span<const std::uint8_t> data, std::size_t cou
 
 }  // namespace
 
-void write_npy(const std::filesystem::path& path, std::span<const std::int32_t> values, int height, int width) { write(path, values, height, width); }
-void write_npy(const std::filesystem::path& path, std::span<const float> values, int height, int width) { write(path, values, height, width); }
-void write_npy(const std::filesystem::path& path, std::span<const double> values, int height, int width) { write(path, values, height, width); }
+void write_npy(const std::filesystem::path& path, std::span<const std::int32_t> values, int height, int width) {
+  write(path, values, height, width);
+}
+void write_npy(const std::filesystem::path& path, std::span<const float> values, int height, int width) {
+  write(path, values, height, width);
+}
+void write_npy(const std::filesystem::path& path, std::span<const double> values, int height, int width) {
+  write(path, values, height, width);
+}
 
 Npy read_npy(const std::filesystem::path& path) {
   const std::vector<std::uint8_t> bytes = read_file(path);
   const Dictionary nothing("", path);
-  if (bytes.size() < head_size || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0) nothing.fail("is no .npy of version 1.0");
+  if (bytes.size() < head_size || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0)
+    nothing.fail("is no .npy of version 1.0");
   const std::size_t length = bytes[magic.size()] + (std::size_t{bytes[magic.size() + 1]} << 8);
   if (bytes.size() < head_size + length) nothing.fail("is cut off");
 

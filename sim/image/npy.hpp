@@ -9,8 +9,8 @@
 
 namespace zstep {
 
-/// Write `values` [height * width], row-major, as an array of shape (height, width). Throw InputError when `path` cannot
-/// be written and leave nothing half-written.
+/// Write `values` [height * width], row-major, as an array of shape (height, width). Throw InputError when `path`
+/// cannot be written and leave nothing half-written.
 void write_npy(const std::filesystem::path& path, std::span<const std::int32_t> values, int height, int width);
 void write_npy(const std::filesystem::path& path, std::span<const float> values, int height, int width);
 void write_npy(const std::filesystem::path& path, std::span<const double> values, int height, int width);

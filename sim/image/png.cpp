@@ -51,7 +51,8 @@ Image read_png(const std::filesystem::path& path) {
   PngImage image;
   if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) throw damaged(image.message);
   if (static_cast<std::size_t>(image.width) * image.height > most_pixels)
-    throw InputError(path.string(), fmt::format("has {}x{} pixels", image.width, image.height), "give a smaller picture");
+    throw InputError(path.string(), fmt::format("has {}x{} pixels", image.width, image.height),
+                     "give a smaller picture");
   image.format = PNG_FORMAT_RGB;
   Image result{static_cast<int>(image.width), static_cast<int>(image.height), {}};
   result.rgb.resize(bytes_of(result.width, result.height));

@@ -23,7 +23,11 @@ bool is_text(std::string_view name) {
   for (std::size_t i = 0; i < name.size();) {
     const auto first = static_cast<unsigned char>(name[i]);
     if (first < 0x20 || first == 0x7f) return false;
-    const std::size_t more = first < 0x80 ? 0 : first >= 0xc2 && first < 0xe0 ? 1 : first >= 0xe0 && first < 0xf0 ? 2 : first >= 0xf0 && first < 0xf5 ? 3 : 9;
+    const std::size_t more = first < 0x80                    ? 0
+                             : first >= 0xc2 && first < 0xe0 ? 1
+                             : first >= 0xe0 && first < 0xf0 ? 2
+                             : first >= 0xf0 && first < 0xf5 ? 3
+                                                             : 9;
     if (more == 9 || i + more >= name.size()) return false;
     for (std::size_t k = 1; k <= more; ++k)
       if ((static_cast<unsigned char>(name[i + k]) & 0xc0u) != 0x80u) return false;
@@ -37,7 +41,8 @@ std::string fault_of(std::string_view name) {
   if (name.empty()) return "a bookmark needs a name";
   if (name.size() > longest_name) return fmt::format("a name has more than {} letters", longest_name);
   if (!is_text(name)) return "a name has characters that cannot be shown";
-  if (std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; })) return "a name of digits alone would be a step";
+  if (std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; }))
+    return "a name of digits alone would be a step";
   if (name.front() == '#') return "a name begins with #";
   return "";
 }
@@ -53,13 +58,18 @@ std::vector<Bookmark> read(const std::filesystem::path& path, std::int64_t size)
     if (text.empty() || text.front() == '#') continue;
     const std::string where = fmt::format("{}:{}", path.string(), line);
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-    if (digits == 0 || digits > 18 || (digits < text.size() && text[digits] != ' ' && text[digits] != '\t')) throw InputError(where, "does not begin with a step", mend_bookmarks);
+    if (digits == 0 || digits > 18 || (digits < text.size() && text[digits] != ' ' && text[digits] != '\t'))
+      throw InputError(where, "does not begin with a step", mend_bookmarks);
     const std::int64_t step = std::stoll(std::string(text.substr(0, digits)));
     const std::string_view name = classroom::trim(text.substr(digits));
     if (const std::string fault = fault_of(name); !fault.empty()) throw InputError(where, fault, mend_bookmarks);
-    if (step > size) throw InputError(where, fmt::format("step {} is beyond the trace's end, {}", step, size), "correct it, or remove the line");
-    if (std::any_of(all.begin(), all.end(), [&](const Bookmark& mark) { return mark.name == name; })) throw InputError(where, "its name was given before", "give each bookmark a name of its own");
-    if (all.size() == most_marks) throw InputError(where, fmt::format("there are more than {} bookmarks", most_marks), "remove some");
+    if (step > size)
+      throw InputError(where, fmt::format("step {} is beyond the trace's end, {}", step, size),
+                       "correct it, or remove the line");
+    if (std::any_of(all.begin(), all.end(), [&](const Bookmark& mark) { return mark.name == name; }))
+      throw InputError(where, "its name was given before", "give each bookmark a name of its own");
+    if (all.size() == most_marks)
+      throw InputError(where, fmt::format("there are more than {} bookmarks", most_marks), "remove some");
     all.push_back({step, std::string(name)});
   }
   return all;
@@ -104,7 +114,8 @@ void Bookmarks::open(const Trace& trace, const std::filesystem::path& file, cons
 }
 
 Bookmarks::Bookmarks(const Trace& trace) {
-  if (is_file(trace.name())) open(trace, marks_file(trace.name()), std::filesystem::path(trace.name()).filename().string());
+  if (is_file(trace.name()))
+    open(trace, marks_file(trace.name()), std::filesystem::path(trace.name()).filename().string());
 }
 
 Bookmarks::Bookmarks(const Trace& trace, const Lesson* lesson) {
@@ -120,10 +131,12 @@ std::optional<std::int64_t> Bookmarks::find(const std::string& name) const {
 
 void Bookmarks::set(std::int64_t step, const std::string& name) {
   const std::string trimmed(classroom::trim(name));
-  if (const std::string fault = fault_of(trimmed); !fault.empty()) throw InputError("bookmark", fault, "type a short one, like `the first tie`");
+  if (const std::string fault = fault_of(trimmed); !fault.empty())
+    throw InputError("bookmark", fault, "type a short one, like `the first tie`");
   std::vector<Bookmark> all = all_;
   std::erase_if(all, [&](const Bookmark& mark) { return mark.name == trimmed; });
-  if (all.size() >= most_marks) throw InputError("bookmark", fmt::format("there are {} already", most_marks), "remove some");
+  if (all.size() >= most_marks)
+    throw InputError("bookmark", fmt::format("there are {} already", most_marks), "remove some");
   all.push_back({step, trimmed});
   sort(all);
   keep(std::move(all));
@@ -137,7 +150,9 @@ void Bookmarks::remove(std::size_t place) {
 }
 
 void Bookmarks::check_can_keep() const {
-  if (file_.empty()) throw InputError("bookmark", "this run was recorded to memory, and there is no file to keep it beside", "record it: zstep record SCENE -o run.ztrace");
+  if (file_.empty())
+    throw InputError("bookmark", "this run was recorded to memory, and there is no file to keep it beside",
+                     "record it: zstep record SCENE -o run.ztrace");
 }
 
 void Bookmarks::keep(std::vector<Bookmark> all) {

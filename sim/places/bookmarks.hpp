@@ -1,5 +1,5 @@
-// Bookmarks: steps of a trace with names, in a small file that a person can read: beside the trace, or a lesson's among what
-// zstep keeps.
+// Bookmarks: steps of a trace with names, in a small file that a person can read: beside the trace, or a lesson's among
+// what zstep keeps.
 //
 //     # bookmarks of run.ztrace
 //     219 the first tie
@@ -28,8 +28,8 @@ struct Bookmark {
 /// Of a trace, by step. A name stands once.
 class Bookmarks {
  public:
-  /// Those beside the trace; none where it has no such file. Throws InputError for a file that holds something else: it is
-  /// then never written over.
+  /// Those beside the trace; none where it has no such file. Throws InputError for a file that holds something else: it
+  /// is then never written over.
   explicit Bookmarks(const Trace& trace);
   /// Those of a lesson, whose run has no file. nullptr: those beside the trace.
   Bookmarks(const Trace& trace, const Lesson* lesson);
@@ -39,8 +39,8 @@ class Bookmarks {
   const std::vector<Bookmark>& all() const { return all_; }
   /// The step of this name.
   std::optional<std::int64_t> find(const std::string& name) const;
-  /// Sets a bookmark, in place of one of this name, and writes the file. Throws InputError and changes nothing where the name
-  /// is none, the trace is no file, or its folder cannot be written to.
+  /// Sets a bookmark, in place of one of this name, and writes the file. Throws InputError and changes nothing where
+  /// the name is none, the trace is no file, or its folder cannot be written to.
   void set(std::int64_t step, const std::string& name);
   void remove(std::size_t place);
   /// Throws the InputError that set() would throw for any name, before one is typed.
@@ -59,8 +59,8 @@ std::filesystem::path marks_file(const std::string& trace);
 /// A lesson's, by its name: lessons/z-buffer.marks in kept_folder().
 std::filesystem::path marks_file(const Lesson& lesson);
 
-/// Where zstep keeps what stays from run to run: $XDG_CONFIG_HOME/zstep or the platform's likeness of it; empty when there is
-/// no home.
+/// Where zstep keeps what stays from run to run: $XDG_CONFIG_HOME/zstep or the platform's likeness of it; empty when
+/// there is no home.
 std::filesystem::path kept_folder();
 
 }  // namespace zstep::places

@@ -12,8 +12,9 @@ namespace {
 
 /// Does the event write a colour or a depth to a pixel?
 bool writes(const Event& event) {
-  return std::holds_alternative<DepthWrite>(event) || std::holds_alternative<PixelWrite>(event) || std::holds_alternative<PixelPaint>(event) ||
-         std::holds_alternative<ColorWrite>(event) || std::holds_alternative<ColorBlend>(event);
+  return std::holds_alternative<DepthWrite>(event) || std::holds_alternative<PixelWrite>(event) ||
+         std::holds_alternative<PixelPaint>(event) || std::holds_alternative<ColorWrite>(event) ||
+         std::holds_alternative<ColorBlend>(event);
 }
 
 bool names_pixel(const Event& event, double x, double y) {
@@ -36,7 +37,9 @@ Condition::Value Condition::both_or_either(const Node& node, const Event& event,
 Condition::Value Condition::evaluate(std::int32_t at, const Event& event, std::int64_t step) const {
   const Node& node = nodes_[static_cast<std::size_t>(at)];
   const auto truth = [](bool holds) { return Value{Value::Is::known, holds ? 1.0 : 0.0}; };
-  const auto read = [&](double number) { return Value{node.none_is_missing && number < 0 ? Value::Is::missing : Value::Is::known, number}; };
+  const auto read = [&](double number) {
+    return Value{node.none_is_missing && number < 0 ? Value::Is::missing : Value::Is::known, number};
+  };
   switch (node.op) {
     case Op::constant: return {Value::Is::known, node.number};
     case Op::missing: return {Value::Is::missing, 0};
@@ -86,7 +89,10 @@ std::vector<double> polygons_called(const Scene& scene, const std::string& name)
       if (same(*scene.polygons[i].name)) found.push_back(static_cast<double>(i));
   };
   find([&](const std::string& other) { return other == name; });
-  if (found.empty() && !name.empty()) find([&](const std::string& other) { return std::equal(other.begin(), other.end(), name.begin(), name.end(), same_letter); });
+  if (found.empty() && !name.empty())
+    find([&](const std::string& other) {
+      return std::equal(other.begin(), other.end(), name.begin(), name.end(), same_letter);
+    });
   if (!found.empty() || name.size() < 2 || name.size() > 10 || (name[0] != 'P' && name[0] != 'p')) return found;
   if (!std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; })) return found;
   const auto number = std::stoll(name.substr(1));

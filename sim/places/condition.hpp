@@ -1,10 +1,10 @@
 // A condition on a step, as one types it to run until it holds: `not nearer`, `z < 4.2 && x == 9`, `polygon == B`,
 // `compare where y == 3`, `changes(9, 17)`.
 //
-// The language is that of lessons (sim/classroom/expression.hpp). A condition speaks of the fields of events. A step whose event lacks a
-// field that is named neither fulfils what is said of it nor its contrary, as NULL does in SQL: `not nearer` is true of
-// compares that fail and of nothing else. What panes write is understood as well: z* or z_v for the depths, x_L, e3 beside
-// `edge`. Besides fields there are
+// The language is that of lessons (sim/classroom/expression.hpp). A condition speaks of the fields of events. A step
+// whose event lacks a field that is named neither fulfils what is said of it nor its contrary, as NULL does in SQL:
+// `not nearer` is true of compares that fail and of nothing else. What panes write is understood as well: z* or z_v for
+// the depths, x_L, e3 beside `edge`. Besides fields there are
 //     step              the number of the step
 //     polygon           the event's own, or that of its facet or piece, or else the one at work; missing where there is none,
 //                       which `polygon == -1` asks for
@@ -37,7 +37,8 @@ struct Bounds {
 
 class Condition {
  public:
-  /// Throws InputError where the text is no condition, or names what no event of this trace has. The trace must outlive it.
+  /// Throws InputError where the text is no condition, or names what no event of this trace has. The trace must outlive
+  /// it.
   Condition(const Trace& trace, const std::string& text);
 
   const std::string& text() const { return text_; }
@@ -78,7 +79,8 @@ class Condition {
   Bounds bounds_;
 };
 
-/// The polygons of a scene that are called this: by their name, in small letters if need be, or P3 for the one of index 3.
+/// The polygons of a scene that are called this: by their name, in small letters if need be, or P3 for the one of index
+/// 3.
 std::vector<double> polygons_called(const Scene& scene, const std::string& name);
 
 }  // namespace zstep::places

@@ -36,7 +36,8 @@ std::string_view kind_name(std::uint8_t kind) {
 /// Binds an expression for one step of the pseudo-code.
 class Condition::Binder {
  public:
-  Binder(Condition& condition, const StepInfo& step) : condition_(condition), page_(condition.trace_->header().page), step_(step) {}
+  Binder(Condition& condition, const StepInfo& step)
+      : condition_(condition), page_(condition.trace_->header().page), step_(step) {}
 
   /// The root node; -1 where no event of this step can fulfil the expression.
   std::int32_t bind(const Expression& expression) {
@@ -75,17 +76,22 @@ class Condition::Binder {
     return add(std::move(node), type);
   }
 
-  [[noreturn]] void fail(const std::string& what, const std::string& mend) const { throw InputError(where, what, mend); }
+  [[noreturn]] void fail(const std::string& what, const std::string& mend) const {
+    throw InputError(where, what, mend);
+  }
 
-  /// A field as panes and people write it, by its own name: z* or z_v, x_L, `line` for y; else the name in small letters.
+  /// A field as panes and people write it, by its own name: z* or z_v, x_L, `line` for y; else the name in small
+  /// letters.
   std::string field_meant(std::string text) const {
     const Trace& trace = *condition_.trace_;
     const std::string depth = depth_symbol(trace.scene(), trace.header().conventions);
-    if (text.starts_with("z*") && depth != "z*") fail(fmt::format("`{}` is not in this trace, whose depths are {}", text, depth), "write z");
+    if (text.starts_with("z*") && depth != "z*")
+      fail(fmt::format("`{}` is not in this trace, whose depths are {}", text, depth), "write z");
     if (text == depth || text.starts_with(depth + "_")) text.replace(0, depth.size(), "z");
     if (text.ends_with("_L")) text.replace(text.size() - 1, 1, "left");
     if (text.ends_with("_R")) text.replace(text.size() - 1, 1, "right");
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text == "line" || text == "scan_line" || text == "scanline" ? "y" : text;
   }
   /// The field that a name means in a step of this kind.
@@ -95,14 +101,17 @@ class Condition::Binder {
     const bool known = text == "z_v" ? false : field_named(text);  // `line` is an edge where edges are drawn
     const Field* field = known || meant == text ? nullptr : field_of_kind(kind, meant);
     // World coordinates have the letters of depths and scan lines.
-    const bool fits = field && (meant != "z" || field->unit == "depth") && (meant != "y" || field->unit == "px" || field->unit == "row");
+    const bool fits = field && (meant != "z" || field->unit == "depth") &&
+                      (meant != "y" || field->unit == "px" || field->unit == "row");
     return fits ? field : nullptr;
   }
   bool field_named(std::string_view name) const {
-    return std::any_of(page_.begin(), page_.end(), [&](const StepInfo& step) { return field_of_kind(step.kind, name) != nullptr; });
+    return std::any_of(page_.begin(), page_.end(),
+                       [&](const StepInfo& step) { return field_of_kind(step.kind, name) != nullptr; });
   }
   bool field_somewhere(std::string_view name) const {
-    return std::any_of(page_.begin(), page_.end(), [&](const StepInfo& step) { return field_of(step.kind, name) != nullptr; });
+    return std::any_of(page_.begin(), page_.end(),
+                       [&](const StepInfo& step) { return field_of(step.kind, name) != nullptr; });
   }
   /// The words that a field of this name takes in any step of the method.
   std::vector<std::string_view> words_somewhere(std::string_view name) const {
@@ -116,12 +125,15 @@ class Condition::Binder {
 
   Bound number(const Expression& expression) {
     const Bound made = any(expression);
-    if (made.type != Type::number && made.type != Type::polygon && !made.missing) fail(fmt::format("`{}` is no number", said(expression)), "compare it with ==, or leave it out");
+    if (made.type != Type::number && made.type != Type::polygon && !made.missing)
+      fail(fmt::format("`{}` is no number", said(expression)), "compare it with ==, or leave it out");
     return made;
   }
   Bound truth(const Expression& expression) {
     const Bound made = any(expression);
-    if (made.type != Type::truth && !made.missing) fail(fmt::format("`{}` is true of no step and false of none", said(expression)), fmt::format("compare it: `{} == 3`", said(expression)));
+    if (made.type != Type::truth && !made.missing)
+      fail(fmt::format("`{}` is true of no step and false of none", said(expression)),
+           fmt::format("compare it: `{} == 3`", said(expression)));
     return made;
   }
   static std::string said(const Expression& expression) {
@@ -130,7 +142,8 @@ class Condition::Binder {
   }
 
   static bool is_called(std::string_view text, std::string_view name) {
-    return std::equal(text.begin(), text.end(), name.begin(), name.end(), [](unsigned char a, char b) { return std::tolower(a) == b; });
+    return std::equal(text.begin(), text.end(), name.begin(), name.end(),
+                      [](unsigned char a, char b) { return std::tolower(a) == b; });
   }
 
   Bound name(const Expression& expression) {
@@ -153,7 +166,8 @@ class Condition::Binder {
       for (const Field& field : fields_of_kind(step.kind)) names.push_back(field.name);
     }
     const std::string near = classroom::did_you_mean(text, names);
-    fail(fmt::format("`{}` is no field, step or kind of event of this trace{}", text, near), "its names, nearest first: " + classroom::nearest_first(text, names));
+    fail(fmt::format("`{}` is no field, step or kind of event of this trace{}", text, near),
+         "its names, nearest first: " + classroom::nearest_first(text, names));
   }
   Bound add_plain(Op op, Type type) {
     Node node;
@@ -163,36 +177,47 @@ class Condition::Binder {
 
   /// Among the alternatives of an equation: `facing == back`, `polygon == B`.
   static bool is_bare(const Expression& side) { return side.kind == Kind::name || side.kind == Kind::quoted; }
-  bool takes_words(const Expression& side) const { return side.kind == Kind::name && !words_somewhere(side.text).empty(); }
-  bool takes_polygons(const Expression& side) const { return side.kind == Kind::name && is_called(side.text, "polygon"); }
+  bool takes_words(const Expression& side) const {
+    return side.kind == Kind::name && !words_somewhere(side.text).empty();
+  }
+  bool takes_polygons(const Expression& side) const {
+    return side.kind == Kind::name && is_called(side.text, "polygon");
+  }
 
   Bound equation(const Expression& expression) {
     const Expression *left = &expression.parts[0], *right = &expression.parts[1];
     if (is_bare(*left) && !takes_words(*left) && !takes_polygons(*left)) std::swap(left, right);
     if (takes_words(*left) && is_bare(*right)) return word(*left, *right);
-    if (takes_polygons(*left) && is_bare(*right) && (right->kind == Kind::quoted || !field_somewhere(right->text))) return called(*left, *right);
+    if (takes_polygons(*left) && is_bare(*right) && (right->kind == Kind::quoted || !field_somewhere(right->text)))
+      return called(*left, *right);
     if (takes_polygons(*right) && !takes_polygons(*left)) std::swap(left, right);
     auto index = numbered(*left, *right);
     if (!index && (index = numbered(*right, *left))) std::swap(left, right);
     const Bound first = any(*left), second = index ? constant(*index, Type::number) : any(*right);
-    if (takes_polygons(*left) && right->kind == Kind::negate) condition_.nodes_[static_cast<std::size_t>(first.node)].none_is_missing = false;
+    if (takes_polygons(*left) && right->kind == Kind::negate)
+      condition_.nodes_[static_cast<std::size_t>(first.node)].none_is_missing = false;
     const auto sort = [](Type type) { return type == Type::polygon ? Type::number : type; };
     if (!first.missing && !second.missing && sort(first.type) != sort(second.type))
-      fail(fmt::format("`{}` and `{}` are not of one kind", said(*left), said(*right)), "compare numbers with numbers and truths with truths");
+      fail(fmt::format("`{}` and `{}` are not of one kind", said(*left), said(*right)),
+           "compare numbers with numbers and truths with truths");
     return of(Op::equal, first, second, Type::truth);
   }
   /// "e3" beside `edge`, "v2" beside `vertex_0`: the number, as panes write it.
   std::optional<double> numbered(const Expression& field, const Expression& name) const {
     const std::string& text = name.text;
-    if (field.kind != Kind::name || name.kind != Kind::name || text.size() < 2 || text.size() > 10 || field_somewhere(text)) return std::nullopt;
-    if (std::tolower(static_cast<unsigned char>(text[0])) != std::tolower(static_cast<unsigned char>(field.text[0]))) return std::nullopt;
+    if (field.kind != Kind::name || name.kind != Kind::name || text.size() < 2 || text.size() > 10 ||
+        field_somewhere(text))
+      return std::nullopt;
+    if (std::tolower(static_cast<unsigned char>(text[0])) != std::tolower(static_cast<unsigned char>(field.text[0])))
+      return std::nullopt;
     if (!std::all_of(text.begin() + 1, text.end(), [](char c) { return c >= '0' && c <= '9'; })) return std::nullopt;
     return static_cast<double>(std::stoll(text.substr(1)));
   }
   Bound word(const Expression& left, const Expression& right) {
     const auto all = words_somewhere(left.text);
     if (std::find(all.begin(), all.end(), right.text) == all.end())
-      fail(fmt::format("`{}` is never `{}`", left.text, right.text), fmt::format("it is one of {}", fmt::join(all, ", ")));
+      fail(fmt::format("`{}` is never `{}`", left.text, right.text),
+           fmt::format("it is one of {}", fmt::join(all, ", ")));
     const Field* field = field_of(step_.kind, left.text);
     if (!field || field->type.type != Type::word) return missing(Type::truth);
     const auto& words = field->type.words;
@@ -208,19 +233,24 @@ class Condition::Binder {
       for (const Polygon& polygon : condition_.trace_->scene().polygons)
         if (!polygon.name->empty()) names.push_back(*polygon.name);
       fail(fmt::format("no polygon of the scene is called `{}`", right.text),
-           names.empty() ? "polygons have numbers here: polygon == 0 is the first" : "its polygons, nearest first: " + classroom::nearest_first(right.text, names));
+           names.empty() ? "polygons have numbers here: polygon == 0 is the first"
+                         : "its polygons, nearest first: " + classroom::nearest_first(right.text, names));
     }
     node.first = name(left).node;
     return add(std::move(node), Type::truth);
   }
 
   Bound call(const Expression& expression) {
-    if (expression.text != "changes" && expression.text != "touches") fail(fmt::format("there is no `{}(`", expression.text), "changes(x, y) and touches(x, y) speak of a pixel");
+    if (expression.text != "changes" && expression.text != "touches")
+      fail(fmt::format("there is no `{}(`", expression.text), "changes(x, y) and touches(x, y) speak of a pixel");
     const auto& parts = expression.parts;
     const Raster& raster = condition_.trace_->scene().raster;
-    const auto inside = [](const Expression& part, std::int32_t end) { return part.kind == Kind::number && part.number < end && part.number == std::floor(part.number); };
+    const auto inside = [](const Expression& part, std::int32_t end) {
+      return part.kind == Kind::number && part.number < end && part.number == std::floor(part.number);
+    };
     if (parts.size() != 2 || !inside(parts[0], raster.width) || !inside(parts[1], raster.height))
-      fail(fmt::format("`{}(` needs a pixel's column and row", expression.text), fmt::format("the picture has {} by {}; write {}(0, 0)", raster.width, raster.height, expression.text));
+      fail(fmt::format("`{}(` needs a pixel's column and row", expression.text),
+           fmt::format("the picture has {} by {}; write {}(0, 0)", raster.width, raster.height, expression.text));
     Node node;
     node.op = expression.text == "changes" ? Op::changes : Op::touches;
     node.number = parts[0].number, node.row = parts[1].number;
@@ -228,7 +258,8 @@ class Condition::Binder {
     made.may_be_true = field_of_kind(step_.kind, "x") && field_of_kind(step_.kind, "y");
     if (condition_.nodes_.back().op == Op::changes) {
       const std::uint8_t k = step_.kind;
-      made.may_be_true = k == kind_of<DepthWrite> || k == kind_of<PixelWrite> || k == kind_of<PixelPaint> || k == kind_of<ColorWrite> || k == kind_of<ColorBlend>;
+      made.may_be_true = k == kind_of<DepthWrite> || k == kind_of<PixelWrite> || k == kind_of<PixelPaint> ||
+                         k == kind_of<ColorWrite> || k == kind_of<ColorBlend>;
     }
     return made;
   }
@@ -292,10 +323,12 @@ class Condition::Binder {
   const StepInfo& step_;
 };
 
-Condition::Condition(const Trace& trace, const std::string& text) : trace_(&trace), text_(classroom::trim(text)), root_of_step_(step_limit, -1) {
+Condition::Condition(const Trace& trace, const std::string& text)
+    : trace_(&trace), text_(classroom::trim(text)), root_of_step_(step_limit, -1) {
   constexpr std::size_t longest = 2000;
   if (text_.empty()) throw InputError(where, "is empty", "write for example `not nearer` or `z < 4.2 && x == 9`");
-  if (text_.size() > longest) throw InputError(where, fmt::format("has more than {} letters", longest), "write a shorter one");
+  if (text_.size() > longest)
+    throw InputError(where, fmt::format("has more than {} letters", longest), "write a shorter one");
   const Page& page = trace.header().page;
 
   // "compare", "z_buffer.compare where not nearer": a step or a kind of event, and what must hold besides.
@@ -304,10 +337,15 @@ Condition::Condition(const Trace& trace, const std::string& text) : trace_(&trac
   const std::string_view first = classroom::leading_step_name(rest);
   const std::string_view after = classroom::trim(rest.substr(first.size()));
   const auto is_where = [](std::string_view word) { return word == "where" || word == "WHERE"; };
-  const bool further = is_where(after.substr(0, 5)) && (after.size() == 5 || !(std::isalnum(static_cast<unsigned char>(after[5])) || after[5] == '_'));
+  const bool further = is_where(after.substr(0, 5)) &&
+                       (after.size() == 5 || !(std::isalnum(static_cast<unsigned char>(after[5])) || after[5] == '_'));
   if (!first.empty() && (after.empty() || further)) {
-    const bool known = std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return is_step(step, first) || kind_name(step.kind) == first; });
-    if (further && !known) throw InputError(where, fmt::format("`{}` is no step or kind of event of this trace", first), "zstep info FILE names them");
+    const bool known = std::any_of(page.begin(), page.end(), [&](const StepInfo& step) {
+      return is_step(step, first) || kind_name(step.kind) == first;
+    });
+    if (further && !known)
+      throw InputError(where, fmt::format("`{}` is no step or kind of event of this trace", first),
+                       "zstep info FILE names them");
     if (known) only = first, rest = further ? after.substr(5) : std::string_view("true");
   }
   const Expression expression = classroom::parse_typed(rest, where);
@@ -317,7 +355,9 @@ Condition::Condition(const Trace& trace, const std::string& text) : trace_(&trac
     root_of_step_[step.id] = root;
     if (root >= 0) bounds_.kinds.set(step.kind);
   }
-  if (bounds_.kinds.none()) throw InputError(where, fmt::format("no step of this trace can fulfil `{}`", text_), "name fields that one event has together; zstep query FILE lists them");
+  if (bounds_.kinds.none())
+    throw InputError(where, fmt::format("no step of this trace can fulfil `{}`", text_),
+                     "name fields that one event has together; zstep query FILE lists them");
   if (std::any_of(nodes_.begin(), nodes_.end(), [](const Node& node) { return node.op == Op::at_work; })) {
     trace.end_of_turns();  // asks for events, and holds() may not
     if (trace.has(kind_of<PieceMake>)) trace.polygon_of_piece(0);

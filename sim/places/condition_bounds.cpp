@@ -48,14 +48,18 @@ void Condition::bound_by(const Expression& comparison, std::optional<double>& x,
   if (comparison.parts.size() != 2) return;
   const Expression *left = &comparison.parts[0], *right = &comparison.parts[1];
   Kind sign = comparison.kind;
-  if (left->kind != Kind::name || (right->kind == Kind::name && is_name(*right, "polygon"))) std::swap(left, right), sign = turned(sign);
+  if (left->kind != Kind::name || (right->kind == Kind::name && is_name(*right, "polygon")))
+    std::swap(left, right), sign = turned(sign);
   if (left->kind != Kind::name) return;
   if (sign == Kind::equal && left->text == "polygon" && polygons_in_turn(trace_->header())) {
     std::vector<double> called;
     const auto& page = trace_->header().page;
-    const bool field = right->kind == Kind::name && std::any_of(page.begin(), page.end(), [&](const StepInfo& s) { return field_of_kind(s.kind, right->text) != nullptr; });
+    const bool field = right->kind == Kind::name && std::any_of(page.begin(), page.end(), [&](const StepInfo& s) {
+                         return field_of_kind(s.kind, right->text) != nullptr;
+                       });
     if (field) return;
-    if (right->kind == Kind::name || right->kind == Kind::quoted) called = polygons_called(trace_->scene(), right->text);
+    if (right->kind == Kind::name || right->kind == Kind::quoted)
+      called = polygons_called(trace_->scene(), right->text);
     else if (const auto number = literal(*right)) called.push_back(*number);
     if (called.size() == 1 && whole(called[0])) bounds_.polygon = static_cast<std::int32_t>(called[0]);
     return;
@@ -65,14 +69,17 @@ void Condition::bound_by(const Expression& comparison, std::optional<double>& x,
   if (sign == Kind::equal && left->text == "x") x = value;
   if (sign == Kind::equal && left->text == "y") y = value;
   if (left->text != "step" || std::abs(*value) > 1e15) return;
-  const auto below = static_cast<std::int64_t>(std::ceil(*value)) - 1, above = static_cast<std::int64_t>(std::floor(*value)) + 1;
-  const auto at_most = static_cast<std::int64_t>(std::floor(*value)), at_least = static_cast<std::int64_t>(std::ceil(*value));
+  const auto below = static_cast<std::int64_t>(std::ceil(*value)) - 1,
+             above = static_cast<std::int64_t>(std::floor(*value)) + 1;
+  const auto at_most = static_cast<std::int64_t>(std::floor(*value)),
+             at_least = static_cast<std::int64_t>(std::ceil(*value));
   if (sign == Kind::less) bounds_.last = std::min(bounds_.last, below);
   if (sign == Kind::less_equal) bounds_.last = std::min(bounds_.last, at_most);
   if (sign == Kind::greater) bounds_.first = std::max(bounds_.first, above);
   if (sign == Kind::greater_equal) bounds_.first = std::max(bounds_.first, at_least);
   // Equality is to nine digits: of very large steps the neighbours are equal, too.
-  if (sign == Kind::equal && *value < 1e8) bounds_.first = std::max(bounds_.first, at_least), bounds_.last = std::min(bounds_.last, at_most);
+  if (sign == Kind::equal && *value < 1e8)
+    bounds_.first = std::max(bounds_.first, at_least), bounds_.last = std::min(bounds_.last, at_most);
 }
 
 void Condition::find_bounds(const Expression& expression) {
@@ -84,7 +91,8 @@ void Condition::find_bounds(const Expression& expression) {
     if (part.kind == Kind::and_) all.push_back(&part.parts[0]), all.push_back(&part.parts[1]);
     else bound_by(part, x, y);
   }
-  if (x && y && whole(*x) && whole(*y)) bounds_.pixel = Trace::Pixel{static_cast<std::int32_t>(*x), static_cast<std::int32_t>(*y)};
+  if (x && y && whole(*x) && whole(*y))
+    bounds_.pixel = Trace::Pixel{static_cast<std::int32_t>(*x), static_cast<std::int32_t>(*y)};
 }
 
 }  // namespace zstep::places

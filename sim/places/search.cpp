@@ -7,7 +7,11 @@
 namespace zstep::places {
 
 Search::Search(const Trace& trace, Condition condition, std::int64_t from, Way way)
-    : trace_(&trace), condition_(std::move(condition)), way_(way), from_(std::clamp<std::int64_t>(from, 0, trace.size() + 1)), at_(from_) {
+    : trace_(&trace),
+      condition_(std::move(condition)),
+      way_(way),
+      from_(std::clamp<std::int64_t>(from, 0, trace.size() + 1)),
+      at_(from_) {
   const Bounds& bounds = condition_.bounds();
   const std::int64_t first = std::max(bounds.first, forwards() ? from_ + 1 : 1);
   const std::int64_t last = std::min({bounds.last, trace.size(), forwards() ? trace.size() : from_ - 1});
@@ -23,13 +27,16 @@ Search::Search(const Trace& trace, Condition condition, std::int64_t from, Way w
     const bool beginnings = (bounds.kinds & ~marked).none();
     for (std::size_t i = 0; i < marks.size(); ++i) {
       if (bounds.polygon && marks[i].polygon != *bounds.polygon) continue;
-      add(marks[i].position, beginnings ? marks[i].position : i + 1 < marks.size() ? marks[i + 1].position - 1 : trace.size());
+      add(marks[i].position, beginnings             ? marks[i].position
+                             : i + 1 < marks.size() ? marks[i + 1].position - 1
+                                                    : trace.size());
     }
     if (bounds.polygon == no_polygon) add(1, marks.empty() ? trace.size() : marks[0].position - 1);
   } else {
     add(first, last);
   }
-  std::sort(intervals_.begin(), intervals_.end(), [&](const Interval& a, const Interval& b) { return forwards() ? a.first > b.first : a.first < b.first; });
+  std::sort(intervals_.begin(), intervals_.end(),
+            [&](const Interval& a, const Interval& b) { return forwards() ? a.first > b.first : a.first < b.first; });
 }
 
 double Search::share() const {
@@ -39,7 +46,8 @@ double Search::share() const {
 
 /// Drops intervals that are behind, and goes to the beginning of the next one.
 bool Search::next_interval() {
-  while (!intervals_.empty() && (forwards() ? intervals_.back().last <= at_ : intervals_.back().first >= at_)) intervals_.pop_back();
+  while (!intervals_.empty() && (forwards() ? intervals_.back().last <= at_ : intervals_.back().first >= at_))
+    intervals_.pop_back();
   if (intervals_.empty()) return false;
   at_ = forwards() ? std::max(at_, intervals_.back().first - 1) : std::min(at_, intervals_.back().last + 1);
   return true;
@@ -62,7 +70,8 @@ void Search::look_in_block() {
     for (std::size_t kind = 0; kind < kind_count; ++kind)
       if (bounds.kinds[kind]) among.kind = static_cast<std::uint8_t>(kind);
   const BlockInfo& block = trace_->impl().blocks[trace_->impl().block_of(forwards() ? at_ + 1 : at_ - 1)].info;
-  looked_to_ = forwards() ? std::min(interval.last, block.first_position + block.count) : std::max(interval.first, block.first_position + 1);
+  looked_to_ = forwards() ? std::min(interval.last, block.first_position + block.count)
+                          : std::max(interval.first, block.first_position + 1);
   among.until = looked_to_;
   const auto take = [&](std::int64_t step, const RecordedEvent& event) {
     if (condition_.holds(step, event)) waiting_.push_back(step);

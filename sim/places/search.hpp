@@ -1,5 +1,5 @@
-// Looks for the next step that fulfils a condition, forwards or backwards, a little at a time: a window goes on drawing, and
-// whoever waits can stop. Blocks that cannot hold such a step are passed over.
+// Looks for the next step that fulfils a condition, forwards or backwards, a little at a time: a window goes on
+// drawing, and whoever waits can stop. Blocks that cannot hold such a step are passed over.
 #pragma once
 
 #include <chrono>
@@ -20,7 +20,8 @@ class Search {
   /// From a position, whose own step does not count. The trace must outlive it.
   Search(const Trace& trace, Condition condition, std::int64_t from, Way way);
 
-  /// Looks on for about this long; a block is read whole, and once for all that is found in it. Throws InputError where the trace is damaged.
+  /// Looks on for about this long; a block is read whole, and once for all that is found in it. Throws InputError where
+  /// the trace is damaged.
   Result look(std::chrono::microseconds time);
   /// The step that was found.
   std::int64_t step() const { return at_; }

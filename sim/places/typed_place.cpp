@@ -24,11 +24,13 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 void replace_all(std::string& text, std::string_view what, std::string_view by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
 }
 
 std::string small_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -53,7 +55,8 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
   text = trim(text);
   const auto sign = std::find_if_not(text.begin(), text.end(), is_digit);
   if (sign == text.end()) return digits_of(text);
-  if (std::string_view(" ,'_").find(*sign) == std::string_view::npos || sign == text.begin() || sign - text.begin() > 3) return std::nullopt;
+  if (std::string_view(" ,'_").find(*sign) == std::string_view::npos || sign == text.begin() || sign - text.begin() > 3)
+    return std::nullopt;
   std::string digits(text.begin(), sign);
   for (auto at = sign; at != text.end(); at += 4) {
     if (*at != *sign || text.end() - at < 4 || !std::all_of(at + 1, at + 4, is_digit)) return std::nullopt;
@@ -88,7 +91,8 @@ std::optional<std::pair<std::int64_t, std::int64_t>> two_numbers(std::string_vie
 
 class Reader {
  public:
-  Reader(const Here& here, const std::string& text, const std::string& option) : here_(here), typed_(plain(text)), where_(option) {}
+  Reader(const Here& here, const std::string& text, const std::string& option)
+      : here_(here), typed_(plain(text)), where_(option) {}
 
   Place read() const {
     if (typed_.empty()) nothing();
@@ -97,18 +101,23 @@ class Reader {
     const std::string_view all = small;
     if (all == "end") return {size(), Unit::event};
     if (all == "start" || all == "beginning") return {0, Unit::event};
-    if (all.size() > 1 && all.ends_with('%') && !percentage(all)) fail(fmt::format("'{}' is no part of a trace", typed_), "give 0% to 100%");
-    if (const auto percent = percentage(all)) return {std::llround(*percent / 100 * static_cast<double>(size())), Unit::event};
+    if (all.size() > 1 && all.ends_with('%') && !percentage(all))
+      fail(fmt::format("'{}' is no part of a trace", typed_), "give 0% to 100%");
+    if (const auto percent = percentage(all))
+      return {std::llround(*percent / 100 * static_cast<double>(size())), Unit::event};
     if (all.starts_with('+') || all.starts_with('-'))
-      if (const auto away = whole_number(all.substr(1))) return {all[0] == '+' ? here_.step + *away : std::max<std::int64_t>(0, here_.step - *away), Unit::event};
-    const auto after_word = static_cast<std::size_t>(std::find_if_not(all.begin(), all.end(), [](char c) { return is_letter(c) || c == ' '; }) - all.begin());
+      if (const auto away = whole_number(all.substr(1)))
+        return {all[0] == '+' ? here_.step + *away : std::max<std::int64_t>(0, here_.step - *away), Unit::event};
+    const auto after_word = static_cast<std::size_t>(
+        std::find_if_not(all.begin(), all.end(), [](char c) { return is_letter(c) || c == ' '; }) - all.begin());
     const std::string_view word = trim(all.substr(0, after_word));
     std::string_view rest = trim(all.substr(after_word));
     if (word.empty()) return number_alone(rest);
     while (rest.starts_with('=')) rest = trim(rest.substr(1));
     const auto number = whole_number(rest);
     if (word == "step" && number) return {*number, Unit::event};
-    if ((word == "y" || word == "line" || word == "row" || word == "scan line" || word == "scanline") && number) return scan_line(*number);
+    if ((word == "y" || word == "line" || word == "row" || word == "scan line" || word == "scanline") && number)
+      return scan_line(*number);
     if (word == "stop" && number) return stop(*number);
     if (word == "pixel")
       if (const auto pair = two_numbers(rest)) return pixel(pair->first, pair->second);
@@ -118,7 +127,9 @@ class Reader {
  private:
   std::int64_t size() const { return here_.trace.size(); }
 
-  [[noreturn]] void fail(const std::string& what, const std::string& mend) const { throw InputError(where_, what, mend); }
+  [[noreturn]] void fail(const std::string& what, const std::string& mend) const {
+    throw InputError(where_, what, mend);
+  }
 
   /// 12041, or 9 17. What could be both is the step where it is written as zstep writes steps, if there is such a step.
   Place number_alone(std::string_view text) const {
@@ -133,13 +144,15 @@ class Reader {
     const bool led_by_zero = text[text.find_first_not_of("0123456789") + 1] == '0';
     if (!inside || led_by_zero || (sign != ',' && *number <= size())) return {*number, Unit::event};
     if (*number > size()) return pixel(pair->first, pair->second);
-    fail(fmt::format("{} may be a step or a pixel", text), fmt::format("type step {} or pixel {} {}", *number, pair->first, pair->second));
+    fail(fmt::format("{} may be a step or a pixel", text),
+         fmt::format("type step {} or pixel {} {}", *number, pair->first, pair->second));
   }
 
   Place pixel(std::int64_t x, std::int64_t y) const {
     const Raster& raster = here_.trace.scene().raster;
     if (x >= raster.width || y >= raster.height)
-      fail(fmt::format("there is no pixel ({}, {})", x, y), fmt::format("the picture has {} by {} pixels, counted from (0, 0)", raster.width, raster.height));
+      fail(fmt::format("there is no pixel ({}, {})", x, y),
+           fmt::format("the picture has {} by {} pixels, counted from (0, 0)", raster.width, raster.height));
     return {here_.step, Unit::event, Trace::Pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}};
   }
 
@@ -150,7 +163,9 @@ class Reader {
     if (!trace.has(kind_of<ScanLineBegin>)) fail("no scan line begins in this trace", what_to_type);
     if (const auto next = trace.next<ScanLineBegin>(here_.step, begins)) return {*next, Unit::scan_line};
     const auto last = trace.previous<ScanLineBegin>(here_.step + 1, begins);
-    if (!last) fail(fmt::format("no work on scan line {} begins in this trace", line), fmt::format("the picture has the scan lines 0 to {}", trace.scene().raster.height - 1));
+    if (!last)
+      fail(fmt::format("no work on scan line {} begins in this trace", line),
+           fmt::format("the picture has the scan lines 0 to {}", trace.scene().raster.height - 1));
     Place place{*last, Unit::scan_line};
     place.note = fmt::format("No later work on scan line {} begins; this is the last that did.", line);
     return place;
@@ -159,7 +174,8 @@ class Reader {
   Place stop(std::int64_t number) const {
     if (!here_.lesson) fail("there is no lesson here, so it has no stops", what_to_type);
     const auto& stops = here_.lesson->stops;
-    if (number < 1 || number > static_cast<std::int64_t>(stops.size())) fail(fmt::format("there is no stop {}", number), fmt::format("the lesson has the stops 1 to {}", stops.size()));
+    if (number < 1 || number > static_cast<std::int64_t>(stops.size()))
+      fail(fmt::format("there is no stop {}", number), fmt::format("the lesson has the stops 1 to {}", stops.size()));
     Place place{stops[static_cast<std::size_t>(number - 1)].position};
     place.stop = static_cast<int>(number - 1);
     return place;
@@ -169,7 +185,9 @@ class Reader {
   Place polygon() const {
     const auto polygons = named_polygons();
     if (polygons.empty()) nothing();
-    const auto is_meant = [&](const PolygonMark& mark) { return std::find(polygons.begin(), polygons.end(), mark.polygon) != polygons.end(); };
+    const auto is_meant = [&](const PolygonMark& mark) {
+      return std::find(polygons.begin(), polygons.end(), mark.polygon) != polygons.end();
+    };
     std::optional<std::int64_t> found;
     for (const PolygonMark& mark : here_.trace.polygons()) {
       if (!is_meant(mark)) continue;
@@ -177,7 +195,8 @@ class Reader {
       found = mark.position;
     }
     if (found) return {*found, Unit::polygon};
-    fail(fmt::format("no work on polygon {} begins in this trace", polygon_label(here_.trace.scene(), static_cast<std::int32_t>(polygons.front()))),
+    fail(fmt::format("no work on polygon {} begins in this trace",
+                     polygon_label(here_.trace.scene(), static_cast<std::int32_t>(polygons.front()))),
          "it may have been dropped before; Y and zstep why-not say why");
   }
   std::vector<double> named_polygons() const {
@@ -187,10 +206,14 @@ class Reader {
     for (const std::string_view word : {"polygon", "p"}) {
       if (!small.starts_with(word) || small.size() == word.size()) continue;
       const std::string name(trim(std::string_view(typed_).substr(word.size())));
-      if (word == "p" && name.size() + 1 == typed_.size() && !is_digit(name.front())) continue;  // a word that begins so
+      if (word == "p" && name.size() + 1 == typed_.size() && !is_digit(name.front()))
+        continue;  // a word that begins so
       if (const auto all = polygons_called(scene, name); !all.empty()) return all;
-      if (const auto number = whole_number(name); number && *number < static_cast<std::int64_t>(scene.polygons.size())) return {static_cast<double>(*number)};
-      if (const auto number = whole_number(name)) fail(fmt::format("there is no polygon {}", *number), fmt::format("the scene has the polygons 0 to {}", static_cast<std::int64_t>(scene.polygons.size()) - 1));
+      if (const auto number = whole_number(name); number && *number < static_cast<std::int64_t>(scene.polygons.size()))
+        return {static_cast<double>(*number)};
+      if (const auto number = whole_number(name))
+        fail(fmt::format("there is no polygon {}", *number),
+             fmt::format("the scene has the polygons 0 to {}", static_cast<std::int64_t>(scene.polygons.size()) - 1));
     }
     return {};
   }
@@ -198,14 +221,17 @@ class Reader {
   [[noreturn]] void nothing() const {
     if (typed_.empty()) fail("nothing was typed", what_to_type);
     std::string asked = typed_;
-    if (const std::string small = small_letters(typed_); small.starts_with("polygon ")) asked = trim(std::string_view(typed_).substr(8));
+    if (const std::string small = small_letters(typed_); small.starts_with("polygon "))
+      asked = trim(std::string_view(typed_).substr(8));
     std::vector<std::string_view> names;
     for (const Bookmark& mark : here_.marks.all()) names.push_back(mark.name);
     for (const Polygon& polygon : here_.trace.scene().polygons)
       if (!polygon.name->empty()) names.push_back(*polygon.name);
     const bool digits = !is_letter(asked.front()) || names.empty();
-    const std::string near = digits ? "" : " Bookmarks and polygons, nearest first: " + classroom::nearest_first(asked, names);
-    fail(fmt::format("'{}' is no step, and no bookmark or polygon is called so", typed_), fmt::format("{}.{}", what_to_type, near));
+    const std::string near =
+        digits ? "" : " Bookmarks and polygons, nearest first: " + classroom::nearest_first(asked, names);
+    fail(fmt::format("'{}' is no step, and no bookmark or polygon is called so", typed_),
+         fmt::format("{}.{}", what_to_type, near));
   }
 
   const Here& here_;
@@ -214,8 +240,12 @@ class Reader {
 
 }  // namespace
 
-Place find_place(const Here& here, const std::string& text, const std::string& option) { return Reader(here, text, option).read(); }
+Place find_place(const Here& here, const std::string& text, const std::string& option) {
+  return Reader(here, text, option).read();
+}
 
-const char* const what_to_type = "type a step (12041, +5), a part (25 %), a polygon (B, p 3), a scan line (line 17), a stop (stop 3), a pixel (9, 17) or a bookmark's name";
+const char* const what_to_type =
+    "type a step (12041, +5), a part (25 %), a polygon (B, p 3), a scan line (line 17), a stop (stop 3), a pixel (9, "
+    "17) or a bookmark's name";
 
 }  // namespace zstep::places

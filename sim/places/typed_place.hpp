@@ -28,9 +28,9 @@ struct Here {
   std::int64_t step = 0;
 };
 
-/// "12041", "12 041", "1,000", "+5", "25 %", "p 3", "polygon B", "B", "line 17", "stop 3", "9, 17", "pixel 9 17", a bookmark's
-/// name, "end". Everything has to be understood: of "1e5" and "12.5" no digits are picked. Throws InputError, which names what
-/// is written most like it.
+/// "12041", "12 041", "1,000", "+5", "25 %", "p 3", "polygon B", "B", "line 17", "stop 3", "9, 17", "pixel 9 17", a
+/// bookmark's name, "end". Everything has to be understood: of "1e5" and "12.5" no digits are picked. Throws
+/// InputError, which names what is written most like it.
 Place find_place(const Here& here, const std::string& text, const std::string& option);
 
 /// What may be typed, in one sentence.

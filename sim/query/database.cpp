@@ -69,7 +69,8 @@ struct Database::Impl {
   bool late = false, stopped = false;
 
   explicit Impl(const Trace& trace_) : trace(trace_) {
-    if (sqlite3_open_v2(":memory:", &connection, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_PRIVATECACHE, nullptr) != SQLITE_OK)
+    if (sqlite3_open_v2(":memory:", &connection, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_PRIVATECACHE,
+                        nullptr) != SQLITE_OK)
       throw std::runtime_error("SQLite cannot be opened");
     sqlite3_hard_heap_limit64(most_memory);
     sqlite3_exec(connection, "PRAGMA temp_store = MEMORY", nullptr, nullptr, nullptr);  // sorting writes no file
@@ -94,7 +95,8 @@ struct Database::Impl {
     return impl.late || impl.stopped;
   }
 
-  /// The first statement of `rest`, which begins behind it afterwards; none where there is only white space or a comment.
+  /// The first statement of `rest`, which begins behind it afterwards; none where there is only white space or a
+  /// comment.
   Statement prepare(const std::string& sql, std::string_view& rest) {
     sqlite3_stmt* statement = nullptr;
     const char* tail = nullptr;
@@ -109,12 +111,17 @@ struct Database::Impl {
     if (fault) std::rethrow_exception(fault);
     const std::string message = sqlite3_errmsg(connection);
     const int code = sqlite3_errcode(connection);
-    if (code == SQLITE_AUTH || message.find("not authorized") != std::string::npos || message.find("prohibited") != std::string::npos)
+    if (code == SQLITE_AUTH || message.find("not authorized") != std::string::npos ||
+        message.find("prohibited") != std::string::npos)
       throw InputError("query", "only reads: a trace is not changed, and no other file is opened", "ask with SELECT");
-    if (code == SQLITE_NOMEM) throw InputError("query", "needs more than a gigabyte of memory", "ask for less: fewer rows to sort or to group");
-    if (message.rfind("no such table", 0) == 0) throw InputError("query", message, "the tables of this trace are " + table_names(trace));
+    if (code == SQLITE_NOMEM)
+      throw InputError("query", "needs more than a gigabyte of memory", "ask for less: fewer rows to sort or to group");
+    if (message.rfind("no such table", 0) == 0)
+      throw InputError("query", message, "the tables of this trace are " + table_names(trace));
     const int at = sqlite3_error_offset(connection);
-    const std::string where = at >= 0 && static_cast<std::size_t>(at) < sql.size() ? fmt::format(", at \"{}\"", sql.substr(static_cast<std::size_t>(at), 24)) : "";
+    const std::string where = at >= 0 && static_cast<std::size_t>(at) < sql.size()
+                                  ? fmt::format(", at \"{}\"", sql.substr(static_cast<std::size_t>(at), 24))
+                                  : "";
     throw InputError("query", message + where, "'zstep query FILE.ztrace' lists tables and columns");
   }
 };
@@ -127,9 +134,11 @@ void Database::run(const std::string& sql, const Limits& limits, const Columns& 
   impl.limits = &limits;
   impl.late = impl.stopped = false;
   impl.fault = nullptr;
-  impl.end = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(limits.seconds));
+  impl.end = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                                    std::chrono::duration<double>(limits.seconds));
 
-  if (sql.size() > longest_sql) throw InputError("query", fmt::format("is longer than {} letters", longest_sql), "ask for less at once");
+  if (sql.size() > longest_sql)
+    throw InputError("query", fmt::format("is longer than {} letters", longest_sql), "ask for less at once");
   std::string_view rest = sql;
   const Statement statement = impl.prepare(sql, rest);
   if (!statement) throw InputError("query", "asks nothing", "write a statement: select count(*) from …");

@@ -74,7 +74,16 @@ int disconnect(sqlite3_vtab* table) {
 }
 
 // What filter() is told, in this order of bits; the values follow in the same order.
-enum Bound : int { step_is = 1, step_from = 2, step_beyond = 4, step_to = 8, step_before = 16, x_is = 32, y_is = 64, polygon_is = 128 };
+enum Bound : int {
+  step_is = 1,
+  step_from = 2,
+  step_beyond = 4,
+  step_to = 8,
+  step_before = 16,
+  x_is = 32,
+  y_is = 64,
+  polygon_is = 128
+};
 
 int bound_of(const Table& table, int column, unsigned char op) {
   if (column == step_column || column < 0) {  // the row's id is its step
@@ -90,7 +99,8 @@ int bound_of(const Table& table, int column, unsigned char op) {
   if (op != SQLITE_INDEX_CONSTRAINT_EQ) return 0;
   if (column == table.x) return x_is;
   if (column == table.y) return y_is;
-  return column == polygon_column && !table.own_polygon && !table.named_by_facet && !table.named_by_piece ? polygon_is : 0;
+  return column == polygon_column && !table.own_polygon && !table.named_by_facet && !table.named_by_piece ? polygon_is
+                                                                                                          : 0;
 }
 
 int best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) {
@@ -99,7 +109,8 @@ int best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) {
   for (int bit = step_is; bit <= polygon_is; bit *= 2) {
     for (int i = 0; i < info->nConstraint; ++i) {
       const auto& constraint = info->aConstraint[i];
-      if (!constraint.usable || (bounds & bit) != 0 || bound_of(table.table, constraint.iColumn, constraint.op) != bit) continue;
+      if (!constraint.usable || (bounds & bit) != 0 || bound_of(table.table, constraint.iColumn, constraint.op) != bit)
+        continue;
       bounds |= bit;
       int count = 0;
       for (int b = bounds; b != 0; b &= b - 1) ++count;
@@ -111,14 +122,16 @@ int best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) {
   double rows = std::fmax(1.0, static_cast<double>(table.source.trace.size()));
   if ((bounds & (step_from | step_beyond)) != 0) rows /= 4;
   if ((bounds & (step_to | step_before)) != 0) rows /= 4;
-  if ((bounds & polygon_is) != 0) rows /= std::fmax(1.0, static_cast<double>(table.source.trace.scene().polygons.size()));
+  if ((bounds & polygon_is) != 0)
+    rows /= std::fmax(1.0, static_cast<double>(table.source.trace.scene().polygons.size()));
   if ((bounds & x_is) != 0) rows /= 8;
   if ((bounds & y_is) != 0) rows /= 8;
   if ((bounds & step_is) != 0) rows = 1;
   info->estimatedCost = rows;
   info->estimatedRows = static_cast<sqlite3_int64>(rows);
   if ((bounds & step_is) != 0) info->idxFlags |= SQLITE_INDEX_SCAN_UNIQUE;
-  const bool by_step = info->nOrderBy == 1 && (info->aOrderBy[0].iColumn == step_column || info->aOrderBy[0].iColumn < 0);
+  const bool by_step =
+      info->nOrderBy == 1 && (info->aOrderBy[0].iColumn == step_column || info->aOrderBy[0].iColumn < 0);
   if (by_step && !info->aOrderBy[0].desc) info->orderByConsumed = 1;
   return SQLITE_OK;
 }
@@ -143,8 +156,8 @@ int advance(Cursor& cursor) {
   });
 }
 
-// A bound as SQL gives it, as the whole number on the wanted side. What is no number compares with none: nothing is left out then,
-// as SQLite holds each row against the condition itself.
+// A bound as SQL gives it, as the whole number on the wanted side. What is no number compares with none: nothing is
+// left out then, as SQLite holds each row against the condition itself.
 struct Whole {
   std::int64_t at_least, at_most;  // the whole numbers next to it
   bool exact;
@@ -156,11 +169,13 @@ std::optional<Whole> whole_of(sqlite3_value* value) {
   const double number = sqlite3_value_double(value);
   constexpr double most = 9e18;
   if (!(std::abs(number) <= most)) return std::nullopt;
-  return Whole{static_cast<std::int64_t>(std::ceil(number)), static_cast<std::int64_t>(std::floor(number)), std::floor(number) == number};
+  return Whole{static_cast<std::int64_t>(std::ceil(number)), static_cast<std::int64_t>(std::floor(number)),
+               std::floor(number) == number};
 }
 
 std::optional<std::int32_t> number_of(const Whole& whole) {
-  if (!whole.exact || whole.at_least < std::numeric_limits<std::int32_t>::min() || whole.at_least > std::numeric_limits<std::int32_t>::max())
+  if (!whole.exact || whole.at_least < std::numeric_limits<std::int32_t>::min() ||
+      whole.at_least > std::numeric_limits<std::int32_t>::max())
     return std::nullopt;
   return static_cast<std::int32_t>(whole.at_least);
 }
@@ -174,8 +189,10 @@ int filter(sqlite3_vtab_cursor* c, int bounds, const char*, int count, sqlite3_v
       if ((bounds & bit) == 0) continue;
       const auto whole = whole_of(values[next++]);
       if (!whole) continue;
-      const std::int64_t after = whole->at_most == std::numeric_limits<std::int64_t>::max() ? whole->at_most : whole->at_most + 1;
-      const std::int64_t before = whole->at_least == std::numeric_limits<std::int64_t>::min() ? whole->at_least : whole->at_least - 1;
+      const std::int64_t after =
+          whole->at_most == std::numeric_limits<std::int64_t>::max() ? whole->at_most : whole->at_most + 1;
+      const std::int64_t before =
+          whole->at_least == std::numeric_limits<std::int64_t>::min() ? whole->at_least : whole->at_least - 1;
       switch (bit) {
         case step_is:
           part.first = std::max(part.first, whole->at_least), part.last = std::min(part.last, whole->at_most);
@@ -253,7 +270,8 @@ void make_tables(sqlite3* connection, const Trace& trace, std::exception_ptr& fa
   if (sqlite3_create_module_v2(connection, "trace", &module_of_traces(), source.release(), forget) != SQLITE_OK)
     throw std::runtime_error(sqlite3_errmsg(connection));
   for (const std::uint8_t kind : kinds_in(trace)) {
-    const std::string sql = "CREATE VIRTUAL TABLE \"" + all_tables()[kind].name + "\" USING trace(" + std::to_string(kind) + ")";
+    const std::string sql =
+        "CREATE VIRTUAL TABLE \"" + all_tables()[kind].name + "\" USING trace(" + std::to_string(kind) + ")";
     if (sqlite3_exec(connection, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
       throw std::runtime_error(sqlite3_errmsg(connection));
   }

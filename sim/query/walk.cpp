@@ -7,7 +7,12 @@
 namespace zstep::query {
 
 Walk::Walk(const Trace& trace, std::uint8_t kind, const Part& part)
-    : trace_(trace), kind_(kind), part_(part), names_(step_limit), position_(std::max<std::int64_t>(part.first, 1) - 1), end_of_turns_(trace.end_of_turns()) {
+    : trace_(trace),
+      kind_(kind),
+      part_(part),
+      names_(step_limit),
+      position_(std::max<std::int64_t>(part.first, 1) - 1),
+      end_of_turns_(trace.end_of_turns()) {
   for (const StepInfo& step : trace.header().page) {
     names_[step.id] = step.name;
     if (step.kind == kind) steps_.push_back(step.id);
@@ -26,7 +31,8 @@ bool Walk::enter_block() {
                                           [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
       const bool at_work = after != marks.begin() && (after - 1)->polygon == *part_.polygon;
       if (!at_work) {
-        const auto begins = std::find_if(after, marks.end(), [&](const PolygonMark& mark) { return mark.polygon == *part_.polygon; });
+        const auto begins =
+            std::find_if(after, marks.end(), [&](const PolygonMark& mark) { return mark.polygon == *part_.polygon; });
         if (begins == marks.end() || begins->position > part_.last) return false;
         position_ = begins->position - 1;
       }
@@ -35,7 +41,8 @@ bool Walk::enter_block() {
     const BlockInfo& info = trace_.impl().blocks[block].info;
     const std::int64_t end = std::min(part_.last, info.first_position + info.count);
     const bool pixel_may = !part_.x || !part_.y || trace_.impl().last_touch(block, {*part_.x, *part_.y}) > position_;
-    const bool kind_may = std::any_of(steps_.begin(), steps_.end(), [&](std::uint8_t step) { return info.steps.has(step); });
+    const bool kind_may =
+        std::any_of(steps_.begin(), steps_.end(), [&](std::uint8_t step) { return info.steps.has(step); });
     if (pixel_may && kind_may) {
       if (position_ != known_to_) begin_context();
       read_to(end);
@@ -64,7 +71,8 @@ void Walk::read_to(std::int64_t end) {
     context_.step = position;
     context_.name = names_[step];
     found_.push_back({context_, event});
-    if constexpr (names_polygon<E> == Names::facet || names_polygon<E> == Names::piece) found_.back().context.polygon = trace_.polygon_named(event).value_or(no_polygon);
+    if constexpr (names_polygon<E> == Names::facet || names_polygon<E> == Names::piece)
+      found_.back().context.polygon = trace_.polygon_named(event).value_or(no_polygon);
     return true;
   });
   known_to_ = position_ = end;
@@ -79,7 +87,8 @@ void Walk::begin_context() {
   context_.scan_line = -1;
   if (!has_scan_lines_) return;
   const std::int64_t begins = after == marks.begin() ? 1 : (after - 1)->position;
-  const auto line = trace_.previous(position_ + 1, [](const RecordedEvent&) { return true; }, Trace::Among({}, kind_of<ScanLineBegin>, begins));
+  const auto line = trace_.previous(
+      position_ + 1, [](const RecordedEvent&) { return true; }, Trace::Among({}, kind_of<ScanLineBegin>, begins));
   if (line) context_.scan_line = std::get<ScanLineBegin>(trace_.event(*line).event).y;
 }
 

@@ -39,7 +39,8 @@ std::optional<FacetAt> facet_at(const Scene& scene, std::int32_t facet, bool cul
   measure_depth(seen, sight, place, found.candidate);
   found.in_square = found.candidate.covers;
   for (std::size_t i = 0; i < seen.outline.size(); ++i)
-    found.in_square = found.in_square || enters_square(seen.outline[i], seen.outline[(i + 1) % seen.outline.size()], place);
+    found.in_square =
+        found.in_square || enters_square(seen.outline[i], seen.outline[(i + 1) % seen.outline.size()], place);
   return found;
 }
 
@@ -53,7 +54,8 @@ std::optional<double> depth_on_sight(const Scene& scene, std::int32_t facet, std
     corners.push_back(in_view(scene.camera, scene.points[corner]));
   }
   if (corners.size() < 3) return std::nullopt;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) normal += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    normal += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
   sight.line(Vec2(x, y), from, along);
   const Real approach = glm::dot(along, normal);
   if (!(std::fabs(approach) > edge_on_sine * glm::length(along) * glm::length(normal))) return std::nullopt;
@@ -61,7 +63,10 @@ std::optional<double> depth_on_sight(const Scene& scene, std::int32_t facet, std
   const Vec3 point = from + z * along;
   // Inside by the even-odd rule, in the plane of the two axes that the normal leans on least.
   const Vec3 size = glm::abs(normal);
-  const int drop = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, u = drop == 0 ? 1 : 0, v = drop == 2 ? 1 : 2;
+  const int drop = size.x >= size.y && size.x >= size.z ? 0
+                   : size.y >= size.z                   ? 1
+                                                        : 2,
+            u = drop == 0 ? 1 : 0, v = drop == 2 ? 1 : 2;
   bool inside = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];

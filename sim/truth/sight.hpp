@@ -1,4 +1,5 @@
-// How a facet lies to the lines of sight, in long double and without any code of the methods. For truth.cpp and facet_at.cpp only.
+// How a facet lies to the lines of sight, in long double and without any code of the methods. For truth.cpp and
+// facet_at.cpp only.
 #pragma once
 
 #include <vector>

@@ -28,7 +28,14 @@ App::Context::Context() : context(ImGui::CreateContext()) {
 App::Context::~Context() { ImGui::DestroyContext(context); }
 
 App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int width, int height, float dpi_scale)
-    : settings_(settings), renderer_(width, height), session_(trace, lesson), inquiry_(trace), places_(session_), pixel_overlay_(session_), ui_(session_, renderer_), dpi_scale_(dpi_scale) {
+    : settings_(settings),
+      renderer_(width, height),
+      session_(trace, lesson),
+      inquiry_(trace),
+      places_(session_),
+      pixel_overlay_(session_),
+      ui_(session_, renderer_),
+      dpi_scale_(dpi_scale) {
   ui_.places = &places_;
   ui_.depth_range = depth_range(trace);
   field_.connect();
@@ -99,30 +106,37 @@ void App::open(Overlay overlay) {
 
 std::string App::link() const {
   if (!opened_by.empty()) return fmt::format("{} --at {}", opened_by, session_.position());
-  if (session_.lesson()) return fmt::format("zstep lesson {} --at {}", shell_word(session_.lesson()->id), session_.position());
+  if (session_.lesson())
+    return fmt::format("zstep lesson {} --at {}", shell_word(session_.lesson()->id), session_.position());
   const std::string& name = session_.trace().name();
   std::error_code error;
-  if (std::filesystem::is_regular_file(name, error)) return fmt::format("zstep view {} --at {}", shell_word(name), session_.position());
+  if (std::filesystem::is_regular_file(name, error))
+    return fmt::format("zstep view {} --at {}", shell_word(name), session_.position());
   // Recorded on the spot: the scene, and the options that it was recorded with.
   const Scene& scene = session_.scene();
-  std::string text = "zstep view " + shell_word(std::filesystem::is_regular_file(scene.source, error) ? scene.source : name);
+  std::string text =
+      "zstep view " + shell_word(std::filesystem::is_regular_file(scene.source, error) ? scene.source : name);
   if (session_.header().algorithm != "z-buffer") text += " --algorithm " + shell_word(session_.header().algorithm);
-  for (const auto& [option, value] : session_.header().conventions.options) text += " --option " + shell_word(option + "=" + value);
+  for (const auto& [option, value] : session_.header().conventions.options)
+    text += " --option " + shell_word(option + "=" + value);
   if (scene.camera.kind != Camera::Kind::screen) {
     text += fmt::format(" --size {}x{}", scene.raster.width, scene.raster.height);
     if (scene.camera.polar)
-      text += fmt::format(" --rho {} --theta {} --phi {} --d {} --window {}", scene.camera.rho, scene.camera.theta, scene.camera.phi, scene.camera.d, scene.camera.window);
+      text += fmt::format(" --rho {} --theta {} --phi {} --d {} --window {}", scene.camera.rho, scene.camera.theta,
+                          scene.camera.phi, scene.camera.d, scene.camera.window);
     if (scene.camera.kind == Camera::Kind::orthographic) text += " --ortho";
   }
   return fmt::format("{} --at {}", text, session_.position());
 }
 
-/// Body text: 16 px in a window of 1280 x 720. Half of what a window is larger goes into the text, the other half into room;
-/// a screen with more pixels to the inch gets at least its own scale. Presenter mode begins at 24 px.
+/// Body text: 16 px in a window of 1280 x 720. Half of what a window is larger goes into the text, the other half into
+/// room; a screen with more pixels to the inch gets at least its own scale. Presenter mode begins at 24 px.
 void App::update_fonts() {
-  const float larger = std::min(static_cast<float>(renderer_.width()) / 1280, static_cast<float>(renderer_.height()) / 720);
+  const float larger =
+      std::min(static_cast<float>(renderer_.width()) / 1280, static_cast<float>(renderer_.height()) / 720);
   const float grown = std::max(dpi_scale_, 1 + (std::max(larger, 1.0f) - 1) / 2);
-  const float pixels = std::clamp(std::round((ui_.presenter ? 24.0f : 16.0f) * grown * settings_.text_scale), 9.0f, 96.0f);
+  const float pixels =
+      std::clamp(std::round((ui_.presenter ? 24.0f : 16.0f) * grown * settings_.text_scale), 9.0f, 96.0f);
   if (pixels == built_for_) return;
   built_for_ = ui_.em = pixels;
   ui_.thin = std::max(1.0f, std::round(grown));
@@ -146,7 +160,8 @@ void App::frame() {
   const bool given = typing() && field_.waits();
   draw();
   // A field gets the keyboard only after a frame that asked for it, and what is typed next must not be lost.
-  for (int more = 0; more < 3 && typing() && !field_.active() && !ImGui::IsMouseDown(ImGuiMouseButton_Left); ++more) draw();
+  for (int more = 0; more < 3 && typing() && !field_.active() && !ImGui::IsMouseDown(ImGuiMouseButton_Left); ++more)
+    draw();
   field_.after_frame();
   if (given) draw();  // which sees the key go up, so that the same key can go down again
 }
@@ -178,8 +193,8 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
   return false;
 }
 
-/// A key while something is typed has one owner: the box, its field, or a command that neither of them knows and that keeps
-/// out of the trace behind them. False if the key is left to commands.
+/// A key while something is typed has one owner: the box, its field, or a command that neither of them knows and that
+/// keeps out of the trace behind them. False if the key is left to commands.
 bool App::type(SDL_Keycode code, unsigned modifiers) {
   if (edit(code, modifiers)) return true;
   if (Field::takes(code, modifiers)) {
@@ -191,7 +206,8 @@ bool App::type(SDL_Keycode code, unsigned modifiers) {
 }
 
 bool App::key(const SDL_KeyboardEvent& event) {
-  const unsigned modifiers = (event.keysym.mod & KMOD_SHIFT ? Chord::shift : 0u) | (event.keysym.mod & (KMOD_CTRL | KMOD_GUI) ? Chord::ctrl : 0u) |
+  const unsigned modifiers = (event.keysym.mod & KMOD_SHIFT ? Chord::shift : 0u) |
+                             (event.keysym.mod & (KMOD_CTRL | KMOD_GUI) ? Chord::ctrl : 0u) |
                              (event.keysym.mod & KMOD_ALT ? Chord::alt : 0u);
   SDL_Keycode code = event.keysym.sym;
   if (code == SDLK_KP_ENTER) code = SDLK_RETURN;
@@ -240,7 +256,8 @@ void App::hold(const Command& command) {
 bool App::handle(const SDL_Event& event, float pixels_per_point) {
   ImGui::SetCurrentContext(context_.context);
   ImGuiIO& io = ImGui::GetIO();
-  if (held_ && (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN)) std::exchange(held_, nullptr)->release(*this);
+  if (held_ && (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN))
+    std::exchange(held_, nullptr)->release(*this);
   const auto mouse = [&](float x, float y) {
 #if IMGUI_VERSION_NUM >= 18700
     io.AddMousePosEvent(x, y);
@@ -273,14 +290,19 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       return false;
     case SDL_MOUSEMOTION:
       ui_.reads = false;
-      mouse(static_cast<float>(event.motion.x) * pixels_per_point, static_cast<float>(event.motion.y) * pixels_per_point);
+      mouse(static_cast<float>(event.motion.x) * pixels_per_point,
+            static_cast<float>(event.motion.y) * pixels_per_point);
       return false;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP: {
-      mouse(static_cast<float>(event.button.x) * pixels_per_point, static_cast<float>(event.button.y) * pixels_per_point);
+      mouse(static_cast<float>(event.button.x) * pixels_per_point,
+            static_cast<float>(event.button.y) * pixels_per_point);
       const bool down = event.type == SDL_MOUSEBUTTONDOWN;
       if (down) session_.message.clear();
-      const int which = event.button.button == SDL_BUTTON_LEFT ? 0 : event.button.button == SDL_BUTTON_RIGHT ? 1 : event.button.button == SDL_BUTTON_MIDDLE ? 2 : -1;
+      const int which = event.button.button == SDL_BUTTON_LEFT     ? 0
+                        : event.button.button == SDL_BUTTON_RIGHT  ? 1
+                        : event.button.button == SDL_BUTTON_MIDDLE ? 2
+                                                                   : -1;
       if (which < 0) return false;
       const SDL_Keymod mod = SDL_GetModState();
 #if IMGUI_VERSION_NUM >= 18700

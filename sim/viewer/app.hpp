@@ -96,12 +96,14 @@ class App {
   const answers::Chain& chain() const { return chain_; }
   void go_to_origin(std::size_t link);
   // Why a polygon is not what is seen (why_overlay.cpp)
-  void open_why();                       ///< of the selected pixel, or the one at work, or of the whole picture where there is none
+  void open_why();  ///< of the selected pixel, or the one at work, or of the whole picture where there is none
   void ask_why(std::int32_t polygon);
   void turn_why();                       ///< from the pixel to the whole picture and back
   std::vector<std::int32_t> why_candidates() const;  ///< polygons whose label or number has what is typed
   const answers::Verdict& why() const { return why_; }
-  bool why_decides() const { return why_decides_; }  ///< whether the verdict's step decides it, and does not only begin work on something
+  bool why_decides() const {
+    return why_decides_;
+  }  ///< whether the verdict's step decides it, and does not only begin work on something
   std::int32_t why_polygon() const { return why_polygon_; }
   std::optional<Cell> why_of() const { return why_anywhere_ ? std::nullopt : why_of_; }  ///< nullopt: the whole picture
   void go_to_link(std::size_t link);
@@ -115,7 +117,7 @@ class App {
   void keep_bookmark();           ///< here, by the name typed
   void go_to_bookmark(std::size_t place);
   void paint_answer();            ///< over the frame, or no longer
-  void go_to_typed();             ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
+  void go_to_typed();  ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
   void take_settings(const Settings& settings);  ///< as another App was left
   void say(std::string message);
   void hold(const Command& command);  ///< what a key is held for, until the next key or click
@@ -135,8 +137,9 @@ class App {
   void draw_overlay();
   bool key(const SDL_KeyboardEvent& event);
   bool typing() const {
-    return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query || overlay_ == Overlay::why_ask ||
-           overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark || overlay_ == Overlay::range;
+    return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query ||
+           overlay_ == Overlay::why_ask || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark ||
+           overlay_ == Overlay::range;
   }
   bool type(SDL_Keycode code, unsigned modifiers);
   bool edit(SDL_Keycode code, unsigned modifiers);

@@ -1,4 +1,5 @@
-// What is asked of the trace by a key or a click, and where its answers lead: pixel history, the origin of a number, SQL.
+// What is asked of the trace by a key or a click, and where its answers lead: pixel history, the origin of a number,
+// SQL.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,7 +39,8 @@ const answers::Visit& App::told_visit(std::size_t visit) {
 void App::open_explain(const answers::Question& question, const std::string& written) {
   answers::Chain chain;
   try {
-    session_.look_elsewhere([&](Replay& replay) { chain = answers::explain_value(session_.trace(), replay, question); });
+    session_.look_elsewhere(
+        [&](Replay& replay) { chain = answers::explain_value(session_.trace(), replay, question); });
   } catch (const InputError& error) {
     return say(error.what());
   }
@@ -50,7 +52,8 @@ void App::open_explain(const answers::Question& question, const std::string& wri
 }
 
 void App::explain_step() {
-  if (session_.position() == 0) return say("Nothing has happened yet; Shift+E tells where the number of a step comes from.");
+  if (session_.position() == 0)
+    return say("Nothing has happened yet; Shift+E tells where the number of a step comes from.");
   open_explain({session_.position()});
 }
 
@@ -58,7 +61,9 @@ void App::go_to_origin(std::size_t link) {
   picked = static_cast<int>(link);
   if (link >= chain_.links.size()) return;
   if (chain_.links[link].step > 0) session_.go_to(chain_.links[link].step);
-  else say("This is in the scene itself" + (chain_.links[link].source.empty() ? "." : ": " + chain_.links[link].source + "."));
+  else
+    say("This is in the scene itself" +
+        (chain_.links[link].source.empty() ? "." : ": " + chain_.links[link].source + "."));
 }
 
 /// Arrows and Enter in the rows of an answer.
@@ -93,7 +98,8 @@ void App::ask_now() {
 
 std::string App::tables() const {
   std::string names;
-  for (const std::uint8_t kind : query::kinds_in(session_.trace())) names += (names.empty() ? "" : ", ") + query::all_tables()[kind].name;
+  for (const std::uint8_t kind : query::kinds_in(session_.trace()))
+    names += (names.empty() ? "" : ", ") + query::all_tables()[kind].name;
   return names;
 }
 

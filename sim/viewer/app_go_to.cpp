@@ -11,7 +11,8 @@ namespace zstep::viewer {
 void App::go_to_typed() {
   places::Place place;
   try {
-    place = places::find_place({session_.trace(), places_.marks(), session_.lesson(), session_.position()}, typed, "go to");
+    place =
+        places::find_place({session_.trace(), places_.marks(), session_.lesson(), session_.position()}, typed, "go to");
   } catch (const InputError& error) {
     wrong = error.what();  // what was typed stays, to be mended
     return session_.touch();
@@ -23,7 +24,8 @@ void App::go_to_typed() {
   }
   if (place.stop) return session_.to_stop(*place.stop);
   session_.go_to(place.step, place.unit);
-  if (place.step > session_.size()) say(fmt::format("This trace has {} steps; this is its end.", grouped(session_.size())));
+  if (place.step > session_.size())
+    say(fmt::format("This trace has {} steps; this is its end.", grouped(session_.size())));
   if (!place.note.empty()) say(place.note);
 }
 

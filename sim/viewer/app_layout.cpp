@@ -13,8 +13,9 @@
 namespace zstep::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse;
+constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                  ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse;
 
 ImVec4 color(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
 
@@ -23,7 +24,8 @@ void apply_style(const Ui& ui) {
   ImGuiStyle& style = ImGui::GetStyle();
   // Straight edges only: the software renderer draws rectangles by blitting, and triangles one pixel at a time.
   style.AntiAliasedLines = style.AntiAliasedLinesUseTex = style.AntiAliasedFill = false;
-  style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = style.ScrollbarRounding = style.GrabRounding = 0;
+  style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = style.ScrollbarRounding =
+      style.GrabRounding = 0;
   style.WindowBorderSize = style.ChildBorderSize = 0;
   style.PopupBorderSize = 1;
   style.WindowMinSize = {1, 1};
@@ -56,7 +58,8 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
 
   // From the right: what there is room for, the most important first.
   std::vector<std::string> parts{fmt::format("step {} of {}", grouped(session_.position()), grouped(session_.size()))};
-  if (state.machine.polygon != no_polygon) parts.push_back("polygon " + polygon_label(session_.scene(), state.machine.polygon));
+  if (state.machine.polygon != no_polygon)
+    parts.push_back("polygon " + polygon_label(session_.scene(), state.machine.polygon));
   if (state.machine.horizon.curve) parts.push_back(fmt::format("curve {}", state.machine.horizon.curve->curve));
   if (state.machine.horizon.test) parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
   if (state.machine.scan_line) parts.push_back(fmt::format("line {}", *state.machine.scan_line));
@@ -75,9 +78,11 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   const std::string where = joined(parts);
   const float where_width = text_size(ui_, font, where).x;
   if (where_width <= right - at.x) draw_text(ui_, {right - where_width, y}, font, c.text, where);
-  while (names.size() > 1 && text_size(ui_, ui_.fonts.bold, joined(names)).x > right - where_width - at.x - ui_.em) names.pop_back();
+  while (names.size() > 1 && text_size(ui_, ui_.fonts.bold, joined(names)).x > right - where_width - at.x - ui_.em)
+    names.pop_back();
   const std::string name = joined(names);
-  if (text_size(ui_, ui_.fonts.bold, name).x <= right - where_width - at.x - ui_.em) draw_text(ui_, {at.x, y}, ui_.fonts.bold, c.text, name);
+  if (text_size(ui_, ui_.fonts.bold, name).x <= right - where_width - at.x - ui_.em)
+    draw_text(ui_, {at.x, y}, ui_.fonts.bold, c.text, name);
 }
 
 void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
@@ -93,17 +98,21 @@ void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
   const float y = at.y + std::round((head - font->FontSize) / 2) - 1;
   const float title_width = text_size(ui_, font, pane.title).x;
   if (title_width + 2 * pad <= size.x) draw_text(ui_, {at.x + pad, y}, font, c.text, pane.title);
-  const std::string note = pane.note && (!ui_.presenter || session_.looking_back || pane.id == lesson_pane.id) ? pane.note(ui_) : "";
+  const std::string note =
+      pane.note && (!ui_.presenter || session_.looking_back || pane.id == lesson_pane.id) ? pane.note(ui_) : "";
   const float note_width = text_size(ui_, font, note).x;
   if (!note.empty() && title_width + note_width + 3 * pad + ui_.em <= size.x)
     draw_text(ui_, {at.x + size.x - pad - note_width, y}, font, session_.looking_back ? c.now : c.muted, note);
   const float body = size.y - head;
   if (body >= 8 && size.x >= 8) {
     ImGui::SetCursorScreenPos({at.x, at.y + head});
-    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoNav |
-                                   (pane.scrolls ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding |
+                                   ImGuiWindowFlags_NoNav |
+                                   (pane.scrolls ? ImGuiWindowFlags_HorizontalScrollbar
+                                                 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const bool wraps = pane.id == lesson_pane.id || pane.id == happened_pane.id || pane.id == pseudo_code_pane.id;
-    if (wraps ? begin_wrapped(ui_, pane.id, {size.x, body}, flags) : ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) {
+    if (wraps ? begin_wrapped(ui_, pane.id, {size.x, body}, flags)
+              : ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) {
       // Where a pane is scrolled to follows from what it shows, not from what it showed before.
       if (pane.id == lesson_pane.id ? ui_.speaks_now : ui_.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
       pane.draw(ui_);
@@ -139,17 +148,22 @@ void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& low
 
 void App::draw_structures(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
-  // What does not get a readable width waits until there is one; the last pane (the scene) stays, unless a plan of it does.
+  // What does not get a readable width waits until there is one; the last pane (the scene) stays, unless a plan of it
+  // does.
   std::vector<Pane> shown = structures_;
   const auto narrowest = [&] { return ui_.em * 11; };
   if (ui_.presenter) {
     // A class needs one of the two: the table while it fills, the active edges once scan lines are drawn.
     const bool scanning = session_.state().machine.scan_line.has_value();
     shown.erase(std::remove_if(shown.begin(), shown.end(),
-                               [&](const Pane& pane) { return pane.id == (scanning ? edge_table_pane.id : active_edges_pane.id); }),
+                               [&](const Pane& pane) {
+                                 return pane.id == (scanning ? edge_table_pane.id : active_edges_pane.id);
+                               }),
                 shown.end());
   }
-  const bool planned = std::any_of(shown.begin(), shown.end(), [](const Pane& pane) { return pane.id == ray_plan_pane.id || pane.id == plan_pane.id; });
+  const bool planned = std::any_of(shown.begin(), shown.end(), [](const Pane& pane) {
+    return pane.id == ray_plan_pane.id || pane.id == plan_pane.id;
+  });
   const auto too_many = [&] { return shown.size() > 1 && size.x / static_cast<float>(shown.size()) < narrowest(); };
   if (planned && too_many()) shown.pop_back();
   while (too_many()) shown.erase(shown.end() - 2);
@@ -179,23 +193,28 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
   }
 }
 
-/// The size of the pane in which the framebuffer is as large as it would be with small letters. The raster has in a pane what title,
-/// borders, rulers and legend leave of it, all of which go with the letters.
+/// The size of the pane in which the framebuffer is as large as it would be with small letters. The raster has in a
+/// pane what title, borders, rulers and legend leave of it, all of which go with the letters.
 ImVec2 App::presented_frame() const {
   const Layout& l = settings_.layout;
   const Raster& raster = session_.scene().raster;
   const bool lesson = session_.lesson() != nullptr;
   const float digits = static_cast<float>(std::to_string(std::max(raster.width, raster.height) - 1).size());
-  const auto around = [&](float em, bool legend) { return ImVec2{em * (1.9f + 0.46f * digits), em * (3.15f + (legend ? 1.0f : 0.0f))}; };
+  const auto around = [&](float em, bool legend) {
+    return ImVec2{em * (1.9f + 0.46f * digits), em * (3.15f + (legend ? 1.0f : 0.0f))};
+  };
   const float em = ui_.em * 16 / 24, gap = em * 0.35f;
-  const float width = static_cast<float>(renderer_.width()) - 0.8f * em, height = static_cast<float>(renderer_.height()) - em * 8.05f;
+  const float width = static_cast<float>(renderer_.width()) - 0.8f * em,
+              height = static_cast<float>(renderer_.height()) - em * 8.05f;
   const float left = width * (lesson ? l.left * 0.94f : l.left), right = lesson ? width * l.right + gap : 0;
   const ImVec2 usual{(width - left - gap - right - gap) * l.frame - around(em, true).x,
                      (structures_.empty() ? height : (height - gap) * l.buffers) - around(em, true).y};
   // A little more, for pixels are rounded down to quarters.
-  const float cell = 1.03f * std::min(usual.x / static_cast<float>(raster.width), usual.y / static_cast<float>(raster.height));
+  const float cell =
+      1.03f * std::min(usual.x / static_cast<float>(raster.width), usual.y / static_cast<float>(raster.height));
   const ImVec2 now = around(ui_.em, false);
-  return {std::ceil(cell * static_cast<float>(raster.width) + now.x), std::ceil(cell * static_cast<float>(raster.height) + now.y)};
+  return {std::ceil(cell * static_cast<float>(raster.width) + now.x),
+          std::ceil(cell * static_cast<float>(raster.height) + now.y)};
 }
 
 void App::draw_panes(ImVec2 at, ImVec2 size) {
@@ -224,7 +243,8 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
     } else {
       const float half = std::round((size.y - gap) / 2);
       draw_pane(frame_pane, at, {size.x, half});
-      draw_pane(session_.lesson() ? lesson_pane : happened_pane, {at.x, at.y + half + gap}, {size.x, size.y - half - gap});
+      draw_pane(session_.lesson() ? lesson_pane : happened_pane, {at.x, at.y + half + gap},
+                {size.x, size.y - half - gap});
     }
     return;
   }
@@ -237,9 +257,11 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   if (asks) right += std::round(shared * 0.6f);
   const float x = at.x + (asks ? 0 : left + gap);
   const float middle = at.x + size.x - x - (right > 0 ? right + gap : 0);
-  float upper = structures_.empty() ? size.y : std::round((size.y - gap) * l.buffers), frame = std::round((middle - gap) * l.frame);
+  float upper = structures_.empty() ? size.y : std::round((size.y - gap) * l.buffers),
+        frame = std::round((middle - gap) * l.frame);
   if (ui_.presenter) {
-    // The framebuffer is at least as large as with small letters; what is beside and below it has the rest, but never nothing.
+    // The framebuffer is at least as large as with small letters; what is beside and below it has the rest, but never
+    // nothing.
     const ImVec2 needed = presented_frame();
     frame = std::clamp(needed.x, frame, std::max(frame, middle - gap - ui_.em * 9));
     if (!structures_.empty()) upper = std::clamp(needed.y, upper, std::max(upper, size.y - gap - ui_.em * 5));
@@ -316,8 +338,8 @@ void App::take_clicks() {
   }
 }
 
-/// Panes scroll to what is at work when the step or the layout changes, for some frames: the first may bring a scroll bar, which
-/// wraps lines anew.
+/// Panes scroll to what is at work when the step or the layout changes, for some frames: the first may bring a scroll
+/// bar, which wraps lines anew.
 void App::begin_scrolling() {
   const auto scrolls = [](std::uint64_t now, std::uint64_t& follows, int& frames) {
     if (follows != now) follows = now, frames = frames_to_settle - 1;
@@ -325,7 +347,8 @@ void App::begin_scrolling() {
   };
   const Layout& l = settings_.layout;
   Fingerprint layout;
-  for (const float part : {static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height()), built_for_, l.left, l.right, l.code, l.frame, l.buffers})
+  for (const float part : {static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height()), built_for_,
+                           l.left, l.right, l.code, l.frame, l.buffers})
     take(layout, part);
   for (const auto& [pane, share] : l.structures) take(layout, share);
   take(layout, ui_.presenter);
@@ -373,7 +396,8 @@ void App::draw() {
     draw_timeline(ui_, {width, timeline});
   }
   ImGui::End();
-  const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history || overlay_ == Overlay::query;
+  const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history ||
+                       overlay_ == Overlay::query;
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);

@@ -38,7 +38,8 @@ void App::turn_overlay(int direction) {
   if (ui_.heat && !pixel_overlay_.shown()) end_painting();  // a query's
   pixel_overlay_.turn(direction);
   if (!pixel_overlay_.shown()) end_painting();
-  say(pixel_overlay_.shown() ? fmt::format("Over the frame: {}, up to the step where you are. O turns on, Esc ends it.", PixelOverlay::name(*pixel_overlay_.shown()))
+  say(pixel_overlay_.shown() ? fmt::format("Over the frame: {}, up to the step where you are. O turns on, Esc ends it.",
+                                           PixelOverlay::name(*pixel_overlay_.shown()))
                              : "Nothing over the frame.");
 }
 
@@ -63,14 +64,16 @@ void App::take_range() {
   char *first = nullptr, *second = nullptr;
   const double near = std::strtod(text, &first), far = std::strtod(first, &second);
   const bool empty = typed.find_first_not_of(' ') == std::string::npos;
-  if (!empty && (first == text || second == first || !std::isfinite(near) || !std::isfinite(far) || near >= far || std::string(second).find_first_not_of(' ') != std::string::npos)) {
+  if (!empty && (first == text || second == first || !std::isfinite(near) || !std::isfinite(far) || near >= far ||
+                 std::string(second).find_first_not_of(' ') != std::string::npos)) {
     wrong = "Type two numbers, the nearer first: 0.2 0.8";
     return session_.touch();
   }
   open(Overlay::none);
   ui_.range_mode = empty ? Ui::RangeMode::whole : Ui::RangeMode::by_hand;
   ui_.hand_range = {near, far, true};
-  say(empty ? "The colours span all depths of the trace." : fmt::format("The colours span {} to {}; R ends that.", number(near), number(far)));
+  say(empty ? "The colours span all depths of the trace."
+            : fmt::format("The colours span {} to {}; R ends that.", number(near), number(far)));
 }
 
 /// A key for the box of a condition or of a bookmark's name; false if it is none.
@@ -78,7 +81,8 @@ bool App::edit_place(SDL_Keycode code, unsigned modifiers) {
   if (overlay_ == Overlay::range && code == SDLK_RETURN) return take_range(), true;
   if (overlay_ == Overlay::name_bookmark && code == SDLK_RETURN) return keep_bookmark(), true;
   if (overlay_ != Overlay::until) return false;
-  if (code == SDLK_RETURN) return run_until(typed, (modifiers & Chord::shift) != 0 ? Places::Way::backwards : Places::Way::forwards), true;
+  if (code == SDLK_RETURN)
+    return run_until(typed, (modifiers & Chord::shift) != 0 ? Places::Way::backwards : Places::Way::forwards), true;
   if (code != SDLK_UP && code != SDLK_DOWN) return false;
   const auto suggestions = places_.suggestions();
   if (suggestions.empty()) return true;

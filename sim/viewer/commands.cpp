@@ -33,7 +33,8 @@ void change_speed(App& app) {
 template <int direction>
 void zoom(App& app) {
   RasterView& view = app.ui().view;
-  view.zoom = std::clamp(direction > 0 ? view.zoom * 1.25 : view.zoom / 1.25, 1.0, most_zoom(app.session().scene().raster));
+  view.zoom =
+      std::clamp(direction > 0 ? view.zoom * 1.25 : view.zoom / 1.25, 1.0, most_zoom(app.session().scene().raster));
   if (view.zoom < 1.01) view = {};
   app.session().touch();
 }
@@ -100,12 +101,15 @@ void name_bookmark(App& app) {
 void fit_range(App& app) {
   Ui& ui = app.ui();
   const Session& s = app.session();
-  if (!depth_pane.serves(s.header())) return app.say("There are no depths in this trace, so there are no colours to fit to them.");
+  if (!depth_pane.serves(s.header()))
+    return app.say("There are no depths in this trace, so there are no colours to fit to them.");
   const std::vector<double>& depths = s.picture().depth;
   const bool any = std::any_of(depths.begin(), depths.end(), [](double z) { return std::isfinite(z); });
   ui.range_mode = ui.range_mode == Ui::RangeMode::whole ? Ui::RangeMode::fitted : Ui::RangeMode::whole;
-  app.say(ui.range_mode == Ui::RangeMode::fitted ? any ? "The colours span the depths that are shown." : "No depths are shown yet; the colours will span those that are."
-                                                 : "The colours span all depths of the trace.");
+  app.say(ui.range_mode == Ui::RangeMode::fitted
+              ? any ? "The colours span the depths that are shown."
+                    : "No depths are shown yet; the colours will span those that are."
+              : "The colours span all depths of the trace.");
 }
 
 /// Sets one end of what playing repeats; the other is the trace's, or where it was set.
@@ -143,10 +147,29 @@ const std::vector<Command>& table() {
       {"previous-same", "Move", "Last time this line ran", {{SDLK_k, S}}, same_line<-1>},
       {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
       {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.session().go_to(a.session().size()); }},
-      {"go-to", "Move", "Go to a step, a percentage, a polygon, a stop or a pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
-      {"run-until", "Move", "Run until a condition is true", {{SDLK_u}}, [](App& a) { a.open(Overlay::until); a.picked = -1; }},
-      {"next-match", "Move", "Next step where it is true", {{SDLK_j}}, [](App& a) { a.places().again(Places::Way::forwards); }},
-      {"previous-match", "Move", "Last step where it was true", {{SDLK_j, S}}, [](App& a) { a.places().again(Places::Way::backwards); }},
+      {"go-to",
+       "Move",
+       "Go to a step, a percentage, a polygon, a stop or a pixel",
+       {{SDLK_g}},
+       [](App& a) { a.open(Overlay::go_to); }},
+      {"run-until",
+       "Move",
+       "Run until a condition is true",
+       {{SDLK_u}},
+       [](App& a) {
+         a.open(Overlay::until);
+         a.picked = -1;
+       }},
+      {"next-match",
+       "Move",
+       "Next step where it is true",
+       {{SDLK_j}},
+       [](App& a) { a.places().again(Places::Way::forwards); }},
+      {"previous-match",
+       "Move",
+       "Last step where it was true",
+       {{SDLK_j, S}},
+       [](App& a) { a.places().again(Places::Way::backwards); }},
       {"bookmark", "Move", "Set a bookmark here", {{SDLK_b, C}}, name_bookmark},
       {"bookmarks", "Move", "Bookmarks", {{SDLK_l}}, [](App& a) { a.open(Overlay::bookmarks); }},
       {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Overlay::query); }},
@@ -156,54 +179,142 @@ const std::vector<Command>& table() {
       {"loop-first", "Play", "Repeat from here", {{0, 0, '['}}, set_loop<true>},
       {"loop-last", "Play", "Repeat up to here", {{0, 0, ']'}}, set_loop<false>},
       {"loop-end", "Play", "Repeat no longer", {{SDLK_l, S}}, end_loop},
-      {"next-touch", "Pixel", "Next step that touches the selected pixel", {{SDLK_f}}, [](App& a) { a.session().to_selected_pixel(1); }},
-      {"previous-touch", "Pixel", "Last step that touched the selected pixel", {{SDLK_f, S}}, [](App& a) { a.session().to_selected_pixel(-1); }},
+      {"next-touch",
+       "Pixel",
+       "Next step that touches the selected pixel",
+       {{SDLK_f}},
+       [](App& a) { a.session().to_selected_pixel(1); }},
+      {"previous-touch",
+       "Pixel",
+       "Last step that touched the selected pixel",
+       {{SDLK_f, S}},
+       [](App& a) { a.session().to_selected_pixel(-1); }},
       {"history", "Pixel", "All that happened to the selected pixel", {{SDLK_h}}, [](App& a) { a.open_history(); }},
       {"why-not", "Pixel", "Why a polygon is not what is seen there", {{SDLK_y}}, [](App& a) { a.open_why(); }},
-      {"explain", "Pixel", "Where this step's number comes from (or click one)", {{SDLK_e, S}}, [](App& a) { a.explain_step(); }},
+      {"explain",
+       "Pixel",
+       "Where this step's number comes from (or click one)",
+       {{SDLK_e, S}},
+       [](App& a) { a.explain_step(); }},
       {"select-pixel", "Pixel", "Select the pixel at work (or click one)", {{SDLK_RETURN}}, select_current},
-      {"next-method", "Pixel", "The same moment by the next method", {{SDLK_x}}, [](App& a) { a.requests.switch_method = 1; }},
-      {"previous-method", "Pixel", "The same moment by the previous method", {{SDLK_x, S}}, [](App& a) { a.requests.switch_method = -1; }},
+      {"next-method",
+       "Pixel",
+       "The same moment by the next method",
+       {{SDLK_x}},
+       [](App& a) { a.requests.switch_method = 1; }},
+      {"previous-method",
+       "Pixel",
+       "The same moment by the previous method",
+       {{SDLK_x, S}},
+       [](App& a) { a.requests.switch_method = -1; }},
       {"next-edge", "Pixel", "Light the next edge of the table (or click one)", {{SDLK_e}}, next_edge},
-      {"before", "Look", "Hold: the buffers before the last move", {{SDLK_b}},
-       [](App& a) { a.session().looking_back = true; a.session().touch(); },
-       [](App& a) { a.session().looking_back = false; a.session().touch(); }},
+      {"before",
+       "Look",
+       "Hold: the buffers before the last move",
+       {{SDLK_b}},
+       [](App& a) {
+         a.session().looking_back = true;
+         a.session().touch();
+       },
+       [](App& a) {
+         a.session().looking_back = false;
+         a.session().touch();
+       }},
       {"zoom-in", "Look", "Zoom into the buffers (or wheel)", {{SDLK_z}}, zoom<1>},
       {"zoom-out", "Look", "Zoom out", {{SDLK_z, S}}, zoom<-1>},
-      {"whole", "Look", "The whole raster", {{SDLK_0}}, [](App& a) { a.ui().view = {}; a.session().touch(); }},
+      {"whole",
+       "Look",
+       "The whole raster",
+       {{SDLK_0}},
+       [](App& a) {
+         a.ui().view = {};
+         a.session().touch();
+       }},
       {"center", "Look", "Zoom to the pixel at work", {{SDLK_c}}, center_on_pixel},
       {"pan-left", "Look", "Pan left (or drag)", {{SDLK_a}}, pan<-1, 0>},
       {"pan-right", "Look", "Pan right", {{SDLK_d}}, pan<1, 0>},
       {"pan-up", "Look", "Pan up", {{SDLK_w}}, pan<0, -1>},
       {"pan-down", "Look", "Pan down", {{SDLK_s}}, pan<0, 1>},
-      {"overlay", "Look", "Over the frame: overdraw, failed compares, \u2026", {{SDLK_o}}, [](App& a) { a.turn_overlay(1); }},
+      {"overlay",
+       "Look",
+       "Over the frame: overdraw, failed compares, \u2026",
+       {{SDLK_o}},
+       [](App& a) { a.turn_overlay(1); }},
       {"previous-overlay", "Look", "Over the frame: the one before", {{SDLK_o, S}}, [](App& a) { a.turn_overlay(-1); }},
       {"fit-range", "Look", "Depth colours: fitted to what is shown, or not", {{SDLK_r}}, fit_range},
       {"range", "Look", "Depth colours: a range by hand", {{SDLK_r, S}}, [](App& a) { a.open(Overlay::range); }},
-      {"histogram", "Look", "How many pixels have which depth", {{SDLK_i}},
-       [](App& a) { a.ui().histogram = !a.ui().histogram; a.session().touch(); }},
-      {"vertices", "Look", "The way of the vertices, always or where it fits", {{SDLK_v}},
-       [](App& a) { a.ui().vertices_always = !a.ui().vertices_always; a.session().touch(); }},
+      {"histogram",
+       "Look",
+       "How many pixels have which depth",
+       {{SDLK_i}},
+       [](App& a) {
+         a.ui().histogram = !a.ui().histogram;
+         a.session().touch();
+       }},
+      {"vertices",
+       "Look",
+       "The way of the vertices, always or where it fits",
+       {{SDLK_v}},
+       [](App& a) {
+         a.ui().vertices_always = !a.ui().vertices_always;
+         a.session().touch();
+       }},
       {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},
       {"previous-stop", "Lesson", "Previous stop", {{SDLK_n, S}}, [](App& a) { a.session().next_stop(-1); }},
       {"answer-1", "Lesson", "First answer", {{SDLK_1}}, answer<0>},
       {"answer-2", "Lesson", "Second answer", {{SDLK_2}}, answer<1>},
       {"answer-3", "Lesson", "Third answer", {{SDLK_3}}, answer<2>},
       {"answer-4", "Lesson", "Fourth answer", {{SDLK_4}}, answer<3>},
-      {"larger", "Window", "Larger text", {{SDLK_PLUS, C}, {SDLK_EQUALS, C}, {SDLK_EQUALS, C | S}, {SDLK_KP_PLUS, C}}, [](App& a) { a.scale_text(1.125f); }},
-      {"smaller", "Window", "Smaller text", {{SDLK_MINUS, C}, {SDLK_KP_MINUS, C}}, [](App& a) { a.scale_text(1 / 1.125f); }},
+      {"larger",
+       "Window",
+       "Larger text",
+       {{SDLK_PLUS, C}, {SDLK_EQUALS, C}, {SDLK_EQUALS, C | S}, {SDLK_KP_PLUS, C}},
+       [](App& a) { a.scale_text(1.125f); }},
+      {"smaller",
+       "Window",
+       "Smaller text",
+       {{SDLK_MINUS, C}, {SDLK_KP_MINUS, C}},
+       [](App& a) { a.scale_text(1 / 1.125f); }},
       {"usual-text", "Window", "Usual text size", {{SDLK_0, C}}, [](App& a) { a.scale_text(0); }},
-      {"presenter", "Window", "Presenter mode: large, only what a class needs", {{SDLK_p}}, [](App& a) { a.set_presenter(!a.settings().presenter); }},
+      {"presenter",
+       "Window",
+       "Presenter mode: large, only what a class needs",
+       {{SDLK_p}},
+       [](App& a) { a.set_presenter(!a.settings().presenter); }},
       {"theme", "Window", "Light or dark", {{SDLK_t}}, [](App& a) { a.set_dark(!a.settings().dark); }},
       {"full-screen", "Window", "Full screen", {{SDLK_F11}}, [](App& a) { a.requests.toggle_full_screen = true; }},
-      {"layout", "Window", "Borders back where they were", {{SDLK_l, C}}, [](App& a) { a.settings().layout = {}; a.session().touch(); }},
-      {"copy-link", "Window", "Copy the command that opens this place", {{SDLK_c, C}},
-       [](App& a) { a.requests.clipboard = a.link(); a.say("Copied: " + a.link()); }},
-      {"picture", "Window", "Save a picture of the window", {{SDLK_s, C}},
+      {"layout",
+       "Window",
+       "Borders back where they were",
+       {{SDLK_l, C}},
+       [](App& a) {
+         a.settings().layout = {};
+         a.session().touch();
+       }},
+      {"copy-link",
+       "Window",
+       "Copy the command that opens this place",
+       {{SDLK_c, C}},
+       [](App& a) {
+         a.requests.clipboard = a.link();
+         a.say("Copied: " + a.link());
+       }},
+      {"picture",
+       "Window",
+       "Save a picture of the window",
+       {{SDLK_s, C}},
        [](App& a) { a.requests.save_picture = fmt::format("zstep-{}.png", a.session().position()); }},
       {"palette", "Window", "Every command by name", {{SDLK_p, C}}, [](App& a) { a.open(Overlay::palette); }},
-      {"menu", "Window", "Menu", {{SDLK_F10}, {SDLK_m}}, [](App& a) { a.open(a.overlay() == Overlay::menu ? Overlay::none : Overlay::menu); }},
-      {"keys", "Window", "Every key", {{0, 0, '?'}, {SDLK_F1}}, [](App& a) { a.open(a.overlay() == Overlay::keys ? Overlay::none : Overlay::keys); }},
+      {"menu",
+       "Window",
+       "Menu",
+       {{SDLK_F10}, {SDLK_m}},
+       [](App& a) { a.open(a.overlay() == Overlay::menu ? Overlay::none : Overlay::menu); }},
+      {"keys",
+       "Window",
+       "Every key",
+       {{0, 0, '?'}, {SDLK_F1}},
+       [](App& a) { a.open(a.overlay() == Overlay::keys ? Overlay::none : Overlay::keys); }},
       {"escape", "Window", "Close, stop, or select nothing", {{SDLK_ESCAPE}}, escape},
       {"quit", "Window", "Quit", {{SDLK_q, C}}, [](App& a) { a.requests.quit = true; }},
   };
@@ -211,7 +322,8 @@ const std::vector<Command>& table() {
 }
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 

@@ -1,4 +1,5 @@
-// Where a number comes from: a line for each step that it passed through, and of the one picked its formulas with all digits.
+// Where a number comes from: a line for each step that it passed through, and of the one picked its formulas with all
+// digits.
 #include <algorithm>
 #include <cmath>
 
@@ -37,13 +38,16 @@ bool draw_link(App& app, std::size_t place, const ChainColumns& columns) {
   if (!visible) return clicked;
   const float y = at.y + ui.em * 0.15f, x = at.x + columns.what + ui.em * static_cast<float>(link.depth);
   draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, c.muted, link.step == 0 ? "scene" : grouped(link.step));
-  draw_text(ui, {x, y}, ui.fonts.text, c.text, fitted(ui, ui.fonts.text, link.what, at.x + columns.formula - x - ui.em * 0.5f));
+  draw_text(ui, {x, y}, ui.fonts.text, c.text,
+            fitted(ui, ui.fonts.text, link.what, at.x + columns.formula - x - ui.em * 0.5f));
   std::string numbers;
   for (const answers::ChainValue& value : link.values) {
     if (!numbers.empty()) numbers += ",  ";
-    numbers += value.name + " = " + (value.condition || !value.word.empty() ? answers::result_text(value) : number(value.value, 6, true));
+    numbers += value.name + " = " +
+               (value.condition || !value.word.empty() ? answers::result_text(value) : number(value.value, 6, true));
   }
-  draw_text(ui, {at.x + columns.formula, y}, ui.fonts.mono, c.text, fitted(ui, ui.fonts.mono, numbers, columns.source - columns.formula - ui.em * 0.5f));
+  draw_text(ui, {at.x + columns.formula, y}, ui.fonts.mono, c.text,
+            fitted(ui, ui.fonts.mono, numbers, columns.source - columns.formula - ui.em * 0.5f));
   if (!link.source.empty()) draw_text(ui, {at.x + columns.source, y}, ui.fonts.small, c.muted, link.source);
   return clicked;
 }
@@ -60,8 +64,11 @@ void draw_explain(App& app) {
   heading.font = ui.fonts.bold;
   const answers::ChainValue& asked = chain.links.front().values.front();
   const bool measured = !asked.condition && asked.word.empty();
-  flow(ui, fmt::format("Where {} {} {}{} comes from. Enter or a click goes there; Esc closes.", asked.name, measured ? "=" : "is", answers::result_text(asked),
-                       measured ? fmt::format(" ({:a})", asked.value) : ""), heading);
+  flow(ui,
+       fmt::format("Where {} {} {}{} comes from. Enter or a click goes there; Esc closes.", asked.name,
+                   measured ? "=" : "is", answers::result_text(asked),
+                   measured ? fmt::format(" ({:a})", asked.value) : ""),
+       heading);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   std::optional<std::size_t> clicked;
   ImGui::BeginChild("links", {room.x, std::round(room.y * 0.7f)}, false, ImGuiWindowFlags_NoNav);

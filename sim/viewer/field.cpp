@@ -71,8 +71,12 @@ void Field::connect() {
 #if IMGUI_VERSION_NUM >= 19110
   ImGuiPlatformIO& io = ImGui::GetPlatformIO();
   io.Platform_ClipboardUserData = this;
-  io.Platform_GetClipboardTextFn = [](ImGuiContext*) { return paste(*static_cast<Field*>(ImGui::GetPlatformIO().Platform_ClipboardUserData)); };
-  io.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) { copy(*static_cast<Field*>(ImGui::GetPlatformIO().Platform_ClipboardUserData), text); };
+  io.Platform_GetClipboardTextFn = [](ImGuiContext*) {
+    return paste(*static_cast<Field*>(ImGui::GetPlatformIO().Platform_ClipboardUserData));
+  };
+  io.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
+    copy(*static_cast<Field*>(ImGui::GetPlatformIO().Platform_ClipboardUserData), text);
+  };
 #else
   ImGuiIO& io = ImGui::GetIO();
   io.ClipboardUserData = this;
@@ -142,8 +146,9 @@ bool Field::draw(App& app, const std::string& hint) {
   ImGui::PushStyleColor(ImGuiCol_TextDisabled, c.muted);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   const bool replaced = put_.has_value();
-  const bool changed = ImGui::InputTextWithHint("##typed", ui.fonts.drawable(hint).c_str(), app.typed.data(), app.typed.capacity() + 1,
-                                                ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways, on_event, this);
+  const bool changed =
+      ImGui::InputTextWithHint("##typed", ui.fonts.drawable(hint).c_str(), app.typed.data(), app.typed.capacity() + 1,
+                               ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways, on_event, this);
   active_ = ImGui::IsItemActive();
   ImGui::PopStyleColor(3);
   ImGui::PopStyleVar();

@@ -1,4 +1,5 @@
-// All that happened to one pixel: a line for each polygon that reached it, and of the one picked the reason with its numbers.
+// All that happened to one pixel: a line for each polygon that reached it, and of the one picked the reason with its
+// numbers.
 #include <algorithm>
 #include <cmath>
 
@@ -22,10 +23,13 @@ VisitColumns columns_of(App& app) {
   float polygon = ui.em * 3, depth = ui.em * 4, against = ui.em * 4, of = ui.em * 2;
   for (const answers::Visit& visit : app.history()) {
     last_step = std::max(last_step, visit.step);
-    const auto name_width = [&](std::int32_t who) { return who == no_polygon ? 0 : text_size(ui, ui.fonts.bold, polygon_label(app.session().scene(), who)).x + ui.em; };
+    const auto name_width = [&](std::int32_t who) {
+      return who == no_polygon ? 0 : text_size(ui, ui.fonts.bold, polygon_label(app.session().scene(), who)).x + ui.em;
+    };
     polygon = std::max(polygon, name_width(visit.polygon)), of = std::max(of, name_width(visit.stored_polygon));
     if (visit.z) depth = std::max(depth, text_size(ui, ui.fonts.mono, depth_in_list(*visit.z)).x);
-    if (visit.stored && visit.stored_polygon == no_polygon) of = std::max(of, text_size(ui, ui.fonts.text, "background").x);
+    if (visit.stored && visit.stored_polygon == no_polygon)
+      of = std::max(of, text_size(ui, ui.fonts.text, "background").x);
     if (visit.stored) against = std::max(against, text_size(ui, ui.fonts.mono, depth_in_list(*visit.stored)).x);
   }
   VisitColumns columns;
@@ -43,7 +47,8 @@ void draw_polygon(App& app, ImVec2 at, float y, float height, std::int32_t polyg
   const Scene& scene = app.session().scene();
   const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({at.x, top}, {at.x + box, top + box}, to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
+  list->AddRectFilled({at.x, top}, {at.x + box, top + box},
+                      to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
   frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
   draw_text(ui, {at.x + ui.em, y}, ui.fonts.bold, ui.colors().text, polygon_label(scene, polygon));
 }
@@ -52,7 +57,12 @@ void draw_headings(App& app, const VisitColumns& columns) {
   const Ui& ui = app.ui();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool rays = app.session().trace().has(kind_of<RayBegin>);
-  for (const auto& [x, text] : {std::pair{ui.em * 0.5f, "step"}, {columns.polygon, "polygon"}, {columns.depth, rays ? "t" : "depth"}, {columns.against, "against"}, {columns.of, "of"}, {columns.outcome, "outcome"}})
+  for (const auto& [x, text] : {std::pair{ui.em * 0.5f, "step"},
+                                {columns.polygon, "polygon"},
+                                {columns.depth, rays ? "t" : "depth"},
+                                {columns.against, "against"},
+                                {columns.of, "of"},
+                                {columns.outcome, "outcome"}})
     draw_text(ui, {at.x + x, at.y}, ui.fonts.small, ui.colors().muted, text);
   ImGui::Dummy({1, std::round(ui.fonts.small->FontSize * 1.4f)});
 }
@@ -70,10 +80,12 @@ bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
   draw_polygon(app, {at.x + columns.polygon, at.y}, y, height, visit.polygon);
   if (visit.z) draw_text(ui, {at.x + columns.depth, y}, ui.fonts.mono, c.text, depth_in_list(*visit.z));
   if (visit.stored) draw_text(ui, {at.x + columns.against, y}, ui.fonts.mono, c.text, depth_in_list(*visit.stored));
-  if (visit.stored && visit.stored_polygon == no_polygon) draw_text(ui, {at.x + columns.of, y}, ui.fonts.text, c.muted, "background");
+  if (visit.stored && visit.stored_polygon == no_polygon)
+    draw_text(ui, {at.x + columns.of, y}, ui.fonts.text, c.muted, "background");
   draw_polygon(app, {at.x + columns.of, at.y}, y, height, visit.stored_polygon);
   const std::string outcome = answers::outcome_text(app.session().trace(), app.history(), visit);
-  draw_text(ui, {at.x + columns.outcome, y}, ui.fonts.text, c.text, fitted(ui, ui.fonts.text, outcome, end.x - at.x - columns.outcome));
+  draw_text(ui, {at.x + columns.outcome, y}, ui.fonts.text, c.text,
+            fitted(ui, ui.fonts.text, outcome, end.x - at.x - columns.outcome));
   return clicked;
 }
 
@@ -85,9 +97,13 @@ void draw_history(App& app) {
   begin_overlay(app, "history", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
   Flow heading;
   heading.font = ui.fonts.bold;
-  flow(ui, fmt::format("Pixel ({}, {}): {}. Enter or a click goes there; Y asks why the one picked is not seen; Esc closes.", app.history_of().x, app.history_of().y,
-                       app.history().size() == 1 ? "one thing happened to it" : fmt::format("{} things happened to it", app.history().size())),
-       heading);
+  flow(
+      ui,
+      fmt::format("Pixel ({}, {}): {}. Enter or a click goes there; Y asks why the one picked is not seen; Esc closes.",
+                  app.history_of().x, app.history_of().y,
+                  app.history().size() == 1 ? "one thing happened to it"
+                                            : fmt::format("{} things happened to it", app.history().size())),
+      heading);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   std::optional<std::size_t> clicked;
   const VisitColumns columns = columns_of(app);

@@ -1,5 +1,6 @@
-// What is painted once and kept until what it is painted from changes. The function that paints is a plain one and sees nothing
-// but its inputs, and the inputs decide whether it is called again: so nothing that is drawn can be left out of the decision.
+// What is painted once and kept until what it is painted from changes. The function that paints is a plain one and sees
+// nothing but its inputs, and the inputs decide whether it is called again: so nothing that is drawn can be left out of
+// the decision.
 #pragma once
 
 #include <bit>
@@ -57,7 +58,9 @@ void take(Fingerprint& print, const Kept<T>& kept) { print.take(kept.key); }
 
 /// There is one trace in a window, and its scene does not change.
 inline void take(Fingerprint& print, const Scene& scene) { print.take(std::bit_cast<std::uintptr_t>(&scene)); }
-inline void take(Fingerprint& print, const std::vector<CurveMarks::Mark>& marks) { print.take(std::bit_cast<std::uintptr_t>(marks.data())); }
+inline void take(Fingerprint& print, const std::vector<CurveMarks::Mark>& marks) {
+  print.take(std::bit_cast<std::uintptr_t>(marks.data()));
+}
 inline void take(Fingerprint&, const DepthScale&) {}  // there is but one
 
 /// The state is a function of the step.
@@ -72,7 +75,8 @@ inline void take(Fingerprint& print, const Theme& theme) {
 }
 
 inline void take(Fingerprint& print, const RasterMap& map) {
-  for (const int value : {map.width, map.height, static_cast<int>(map.y_up), map.box_width, map.box_height}) take(print, value);
+  for (const int value : {map.width, map.height, static_cast<int>(map.y_up), map.box_width, map.box_height})
+    take(print, value);
   for (const double value : {map.cell, map.left, map.top}) take(print, value);
 }
 
@@ -94,7 +98,8 @@ using KeptThings = std::map<std::string, Kept<T>>;
 
 /// The thing of this name, made anew when an input differs from what it was made from.
 template <class T, class... Inputs>
-const Kept<T>& keep(KeptThings<T>& things, const std::string& name, void (*make)(T&, const Inputs&...), const std::type_identity_t<Inputs>&... inputs) {
+const Kept<T>& keep(KeptThings<T>& things, const std::string& name, void (*make)(T&, const Inputs&...),
+                    const std::type_identity_t<Inputs>&... inputs) {
   Fingerprint print;
   (take(print, inputs), ...);
   Kept<T>& kept = things[name];
@@ -109,7 +114,8 @@ const Kept<T>& keep(KeptThings<T>& things, const std::string& name, void (*make)
 /// The canvas of this name and size.
 template <class... Inputs>
 const Kept<Canvas>& keep_canvas(KeptThings<Canvas>& canvases, const std::string& name, int width, int height,
-                                void (*paint)(Canvas&, const Inputs&...), const std::type_identity_t<Inputs>&... inputs) {
+                                void (*paint)(Canvas&, const Inputs&...),
+                                const std::type_identity_t<Inputs>&... inputs) {
   Fingerprint print;
   take(print, width);
   take(print, height);

@@ -25,8 +25,9 @@ void begin_overlay(App& app, const char* id, ImVec2 size, float down) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.colors().pane);
   ImGui::PushStyleColor(ImGuiCol_Border, ui.colors().now);
-  ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  ImGui::Begin(id, nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -102,7 +103,8 @@ bool row(Ui& ui, const Command& command, float width, float height, bool lit) {
 }
 
 float row_width(Ui& ui, const Command& command) {
-  return text_size(ui, ui.fonts.text, command.title).x + text_size(ui, ui.fonts.mono, key_names(command)).x + ui.em * 2.5f;
+  return text_size(ui, ui.fonts.text, command.title).x + text_size(ui, ui.fonts.mono, key_names(command)).x +
+         ui.em * 2.5f;
 }
 
 float widest_row(Ui& ui) {
@@ -158,11 +160,16 @@ void draw_columns(App& app, const char* id, const char* title) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float around = 2 * ui.em, above = 3 * ui.em;
   // As many columns as give the rows most room; where the window is low, the rows move together.
-  const auto height_of = [&](const KeySheet& sheet) { return std::floor(std::min((screen.y - 8 - above) / static_cast<float>(sheet.rows), ui.em * 1.4f)); };
+  const auto height_of = [&](const KeySheet& sheet) {
+    return std::floor(std::min((screen.y - 8 - above) / static_cast<float>(sheet.rows), ui.em * 1.4f));
+  };
   KeySheet sheet = sheet_in(ui, 1);
   for (const std::size_t columns : {2u, 3u})
-    if (KeySheet wider = sheet_in(ui, columns); wider.width() + around <= screen.x && height_of(wider) > height_of(sheet)) sheet = std::move(wider);
-  const float row_height = height_of(sheet) < ui.em * 1.05f ? std::round(ui.em * 1.4f) : height_of(sheet);  // else it scrolls, with room
+    if (KeySheet wider = sheet_in(ui, columns);
+        wider.width() + around <= screen.x && height_of(wider) > height_of(sheet))
+      sheet = std::move(wider);
+  const float row_height =
+      height_of(sheet) < ui.em * 1.05f ? std::round(ui.em * 1.4f) : height_of(sheet);  // else it scrolls, with room
   begin_overlay(app, id, {sheet.width() + around, static_cast<float>(sheet.rows) * row_height + above});
   Flow heading;
   heading.font = ui.fonts.bold;
@@ -172,9 +179,12 @@ void draw_columns(App& app, const char* id, const char* title) {
   for (std::size_t k = 0; k < commands().size(); ++k) {
     const Command& command = commands()[k];
     const KeySheet::Place& place = sheet.places[k];
-    const float x = std::accumulate(sheet.widths.begin(), sheet.widths.begin() + static_cast<std::ptrdiff_t>(place.column), top.x);
+    const float x =
+        std::accumulate(sheet.widths.begin(), sheet.widths.begin() + static_cast<std::ptrdiff_t>(place.column), top.x);
     const float y = top.y + static_cast<float>(place.row) * row_height;
-    if (place.heads) draw_text(ui, {x + ui.em * 0.4f, y - row_height + std::round((row_height - ui.em) * 0.6f)}, ui.fonts.bold, ui.colors().now, command.group);
+    if (place.heads)
+      draw_text(ui, {x + ui.em * 0.4f, y - row_height + std::round((row_height - ui.em) * 0.6f)}, ui.fonts.bold,
+                ui.colors().now, command.group);
     ImGui::SetCursorScreenPos({x, y});
     if (row(ui, command, sheet.widths[place.column] - ui.em * 0.5f, row_height, false)) clicked = &command;
   }
@@ -196,7 +206,8 @@ void draw_palette(App& app) {
   const Command* clicked = nullptr;
   ImGui::BeginChild("found", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (row(ui, *found[i], ImGui::GetContentRegionAvail().x, row_height, app.picked == static_cast<int>(i))) clicked = found[i];
+    if (row(ui, *found[i], ImGui::GetContentRegionAvail().x, row_height, app.picked == static_cast<int>(i)))
+      clicked = found[i];
     if (app.picked == static_cast<int>(i)) ImGui::SetScrollHereY(0.5f);
   }
   if (found.empty()) say_empty(ui, "No command has this in its name.");
@@ -219,8 +230,12 @@ void draw_go_to(App& app) {
   Flow how;
   how.color = ui.colors().muted;
   const std::string stop = app.session().lesson() ? "stop 3 of the lesson, " : "";
-  flow(ui, fmt::format("A step (0 to {}; +5 and \u22125 from here), 25 %, polygon B or p 3, line 17 for the next place where that scan line begins, {}"
-                       "9, 17 to select a pixel, or a bookmark's name. Enter goes there.", grouped(app.session().size()), stop), how);
+  flow(ui,
+       fmt::format("A step (0 to {}; +5 and \u22125 from here), 25 %, polygon B or p 3, line 17 for the next place "
+                   "where that scan line begins, {}"
+                   "9, 17 to select a pixel, or a bookmark's name. Enter goes there.",
+                   grouped(app.session().size()), stop),
+       how);
   ImGui::End();
 }
 

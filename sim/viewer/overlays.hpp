@@ -8,10 +8,12 @@
 
 namespace zstep::viewer {
 
-/// Begins a framed window over the others: `down` 0 at the top of the screen, 1 at its bottom. A click outside closes it.
+/// Begins a framed window over the others: `down` 0 at the top of the screen, 1 at its bottom. A click outside closes
+/// it.
 void begin_overlay(App& app, const char* id, ImVec2 size, float down = 1 / 2.4f);
 
-/// The next row of a list of answers: where it is, and whether it was clicked. The picked one is marked and scrolled to.
+/// The next row of a list of answers: where it is, and whether it was clicked. The picked one is marked and scrolled
+/// to.
 struct ListRow {
   ImVec2 at, end;
   bool clicked = false, visible = true;

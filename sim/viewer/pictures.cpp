@@ -28,7 +28,8 @@ std::vector<std::string> wrapped(const Sheet& sheet, const std::string& text, fl
   std::size_t at = 0;
   while (at < text.size()) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at), longer = lines.back().empty() ? word : lines.back() + " " + word;
+    const std::string word = text.substr(at, end - at),
+                      longer = lines.back().empty() ? word : lines.back() + " " + word;
     if (lines.back().empty() || sheet.text_width(longer) <= width) lines.back() = longer;
     else if (lines.size() == most) return lines.back() += " \u2026", lines;
     else lines.push_back(word);
@@ -61,7 +62,8 @@ Pictures::Pictures(const Trace& trace, const PictureOptions& options) {
   settings.presenter = options.presenter;
   impl_ = std::make_unique<Impl>(trace, options, settings);
   if (options.pane.empty() || impl_->app.show_only(pane_id(options.pane))) return;
-  throw InputError("--pane", fmt::format("this trace has no pane '{}'", options.pane), fmt::format("its panes are {}", fmt::join(pane_names(trace, options.lesson != nullptr), ", ")));
+  throw InputError("--pane", fmt::format("this trace has no pane '{}'", options.pane),
+                   fmt::format("its panes are {}", fmt::join(pane_names(trace, options.lesson != nullptr), ", ")));
 }
 
 Pictures::~Pictures() = default;
@@ -80,10 +82,12 @@ Pictures::Caption Pictures::caption(std::int64_t position) {
   const RecordedEvent* event = session.event();
   if (!event) return {"step 0", "Before the first step."};
   const StepInfo* step = find_step(session.header().page, event->step);
-  return {fmt::format("step {}{}", grouped(session.position()), step ? " \u00b7 " + step->name : ""), explain(impl_->trace, session.state(), *event).sentence};
+  return {fmt::format("step {}{}", grouped(session.position()), step ? " \u00b7 " + step->name : ""),
+          explain(impl_->trace, session.state(), *event).sentence};
 }
 
-Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positions, const PictureOptions& options, int columns) {
+Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positions, const PictureOptions& options,
+                    int columns) {
   std::vector<Image> images;
   std::vector<Pictures::Caption> captions;
   {
@@ -98,11 +102,16 @@ Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positio
   constexpr int margin = 24, gap = 20;
   const int rows = (static_cast<int>(positions.size()) + columns - 1) / columns, line = 20, head = 44;
   const int below = static_cast<int>(most_lines + 1) * line + 10;
-  Sheet sheet(2 * margin + columns * options.width + (columns - 1) * gap, 2 * margin + head + rows * (options.height + below) + (rows - 1) * gap, text_pixels);
+  Sheet sheet(2 * margin + columns * options.width + (columns - 1) * gap,
+              2 * margin + head + rows * (options.height + below) + (rows - 1) * gap, text_pixels);
   const Theme& theme = sheet.theme();
   const Scene& scene = trace.scene();
-  sheet.text(margin, margin, fmt::format("{} \u00b7 {}", trace.header().title.empty() ? trace.header().algorithm : trace.header().title, scene.name.empty() ? trace.name() : scene.name), theme.text, Sheet::Side::left, true);
-  sheet.text(sheet.width() - margin, margin, fmt::format("{} of {} steps", positions.size(), grouped(trace.size())), theme.muted, Sheet::Side::right);
+  sheet.text(margin, margin,
+             fmt::format("{} \u00b7 {}", trace.header().title.empty() ? trace.header().algorithm : trace.header().title,
+                         scene.name.empty() ? trace.name() : scene.name),
+             theme.text, Sheet::Side::left, true);
+  sheet.text(sheet.width() - margin, margin, fmt::format("{} of {} steps", positions.size(), grouped(trace.size())),
+             theme.muted, Sheet::Side::right);
   for (std::size_t i = 0; i < images.size(); ++i) {
     const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
     const int x = margin + column * (options.width + gap), y = margin + head + row * (options.height + below + gap);

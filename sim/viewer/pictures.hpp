@@ -30,7 +30,8 @@ class Pictures {
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;
 
-  /// At this position; below 0: at the lesson's first stop, or the beginning. The same one always gives the same picture.
+  /// At this position; below 0: at the lesson's first stop, or the beginning. The same one always gives the same
+  /// picture.
   Image at(std::int64_t position);
   /// What a caption says of it: "step 316 · compare", and a sentence.
   struct Caption {
@@ -44,6 +45,7 @@ class Pictures {
 };
 
 /// Pictures of these positions with captions, in rows of so many, under a title.
-Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positions, const PictureOptions& options, int columns);
+Image contact_sheet(const Trace& trace, const std::vector<std::int64_t>& positions, const PictureOptions& options,
+                    int columns);
 
 }  // namespace zstep

@@ -11,7 +11,8 @@ namespace zstep::viewer {
 namespace {
 
 /// A row of two columns, the second muted; true when clicked.
-bool draw_row(App& app, std::size_t place, float split, const ImFont* font, const std::string& first, const std::string& second, bool second_muted) {
+bool draw_row(App& app, std::size_t place, float split, const ImFont* font, const std::string& first,
+              const std::string& second, bool second_muted) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const ListRow row = list_row(app, place, std::round(ui.em * 1.4f));
@@ -46,7 +47,8 @@ void draw_until(App& app) {
   ImGui::BeginChild("suggestions", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   std::optional<std::size_t> clicked;
   for (std::size_t i = 0; i < suggestions.size(); ++i)
-    if (draw_row(app, i, ui.em * 22, ui.fonts.mono, suggestions[i].condition, suggestions[i].meaning, true)) clicked = i;
+    if (draw_row(app, i, ui.em * 22, ui.fonts.mono, suggestions[i].condition, suggestions[i].meaning, true))
+      clicked = i;
   app.scroll_to_picked = false;
   ImGui::EndChild();
   ImGui::End();
@@ -76,7 +78,8 @@ void draw_range(App& app) {
   app.draw_field("0.2 0.8");
   Flow how;
   how.color = ui.colors().muted;
-  if (app.wrong.empty()) flow(ui, "The nearest and the farthest. Nothing: all of the trace. R fits them to what is shown.", how);
+  if (app.wrong.empty())
+    flow(ui, "The nearest and the farthest. Nothing: all of the trace. R fits them to what is shown.", how);
   else say_wrong(ui, app.wrong);
   ImGui::End();
 }
@@ -85,7 +88,8 @@ void draw_bookmarks(App& app) {
   Ui& ui = app.ui();
   const auto& all = app.places().bookmarks();
   const float rows = std::clamp(static_cast<float>(all.size()), 2.0f, 14.0f);
-  begin_overlay(app, "bookmarks", {ui.em * 42, ui.em * (4.5f + rows * 1.4f) + (app.places().trouble().empty() ? 0 : ui.em * 2)});
+  begin_overlay(app, "bookmarks",
+                {ui.em * 42, ui.em * (4.5f + rows * 1.4f) + (app.places().trouble().empty() ? 0 : ui.em * 2)});
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, "Bookmarks. Enter or a click goes there; Delete removes one; Ctrl+B sets one; Esc closes.", heading);
@@ -108,12 +112,18 @@ void draw_search(App& app) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const std::string text = app.places().progress(), help = "Esc stops";
   const float pad = std::round(ui.em * 0.7f), bar = std::round(ui.em * 0.4f);
-  const float width = std::min(screen.x - 8, std::max(text_size(ui, ui.fonts.text, text).x + text_size(ui, ui.fonts.bold, help).x + 2 * ui.em, ui.em * 20) + 2 * pad);
-  const ImVec2 size{width, std::round(ui.em * 2.6f)}, at{std::floor((screen.x - size.x) / 2), std::floor(screen.y * 0.3f)};
+  const float width = std::min(
+      screen.x - 8,
+      std::max(text_size(ui, ui.fonts.text, text).x + text_size(ui, ui.fonts.bold, help).x + 2 * ui.em, ui.em * 20) +
+          2 * pad);
+  const ImVec2 size{width, std::round(ui.em * 2.6f)},
+      at{std::floor((screen.x - size.x) / 2), std::floor(screen.y * 0.3f)};
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(size);
   ImGui::SetNextWindowFocus();
-  ImGui::Begin("search", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
+  ImGui::Begin("search", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + size.x, at.y + size.y};
   list->AddRectFilled(at, end, c.pane);

@@ -40,7 +40,8 @@ void draw_rows(App& app) {
   const ImVec2 head = ImGui::GetCursorScreenPos();
   float x = head.x + 5;
   for (std::size_t k = 0; k < widths.size(); ++k) {
-    draw_text(ui, {x, head.y}, ui.fonts.small, c.muted, fitted(ui, ui.fonts.small, inquiry.columns()[k], widths[k] - ui.em * 0.5f));
+    draw_text(ui, {x, head.y}, ui.fonts.small, c.muted,
+              fitted(ui, ui.fonts.small, inquiry.columns()[k], widths[k] - ui.em * 0.5f));
     x += widths[k];
   }
   ImGui::Dummy({1, std::round(ui.fonts.small->FontSize * 1.4f)});
@@ -53,7 +54,8 @@ void draw_rows(App& app) {
     if (!line.visible) continue;
     x = line.at.x + 5;
     for (std::size_t k = 0; k < widths.size(); ++k) {
-      draw_text(ui, {x, line.at.y + 1}, ui.fonts.mono, c.text, fitted(ui, ui.fonts.mono, inquiry.rows()[row][k], widths[k] - ui.em * 0.5f));
+      draw_text(ui, {x, line.at.y + 1}, ui.fonts.mono, c.text,
+                fitted(ui, ui.fonts.mono, inquiry.rows()[row][k], widths[k] - ui.em * 0.5f));
       x += widths[k];
     }
   }

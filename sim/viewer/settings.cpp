@@ -14,7 +14,9 @@ namespace {
 
 constexpr std::size_t places_kept = 200;
 
-float share_or(float given, float otherwise) { return std::isfinite(given) ? std::clamp(given, 0.05f, 0.95f) : otherwise; }
+float share_or(float given, float otherwise) {
+  return std::isfinite(given) ? std::clamp(given, 0.05f, 0.95f) : otherwise;
+}
 
 }  // namespace
 
@@ -25,9 +27,11 @@ std::optional<std::int64_t> Settings::place(const std::string& key) const {
 }
 
 void Settings::remember(const std::string& key, std::int64_t position) {
-  places.erase(std::remove_if(places.begin(), places.end(), [&](const auto& place) { return place.first == key; }), places.end());
+  places.erase(std::remove_if(places.begin(), places.end(), [&](const auto& place) { return place.first == key; }),
+               places.end());
   places.emplace_back(key, position);
-  if (places.size() > places_kept) places.erase(places.begin(), places.end() - static_cast<std::ptrdiff_t>(places_kept));
+  if (places.size() > places_kept)
+    places.erase(places.begin(), places.end() - static_cast<std::ptrdiff_t>(places_kept));
 }
 
 Settings kept_settings(const Settings& stored, const Settings& begun, Settings ended) {
@@ -67,7 +71,8 @@ Settings load_settings(const std::filesystem::path& path) {
     else if (key == "buffers") s.layout.buffers = share_or(real, s.layout.buffers);
     else if (key == "frame") s.layout.frame = share_or(real, s.layout.frame);
     else if (key.rfind("structure ", 0) == 0) s.layout.structures[key.substr(10)] = share_or(real, 0.3f);
-    else if (key.rfind("place ", 0) == 0) s.remember(key.substr(6), std::max<std::int64_t>(0, std::strtoll(value.c_str(), nullptr, 10)));
+    else if (key.rfind("place ", 0) == 0)
+      s.remember(key.substr(6), std::max<std::int64_t>(0, std::strtoll(value.c_str(), nullptr, 10)));
   }
   return s;
 }
@@ -79,10 +84,10 @@ bool save_settings(const std::filesystem::path& path, const Settings& s) {
   const std::filesystem::path fresh = path.string() + ".new";
   {
     std::ofstream file(fresh);
-    file << fmt::format("dark = {:d}\npresenter = {:d}\ntext_scale = {}\nwidth = {}\nheight = {}\nspeed = {}\n", s.dark, s.presenter, s.text_scale,
-                        s.width, s.height, s.speed)
-         << fmt::format("left = {}\nright = {}\ncode = {}\nbuffers = {}\nframe = {}\n", s.layout.left, s.layout.right, s.layout.code,
-                        s.layout.buffers, s.layout.frame);
+    file << fmt::format("dark = {:d}\npresenter = {:d}\ntext_scale = {}\nwidth = {}\nheight = {}\nspeed = {}\n", s.dark,
+                        s.presenter, s.text_scale, s.width, s.height, s.speed)
+         << fmt::format("left = {}\nright = {}\ncode = {}\nbuffers = {}\nframe = {}\n", s.layout.left, s.layout.right,
+                        s.layout.code, s.layout.buffers, s.layout.frame);
     for (const auto& [id, weight] : s.layout.structures) file << fmt::format("structure {} = {}\n", id, weight);
     for (const auto& [key, position] : s.places) file << fmt::format("place {} = {}\n", key, position);
     file.flush();

@@ -34,8 +34,8 @@ struct Settings {
   void remember(const std::string& key, std::int64_t position);
 };
 
-/// What to save when a run ends: what options of the command line set for this run alone (dark, presenter: in `begun`, not in
-/// `stored`) is as it was before, unless it was changed meanwhile.
+/// What to save when a run ends: what options of the command line set for this run alone (dark, presenter: in `begun`,
+/// not in `stored`) is as it was before, unless it was changed meanwhile.
 Settings kept_settings(const Settings& stored, const Settings& begun, Settings ended);
 
 /// The size a window opens at: the one asked for, even if it is the usual one, or else the one it was left at.

@@ -14,8 +14,12 @@
 
 namespace zstep::viewer {
 
-Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height, float dpi_scale)
-    : first_(trace), options_(options), dpi_scale_(dpi_scale), first_app_(trace, options.lesson, settings, width, height, dpi_scale) {
+Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height,
+             float dpi_scale)
+    : first_(trace),
+      options_(options),
+      dpi_scale_(dpi_scale),
+      first_app_(trace, options.lesson, settings, width, height, dpi_scale) {
   first_app_.opened_by = options.opened_by;
 }
 
@@ -32,7 +36,8 @@ std::int64_t last_write(const Trace& trace, Cell cell) {
 
 Whereabouts moment_of(const Session& session) {
   const auto size = static_cast<double>(std::max<std::int64_t>(1, session.size()));
-  return {session.selected, session.current_cell(), session.state().machine.polygon, static_cast<double>(session.position()) / size};
+  return {session.selected, session.current_cell(), session.state().machine.polygon,
+          static_cast<double>(session.position()) / size};
 }
 
 namespace {
@@ -62,12 +67,15 @@ MomentThere moment_in(const Trace& trace, const Whereabouts& moment) {
   if (moment.cell) {
     const std::string touches = fmt::format("touches({}, {})", moment.cell->x, moment.cell->y);
     if (moment.polygon >= 0)
-      if (const auto step = first_where(trace, fmt::format("{} and polygon == {}", touches, moment.polygon))) return {*step, fmt::format("polygon {} reaches {}", polygon, name(*moment.cell))};
+      if (const auto step = first_where(trace, fmt::format("{} and polygon == {}", touches, moment.polygon)))
+        return {*step, fmt::format("polygon {} reaches {}", polygon, name(*moment.cell))};
     if (const auto step = first_where(trace, touches)) return {*step, fmt::format("{} is reached", name(*moment.cell))};
   }
   for (const PolygonMark& mark : trace.polygons())
-    if (moment.polygon >= 0 && mark.polygon == moment.polygon) return {mark.position, fmt::format("work on polygon {} begins", polygon)};
-  return {std::llround(moment.share * static_cast<double>(trace.size())), fmt::format("as much of the run is done, {:.0f} %", moment.share * 100)};
+    if (moment.polygon >= 0 && mark.polygon == moment.polygon)
+      return {mark.position, fmt::format("work on polygon {} begins", polygon)};
+  return {std::llround(moment.share * static_cast<double>(trace.size())),
+          fmt::format("as much of the run is done, {:.0f} %", moment.share * 100)};
 }
 
 void Stage::switch_method(int direction) {
@@ -105,7 +113,8 @@ void Stage::switch_method(int direction) {
     place = there.what;
   }
   arrived_ = s.position();
-  if (other_ && !other_->whole) place += fmt::format("; cut off after {} steps, so the picture is not done", grouped(trace().size()));
+  if (other_ && !other_->whole)
+    place += fmt::format("; cut off after {} steps, so the picture is not done", grouped(trace().size()));
   if (other_ && options_.lesson) place += "; the lesson waits where it was left";
   app().say(trace().header().title + ": " + place + ".");
 }

@@ -27,15 +27,17 @@ MomentThere moment_in(const Trace& trace, const Whereabouts& moment);
 class Stage {
  public:
   /// `trace` and what the options point to must live as long.
-  Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height, float dpi_scale = 1);
+  Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height,
+        float dpi_scale = 1);
 
   App& app() { return other_app_ ? *other_app_ : first_app_; }
   const Trace& trace() const { return other_ ? other_->trace : first_; }
   /// The trace that was opened, with its lesson, as the reader left it.
   App& first_app() { return first_app_; }
 
-  /// Shows the next (or previous) method's run on this scene at the same moment. The trace that was opened has its place among
-  /// them and keeps the reader's place, the lesson's answers and all else meanwhile. What cannot be done is said in the window.
+  /// Shows the next (or previous) method's run on this scene at the same moment. The trace that was opened has its
+  /// place among them and keeps the reader's place, the lesson's answers and all else meanwhile. What cannot be done is
+  /// said in the window.
   void switch_method(int direction);
 
  private:

@@ -19,7 +19,9 @@ namespace {
 using namespace viewer;
 
 /// What a trace is called in the settings: its name, its length and its scene, so that another run is another place.
-std::string place_key(const Trace& trace) { return fmt::format("{}|{}|{}", trace.name(), trace.size(), trace.scene().points.size()); }
+std::string place_key(const Trace& trace) {
+  return fmt::format("{}|{}|{}", trace.name(), trace.size(), trace.scene().points.size());
+}
 
 void go_to_start(App& app, const Trace& trace, const ViewerOptions& options) {
   Session& s = app.session();
@@ -40,7 +42,8 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
 }
 
 void name_window(const Window& window, const Trace& trace) {
-  SDL_SetWindowTitle(window.get(), fmt::format("zstep \u00b7 {} \u00b7 {}", trace.header().title, trace.scene().name).c_str());
+  SDL_SetWindowTitle(window.get(),
+                     fmt::format("zstep \u00b7 {} \u00b7 {}", trace.header().title, trace.scene().name).c_str());
 }
 
 void serve(Stage& stage, const Window& window) {
@@ -50,7 +53,8 @@ void serve(Stage& stage, const Window& window) {
   }
   App& app = stage.app();
   WindowRequests& r = app.requests;
-  if (r.toggle_full_screen) SDL_SetWindowFullscreen(window.get(), window.full_screen() ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+  if (r.toggle_full_screen)
+    SDL_SetWindowFullscreen(window.get(), window.full_screen() ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
   if (r.clipboard) SDL_SetClipboardText(r.clipboard->c_str());
   if (r.save_picture) {
     try {
@@ -65,7 +69,9 @@ void serve(Stage& stage, const Window& window) {
   r.quit = quit;
 }
 
-double seconds() { return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency()); }
+double seconds() {
+  return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency());
+}
 
 void loop(Stage& stage, const Window& window) {
   int frames_due = App::frames_to_settle;  // after a change, until nothing moves any more
@@ -76,7 +82,9 @@ void loop(Stage& stage, const Window& window) {
     stage.app().session().on_way = [&, begun = seconds()](double share) mutable {
       if (share == 0) begun = seconds();
       if (seconds() - begun < 0.25) return false;
-      if (!std::exchange(on_way, true)) SDL_SetWindowTitle(window.get(), fmt::format("{} \u00b7 on the way, Esc ends it", SDL_GetWindowTitle(window.get())).c_str());
+      if (!std::exchange(on_way, true))
+        SDL_SetWindowTitle(window.get(),
+                           fmt::format("{} \u00b7 on the way, Esc ends it", SDL_GetWindowTitle(window.get())).c_str());
       window.show_progress(share);
       return Window::is_ended();
     };
@@ -132,7 +140,8 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   // The trace that was opened keeps its place whatever was looked at besides.
   kept.remember(place_key(stage.trace()), app.session().position());
   kept.remember(place_key(trace), stage.first_app().session().position());
-  if (!path.empty() && !save_settings(path, kept)) fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
+  if (!path.empty() && !save_settings(path, kept))
+    fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
   return 0;
 }
 

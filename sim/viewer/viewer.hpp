@@ -24,17 +24,17 @@ struct WindowSize {
 };
 
 struct ViewerOptions {
-  std::int64_t at = -1;                              ///< position to open at; -1: where it was left, or the lesson's first stop
+  std::int64_t at = -1;  ///< position to open at; -1: where it was left, or the lesson's first stop
   std::optional<std::filesystem::path> screenshot;   ///< write one frame as PNG and leave; needs no display
   std::string pane;                                  ///< of the screenshot; empty: all of the window
-  std::optional<WindowSize> size;                    ///< of the window or the screenshot; unset: of a window as it was left
+  std::optional<WindowSize> size;  ///< of the window or the screenshot; unset: of a window as it was left
   std::optional<bool> dark;                          ///< for this run; unset: as it was left, light at first
   bool presenter = false;                            ///< for this run
   const Lesson* lesson = nullptr;                    ///< narration beside the trace, already resolved
-  /// Runs the next (1) or previous (-1) method that can draw this trace's scene; nullopt when there is none. Empty where no
-  /// method can be run. May throw InputError.
+  /// Runs the next (1) or previous (-1) method that can draw this trace's scene; nullopt when there is none. Empty
+  /// where no method can be run. May throw InputError.
   std::function<std::optional<OtherRun>(const Trace&, int direction)> other_method;
-  std::string opened_by;                             ///< command line that opens this view again, quoted for a shell, without --at
+  std::string opened_by;  ///< command line that opens this view again, quoted for a shell, without --at
 };
 
 /// Opens the window and runs until it is closed; with `screenshot` draws one frame headless. Returns the exit code.

@@ -1,4 +1,5 @@
-// Why a polygon is not what is seen: which one is typed or picked, then the verdict with its numbers and its steps, each a jump.
+// Why a polygon is not what is seen: which one is typed or picked, then the verdict with its numbers and its steps,
+// each a jump.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -16,16 +17,20 @@ namespace {
 constexpr std::size_t listed = 200;  // polygons; of more, something must be typed
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
-std::string place_text(const std::optional<Cell>& cell) { return cell ? fmt::format("at pixel ({}, {})", cell->x, cell->y) : "anywhere"; }
+std::string place_text(const std::optional<Cell>& cell) {
+  return cell ? fmt::format("at pixel ({}, {})", cell->x, cell->y) : "anywhere";
+}
 
 void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32_t polygon) {
   const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({at.x, top}, {at.x + box, top + box}, to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
+  list->AddRectFilled({at.x, top}, {at.x + box, top + box},
+                      to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
   frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
 }
 
@@ -50,7 +55,8 @@ bool draw_link(App& app, std::size_t place, float steps) {
     draw_swatch(ui, {at.x + steps, at.y}, height, app.session().scene(), link.polygon);
     draw_text(ui, {at.x + steps + ui.em, y}, ui.fonts.bold, c.text, polygon_label(app.session().scene(), link.polygon));
   }
-  draw_text(ui, {at.x + steps + ui.em * 6, y}, decides ? ui.fonts.bold : ui.fonts.text, c.text, link.text + (decides ? " \u2014 this decides" : ""));
+  draw_text(ui, {at.x + steps + ui.em * 6, y}, decides ? ui.fonts.bold : ui.fonts.text, c.text,
+            link.text + (decides ? " \u2014 this decides" : ""));
   return row.clicked;
 }
 
@@ -60,7 +66,8 @@ void App::open_why() {
   why_selected_ = session_.selected;
   why_of_ = session_.selected ? session_.selected : session_.current_cell();
   why_anywhere_ = !why_of_;
-  const bool from_history = overlay_ == Overlay::history && static_cast<std::size_t>(std::max(0, picked)) < history_.size();
+  const bool from_history =
+      overlay_ == Overlay::history && static_cast<std::size_t>(std::max(0, picked)) < history_.size();
   if (from_history) {
     why_of_ = history_of_;
     const std::int32_t polygon = history_[static_cast<std::size_t>(std::max(0, picked))].polygon;
@@ -82,7 +89,8 @@ std::vector<std::int32_t> App::why_candidates() const {
   if (exact) found.push_back(*exact);
   for (std::size_t k = 0; k < scene.polygons.size() && found.size() < listed; ++k) {
     const auto polygon = static_cast<std::int32_t>(k);
-    if (exact != polygon && lower(polygon_label(scene, polygon)).find(wanted) != std::string::npos) found.push_back(polygon);
+    if (exact != polygon && lower(polygon_label(scene, polygon)).find(wanted) != std::string::npos)
+      found.push_back(polygon);
   }
   return found;
 }
@@ -91,7 +99,8 @@ void App::ask_why(std::int32_t polygon) {
   why_polygon_ = polygon;
   try {
     session_.look_elsewhere([&](Replay& replay) {
-      why_ = why_anywhere_ ? answers::why_not(session_.trace(), polygon, &replay) : answers::why_not(session_.trace(), polygon, {why_of_->x, why_of_->y}, &replay);
+      why_ = why_anywhere_ ? answers::why_not(session_.trace(), polygon, &replay)
+                           : answers::why_not(session_.trace(), polygon, {why_of_->x, why_of_->y}, &replay);
     });
   } catch (const InputError& error) {
     return say(error.what());
@@ -153,7 +162,10 @@ void draw_why_ask(App& app) {
   app.draw_field("A polygon's name or number");
   Flow how;
   how.color = ui.colors().muted;
-  flow(ui, fmt::format("Enter or a click asks; Tab asks {}; Esc closes.", app.why_of() ? "of the whole picture" : "of the pixel"), how);
+  flow(ui,
+       fmt::format("Enter or a click asks; Tab asks {}; Esc closes.",
+                   app.why_of() ? "of the whole picture" : "of the pixel"),
+       how);
   const std::vector<std::int32_t> found = app.why_candidates();
   std::optional<std::int32_t> clicked;
   ImGui::BeginChild("polygons", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
@@ -162,12 +174,16 @@ void draw_why_ask(App& app) {
     const ImVec2 at = row.at;
     if (row.clicked) clicked = found[place];
     draw_swatch(ui, {at.x + ui.em * 0.6f, at.y}, height, scene, found[place]);
-    draw_text(ui, {at.x + ui.em * 1.8f, at.y + ui.em * 0.15f}, ui.fonts.bold, ui.colors().text, polygon_label(scene, found[place]));
-    draw_text(ui, {at.x + ui.em * 18, at.y + ui.em * 0.15f}, ui.fonts.mono, ui.colors().muted, fmt::format("number {}", found[place]));
+    draw_text(ui, {at.x + ui.em * 1.8f, at.y + ui.em * 0.15f}, ui.fonts.bold, ui.colors().text,
+              polygon_label(scene, found[place]));
+    draw_text(ui, {at.x + ui.em * 18, at.y + ui.em * 0.15f}, ui.fonts.mono, ui.colors().muted,
+              fmt::format("number {}", found[place]));
   }
   app.scroll_to_picked = false;
   if (found.empty()) say_empty(ui, "No polygon is called so.");
-  if (found.size() >= listed) say_empty(ui, fmt::format("{} polygons are listed of {}; type to find others.", listed, grouped(static_cast<std::int64_t>(scene.polygons.size()))));
+  if (found.size() >= listed)
+    say_empty(ui, fmt::format("{} polygons are listed of {}; type to find others.", listed,
+                              grouped(static_cast<std::int64_t>(scene.polygons.size()))));
   ImGui::EndChild();
   ImGui::End();
   if (clicked) app.ask_why(*clicked);
@@ -179,10 +195,15 @@ void draw_why(App& app) {
   begin_overlay(app, "why", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
   Flow heading;
   heading.font = ui.fonts.bold;
-  flow(ui, fmt::format("Why not {} {}?", polygon_label(app.session().scene(), app.why_polygon()), place_text(app.why_of())), heading);
+  flow(ui,
+       fmt::format("Why not {} {}?", polygon_label(app.session().scene(), app.why_polygon()), place_text(app.why_of())),
+       heading);
   Flow how;
   how.color = ui.colors().muted;
-  flow(ui, fmt::format("Enter or a click goes to a step; Tab asks {}; Backspace picks another polygon; Esc closes.", app.why_of() ? "of the whole picture" : "of the pixel"), how);
+  flow(ui,
+       fmt::format("Enter or a click goes to a step; Tab asks {}; Backspace picks another polygon; Esc closes.",
+                   app.why_of() ? "of the whole picture" : "of the pixel"),
+       how);
   Flow formula;
   formula.font = ui.fonts.mono;
   // The steps stand right below the verdict; where both are long, each has half of the room.
@@ -190,7 +211,8 @@ void draw_why(App& app) {
   const float rows = std::min(room * 0.5f, row * static_cast<float>(app.why().chain.size()) + ui.em * 0.5f);
   float text = flow_height(ui, app.why().sentence, {}) + ui.em * 0.8f;
   for (const std::string& line : app.why().formulas) text += flow_height(ui, line, formula) + ui.em * 0.25f;
-  ImGui::BeginChild("verdict", {ImGui::GetContentRegionAvail().x, std::min(text, room - rows)}, false, ImGuiWindowFlags_NoNav);
+  ImGui::BeginChild("verdict", {ImGui::GetContentRegionAvail().x, std::min(text, room - rows)}, false,
+                    ImGuiWindowFlags_NoNav);
   flow(ui, app.why().sentence, {});
   for (const std::string& line : app.why().formulas) flow(ui, line, formula);
   ImGui::EndChild();

@@ -15,11 +15,13 @@ namespace viewer {
 Window::Window(int width, int height) {
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");  // plain copies are 5 ms a frame faster on X11
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-  if (SDL_Init(SDL_INIT_VIDEO) != 0) throw std::runtime_error(fmt::format("viewer: no window can be opened: {}", SDL_GetError()));
+  if (SDL_Init(SDL_INIT_VIDEO) != 0)
+    throw std::runtime_error(fmt::format("viewer: no window can be opened: {}", SDL_GetError()));
   SDL_Rect usable{0, 0, width, height};
   SDL_GetDisplayUsableBounds(0, &usable);
-  window_.reset(SDL_CreateWindow("zstep", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, std::min(width, std::max(320, usable.w)),
-                                 std::min(height, std::max(200, usable.h)), SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+  window_.reset(SDL_CreateWindow("zstep", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                 std::min(width, std::max(320, usable.w)), std::min(height, std::max(200, usable.h)),
+                                 SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
   if (!window_) {
     const std::string why = SDL_GetError();
     SDL_Quit();
@@ -45,19 +47,22 @@ float Window::pixels_per_point() const {
   return static_cast<float>(surface()->w) / static_cast<float>(std::max(1, width));
 }
 
-/// What the system says of the screen's size in millimetres is often wrong, so only a clear case counts: a window whose surface
-/// has more pixels than points, or a screen that claims 140 dots an inch or more.
+/// What the system says of the screen's size in millimetres is often wrong, so only a clear case counts: a window whose
+/// surface has more pixels than points, or a screen that claims 140 dots an inch or more.
 float Window::dpi_scale() const {
   if (const float points = pixels_per_point(); points > 1.01f) return points;
   float dots = 96;
-  if (SDL_GetDisplayDPI(std::max(0, SDL_GetWindowDisplayIndex(window_.get())), &dots, nullptr, nullptr) != 0 || dots < 140 || dots > 400) return 1;
+  if (SDL_GetDisplayDPI(std::max(0, SDL_GetWindowDisplayIndex(window_.get())), &dots, nullptr, nullptr) != 0 ||
+      dots < 140 || dots > 400)
+    return 1;
   return std::round(dots / 96 * 4) / 4;
 }
 
 void Window::show(const Canvas& picture) const {
   SDL_Surface* target = surface();
-  SDL_ConvertPixels(std::min(picture.width(), target->w), std::min(picture.height(), target->h), SDL_PIXELFORMAT_ARGB8888, picture.row(0),
-                    picture.width() * 4, target->format->format, target->pixels, target->pitch);
+  SDL_ConvertPixels(std::min(picture.width(), target->w), std::min(picture.height(), target->h),
+                    SDL_PIXELFORMAT_ARGB8888, picture.row(0), picture.width() * 4, target->format->format,
+                    target->pixels, target->pitch);
   SDL_UpdateWindowSurface(window_.get());
 }
 
@@ -75,7 +80,8 @@ bool Window::is_ended() {
   if (SDL_HasEvent(SDL_QUIT) == SDL_TRUE) return true;
   bool ended = false;
   SDL_Event key;
-  while (SDL_PeepEvents(&key, 1, SDL_GETEVENT, SDL_KEYDOWN, SDL_KEYDOWN) == 1) ended = ended || key.key.keysym.sym == SDLK_ESCAPE;
+  while (SDL_PeepEvents(&key, 1, SDL_GETEVENT, SDL_KEYDOWN, SDL_KEYDOWN) == 1)
+    ended = ended || key.key.keysym.sym == SDLK_ESCAPE;
   SDL_FlushEvents(SDL_KEYUP, SDL_TEXTINPUT);
   return ended;
 }

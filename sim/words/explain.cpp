@@ -21,7 +21,8 @@ Camera camera_at_work(const Scene& scene, const MethodState& machine) {
 std::int32_t polygon_at_work(const MethodState& machine) {
   if (machine.polygon != no_polygon || !machine.span) return machine.polygon;
   const auto edge = static_cast<std::size_t>(machine.span->left_edge);
-  return machine.span->left_edge >= 0 && edge < machine.edge_table.size() ? machine.edge_table[edge].polygon : no_polygon;
+  return machine.span->left_edge >= 0 && edge < machine.edge_table.size() ? machine.edge_table[edge].polygon
+                                                                          : no_polygon;
 }
 
 std::string piece_label(const Scene& scene, const MethodState& machine, std::int32_t piece) {
@@ -33,7 +34,9 @@ std::string piece_label(const Scene& scene, const MethodState& machine, std::int
   const auto same = [&](std::size_t other) {
     return other < pieces.size() && pieces[other].polygon == polygon && pieces[other].parent < 0;
   };
-  const auto part = [&](std::size_t one) { return pieces[one].parent >= 0 || same(one + 1) || (one > 0 && same(one - 1)); };
+  const auto part = [&](std::size_t one) {
+    return pieces[one].parent >= 0 || same(one + 1) || (one > 0 && same(one - 1));
+  };
   const std::string whole = polygon_label(scene, polygon);
   if (!part(at)) return whole;
   int number = 1;
@@ -52,7 +55,8 @@ char letter_of(const Scene& scene, std::int32_t vertex) {
     const std::string& name = *scene.polygons[static_cast<std::size_t>(facet.polygon)].name;
     if (name.size() != static_cast<std::size_t>(facet.corner_count)) continue;
     for (std::size_t i = 0; i < name.size(); ++i)
-      if (scene.corners[static_cast<std::size_t>(facet.first_corner) + i] == vertex && name[i] >= 'A' && name[i] <= 'Z') return name[i];
+      if (scene.corners[static_cast<std::size_t>(facet.first_corner) + i] == vertex && name[i] >= 'A' && name[i] <= 'Z')
+        return name[i];
   }
   return 0;
 }

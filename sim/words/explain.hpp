@@ -26,7 +26,8 @@ Explanation explain(const Trace& trace, const State& after, RecordedEvent event)
 /// By which the scene is being drawn: its own, or that of its light while the run is in the light's pass.
 Camera camera_at_work(const Scene& scene, const MethodState& machine);
 
-/// Whose pixels are being found: the polygon at work; of a method that goes through all at once, that of the span's edge.
+/// Whose pixels are being found: the polygon at work; of a method that goes through all at once, that of the span's
+/// edge.
 std::int32_t polygon_at_work(const MethodState& machine);
 
 /// The label of a polygon: its name, or "P7".
@@ -38,8 +39,8 @@ std::string piece_label(const Scene& scene, const MethodState& machine, std::int
 std::string vertex_label(const Scene& scene, std::int32_t vertex);
 /// "AB" where both its ends have letters, else "e3".
 std::string edge_label(const Scene& scene, const EdgeTableInsert& edge);
-/// "its header does not declare which depth is nearer": why numbers that contradict a compare may be right all the same;
-/// empty where the header declares what they are held against. `tie`: the two are equal.
+/// "its header does not declare which depth is nearer": why numbers that contradict a compare may be right all the
+/// same; empty where the header declares what they are held against. `tie`: the two are equal.
 std::string undeclared_text(const Header& header, bool tie);
 /// What the buffer's numbers are called: "z*", "z_v" or "z".
 std::string depth_symbol(const Scene& scene, const Conventions& conventions);

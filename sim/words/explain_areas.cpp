@@ -29,8 +29,9 @@ void tell(Telling& t, const AreaBegin& e) {
   const std::string where = columns_and_rows(e);
   if (e.parent < 0) t.say(fmt::format("The first area is the whole picture: {}.", where));
   else t.say(fmt::format("Area {} is a quarter of area {}: {}.", e.area, e.parent, where));
-  t.formula(fmt::format("the squares of its pixels: {} \u2264 x \u2264 {}, {} \u2264 y \u2264 {}", number(e.first_column - 0.5), number(e.end_column - 0.5),
-                        number(e.first_row - 0.5), number(e.end_row - 0.5)));
+  t.formula(fmt::format("the squares of its pixels: {} \u2264 x \u2264 {}, {} \u2264 y \u2264 {}",
+                        number(e.first_column - 0.5), number(e.end_column - 0.5), number(e.first_row - 0.5),
+                        number(e.end_row - 0.5)));
 }
 
 void tell(Telling& t, const AreaBin& e) {
@@ -42,13 +43,16 @@ void tell(Telling& t, const AreaBin& e) {
   const AreaBegin* area = area_of(t, t.machine.area);
   const auto at = static_cast<std::size_t>(e.piece);
   if (e.by_box) {
-    t.say(e.bin == Bin::disjoint ? fmt::format("The box of {} misses the area: {} is disjoint, and its edges need no test.", who, who)
-                                 : fmt::format("The box of {} lies in the area: {} is contained, and its edges need no test.", who, who));
+    t.say(e.bin == Bin::disjoint
+              ? fmt::format("The box of {} misses the area: {} is disjoint, and its edges need no test.", who, who)
+              : fmt::format("The box of {} lies in the area: {} is contained, and its edges need no test.", who, who));
     if (area && at < t.machine.pieces.size() && t.machine.pieces[at].extent) {
       const Extent& box = *t.machine.pieces[at].extent;
-      t.formula(fmt::format("its box: x {} to {}, y {} to {}", number(box.x_min), number(box.x_max), number(box.y_min), number(box.y_max)));
-      t.formula(fmt::format("the area: x {} to {}, y {} to {}", number(area->first_column - 0.5), number(area->end_column - 0.5),
-                            number(area->first_row - 0.5), number(area->end_row - 0.5)));
+      t.formula(fmt::format("its box: x {} to {}, y {} to {}", number(box.x_min), number(box.x_max), number(box.y_min),
+                            number(box.y_max)));
+      t.formula(fmt::format("the area: x {} to {}, y {} to {}", number(area->first_column - 0.5),
+                            number(area->end_column - 0.5), number(area->first_row - 0.5),
+                            number(area->end_row - 0.5)));
     }
     return;
   }
@@ -69,8 +73,9 @@ void tell(Telling& t, const AreaBin& e) {
   const bool apart = e.bin == Bin::disjoint || e.bin == Bin::surrounding;
   const bool numbers = e.crossings == 0 ? apart && e.corners_inside == (e.bin == Bin::surrounding ? 4 : 0) : !apart;
   if (!numbers)
-    t.contradict(fmt::format("The trace says that {} is {}, but {} of its edges meet the area and {} of the area's corners lie inside it.", who,
-                             words_of<Bin>[static_cast<std::size_t>(e.bin)], e.crossings, e.corners_inside));
+    t.contradict(fmt::format(
+        "The trace says that {} is {}, but {} of its edges meet the area and {} of the area's corners lie inside it.",
+        who, words_of<Bin>[static_cast<std::size_t>(e.bin)], e.crossings, e.corners_inside));
   t.formula(fmt::format("edges that meet the area: {}", e.crossings));
   t.formula(fmt::format("corners of the area inside {}: {}", who, e.corners_inside));
 }
@@ -85,17 +90,26 @@ void tell(Telling& t, const AreaDecide& e) {
       t.say(fmt::format("Case 2: {} alone reaches into the area, so the part of it that lies there is filled.", who));
       break;
     case AreaCase::surrounded:
-      t.say(fmt::format("Case 3: {} surrounds the area and nothing else reaches into it, so all of it is filled with {}.", who, who));
+      t.say(fmt::format(
+          "Case 3: {} surrounds the area and nothing else reaches into it, so all of it is filled with {}.", who, who));
       break;
     case AreaCase::front_surrounder:
-      t.say(fmt::format("Case 4: {} surrounds the area and is in front of all others at its four corners, so all of it is filled with {}.", who, who));
+      t.say(
+          fmt::format("Case 4: {} surrounds the area and is in front of all others at its four corners, so all of it "
+                      "is filled with {}.",
+                      who, who));
       break;
     case AreaCase::pixel:
-      t.say(e.piece < 0 ? std::string("A single pixel cannot be quartered. No polygon covers its centre, so it stays background.")
-                        : fmt::format("A single pixel cannot be quartered. {} is the nearest at its centre, so the pixel becomes {}.", who, who));
+      t.say(
+          e.piece < 0
+              ? std::string("A single pixel cannot be quartered. No polygon covers its centre, so it stays background.")
+              : fmt::format(
+                    "A single pixel cannot be quartered. {} is the nearest at its centre, so the pixel becomes {}.",
+                    who, who));
       break;
     default:
-      t.say(fmt::format("None of the cases holds for area {}: it is quartered, and each quarter is settled by itself.", e.area));
+      t.say(fmt::format("None of the cases holds for area {}: it is quartered, and each quarter is settled by itself.",
+                        e.area));
   }
   t.formula("surrounding: " + named(t, Bin::surrounding));
   t.formula(fmt::format("intersecting: {}; contained: {}", named(t, Bin::intersecting), named(t, Bin::contained)));

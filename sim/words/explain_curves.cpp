@@ -52,7 +52,8 @@ std::optional<Passage> passage(const Telling& t, int back) {
     position = *found;
   }
   const auto test = std::get<HorizonTest>(t.trace.event(position).event);
-  return Passage{test.x, test.y_curve, horizon_before(t, position, test.x, true), horizon_before(t, position, test.x, false), test.verdict};
+  return Passage{test.x, test.y_curve, horizon_before(t, position, test.x, true),
+                 horizon_before(t, position, test.x, false), test.verdict};
 }
 
 /// Rows as they can be told apart.
@@ -66,11 +67,15 @@ void tell_y(Telling& t, const Passage& now) {
   if (now.x < std::min(a->x, b->x) || now.x > std::max(a->x, b->x)) {
     // Seen edge-on between two columns: the curve's samples stand on the nearest one.
     const OnRaster& end = now.y == a->y ? *a : *b;
-    t.formula(fmt::format("y = {}, of the sample at x = {}: column {} is the nearest", number(end.y), number(end.x), now.x));
+    t.formula(
+        fmt::format("y = {}, of the sample at x = {}: column {} is the nearest", number(end.y), number(end.x), now.x));
     t.hold_against("y", now.y, end.y);
     return;
   }
-  t.gives("y", formulas::on_line(Shown("y_0", a->y), Shown("y_1", b->y), Shown("x", now.x), Shown("x_0", a->x), Shown("x_1", b->x)), now.y);
+  t.gives("y",
+          formulas::on_line(Shown("y_0", a->y), Shown("y_1", b->y), Shown("x", now.x), Shown("x_0", a->x),
+                            Shown("x_1", b->x)),
+          now.y);
 }
 
 /// "y ≤ upper[x]:  10.4 ≤ 12.1  is true"
@@ -94,7 +99,8 @@ void tell(Telling& t, const CurveSegment& e) {
   const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
   const std::string way = fmt::format("from {} to {}", place(e.vertex_0, a), place(e.vertex_1, b));
   if (step_name(t) == "side")
-    t.say(fmt::format("The surface goes on between its curves, here {}. Nothing is drawn, but what lies behind is hidden.", way));
+    t.say(fmt::format(
+        "The surface goes on between its curves, here {}. Nothing is drawn, but what lies behind is hidden.", way));
   else
     t.say(fmt::format("The curve goes straight {}.", way));
 }
@@ -113,14 +119,14 @@ void tell(Telling& t, const HorizonTest& e) {
     t.say(fmt::format("On column {} the curve, {}, is {} the upper horizon, {}: visible.", e.x, row_of(over),
                       now.y == now.upper ? "on" : "above", row_of(upper)));
   else if (below)
-    t.say(fmt::format("On column {} the curve, {}, is {} the lower horizon, {}: visible, from below.", e.x, row_of(under),
-                      now.y == now.lower ? "on" : "below", row_of(lower)));
+    t.say(fmt::format("On column {} the curve, {}, is {} the lower horizon, {}: visible, from below.", e.x,
+                      row_of(under), now.y == now.lower ? "on" : "below", row_of(lower)));
   else if (one)
-    t.say(fmt::format("On column {} the curve, {}, is not above the horizon, {}: hidden, by this rule.", e.x, row_of(over),
-                      row_of(upper)));
+    t.say(fmt::format("On column {} the curve, {}, is not above the horizon, {}: hidden, by this rule.", e.x,
+                      row_of(over), row_of(upper)));
   else
-    t.say(fmt::format("On column {} the curve, {}, lies between the horizons, rows {} and {}: hidden.", e.x, row_of(over), upper,
-                      lower));
+    t.say(fmt::format("On column {} the curve, {}, lies between the horizons, rows {} and {}: hidden.", e.x,
+                      row_of(over), upper, lower));
   tell_y(t, now);
   tell_test(t, "\u2264", "upper", now.y, now.upper, above);
   if (!one && !above) tell_test(t, "\u2265", "lower", now.y, now.lower, below);
@@ -129,7 +135,8 @@ void tell(Telling& t, const HorizonTest& e) {
   if (!one) t.value("lower[x]", now.lower);
   const Horizon rule = above ? Horizon::above : below ? Horizon::below : Horizon::hidden;
   if (rule != e.verdict)
-    t.contradict(fmt::format("On column {} the trace says {}, but by these numbers the curve is {}.", e.x, words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
+    t.contradict(fmt::format("On column {} the trace says {}, but by these numbers the curve is {}.", e.x,
+                             words_of<Horizon>[static_cast<std::size_t>(e.verdict)],
                              words_of<Horizon>[static_cast<std::size_t>(rule)]));
 }
 
@@ -145,7 +152,8 @@ void tell(Telling& t, const HorizonCross& e) {
   const double d_0 = from.y - (e.upper ? from.upper : from.lower), d_1 = to.y - (e.upper ? to.upper : to.lower);
   for (const auto& [name, passage, d] : {std::tuple("d_0", &from, d_0), std::tuple("d_1", &to, d_1)}) {
     const auto [y, entry] = tell_apart(passage->y, e.upper ? passage->upper : passage->lower);
-    t.formula(fmt::format("{} = y \u2212 {}[{}] = {} \u2212 {} = {}", name, horizon, passage->x, y, operand(e.upper ? passage->upper : passage->lower, entry), number(d)));
+    t.formula(fmt::format("{} = y \u2212 {}[{}] = {} \u2212 {} = {}", name, horizon, passage->x, y,
+                          operand(e.upper ? passage->upper : passage->lower, entry), number(d)));
   }
   const Shown x_0("x_0", from.x), x_1("x_1", to.x), at_0("d_0", d_0), at_1("d_1", d_1);
   if (d_0 != d_1) t.gives("x", x_0 + formulas::where_zero(at_0, at_1) * (x_1 - x_0), e.x_at);
@@ -156,7 +164,8 @@ void tell(Telling& t, const HorizonCross& e) {
 void tell(Telling& t, const HorizonMove& e) {
   const std::string step = step_name(t);
   if (step == "clear_horizons") {
-    t.say(fmt::format("Nothing is drawn yet on column {}: {} the {} horizon.", e.x, e.upper ? "every row is above" : "every row is below", e.upper ? "upper" : "lower"));
+    t.say(fmt::format("Nothing is drawn yet on column {}: {} the {} horizon.", e.x,
+                      e.upper ? "every row is above" : "every row is below", e.upper ? "upper" : "lower"));
     return t.formula(fmt::format("{}[{}] = {}", e.upper ? "upper" : "lower", e.x, number(e.y_curve)));
   }
   const double was = horizon_before(t, t.after.position, e.x, e.upper);
@@ -166,7 +175,8 @@ void tell(Telling& t, const HorizonMove& e) {
   if (std::isinf(was))
     t.say(fmt::format("The {} horizon of column {} begins at row {}{}.", horizon, e.x, now, why));
   else
-    t.say(fmt::format("The {} horizon of column {} {} from row {} to row {}{}.", horizon, e.x, e.upper ? "rises" : "sinks", before, now, why));
+    t.say(fmt::format("The {} horizon of column {} {} from row {} to row {}{}.", horizon, e.x,
+                      e.upper ? "rises" : "sinks", before, now, why));
   t.formula(fmt::format("{}[{}] = {}", horizon, e.x, now));
   t.value("y", e.y_curve);
 }

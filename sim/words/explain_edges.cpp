@@ -18,7 +18,8 @@ std::string named(const Telling& t, std::int32_t edge) {
   const EdgeTableInsert* entry = entry_of(t, edge);
   if (!entry) return fmt::format("edge e{}", edge);
   const std::string label = edge_label(t.scene, *entry);
-  return label[0] != 'e' ? "edge " + label : fmt::format("edge {} ({}\u2013{})", label, entry->vertex_0, entry->vertex_1);
+  return label[0] != 'e' ? "edge " + label
+                         : fmt::format("edge {} ({}\u2013{})", label, entry->vertex_0, entry->vertex_1);
 }
 
 /// The same without "edge" and without its ends.
@@ -42,7 +43,8 @@ std::optional<Before> before_step(const Telling& t, std::int32_t edge) {
   const std::int64_t first = std::max<std::int64_t>(1, t.after.position - far_enough);
   for (std::int64_t p = t.after.position - 1; p >= first; --p) {
     const Event& event = t.trace.event(p).event;
-    if (const auto* step = std::get_if<EdgeStep>(&event); step && step->edge == edge) return Before{step->x_edge, step->z_edge};
+    if (const auto* step = std::get_if<EdgeStep>(&event); step && step->edge == edge)
+      return Before{step->x_edge, step->z_edge};
     if (const auto* enter = std::get_if<EdgeEnter>(&event); enter && enter->edge == edge)
       if (const EdgeTableInsert* entry = entry_of(t, edge)) return Before{entry->x_edge, entry->z_edge};
     if (std::holds_alternative<PolygonBegin>(event)) break;
@@ -71,7 +73,8 @@ Rows rows_of(Telling& t, const Ends& ends, const EdgeTableInsert& e) {
   const std::int32_t height = t.scene.raster.height;
   const auto limited = [&](double row) { return formulas::row_from(row, height); };  // a whole number is its own
   const Shown first = formulas::first_row(above);
-  // An edge that ends on a scan line may go on through it, where coverage is inclusive and the polygon has its lowest point there.
+  // An edge that ends on a scan line may go on through it, where coverage is inclusive and the polygon has its lowest
+  // point there.
   const Shown longer = formulas::end_row(below, true);
   const bool past_end = formulas::may_include_end(t.trace.header()) && limited(longer.value()) == e.end_row;
   const Shown end = past_end ? longer : formulas::end_row(below, false);
@@ -93,9 +96,10 @@ std::string list_of_active(const Telling& t) {
 }  // namespace
 
 void tell(Telling& t, const EdgeTableInsert& e) {
-  const std::string edge = fmt::format("dge {} from vertex {} to vertex {}", edge_label(t.scene, e), vertex_label(t.scene, e.vertex_0),
-                                       vertex_label(t.scene, e.vertex_1));
-  t.say(fmt::format("E{} first meets scan line {}, so it goes into bucket {}; it leaves at {}.", edge, e.first_row, e.first_row, e.end_row));
+  const std::string edge = fmt::format("dge {} from vertex {} to vertex {}", edge_label(t.scene, e),
+                                       vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1));
+  t.say(fmt::format("E{} first meets scan line {}, so it goes into bucket {}; it leaves at {}.", edge, e.first_row,
+                    e.first_row, e.end_row));
   if (const auto ends = ends_of(t, e)) {
     const Shown y_row("y", e.first_row);
     t.gives("1/m", slope(ends->x_0, ends->x_1, ends->y_0, ends->y_1), e.dx_dy);
@@ -104,8 +108,10 @@ void tell(Telling& t, const EdgeTableInsert& e) {
     t.gives(t.z, on_line(ends->z_0, ends->z_1, y_row, ends->y_0, ends->y_1), e.z_edge);
     const Rows rows = rows_of(t, *ends, e);
     if (!rows.first_agrees || !rows.end_agrees)
-      t.say(fmt::format("The trace lets e{} begin at scan line {} and leave at {}; its ends are at y = {} and {}, so it should begin at {} and leave at {}.",
-                        edge, e.first_row, e.end_row, ends->y_0.numbers(), ends->y_1.numbers(), rows.first, rows.end));
+      t.say(
+          fmt::format("The trace lets e{} begin at scan line {} and leave at {}; its ends are at y = {} and {}, so it "
+                      "should begin at {} and leave at {}.",
+                      edge, e.first_row, e.end_row, ends->y_0.numbers(), ends->y_1.numbers(), rows.first, rows.end));
   }
   t.value("x", e.x_edge);
   t.value("1/m", e.dx_dy);
@@ -114,7 +120,8 @@ void tell(Telling& t, const EdgeTableInsert& e) {
 }
 
 void tell(Telling& t, const EdgeTableSkip& e) {
-  const std::string edge = fmt::format("edge from vertex {} to vertex {}", vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1));
+  const std::string edge = fmt::format("edge from vertex {} to vertex {}", vertex_label(t.scene, e.vertex_0),
+                                       vertex_label(t.scene, e.vertex_1));
   const bool horizontal = e.why == EdgeSkip::horizontal;
   t.say(horizontal ? fmt::format("The {} is horizontal: it meets no scan line in one point and is left out.", edge)
                    : fmt::format("The {} lies between two scan lines and meets none: it is left out.", edge));
@@ -123,35 +130,50 @@ void tell(Telling& t, const EdgeTableSkip& e) {
   const double from = std::min(a->y, b->y), to = std::max(a->y, b->y), height = t.scene.raster.height;
   // Half-open: an edge that ends on a scan line does not meet it.
   const double first = std::ceil(from), end = std::ceil(to), first_within = std::clamp(first, 0.0, height);
-  if (horizontal && from != to) t.contradict(fmt::format("The trace leaves out the {} as horizontal, but it is not: {} \u2260 {}.", edge, number(a->y), number(b->y)));
+  if (horizontal && from != to)
+    t.contradict(fmt::format("The trace leaves out the {} as horizontal, but it is not: {} \u2260 {}.", edge,
+                             number(a->y), number(b->y)));
   if (!horizontal && first_within < std::min(end, height))
-    t.contradict(fmt::format("The trace leaves out the {} as lying between two scan lines, but it meets scan line {}.", edge, number(first_within)));
+    t.contradict(fmt::format("The trace leaves out the {} as lying between two scan lines, but it meets scan line {}.",
+                             edge, number(first_within)));
   else if (!horizontal && first < end)
-    t.say(fmt::format("The {} lies {} the raster and meets none of its scan lines: it is left out.", edge, to <= 0 ? "above" : "below"));
+    t.say(fmt::format("The {} lies {} the raster and meets none of its scan lines: it is left out.", edge,
+                      to <= 0 ? "above" : "below"));
   t.formula(fmt::format("y_0 = {}, y_1 = {}", number(a->y), number(b->y)));
 }
 
 void tell(Telling& t, const ScanLineBegin& e) {
-  const auto waiting = std::count_if(t.machine.edge_table.begin(), t.machine.edge_table.end(), [&](const EdgeTableInsert& entry) {
-    return t.machine.edge_stages[static_cast<std::size_t>(entry.edge)] == EdgeStage::waiting && entry.first_row == e.y;
-  });
-  t.say(fmt::format("Scan line y = {} of {}: {} active from the line before, {} waiting in its bucket.", e.y, all_at_once(t) ? "all polygons" : t.here(),
-                    t.machine.active.size() == 1 ? "1 edge" : fmt::format("{} edges", t.machine.active.size()), waiting));
+  const auto waiting =
+      std::count_if(t.machine.edge_table.begin(), t.machine.edge_table.end(), [&](const EdgeTableInsert& entry) {
+        return t.machine.edge_stages[static_cast<std::size_t>(entry.edge)] == EdgeStage::waiting &&
+               entry.first_row == e.y;
+      });
+  t.say(fmt::format("Scan line y = {} of {}: {} active from the line before, {} waiting in its bucket.", e.y,
+                    all_at_once(t) ? "all polygons" : t.here(),
+                    t.machine.active.size() == 1 ? "1 edge" : fmt::format("{} edges", t.machine.active.size()),
+                    waiting));
 }
 
 void tell(Telling& t, const EdgeEnter& e) {
-  t.say(with_capital(fmt::format("{} begins at this scan line and enters the active edge list at place {}, sorted by x.",
-                                 named(t, e.edge), e.place)));
+  t.say(
+      with_capital(fmt::format("{} begins at this scan line and enters the active edge list at place {}, sorted by x.",
+                               named(t, e.edge), e.place)));
   const auto place = static_cast<std::size_t>(e.place);
   const auto& active = t.machine.active;
-  const auto out_of_order = [&](std::size_t left) { return left + 1 < active.size() && active[left].x > active[left + 1].x; };
+  const auto out_of_order = [&](std::size_t left) {
+    return left + 1 < active.size() && active[left].x > active[left + 1].x;
+  };
   if (out_of_order(place) || (place > 0 && out_of_order(place - 1))) {
-    const ActiveEdge &one = active[out_of_order(place) ? place : place - 1], &other = active[out_of_order(place) ? place + 1 : place];
-    t.contradict(with_capital(fmt::format("{} begins at this scan line and enters the active edge list at place {}, which leaves it unsorted: {} at x = {} is left of {} at x = {}.",
-                                          named(t, e.edge), e.place, brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x))));
+    const ActiveEdge &one = active[out_of_order(place) ? place : place - 1],
+                     &other = active[out_of_order(place) ? place + 1 : place];
+    t.contradict(with_capital(fmt::format(
+        "{} begins at this scan line and enters the active edge list at place {}, which leaves it unsorted: {} at x = "
+        "{} is left of {} at x = {}.",
+        named(t, e.edge), e.place, brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x))));
   }
   if (const EdgeTableInsert* entry = entry_of(t, e.edge)) {
-    t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.z, number(entry->z_edge), entry->end_row));
+    t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.z, number(entry->z_edge),
+                          entry->end_row));
     t.value("x", entry->x_edge);
     t.value(t.z, entry->z_edge);
   }
@@ -162,17 +184,21 @@ void tell(Telling& t, const EdgeRetire& e) {
   const EdgeTableInsert* entry = entry_of(t, e.edge);
   if (!entry || !t.machine.scan_line) return;
   const std::int32_t y = *t.machine.scan_line, end = entry->end_row;
-  t.formula(y >= end ? fmt::format("y = {}; it leaves at y = {}", y, end) : fmt::format("y + 1 = {}; it leaves at y = {}", y + 1, end));
+  t.formula(y >= end ? fmt::format("y = {}; it leaves at y = {}", y, end)
+                     : fmt::format("y + 1 = {}; it leaves at y = {}", y + 1, end));
   if (y != end && y + 1 != end)
-    return t.contradict(with_capital(fmt::format("{} leaves the active edge list at scan line {}, though it is to leave at {}.", named(t, e.edge), y, end)));
+    return t.contradict(with_capital(fmt::format(
+        "{} leaves the active edge list at scan line {}, though it is to leave at {}.", named(t, e.edge), y, end)));
   if (y == end) return;
   const auto goes_on = [&](const ActiveEdge& active) {
     const EdgeTableInsert* other = entry_of(t, active.edge);
     return other && other->end_row > end;
   };
   const bool last_of_all = std::none_of(t.machine.active.begin(), t.machine.active.end(), goes_on);
-  t.say(with_capital(last_of_all ? fmt::format("Scan line {} was the last of {}: {} leaves the active edge list.", y, all_at_once(t) ? "all" : t.here(), named(t, e.edge))
-                                 : fmt::format("Scan line {} was the last of {}, which leaves the active edge list.", y, named(t, e.edge))));
+  t.say(with_capital(last_of_all ? fmt::format("Scan line {} was the last of {}: {} leaves the active edge list.", y,
+                                               all_at_once(t) ? "all" : t.here(), named(t, e.edge))
+                                 : fmt::format("Scan line {} was the last of {}, which leaves the active edge list.", y,
+                                               named(t, e.edge))));
 }
 
 void tell(Telling& t, const EdgeStep& e) {
@@ -197,35 +223,44 @@ void tell(Telling& t, const EdgeStep& e) {
 }
 
 void tell(Telling& t, const EdgeSwap& e) {
-  t.say(fmt::format("Places {} and {} of the active edge list change: left to right, x must not fall.", e.place, e.place + 1));
+  t.say(fmt::format("Places {} and {} of the active edge list change: left to right, x must not fall.", e.place,
+                    e.place + 1));
   t.formula(list_of_active(t));
   const auto left = static_cast<std::size_t>(e.place);
   if (left + 1 >= t.machine.active.size() || t.machine.active[left].x <= t.machine.active[left + 1].x) return;
   const ActiveEdge &one = t.machine.active[left], &other = t.machine.active[left + 1];
-  t.contradict(fmt::format("Places {} and {} of the active edge list change, though they were in order: now {} at x = {} is left of {} at x = {}.", e.place, e.place + 1,
-                           brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x)));
+  t.contradict(
+      fmt::format("Places {} and {} of the active edge list change, though they were in order: now {} at x = {} is "
+                  "left of {} at x = {}.",
+                  e.place, e.place + 1, brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x)));
 }
 
 void tell(Telling& t, const SpanBegin& e) {
   const std::int32_t count = std::max(0, e.last - e.first + 1);
   const std::string left = brief(t, e.left_edge), right = brief(t, e.right_edge);
-  t.say(count == 0 ? fmt::format("Between {} and {} no pixel centre lies on scan line {}: nothing to draw.", left, right, e.y)
-                   : count == 1 ? fmt::format("Between {} and {} lies 1 pixel of scan line {}: x = {}.", left, right, e.y, e.first)
-                   : fmt::format("Between {} and {} lie {} pixels of scan line {}: x = {} to {}.", left, right, count, e.y, e.first, e.last));
+  t.say(count == 0
+            ? fmt::format("Between {} and {} no pixel centre lies on scan line {}: nothing to draw.", left, right, e.y)
+        : count == 1 ? fmt::format("Between {} and {} lies 1 pixel of scan line {}: x = {}.", left, right, e.y, e.first)
+                     : fmt::format("Between {} and {} lie {} pixels of scan line {}: x = {} to {}.", left, right, count,
+                                   e.y, e.first, e.last));
   const Shown x_left("x_L", e.x_left), x_right("x_R", e.x_right), z_left("z_L", e.z_left), z_right("z_R", e.z_right);
   const auto [z_l, z_r] = tell_apart(e.z_left, e.z_right);
-  t.formula(fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", x_left.numbers(), x_right.numbers(), t.z, z_l, t.z, z_r));
+  t.formula(
+      fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", x_left.numbers(), x_right.numbers(), t.z, z_l, t.z, z_r));
   const std::int32_t width = t.scene.raster.width;
   const auto last_by = [&](Conventions::Coverage coverage) { return formulas::last_pixel(x_right, coverage); };
   const auto within = [&](const Shown& last) { return formulas::limited_column(last.value() + 1, width) - 1; };
   const auto ends_there = [&](Conventions::Coverage coverage) { return within(last_by(coverage)) == e.last; };
-  const Shown first = formulas::first_pixel(x_left), last = last_by(formulas::coverage_of(t.trace.header(), ends_there));
+  const Shown first = formulas::first_pixel(x_left),
+              last = last_by(formulas::coverage_of(t.trace.header(), ends_there));
   const std::int32_t first_within = std::max(0, formulas::limited_column(first.value(), width));
-  const bool first_agrees = t.whole("first", first, e.first, first_within), last_agrees = t.whole("last", last, e.last, within(last));
+  const bool first_agrees = t.whole("first", first, e.first, first_within),
+             last_agrees = t.whole("last", last, e.last, within(last));
   if (!first_agrees || !last_agrees)
-    t.say(fmt::format("The trace fills x = {} to {} of scan line {} between {} and {}; by x_L = {} and x_R = {} it should fill {}.", e.first, e.last, e.y, left,
-                      right, x_left.numbers(), x_right.numbers(),
-                      within(last) < first_within ? "nothing" : fmt::format("{} to {}", first_within, within(last))));
+    t.say(fmt::format(
+        "The trace fills x = {} to {} of scan line {} between {} and {}; by x_L = {} and x_R = {} it should fill {}.",
+        e.first, e.last, e.y, left, right, x_left.numbers(), x_right.numbers(),
+        within(last) < first_within ? "nothing" : fmt::format("{} to {}", first_within, within(last))));
   if (e.x_right != e.x_left) t.gives("dz/dx", formulas::slope(z_left, z_right, x_left, x_right), e.dz_dx);
   t.value("x_L", e.x_left);
   t.value("x_R", e.x_right);

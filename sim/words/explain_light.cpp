@@ -16,26 +16,34 @@ void tell(Telling& t, const ShadowCompare& e) {
   t.value("x'", e.x_light);
   t.value("y'", e.y_light);
   t.value("z_light", e.z_light);
-  t.formula(fmt::format("x' = {}, y' = {} in the light's picture, z_light = {}", number(e.x_light), number(e.y_light), number(e.z_light)));
+  t.formula(fmt::format("x' = {}, y' = {} in the light's picture, z_light = {}", number(e.x_light), number(e.y_light),
+                        number(e.z_light)));
   if (!inside) {
-    t.say(fmt::format("The point of {} at pixel ({}, {}) lies beside the light's window: dark.", t.label(polygon), e.x, e.y));
+    t.say(fmt::format("The point of {} at pixel ({}, {}) lies beside the light's window: dark.", t.label(polygon), e.x,
+                      e.y));
     return;
   }
   const std::size_t cell = state.light.at(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row));
   const double stored = state.light.depth[cell];
   const auto [z, shadow] = tell_apart(e.z_light, stored);
   const std::string what = e.lit ? fmt::format("the light reaches {}", t.label(polygon))
-                                 : fmt::format("{} is nearer to the light, so {} is in shadow", t.label(state.light.polygon[cell]), t.label(polygon));
+                                 : fmt::format("{} is nearer to the light, so {} is in shadow",
+                                               t.label(state.light.polygon[cell]), t.label(polygon));
   t.say(fmt::format("At pixel ({}, {}) {}.", e.x, e.y, what));
   if (!e.lit && t.trace.header().comparison.behind(e.z_light, stored) < 0)
-    t.contradict(fmt::format("The trace says that {} is in shadow at pixel ({}, {}), but its depth, {}, is less than the {} that the light sees there.", t.label(polygon), e.x, e.y, z, shadow));
-  t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it {}", column, row, shadow, z, e.lit ? "is not behind" : "is behind",
+    t.contradict(
+        fmt::format("The trace says that {} is in shadow at pixel ({}, {}), but its depth, {}, is less than the {} "
+                    "that the light sees there.",
+                    t.label(polygon), e.x, e.y, z, shadow));
+  t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it {}", column, row, shadow, z,
+                        e.lit ? "is not behind" : "is behind",
                         e.lit ? "by more than the bias" : "by more than the bias: dark"));
   t.value("shadow[x',y']", stored);
 }
 
 void tell(Telling& t, const ColorWrite& e) {
-  const bool shaded = t.machine.shadow && !t.machine.shadow->lit && t.machine.shadow->x == e.x && t.machine.shadow->y == e.y;
+  const bool shaded =
+      t.machine.shadow && !t.machine.shadow->lit && t.machine.shadow->x == e.x && t.machine.shadow->y == e.y;
   t.say(fmt::format("Pixel ({}, {}) takes the colour {}, {}, {}{}.", e.x, e.y, e.r8, e.g8, e.b8,
                     shaded ? ": its polygon's in shadow" : ""));
   t.formula(fmt::format("frame[{},{}] = ({}, {}, {})", e.x, e.y, e.r8, e.g8, e.b8));

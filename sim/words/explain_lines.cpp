@@ -6,7 +6,8 @@ namespace {
 
 std::string facet_label(const Telling& t, std::int32_t facet) {
   const auto at = static_cast<std::size_t>(facet);
-  return facet >= 0 && at < t.scene.facets.size() ? t.label(t.scene.facets[at].polygon) : fmt::format("facet {}", facet);
+  return facet >= 0 && at < t.scene.facets.size() ? t.label(t.scene.facets[at].polygon)
+                                                  : fmt::format("facet {}", facet);
 }
 
 const LineRow* row_of(const Telling& t, std::int32_t line) {
@@ -16,7 +17,8 @@ const LineRow* row_of(const Telling& t, std::int32_t line) {
 
 std::string edge_label(const Telling& t, std::int32_t line) {
   const LineRow* row = row_of(t, line);
-  return row ? fmt::format("edge {} ({}\u2013{})", line, row->entry.vertex_0, row->entry.vertex_1) : fmt::format("edge {}", line);
+  return row ? fmt::format("edge {} ({}\u2013{})", line, row->entry.vertex_0, row->entry.vertex_1)
+             : fmt::format("edge {}", line);
 }
 
 std::string capital(std::string text) {
@@ -50,7 +52,8 @@ std::string between(double t_0, double t_1) { return fmt::format("t = {} to {}",
 }  // namespace
 
 void tell(Telling& t, const LineBegin& e) {
-  const std::string edge = capital(fmt::format("edge {} runs from vertex {} to vertex {}", e.line, e.vertex_0, e.vertex_1));
+  const std::string edge =
+      capital(fmt::format("edge {} runs from vertex {} to vertex {}", e.line, e.vertex_0, e.vertex_1));
   const bool two = e.left_facet >= 0 && e.right_facet >= 0;
   const std::string one = facet_label(t, e.left_facet >= 0 ? e.left_facet : e.right_facet);
   const std::string both = two ? facet_label(t, e.left_facet) + " and " + facet_label(t, e.right_facet) : one;
@@ -65,7 +68,8 @@ void tell(Telling& t, const LineBegin& e) {
       t.say(fmt::format("{}. Only {} is there; nothing lies on its other side.", edge, both));
       break;
     default:
-      t.say(two ? fmt::format("{}. Its faces {} both face away.", edge, both) : fmt::format("{}. Its face {} faces away.", edge, both));
+      t.say(two ? fmt::format("{}. Its faces {} both face away.", edge, both)
+                : fmt::format("{}. Its face {} faces away.", edge, both));
   }
   const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
   if (!a || !b) return;
@@ -83,10 +87,12 @@ void tell(Telling& t, const LineAgainst& e) {
       t.say(fmt::format("The extents of {} miss {}: it hides none of it.", face, edge));
       return;
     case LineFace::in_front:
-      t.say(fmt::format("{} lies in front of the plane of {} from end to end, or on it: {} hides none of it.", capital(edge), face, face));
+      t.say(fmt::format("{} lies in front of the plane of {} from end to end, or on it: {} hides none of it.",
+                        capital(edge), face, face));
       break;
     case LineFace::behind:
-      t.say(fmt::format("A part of {} lies behind the plane of {}, but beside {} on the picture: it hides none of it.", edge, face, face));
+      t.say(fmt::format("A part of {} lies behind the plane of {}, but beside {} on the picture: it hides none of it.",
+                        edge, face, face));
       break;
     default:
       t.say(fmt::format("{} hides a part of {}.", face, edge));
@@ -94,7 +100,8 @@ void tell(Telling& t, const LineAgainst& e) {
   const LineRow* row = row_of(t, e.line);
   const PlaneEquation* plane = plane_of(t, e.facet);
   if (!row || !plane) return;
-  const auto d_0 = distance_behind(t, *plane, row->entry.vertex_0), d_1 = distance_behind(t, *plane, row->entry.vertex_1);
+  const auto d_0 = distance_behind(t, *plane, row->entry.vertex_0),
+             d_1 = distance_behind(t, *plane, row->entry.vertex_1);
   if (!d_0 || !d_1) return;
   t.formula(fmt::format("behind the plane by d_0 = {} at t = 0, d_1 = {} at t = 1", number(*d_0), number(*d_1)));
   t.value("d_0", *d_0);
@@ -110,7 +117,8 @@ void tell(Telling& t, const LineCross& e) {
   if (!row) return;
   const PlaneEquation* plane = plane_of(t, e.facet);
   if (e.in_space && plane) {
-    const auto d_0 = distance_behind(t, *plane, row->entry.vertex_0), d_1 = distance_behind(t, *plane, row->entry.vertex_1);
+    const auto d_0 = distance_behind(t, *plane, row->entry.vertex_0),
+               d_1 = distance_behind(t, *plane, row->entry.vertex_1);
     if (d_0 && d_1) {
       t.gives("t", formulas::where_zero(Shown("d_0", *d_0), Shown("d_1", *d_1)), e.t);
     }
@@ -122,8 +130,8 @@ void tell(Telling& t, const LineCross& e) {
 }
 
 void tell(Telling& t, const LineHide& e) {
-  t.say(fmt::format("From t = {} to t = {} {} is inside {} on the picture and behind its plane: hidden there.", number(e.t_0), number(e.t_1),
-                    edge_label(t, e.line), facet_label(t, e.facet)));
+  t.say(fmt::format("From t = {} to t = {} {} is inside {} on the picture and behind its plane: hidden there.",
+                    number(e.t_0), number(e.t_1), edge_label(t, e.line), facet_label(t, e.facet)));
   t.formula(between(e.t_0, e.t_1));
   t.value("t_0", e.t_0);
   t.value("t_1", e.t_1);
@@ -134,9 +142,12 @@ void tell(Telling& t, const LinePiece& e) {
   const LineRow* row = row_of(t, e.line);
   const bool whole = e.t_0 == 0 && e.t_1 == 1;
   if (whole && e.visible) t.say(fmt::format("All of {} is drawn.", edge));
-  else if (whole && row && row->entry.kind == LineKind::back) t.say(fmt::format("All faces at {} face away, so none of it is seen.", edge));
+  else if (whole && row && row->entry.kind == LineKind::back)
+    t.say(fmt::format("All faces at {} face away, so none of it is seen.", edge));
   else if (whole) t.say(fmt::format("All of {} is hidden.", edge));
-  else t.say(fmt::format("{} is {} from t = {} to t = {}.", capital(edge), e.visible ? "visible" : "hidden", number(e.t_0), number(e.t_1)));
+  else
+    t.say(fmt::format("{} is {} from t = {} to t = {}.", capital(edge), e.visible ? "visible" : "hidden", number(e.t_0),
+                      number(e.t_1)));
   t.formula(fmt::format("{}: {} of its length", between(e.t_0, e.t_1), number(e.t_1 - e.t_0)));
   t.value("t_0", e.t_0);
   t.value("t_1", e.t_1);

@@ -20,11 +20,13 @@ PlaneEquation turned(PlaneEquation plane) {
   return {plane.piece, -plane.plane_a, -plane.plane_b, -plane.plane_c, -plane.plane_d};
 }
 
-double depth_of(const PlaneEquation& p, double x, double y) { return -(p.plane_a * x + p.plane_b * y + p.plane_d) / p.plane_c; }
+double depth_of(const PlaneEquation& p, double x, double y) {
+  return -(p.plane_a * x + p.plane_b * y + p.plane_d) / p.plane_c;
+}
 
 std::string equation(const PlaneEquation& p) {
-  return fmt::format("f(x, y, z) = {} x + {} y + {} z + {}", operand(p.plane_a, factor(p.plane_a)), operand(p.plane_b, factor(p.plane_b)),
-                     operand(p.plane_c, factor(p.plane_c)), operand(p.plane_d));
+  return fmt::format("f(x, y, z) = {} x + {} y + {} z + {}", operand(p.plane_a, factor(p.plane_a)),
+                     operand(p.plane_b, factor(p.plane_b)), operand(p.plane_c, factor(p.plane_c)), operand(p.plane_d));
 }
 
 /// Computes the extremes again from the corners that the state knows.
@@ -36,7 +38,8 @@ void hold_extremes(Telling& t, const SideTest& e, const PlaneEquation& p) {
   for (const std::int32_t vertex : piece->outline) {
     const auto corner = on_raster(t.scene, t.after, vertex);
     if (!corner) return;
-    const auto value = formulas::plane_value<formulas::Rounded>(p.plane_a, p.plane_b, p.plane_c, p.plane_d, corner->x, corner->y, corner->z);
+    const auto value = formulas::plane_value<formulas::Rounded>(p.plane_a, p.plane_b, p.plane_c, p.plane_d, corner->x,
+                                                                corner->y, corner->z);
     if (value.value < least.value) least = value;
     if (value.value > greatest.value) greatest = value;
   }
@@ -49,7 +52,8 @@ std::string place_word(std::int32_t place) { return place == 0 ? "the first plac
 }  // namespace
 
 void tell(Telling& t, const PairBegin& e) {
-  t.say(fmt::format("May P = {} be drawn before Q = {}? If any of the tests says yes, it may.", t.piece(e.piece), t.piece(e.other)));
+  t.say(fmt::format("May P = {} be drawn before Q = {}? If any of the tests says yes, it may.", t.piece(e.piece),
+                    t.piece(e.other)));
   const Extent *p = extent_of(t, e.piece), *q = extent_of(t, e.other);
   if (!p || !q) return;
   t.formula(fmt::format("{} of {}: {}", t.z, t.piece(e.piece), range(p->z_min, p->z_max)));
@@ -57,17 +61,20 @@ void tell(Telling& t, const PairBegin& e) {
 }
 
 void tell(Telling& t, const ExtentTest& e) {
-  const std::string axis(words_of<Axis>[static_cast<std::size_t>(e.axis)]), one = t.piece(e.piece), other = t.piece(e.other);
+  const std::string axis(words_of<Axis>[static_cast<std::size_t>(e.axis)]), one = t.piece(e.piece),
+                                                                            other = t.piece(e.other);
   if (e.overlap)
-    t.say(fmt::format("The {} extents of {} and {} overlap: this test cannot say that {} may be drawn first.", axis, one, other, one));
+    t.say(fmt::format("The {} extents of {} and {} overlap: this test cannot say that {} may be drawn first.", axis,
+                      one, other, one));
   else if (e.axis == Axis::z)
     t.say(fmt::format("The whole of {} is nearer than all of {}: {} cannot hide it.", other, one, one));
   else
     t.say(fmt::format("The {} extents of {} and {} do not overlap: neither can hide the other.", axis, one, other));
   const bool meet = e.low < e.other_high && e.other_low < e.high;
   if (e.overlap ? !meet && e.axis != Axis::z : meet)
-    t.contradict(fmt::format("The trace says that the {} extents of {} and {} {}, but {} and {} {}.", axis, one, other, e.overlap ? "overlap" : "do not overlap",
-                             range(e.low, e.high), range(e.other_low, e.other_high), meet ? "do" : "do not"));
+    t.contradict(fmt::format("The trace says that the {} extents of {} and {} {}, but {} and {} {}.", axis, one, other,
+                             e.overlap ? "overlap" : "do not overlap", range(e.low, e.high),
+                             range(e.other_low, e.other_high), meet ? "do" : "do not"));
   t.formula(fmt::format("{}: {} and {}", one, range(e.low, e.high), range(e.other_low, e.other_high)));
   if (!e.overlap && e.high <= e.other_low) t.formula(fmt::format("{} \u2264 {}", number(e.high), number(e.other_low)));
   else if (!e.overlap) t.formula(fmt::format("{} \u2264 {}", number(e.other_high), number(e.low)));
@@ -84,10 +91,17 @@ void tell(Telling& t, const SideTest& e) {
   switch (e.side) {
     case Side::front: t.say(fmt::format("All of {} lies {} the plane of {}.", piece, before, plane)); break;
     case Side::behind: t.say(fmt::format("All of {} lies behind the plane of {}.", piece, plane)); break;
-    case Side::on: t.say(fmt::format("{} lies in the plane of {}{}", piece, plane, sorted ? ": the later one in the file is to be drawn first." : ".")); break;
-    case Side::crossing: t.say(fmt::format("{} lies on both sides of the plane of {}{}", piece, plane, !sorted || step == "split" ? ": it is cut there." : ".")); break;
+    case Side::on:
+      t.say(fmt::format("{} lies in the plane of {}{}", piece, plane,
+                        sorted ? ": the later one in the file is to be drawn first." : "."));
+      break;
+    case Side::crossing:
+      t.say(fmt::format("{} lies on both sides of the plane of {}{}", piece, plane,
+                        !sorted || step == "split" ? ": it is cut there." : "."));
+      break;
   }
-  const bool wants_behind = step == "test_3" || step == "test_3_swapped", wants_before = step == "test_4" || step == "test_4_swapped";
+  const bool wants_behind = step == "test_3" || step == "test_3_swapped",
+             wants_before = step == "test_4" || step == "test_4_swapped";
   if (sorted && e.side != Side::on && (wants_behind || wants_before)) {
     const bool passed = e.side == (wants_behind ? Side::behind : Side::front);
     const bool exchanged = step == "test_3_swapped" || step == "test_4_swapped";
@@ -97,12 +111,18 @@ void tell(Telling& t, const SideTest& e) {
   // A vertex on the plane leaves digits of rounding, on either side of it.
   const Piece* of = t.piece_at(e.plane_of);
   const double size = of && of->plane ? std::abs(of->plane->plane_d) : 0;
-  const double rounding = std::max(1e-6 * std::max(std::abs(e.least), std::abs(e.greatest)), 1e-9 * std::max(1.0, size));
-  const bool both_sides = e.least < -rounding && e.greatest > rounding, one_side = e.least > rounding || e.greatest < -rounding;
+  const double rounding =
+      std::max(1e-6 * std::max(std::abs(e.least), std::abs(e.greatest)), 1e-9 * std::max(1.0, size));
+  const bool both_sides = e.least < -rounding && e.greatest > rounding,
+             one_side = e.least > rounding || e.greatest < -rounding;
   if (e.side == Side::crossing ? one_side : both_sides)
-    t.contradict(fmt::format("The trace says that {} lies {} the plane of {}, but its values there run from {} to {}: it lies on {}.", piece,
-                             e.side == Side::crossing ? "on both sides of" : e.side == Side::front ? before : e.side == Side::behind ? "behind" : "in", plane,
-                             number(e.least), number(e.greatest), both_sides ? "both sides" : "one side"));
+    t.contradict(fmt::format(
+        "The trace says that {} lies {} the plane of {}, but its values there run from {} to {}: it lies on {}.", piece,
+        e.side == Side::crossing ? "on both sides of"
+        : e.side == Side::front  ? before
+        : e.side == Side::behind ? "behind"
+                                 : "in",
+        plane, number(e.least), number(e.greatest), both_sides ? "both sides" : "one side"));
   t.formula(fmt::format("f at the corners of {}: {}", piece, range(e.least, e.greatest)));
   t.value("least", e.least);
   t.value("greatest", e.greatest);
@@ -113,8 +133,11 @@ void tell(Telling& t, const SideTest& e) {
 
 void tell(Telling& t, const OverlapTest& e) {
   const std::string one = t.piece(e.piece), other = t.piece(e.other);
-  if (!e.overlap) return t.say(fmt::format("On the picture {} and {} do not overlap, though their boxes do: neither can hide the other.", one, other));
-  t.say(fmt::format("On the picture {} and {} overlap, for one at ({}, {}).", one, other, number(e.x_at), number(e.y_at)));
+  if (!e.overlap)
+    return t.say(fmt::format(
+        "On the picture {} and {} do not overlap, though their boxes do: neither can hide the other.", one, other));
+  t.say(fmt::format("On the picture {} and {} overlap, for one at ({}, {}).", one, other, number(e.x_at),
+                    number(e.y_at)));
   t.value("x", e.x_at);
   t.value("y", e.y_at);
   const Piece *p = t.piece_at(e.piece), *q = t.piece_at(e.other);
@@ -138,14 +161,17 @@ void tell(Telling& t, const ListRemove& e) {
   const Piece* piece = t.piece_at(e.piece);
   const std::string name = t.piece(e.piece);
   if (piece && piece->cut) return t.say(fmt::format("{} leaves the list: its parts take over.", name));
-  if (t.step() == "remove") return t.say(fmt::format("{} was moved for the sake of what has been split: it goes back to its place.", name));
+  if (t.step() == "remove")
+    return t.say(fmt::format("{} was moved for the sake of what has been split: it goes back to its place.", name));
   if (std::find(t.machine.drawn.begin(), t.machine.drawn.end(), e.piece) != t.machine.drawn.end())
     return t.say(fmt::format("{} is drawn and leaves the list; {} to go.", name, t.machine.list.size()));
   t.say(fmt::format("{} leaves its place in the list.", name));
 }
 
 void tell(Telling& t, const ListMark& e) {
-  t.say(fmt::format("{} is marked. If it would have to move again, the pieces stand in a ring, and one of them must be split.", t.piece(e.piece)));
+  t.say(fmt::format(
+      "{} is marked. If it would have to move again, the pieces stand in a ring, and one of them must be split.",
+      t.piece(e.piece)));
 }
 
 }  // namespace zstep::words

@@ -27,8 +27,13 @@ struct Telling {
   Explanation out;
 
   Telling(const Trace& trace_, const State& after_)
-      : trace(trace_), after(after_), scene(trace_.scene()), conventions(trace_.header().conventions),
-        camera(camera_at_work(trace_.scene(), after_.machine)), machine(after_.machine), z(depth_symbol(trace_.scene(), trace_.header().conventions)) {}
+      : trace(trace_),
+        after(after_),
+        scene(trace_.scene()),
+        conventions(trace_.header().conventions),
+        camera(camera_at_work(trace_.scene(), after_.machine)),
+        machine(after_.machine),
+        z(depth_symbol(trace_.scene(), trace_.header().conventions)) {}
 
   void say(std::string sentence) { out.sentence = std::move(sentence); }
   /// What the trace says and its own numbers contradict.
@@ -43,7 +48,9 @@ struct Telling {
   std::string piece(std::int32_t number) const { return piece_label(scene, machine, number); }
   /// A row of the table of pieces; nullptr where there is none.
   const Piece* piece_at(std::int32_t number) const {
-    return number >= 0 && static_cast<std::size_t>(number) < machine.pieces.size() ? &machine.pieces[static_cast<std::size_t>(number)] : nullptr;
+    return number >= 0 && static_cast<std::size_t>(number) < machine.pieces.size()
+               ? &machine.pieces[static_cast<std::size_t>(number)]
+               : nullptr;
   }
   /// The name of the step that recorded the event, "" in a trace whose page lacks it.
   std::string step() const {
@@ -61,16 +68,21 @@ struct Telling {
     doubt(fmt::format("The trace records {} = {}, but this formula gives {}.", name, is, ought));
     return false;
   }
-  /// "name = symbols = numbers = recorded" as a line of its own, held against what it gives: then that is what it ends in.
+  /// "name = symbols = numbers = recorded" as a line of its own, held against what it gives: then that is what it ends
+  /// in.
   void gives(const std::string& name, const Shown& formula, double recorded) {
     const bool so = hold_against(name, recorded, formula.rounded());
-    this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), number(recorded)) : contradicted(name, formula, recorded));
+    this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), number(recorded))
+                     : contradicted(name, formula, recorded));
   }
   /// The depth that a span has at column x, held against the recorded one.
   void depth_on(const SpanBegin& s, std::int32_t x, double recorded) {
     const Shown z_left("z_L", s.z_left);
     if (s.x_right != s.x_left)
-      return gives(z, formulas::on_line(z_left, Shown("z_R", s.z_right), Shown("x", x), Shown("x_L", s.x_left), Shown("x_R", s.x_right)), recorded);
+      return gives(z,
+                   formulas::on_line(z_left, Shown("z_R", s.z_right), Shown("x", x), Shown("x_L", s.x_left),
+                                     Shown("x_R", s.x_right)),
+                   recorded);
     gives("x_L = x_R: " + z, z_left, recorded);
   }
   /// A depth that was taken over from the step before: "The trace writes z = 0.35, but had compared z = 0.3."
@@ -83,7 +95,8 @@ struct Telling {
   /// The same of a whole number, which the raster may limit to another one.
   bool whole(const std::string& name, const Shown& formula, std::int32_t recorded, std::int32_t within_raster) {
     const bool limited = formula.value() != within_raster;
-    const std::string ought = limited ? fmt::format("{}, within the raster {}", number(formula.value()), within_raster) : number(formula.value());
+    const std::string ought = limited ? fmt::format("{}, within the raster {}", number(formula.value()), within_raster)
+                                      : number(formula.value());
     if (recorded == within_raster) {
       this->formula(fmt::format("{} = {} = {}", name, formula.equation(), ought));
       return true;

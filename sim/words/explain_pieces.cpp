@@ -20,21 +20,27 @@ std::optional<double> value_found(const Telling& t, std::int32_t vertex) {
 }  // namespace
 
 void tell(Telling& t, const TablesBegin& e) {
-  t.say(fmt::format("This method needs all {} polygons at once: from here on, vertices and pieces of all of them are kept.", e.polygons));
+  t.say(fmt::format(
+      "This method needs all {} polygons at once: from here on, vertices and pieces of all of them are kept.",
+      e.polygons));
 }
 
 void tell(Telling& t, const PieceMake& e) {
   const auto at = static_cast<std::size_t>(e.piece);
   const std::size_t corners = at < t.machine.pieces.size() ? t.machine.pieces[at].outline.size() : 0;
   if (e.parent < 0)
-    t.say(fmt::format("What is left of polygon {} to be drawn becomes piece {}: {} corners.", t.label(e.polygon), e.piece, corners));
+    t.say(fmt::format("What is left of polygon {} to be drawn becomes piece {}: {} corners.", t.label(e.polygon),
+                      e.piece, corners));
   else
-    t.say(fmt::format("One part of {} becomes a piece of its own, {}: {} corners.", t.piece(e.parent), t.piece(e.piece), corners));
+    t.say(fmt::format("One part of {} becomes a piece of its own, {}: {} corners.", t.piece(e.parent), t.piece(e.piece),
+                      corners));
 }
 
 void tell(Telling& t, const PlaneEquation& e) {
-  t.say(fmt::format("The plane of {}: what lies on one side of it has A x + B y + C z + D > 0, on the other < 0.", t.piece(e.piece)));
-  t.formula(fmt::format("A = {}, B = {}, C = {}, D = {}", factor(e.plane_a), factor(e.plane_b), factor(e.plane_c), number(e.plane_d)));
+  t.say(fmt::format("The plane of {}: what lies on one side of it has A x + B y + C z + D > 0, on the other < 0.",
+                    t.piece(e.piece)));
+  t.formula(fmt::format("A = {}, B = {}, C = {}, D = {}", factor(e.plane_a), factor(e.plane_b), factor(e.plane_c),
+                        number(e.plane_d)));
   t.value("A", e.plane_a);
   t.value("B", e.plane_b);
   t.value("C", e.plane_c);
@@ -46,20 +52,26 @@ void tell(Telling& t, const Extent& e) {
   t.formula(fmt::format("x: {} \u2026 {}", number(e.x_min), number(e.x_max)));
   t.formula(fmt::format("y: {} \u2026 {}", number(e.y_min), number(e.y_max)));
   t.formula(fmt::format("{}: {} \u2026 {}", t.z, number(e.z_min), number(e.z_max)));
-  for (const auto& [name, value] : {std::pair{"x_min", e.x_min}, {"x_max", e.x_max}, {"y_min", e.y_min}, {"y_max", e.y_max},
-                                    {"z_min", e.z_min}, {"z_max", e.z_max}})
+  for (const auto& [name, value] : {std::pair{"x_min", e.x_min},
+                                    {"x_max", e.x_max},
+                                    {"y_min", e.y_min},
+                                    {"y_max", e.y_max},
+                                    {"z_min", e.z_min},
+                                    {"z_max", e.z_max}})
     t.value(name, value);
 }
 
 void tell(Telling& t, const SplitVertex& e) {
-  t.say(fmt::format("The edge from vertex {} to vertex {} crosses the plane: a new vertex {} is made there.", e.vertex_0, e.vertex_1, e.vertex));
+  t.say(fmt::format("The edge from vertex {} to vertex {} crosses the plane: a new vertex {} is made there.",
+                    e.vertex_0, e.vertex_1, e.vertex));
   const auto d0 = value_found(t, e.vertex_0), d1 = value_found(t, e.vertex_1);
   if (d0 && d1) {
     t.gives("t", formulas::where_zero(Shown("d_0", *d0), Shown("d_1", *d1)), e.t);
   } else {
     t.formula(fmt::format("t = d_0/(d_0 \u2212 d_1) = {}   d: A x + B y + C z + D at either end", number(e.t)));
   }
-  t.formula(fmt::format("V = V_0 + t(V_1 \u2212 V_0) = ({}, {}, {})", number(e.x_cut), number(e.y_cut), number(e.z_cut)));
+  t.formula(
+      fmt::format("V = V_0 + t(V_1 \u2212 V_0) = ({}, {}, {})", number(e.x_cut), number(e.y_cut), number(e.z_cut)));
   t.value("t", e.t);
   t.value("x", e.x_cut);
   t.value("y", e.y_cut);
@@ -80,7 +92,8 @@ void tell(Telling& t, const PieceDraw& e) {
 
 void tell(Telling& t, const PixelPaint& e) {
   const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
-  const std::string before = f ? fmt::format(" It showed {}; nobody asks which is nearer.", t.label(f->stored_polygon)) : "";
+  const std::string before =
+      f ? fmt::format(" It showed {}; nobody asks which is nearer.", t.label(f->stored_polygon)) : "";
   t.say(fmt::format("Pixel ({}, {}) takes the colour of {}.{}", e.x, e.y, t.label(e.polygon), before));
   t.value(t.z, e.z);
   if (!t.machine.span) return t.formula(fmt::format("{} = {}", t.z, number(e.z)));

@@ -22,30 +22,40 @@ std::optional<double> depth_before(const Telling& t, const DepthInterpolate& e) 
   return std::nullopt;
 }
 
-/// What the pseudo-code calls the buffer that this step compares with or writes to: "zbuffer", or "line" of a single scan line.
+/// What the pseudo-code calls the buffer that this step compares with or writes to: "zbuffer", or "line" of a single
+/// scan line.
 std::string buffer_of(const Telling& t) {
   const StepInfo* step = find_step(t.trace.header().page, t.trace.event(t.after.position).step);
   return step && step->text.find("line[x]") != std::string::npos ? "line" : "zbuffer";
 }
 /// Its index: "x,y", or of a single scan line "x".
-std::string pixel_of(const Telling& t, const std::string& x, const std::string& y) { return buffer_of(t) == "line" ? x : x + "," + y; }
+std::string pixel_of(const Telling& t, const std::string& x, const std::string& y) {
+  return buffer_of(t) == "line" ? x : x + "," + y;
+}
 
 /// The depth that one of the few steps before this one found for the pixel; nullopt where none did.
 template <class E>
 std::optional<double> depth_just_before(const Telling& t, std::int32_t x, std::int32_t y) {
   for (std::int64_t p = t.after.position - 1; p >= 1 && p >= t.after.position - 3; --p) {
     const Event& event = t.trace.event(p).event;
-    if (const auto* found = std::get_if<E>(&event)) return found->x == x && found->y == y ? std::optional(found->z) : std::nullopt;
+    if (const auto* found = std::get_if<E>(&event))
+      return found->x == x && found->y == y ? std::optional(found->z) : std::nullopt;
   }
   return std::nullopt;
 }
-std::optional<double> interpolated_at(const Telling& t, std::int32_t x, std::int32_t y) { return depth_just_before<DepthInterpolate>(t, x, y); }
-std::optional<double> compared_at(const Telling& t, std::int32_t x, std::int32_t y) { return depth_just_before<DepthCompare>(t, x, y); }
+std::optional<double> interpolated_at(const Telling& t, std::int32_t x, std::int32_t y) {
+  return depth_just_before<DepthInterpolate>(t, x, y);
+}
+std::optional<double> compared_at(const Telling& t, std::int32_t x, std::int32_t y) {
+  return depth_just_before<DepthCompare>(t, x, y);
+}
 
-/// Glass that is nearer: what is mixed in, and does not take the pixel for itself. nullopt for what hides all behind it.
+/// Glass that is nearer: what is mixed in, and does not take the pixel for itself. nullopt for what hides all behind
+/// it.
 std::optional<double> glass_here(const Telling& t) {
   const Page& page = t.trace.header().page;
-  const bool mixes = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<ColorBlend>; });
+  const bool mixes =
+      std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<ColorBlend>; });
   const std::int32_t at_work = polygon_at_work(t.machine);
   const auto polygon = static_cast<std::size_t>(at_work);
   if (!mixes || at_work < 0 || polygon >= t.scene.polygons.size()) return std::nullopt;
@@ -71,7 +81,8 @@ struct Stored {
 Stored stored_of(const Telling& t, const Fragment& f) {
   Stored is{f.stored, f.stored_polygon == no_polygon, false, t.label(f.stored_polygon)};
   is.cleared = cleared_to(t).value_or(t.trace.header().empty_depth()) == f.stored;
-  if (is.empty) is.who = is.cleared ? "what the depth buffer was cleared to" : "the depth that was written here without a colour";
+  if (is.empty)
+    is.who = is.cleared ? "what the depth buffer was cleared to" : "the depth that was written here without a colour";
   return is;
 }
 
@@ -79,8 +90,10 @@ Stored stored_of(const Telling& t, const Fragment& f) {
 std::string nearer_text(const Stored& is, double z) {
   if (z == is.z && !is.empty) return fmt::format("as near as {}, and of equals the last one stays", is.who);
   if (!is.cleared) return "nearer than " + is.who;
-  if (!is.empty) return fmt::format("{} was drawn here, but the depth buffer still holds what it was cleared to", is.who);
-  return std::isinf(is.z) ? "nothing was drawn here yet" : "the depth buffer was cleared to that, and nothing was drawn here yet";
+  if (!is.empty)
+    return fmt::format("{} was drawn here, but the depth buffer still holds what it was cleared to", is.who);
+  return std::isinf(is.z) ? "nothing was drawn here yet"
+                          : "the depth buffer was cleared to that, and nothing was drawn here yet";
 }
 
 /// The colour that is written to a pixel together with a compare.
@@ -118,10 +131,13 @@ std::string becomes_text(const Telling& t, const DepthCompare& e, const Written&
   const std::string where = pixel(e.x, e.y);
   const bool named = t.machine.polygon != no_polygon;
   if (written.step != 0 && named && written.polygon != t.machine.polygon)
-    return fmt::format("so pixel {} should become {}, but step {} writes {}", where, t.here(), grouped(written.step), t.label(written.polygon));
-  if (written.step != 0 || (written.unknown && named)) return fmt::format("so pixel {} becomes {}", where, written.step != 0 ? t.label(written.polygon) : t.here());
+    return fmt::format("so pixel {} should become {}, but step {} writes {}", where, t.here(), grouped(written.step),
+                       t.label(written.polygon));
+  if (written.step != 0 || (written.unknown && named))
+    return fmt::format("so pixel {} becomes {}", where, written.step != 0 ? t.label(written.polygon) : t.here());
   return named ? fmt::format("so pixel {} should become {}, but nothing is written", where, t.here())
-               : fmt::format("so pixel {} should be written, but the trace neither names a polygon nor writes one", where);
+               : fmt::format("so pixel {} should be written, but the trace neither names a polygon nor writes one",
+                             where);
 }
 
 }  // namespace
@@ -148,47 +164,64 @@ void tell(Telling& t, const DepthCompare& e) {
   const std::string_view sign = comparison.sign(), relation = e.z < stored ? "<" : e.z > stored ? ">" : "=";
   const auto glass = glass_here(t);
   const Written written = write_of(t, e);
-  const std::string where = pixel(e.x, e.y), drawn = t.machine.polygon == no_polygon ? "the polygon at work, which the trace does not name," : t.here();
+  const std::string where = pixel(e.x, e.y), drawn = t.machine.polygon == no_polygon
+                                                         ? "the polygon at work, which the trace does not name,"
+                                                         : t.here();
   if (numbers_say != e.nearer) {
-    const std::string undeclared = undeclared_text(t.trace.header(), e.z == stored), says = e.nearer ? "nearer" : "not nearer";
+    const std::string undeclared = undeclared_text(t.trace.header(), e.z == stored),
+                      says = e.nearer ? "nearer" : "not nearer";
     const std::string holds = fmt::format("{} {} {} is {}", z, sign, before, numbers_say ? "true" : "false");
-    const std::string ought = fmt::format(": {} {} {}", drawn, numbers_say ? "should win over" : "should not win over", is.who);
-    t.say(fmt::format("The trace says {} at pixel {}, although {}{}.", says, where, holds, undeclared.empty() ? ought : "; " + undeclared));
+    const std::string ought =
+        fmt::format(": {} {} {}", drawn, numbers_say ? "should win over" : "should not win over", is.who);
+    t.say(fmt::format("The trace says {} at pixel {}, although {}{}.", says, where, holds,
+                      undeclared.empty() ? ought : "; " + undeclared));
     t.out.doubt = fmt::format("The trace says {}, but {}{}.", says, holds, undeclared.empty() ? "" : "; " + undeclared);
   } else if (e.nearer && glass) {
-    t.say(fmt::format("{} {} {}: {}, so {} is seen at pixel {}; through its glass, of opacity {}, so is what lies behind: the two are mixed.", z, relation, before,
-                      std::isinf(stored) ? "nothing that is opaque was drawn here" : "nearer than " + is.who, drawn, where, number(*glass)));
+    t.say(fmt::format(
+        "{} {} {}: {}, so {} is seen at pixel {}; through its glass, of opacity {}, so is what lies behind: the two "
+        "are mixed.",
+        z, relation, before, std::isinf(stored) ? "nothing that is opaque was drawn here" : "nearer than " + is.who,
+        drawn, where, number(*glass)));
   } else if (e.nearer) {
     t.say(fmt::format("{} {} {}: {}, {}.", z, relation, before, nearer_text(is, e.z), becomes_text(t, e, written)));
-    const bool as_found = written.unknown || (written.step != 0 && (t.machine.polygon == no_polygon || written.polygon == t.machine.polygon));
+    const bool as_found =
+        written.unknown ||
+        (written.step != 0 && (t.machine.polygon == no_polygon || written.polygon == t.machine.polygon));
     if (!as_found) t.out.doubt = t.out.sentence;
   } else if (written.step != 0 && written.step > t.after.position) {
-    t.contradict(fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, and step {} writes {} all the same.", z, relation, before, drawn, is.who, where,
-                             grouped(written.step), t.label(written.polygon)));
+    t.contradict(fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, and step {} writes {} all the same.", z,
+                             relation, before, drawn, is.who, where, grouped(written.step), t.label(written.polygon)));
   } else if (e.z == stored) {
-    t.say(is.cleared || is.empty ? fmt::format("{} = {}: equal to {}, so pixel {} stays.", z, before, is.who, where)
-                                 : fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, is.who, where));
+    t.say(is.cleared || is.empty
+              ? fmt::format("{} = {}: equal to {}, so pixel {} stays.", z, before, is.who, where)
+              : fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, is.who, where));
   } else {
-    t.say(is.cleared || is.empty ? fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, nothing is written.", z, relation, before, drawn, is.who, where)
-                                 : fmt::format("{} {} {}: {} is hidden behind {} at pixel {}, nothing is written.", z, relation, before, drawn, is.who, where));
+    t.say(is.cleared || is.empty ? fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, nothing is written.", z,
+                                               relation, before, drawn, is.who, where)
+                                 : fmt::format("{} {} {}: {} is hidden behind {} at pixel {}, nothing is written.", z,
+                                               relation, before, drawn, is.who, where));
   }
   const std::string buffer = buffer_of(t) + "[" + pixel_of(t, "x", "y") + "]";
-  t.formula(fmt::format("{} {} {}:  {} {} {}  is {}", t.z, sign, buffer, z, sign, before, numbers_say ? "true" : "false"));
+  t.formula(
+      fmt::format("{} {} {}:  {} {} {}  is {}", t.z, sign, buffer, z, sign, before, numbers_say ? "true" : "false"));
   t.value(t.z, e.z);
-  if (const auto interpolated = interpolated_at(t, e.x, e.y)) t.taken_over("compares", e.z, "interpolated", *interpolated);
+  if (const auto interpolated = interpolated_at(t, e.x, e.y))
+    t.taken_over("compares", e.z, "interpolated", *interpolated);
   if (f) t.value(buffer, stored);
 }
 
 void tell(Telling& t, const DepthWrite& e) {
   const Fragment* f = t.machine.fragment ? &*t.machine.fragment : nullptr;
-  const std::string where = buffer_of(t) == "line" ? fmt::format("line buffer at x = {}", e.x) : "depth buffer at " + pixel(e.x, e.y);
+  const std::string where =
+      buffer_of(t) == "line" ? fmt::format("line buffer at x = {}", e.x) : "depth buffer at " + pixel(e.x, e.y);
   if (f) {
     const auto [z, before] = tell_apart(e.z, f->stored);
     t.say(fmt::format("The {} takes {}; it held {}.", where, z, before));
   } else {
     t.say(fmt::format("The {} takes {}.", where, number(e.z)));
   }
-  t.formula(fmt::format("{}[{}] = {}", buffer_of(t), pixel_of(t, std::to_string(e.x), std::to_string(e.y)), number(e.z)));
+  t.formula(
+      fmt::format("{}[{}] = {}", buffer_of(t), pixel_of(t, std::to_string(e.x), std::to_string(e.y)), number(e.z)));
   t.value(t.z, e.z);
   if (const auto compared = compared_at(t, e.x, e.y); compared && !t.taken_over("writes", e.z, "compared", *compared)) {
     const auto [written, held] = tell_apart(e.z, *compared);
@@ -197,13 +230,16 @@ void tell(Telling& t, const DepthWrite& e) {
 }
 
 void tell(Telling& t, const ColorBlend& e) {
-  const Fragment* f = t.machine.fragment && t.machine.fragment->x == e.x && t.machine.fragment->y == e.y ? &*t.machine.fragment : nullptr;
+  const Fragment* f = t.machine.fragment && t.machine.fragment->x == e.x && t.machine.fragment->y == e.y
+                          ? &*t.machine.fragment
+                          : nullptr;
   const Color over = t.scene.polygons.at(static_cast<std::size_t>(e.polygon)).color;
   const Color result{static_cast<std::uint8_t>(e.r8), static_cast<std::uint8_t>(e.g8), static_cast<std::uint8_t>(e.b8)};
   const auto text = [](Color color) { return fmt::format("({}, {}, {})", color.red, color.green, color.blue); };
   t.value("α", e.opacity);
   t.say(e.opacity >= 1 ? fmt::format("{} is opaque: pixel {} takes its colour.", t.label(e.polygon), pixel(e.x, e.y))
-                       : fmt::format("{} is laid over what pixel {} shows, and hides {} of it.", t.label(e.polygon), pixel(e.x, e.y), number(e.opacity)));
+                       : fmt::format("{} is laid over what pixel {} shows, and hides {} of it.", t.label(e.polygon),
+                                     pixel(e.x, e.y), number(e.opacity)));
   if (!f) {
     t.formula(fmt::format("α · colour of {} + (1 − α) · frame[x,y] = {}", t.label(e.polygon), text(result)));
     return;
@@ -212,12 +248,13 @@ void tell(Telling& t, const ColorBlend& e) {
                       : f->stored_polygon == no_polygon
                           ? t.scene.background
                           : t.scene.polygons.at(static_cast<std::size_t>(f->stored_polygon)).color;
-  t.formula(fmt::format("α · colour of {} + (1 − α) · frame[x,y]:  {} · {} + {} · {} = {}", t.label(e.polygon), number(e.opacity), text(over),
-                        number(1 - e.opacity), text(under), text(result)));
+  t.formula(fmt::format("α · colour of {} + (1 − α) · frame[x,y]:  {} · {} + {} · {} = {}", t.label(e.polygon),
+                        number(e.opacity), text(over), number(1 - e.opacity), text(under), text(result)));
   const auto off = [&](std::uint8_t top, std::uint8_t bottom, std::uint8_t is) {
     return std::abs(e.opacity * top + (1 - e.opacity) * bottom - is) > 0.5 + 1e-9;
   };
-  if (off(over.red, under.red, result.red) || off(over.green, under.green, result.green) || off(over.blue, under.blue, result.blue))
+  if (off(over.red, under.red, result.red) || off(over.green, under.green, result.green) ||
+      off(over.blue, under.blue, result.blue))
     t.doubt(fmt::format("The trace records {}, which is not this mixture rounded to whole numbers.", text(result)));
 }
 
@@ -229,7 +266,8 @@ void tell(Telling& t, const PixelWrite& e) {
     t.formula(fmt::format("polygon[{},{}] = {}", e.x, e.y, t.label(e.polygon)));
     return;
   }
-  t.say(f ? fmt::format("Pixel {} takes the colour of {}; it showed {}.", pixel(e.x, e.y), t.label(e.polygon), t.label(f->stored_polygon))
+  t.say(f ? fmt::format("Pixel {} takes the colour of {}; it showed {}.", pixel(e.x, e.y), t.label(e.polygon),
+                        t.label(f->stored_polygon))
           : fmt::format("Pixel {} takes the colour of {}.", pixel(e.x, e.y), t.label(e.polygon)));
   t.formula(fmt::format("frame[{},{}] = colour of {}", e.x, e.y, t.label(e.polygon)));
 }

@@ -9,8 +9,10 @@ namespace zstep::words {
 namespace {
 
 Shown value_at(const PlaneEquation& plane, const glm::dvec3& p) {
-  return formulas::plane_value(Shown("A", plane.plane_a, factor(plane.plane_a)), Shown("B", plane.plane_b, factor(plane.plane_b)),
-                               Shown("C", plane.plane_c, factor(plane.plane_c)), Shown("D", plane.plane_d), Shown("x", p.x), Shown("y", p.y), Shown("z", p.z));
+  return formulas::plane_value(Shown("A", plane.plane_a, factor(plane.plane_a)),
+                               Shown("B", plane.plane_b, factor(plane.plane_b)),
+                               Shown("C", plane.plane_c, factor(plane.plane_c)), Shown("D", plane.plane_d),
+                               Shown("x", p.x), Shown("y", p.y), Shown("z", p.z));
 }
 
 const char* where(Side side) {
@@ -40,8 +42,8 @@ void tell(Telling& t, const Saved& e) {
   if (e.coherence == Coherence::extent) thanks_to = "extents";
   else if (e.coherence == Coherence::order) thanks_to = "the order of drawing";
   else thanks_to += " coherence";
-  t.say(fmt::format("{} {} not needed, thanks to {}; {} so far.", e.tests, e.tests == 1 ? "test was" : "tests were", thanks_to,
-                    grouped(t.machine.saved[static_cast<std::size_t>(e.coherence)])));
+  t.say(fmt::format("{} {} not needed, thanks to {}; {} so far.", e.tests, e.tests == 1 ? "test was" : "tests were",
+                    thanks_to, grouped(t.machine.saved[static_cast<std::size_t>(e.coherence)])));
 }
 
 }  // namespace zstep::words

@@ -52,15 +52,17 @@ void tell(Telling& t, const PolygonBegin& e) {
 void tell(Telling& t, const FacingTest& e) {
   const FacingVotes votes = votes_of(t.scene, t.machine.facet, e);
   if (votes.disagree()) {
-    t.contradict(fmt::format("The trace says that polygon {} {}, but its four numbers do not agree.", t.here(), facing_text(e.facing)));
+    t.contradict(fmt::format("The trace says that polygon {} {}, but its four numbers do not agree.", t.here(),
+                             facing_text(e.facing)));
   } else if (votes.speak_against(e.facing)) {
-    t.contradict(fmt::format("The trace says that polygon {} {}, but by its four numbers it {}.", t.here(), facing_text(e.facing),
-                      facing_text(votes.front ? Facing::front : Facing::back)));
+    t.contradict(fmt::format("The trace says that polygon {} {}, but by its four numbers it {}.", t.here(),
+                             facing_text(e.facing), facing_text(votes.front ? Facing::front : Facing::back)));
   } else {
     t.say(fmt::format("Polygon {} {}: four ways to ask, one answer.", t.here(), facing_text(e.facing)));
   }
   const auto sign = [](double v) { return v < 0 ? "< 0" : v > 0 ? "> 0" : "= 0"; };
-  t.formula(fmt::format("(p \u2212 e)\u00b7n = {} {}   positive faces away", number(e.view_dot_normal), e.view_dot_normal == 0 ? "" : sign(e.view_dot_normal)));
+  t.formula(fmt::format("(p \u2212 e)\u00b7n = {} {}   positive faces away", number(e.view_dot_normal),
+                        e.view_dot_normal == 0 ? "" : sign(e.view_dot_normal)));
   t.formula(fmt::format("A x + B y + C z + D at the eye = {}   negative faces away", number(e.plane_at_eye)));
   t.formula(fmt::format("V0\u00b7(V1 \u00d7 V2) = {}   negative faces away", number(e.determinant)));
   t.formula(fmt::format("n_z after projection = {}   positive faces away", number(e.projected_normal_z)));
@@ -73,10 +75,14 @@ void tell(Telling& t, const FacingTest& e) {
 void tell(Telling& t, const PolygonReject& e) {
   const char *why = "", *as = "";
   switch (e.reason) {
-    case Reject::back_facing: why = "it faces away, so something in front of it hides it if the object is closed", as = "facing away"; break;
+    case Reject::back_facing:
+      why = "it faces away, so something in front of it hides it if the object is closed", as = "facing away";
+      break;
     case Reject::edge_on: why = "it is seen edge-on and covers no area", as = "seen edge-on"; break;
     case Reject::outside: why = "nothing of it lies in the view volume", as = "outside the view volume"; break;
-    case Reject::degenerate: why = "it has no area, or coordinates that no raster can hold", as = "having no area"; break;
+    case Reject::degenerate:
+      why = "it has no area, or coordinates that no raster can hold", as = "having no area";
+      break;
   }
   const bool its_own = t.machine.polygon == e.polygon && t.machine.facet >= 0;
   const FacingTest* test = t.machine.facing ? &*t.machine.facing : nullptr;
@@ -93,9 +99,11 @@ void tell(Telling& t, const PolygonReject& e) {
 
 void tell(Telling& t, const ClipTest& e) {
   if (e.outside_all)
-    t.say(fmt::format("All vertices of {} lie outside the {} plane: nothing of it can be seen.", t.here(), planes_in(e.outside_all)));
+    t.say(fmt::format("All vertices of {} lie outside the {} plane: nothing of it can be seen.", t.here(),
+                      planes_in(e.outside_all)));
   else if (e.outside_some)
-    t.say(fmt::format("Some vertices of {} lie outside ({}): it must be clipped there.", t.here(), planes_in(e.outside_some)));
+    t.say(fmt::format("Some vertices of {} lie outside ({}): it must be clipped there.", t.here(),
+                      planes_in(e.outside_some)));
   else
     t.say(fmt::format("All vertices of {} lie inside all six planes: nothing to clip.", t.here()));
   t.formula(fmt::format("OR of the outcodes = {}, AND = {}", in_binary(e.outside_some), in_binary(e.outside_all)));
@@ -103,11 +111,11 @@ void tell(Telling& t, const ClipTest& e) {
 }
 
 void tell(Telling& t, const ClipVertex& e) {
-  t.say(fmt::format("Vertex {} is {} the {} plane: it is {}.", e.vertex, e.inside ? "inside" : "outside", plane_name(e.plane),
-                    e.inside ? "kept" : "cut off"));
+  t.say(fmt::format("Vertex {} is {} the {} plane: it is {}.", e.vertex, e.inside ? "inside" : "outside",
+                    plane_name(e.plane), e.inside ? "kept" : "cut off"));
   if (e.inside != (e.distance >= 0))
-    t.contradict(fmt::format("The trace takes vertex {} for {} the {} plane, but its distance says {}.", e.vertex, e.inside ? "inside" : "outside", plane_name(e.plane),
-                             e.inside ? "outside" : "inside"));
+    t.contradict(fmt::format("The trace takes vertex {} for {} the {} plane, but its distance says {}.", e.vertex,
+                             e.inside ? "inside" : "outside", plane_name(e.plane), e.inside ? "outside" : "inside"));
   t.formula(fmt::format("distance = {} {} 0", number(e.distance), e.distance >= 0 ? "\u2265" : "<"));
   t.value("distance", e.distance);
 }
@@ -130,7 +138,8 @@ void tell(Telling& t, const ClipCross& e) {
 
 void tell(Telling& t, const OutlineVertex& e) {
   const StepInfo* step = find_step(t.trace.header().page, t.trace.event(t.after.position).step);
-  if (step && step->module == "cutting") t.say(fmt::format("Vertex {} is corner {} of the part.", e.vertex, t.machine.outline.size()));
+  if (step && step->module == "cutting")
+    t.say(fmt::format("Vertex {} is corner {} of the part.", e.vertex, t.machine.outline.size()));
   else t.say(fmt::format("Vertex {} is corner {} of {} as it is drawn.", e.vertex, t.machine.outline.size(), t.here()));
   if (const auto p = on_raster(t.scene, t.after, e.vertex)) {
     t.formula(fmt::format("(x_s, y_s) = ({}, {}), {} = {}", number(p->x), number(p->y), t.z, number(p->z)));

@@ -25,8 +25,8 @@ void tell(Telling& t, const BoxMake& e) {
   t.say(e.parent < 0 ? fmt::format("{} is made{}.", box_name(e.box), e.box == 0 ? ": the first" : "")
                      : fmt::format("{} is made inside {}.", box_name(e.box), box_name(e.parent)));
   t.out.sentence[0] = 'B';
-  t.formula(fmt::format("x {} to {},  y {} to {},  z {} to {}", number(e.x_min), number(e.x_max), number(e.y_min), number(e.y_max),
-                        number(e.z_min), number(e.z_max)));
+  t.formula(fmt::format("x {} to {},  y {} to {},  z {} to {}", number(e.x_min), number(e.x_max), number(e.y_min),
+                        number(e.y_max), number(e.z_min), number(e.z_max)));
 }
 
 void tell(Telling& t, const BoxHold& e) {
@@ -34,13 +34,15 @@ void tell(Telling& t, const BoxHold& e) {
 }
 
 void tell(Telling& t, const GridMake& e) {
-  t.say(fmt::format("Space is divided into {} \u00d7 {} \u00d7 {} cells of equal size.", e.cells_x, e.cells_y, e.cells_z));
-  t.formula(fmt::format("x {} to {},  y {} to {},  z {} to {}", number(e.x_min), number(e.x_max), number(e.y_min), number(e.y_max),
-                        number(e.z_min), number(e.z_max)));
+  t.say(fmt::format("Space is divided into {} \u00d7 {} \u00d7 {} cells of equal size.", e.cells_x, e.cells_y,
+                    e.cells_z));
+  t.formula(fmt::format("x {} to {},  y {} to {},  z {} to {}", number(e.x_min), number(e.x_max), number(e.y_min),
+                        number(e.y_max), number(e.z_min), number(e.z_max)));
 }
 
 void tell(Telling& t, const CellHold& e) {
-  t.say(fmt::format("The box of a facet of {} meets cell ({}, {}, {}): it goes in there.", facet_name(t, e.facet), e.cell_x, e.cell_y, e.cell_z));
+  t.say(fmt::format("The box of a facet of {} meets cell ({}, {}, {}): it goes in there.", facet_name(t, e.facet),
+                    e.cell_x, e.cell_y, e.cell_z));
 }
 
 void tell(Telling& t, const RayBegin& e) {
@@ -63,7 +65,8 @@ void tell(Telling& t, const RayBegin& e) {
 }
 
 void tell(Telling& t, const CellVisit& e) {
-  t.say(fmt::format("The ray enters cell ({}, {}, {}); only what is in there is tested.", e.cell_x, e.cell_y, e.cell_z));
+  t.say(
+      fmt::format("The ray enters cell ({}, {}, {}); only what is in there is tested.", e.cell_x, e.cell_y, e.cell_z));
   t.formula(fmt::format("from t = {} to t = {}", number(e.t_enter), number(e.t_leave)));
   t.value("t_enter", e.t_enter);
   t.value("t_leave", e.t_leave);
@@ -72,14 +75,18 @@ void tell(Telling& t, const CellVisit& e) {
 void tell(Telling& t, const BoxTest& e) {
   const auto [enter, leave] = tell_apart(e.t_enter, e.t_leave);
   if (!(e.t_enter <= e.t_leave)) {
-    if (e.hit) t.out.doubt = fmt::format("The trace says that the ray meets {}, but t_enter = {} > {} = t_leave.", box_name(e.box), enter, leave);
-    t.say(fmt::format("The ray misses {}: it would enter the last of its slabs only after it has left the first.", box_name(e.box)));
+    if (e.hit)
+      t.out.doubt = fmt::format("The trace says that the ray meets {}, but t_enter = {} > {} = t_leave.",
+                                box_name(e.box), enter, leave);
+    t.say(fmt::format("The ray misses {}: it would enter the last of its slabs only after it has left the first.",
+                      box_name(e.box)));
     t.formula(fmt::format("t_enter = {} > {} = t_leave", enter, leave));
   } else if (e.hit) {
     t.say(fmt::format("The ray meets {}: what is inside must be tested.", box_name(e.box)));
     t.formula(fmt::format("t_enter = {} \u2264 {} = t_leave", enter, leave));
   } else {
-    t.say(fmt::format("The ray meets {}, but something nearer is known already: nothing inside can be seen.", box_name(e.box)));
+    t.say(fmt::format("The ray meets {}, but something nearer is known already: nothing inside can be seen.",
+                      box_name(e.box)));
     t.formula(fmt::format("t_enter = {} lies beyond the t that is kept", enter));
   }
   t.value("t_enter", e.t_enter);
@@ -90,12 +97,14 @@ void tell(Telling& t, const RayPlane& e) {
   const std::string who = facet_name(t, e.facet);
   if (std::isnan(e.t)) {
     t.say(fmt::format("The ray runs along the plane of {}: it never meets it.", who));
-    t.formula(fmt::format("A dX + B dY + C dZ = {}{}", number(e.denominator), e.denominator == 0 ? "" : ", which is 0 to rounding"));
+    t.formula(fmt::format("A dX + B dY + C dZ = {}{}", number(e.denominator),
+                          e.denominator == 0 ? "" : ", which is 0 to rounding"));
     return;
   }
   if (e.t < 0) t.say(fmt::format("The plane of {} lies behind the ray's start.", who));
   else t.say(fmt::format("The ray meets the plane of {} at t = {}.", who, number(e.t)));
-  t.gives("t", Shown("\u2212(A X_0 + B Y_0 + C Z_0 + D)", e.numerator) / Shown("(A dX + B dY + C dZ)", e.denominator), e.t);
+  t.gives("t", Shown("\u2212(A X_0 + B Y_0 + C Z_0 + D)", e.numerator) / Shown("(A dX + B dY + C dZ)", e.denominator),
+          e.t);
   t.value("numerator", e.numerator);
   t.value("denominator", e.denominator);
   t.value("t", e.t);
@@ -115,18 +124,22 @@ const RayHit* kept_before(const Telling& t) {
 std::string why_kept(Telling& t, const RayHit& e, const std::string& who) {
   const RayHit* kept = kept_before(t);
   const std::string inside = fmt::format("The point lies inside {}", who);
-  if (kept == nullptr) return e.nearest ? inside + ", the first that the ray meets: it is kept." : inside + ", and it is not kept.";
+  if (kept == nullptr)
+    return e.nearest ? inside + ", the first that the ray meets: it is kept." : inside + ", and it is not kept.";
   const auto [here, before] = tell_apart(e.t, kept->t);
   const std::string other = facet_name(t, kept->facet);
   if (e.t == kept->t) {
     if (e.nearest != (e.facet < kept->facet))
-      return inside + (e.nearest ? fmt::format(", just as near as {}: a tie, and it takes its place.", other) : fmt::format(", just as near as {}: a tie, and {} stays.", other, other));
-    return inside + fmt::format(", just as near as {}: a tie, and {}, the first of the two in the file, {}.", other, e.nearest ? who : other, e.nearest ? "is kept" : "stays");
+      return inside + (e.nearest ? fmt::format(", just as near as {}: a tie, and it takes its place.", other)
+                                 : fmt::format(", just as near as {}: a tie, and {} stays.", other, other));
+    return inside + fmt::format(", just as near as {}: a tie, and {}, the first of the two in the file, {}.", other,
+                                e.nearest ? who : other, e.nearest ? "is kept" : "stays");
   }
   const Comparison& comparison = t.trace.header().comparison;
   t.formula(fmt::format("t {0} t kept:  {1} {0} {2}  is {3}", comparison.sign(), here, before,
                         comparison.wins(e.t, kept->t) ? "true" : "false"));
-  return inside + (e.nearest ? fmt::format(", nearer than {}, which was kept so far: it is kept.", other) : fmt::format(", but {} is nearer: it is not kept.", other));
+  return inside + (e.nearest ? fmt::format(", nearer than {}, which was kept so far: it is kept.", other)
+                             : fmt::format(", but {} is nearer: it is not kept.", other));
 }
 
 /// Where what is kept and the numbers part.
@@ -134,19 +147,25 @@ void check_kept(Telling& t, const RayHit& e) {
   const RayHit* kept = kept_before(t);
   const RayRow* row = ray_now(t);
   const std::string who = facet_name(t, e.facet);
-  if (e.nearest && !e.inside) return t.contradict(fmt::format("The point lies outside {}, and yet the trace keeps it.", who));
+  if (e.nearest && !e.inside)
+    return t.contradict(fmt::format("The point lies outside {}, and yet the trace keeps it.", who));
   if (!e.inside) return;
   if (kept == nullptr) {
     const bool should = !e.nearest && row && row->entry.role == RayRole::eye;
-    if (should) t.contradict(fmt::format("The point lies inside {}, and nothing nearer is known, but the trace does not keep it.", who));
+    if (should)
+      t.contradict(
+          fmt::format("The point lies inside {}, and nothing nearer is known, but the trace does not keep it.", who));
     return;
   }
   const double behind = t.trace.header().comparison.behind(e.t, kept->t);
   const auto [its, other] = tell_apart(e.t, kept->t);
   if (e.nearest && behind > 0)
-    t.contradict(fmt::format("The point lies inside {} at t = {}, and the trace keeps it, though {} at t = {} is nearer.", who, its, facet_name(t, kept->facet), other));
+    t.contradict(
+        fmt::format("The point lies inside {} at t = {}, and the trace keeps it, though {} at t = {} is nearer.", who,
+                    its, facet_name(t, kept->facet), other));
   if (!e.nearest && behind < 0)
-    t.contradict(fmt::format("The point lies inside {} at t = {}, nearer than {} at t = {}, but the trace keeps {}.", who, its, facet_name(t, kept->facet), other, facet_name(t, kept->facet)));
+    t.contradict(fmt::format("The point lies inside {} at t = {}, nearer than {} at t = {}, but the trace keeps {}.",
+                             who, its, facet_name(t, kept->facet), other, facet_name(t, kept->facet)));
 }
 
 }  // namespace
@@ -172,8 +191,9 @@ void tell(Telling& t, const RayEnd& e) {
     if (row.entry.ray == e.ray) ended = &row;
   const std::string tests = e.tests == 1 ? "1 facet was tested" : fmt::format("{} facets were tested", e.tests);
   if (ended && ended->entry.role == RayRole::shadow)
-    t.say(e.nearest_facet < 0 ? fmt::format("Nothing is between the point and the light; {}.", tests)
-                              : fmt::format("{} is between the point and the light; {}.", facet_name(t, e.nearest_facet), tests));
+    t.say(e.nearest_facet < 0
+              ? fmt::format("Nothing is between the point and the light; {}.", tests)
+              : fmt::format("{} is between the point and the light; {}.", facet_name(t, e.nearest_facet), tests));
   else if (e.nearest_facet < 0) t.say(fmt::format("The ray meets nothing; {}.", tests));
   else t.say(fmt::format("The ray meets {} first, at t = {}; {}.", facet_name(t, e.nearest_facet), number(e.t), tests));
   if (!ended || ended->entry.role != RayRole::shadow)

@@ -22,7 +22,8 @@ bool front_to_back(const Telling& t) {
 
 void tell(Telling& t, const RootCandidate& e) {
   t.say(fmt::format("{} is tried as the root: its plane would cut {} of the other pieces{}.", t.piece(e.piece),
-                    e.splits == 0 ? std::string("none") : std::to_string(e.splits), e.splits == 0 ? ", and no root can do better" : ""));
+                    e.splits == 0 ? std::string("none") : std::to_string(e.splits),
+                    e.splits == 0 ? ", and no root can do better" : ""));
   t.formula(fmt::format("splits = {}", e.splits));
 }
 
@@ -30,12 +31,14 @@ void tell(Telling& t, const NodeMake& e) {
   if (e.parent < 0)
     t.say(fmt::format("{} becomes the root of the tree: its plane divides all other pieces.", t.piece(e.piece)));
   else
-    t.say(fmt::format("{} becomes the {} child of {}: its plane divides what lies {} the plane of {}.", t.piece(e.piece),
-                      e.front ? "front" : "back", node_name(t, e.parent), e.front ? "in front of" : "behind", node_name(t, e.parent)));
+    t.say(fmt::format("{} becomes the {} child of {}: its plane divides what lies {} the plane of {}.",
+                      t.piece(e.piece), e.front ? "front" : "back", node_name(t, e.parent),
+                      e.front ? "in front of" : "behind", node_name(t, e.parent)));
 }
 
 void tell(Telling& t, const NodeAdd& e) {
-  t.say(fmt::format("{} lies in the plane of {} and stays at its node: neither can hide the other.", t.piece(e.piece), node_name(t, e.node)));
+  t.say(fmt::format("{} lies in the plane of {} and stays at its node: neither can hide the other.", t.piece(e.piece),
+                    node_name(t, e.node)));
 }
 
 void tell(Telling& t, const EyeSide& e) {
@@ -44,7 +47,8 @@ void tell(Telling& t, const EyeSide& e) {
   t.say(fmt::format("The eye is {} the plane of {}, so what lies {} it is drawn first.", near, node_name(t, e.node),
                     front_to_back(t) ? near : far));
   if (e.front != (e.value > 0))
-    t.contradict(fmt::format("The trace takes the eye for {} the plane of {}, but its value there, {}, says {}.", near, node_name(t, e.node), number(e.value), far));
+    t.contradict(fmt::format("The trace takes the eye for {} the plane of {}, but its value there, {}, says {}.", near,
+                             node_name(t, e.node), number(e.value), far));
   t.value("at the eye", e.value);
   const PlaneEquation* plane = plane_of_node(t.machine, e.node);
   if (!plane) return;
@@ -52,19 +56,22 @@ void tell(Telling& t, const EyeSide& e) {
   const glm::dvec3 eye = t.scene.camera.kind == Camera::Kind::screen ? glm::dvec3(0, 0, -1) : t.scene.camera.eye;
   const double w = direction ? 0 : 1;
   const Shown D("D", plane->plane_d), W("w", w);
-  t.gives("the value", formulas::plane_value(Shown("A", plane->plane_a), Shown("B", plane->plane_b), Shown("C", plane->plane_c), D * W,
-                                             Shown("x", eye.x), Shown("y", eye.y), Shown("z", eye.z)), e.value);
+  t.gives("the value",
+          formulas::plane_value(Shown("A", plane->plane_a), Shown("B", plane->plane_b), Shown("C", plane->plane_c),
+                                D * W, Shown("x", eye.x), Shown("y", eye.y), Shown("z", eye.z)),
+          e.value);
   if (direction) t.formula("w = 0: the eye is infinitely far away, in the direction (x, y, z)");
 }
 
 void tell(Telling& t, const NodeSkip& e) {
-  t.say(fmt::format("All that the eye sees lies {} the plane of {}, so what lies {} it is not drawn.", e.front ? "behind" : "in front of",
-                    node_name(t, e.node), e.front ? "in front of" : "behind"));
+  t.say(fmt::format("All that the eye sees lies {} the plane of {}, so what lies {} it is not drawn.",
+                    e.front ? "behind" : "in front of", node_name(t, e.node), e.front ? "in front of" : "behind"));
   if (e.front ? e.value >= 0 : e.value <= 0)
-    t.contradict(fmt::format("The trace skips what lies {} the plane of {}, but the view volume reaches there: its {} value is {}.", e.front ? "in front of" : "behind",
-                             node_name(t, e.node), e.front ? "greatest" : "least", number(e.value)));
-  t.formula(fmt::format("{} of A x + B y + C z + D over the view volume's corners = {} {} 0", e.front ? "greatest" : "least",
-                        number(e.value), e.value > 0 ? ">" : "<"));
+    t.contradict(fmt::format(
+        "The trace skips what lies {} the plane of {}, but the view volume reaches there: its {} value is {}.",
+        e.front ? "in front of" : "behind", node_name(t, e.node), e.front ? "greatest" : "least", number(e.value)));
+  t.formula(fmt::format("{} of A x + B y + C z + D over the view volume's corners = {} {} 0",
+                        e.front ? "greatest" : "least", number(e.value), e.value > 0 ? ">" : "<"));
   t.value("nearest corner", e.value);
 }
 

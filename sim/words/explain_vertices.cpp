@@ -39,22 +39,27 @@ void tell_depth(Telling& t, const Projection& e, const glm::dvec3& v) {
   if (c.kind == Camera::Kind::orthographic) return t.gives("z*", formulas::parallel_pseudodepth(f, F, z_v), e.z);
   const Shown a = formulas::pseudodepth_a(f, F), b = formulas::pseudodepth_b(f, F);
   t.gives("z*", formulas::pseudodepth(f, Shown("a", a.value()), Shown("b", b.value()), z_v), e.z);
-  t.formula(fmt::format("a = {} = {}, b = {} = {}; near f = {}, far F = {}", a.symbols(), number(a.value()), b.symbols(), number(b.value()), f.numbers(), F.numbers()));
+  t.formula(fmt::format("a = {} = {}, b = {} = {}; near f = {}, far F = {}", a.symbols(), number(a.value()),
+                        b.symbols(), number(b.value()), f.numbers(), F.numbers()));
 }
 
 }  // namespace
 
 void tell(Telling& t, const BuffersClear& e) {
   const Raster& r = t.scene.raster;
-  t.say(e.z == t.trace.header().comparison.farthest() ? fmt::format("Every pixel becomes background and every depth becomes {}, so whatever comes first will be nearer.", number(e.z))
-                        : fmt::format("Every pixel becomes background and every depth becomes {}.", number(e.z)));
+  t.say(e.z == t.trace.header().comparison.farthest()
+            ? fmt::format(
+                  "Every pixel becomes background and every depth becomes {}, so whatever comes first will be nearer.",
+                  number(e.z))
+            : fmt::format("Every pixel becomes background and every depth becomes {}.", number(e.z)));
   t.formula(fmt::format("zbuffer[x,y] = {} at {} \u00d7 {} = {} pixels", number(e.z), r.width, r.height,
                         grouped(std::int64_t{r.width} * r.height)));
 }
 
 void tell(Telling& t, const ViewTransform& e) {
-  t.say(fmt::format("Vertex {} goes from world to viewing coordinates: seen from the {}, x_v is to the right, y_v up, z_v away.",
-                    e.vertex, t.machine.pass == Pass::light ? "light" : "eye"));
+  t.say(fmt::format(
+      "Vertex {} goes from world to viewing coordinates: seen from the {}, x_v is to the right, y_v up, z_v away.",
+      e.vertex, t.machine.pass == Pass::light ? "light" : "eye"));
   const double out[3] = {e.x_v, e.y_v, e.z_v};
   const char* names[3] = {"x_v", "y_v", "z_v"};
   const glm::dvec3* p = world(t, e.vertex);
@@ -74,8 +79,11 @@ void tell(Telling& t, const Projection& e) {
   const Camera& c = t.camera;
   const VertexStages* w = way(t, e.vertex);
   const bool perspective = c.kind == Camera::Kind::perspective;
-  t.say(perspective ? fmt::format("Vertex {} is projected: divided by its distance z_v, so what is far becomes small.", e.vertex)
-                    : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its distance.", e.vertex));
+  t.say(
+      perspective
+          ? fmt::format("Vertex {} is projected: divided by its distance z_v, so what is far becomes small.", e.vertex)
+          : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its distance.",
+                        e.vertex));
   if (w && perspective) {
     const glm::dvec3& v = w->view;
     const Shown d("d", c.d), z_v("z_v", v.z);

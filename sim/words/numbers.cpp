@@ -15,7 +15,8 @@ constexpr const char* minus_sign = "\u2212";
 /// A real minus sign where a number or its exponent is negative; "−0.00" is written "0.00".
 std::string with_minus(std::string text) {
   if (!text.empty() && text[0] == '-' && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, minus_sign);
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at))
+    text.replace(at, 1, minus_sign);
   return text;
 }
 
@@ -52,7 +53,8 @@ std::string cell_number(double value, int decimals) {
 std::string number(double value, int at_most_decimals, bool shorten) {
   if (!shorten) return number(value, at_most_decimals);
   if (!std::isfinite(value)) return not_finite(value);
-  std::string text = needs_exponent(value) ? fmt::format("{:.{}e}", value, std::max(2, at_most_decimals - 2)) : fmt::format("{:.{}f}", value, at_most_decimals);
+  std::string text = needs_exponent(value) ? fmt::format("{:.{}e}", value, std::max(2, at_most_decimals - 2))
+                                           : fmt::format("{:.{}f}", value, at_most_decimals);
   if (text.find('e') == std::string::npos && text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
@@ -70,7 +72,8 @@ int decimals_needed(std::span<const double> values, int at_most) {
   int needed = 0;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
-    while (needed < at_most && std::abs(rounded(value, needed) - value) > 1e-9 * std::max(1.0, std::abs(value))) ++needed;
+    while (needed < at_most && std::abs(rounded(value, needed) - value) > 1e-9 * std::max(1.0, std::abs(value)))
+      ++needed;
     if (needed == at_most) break;
   }
   if (needed < at_most) return needed;
@@ -111,7 +114,9 @@ std::string exact(double value) {
 std::vector<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view text) {
   std::vector<std::pair<std::size_t, std::size_t>> places;
   const auto digit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
-  const auto starts = [&](std::size_t at, std::string_view with) { return text.substr(std::min(at, text.size())).starts_with(with); };
+  const auto starts = [&](std::size_t at, std::string_view with) {
+    return text.substr(std::min(at, text.size())).starts_with(with);
+  };
   const auto digits_from = [&](std::size_t at) {
     while (digit(at)) ++at;
     return at;
@@ -124,7 +129,8 @@ std::vector<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view tex
     std::size_t end = starts(at, minus) && !after_operand ? at + minus.size() : at;
     if (in_name || !(digit(end) || starts(end, "\u221e"))) {
       const char c = text[at];
-      in_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '*' || (in_name && (digit(at) || (c == '.' && digit(at + 1))));
+      in_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '*' ||
+                (in_name && (digit(at) || (c == '.' && digit(at + 1))));
       if (c == '*') in_name = at > 0 && text[at - 1] == 'z';  // z*, a depth's name
       ++at;
       continue;
@@ -132,7 +138,10 @@ std::vector<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view tex
     if (digit(end)) {
       end = digits_from(end);
       if (end < text.size() && text[end] == '.' && digit(end + 1)) end = digits_from(end + 1);
-      const std::size_t power = starts(end, "e") ? end + (starts(end + 1, minus) ? 1 + minus.size() : starts(end + 1, "+") ? 2 : 1) : text.size();
+      const std::size_t power = starts(end, "e") ? end + (starts(end + 1, minus) ? 1 + minus.size()
+                                                          : starts(end + 1, "+") ? 2
+                                                                                 : 1)
+                                                 : text.size();
       if (digit(power)) end = digits_from(power);
     } else {
       end += std::string_view("\u221e").size();
@@ -145,7 +154,8 @@ std::vector<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view tex
 
 bool shown_as(double value, std::string_view text) {
   std::string plain(text);
-  for (std::size_t at = plain.find(minus_sign); at != std::string::npos; at = plain.find(minus_sign, at)) plain.replace(at, std::string_view(minus_sign).size(), "-");
+  for (std::size_t at = plain.find(minus_sign); at != std::string::npos; at = plain.find(minus_sign, at))
+    plain.replace(at, std::string_view(minus_sign).size(), "-");
   if (plain.find("\u221e") != std::string::npos) return std::isinf(value) && (value < 0) == (plain[0] == '-');
   char* rest = nullptr;
   const double written = std::strtod(plain.c_str(), &rest);

@@ -17,8 +17,8 @@ inline constexpr int usual_decimals = 4;
 std::string number(double value, int decimals);
 /// The same, but what is not 0 does not look like 0: "4e−4" for 0.0004 with two decimals.
 std::string cell_number(double value, int decimals);
-/// As short as it can be without losing one of `at_most` decimals: "4.25", "3", "0.3333". Very large and very small values
-/// are written with an exponent ("1.2e−07").
+/// As short as it can be without losing one of `at_most` decimals: "4.25", "3", "0.3333". Very large and very small
+/// values are written with an exponent ("1.2e−07").
 std::string number(double value, int at_most_decimals, bool shorten);
 inline std::string number(double value) { return number(value, usual_decimals, true); }
 /// The same for what is multiplied by columns and rows: four digits that count, however small it is ("−0.0004551").
@@ -33,7 +33,8 @@ std::pair<std::string, std::string> tell_apart(double a, double b);
 /// Decimal that reads back to the same bits, and the hex float: "0.1 (0x1.999999999999ap-4)".
 std::string exact(double value);
 
-/// Where numbers stand in a sentence or a formula, as (first byte, bytes): "−0.5" and "∞", but not the digits of a name as x_0.
+/// Where numbers stand in a sentence or a formula, as (first byte, bytes): "−0.5" and "∞", but not the digits of a name
+/// as x_0.
 std::vector<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view text);
 /// Is this what a number looks like there, rounded to the decimals that it is written with?
 bool shown_as(double value, std::string_view text);

@@ -19,7 +19,8 @@ std::optional<glm::dvec3> cutting_point(const Scene& scene, const State& state, 
 const PlaneEquation* plane_of_node(const MethodState& machine, std::int32_t node) {
   if (node < 0 || static_cast<std::size_t>(node) >= machine.tree.size()) return nullptr;
   const TreeNode& at = machine.tree[static_cast<std::size_t>(node)];
-  if (at.pieces.empty() || at.pieces[0] < 0 || static_cast<std::size_t>(at.pieces[0]) >= machine.pieces.size()) return nullptr;
+  if (at.pieces.empty() || at.pieces[0] < 0 || static_cast<std::size_t>(at.pieces[0]) >= machine.pieces.size())
+    return nullptr;
   const auto& plane = machine.pieces[static_cast<std::size_t>(at.pieces[0])].plane;
   return plane ? &*plane : nullptr;
 }

@@ -18,10 +18,13 @@ constexpr double rounding = 1e-9;  // of sines and areas: less says nothing
 std::span<const std::int32_t> corners_of(const Scene& scene, std::int32_t facet) {
   if (facet < 0 || static_cast<std::size_t>(facet) >= scene.facets.size()) return {};
   const Facet& shape = scene.facets[static_cast<std::size_t>(facet)];
-  return std::span(scene.corners).subspan(static_cast<std::size_t>(shape.first_corner), static_cast<std::size_t>(shape.corner_count));
+  return std::span(scene.corners)
+      .subspan(static_cast<std::size_t>(shape.first_corner), static_cast<std::size_t>(shape.corner_count));
 }
 
-const glm::dvec3& point_of(const Scene& scene, std::int32_t corner) { return scene.points[static_cast<std::size_t>(corner)]; }
+const glm::dvec3& point_of(const Scene& scene, std::int32_t corner) {
+  return scene.points[static_cast<std::size_t>(corner)];
+}
 
 /// Of a facet in screen coordinates, in pixels.
 double area_of(const Scene& scene, std::span<const std::int32_t> corners) {
@@ -37,7 +40,9 @@ RejectCheck against(std::string text) { return {false, true, std::move(text)}; }
 
 /// What of (p − e)·n is rounding.
 double least_of(const Scene& scene, std::span<const std::int32_t> corners) {
-  const glm::dvec3 sight = scene.camera.kind == Camera::Kind::perspective ? point_of(scene, corners[0]) - scene.camera.eye : scene.camera.eye;
+  const glm::dvec3 sight = scene.camera.kind == Camera::Kind::perspective
+                               ? point_of(scene, corners[0]) - scene.camera.eye
+                               : scene.camera.eye;
   return rounding * glm::length(sight) * glm::length(clipping::newell_normal(scene, corners));
 }
 
@@ -45,14 +50,17 @@ double least_of(const Scene& scene, std::span<const std::int32_t> corners) {
 RejectCheck check_test(const FacingVotes& votes, Reject reason) {
   const Facing wanted = reason == Reject::edge_on ? Facing::edge_on : Facing::back;
   if (votes.disagree()) return against("the four numbers of its facing test do not agree");
-  if (votes.speak_against(wanted)) return against(fmt::format("by the numbers of its facing test it {}", facing_text(votes.front ? Facing::front : Facing::back)));
+  if (votes.speak_against(wanted))
+    return against(fmt::format("by the numbers of its facing test it {}",
+                               facing_text(votes.front ? Facing::front : Facing::back)));
   return {};
 }
 
 RejectCheck check_facing(const Scene& scene, std::span<const std::int32_t> corners, Reject reason) {
   const double value = clipping::view_dot_normal(scene, corners), least = least_of(scene, corners);
   const std::string shown = fmt::format("(p \u2212 e)\u00b7n = {}", factor(value));
-  if (reason == Reject::back_facing && value < -least) return against(fmt::format("it faces the eye: {} is negative", shown));
+  if (reason == Reject::back_facing && value < -least)
+    return against(fmt::format("it faces the eye: {} is negative", shown));
   if (reason == Reject::edge_on && std::abs(value) > least) return against(fmt::format("{} is not 0", shown));
   return {};
 }
@@ -65,7 +73,9 @@ RejectCheck check_on_screen(const Scene& scene, std::span<const std::int32_t> co
     case Reject::edge_on:
     case Reject::degenerate: {
       const double area = area_of(scene, corners);
-      const bool fits = std::all_of(corners.begin(), corners.end(), [&](std::int32_t corner) { return std::abs(point_of(scene, corner).x) < 1e9 && std::abs(point_of(scene, corner).y) < 1e9; });
+      const bool fits = std::all_of(corners.begin(), corners.end(), [&](std::int32_t corner) {
+        return std::abs(point_of(scene, corner).x) < 1e9 && std::abs(point_of(scene, corner).y) < 1e9;
+      });
       if (fits && area > rounding) return against(fmt::format("on the raster its area is {} pixels", number(area)));
       break;
     }
@@ -73,7 +83,8 @@ RejectCheck check_on_screen(const Scene& scene, std::span<const std::int32_t> co
       for (const std::int32_t corner : corners) {
         const glm::dvec3& p = point_of(scene, corner);
         if (p.x > -0.5 && p.y > -0.5 && p.x < raster.width - 0.5 && p.y < raster.height - 0.5)
-          return against(fmt::format("its vertex {} lies on the raster, at ({}, {})", corner, number(p.x), number(p.y)));
+          return against(
+              fmt::format("its vertex {} lies on the raster, at ({}, {})", corner, number(p.x), number(p.y)));
       }
       break;
   }
@@ -87,7 +98,9 @@ FacingVotes votes_of(const Scene& scene, std::int32_t facet, const FacingTest& t
   const bool in_space = scene.camera.kind != Camera::Kind::screen && !corners.empty();
   const double least = in_space ? least_of(scene, corners) : rounding;
   FacingVotes votes;
-  const auto vote = [&](double away, double rounded) { votes.back = votes.back || away > rounded, votes.front = votes.front || away < -rounded; };
+  const auto vote = [&](double away, double rounded) {
+    votes.back = votes.back || away > rounded, votes.front = votes.front || away < -rounded;
+  };
   vote(test.view_dot_normal, least), vote(-test.plane_at_eye, least), vote(-test.determinant, least);
   vote(test.projected_normal_z, 1e-6);  // in pixels, twice an area
   return votes;

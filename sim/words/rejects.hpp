@@ -1,4 +1,5 @@
-// A polygon's verdicts before the raster (which way it faces, why it is dropped), held against the numbers that they rest on.
+// A polygon's verdicts before the raster (which way it faces, why it is dropped), held against the numbers that they
+// rest on.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,9 @@ struct FacingVotes {
   bool front = false, back = false;
   bool disagree() const { return front && back; }
   /// Does one of them say other than this?
-  bool speak_against(Facing facing) const { return (front && facing != Facing::front) || (back && facing != Facing::back); }
+  bool speak_against(Facing facing) const {
+    return (front && facing != Facing::front) || (back && facing != Facing::back);
+  }
 };
 FacingVotes votes_of(const Scene& scene, std::int32_t facet, const FacingTest& test);
 /// "faces the eye", "faces away from the eye", "is seen edge-on".
@@ -24,9 +27,11 @@ const char* facing_text(Facing facing);
 struct RejectCheck {
   bool holds = true;  ///< or nothing speaks against it
   bool shown = true;  ///< something speaks for it; else it cannot be checked
-  std::string text;   ///< what speaks against it, or why it cannot be checked: "it faces the eye, as (p − e)·n = −2.5 is negative"
+  std::string text;  ///< what speaks against it, or why it cannot be checked: "it faces the eye, as (p − e)·n = −2.5 is
+                     ///< negative"
 };
-/// `test`: the last of this facet, nullptr where there is none. Without one, only what the scene's own camera drops can be checked.
+/// `test`: the last of this facet, nullptr where there is none. Without one, only what the scene's own camera drops can
+/// be checked.
 RejectCheck check_reject(const Scene& scene, std::int32_t facet, Reject reason, const FacingTest* test);
 
 }  // namespace zstep

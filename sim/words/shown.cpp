@@ -24,10 +24,13 @@ std::string in_parentheses(const std::string& text) { return "(" + text + ")"; }
 }  // namespace
 
 Shown::Shown(std::string symbol, double value) : Shown(std::move(symbol), value, number(value)) {}
-Shown::Shown(std::string symbol, double value, std::string text) : rounded_(value), symbols_(std::move(symbol)), numbers_(std::move(text)) {}
+Shown::Shown(std::string symbol, double value, std::string text)
+    : rounded_(value), symbols_(std::move(symbol)), numbers_(std::move(text)) {}
 Shown::Shown(double plain) : Shown(number(plain), plain) {}
 
-std::string Shown::equation() const { return symbols_ == numbers_ || symbols_.empty() ? numbers_ : symbols_ + " = " + numbers_; }
+std::string Shown::equation() const {
+  return symbols_ == numbers_ || symbols_.empty() ? numbers_ : symbols_ + " = " + numbers_;
+}
 
 Shown Shown::joined(const Shown& a, const Shown& b, Binding how, const char* sign, formulas::Rounded result) {
   const bool subtracts = std::string_view(sign) == " \u2212 ", divides = std::string_view(sign) == "/";
@@ -35,7 +38,8 @@ Shown Shown::joined(const Shown& a, const Shown& b, Binding how, const char* sig
   // (a + b)(c + d), without a sign between.
   const bool side_by_side = left && right && how == Binding::product && !divides;
   const auto join = [&](const std::string& one, const std::string& other) {
-    return (left ? in_parentheses(one) : one) + (side_by_side ? "" : sign) + (right ? in_parentheses(other) : to_the_right(other));
+    return (left ? in_parentheses(one) : one) + (side_by_side ? "" : sign) +
+           (right ? in_parentheses(other) : to_the_right(other));
   };
   Shown all(join(a.symbols_, b.symbols_), result.value, join(a.numbers_, b.numbers_));
   all.rounded_ = result, all.binding_ = how, all.leaf_ = false;
@@ -44,7 +48,8 @@ Shown Shown::joined(const Shown& a, const Shown& b, Binding how, const char* sig
 
 Shown operator-(const Shown& a, const Shown& b) {
   const formulas::Rounded result = a.rounded_ - b.rounded_;
-  if (!a.leaf_ || !b.leaf_ || a.numbers_ != b.numbers_) return Shown::joined(a, b, Shown::Binding::sum, " \u2212 ", result);
+  if (!a.leaf_ || !b.leaf_ || a.numbers_ != b.numbers_)
+    return Shown::joined(a, b, Shown::Binding::sum, " \u2212 ", result);
   Shown one = a, other = b;
   std::tie(one.numbers_, other.numbers_) = tell_apart(a.value(), b.value());
   return Shown::joined(one, other, Shown::Binding::sum, " \u2212 ", result);

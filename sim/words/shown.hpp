@@ -1,5 +1,6 @@
-// A number that remembers how it was made, in symbols and in numbers: what the formulas of traces/formulas are evaluated with where a
-// person reads them. So what is printed, what it gives and how far rounding may be in it cannot part.
+// A number that remembers how it was made, in symbols and in numbers: what the formulas of traces/formulas are
+// evaluated with where a person reads them. So what is printed, what it gives and how far rounding may be in it cannot
+// part.
 #pragma once
 
 #include <string>
@@ -19,14 +20,22 @@ class Shown {
   double value() const { return rounded_.value; }
   const formulas::Rounded& rounded() const { return rounded_; }
   const std::string& symbols() const { return symbols_; }  ///< "p_0 + (p_1 − p_0)(t − t_0)/(t_1 − t_0)"
-  const std::string& numbers() const { return numbers_; }  ///< the same with numbers, where they differ with the digits that tell them apart
+  const std::string& numbers() const {
+    return numbers_;
+  }  ///< the same with numbers, where they differ with the digits that tell them apart
   /// "symbols = numbers"; the numbers alone where nothing has a name, or nothing is computed.
   std::string equation() const;
 
-  friend Shown operator+(const Shown& a, const Shown& b) { return joined(a, b, Binding::sum, " + ", a.rounded_ + b.rounded_); }
+  friend Shown operator+(const Shown& a, const Shown& b) {
+    return joined(a, b, Binding::sum, " + ", a.rounded_ + b.rounded_);
+  }
   friend Shown operator-(const Shown& a, const Shown& b);
-  friend Shown operator*(const Shown& a, const Shown& b) { return joined(a, b, Binding::product, "\u00b7", a.rounded_ * b.rounded_); }
-  friend Shown operator/(const Shown& a, const Shown& b) { return joined(a, b, Binding::product, "/", a.rounded_ / b.rounded_); }
+  friend Shown operator*(const Shown& a, const Shown& b) {
+    return joined(a, b, Binding::product, "\u00b7", a.rounded_ * b.rounded_);
+  }
+  friend Shown operator/(const Shown& a, const Shown& b) {
+    return joined(a, b, Binding::product, "/", a.rounded_ / b.rounded_);
+  }
   friend Shown operator-(const Shown& a);
   friend Shown floor(const Shown& a) { return bracketed(a, "\u230a", "\u230b", floor(a.rounded_)); }
   friend Shown ceil(const Shown& a) { return bracketed(a, "\u2308", "\u2309", ceil(a.rounded_)); }

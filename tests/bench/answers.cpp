@@ -21,7 +21,9 @@ constexpr int questions = 100;
 
 std::string of(std::vector<double> samples) {
   std::sort(samples.begin(), samples.end());
-  const auto at = [&](double share) { return samples[static_cast<std::size_t>(share * static_cast<double>(samples.size() - 1))]; };
+  const auto at = [&](double share) {
+    return samples[static_cast<std::size_t>(share * static_cast<double>(samples.size() - 1))];
+  };
   return fmt::format("{:.1f} ms; {:.1f} ms", at(0.5), at(0.99));
 }
 
@@ -43,12 +45,19 @@ std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& tr
   const auto below = [&](std::size_t count) { return static_cast<std::int64_t>(random() % count); };
   const Scene& scene = trace.scene();
   const auto pixel = [&] {
-    return Trace::Pixel{static_cast<std::int32_t>(below(static_cast<std::size_t>(scene.raster.width))), static_cast<std::int32_t>(below(static_cast<std::size_t>(scene.raster.height)))};
+    return Trace::Pixel{static_cast<std::int32_t>(below(static_cast<std::size_t>(scene.raster.width))),
+                        static_cast<std::int32_t>(below(static_cast<std::size_t>(scene.raster.height)))};
   };
   std::size_t links = 0;
-  const std::string steps = time_of([&] { links += answers::explain_value(trace, replay, {below(static_cast<std::size_t>(trace.size())) + 1}).links.size(); });
-  const std::string pixels = time_of([&] { links += answers::explain_value(trace, replay, answers::of_pixel(trace.size(), pixel())).links.size(); });
-  const std::string why = time_of([&] { links += answers::why_not(trace, static_cast<std::int32_t>(below(scene.polygons.size())), pixel(), &replay).chain.size(); });
+  const std::string steps = time_of([&] {
+    links += answers::explain_value(trace, replay, {below(static_cast<std::size_t>(trace.size())) + 1}).links.size();
+  });
+  const std::string pixels = time_of(
+      [&] { links += answers::explain_value(trace, replay, answers::of_pixel(trace.size(), pixel())).links.size(); });
+  const std::string why = time_of([&] {
+    links +=
+        answers::why_not(trace, static_cast<std::int32_t>(below(scene.polygons.size())), pixel(), &replay).chain.size();
+  });
   // Of a polygon that reached the pixel there is more to tell.
   const std::string there = time_of([&] {
     const Trace::Pixel at = pixel();

@@ -29,7 +29,8 @@ inline Mesh teapot(int level) {
   for (glm::dvec3& point : mesh.points) point /= far;
   for (const Facet& facet : scene.facets) {
     const auto corner = [&](std::int32_t i) { return scene.corners[static_cast<std::size_t>(facet.first_corner + i)]; };
-    for (std::int32_t i = 1; i + 1 < facet.corner_count; ++i) mesh.triangles.push_back({corner(0), corner(i), corner(i + 1)});
+    for (std::int32_t i = 1; i + 1 < facet.corner_count; ++i)
+      mesh.triangles.push_back({corner(0), corner(i), corner(i + 1)});
   }
   return mesh;
 }
@@ -37,7 +38,9 @@ inline Mesh teapot(int level) {
 /// Copies of the mesh, turned, sized and placed at random before the camera.
 inline Scene crowd(const Mesh& mesh, int copies, std::int32_t width, std::int32_t height) {
   std::mt19937_64 random(48);
-  const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
   Scene scene;
   scene.name = std::to_string(copies) + " copies";
   for (int copy = 0; copy < copies; ++copy) {
@@ -47,7 +50,8 @@ inline Scene crowd(const Mesh& mesh, int copies, std::int32_t width, std::int32_
     const glm::dvec3 to(between(-0.8, 0.8), between(-0.8, 0.8), between(-0.8, 0.8));
     const auto first = static_cast<std::int32_t>(scene.points.size());
     for (const glm::dvec3& point : mesh.points) scene.points.push_back(turn * point + to);
-    for (const auto& triangle : mesh.triangles) add_polygon(scene, {first + triangle[0], first + triangle[1], first + triangle[2]});
+    for (const auto& triangle : mesh.triangles)
+      add_polygon(scene, {first + triangle[0], first + triangle[1], first + triangle[2]});
   }
   look(scene, width, height);
   scene.camera.d = 2.6;

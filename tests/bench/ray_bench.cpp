@@ -5,8 +5,7 @@
 // - Embree is asked ray by ray (rtcIntersect1), with its best tree (build quality high) and without the slower robust
 //   mode. It computes in float32 and chooses its own instructions, AVX-512 among them.
 // - cast_fast uses AVX2, computes hits in float64 and gives every bit of the taught method, which is checked: a facet
-// is
-//   taken only when its own outline says so, and of equal depths the one drawn first.
+//   is taken only when its own outline says so, and of equal depths the one drawn first.
 // - Both make each ray, and write polygon number and depth of what it meets to a picture. Neither culls.
 // - Building the trees is printed apart; it is not in the rates.
 // The two take turns; medians of processor time, and of the ratios within a turn.

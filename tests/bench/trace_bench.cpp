@@ -1,5 +1,6 @@
-// Prints what traces of full size cost: recording against an untraced run, bytes and time an event, opening, seeking, stepping back, and
-// asking. Medians of runs that take turns, all in one process, as one table in Markdown: that of the README.
+// Prints what traces of full size cost: recording against an untraced run, bytes and time an event, opening, seeking,
+// stepping back, and asking. Medians of runs that take turns, all in one process, as one table in Markdown: that of
+// the README.
 //
 //     zstep_bench_trace [WORKLOAD…]        default: all of them; `zstep_bench_trace list` names them
 #include <malloc.h>
@@ -72,7 +73,8 @@ std::vector<Workload> workloads() {
   Conventions both_sides;
   both_sides.cull = false;
   return {
-      {"z-buffer, 48 copies of 3 552 triangles, 1024x768", "z-buffer", [] { return bench::crowd(bench::teapot(8), 48, 1024, 768); }, both_sides},
+      {"z-buffer, 48 copies of 3 552 triangles, 1024x768", "z-buffer",
+       [] { return bench::crowd(bench::teapot(8), 48, 1024, 768); }, both_sides},
       {"z-buffer, 2 000 000 triangles, 1024x768", "z-buffer",
        [] {
          Scene scene = bench::torus(1000, 1000, true);
@@ -81,10 +83,12 @@ std::vector<Workload> workloads() {
        },
        both_sides},
       {"ray-casting, teapot:8, 320x240", "ray-casting", [] { return teapot_at(8, 320, 240); }},
-      {"warnock, 48 copies, 1024x768", "warnock", [] { return bench::crowd(bench::teapot(8), 48, 1024, 768); }, both_sides},
+      {"warnock, 48 copies, 1024x768", "warnock", [] { return bench::crowd(bench::teapot(8), 48, 1024, 768); },
+       both_sides},
       {"bsp, teapot:20, 1024x768", "bsp", [] { return teapot_at(20, 1024, 768); }},
       {"depth-sort, teapot:60, 1024x768", "depth-sort", [] { return teapot_at(60, 1024, 768); }},
-      {"scan-line, 16 copies, 1024x768", "scan-line", [] { return bench::crowd(bench::teapot(8), 16, 1024, 768); }, both_sides},
+      {"scan-line, 16 copies, 1024x768", "scan-line", [] { return bench::crowd(bench::teapot(8), 16, 1024, 768); },
+       both_sides},
   };
 }
 
@@ -99,7 +103,8 @@ struct Figures {
 Figures measure(const Workload& workload) {
   const Scene scene = workload.scene();
   const Method& taught = method(workload.method);
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("zstep_trace_bench_{}.ztrace", getpid());
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("zstep_trace_bench_{}.ztrace", getpid());
   Figures figures;
 
   constexpr int runs = 5;
@@ -133,8 +138,10 @@ Figures measure(const Workload& workload) {
   const auto file_bytes = static_cast<double>(std::filesystem::file_size(path));
   figures.add("events", fmt::format("{:.1f} M", events / 1e6));
   figures.add("untraced run", fmt::format("{:.2f} s", quantile(untraced, 0.5)));
-  figures.add("recording to a file / untraced run", fmt::format("{:.2f}", quantile(traced, 0.5) / quantile(untraced, 0.5)));
-  figures.add("bytes an event on disk (with the scene)", fmt::format("{:.3f} ({:.3f})", event_bytes / events, file_bytes / events));
+  figures.add("recording to a file / untraced run",
+              fmt::format("{:.2f}", quantile(traced, 0.5) / quantile(untraced, 0.5)));
+  figures.add("bytes an event on disk (with the scene)",
+              fmt::format("{:.3f} ({:.3f})", event_bytes / events, file_bytes / events));
 
   std::vector<double> decoding;
   std::uint64_t touched = 0;  // of every field of every event, so that none of them is left out
@@ -151,18 +158,22 @@ Figures measure(const Workload& workload) {
     }));
   }
   if (touched == 42) fmt::print(" ");
-  figures.add("decode, unpacking included, every field read", fmt::format("{:.2f} ns an event", 1e9 * quantile(decoding, 0.5) / events));
+  figures.add("decode, unpacking included, every field read",
+              fmt::format("{:.2f} ns an event", 1e9 * quantile(decoding, 0.5) / events));
   figures.add("open until the first picture", fmt::format("{:.3f} s", open));
   figures.add("from there to the last, the first time", fmt::format("{:.2f} s", to_end));
 
   std::mt19937_64 random(1);
-  const auto some_step = [&] { return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(trace.size())) + 1; };
+  const auto some_step = [&] {
+    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(trace.size())) + 1;
+  };
   std::vector<double> seeks;
   for (int i = 0; i < 300; ++i) {
     const std::int64_t target = some_step();
     seeks.push_back(1e3 * seconds_of([&] { replay.go_to(target); }));
   }
-  figures.add("random seek with full state, median; p99", fmt::format("{:.1f} ms; {:.1f} ms", quantile(seeks, 0.5), quantile(seeks, 0.99)));
+  figures.add("random seek with full state, median; p99",
+              fmt::format("{:.1f} ms; {:.1f} ms", quantile(seeks, 0.5), quantile(seeks, 0.99)));
   replay.go_to(trace.size() / 2);
   constexpr int steps = 10000;
   const double back = seconds_of([&] {
@@ -176,23 +187,28 @@ Figures measure(const Workload& workload) {
   std::vector<double> histories;
   std::size_t visits = 0;
   const auto some_pixel = [&] {
-    return Trace::Pixel{static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(raster.width)), static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(raster.height))};
+    return Trace::Pixel{static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(raster.width)),
+                        static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(raster.height))};
   };
   for (int i = 0; i < 200; ++i) {
     const Trace::Pixel pixel = some_pixel();
     histories.push_back(1e3 * seconds_of([&] { visits += answers::pixel_history(trace, *facets, pixel).size(); }));
   }
-  figures.add("pixel history, median; p99", fmt::format("{:.2f} ms; {:.2f} ms (of {:.1f} entries; {:.0f} ms once, to prepare)", quantile(histories, 0.5), quantile(histories, 0.99),
-                                                        static_cast<double>(visits) / 200, 1e3 * preparing));
+  figures.add(
+      "pixel history, median; p99",
+      fmt::format("{:.2f} ms; {:.2f} ms (of {:.1f} entries; {:.0f} ms once, to prepare)", quantile(histories, 0.5),
+                  quantile(histories, 0.99), static_cast<double>(visits) / 200, 1e3 * preparing));
   for (const auto& [name, value] : bench::measure_answers(trace, replay)) figures.add(name, value);
 
   const double after = memory();
-  figures.add("memory beyond the file, an event", fmt::format("{:.2f} bytes ({:.0f} MB)", (after - before) / events, (after - before) / 1e6));
+  figures.add("memory beyond the file, an event",
+              fmt::format("{:.2f} bytes ({:.0f} MB)", (after - before) / events, (after - before) / 1e6));
 
   std::int64_t rows = 0;
   const bench::LargestTable table = bench::largest_table(trace);
   const double query = seconds_of([&] { rows = bench::scan_by_sql(trace, table); });
-  figures.add("full-table SQL scan, two columns", fmt::format("{:.1f} M rows/s (of {})", static_cast<double>(rows) / query / 1e6, table.name));
+  figures.add("full-table SQL scan, two columns",
+              fmt::format("{:.1f} M rows/s (of {})", static_cast<double>(rows) / query / 1e6, table.name));
   std::filesystem::remove(path);
   return figures;
 }

@@ -5,8 +5,8 @@
 // - llvmpipe runs in this one thread, too (LP_NUM_THREADS=0), and is built with LLVM, here for AVX2 or AVX-512 as it
 //   sees fit. It gets what suits it: positions and colours in its own memory, one call with shared vertices, flat
 //   colours (a triangle's last vertex says which), no texture and no light. Polygons come to it as triangles.
-// - llvmpipe keeps colours of 4 bytes and depths of 24 bits beside 8 unused; zstep polygon numbers of 4 bytes and depths
-//   of 8. llvmpipe computes in float32 and puts vertices on a grid of 1/256 pixel; zstep computes in float64, and
+// - llvmpipe keeps colours of 4 bytes and depths of 24 bits beside 8 unused; zstep polygon numbers of 4 bytes and
+//   depths of 8. llvmpipe computes in float32 and puts vertices on a grid of 1/256 pixel; zstep computes in float64, and
 //   run_fast must give every bit of the taught loop, which is checked.
 // - Both keep their buffers from frame to frame; the taught loop makes a new Picture. zstep decides facing in space,
 //   llvmpipe by the sign of the triangle's area, and it copies the colours to the caller's memory at the end.
@@ -96,20 +96,22 @@ void compare(const std::string& name, const Scene& scene, bool cull) {
     all_over_mesa.push_back(mesa.back() / all.back());
 #endif
   }
-  fmt::print("{:24} {:>7} {:>7} {:>8.3f} {:>8.3f} {:>8.3f}", name, scene.facets.size(), drawn(expected), median(taught), median(one), median(all));
+  fmt::print("{:24} {:>7} {:>7} {:>8.3f} {:>8.3f} {:>8.3f}", name, scene.facets.size(), drawn(expected), median(taught),
+             median(one), median(all));
   if (mesa.empty()) {
-    fmt::print(" {:>8}   {:>5.2f} {:>5.2f}   {:>5} {:>5}\n", "-", median(one_over_taught), median(all_over_taught), "-", "-");
+    fmt::print(" {:>8}   {:>5.2f} {:>5.2f}   {:>5} {:>5}\n", "-", median(one_over_taught), median(all_over_taught), "-",
+               "-");
   } else {
-    fmt::print(" {:>8.3f}   {:>5.2f} {:>5.2f}   {:>5.2f} {:>5.2f}\n", median(mesa), median(one_over_taught), median(all_over_taught),
-               median(one_over_mesa), median(all_over_mesa));
+    fmt::print(" {:>8.3f}   {:>5.2f} {:>5.2f}   {:>5.2f} {:>5.2f}\n", median(mesa), median(one_over_taught),
+               median(all_over_taught), median(one_over_mesa), median(all_over_mesa));
   }
 }
 
 }  // namespace
 
 int main() {
-  fmt::print("{:24} {:>7} {:>7} {:>8} {:>17} {:>8}   {:>11}   {:>11}\n", "ms a frame of 1024x768", "facets", "pixels", "taught",
-             "run_fast", "llvmpipe", "x taught", "x llvmpipe");
+  fmt::print("{:24} {:>7} {:>7} {:>8} {:>17} {:>8}   {:>11}   {:>11}\n", "ms a frame of 1024x768", "facets", "pixels",
+             "taught", "run_fast", "llvmpipe", "x taught", "x llvmpipe");
   fmt::print("{:24} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8}   {:>5} {:>5}   {:>5} {:>5}\n", "", "", "", "", "1 thread",
              fmt::format("{} thr.", std::thread::hardware_concurrency()), "1 thread", "1", "all", "1", "all");
   for (const std::string name : {"teapot:4", "teapot:8", "teapot:16", "teapot:32", "teapot:64"}) {

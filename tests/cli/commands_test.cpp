@@ -37,8 +37,10 @@ TEST_CASE("info says which border the half-open rule keeps: that of the smaller 
   const Folder folder;
   REQUIRE(run(folder, "record delhi --coverage top-left -o up.ztrace").code == 0);
   REQUIRE(run(folder, "record cube -o down.ztrace").code == 0);
-  CHECK(run(folder, "info up.ztrace").out.find("ties to the left edge and to that of the smaller y, the bottom one)") != std::string::npos);
-  CHECK(run(folder, "info down.ztrace").out.find("ties to the left edge and to that of the smaller y, the top one)") != std::string::npos);
+  CHECK(run(folder, "info up.ztrace").out.find("ties to the left edge and to that of the smaller y, the bottom one)") !=
+        std::string::npos);
+  CHECK(run(folder, "info down.ztrace").out.find("ties to the left edge and to that of the smaller y, the top one)") !=
+        std::string::npos);
 }
 
 TEST_CASE("list names methods, lessons and scenes") {
@@ -48,7 +50,8 @@ TEST_CASE("list names methods, lessons and scenes") {
     CAPTURE(name);
     CHECK(has(all, name));
   }
-  const std::string methods = must(folder, "list methods").out, scenes = must(folder, "list scenes").out, lessons = must(folder, "list lessons").out;
+  const std::string methods = must(folder, "list methods").out, scenes = must(folder, "list scenes").out,
+                    lessons = must(folder, "list lessons").out;
   CHECK(has(methods, "z-buffer"));
   CHECK_FALSE(has(methods, "teapot"));
   CHECK(has(scenes, "teapot"));
@@ -68,16 +71,19 @@ TEST_CASE("render alone writes NAME.png and says so") {
   CHECK(image.width == 48);
   CHECK(image.height == 32);
   std::set<std::vector<std::uint8_t>> colors;
-  for (std::size_t k = 0; k < image.rgb.size(); k += 3) colors.insert({image.rgb[k], image.rgb[k + 1], image.rgb[k + 2]});
+  for (std::size_t k = 0; k < image.rgb.size(); k += 3)
+    colors.insert({image.rgb[k], image.rgb[k + 1], image.rgb[k + 2]});
   CHECK(colors.size() >= 3);
 }
 
 TEST_CASE("the saved files agree with each other") {
   const Folder folder;
-  must(folder, "render teapot --size 40x30 --save a.png --save-ids ids.npy --save-depth depth.npy --save-depth-raw raw.npy");
+  must(folder,
+       "render teapot --size 40x30 --save a.png --save-ids ids.npy --save-depth depth.npy --save-depth-raw raw.npy");
   CHECK(folder.names() == std::vector<std::string>{"a.png", "depth.npy", "ids.npy", "raw.npy"});
   const Image image = read_png(folder / "a.png");
-  const Npy ids = read_npy(folder / "ids.npy"), depth = read_npy(folder / "depth.npy"), raw = read_npy(folder / "raw.npy");
+  const Npy ids = read_npy(folder / "ids.npy"), depth = read_npy(folder / "depth.npy"),
+            raw = read_npy(folder / "raw.npy");
   for (const Npy* table : {&ids, &depth, &raw}) {
     CHECK(table->height == 30);
     CHECK(table->width == 40);
@@ -97,7 +103,9 @@ TEST_CASE("the saved files agree with each other") {
   CHECK(seen > 50);
   CHECK(seen < 1200);
 
-  must(folder, "render teapot --size 40x30 --save b.png --enlarge 3 --depth view --save-depth view.npy --save-depth-raw view_raw.npy");
+  must(folder,
+       "render teapot --size 40x30 --save b.png --enlarge 3 --depth view --save-depth view.npy --save-depth-raw "
+       "view_raw.npy");
   const Image large = read_png(folder / "b.png");
   CHECK(large.width == 120);
   for (std::size_t y = 0; y < 90; ++y)
@@ -142,7 +150,8 @@ TEST_CASE("record, info, dump, import: the same steps all the way round") {
   CHECK(text_of(folder / "a.png") == text_of(folder / "b.png"));
 
   const std::string info = must(folder, "info run.ztrace").out;
-  for (const char* part : {"method", "Z-buffer (z-buffer)", "16x16", "perspective", "pseudodepth", "z_buffer.compare", "depth_compare", "if z < zbuffer[x,y]"}) {
+  for (const char* part : {"method", "Z-buffer (z-buffer)", "16x16", "perspective", "pseudodepth", "z_buffer.compare",
+                           "depth_compare", "if z < zbuffer[x,y]"}) {
     CAPTURE(part);
     CHECK(has(info, part));
   }
@@ -184,7 +193,8 @@ TEST_CASE("options change what they say they change") {
     must(folder, "render teapot --size 64x48 --save other.png " + option);
     CHECK(text_of(folder / "other.png") != plain);
   };
-  for (const std::string option : {"--rho 9", "--theta 100", "--phi 20", "--d 3", "--window 2", "--ortho", "--fit"}) differs(option);
+  for (const std::string option : {"--rho 9", "--theta 100", "--phi 20", "--d 3", "--window 2", "--ortho", "--fit"})
+    differs(option);
   // Only where an edge goes through a pixel's centre can the two rules of coverage differ.
   must(folder, "render foley --save top-left.png --coverage top-left");
   must(folder, "render foley --save inclusive.png --coverage inclusive");
@@ -219,8 +229,9 @@ TEST_CASE("dump refuses what the trace does not have") {
   refused("--from 99999999", "ends at step");
   refused("--from 0", "--from: '0'");
   if (std::filesystem::exists("/dev/full")) {
-    for (const std::string command : {"dump run.ztrace", "info run.ztrace", "list", "history run.ztrace 3 3", "explain run.ztrace 3 3", "why-not run.ztrace 0",
-                                      "find run.ztrace 'not nearer'", "query run.ztrace 'select * from depth_compare'", "query run.ztrace"}) {
+    for (const std::string command : {"dump run.ztrace", "info run.ztrace", "list", "history run.ztrace 3 3",
+                                      "explain run.ztrace 3 3", "why-not run.ztrace 0", "find run.ztrace 'not nearer'",
+                                      "query run.ztrace 'select * from depth_compare'", "query run.ztrace"}) {
       CAPTURE(command);
       const Outcome full = shell(folder, "\"$zstep\" " + command + " > /dev/full");
       CHECK(full.code == 4);
@@ -259,7 +270,8 @@ TEST_CASE("a step can be copied from one answer into the next question, and too 
   CHECK(must(folder, "explain run.ztrace --at " + step).out == must(folder, "explain run.ztrace --at " + plain).out);
   const Outcome refused = run(folder, "explain run.ztrace 15 12 z");
   CHECK(refused.code == 2);
-  CHECK(has(refused.err, "zstep explain: asks about one pixel or one field, not about '15 12 z'; give X Y, or --at STEP FIELD"));
+  CHECK(has(refused.err,
+            "zstep explain: asks about one pixel or one field, not about '15 12 z'; give X Y, or --at STEP FIELD"));
 }
 
 TEST_CASE("a trace in a scene's place, and a scene in a trace's, are told apart") {
@@ -334,9 +346,11 @@ TEST_CASE("why-not says why, and what may be typed") {
   write_text(folder / "named.toml", scene);
   must(folder, "record named.toml -o named.ztrace");
   for (const auto& [arguments, said] : std::vector<std::pair<std::string, std::string>>{
-           {"run.ztrace roof", "roof: is no polygon of this trace; its polygons are numbered from 0 to 6, the first is called F"},
+           {"run.ztrace roof",
+            "roof: is no polygon of this trace; its polygons are numbered from 0 to 6, the first is called F"},
            {"run.ztrace 7", "7: is no polygon of this trace"},
-           {"run.ztrace F 15", "Y: is missing: a pixel has a column and a row; write for example zstep why-not run.ztrace B 15 12"},
+           {"run.ztrace F 15",
+            "Y: is missing: a pixel has a column and a row; write for example zstep why-not run.ztrace B 15 12"},
            {"run.ztrace F 32 0", "32 0: is no pixel: the picture has 32 by 32"},
            {"run.ztrace F -1 0", "-1"},
            {"named.ztrace flor", "flor: is no polygon of this trace; did you mean floor?"},

@@ -85,7 +85,8 @@ TEST_CASE("compare-methods: mistakes") {
 
 TEST_CASE("compare-methods: a method that takes too long is stopped, and it is said so") {
   const Folder folder;
-  const Outcome outcome = run(folder, "compare-methods teapot:64 --size 4096x4096 --methods z-buffer --limit 0.2 --csv a.csv");
+  const Outcome outcome =
+      run(folder, "compare-methods teapot:64 --size 4096x4096 --methods z-buffer --limit 0.2 --csv a.csv");
   CHECK(outcome.code == 3);
   CHECK(has(outcome.out, "Z-buffer: not done within 0.2 s\n"));
   CHECK(has(text_of(folder / "a.csv"), "z-buffer,end,,out_of_time\n"));

@@ -14,12 +14,15 @@ bool have(const Folder& folder, const std::string& program) { return shell(folde
 /// What bash offers after these words; the last one is incomplete.
 std::string offered(const Folder& folder, const std::string& words) {
   write_text(folder / "offer.bash",
-             "source \"$1\"\nshift\nCOMP_WORDS=(\"$@\")\nCOMP_CWORD=$(($# - 1))\n_zstep\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
+             "source \"$1\"\nshift\nCOMP_WORDS=(\"$@\")\nCOMP_CWORD=$(($# - 1))\n_zstep\nprintf '%s\\n' "
+             "\"${COMPREPLY[@]}\"\n");
   const Outcome outcome = shell(folder, "bash offer.bash ./zstep.bash zstep " + words);
   return "\n" + outcome.out;
 }
 
-bool has(const std::string& text, const std::string& line) { return text.find("\n" + line + "\n") != std::string::npos; }
+bool has(const std::string& text, const std::string& line) {
+  return text.find("\n" + line + "\n") != std::string::npos;
+}
 
 }  // namespace
 

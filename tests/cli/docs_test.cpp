@@ -1,5 +1,5 @@
-// docs/command-line.md and docs/querying.md show commands and what they print. It is true: every `$` line is run, in order, in one
-// folder a page.
+// docs/command-line.md and docs/querying.md show commands and what they print. It is true: every `$` line is run, in
+// order, in one folder a page.
 #include <doctest/doctest.h>
 
 #include <sstream>
@@ -36,7 +36,8 @@ bool match_line(const std::string& pattern, const std::string& text) {
   return text.starts_with(pattern.substr(0, pattern.size() - rest.size()));
 }
 
-bool match(const std::vector<std::string>& pattern, const std::vector<std::string>& text, std::size_t p = 0, std::size_t t = 0) {
+bool match(const std::vector<std::string>& pattern, const std::vector<std::string>& text, std::size_t p = 0,
+           std::size_t t = 0) {
   if (p == pattern.size()) return t == text.size();
   if (pattern[p] == "…") {
     for (std::size_t skip = t; skip <= text.size(); ++skip)

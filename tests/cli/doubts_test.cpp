@@ -1,5 +1,6 @@
-// Statements about small traces of other programs, right ones and wrong ones, and about own ones: what is printed is what the numbers
-// give, and what the trace has otherwise is said by every command. The traces stand in tests/data/foreign.
+// Statements about small traces of other programs, right ones and wrong ones, and about own ones: what is printed is
+// what the numbers give, and what the trace has otherwise is said by every command. The traces stand in
+// tests/data/foreign.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -18,7 +19,9 @@ std::string must(const Folder& folder, const std::string& arguments) {
   REQUIRE(outcome.code == 0);
   return outcome.out;
 }
-std::string foreign(const std::string& name) { return "'" + in_checkout("tests/data/foreign/" + name + ".jsonl") + "'"; }
+std::string foreign(const std::string& name) {
+  return "'" + in_checkout("tests/data/foreign/" + name + ".jsonl") + "'";
+}
 
 /// Is this one of the lines, but for what it is indented by?
 bool line(const std::string& text, const std::string& wanted) {
@@ -44,8 +47,9 @@ TEST_CASE("inclusive coverage is told as such: the last pixel of a span, the sca
   must(folder, "record delhi -o run.ztrace");
   HAS_LINE(must(folder, "explain run.ztrace --at 12 last"),
            "last = ⌊x_R⌋ = ⌊0⌋ = 0   coverage is inclusive: a pixel on x_R belongs to the span   (0x0p+0)");
-  HAS_LINE(must(folder, "explain run.ztrace --at 155 end_row"),
-           "end_row = ⌊y_1⌋ + 1 = ⌊6⌋ + 1 = 7   coverage is inclusive, and the edge goes on as far as y_1   (0x1.cp+2)");
+  HAS_LINE(
+      must(folder, "explain run.ztrace --at 155 end_row"),
+      "end_row = ⌊y_1⌋ + 1 = ⌊6⌋ + 1 = 7   coverage is inclusive, and the edge goes on as far as y_1   (0x1.cp+2)");
   const std::string retired = must(folder, "find run.ztrace edge_retire");
   HAS_LINE(retired, "149  retire_edge  Scan line 7 was the last of A: edge e1 (2–0) leaves the active edge list.");
   HAS_LINE(retired, "y + 1 = 8; it leaves at y = 8");
@@ -72,8 +76,10 @@ TEST_CASE("a hit is held against what the ray has kept at that moment, and ties 
   HAS_LINE(history, "t < t kept:  2.843 < 2.2138  is false");
   must(folder, "record '" + in_checkout("tests/golden/bsp.toml") + "' --algorithm ray-tracing -o ties.ztrace");
   HAS_LINE(must(folder, "find ties.ztrace \"step==1127\""),
-           "1127  hit  The point lies inside A, just as near as C: a tie, and A, the first of the two in the file, is kept.");
-  HAS_LINE(must(folder, "explain ties.ztrace --at 1127 nearest"), "nearest: t ≤ kept:  4 ≤ 4  is true   a tie: of two as near the first in the file is kept");
+           "1127  hit  The point lies inside A, just as near as C: a tie, and A, the first of the two in the file, is "
+           "kept.");
+  HAS_LINE(must(folder, "explain ties.ztrace --at 1127 nearest"),
+           "nearest: t ≤ kept:  4 ≤ 4  is true   a tie: of two as near the first in the file is kept");
 }
 
 TEST_CASE("depths that differ late have as many digits as tell them apart") {
@@ -89,32 +95,45 @@ TEST_CASE("what the viewer doubts, find and history and why-not doubt") {
   HAS_LINE(span, "dz/dx = (z_R − z_L)/(x_R − x_L) = (0.5 − 0.5)/(7 − 0) = 0, but the trace records 9");
   HAS_LINE(span, "The trace records dz/dx = 9, but this formula gives 0.");
   const std::string insert = must(folder, "find " + foreign("insert_wrong") + " insert");
-  HAS_LINE(insert, "6  insert  The trace lets edge e0 from vertex 2 to vertex 1 begin at scan line 3 and leave at 8; its ends are at y = 7 and 0, so it "
-                   "should begin at 0 and leave at 8.");
+  HAS_LINE(insert,
+           "6  insert  The trace lets edge e0 from vertex 2 to vertex 1 begin at scan line 3 and leave at 8; its ends "
+           "are at y = 7 and 0, so it "
+           "should begin at 0 and leave at 8.");
   HAS_LINE(insert, "first scan line = ⌈y_1⌉ = ⌈0⌉ = 0, but the trace records 3");
   const std::string z = must(folder, "find " + foreign("wrongz") + " \"interp where x==1 and y==1\"");
-  HAS_LINE(z, "z = z_L + (z_R − z_L)(x − x_L)/(x_R − x_L) = 0.5 + (0.5 − 0.5)(1 − 0)/(6 − 0) = 0.5, but the trace records 0.55");
+  HAS_LINE(z,
+           "z = z_L + (z_R − z_L)(x − x_L)/(x_R − x_L) = 0.5 + (0.5 − 0.5)(1 − 0)/(6 − 0) = 0.5, but the trace records "
+           "0.55");
   HAS_LINE(z, "The trace records z = 0.55, but this formula gives 0.5.");
-  HAS_LINE(must(folder, "find " + foreign("wrongdepth") + " \"wz where x==1 and y==1\" --backwards"), "The trace writes z = 0.35, but had compared z = 0.3.");
-  HAS_LINE(must(folder, "history " + foreign("halfcompare") + " 1 1 --why"), "The trace compares z = 0.15, but had interpolated z = 0.3.");
+  HAS_LINE(must(folder, "find " + foreign("wrongdepth") + " \"wz where x==1 and y==1\" --backwards"),
+           "The trace writes z = 0.35, but had compared z = 0.3.");
+  HAS_LINE(must(folder, "history " + foreign("halfcompare") + " 1 1 --why"),
+           "The trace compares z = 0.15, but had interpolated z = 0.3.");
 }
 
 TEST_CASE("numbers that are copied or rounded are held against what they come from") {
   const Folder folder;
-  HAS_LINE(must(folder, "explain " + foreign("wrongdepth") + " 1 1"), "The trace records 0.35, but it was taken from 0.3.");
-  HAS_LINE(must(folder, "explain " + foreign("halfcompare") + " 1 1"), "The trace records 0.15, but it was taken from 0.3.");
-  HAS_LINE(must(folder, "explain " + foreign("round") + " --at 8 end_row"), "The trace records 8, but this formula gives 7.");
-  HAS_LINE(must(folder, "explain " + foreign("span_end") + " --at 16 last"), "The trace records 8, but this formula gives 7.");
+  HAS_LINE(must(folder, "explain " + foreign("wrongdepth") + " 1 1"),
+           "The trace records 0.35, but it was taken from 0.3.");
+  HAS_LINE(must(folder, "explain " + foreign("halfcompare") + " 1 1"),
+           "The trace records 0.15, but it was taken from 0.3.");
+  HAS_LINE(must(folder, "explain " + foreign("round") + " --at 8 end_row"),
+           "The trace records 8, but this formula gives 7.");
+  HAS_LINE(must(folder, "explain " + foreign("span_end") + " --at 16 last"),
+           "The trace records 8, but this formula gives 7.");
   HAS_LINE(must(folder, "find " + foreign("span_end") + " span"),
-           "16  span  The trace fills x = 1 to 8 of scan line 1 between e2 and e1; by x_L = 0.6533 and x_R = 7 it should fill 1 to 7.");
+           "16  span  The trace fills x = 1 to 8 of scan line 1 between e2 and e1; by x_L = 0.6533 and x_R = 7 it "
+           "should fill 1 to 7.");
 }
 
 TEST_CASE("a centre beside an outline is not on it, and a polygon without a neighbour has none") {
   const Folder folder;
   must(folder, "record cube -o cube.ztrace");
   HAS_LINE(must(folder, "why-not cube.ztrace B 8 11"),
-           "B is not seen at pixel (8, 11): it covers the pixel only in part: the centre lies 0.0048 pixels outside its outline.");
+           "B is not seen at pixel (8, 11): it covers the pixel only in part: the centre lies 0.0048 pixels outside "
+           "its outline.");
   must(folder, "record foley -o foley.ztrace");
   HAS_LINE(must(folder, "why-not foley.ztrace A 10 3"),
-           "A is not seen at pixel (10, 3): the pixel's centre lies on a right or last edge of it, and by the half-open rule such a centre is outside.");
+           "A is not seen at pixel (10, 3): the pixel's centre lies on a right or last edge of it, and by the "
+           "half-open rule such a centre is outside.");
 }

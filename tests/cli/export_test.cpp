@@ -67,7 +67,8 @@ TEST_CASE("export: tables of any step are what the replay holds there") {
     replay.go_to(at);
     const Picture& picture = replay.state().picture;
     const std::string step = at == trace.size() ? "" : " --at " + std::to_string(at);
-    must(folder, "export run.ztrace -o depth.npy" + step, "wrote depth.npy: depth at step " + std::to_string(at) + ", float64 [8,8]");
+    must(folder, "export run.ztrace -o depth.npy" + step,
+         "wrote depth.npy: depth at step " + std::to_string(at) + ", float64 [8,8]");
     must(folder, "export run.ztrace --buffer frame -o frame.npy" + step, "int32 [8,8]");
     const Npy depth = read_npy(folder / "depth.npy"), frame = read_npy(folder / "frame.npy");
     CHECK((depth.height == 8 && depth.width == 8));
@@ -79,7 +80,8 @@ TEST_CASE("export: tables of any step are what the replay holds there") {
     CHECK(colors[0] == (corner.red << 16 | corner.green << 8 | corner.blue));
     counts.count_to(at);
     must(folder, "export run.ztrace --buffer failed -o failed.npy" + step, "failed");
-    CHECK(std::get<std::vector<std::int32_t>>(read_npy(folder / "failed.npy").values) == from_the_top(counts.of(answers::Count::failed), 8));
+    CHECK(std::get<std::vector<std::int32_t>>(read_npy(folder / "failed.npy").values) ==
+          from_the_top(counts.of(answers::Count::failed), 8));
   }
   must(folder, "export run.ztrace -o depth.csv --at 200", "depth.csv");
   replay.go_to(200);
@@ -93,7 +95,9 @@ TEST_CASE("export: tables of any step are what the replay holds there") {
   CHECK(count == 8);
   CHECK(values == from_the_top(replay.state().picture.depth, 8));
   refused(folder, "export run.ztrace --buffer light-depth -o l.npy", "makes no picture as the light sees it");
-  REQUIRE(run(folder, "record " + in_checkout("lessons/scenes/lamp.toml") + " --algorithm shadow-buffer --size 8x8 -o light.ztrace").code == 0);
+  REQUIRE(run(folder, "record " + in_checkout("lessons/scenes/lamp.toml") +
+                          " --algorithm shadow-buffer --size 8x8 -o light.ztrace")
+              .code == 0);
   must(folder, "export light.ztrace --buffer light-depth -o l.npy", "light-depth");
 }
 
@@ -115,7 +119,8 @@ TEST_CASE("a place in a trace is a step, a percentage or a bookmark") {
   CHECK(text_of(folder / "end.csv") != half);
   for (const char* at : {"101%", "-1%", "nan%"}) {
     CAPTURE(at);
-    refused(folder, std::string("export run.ztrace --at=") + at + " -o x.csv", std::string("--at: '") + at + "' is no part of a trace; give 0% to 100%");
+    refused(folder, std::string("export run.ztrace --at=") + at + " -o x.csv",
+            std::string("--at: '") + at + "' is no part of a trace; give 0% to 100%");
   }
   refused(folder, "export run.ztrace --at=% -o x.csv", "is no step, and no bookmark");
   write_text(folder / "run.ztrace.marks", "126 9%\n");
@@ -129,7 +134,8 @@ TEST_CASE("export: lines have no depths in a buffer, and an empty table is not w
     CAPTURE(by);
     const std::string scene = std::string(by) == "floating-horizon" ? "'y = sin(x) * cos(z)'" : "pyramid";
     must(folder, fmt::format("record {} --algorithm {} --size 40x30 -o run.ztrace", scene, by), "wrote run.ztrace");
-    refused(folder, "export run.ztrace -o depth.npy", fmt::format("--buffer: {} draws lines, which have no depth in a buffer; ask for colors", by));
+    refused(folder, "export run.ztrace -o depth.npy",
+            fmt::format("--buffer: {} draws lines, which have no depth in a buffer; ask for colors", by));
     must(folder, "export run.ztrace --buffer depth -o depth.npy", "wrote depth.npy");
     must(folder, "export run.ztrace --buffer colors -o colors.npy", "wrote colors.npy");
   }
@@ -143,7 +149,8 @@ TEST_CASE("export: a pane, a sheet, and a sheet of bookmarks") {
   CHECK(text_of(folder / "pane.png") == text_of(folder / "same.png"));
   must(folder, "export run.ztrace --at 100 --pane frame --size-window 300x200 -o other.png", "300x200");
   CHECK(text_of(folder / "pane.png") != text_of(folder / "other.png"));
-  must(folder, "export run.ztrace --sheet 5 --columns 3 --size-window 200x160 -o sheet.png", "wrote sheet.png: 5 steps");
+  must(folder, "export run.ztrace --sheet 5 --columns 3 --size-window 200x160 -o sheet.png",
+       "wrote sheet.png: 5 steps");
   const Image sheet = read_png(folder / "sheet.png");
   CHECK(sheet.width >= 3 * 200);
   CHECK(sheet.width < 4 * 200);
@@ -152,7 +159,8 @@ TEST_CASE("export: a pane, a sheet, and a sheet of bookmarks") {
   must(folder, "export run.ztrace --steps '40,a tie' --size-window 200x160 -o marks.png", "2 steps");
   refused(folder, "export run.ztrace --steps '40,none' -o marks.png", "--steps: 'none' is no step, and no bookmark");
   refused(folder, "export run.ztrace --steps 40, -o marks.png", "a step is missing");
-  refused(folder, "export run.ztrace --pane fram -o x.png", "this trace has no pane 'fram'; its panes are frame, depth");
+  refused(folder, "export run.ztrace --pane fram -o x.png",
+          "this trace has no pane 'fram'; its panes are frame, depth");
   refused(folder, "view run.ztrace --pane tree --screenshot x.png", "this trace has no pane 'tree'");
   refused(folder, "export run.ztrace --sheet 5000 -o x.png", "more than 100");
   refused(folder, "export run.ztrace --from 9 --to 3 --sheet 2 -o x.png", "the last step is 3");
@@ -162,13 +170,15 @@ TEST_CASE("export: a pane, a sheet, and a sheet of bookmarks") {
   refused(folder, "export run.ztrace --buffer deph -o x.npy", "did you mean depth");
   refused(folder, "export run.ztrace --at 999 -o x.npy", "the trace ends at step 252");
   refused(folder, "export run.ztrace -o none/x.npy", "there is no folder none");
-  CHECK(folder.names() == std::vector<std::string>{"marks.png", "other.png", "pane.png", "run.ztrace", "run.ztrace.marks", "same.png", "sheet.png"});
+  CHECK(folder.names() == std::vector<std::string>{"marks.png", "other.png", "pane.png", "run.ztrace",
+                                                   "run.ztrace.marks", "same.png", "sheet.png"});
 }
 
 TEST_CASE("export: a film is piped to ffmpeg, frame by frame, and put in its place when it is whole") {
   const Folder folder;
   REQUIRE(run(folder, "record delhi -o run.ztrace").code == 0);
-  const std::string film = "export run.ztrace --from 100 --to 103 --pane frame --size-window 64x48 --fps 4 -o 'a film.gif'";
+  const std::string film =
+      "export run.ztrace --from 100 --to 103 --pane frame --size-window 64x48 --fps 4 -o 'a film.gif'";
   const Outcome without = shell(folder, "PATH=/nonexistent \"$zstep\" " + film);
   CHECK(without.code == 2);
   CHECK(has(without.err, "a film.gif: films are made by ffmpeg, which is not installed"));
@@ -196,7 +206,8 @@ TEST_CASE("export: a film is piped to ffmpeg, frame by frame, and put in its pla
     CHECK(has(failed.err, "a film.gif: ffmpeg could not make it"));
     CHECK(text_of(folder / "a film.gif") == frames);
   }
-  CHECK(folder.names() == std::vector<std::string>{"a film.gif", "arguments", "bin", "frames", "one.png", "run.ztrace"});
+  CHECK(folder.names() ==
+        std::vector<std::string>{"a film.gif", "arguments", "bin", "frames", "one.png", "run.ztrace"});
   refused(folder, "export run.ztrace --fps 0 -o b.mp4", "--fps: 0 is not more than 0");
   refused(folder, "export run.ztrace --at 3 -o b.mp4", "is a film");
 }

@@ -33,8 +33,9 @@ TEST_CASE("golden: zstep record and zstep dump --jsonl write the golden traces")
     words >> name;
     std::getline(words, arguments);
     CAPTURE(name);
-    const Outcome again = shell(folder, "here=$PWD; cd '" + in_checkout("") + "' && \"$zstep\" record" + arguments +
-                                            " -o \"$here/a.ztrace\" > \"$here/said\" && \"$zstep\" dump --jsonl \"$here/a.ztrace\"");
+    const Outcome again =
+        shell(folder, "here=$PWD; cd '" + in_checkout("") + "' && \"$zstep\" record" + arguments +
+                          " -o \"$here/a.ztrace\" > \"$here/said\" && \"$zstep\" dump --jsonl \"$here/a.ztrace\"");
     CHECK(again.code == 0);
     CHECK(times("\n" + again.err, "\n") - 1 == times("\n" + again.err, "\nnote: "));
     const std::string golden = text_of(in_checkout("tests/golden/") + name + ".jsonl");

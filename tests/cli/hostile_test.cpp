@@ -1,5 +1,6 @@
-// Files that were made to harm: whatever is asked of them ends within ten seconds of processor time and a gigabyte, with an exit code of
-// the table, and shows no character that does something. What is damaged or lies is told, and never an answer. POSIX only.
+// Files that were made to harm: whatever is asked of them ends within ten seconds of processor time and a gigabyte,
+// with an exit code of the table, and shows no character that does something. What is damaged or lies is told, and
+// never an answer. POSIX only.
 #include <doctest/doctest.h>
 
 #include <sys/resource.h>
@@ -30,7 +31,8 @@ void check_harmless(const Folder& folder, const std::string& arguments) {
   CHECK(outcome.code >= 0);
   CHECK(outcome.code <= 3);
   for (const std::string& text : {outcome.out, outcome.err})
-    CHECK(std::none_of(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\n') || c == 0x7f; }));
+    CHECK(std::none_of(text.begin(), text.end(),
+                       [](char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\n') || c == 0x7f; }));
   rusage used{};
   getrusage(RUSAGE_CHILDREN, &used);
   CHECK(used.ru_maxrss < 1024 * 1024);  // KiB, of the largest so far
@@ -81,16 +83,20 @@ TEST_CASE("hostile files: view") { check_every_trace("view", "--at 50% --screens
 
 TEST_CASE("hostile files: lessons and scenes") {
   const Folder folder;
-  for (const std::string name : {"lw.md", "lesson_long_word_50KB.md"}) check_harmless(folder, "lesson '" + hostile(name) + "' --screenshot out.png");
+  for (const std::string name : {"lw.md", "lesson_long_word_50KB.md"})
+    check_harmless(folder, "lesson '" + hostile(name) + "' --screenshot out.png");
   const std::string scene = "'" + hostile("long_name_20KB.toml") + "'";
-  for (const std::string& command : {"render " + scene, "record " + scene + " -o run.ztrace", "view " + scene + " --screenshot out.png", std::string("history run.ztrace 8 8"),
-                                    std::string("find run.ztrace 'step > 0' --all"), std::string("view run.ztrace --at 50% --screenshot out.png")})
+  for (const std::string& command :
+       {"render " + scene, "record " + scene + " -o run.ztrace", "view " + scene + " --screenshot out.png",
+        std::string("history run.ztrace 8 8"), std::string("find run.ztrace 'step > 0' --all"),
+        std::string("view run.ztrace --at 50% --screenshot out.png")})
     check_harmless(folder, command);
 }
 
 TEST_CASE("an index that says otherwise than its blocks is made anew") {
   const Folder folder;
-  for (const std::string name : {"lying_index_steps.ztrace", "lying_index_tiles.ztrace", "lying_index_noblocks.ztrace"}) {
+  for (const std::string name :
+       {"lying_index_steps.ztrace", "lying_index_tiles.ztrace", "lying_index_noblocks.ztrace"}) {
     CAPTURE(name);
     const Outcome info = run(folder, "info '" + hostile(name) + "'");
     CHECK((info.code == 2 || has(info.err, "its index is damaged and was made anew from its blocks; all ")));
@@ -160,5 +166,6 @@ TEST_CASE("limits on time and memory end a command in one line, and can be raise
   CHECK(times(narrow.err, "\n") == 1);
   CHECK(folder.names() == std::vector<std::string>{"run.ztrace"});
   CHECK(run(folder, "export run.ztrace -o a.npy --memory 200 --seconds 20").code == 0);
-  for (const std::string option : {"--seconds 0", "--memory -1"}) CHECK(run(folder, "info run.ztrace " + option).code == 2);
+  for (const std::string option : {"--seconds 0", "--memory -1"})
+    CHECK(run(folder, "info run.ztrace " + option).code == 2);
 }

@@ -42,10 +42,11 @@ pid_t start(const Folder& folder, const std::vector<std::string>& arguments) {
   return child;
 }
 
-// Under sanitizers a program takes its time to start. Linux tells when it has a handler for SIGINT, bit 1 of SigCgt; elsewhere
-// a second must do.
+// Under sanitizers a program takes its time to start. Linux tells when it has a handler for SIGINT, bit 1 of SigCgt;
+// elsewhere a second must do.
 void wait_until_it_listens(pid_t child) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(fs::exists("/proc/self/status") ? 30 : 1);
+  const auto deadline =
+      std::chrono::steady_clock::now() + std::chrono::seconds(fs::exists("/proc/self/status") ? 30 : 1);
   while (std::chrono::steady_clock::now() < deadline) {
     std::ifstream status("/proc/" + std::to_string(child) + "/status");
     for (std::string line; std::getline(status, line);)
@@ -119,7 +120,8 @@ TEST_CASE("a recording that is killed at any moment can be opened, up to its las
       const std::uintmax_t now = fs::file_size(folder / "big.ztrace", missing);
       return missing ? 0 : now;
     };
-    while (size() < enough && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    while (size() < enough && std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 20'000));
     kill(child, SIGKILL);
     int status = 0;
@@ -143,7 +145,8 @@ TEST_CASE("a recording that is killed at any moment can be opened, up to its las
 TEST_CASE("a disk that fills up ends a recording in one line, and what is there can be read") {
   const Folder folder;
   // A limit on the size of files stands for the disk; its signal ignored, writing fails like on a full one.
-  const Outcome outcome = shell(folder, "trap '' XFSZ; ulimit -f 256; \"$zstep\" record teapot --size 2000x1500 -o big.ztrace");
+  const Outcome outcome =
+      shell(folder, "trap '' XFSZ; ulimit -f 256; \"$zstep\" record teapot --size 2000x1500 -o big.ztrace");
   CHECK(outcome.code == 4);
   const std::string said = "\n" + outcome.err;  // notes about the scene, then the one line
   CHECK(times(said, "\n") - 2 == times(said, "\nnote: "));

@@ -19,15 +19,17 @@ std::string foreign(const std::string& name) { return text_of(in_checkout("tests
 TEST_CASE("the run of a program that crashed is opened by the commands, with its last words on standard error") {
   const Folder folder;
   write_text(folder / "run.jsonl", foreign("torn_trace.jsonl"));
-  for (const char* command : {"info run.jsonl", "dump run.jsonl", "find run.jsonl compare", "history run.jsonl 1 1", "why-not run.jsonl A 1 1",
-                              "explain run.jsonl 1 1", "query run.jsonl \"select count(*) from depth_compare\"", "export run.jsonl -o depth.csv",
-                              "import run.jsonl -o run.ztrace"}) {
+  for (const char* command :
+       {"info run.jsonl", "dump run.jsonl", "find run.jsonl compare", "history run.jsonl 1 1",
+        "why-not run.jsonl A 1 1", "explain run.jsonl 1 1", "query run.jsonl \"select count(*) from depth_compare\"",
+        "export run.jsonl -o depth.csv", "import run.jsonl -o run.ztrace"}) {
     CAPTURE(command);
     const Outcome outcome = run(folder, command);
     CHECK(outcome.code == 3);
     CHECK(!outcome.out.empty());
     CHECK(times(outcome.err, "\n") == 1);
-    CHECK(has(outcome.err, "run.jsonl:152: the recording was cut off here, at \u201cTraceback (most recent call last):\u201d"));
+    CHECK(has(outcome.err,
+              "run.jsonl:152: the recording was cut off here, at \u201cTraceback (most recent call last):\u201d"));
     CHECK(has(outcome.err, "ZeroDivisionError"));
     CHECK(has(outcome.err, "150 steps could be read"));
   }
@@ -41,9 +43,12 @@ TEST_CASE("the run of a program that crashed is opened by the commands, with its
 TEST_CASE("mistakes in JSON Lines are told one a line, with line, column and cure") {
   const Folder folder;
   std::string text = foreign("greater.jsonl");
-  for (const char* line : {"{\"step\":\"wp\",\"x\":-1,\"y\":1,\"polygon\":0}", "{\"step\":\"wq\"}", "{\"step\":\"scan\",\"y\":NaN}"}) text += std::string(line) + "\n";
+  for (const char* line :
+       {"{\"step\":\"wp\",\"x\":-1,\"y\":1,\"polygon\":0}", "{\"step\":\"wq\"}", "{\"step\":\"scan\",\"y\":NaN}"})
+    text += std::string(line) + "\n";
   write_text(folder / "run.jsonl", text);
-  const std::string first = "run.jsonl:" + std::to_string(times(foreign("greater.jsonl"), "\n") + 1) + ":14: column -1 lies outside the raster; ";
+  const std::string first = "run.jsonl:" + std::to_string(times(foreign("greater.jsonl"), "\n") + 1) +
+                            ":14: column -1 lies outside the raster; ";
   for (const char* command : {"info run.jsonl", "import run.jsonl -o run.ztrace"}) {
     const Outcome outcome = run(folder, command);
     CHECK(outcome.code == 2);

@@ -63,9 +63,11 @@ TEST_CASE("what a scene, a mesh or a lesson names is never written over, and no 
   const Folder folder;
   write_text(folder / "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   write_text(folder / "a.mtl", "newmtl red\nKd 1 0 0\n  map_Kd -s 1 1 1 wood.png\n");
-  write_text(folder / "b.ply", "ply\nformat ascii 1.0\ncomment TextureFile tex.png\nelement vertex 3\nproperty float x\nproperty float y\n"
-                               "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                               "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  write_text(
+      folder / "b.ply",
+      "ply\nformat ascii 1.0\ncomment TextureFile tex.png\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   write_text(folder / "wood.png", "wood");
   write_text(folder / "tex.png", "linen");
   write_text(folder / "scene.toml", "[[mesh]]\nfile = \"a.obj\"\n");
@@ -77,7 +79,9 @@ TEST_CASE("what a scene, a mesh or a lesson names is never written over, and no 
     check_kept(folder, "compare-methods scene.toml --methods z-buffer --csv " + output);
   }
   check_kept(folder, "render b.ply --save tex.png");
-  write_text(folder / "a-lesson.md", "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"scene.toml\"\nmethod = \"z-buffer\"\n+++\n\n## Stop {at: end}\n\nText.\n");
+  write_text(folder / "a-lesson.md",
+             "+++\ntitle = \"T\"\nsummary = \"S\"\nscene = \"scene.toml\"\nmethod = \"z-buffer\"\n+++\n\n## Stop {at: "
+             "end}\n\nText.\n");
   check_kept(folder, "lesson ./a-lesson.md --screenshot a-lesson.md");
   check_kept(folder, "lesson ./a-lesson.md --screenshot a.obj");
   std::filesystem::create_directories(folder / "zstep");
@@ -96,7 +100,8 @@ TEST_CASE("a trace that is being recorded is nobody else's to write") {
                                 "kill -KILL $first; wait $first\n"
                                 "\"$zstep\" record pyramid -o run.ztrace > /dev/null; echo $?");
   CHECK(outcome.out == "2\n2\n0\n");
-  CHECK(times(outcome.err, "run.ztrace: another zstep is recording to it; wait until it has ended, or write to another file") == 2);
+  CHECK(times(outcome.err,
+              "run.ztrace: another zstep is recording to it; wait until it has ended, or write to another file") == 2);
   CHECK(folder.names() == std::vector<std::string>{"run.ztrace"});
 }
 

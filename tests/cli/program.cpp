@@ -27,15 +27,18 @@ Folder::~Folder() {
 
 std::vector<std::string> Folder::names() const {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_))
+    names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }
 
 Outcome shell(const Folder& folder, const std::string& line) {
   const Folder captured;
-  const std::string command = "cd '" + folder.path().string() + "' && unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER && zstep='" + program_path() +
-                              "' && { " + line + "\n} > '" + (captured / "out").string() + "' 2> '" + (captured / "err").string() + "' < /dev/null";
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER && zstep='" + program_path() +
+                              "' && { " + line + "\n} > '" + (captured / "out").string() + "' 2> '" +
+                              (captured / "err").string() + "' < /dev/null";
   const int status = std::system(command.c_str());
   Outcome outcome;
   if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);

@@ -1,4 +1,5 @@
-// Help, versions, and command lines with a mistake in them: one line that says what is wrong and how to mend it, exit 2.
+// Help, versions, and command lines with a mistake in them: one line that says what is wrong and how to mend it, exit
+// 2.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -10,7 +11,8 @@ using namespace zstep::test;
 
 namespace {
 
-const std::vector<std::string> commands{"list", "lesson", "view", "render", "record", "info", "dump", "import", "compare-methods", "completion"};
+const std::vector<std::string> commands{"list", "lesson", "view",   "render",          "record",
+                                        "info", "dump",   "import", "compare-methods", "completion"};
 
 void check_complaint(const Folder& folder, const std::string& arguments, const std::vector<std::string>& parts) {
   CAPTURE(arguments);
@@ -53,8 +55,10 @@ TEST_CASE("commands are printed as the launcher was called") {
   CHECK(help.find("Usage: ../clone/zstep record ") != std::string::npos);
   CHECK(help.find("\n  ../clone/zstep view run.ztrace") != std::string::npos);
   CHECK(shell(folder, typed + "--help").out.find("zstep shows how") == 0);
-  CHECK(shell(folder, typed + "list --sise").err == "../clone/zstep list: there is no option --sise; '../clone/zstep list --help' names them\n");
-  CHECK(shell(folder, typed + "info no.ztrace").err.find("make one: ../clone/zstep record SCENE -o run.ztrace") != std::string::npos);
+  CHECK(shell(folder, typed + "list --sise").err ==
+        "../clone/zstep list: there is no option --sise; '../clone/zstep list --help' names them\n");
+  CHECK(shell(folder, typed + "info no.ztrace").err.find("make one: ../clone/zstep record SCENE -o run.ztrace") !=
+        std::string::npos);
 }
 
 TEST_CASE("the examples in the help are command lines that zstep knows") {
@@ -84,19 +88,24 @@ TEST_CASE("a mistyped command, option, scene, word or method is answered with th
   check_complaint(folder, "recrod teapot", {"zstep: there is no command 'recrod'", "did you mean record?"});
   check_complaint(folder, "qqq", {"there is no command 'qqq'", "the commands are list"});
   check_complaint(folder, "run.ztrace", {"there is no command 'run.ztrace'", "zstep view run.ztrace"});
-  check_complaint(folder, "render teapot --sise 64x64", {"zstep render: there is no option --sise", "did you mean --size?"});
+  check_complaint(folder, "render teapot --sise 64x64",
+                  {"zstep render: there is no option --sise", "did you mean --size?"});
   check_complaint(folder, "render teapot --save-id=x.npy", {"no option --save-id", "did you mean --save-ids?"});
   check_complaint(folder, "render teapot -x", {"there is no option -x"});
   check_complaint(folder, "--colour", {"zstep: there is no option --colour", "'zstep --help' names them"});
-  check_complaint(folder, "render teapt", {"teapt: there is no such file and no built-in scene", "did you mean teapot?"});
+  check_complaint(folder, "render teapt",
+                  {"teapt: there is no such file and no built-in scene", "did you mean teapot?"});
   check_complaint(folder, "record pyramd -o run.ztrace", {"did you mean pyramid?"});
   check_complaint(folder, "render xyzzy", {"'zstep list scenes'"});
   check_complaint(folder, "render nothing.obj", {"nothing.obj: there is no such file"});
-  check_complaint(folder, "render teapot --depth veiw", {"--depth: 'veiw' is not pseudodepth or view", "did you mean view?"});
+  check_complaint(folder, "render teapot --depth veiw",
+                  {"--depth: 'veiw' is not pseudodepth or view", "did you mean view?"});
   check_complaint(folder, "render teapot --coverage all", {"--coverage: 'all' is not top-left or inclusive"});
-  check_complaint(folder, "render teapot --algorithm zbuffer", {"--algorithm: 'zbuffer' is not", "did you mean z-buffer?"});
+  check_complaint(folder, "render teapot --algorithm zbuffer",
+                  {"--algorithm: 'zbuffer' is not", "did you mean z-buffer?"});
   check_complaint(folder, "list lesons", {"did you mean lessons?"});
-  check_complaint(folder, "lesson z-bufer --screenshot a.png", {"z-bufer: there is no such lesson", "did you mean z-buffer"});
+  check_complaint(folder, "lesson z-bufer --screenshot a.png",
+                  {"z-bufer: there is no such lesson", "did you mean z-buffer"});
   check_complaint(folder, "completion tcsh", {"'tcsh' is not bash, zsh or fish"});
 }
 
@@ -143,7 +152,8 @@ TEST_CASE("outputs that cannot be written are refused before the work, and nothi
   const Folder folder;
   check_complaint(folder, "render pyramid --save none/a.png", {"none/a.png: there is no folder none"});
   check_complaint(folder, "record pyramid -o none/run.ztrace", {"none/run.ztrace: there is no folder none"});
-  check_complaint(folder, "record pyramid -o run.ztrace --save-ids none/a.npy", {"none/a.npy: there is no folder none"});
+  check_complaint(folder, "record pyramid -o run.ztrace --save-ids none/a.npy",
+                  {"none/a.npy: there is no folder none"});
   check_complaint(folder, "render pyramid --save .", {"is a folder"});
   check_complaint(folder, "render pyramid --save a.png --save-ids ./a.png", {"is asked for twice"});
   if (std::filesystem::exists("/dev/full")) {

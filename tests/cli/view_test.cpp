@@ -109,7 +109,9 @@ TEST_CASE("the commands that zstep alone names do work without a display") {
   const Folder folder;
   const std::string said = run(folder, "").out;
   // import needs a trace of one's own: zstep's serves.
-  REQUIRE(shell(folder, "\"$zstep\" record foley -o own.ztrace && \"$zstep\" dump own.ztrace --jsonl > run.jsonl").code == 0);
+  REQUIRE(
+      shell(folder, "\"$zstep\" record foley -o own.ztrace && \"$zstep\" dump own.ztrace --jsonl > run.jsonl").code ==
+      0);
   int tried = 0;
   for (std::size_t at = said.find("\n  zstep "); at != std::string::npos; at = said.find("\n  zstep ", at + 1)) {
     const std::size_t begin = at + 9;

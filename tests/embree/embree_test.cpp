@@ -1,7 +1,7 @@
-// The pictures of every exact method that gives surfaces against Embree's rays, by the rule of the law of agreement: where two differ, the
-// pixel's centre lies within 1.5/256 px of an edge of what can be seen there, or depths are equal to 1e-5. Embree
-// computes in float32; where it sees the same polygon, its depth must be the method's to 1e-5 of it and to what a shift
-// of the ray by the last bits of float32 coordinates makes of it.
+// The pictures of every exact method that gives surfaces against Embree's rays, by the rule of the law of agreement:
+// where two differ, the pixel's centre lies within 1.5/256 px of an edge of what can be seen there, or depths are equal
+// to 1e-5. Embree computes in float32; where it sees the same polygon, its depth must be the method's to 1e-5 of it and
+// to what a shift of the ray by the last bits of float32 coordinates makes of it.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// libFuzzer target: SQL that anybody may type. It must be answered, refused in one line, or stopped by its limits; and it can write no
-// file and change nothing.
+// libFuzzer target: SQL that anybody may type. It must be answered, refused in one line, or stopped by its limits; and
+// it can write no file and change nothing.
 #include <cstdint>
 #include <string>
 
@@ -34,7 +34,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   limits.seconds = 0.2;
   std::int64_t rows = 0;
   try {
-    database.run(std::string(reinterpret_cast<const char*>(data), size), limits, [](const auto&) {}, [&](auto) { return ++rows < 1000; });
+    database.run(
+        std::string(reinterpret_cast<const char*>(data), size), limits, [](const auto&) {},
+        [&](auto) { return ++rows < 1000; });
   } catch (const InputError&) {
   } catch (const query::Stopped&) {
   }

@@ -23,6 +23,8 @@ Trace recorded_by(const std::string& id, const Scene& scene, const Conventions& 
   return Trace::from_bytes(recorder.take_bytes(), scene.name);
 }
 
-Trace record_again(const Trace& golden) { return recorded_by(golden.header().algorithm, golden.scene(), golden.header().conventions); }
+Trace record_again(const Trace& golden) {
+  return recorded_by(golden.header().algorithm, golden.scene(), golden.header().conventions);
+}
 
 }  // namespace zstep::test

@@ -1,5 +1,5 @@
-// Recording a golden trace's scene again gives the same lines. When a change is meant, tests/golden/regenerate writes them anew, and
-// the difference is read in review.
+// Recording a golden trace's scene again gives the same lines. When a change is meant, tests/golden/regenerate writes
+// them anew, and the difference is read in review.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -41,7 +41,8 @@ TEST_CASE("golden: recording again gives the same lines") {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
-    const std::vector<std::string> golden = lines_of(text.str()), again = lines_of(jsonl_of(record_again(open_jsonl(path))));
+    const std::vector<std::string> golden = lines_of(text.str()),
+                                   again = lines_of(jsonl_of(record_again(open_jsonl(path))));
     REQUIRE_FALSE(golden.empty());
     CHECK(without_writer(golden[0]) == without_writer(again[0]));
     const std::size_t common = std::min(golden.size(), again.size());
@@ -74,15 +75,21 @@ TEST_CASE("golden: every reason to reject a polygon or skip an edge, and every p
   for_each_golden([&](const std::string&, const Trace& trace) {
     for (std::int64_t position = 1; position <= trace.size(); ++position) {
       const Event& event = trace.event(position).event;
-      if (const auto* reject = std::get_if<PolygonReject>(&event)) seen.insert("reject " + std::string(words_of<Reject>[static_cast<std::size_t>(reject->reason)]));
-      if (const auto* skip = std::get_if<EdgeTableSkip>(&event)) seen.insert("skip " + std::string(words_of<EdgeSkip>[static_cast<std::size_t>(skip->why)]));
-      if (const auto* cross = std::get_if<ClipCross>(&event)) seen.insert("cross " + std::string(words_of<ClipPlane>[static_cast<std::size_t>(cross->plane)]));
-      if (const auto* compare = std::get_if<DepthCompare>(&event)) seen.insert(compare->nearer ? "nearer" : "not nearer");
-      if (const auto* span = std::get_if<SpanBegin>(&event)) seen.insert(span->first > span->last ? "empty span" : "span");
+      if (const auto* reject = std::get_if<PolygonReject>(&event))
+        seen.insert("reject " + std::string(words_of<Reject>[static_cast<std::size_t>(reject->reason)]));
+      if (const auto* skip = std::get_if<EdgeTableSkip>(&event))
+        seen.insert("skip " + std::string(words_of<EdgeSkip>[static_cast<std::size_t>(skip->why)]));
+      if (const auto* cross = std::get_if<ClipCross>(&event))
+        seen.insert("cross " + std::string(words_of<ClipPlane>[static_cast<std::size_t>(cross->plane)]));
+      if (const auto* compare = std::get_if<DepthCompare>(&event))
+        seen.insert(compare->nearer ? "nearer" : "not nearer");
+      if (const auto* span = std::get_if<SpanBegin>(&event))
+        seen.insert(span->first > span->last ? "empty span" : "span");
     }
   });
-  for (const char* what : {"reject back_facing", "reject edge_on", "reject outside", "reject degenerate", "skip horizontal", "skip between_rows",
-                           "cross near", "cross far", "cross left", "cross right", "cross bottom", "cross top", "nearer", "not nearer", "span", "empty span"}) {
+  for (const char* what : {"reject back_facing", "reject edge_on", "reject outside", "reject degenerate",
+                           "skip horizontal", "skip between_rows", "cross near", "cross far", "cross left",
+                           "cross right", "cross bottom", "cross top", "nearer", "not nearer", "span", "empty span"}) {
     CAPTURE(what);
     CHECK(seen.count(what) == 1);
   }

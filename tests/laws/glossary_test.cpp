@@ -67,8 +67,9 @@ TEST_CASE("the glossary has every term of the lessons, and names the lessons tha
   for (const Lesson& lesson : test::course().told)
     for (const std::string& term : terms_of(lesson)) taught[term].insert(lesson.path.filename().string());
   std::string before;
-  for (const auto& [term, entry] : glossary()) {
-    CAPTURE(term);
+  for (const auto& named : glossary()) {
+    const auto& [term, entry] = named;
+    CAPTURE(named.first);
     CHECK(lower(before) < lower(term));
     before = term;
     CHECK(entry.meaning.size() >= 20);

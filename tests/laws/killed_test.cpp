@@ -53,10 +53,11 @@ std::vector<RecordedEvent> events_of(const Trace& trace) {
 /// The most that may be missing: the pixels of a span that are not in the log yet.
 constexpr std::int64_t of_a_span = 4 * codec::run_limit + 3;
 
-/// Records these events in a process of its own, which counts them and kills itself after the last; `meanwhile` is called with
-/// the process and its count.
+/// Records these events in a process of its own, which counts them and kills itself after the last; `meanwhile` is
+/// called with the process and its count.
 template <class Meanwhile>
-std::int64_t record_and_be_killed(const fs::path& to, const Trace& like, const std::vector<RecordedEvent>& events, Meanwhile&& meanwhile) {
+std::int64_t record_and_be_killed(const fs::path& to, const Trace& like, const std::vector<RecordedEvent>& events,
+                                  Meanwhile&& meanwhile) {
   void* shared = mmap(nullptr, sizeof(std::int64_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   REQUIRE(shared != MAP_FAILED);
   volatile std::int64_t& count = *static_cast<std::int64_t*>(shared);
@@ -86,7 +87,8 @@ std::int64_t steps_kept(const Folder& folder, const std::vector<RecordedEvent>& 
   const std::vector<RecordedEvent> kept = events_of(trace);
   REQUIRE(kept.size() <= all.size());
   std::size_t same = 0;
-  while (same < kept.size() && kept[same].step == all[same].step && same_bits(kept[same].event, all[same].event)) ++same;
+  while (same < kept.size() && kept[same].step == all[same].step && same_bits(kept[same].event, all[same].event))
+    ++same;
   CHECK(same == kept.size());
   return trace.size();
 }
@@ -126,19 +128,22 @@ TEST_CASE("law: a recording that is killed at any moment has lost the steps of i
   for (int round = 0; round < 100; ++round) {
     CAPTURE(round);
     fs::remove(folder.trace);
-    // Some once it has come to a random step, which does not depend on how fast the machine is; the others at a random time.
+    // Some once it has come to a random step, which does not depend on how fast the machine is; the others at a random
+    // time.
     const bool at_step = round % 4 == 0;
     const auto target = static_cast<std::int64_t>(random() % events.size());
     const auto time = std::chrono::microseconds(random() % 12'000);
-    const std::int64_t counted = record_and_be_killed(folder.trace, run, events, [&](pid_t child, const volatile std::int64_t& count) {
-      if (at_step) {
-        const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);  // a child that died would not count on
-        while (count < target && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
-      } else {
-        std::this_thread::sleep_for(time);
-      }
-      kill(child, SIGKILL);
-    });
+    const std::int64_t counted =
+        record_and_be_killed(folder.trace, run, events, [&](pid_t child, const volatile std::int64_t& count) {
+          if (at_step) {
+            const auto deadline =
+                std::chrono::steady_clock::now() + std::chrono::minutes(1);  // a child that died would not count on
+            while (count < target && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+          } else {
+            std::this_thread::sleep_for(time);
+          }
+          kill(child, SIGKILL);
+        });
     CHECK((!at_step || counted >= target));
     if (!fs::exists(folder.trace)) {  // its head was not written yet
       CHECK(counted == 0);
@@ -176,7 +181,8 @@ TEST_CASE("law: a recording takes the place of the trace that had its name once 
   const auto before = Clock::now();
   const pid_t first = begin_another();
   std::error_code ignored;
-  while (fs::file_size(folder.trace, ignored) <= size && Clock::now() - before < std::chrono::seconds(30)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (fs::file_size(folder.trace, ignored) <= size && Clock::now() - before < std::chrono::seconds(30))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - before).count();
   end(first);
   CHECK(Trace::open(folder.trace).scene().points.size() == large.points.size());

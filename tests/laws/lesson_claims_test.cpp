@@ -54,7 +54,8 @@ std::string text_of(const fs::path& path) {
 }
 
 std::string edited(std::string text, const Edits& edits) {
-  for (const auto& [old, now] : edits) {
+  for (const auto& edit : edits) {
+    const std::string &old = edit.first, &now = edit.second;
     std::size_t at = text.find(old);
     REQUIRE_MESSAGE(at != std::string::npos, old);
     for (; at != std::string::npos; at = text.find(old, at + now.size())) text.replace(at, old.size(), now);

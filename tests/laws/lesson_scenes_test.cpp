@@ -39,8 +39,9 @@ TEST_CASE("each scene takes every branch of its method's idea") {
   for (const char* id : {"back-faces", "z-buffer", "worked-example"}) {
     CAPTURE(id);
     const auto compares = [&](auto&& fits) {
-      return happens<DepthCompare>(
-          id, [&](const DepthCompare& compare, const MethodState& machine) { return fits(compare, *machine.fragment); });
+      return happens<DepthCompare>(id, [&](const DepthCompare& compare, const MethodState& machine) {
+        return fits(compare, *machine.fragment);
+      });
     };
     CHECK(compares([](const DepthCompare& c, const Fragment& f) { return c.nearer && f.stored == no_depth; }) > 0);
     CHECK(compares([](const DepthCompare& c, const Fragment& f) { return c.nearer && f.stored != no_depth; }) > 0);
@@ -58,8 +59,8 @@ TEST_CASE("each scene takes every branch of its method's idea") {
           return s.x_left != static_cast<double>(s.first) && s.first <= s.last;
         }) > 0);                                                                              // between pixels
   CHECK(spans([](const SpanBegin&, const MethodState& m) { return m.active.size() == 4; }) > 0);  // two pairs
-  CHECK(happens<EdgeRetire>("edge-table", [](const EdgeRetire&, const MethodState& m) { return m.active.size() == 2; }) >
-        0);
+  CHECK(happens<EdgeRetire>("edge-table",
+                            [](const EdgeRetire&, const MethodState& m) { return m.active.size() == 2; }) > 0);
   CHECK(happens<EdgeTableSkip>("worked-example", [](const EdgeTableSkip& skip, const MethodState&) {
           return skip.why == EdgeSkip::horizontal;
         }) == 2);
@@ -85,9 +86,11 @@ TEST_CASE("each scene takes every branch of its method's idea") {
   CHECK(rays(RayRole::reflected) > 0);
   CHECK(rays(RayRole::transmitted) > 0);
 
-  CHECK(happens<SideTest>("transparency", [](const SideTest& t, const MethodState&) { return t.side == Side::crossing; }) == 1);
+  CHECK(happens<SideTest>("transparency",
+                          [](const SideTest& t, const MethodState&) { return t.side == Side::crossing; }) == 1);
   const auto blended = [](auto&& fits) {
-    return happens<ColorBlend>("transparency", [&](const ColorBlend& b, const MethodState& m) { return fits(b, *m.fragment); });
+    return happens<ColorBlend>("transparency",
+                               [&](const ColorBlend& b, const MethodState& m) { return fits(b, *m.fragment); });
   };
   CHECK(blended([](const ColorBlend& b, const Fragment&) { return b.opacity == 1; }) > 0);
   CHECK(blended([](const ColorBlend& b, const Fragment& f) { return b.opacity < 1 && f.stored == no_depth; }) > 0);

@@ -25,18 +25,21 @@ std::string told_otherwise(const Trace& trace, const std::vector<CollectedEvent>
   std::string difference;
   std::size_t told = 0;
   trace.each(0, trace.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
-    const bool same = told < events.size() && events[told].step == recorded.step && same_bits(events[told].event, recorded.event);
+    const bool same =
+        told < events.size() && events[told].step == recorded.step && same_bits(events[told].event, recorded.event);
     ++told;
     if (!same) difference = "step " + std::to_string(position);
     return same;
   });
-  if (difference.empty() && told != events.size()) difference = std::to_string(told) + " steps of " + std::to_string(events.size());
+  if (difference.empty() && told != events.size())
+    difference = std::to_string(told) + " steps of " + std::to_string(events.size());
   return difference;
 }
 
 }  // namespace
 
-TEST_CASE("law: a trace tells every step of its run to the bit, with many edges at once, clipped, and with both sides") {
+TEST_CASE(
+    "law: a trace tells every step of its run to the bit, with many edges at once, clipped, and with both sides") {
   const auto check = [](const Method& m, const Subject& subject) {
     ViewOptions view;
     view.width = subject.width, view.height = subject.height;
@@ -59,7 +62,10 @@ TEST_CASE("law: a trace tells every step of its run to the bit, with many edges 
   };
   for (const Method& m : methods()) {
     if (m.needs != Needs::polygons) continue;
-    for (const Subject& subject : {Subject{"teapot:4", 8, 6, false, 0}, Subject{"teapot:2", 24, 18, true, 0}, Subject{"teapot:2", 20, 15, false, 0.2}}) check(m, subject);
+    for (const Subject& subject : {Subject{"teapot:4", 8, 6, false, 0}, Subject{"teapot:2", 24, 18, true, 0},
+                                   Subject{"teapot:2", 20, 15, false, 0.2}})
+      check(m, subject);
   }
-  for (const char* name : {"z-buffer", "scan-line", "depth-sort", "warnock"}) check(method(name), {"teapot:8", 48, 36, true, 0});
+  for (const char* name : {"z-buffer", "scan-line", "depth-sort", "warnock"})
+    check(method(name), {"teapot:8", 48, 36, true, 0});
 }

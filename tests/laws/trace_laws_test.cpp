@@ -19,13 +19,16 @@ namespace {
 
 /// No ink at all is ink on no pixel.
 bool same_ink(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
-  const auto blank = [](const std::vector<std::uint32_t>& ink) { return std::count(ink.begin(), ink.end(), no_ink) == std::ssize(ink); };
+  const auto blank = [](const std::vector<std::uint32_t>& ink) {
+    return std::count(ink.begin(), ink.end(), no_ink) == std::ssize(ink);
+  };
   return a == b || (blank(a) && blank(b));
 }
 
 /// Equal to the last bit, signs of zeros too.
 bool same_bits(const Picture& a, const Picture& b) {
-  return a.width == b.width && a.height == b.height && a.polygon == b.polygon && same_ink(a.ink, b.ink) && a.depth.size() == b.depth.size() &&
+  return a.width == b.width && a.height == b.height && a.polygon == b.polygon && same_ink(a.ink, b.ink) &&
+         a.depth.size() == b.depth.size() &&
          std::memcmp(a.depth.data(), b.depth.data(), a.depth.size() * sizeof(double)) == 0;
 }
 

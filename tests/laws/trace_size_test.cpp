@@ -1,5 +1,6 @@
-// What a trace takes. Events are foretold from the scene and from one another (docs/trace-format.md, "Guesses"); a method that computes
-// otherwise than its guesses say makes no wrong trace, only a large one, so its size is held against what it was when both agreed.
+// What a trace takes. Events are foretold from the scene and from one another (docs/trace-format.md, "Guesses"); a
+// method that computes otherwise than its guesses say makes no wrong trace, only a large one, so its size is held
+// against what it was when both agreed.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -34,12 +35,15 @@ Recorded record(const std::string& name, const std::string& mesh, double window)
 TEST_CASE("law: a trace takes no more bytes an event than its guesses leave over") {
   struct Subject {
     const char *method, *mesh;
-    double most;        ///< bytes an event: a little more than was measured, and less than without the guesses for its pieces
+    double most;  ///< bytes an event: a little more than was measured, and less than without the guesses for its pieces
     double window = 0;  ///< so small that much is clipped; 0: all is seen
   };
-  for (const Subject& subject : {Subject{"z-buffer", "teapot:4", 0.24}, Subject{"bsp", "teapot:4", 2.24}, Subject{"depth-sort", "teapot:12", 0.72},
-                                 Subject{"depth-sort", "teapot:12", 0.81, 0.2}, Subject{"warnock", "teapot:4", 0.74}, Subject{"warnock", "teapot:4", 0.64, 0.2},
-                                 Subject{"scan-line", "teapot:4", 1.345}, Subject{"scan-line", "teapot:4", 0.46, 0.2}, Subject{"ray-casting", "teapot:2", 0.21}}) {
+  for (const Subject& subject :
+       {Subject{"z-buffer", "teapot:4", 0.24}, Subject{"bsp", "teapot:4", 2.24},
+        Subject{"depth-sort", "teapot:12", 0.72}, Subject{"depth-sort", "teapot:12", 0.81, 0.2},
+        Subject{"warnock", "teapot:4", 0.74}, Subject{"warnock", "teapot:4", 0.64, 0.2},
+        Subject{"scan-line", "teapot:4", 1.345}, Subject{"scan-line", "teapot:4", 0.46, 0.2},
+        Subject{"ray-casting", "teapot:2", 0.21}}) {
     const Recorded recorded = record(subject.method, subject.mesh, subject.window);
     const std::string name = subject.method;
     const double bytes = recorded.bytes / recorded.events;

@@ -82,7 +82,9 @@ TEST_CASE("a click on a number of a table or a formula tells where it comes from
   CHECK(app.chain().links[0].step == 219);
 }
 
-TEST_CASE("a click on a number within a formula picks the step that it comes from, one in the sentence asks about that number") {
+TEST_CASE(
+    "a click on a number within a formula picks the step that it comes from, one in the sentence asks about that "
+    "number") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
   std::int64_t step = trace.size();  // a depth within a span: of numbers that have steps of their own
@@ -99,7 +101,8 @@ TEST_CASE("a click on a number within a formula picks the step that it comes fro
       REQUIRE(app.overlay() == Overlay::explain);
       const auto picked = static_cast<std::size_t>(app.picked);
       REQUIRE(picked < app.chain().links.size());
-      if (app.chain().links[0].step == step) steps.insert(app.chain().links[picked].step), fields.insert(app.chain().links[0].values[0].name);
+      if (app.chain().links[0].step == step)
+        steps.insert(app.chain().links[picked].step), fields.insert(app.chain().links[0].values[0].name);
       test::press(app, SDLK_ESCAPE);
     }
   CHECK(steps.size() == 2);   // its own, and the one that began the span
@@ -115,7 +118,10 @@ TEST_CASE("a click on the depth of the selected pixel tells where it comes from;
   const auto over = [&](int from, int to) {
     for (int x = from; x < to; x += 12) {
       test::move_mouse(app, x, 200);
-      if (app.ui().pointed && std::isfinite(app.session().picture().depth[app.session().picture().at(app.ui().pointed->x, app.ui().pointed->y)])) return x;
+      if (app.ui().pointed &&
+          std::isfinite(
+              app.session().picture().depth[app.session().picture().at(app.ui().pointed->x, app.ui().pointed->y)]))
+        return x;
     }
     return -1;
   };
@@ -128,7 +134,8 @@ TEST_CASE("a click on the depth of the selected pixel tells where it comes from;
   test::click(app, depth, 200);
   REQUIRE(app.overlay() == Overlay::explain);
   CHECK(app.session().selected == selected);
-  CHECK(app.chain().links[0].values[0].value == app.session().picture().depth[app.session().picture().at(selected->x, selected->y)]);
+  CHECK(app.chain().links[0].values[0].value ==
+        app.session().picture().depth[app.session().picture().at(selected->x, selected->y)]);
   test::press(app, SDLK_ESCAPE);
   const int frame = over(380, 800);
   REQUIRE(frame > 0);

@@ -14,12 +14,16 @@ TEST_CASE("with or without a system font, every character that is drawn has a gl
   App app(trace, nullptr, {}, 1280, 720);
   app.settle();
   const Fonts& fonts = app.ui().fonts;
-  const bool nothing_found = find_font({"DejaVuSans.ttf", "NotoSans-Regular.ttf", "LiberationSans-Regular.ttf"}).empty() && std::getenv("ZSTEP_FONTS");
+  const bool nothing_found =
+      find_font({"DejaVuSans.ttf", "NotoSans-Regular.ttf", "LiberationSans-Regular.ttf"}).empty() &&
+      std::getenv("ZSTEP_FONTS");
   if (nothing_found) {
     CHECK_FALSE(fonts.lacking.empty());
     CHECK(fonts.drawable("\u2212\u221e \u2264 \u03c6") == "-inf <= phi");
   }
-  const std::string used = "\u2212 \u00b7 \u221e \u03c6 \u03b8 \u03c1 \u2264 \u2265 \u2192 \u2190 \u25b6 \u25c0 \u2026 \u2013 \u00d7 \u2713 \u2717 \u2022 x\u2080";
+  const std::string used =
+      "\u2212 \u00b7 \u221e \u03c6 \u03b8 \u03c1 \u2264 \u2265 \u2192 \u2190 \u25b6 \u25c0 \u2026 \u2013 \u00d7 \u2713 "
+      "\u2717 \u2022 x\u2080";
   const std::string shown = fonts.drawable(used);
   for (std::size_t at = 0; at < shown.size();) {
     const auto lead = static_cast<unsigned char>(shown[at]);
@@ -27,7 +31,8 @@ TEST_CASE("with or without a system font, every character that is drawn has a gl
     unsigned code = length == 1 ? lead : length == 2 ? lead & 0x1fu : lead & 0x0fu;
     for (std::size_t k = 1; k < length; ++k) code = code << 6 | (static_cast<unsigned char>(shown[at + k]) & 0x3fu);
     CAPTURE(code);
-    for (const ImFont* font : {fonts.text, fonts.bold, fonts.mono, fonts.small}) CHECK(font->FindGlyphNoFallback(static_cast<ImWchar>(code)));
+    for (const ImFont* font : {fonts.text, fonts.bold, fonts.mono, fonts.small})
+      CHECK(font->FindGlyphNoFallback(static_cast<ImWchar>(code)));
     at += length;
   }
 }

@@ -43,7 +43,8 @@ TEST_CASE("a column of steps has room for its longest number, and depths have th
   App app(trace, nullptr, {}, 1280, 720);
   app.settle();
   const Ui& ui = app.ui();
-  for (const std::int64_t step : {std::int64_t{7}, std::int64_t{12'041}, std::int64_t{123'456'789}, std::int64_t{123'456'789'012}}) {
+  for (const std::int64_t step :
+       {std::int64_t{7}, std::int64_t{12'041}, std::int64_t{123'456'789}, std::int64_t{123'456'789'012}}) {
     // The number begins half an em from the left; what follows keeps a distance.
     const float end = ui.em * 0.5f + text_size(ui, ui.fonts.mono, grouped(step)).x;
     CAPTURE(step);

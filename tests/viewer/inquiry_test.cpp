@@ -12,7 +12,9 @@ using namespace zstep::viewer;
 TEST_CASE("a question: rows, where they lead, and a picture of them") {
   const Trace trace = test::record_run("pyramid-behind");
   Inquiry inquiry(trace);
-  inquiry.ask("select x, y, count(*), max(step) as step from depth_compare where not nearer group by x, y order by 3 desc, y, x");
+  inquiry.ask(
+      "select x, y, count(*), max(step) as step from depth_compare where not nearer group by x, y order by 3 desc, y, "
+      "x");
   CHECK(inquiry.columns() == std::vector<std::string>{"x", "y", "count(*)", "step"});
   REQUIRE(inquiry.rows().size() > 10);
   CHECK(inquiry.note().find(" rows") != std::string::npos);
@@ -24,7 +26,8 @@ TEST_CASE("a question: rows, where they lead, and a picture of them") {
   REQUIRE(inquiry.heat());
   CHECK(inquiry.heat()->name == "count(*)");
   const std::size_t width = static_cast<std::size_t>(trace.scene().raster.width);
-  const double value = inquiry.heat()->values[static_cast<std::size_t>(compare->y) * width + static_cast<std::size_t>(compare->x)];
+  const double value =
+      inquiry.heat()->values[static_cast<std::size_t>(compare->y) * width + static_cast<std::size_t>(compare->x)];
   CHECK(std::to_string(static_cast<int>(value)) == inquiry.rows()[0][2]);
   CHECK(std::isnan(inquiry.heat()->values[0]));
 
@@ -48,7 +51,8 @@ TEST_CASE("a question that takes long is seen to be asked, and Esc ends it") {
   const Trace trace = test::record_run("pyramid-behind");
   Inquiry inquiry(trace);
   int looks = 0;
-  inquiry.ask("with recursive n(i) as (select 0 union all select i + 1 from n) select max(i) from n", [&] { return ++looks == 3; });
+  inquiry.ask("with recursive n(i) as (select 0 union all select i + 1 from n) select max(i) from n",
+              [&] { return ++looks == 3; });
   CHECK(looks == 3);
   CHECK(inquiry.note() == "stopped; 0 rows so far");
 

@@ -44,7 +44,8 @@ TEST_CASE("a class sees the line at work, what it stands in, and always somethin
 TEST_CASE("a line that stands in its block alone is shown with what comes after the block") {
   const Page page = method("warnock").page();
   const auto line = [&](const std::string& begin) {
-    const auto found = std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return step.text.rfind(begin, 0) == 0; });
+    const auto found =
+        std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return step.text.rfind(begin, 0) == 0; });
     REQUIRE(found != page.end());
     return static_cast<std::size_t>(found - page.begin());
   };

@@ -1,4 +1,5 @@
-// What the window is drawn with: colours that are told apart, depths near and far, strips of time, letters, lines, buttons.
+// What the window is drawn with: colours that are told apart, depths near and far, strips of time, letters, lines,
+// buttons.
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -45,7 +46,8 @@ double distance(const Tone& p, const Tone& q) {
     const double l = std::cbrt(0.4122214708 * c.red + 0.5363325363 * c.green + 0.0514459929 * c.blue);
     const double m = std::cbrt(0.2119034982 * c.red + 0.6806995451 * c.green + 0.1073969566 * c.blue);
     const double s = std::cbrt(0.0883024619 * c.red + 0.2817188376 * c.green + 0.6299787005 * c.blue);
-    return glm::dvec3(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+    return glm::dvec3(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+                      1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
                       0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s);
   };
   return glm::length(lab(p) - lab(q));
@@ -60,10 +62,12 @@ Scene polygon_at(const std::vector<double>& depths) {
   for (const double z : depths) {
     const auto polygon = static_cast<std::int32_t>(scene.polygons.size());
     const auto first = static_cast<std::int32_t>(scene.points.size());
-    for (const glm::dvec3 p : {glm::dvec3(0, 0, z), glm::dvec3(1, 0, z), glm::dvec3(0, 1, z + 0.5)}) scene.points.push_back(p);
+    for (const glm::dvec3 p : {glm::dvec3(0, 0, z), glm::dvec3(1, 0, z), glm::dvec3(0, 1, z + 0.5)})
+      scene.points.push_back(p);
     scene.polygons.push_back({"", {200, 0, 0}, 0});
     Facet facet;
-    facet.polygon = polygon, facet.first_corner = static_cast<std::int32_t>(scene.corners.size()), facet.corner_count = 3;
+    facet.polygon = polygon, facet.first_corner = static_cast<std::int32_t>(scene.corners.size()),
+    facet.corner_count = 3;
     scene.facets.push_back(facet);
     for (std::int32_t k = 0; k < 3; ++k) scene.corners.push_back(first + k);
   }
@@ -89,10 +93,12 @@ std::string help_at(App& app, float x, float y) {
 
 TEST_CASE("no accent can be taken for a polygon, or for another accent, and each can be read") {
   for (const Theme* theme : {&light_theme(), &dark_theme()}) {
-    const Tone accents[] = {Tone(to_pixel(theme->now)), Tone(to_pixel(theme->changed)), Tone(to_pixel(theme->selected))};
+    const Tone accents[] = {Tone(to_pixel(theme->now)), Tone(to_pixel(theme->changed)),
+                            Tone(to_pixel(theme->selected))};
     for (const Tone& accent : accents) {
       for (const Color polygon : scene::palette) CHECK(distance(accent, Tone(polygon)) >= 0.13);
-      for (const ImU32 back : {theme->pane, theme->window, theme->head}) CHECK(contrast(accent, Tone(to_pixel(back))) >= 3);
+      for (const ImU32 back : {theme->pane, theme->window, theme->head})
+        CHECK(contrast(accent, Tone(to_pixel(back))) >= 3);
       CHECK(contrast(accent, Tone(to_pixel(theme->pane))) >= 4.5);
       for (const Tone& other : accents) CHECK((&accent == &other || distance(accent, other) >= 0.18));
     }
@@ -119,7 +125,8 @@ TEST_CASE("the colours of depths span what is in view, near bright, and know no 
   const DepthScale scale;
   CHECK(Tone(scale.at(0)).luminance() > 0.6);
   CHECK(Tone(scale.at(1)).luminance() < 0.1);
-  for (int i = 0; i < 100; ++i) CHECK(Tone(scale.at(i / 100.0)).luminance() >= Tone(scale.at((i + 1) / 100.0)).luminance());
+  for (int i = 0; i < 100; ++i)
+    CHECK(Tone(scale.at(i / 100.0)).luminance() >= Tone(scale.at((i + 1) / 100.0)).luminance());
 }
 
 TEST_CASE("a ray's depths have colours: the range is the scene's, not that of the first depth that was seen") {
@@ -131,7 +138,8 @@ TEST_CASE("a ray's depths have colours: the range is the scene's, not that of th
     CHECK_FALSE(range.flat());
     Replay end(trace);
     end.go_to(trace.size());
-    for (const double z : end.state().picture.depth) CHECK((!std::isfinite(z) || (z >= range.near - 1e-9 && z <= range.far + 1e-9)));
+    for (const double z : end.state().picture.depth)
+      CHECK((!std::isfinite(z) || (z >= range.near - 1e-9 && z <= range.far + 1e-9)));
   }
 }
 
@@ -174,12 +182,14 @@ TEST_CASE("dragging on the strip of a polygon goes to its steps, and the marker 
   for (int y = 626; y < 650; ++y)
     for (int x = 1265; x < 1280; ++x) {
       const std::size_t i = 3 * static_cast<std::size_t>(y * 1280 + x);
-      marked += (std::uint32_t{shown[i]} << 16 | std::uint32_t{shown[i + 1]} << 8 | shown[i + 2]) == (to_pixel(light_theme().now) & 0xffffffu);
+      marked += (std::uint32_t{shown[i]} << 16 | std::uint32_t{shown[i + 1]} << 8 | shown[i + 2]) ==
+                (to_pixel(light_theme().now) & 0xffffffu);
     }
   CHECK(marked > 20);
 }
 
-TEST_CASE("a diamond leads to its stop, the transport says what it does, a right click asks, and a held key can be clicked") {
+TEST_CASE(
+    "a diamond leads to its stop, the transport says what it does, a right click asks, and a held key can be clicked") {
   std::vector<Lesson> lessons = all_lessons();
   Lesson& lesson = lessons[3];
   const Trace trace = run_lesson(lesson);
@@ -195,7 +205,8 @@ TEST_CASE("a diamond leads to its stop, the transport says what it does, a right
       const Strip whole{{pad, top}, 1280 - 2 * pad, 20, 0, trace.size()};
       const float x = std::floor(whole.x(lesson.stops[i].position));
       bool alone = true;
-      for (std::size_t k = 0; k < lesson.stops.size(); ++k) alone = alone && (k == i || std::abs(whole.x(lesson.stops[k].position) - x) > 8);
+      for (std::size_t k = 0; k < lesson.stops.size(); ++k)
+        alone = alone && (k == i || std::abs(whole.x(lesson.stops[k].position) - x) > 8);
       if (!alone) continue;
       test::click(app, static_cast<int>(std::clamp(x + 2, pad, 1279 - pad)), static_cast<int>(top) + 8);
       CAPTURE(i);
@@ -204,7 +215,8 @@ TEST_CASE("a diamond leads to its stop, the transport says what it does, a right
     }
     std::string said;
     for (float x = pad + 4; x < 640; x += 8) said += help_at(app, x, 720 - pad - app.ui().em) + "\n";
-    for (const char* what : {"To the beginning", "One step back", "Play or pause (Space)", "One step on", "To the end", "Slower", "Faster"}) {
+    for (const char* what : {"To the beginning", "One step back", "Play or pause (Space)", "One step on", "To the end",
+                             "Slower", "Faster"}) {
       CAPTURE(what);
       CHECK(said.find(what) != std::string::npos);
     }
@@ -253,16 +265,19 @@ TEST_CASE("presenter mode draws the framebuffer at least as large, and a questio
       if (!asks) continue;
       (void)test::picture(presented);
       for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
-        if (window->Active && std::string(window->Name).find("/lesson_") != std::string::npos) CHECK(window->Scroll.y >= window->ScrollMax.y);
+        if (window->Active && std::string(window->Name).find("/lesson_") != std::string::npos)
+          CHECK(window->Scroll.y >= window->ScrollMax.y);
     }
   }
 }
 
-TEST_CASE("a vertex's numbers are the same however narrow the pane: what does not fit is set smaller, or below each other") {
+TEST_CASE(
+    "a vertex's numbers are the same however narrow the pane: what does not fit is set smaller, or below each other") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
   (void)test::picture(app);
-  const std::vector<StageRow> rows{{"world", glm::dvec3(1.25, -13.5, 100), false, "_w"}, {"plane", glm::dvec3(0.5, 0.25, 0.75), false, "_p"}};
+  const std::vector<StageRow> rows{{"world", glm::dvec3(1.25, -13.5, 100), false, "_w"},
+                                   {"plane", glm::dvec3(0.5, 0.25, 0.75), false, "_p"}};
   const int wide = lay_out_stages(app.ui(), rows, 1000).decimals;
   CHECK(wide == 2);
   for (float room = 60; room < 600; room += 20) {
@@ -319,7 +334,8 @@ TEST_CASE("lines grow with the screen") {
     int line = 0;
     for (int x = left; x < left + 6; ++x) {
       const std::size_t i = 3 * static_cast<std::size_t>(y * 1280 * times + x);
-      line += (std::uint32_t{shown[i]} << 16 | std::uint32_t{shown[i + 1]} << 8 | shown[i + 2]) == (to_pixel(light_theme().rule) & 0xffffffu);
+      line += (std::uint32_t{shown[i]} << 16 | std::uint32_t{shown[i + 1]} << 8 | shown[i + 2]) ==
+              (to_pixel(light_theme().rule) & 0xffffffu);
     }
     CHECK(line == (times == 1 ? 1 : 2));
   }

@@ -13,8 +13,8 @@ namespace {
 
 std::uint32_t hex(ImU32 color) { return to_pixel(color) & 0xffffffu; }
 
-/// Letters that a clip rectangle cuts on their left or right: the text does not fit its pane. Scrolling panes may cut above
-/// and below, and sideways only where they have a scroll bar for it.
+/// Letters that a clip rectangle cuts on their left or right: the text does not fit its pane. Scrolling panes may cut
+/// above and below, and sideways only where they have a scroll bar for it.
 int letters_cut(App& app) {
   app.settle();
   int cut = 0;
@@ -24,7 +24,10 @@ int letters_cut(App& app) {
     for (const ImDrawCmd& command : list.CmdBuffer) {
       if (command.GetTexID() != ImGui::GetIO().Fonts->TexID) continue;
       for (unsigned i = 0; i + 5 < command.ElemCount; i += 6) {
-        const auto vertex = [&](unsigned k) -> const ImDrawVert& { return list.VtxBuffer[static_cast<int>(list.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)] + command.VtxOffset)]; };
+        const auto vertex = [&](unsigned k) -> const ImDrawVert& {
+          return list.VtxBuffer[static_cast<int>(list.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)] +
+                                                 command.VtxOffset)];
+        };
         const ImDrawVert &a = vertex(0), &b = vertex(2);
         if (a.uv.x == b.uv.x) continue;  // a filled shape
         const bool visible = b.pos.y > command.ClipRect.y && a.pos.y < command.ClipRect.w;
@@ -58,7 +61,8 @@ TEST_CASE("stepping on and back by any unit returns to the same bytes") {
     app.session().go_to(0);
     int checked = 0;
     // Each unit's own places: from one to the next and back.
-    for (app.session().move(unit, 1); app.session().position() < trace.size() && checked < 12 / test::sparse; app.session().move(unit, 1), ++checked) {
+    for (app.session().move(unit, 1); app.session().position() < trace.size() && checked < 12 / test::sparse;
+         app.session().move(unit, 1), ++checked) {
       const std::int64_t from = app.session().position();
       const test::Bytes before = test::picture(app);
       app.session().move(unit, 1);
@@ -158,7 +162,8 @@ TEST_CASE("what is followed is seen whole, however many rows it has") {
   CHECK(scroll_for(500, 300, 100) == 500);  // too long for the pane: its beginning
 }
 
-TEST_CASE("the line at work lies within the pane with all its rows, also where a scroll bar came and wrapped them anew") {
+TEST_CASE(
+    "the line at work lies within the pane with all its rows, also where a scroll bar came and wrapped them anew") {
   const Trace trace = test::record_run_by("warnock", "pyramid-behind");
   for (const auto& [width, height] : {std::pair{257, 370}, {200, 300}, {310, 240}}) {
     App app(trace, nullptr, {}, width, height);
@@ -171,7 +176,8 @@ TEST_CASE("the line at work lies within the pane with all its rows, also where a
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
           const std::size_t i = 3 * static_cast<std::size_t>(y * width + x);
-          if ((std::uint32_t{shown[i]} << 16 | std::uint32_t{shown[i + 1]} << 8 | shown[i + 2]) == soft) first = std::min(first, y), last = y;
+          if ((std::uint32_t{shown[i]} << 16 | std::uint32_t{shown[i + 1]} << 8 | shown[i + 2]) == soft)
+            first = std::min(first, y), last = y;
         }
       CAPTURE(width);
       CAPTURE(at);
@@ -183,7 +189,8 @@ TEST_CASE("the line at work lies within the pane with all its rows, also where a
 
 TEST_CASE("windows of every size draw, and tiny ones say what they lack") {
   const Trace trace = test::record_run("pyramid", test::of_size(16, 16));
-  for (const auto& [width, height] : {std::pair{1, 1}, {40, 30}, {200, 120}, {320, 240}, {640, 360}, {800, 600}, {1366, 768}, {2560, 1440}}) {
+  for (const auto& [width, height] :
+       {std::pair{1, 1}, {40, 30}, {200, 120}, {320, 240}, {640, 360}, {800, 600}, {1366, 768}, {2560, 1440}}) {
     App app(trace, nullptr, {}, width, height);
     app.session().go_to(trace.size() / 2);
     CHECK(test::picture(app).size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);

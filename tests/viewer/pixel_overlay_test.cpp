@@ -71,7 +71,8 @@ TEST_CASE("an answer's picture and a count take each other's place") {
   CHECK(answered != counted);
   test::press(app, SDLK_TAB);
   CHECK_FALSE(app.ui().heat);
-  CHECK(test::count_of(test::picture(app), 0x0072b2) > test::count_of(answered, 0x0072b2) + 1000);  // F's colour is back at the same step
+  CHECK(test::count_of(test::picture(app), 0x0072b2) >
+        test::count_of(answered, 0x0072b2) + 1000);  // F's colour is back at the same step
 }
 
 TEST_CASE("R says so where there are no depths, for good or yet") {

@@ -21,7 +21,8 @@ void wait(App& app) {
 }
 
 struct TraceFile {
-  fs::path folder = fs::temp_directory_path() / ("zstep-places-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  fs::path folder =
+      fs::temp_directory_path() / ("zstep-places-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
   fs::path file = folder / "run.ztrace";
   TraceFile() {
     fs::create_directories(folder);
@@ -177,7 +178,8 @@ TEST_CASE("Ctrl+B keeps a bookmark beside the trace, L lists them, Delete remove
 
 TEST_CASE("a lesson's bookmarks are kept by its name, and where none can be kept no name is asked for") {
   const Trace trace = test::record_run("delhi");
-  const fs::path kept = fs::temp_directory_path() / ("zstep-kept-" + std::to_string(reinterpret_cast<std::uintptr_t>(&trace)));
+  const fs::path kept =
+      fs::temp_directory_path() / ("zstep-kept-" + std::to_string(reinterpret_cast<std::uintptr_t>(&trace)));
   const char* const before = std::getenv("XDG_CONFIG_HOME");
   const std::string config = before ? before : "";
   setenv("XDG_CONFIG_HOME", kept.c_str(), 1);

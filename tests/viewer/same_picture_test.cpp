@@ -70,7 +70,8 @@ void check_ways(App& app, const Trace& trace, const Lesson* lesson, std::int64_t
     app.session().go_to(trace.size());
     app.frame();
     // By steps, and at the speeds of spans, lines and polygons.
-    const bool by_playing = played(app, std::max<std::int64_t>(0, at - 5), at, turn % 2 == 0 ? 4 : 7 + turn / 6 % 3) == wanted;
+    const bool by_playing =
+        played(app, std::max<std::int64_t>(0, at - 5), at, turn % 2 == 0 ? 4 : 7 + turn / 6 % 3) == wanted;
     CHECK(by_playing);
   }
 }
@@ -136,7 +137,8 @@ TEST_CASE("moves by every unit come to the picture of the step, and so does the 
   }
   ViewerOptions options;
   options.other_method = [](const Trace& now, int) {
-    return std::optional(OtherRun{test::recorded_by(now.header().algorithm == "z-buffer" ? "painter" : "z-buffer", now.scene()), true});
+    return std::optional(
+        OtherRun{test::recorded_by(now.header().algorithm == "z-buffer" ? "painter" : "z-buffer", now.scene()), true});
   };
   const Trace first = test::recorded_by("z-buffer", trace.scene());
   Stage stage(first, options, Settings{}, window_width, window_height);

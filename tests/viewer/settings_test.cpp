@@ -9,7 +9,8 @@
 using namespace zstep::viewer;
 
 namespace {
-const std::filesystem::path path = std::filesystem::temp_directory_path() / ("zstep_settings_test_" + std::to_string(getpid())) / "viewer.ini";
+const std::filesystem::path path =
+    std::filesystem::temp_directory_path() / ("zstep_settings_test_" + std::to_string(getpid())) / "viewer.ini";
 }
 
 TEST_CASE("settings come back as they were saved") {
@@ -41,7 +42,8 @@ TEST_CASE("settings come back as they were saved") {
 
 TEST_CASE("a damaged file of settings leaves the defaults") {
   std::filesystem::create_directories(path.parent_path());
-  std::ofstream(path) << "left = nan\nright = 1e99\nwidth = -5\ntext_scale = 1000\nspeed = 99\ngarbage\n = \nplace x = -4\n\xff\xfe";
+  std::ofstream(path)
+      << "left = nan\nright = 1e99\nwidth = -5\ntext_scale = 1000\nspeed = 99\ngarbage\n = \nplace x = -4\n\xff\xfe";
   const Settings s = load_settings(path);
   CHECK(s.layout.left == Layout{}.left);
   CHECK(s.layout.right <= 0.95f);

@@ -74,7 +74,8 @@ TEST_CASE("switching keeps the moment: the pixel and the polygon at work, and th
   Session& first = stage.app().session();
   first.go_to(300);
   first.answer(1);
-  while (!first.event() || !std::holds_alternative<DepthCompare>(first.event()->event)) first.go_to(first.position() + 1);
+  while (!first.event() || !std::holds_alternative<DepthCompare>(first.event()->event))
+    first.go_to(first.position() + 1);
   const std::int64_t here = first.position();
   const Cell cell = *first.current_cell();
   const std::int32_t polygon = first.state().machine.polygon;
@@ -114,14 +115,18 @@ TEST_CASE("what cannot be done is said, and nothing changes") {
   CHECK(&alone.trace() == &trace);
   CHECK(alone.app().session().message.find("No other method") != std::string::npos);
 
-  options.other_method = [](const Trace&, int) -> std::optional<OtherRun> { throw InputError("scene", "is no good", "mend it"); };
+  options.other_method = [](const Trace&, int) -> std::optional<OtherRun> {
+    throw InputError("scene", "is no good", "mend it");
+  };
   Stage failing(trace, options, Settings{}, 1280, 720);
   failing.switch_method(1);
   CHECK(&failing.trace() == &trace);
   CHECK(failing.app().session().message.find("is no good") != std::string::npos);
 
   ViewerOptions cut = two_methods();
-  cut.other_method = [](const Trace& now, int) { return std::optional(OtherRun{run_of("depth-sort", now.scene()), false}); };
+  cut.other_method = [](const Trace& now, int) {
+    return std::optional(OtherRun{run_of("depth-sort", now.scene()), false});
+  };
   Stage stage(trace, cut, Settings{}, 1280, 720);
   stage.switch_method(1);
   CHECK(stage.app().session().message.find("cut off") != std::string::npos);

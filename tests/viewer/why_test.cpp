@@ -81,7 +81,9 @@ TEST_CASE("Y in a pixel's history asks about the polygon picked there; without a
   CHECK(app.why().kind == Why::lost);
 }
 
-TEST_CASE("the pixel at which a polygon comes nearest to being seen is marked while that is read, and the reader's own comes back") {
+TEST_CASE(
+    "the pixel at which a polygon comes nearest to being seen is marked while that is read, and the reader's own comes "
+    "back") {
   const Trace trace = test::record_run("pyramid-behind");
   for (const bool selected : {false, true}) {
     CAPTURE(selected);

@@ -1,5 +1,5 @@
-// A real window shows the bytes of the headless picture. Run by ctest under Xvfb where that is installed; skipped, and saying
-// so, where there is no display.
+// A real window shows the bytes of the headless picture. Run by ctest under Xvfb where that is installed; skipped, and
+// saying so, where there is no display.
 #include <cstdlib>
 
 #include <doctest/doctest.h>
@@ -18,8 +18,8 @@ test::Bytes shown(const Window& window) {
   SDL_Surface* surface = window.surface();
   Canvas read;
   read.resize(surface->w, surface->h);
-  SDL_ConvertPixels(surface->w, surface->h, surface->format->format, surface->pixels, surface->pitch, SDL_PIXELFORMAT_ARGB8888, read.row(0),
-                    surface->w * 4);
+  SDL_ConvertPixels(surface->w, surface->h, surface->format->format, surface->pixels, surface->pitch,
+                    SDL_PIXELFORMAT_ARGB8888, read.row(0), surface->w * 4);
   test::Bytes rgb;
   for (int y = 0; y < read.height(); ++y)
     for (int x = 0; x < read.width(); ++x)

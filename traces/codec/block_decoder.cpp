@@ -31,7 +31,8 @@ StepMeanings::StepMeanings(const Page& page) : row(page) {
   for (const StepInfo& step : page) kind[step.id] = step.kind;
 }
 
-BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepMeanings& meanings, const SceneGeometry& facts)
+BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepMeanings& meanings,
+                           const SceneGeometry& facts)
     : foreteller_(facts), meanings_(meanings), row_(meanings.row), left_(count) {
   ByteReader in(packed);
   if (in.varint() != count) throw MalformedBytes("a block with another number of events than it says");
@@ -47,7 +48,8 @@ BlockDecoder::BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t c
 }
 
 const Row& BlockDecoder::take_row(std::uint8_t token) {
-  if ((token & missed_bit) != 0 || !row_.steps.known() || !foreteller_.guess_row(row_)) throw MalformedBytes("a scan line that cannot be");
+  if ((token & missed_bit) != 0 || !row_.steps.known() || !foreteller_.guess_row(row_))
+    throw MalformedBytes("a scan line that cannot be");
   count_down(Row::events());
   foreteller_.learn_row(row_);
   return row_;
@@ -56,7 +58,8 @@ const Row& BlockDecoder::take_row(std::uint8_t token) {
 std::uint32_t BlockDecoder::take_count(std::uint8_t token) {
   const std::uint32_t count = columns_[counts_column].u8();
   const std::int64_t last = std::int64_t{foreteller_.whole(slot_of("x"))} + count;
-  if ((token & missed_bit) != 0 || count == 0 || count > run_limit || !foreteller_.in_span() || last > std::numeric_limits<std::int32_t>::max())
+  if ((token & missed_bit) != 0 || count == 0 || count > run_limit || !foreteller_.in_span() ||
+      last > std::numeric_limits<std::int32_t>::max())
     throw MalformedBytes("a run of pixels that cannot be");
   foreteller_.set_whole(slot_of("x"), static_cast<std::int32_t>(last));
   return count;
@@ -68,7 +71,8 @@ FragmentRun BlockDecoder::take_fragments(std::uint8_t token) {
   run.x = foreteller_.whole(slot_of("x")) - static_cast<std::int32_t>(run.count) + 1;
   run.y = foreteller_.whole(slot_of("y"));
   run.nearer = columns_[nearer_column].low_bytes((run.count + 7) / 8);
-  if (run.count < run_limit && run.nearer >> run.count != 0) throw MalformedBytes("an outcome of a compare that was not made");
+  if (run.count < run_limit && run.nearer >> run.count != 0)
+    throw MalformedBytes("an outcome of a compare that was not made");
   run.polygon = foreteller_.whole(slot_of("polygon"));
   run.steps = steps_.fragment;
   for (std::size_t i = 0; i < (run.nearer != 0 ? 4u : 2u); ++i)

@@ -24,7 +24,8 @@ struct StepMeanings {
 
 class BlockDecoder {
  public:
-  BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepMeanings& meanings, const codec::SceneGeometry& facts);
+  BlockDecoder(std::span<const std::uint8_t> packed, std::uint32_t count, const StepMeanings& meanings,
+               const codec::SceneGeometry& facts);
 
   /// Calls visit(step, event) for each event in turn; stops early when it returns false. True when all were visited.
   /// A visit that can also be called as visit(run), with a Row, a FragmentRun or a PaintRun, gets runs whole.

@@ -11,7 +11,8 @@ namespace zstep {
 using namespace codec;
 
 struct BlockEncoder::State {
-  State(const Scene& scene, const Header& header) : facts(scene, header), foreteller(facts), row(RowSteps(header.page)) {}
+  State(const Scene& scene, const Header& header)
+      : facts(scene, header), foreteller(facts), row(RowSteps(header.page)) {}
 
   /// One event by its token, and its fields as far as they were not foretold.
   template <class E>
@@ -37,7 +38,8 @@ struct BlockEncoder::State {
   std::array<Bytes, column_count> columns;
 };
 
-BlockEncoder::BlockEncoder(const Scene& scene, const Header& header, std::int64_t first_position) : state_(std::make_unique<State>(scene, header)) {
+BlockEncoder::BlockEncoder(const Scene& scene, const Header& header, std::int64_t first_position)
+    : state_(std::make_unique<State>(scene, header)) {
   state_->first_position = first_position;
 }
 BlockEncoder::~BlockEncoder() = default;
@@ -66,8 +68,11 @@ void BlockEncoder::State::write_misses(const E& event) {
   for_each_index<E>([&]<std::size_t I>() {
     constexpr auto member = field_at<E, I>.member;
     const auto guess = foreteller.guess<E, I>(told);
-    if constexpr (std::is_same_v<FieldValue<E, I>, double>) residual[I] = difference(bits_of(event.*member), bits_of(guess));
-    else residual[I] = static_cast<std::uint32_t>(static_cast<std::int32_t>(event.*member)) - static_cast<std::uint32_t>(guess);
+    if constexpr (std::is_same_v<FieldValue<E, I>, double>)
+      residual[I] = difference(bits_of(event.*member), bits_of(guess));
+    else
+      residual[I] =
+          static_cast<std::uint32_t>(static_cast<std::int32_t>(event.*member)) - static_cast<std::uint32_t>(guess);
     told.*member = event.*member;
     missed |= static_cast<std::uint32_t>(residual[I] != 0) << I;
   });
@@ -102,10 +107,12 @@ void BlockEncoder::State::write(std::uint8_t step, const E& event) {
 
 void BlockEncoder::State::write(const LoggedRow& logged) {
   const std::array<std::uint8_t, 4> steps_of_row{row.steps.line, row.steps.edge, row.steps.edge, row.steps.span};
-  const bool foretold = logged.steps == steps_of_row && foreteller.guess_row(row) && same_fields(row.line, logged.line) &&
-                        same_fields(row.edges[0], logged.edges[0]) && same_fields(row.edges[1], logged.edges[1]) && same_fields(row.span, logged.span);
+  const bool foretold = logged.steps == steps_of_row && foreteller.guess_row(row) &&
+                        same_fields(row.line, logged.line) && same_fields(row.edges[0], logged.edges[0]) &&
+                        same_fields(row.edges[1], logged.edges[1]) && same_fields(row.span, logged.span);
   if (!foretold) {
-    write(logged.steps[0], logged.line), write(logged.steps[1], logged.edges[0]), write(logged.steps[2], logged.edges[1]), write(logged.steps[3], logged.span);
+    write(logged.steps[0], logged.line), write(logged.steps[1], logged.edges[0]),
+        write(logged.steps[2], logged.edges[1]), write(logged.steps[3], logged.span);
     return;
   }
   put_token(row_token);
@@ -117,8 +124,11 @@ void BlockEncoder::State::write(const LoggedRow& logged) {
 // To the bit; what is not a number never is, as which one it is depends on the compiler.
 std::uint32_t BlockEncoder::State::count_foretold(const LoggedRun& run) const {
   std::array<double, run_limit> foretold;
-  depths_along(foreteller.span(), foreteller.increments(), run.x, run.count, foreteller.real(slot_of("z")), foretold.data());
-  const auto differs = [&](std::uint32_t k) { return (bits_of(run.depth(k)) ^ bits_of(foretold[k])) | static_cast<std::uint64_t>(!(run.depth(k) == foretold[k])); };
+  depths_along(foreteller.span(), foreteller.increments(), run.x, run.count, foreteller.real(slot_of("z")),
+               foretold.data());
+  const auto differs = [&](std::uint32_t k) {
+    return (bits_of(run.depth(k)) ^ bits_of(foretold[k])) | static_cast<std::uint64_t>(!(run.depth(k) == foretold[k]));
+  };
   std::uint64_t any = 0;
   for (std::uint32_t k = 0; k < run.count; ++k) any |= differs(k);
   if (any == 0) return run.count;
@@ -197,7 +207,8 @@ void BlockEncoder::State::end() {
 const BlockEncoder::Packed& BlockEncoder::pack(const EventLog& log) {
   State& block = *state_;
   block.begin();
-  log.for_each([&](const LoggedRow& row) { block.write(row); }, [&](const LoggedRun& run) { block.write(run); }, [&](std::uint8_t step, const auto& event) { block.write(step, event); });
+  log.for_each([&](const LoggedRow& row) { block.write(row); }, [&](const LoggedRun& run) { block.write(run); },
+               [&](std::uint8_t step, const auto& event) { block.write(step, event); });
   block.end();
   return block.packed;
 }

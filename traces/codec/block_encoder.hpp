@@ -1,8 +1,9 @@
 // A block: up to 16 384 events, packed by column, readable without any other block.
 //
-// An event costs one token byte, its step id. When a field was not as foretold, the token's top bit is set, the column `*` holds which
-// fields, and each such value goes to the column of its name. A scan line whose beginning, two edges and span are as foretold is one token.
-// The pixels of a span, foretold whole, are runs: one token for up to 64 of them, their number, and a bit for the outcome of each compare.
+// An event costs one token byte, its step id. When a field was not as foretold, the token's top bit is set, the column
+// `*` holds which fields, and each such value goes to the column of its name. A scan line whose beginning, two edges
+// and span are as foretold is one token. The pixels of a span, foretold whole, are runs: one token for up to 64 of
+// them, their number, and a bit for the outcome of each compare.
 #pragma once
 
 #include <memory>

@@ -34,7 +34,8 @@ Box take_box(ByteReader& in, const Raster& raster) {
   if (width == 0) return box;
   const std::uint64_t left = in.varint(), top = in.varint(), down = in.varint();
   const auto columns = static_cast<std::uint64_t>(raster.width), rows = static_cast<std::uint64_t>(raster.height);
-  if (left >= columns || width > columns - left || top >= rows || down >= rows - top) throw MalformedBytes("a block that reaches beyond the raster");
+  if (left >= columns || width > columns - left || top >= rows || down >= rows - top)
+    throw MalformedBytes("a block that reaches beyond the raster");
   box.left = static_cast<std::uint16_t>(left), box.right = static_cast<std::uint16_t>(left + width - 1);
   box.top = static_cast<std::uint16_t>(top), box.bottom = static_cast<std::uint16_t>(top + down);
   return box;
@@ -65,7 +66,8 @@ BlockInfo take_block_info(ByteReader& in, const Raster& raster) {
   BlockInfo info;
   info.first_position = static_cast<std::int64_t>(in.u64());
   info.count = in.u32();
-  if (info.count > block_events) throw MalformedBytes("a block of more than " + std::to_string(block_events) + " events");
+  if (info.count > block_events)
+    throw MalformedBytes("a block of more than " + std::to_string(block_events) + " events");
   for (std::uint64_t& word : info.steps.words()) word = in.u64();
   info.tiles = Tiles(raster);
   info.tiles.take(in);

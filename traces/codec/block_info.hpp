@@ -56,7 +56,8 @@ struct Box {
   bool empty() const { return right < left; }
   /// The pixels first … end - 1 of a row, which lie on the raster.
   void touch(std::int32_t first, std::int32_t end, std::int32_t y) {
-    left = std::min(left, static_cast<std::uint16_t>(first)), right = std::max(right, static_cast<std::uint16_t>(end - 1));
+    left = std::min(left, static_cast<std::uint16_t>(first)),
+    right = std::max(right, static_cast<std::uint16_t>(end - 1));
     top = std::min(top, static_cast<std::uint16_t>(y)), bottom = std::max(bottom, static_cast<std::uint16_t>(y));
   }
   bool within(const Box& other) const { return empty() || (other.holds(left, top) && other.holds(right, bottom)); }
@@ -70,8 +71,12 @@ class StepSet {
   void add(std::uint8_t step) { words_[step >> 6] |= std::uint64_t{1} << (step & 63); }
   void add(const StepSet& other) { words_[0] |= other.words_[0], words_[1] |= other.words_[1]; }
   bool has(std::uint8_t step) const { return step < 128 && (words_[step >> 6] >> (step & 63) & 1u) != 0; }
-  bool within(const StepSet& other) const { return ((words_[0] & ~other.words_[0]) | (words_[1] & ~other.words_[1])) == 0; }
-  bool meets(const StepSet& other) const { return ((words_[0] & other.words_[0]) | (words_[1] & other.words_[1])) != 0; }
+  bool within(const StepSet& other) const {
+    return ((words_[0] & ~other.words_[0]) | (words_[1] & ~other.words_[1])) == 0;
+  }
+  bool meets(const StepSet& other) const {
+    return ((words_[0] & other.words_[0]) | (words_[1] & other.words_[1])) != 0;
+  }
   bool empty() const { return (words_[0] | words_[1]) == 0; }
   std::array<std::uint64_t, 2>& words() { return words_; }
   const std::array<std::uint64_t, 2>& words() const { return words_; }

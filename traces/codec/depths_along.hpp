@@ -16,16 +16,19 @@ inline double depth_along(const SpanBegin& span, bool increments, std::int32_t x
   return formulas::on_line<double>(span.z_left, span.z_right, x, span.x_left, span.x_right);
 }
 
-/// The same at columns first … first + count - 1; without a question for each where they are not asked one after another, so that a
-/// compiler finds several at once.
-inline void depths_along(const SpanBegin& span, bool increments, std::int32_t first, std::uint32_t count, double before, double* depths) {
+/// The same at columns first … first + count - 1; without a question for each where they are not asked one after
+/// another, so that a compiler finds several at once.
+inline void depths_along(const SpanBegin& span, bool increments, std::int32_t first, std::uint32_t count, double before,
+                         double* depths) {
   if (increments || span.x_right == span.x_left) {
     double z = before;
-    for (std::uint32_t k = 0; k < count; ++k) depths[k] = z = depth_along(span, increments, first + static_cast<std::int32_t>(k), z);
+    for (std::uint32_t k = 0; k < count; ++k)
+      depths[k] = z = depth_along(span, increments, first + static_cast<std::int32_t>(k), z);
     return;
   }
   const double z_left = span.z_left, x_left = span.x_left, rise = span.z_right - z_left, width = span.x_right - x_left;
-  for (std::uint32_t k = 0; k < count; ++k) depths[k] = z_left + rise * (static_cast<double>(first + static_cast<std::int32_t>(k)) - x_left) / width;
+  for (std::uint32_t k = 0; k < count; ++k)
+    depths[k] = z_left + rise * (static_cast<double>(first + static_cast<std::int32_t>(k)) - x_left) / width;
 }
 
 }  // namespace zstep::codec

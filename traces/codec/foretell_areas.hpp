@@ -17,15 +17,21 @@ struct Rectangle {
   double left, right, top, bottom;
 
   explicit Rectangle(const AreaBegin& area)
-      : left(area.first_column - 0.5), right(area.end_column - 0.5), top(area.first_row - 0.5), bottom(area.end_row - 0.5) {}
-  bool holds(glm::dvec2 point) const { return (left <= point.x) & (point.x <= right) & (top <= point.y) & (point.y <= bottom); }
+      : left(area.first_column - 0.5),
+        right(area.end_column - 0.5),
+        top(area.first_row - 0.5),
+        bottom(area.end_row - 0.5) {}
+  bool holds(glm::dvec2 point) const {
+    return (left <= point.x) & (point.x <= right) & (top <= point.y) & (point.y <= bottom);
+  }
   bool meets(const PieceSides::Side& side) const {
     const glm::dvec2 &start = side.start, &end = side.end, along = end - start;
     const double x_least = std::min(start.x, end.x), x_most = std::max(start.x, end.x);
     const bool overlaps = (x_most >= left) & (x_least <= right) & (end.y >= top) & (start.y <= bottom);
     const bool holds_start = holds(start), holds_end = holds(end);
     // On which side of its line the corners lie.
-    const double up = along.x * (top - start.y), down = along.x * (bottom - start.y), to_left = along.y * (left - start.x), to_right = along.y * (right - start.x);
+    const double up = along.x * (top - start.y), down = along.x * (bottom - start.y),
+                 to_left = along.y * (left - start.x), to_right = along.y * (right - start.x);
     const double least = std::min(std::min(up - to_left, up - to_right), std::min(down - to_left, down - to_right));
     const double most = std::max(std::max(up - to_left, up - to_right), std::max(down - to_left, down - to_right));
     return overlaps & (holds_start | holds_end | ((least <= 0) & (most >= 0)));
@@ -48,9 +54,14 @@ inline void Foreteller::note(const AreaBegin& event) {
   areas_.begin(event);
   painted_ = -1;
   const detail::Rectangle area(event);
-  const bool is_pixel = std::int64_t{event.end_column} - event.first_column == 1 && std::int64_t{event.end_row} - event.first_row == 1;
-  if (is_pixel) begin_depths(false, {{{static_cast<double>(event.first_column), static_cast<double>(event.first_row)}}}, 1);
-  else begin_depths(false, {{{area.left, area.top}, {area.right, area.top}, {area.left, area.bottom}, {area.right, area.bottom}}}, 4);
+  const bool is_pixel =
+      std::int64_t{event.end_column} - event.first_column == 1 && std::int64_t{event.end_row} - event.first_row == 1;
+  if (is_pixel)
+    begin_depths(false, {{{static_cast<double>(event.first_column), static_cast<double>(event.first_row)}}}, 1);
+  else
+    begin_depths(false,
+                 {{{area.left, area.top}, {area.right, area.top}, {area.left, area.bottom}, {area.right, area.bottom}}},
+                 4);
 }
 
 inline void Foreteller::tell(AreaBin& event) const {
@@ -76,7 +87,9 @@ inline void Foreteller::evaluate(AreaBin& event) const {
     return;
   }
   for (std::uint32_t i = 0; i < outline->count; ++i) event.crossings += area.meets(outline->sides[i]);
-  const auto covers = [&](double x, double y) { return ((low.x <= x) & (x <= high.x) & (low.y <= y) & (y <= high.y)) && detail::covers(*outline, x, y); };
+  const auto covers = [&](double x, double y) {
+    return ((low.x <= x) & (x <= high.x) & (low.y <= y) & (y <= high.y)) && detail::covers(*outline, x, y);
+  };
   if (event.crossings > 0) {
     for (const double x : {area.left, area.right})
       for (const double y : {area.top, area.bottom}) event.corners_inside += covers(x, y);
@@ -160,11 +173,13 @@ inline void Foreteller::note(const PlaneDepth& event) {
   if (depth_point_ == 0) {
     if (depths_on_line_) sweep_.learn(depth_place_, event.piece);
     // Pieces of an area may be passed over.
-    else for (std::size_t place = depth_place_, end = std::min(areas_.piece_count(), depth_place_ + look_ahead); place < end; ++place)
-      if (areas_.piece(place) == event.piece) {
-        depth_place_ = place;
-        break;
-      }
+    else
+      for (std::size_t place = depth_place_, end = std::min(areas_.piece_count(), depth_place_ + look_ahead);
+           place < end; ++place)
+        if (areas_.piece(place) == event.piece) {
+          depth_place_ = place;
+          break;
+        }
   }
   if (++depth_point_ < depth_point_count_) return;
   depth_point_ = 0;

@@ -27,7 +27,8 @@ inline void Foreteller::evaluate(PlaneEquation& event) {
   else if (event.piece != of_facet_.facet) of_facet_ = facts_->plane_by_parts(event.piece);
   static constexpr FacetPlane none;
   if (plane == nullptr) plane = &none;
-  event.plane_a = plane->normal.x, event.plane_b = plane->normal.y, event.plane_c = plane->normal.z, event.plane_d = plane->d;
+  event.plane_a = plane->normal.x, event.plane_b = plane->normal.y, event.plane_c = plane->normal.z,
+  event.plane_d = plane->d;
 }
 
 inline void Foreteller::note(const PlaneEquation& event) {
@@ -42,14 +43,16 @@ inline void Foreteller::evaluate(Extent& event) const {
   static constexpr PieceExtent none;
   const PieceExtent* extent = facts_->extent_of_piece(event.piece);
   const auto& [piece, low, high] = extent != nullptr ? *extent : none;
-  event.x_min = low.x, event.x_max = high.x, event.y_min = low.y, event.y_max = high.y, event.z_min = low.z, event.z_max = high.z;
+  event.x_min = low.x, event.x_max = high.x, event.y_min = low.y, event.y_max = high.y, event.z_min = low.z,
+  event.z_max = high.z;
 }
 
 // --- Pieces against a plane
 
 inline void Foreteller::tell(VertexSide& event) const {
   // The next piece is mostly a whole facet of its number.
-  const std::span<const std::int32_t> next = facts_->corners(held_ < std::numeric_limits<std::int32_t>::max() ? held_ + 1 : held_);
+  const std::span<const std::int32_t> next =
+      facts_->corners(held_ < std::numeric_limits<std::int32_t>::max() ? held_ + 1 : held_);
   event.vertex = sides_ < next.size() ? next[sides_] : whole_[slot_of("vertex")];
 }
 
@@ -105,8 +108,10 @@ inline Foreteller::Range Foreteller::extent_of(std::int32_t piece, Axis axis) co
 }
 
 inline void Foreteller::note(const Extent& event) {
-  const std::array<Range, 3> told{Range{event.x_min, event.x_max}, {event.y_min, event.y_max}, {event.z_min, event.z_max}};
-  for (const Axis axis : {Axis::x, Axis::y, Axis::z}) learn_extent(event.piece, axis, told[static_cast<std::size_t>(axis)], extent_of(event.piece, axis));
+  const std::array<Range, 3> told{
+      Range{event.x_min, event.x_max}, {event.y_min, event.y_max}, {event.z_min, event.z_max}};
+  for (const Axis axis : {Axis::x, Axis::y, Axis::z})
+    learn_extent(event.piece, axis, told[static_cast<std::size_t>(axis)], extent_of(event.piece, axis));
 }
 
 inline std::int32_t Foreteller::after(std::int32_t piece) const {
@@ -117,7 +122,9 @@ inline std::int32_t Foreteller::after(std::int32_t piece) const {
 
 inline void Foreteller::tell(PairBegin& event) const { event.piece = whole_[slot_of("piece")]; }
 
-inline void Foreteller::evaluate(PairBegin& event) const { event.other = after(event.piece == pair_.piece ? pair_.other : event.piece); }
+inline void Foreteller::evaluate(PairBegin& event) const {
+  event.other = after(event.piece == pair_.piece ? pair_.other : event.piece);
+}
 
 inline void Foreteller::note(const PairBegin& event) {
   const std::int32_t before = event.piece == pair_.piece ? pair_.other : event.piece;

@@ -1,5 +1,5 @@
-// Guesses about vertices, polygons and the edge table; in a header, as foretell_rows.hpp is, since scenes of small polygons are mostly
-// that. Part of foreteller.hpp.
+// Guesses about vertices, polygons and the edge table; in a header, as foretell_rows.hpp is, since scenes of small
+// polygons are mostly that. Part of foreteller.hpp.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,8 @@ inline void Foreteller::evaluate(ViewportTransform& event) const {
 }
 
 inline void Foreteller::note(const ClipCross& event) {
-  if (made_.size() < detail::made_limit) made_.push_back(facts_->from_view(event.vertex, {event.x_v, event.y_v, event.z_v}));
+  if (made_.size() < detail::made_limit)
+    made_.push_back(facts_->from_view(event.vertex, {event.x_v, event.y_v, event.z_v}));
 }
 
 inline void Foreteller::note(const SplitVertex& event) {
@@ -96,7 +97,8 @@ inline void Foreteller::note(const PieceDraw& event) {
   const auto found = std::lower_bound(facets.begin(), facets.end(), event.polygon,
                                       [](const Facet& facet, std::int32_t polygon) { return facet.polygon < polygon; });
   keeps_all_ = false;  // its edges are a table of their own
-  begin_polygon(found == facets.end() ? std::span<const std::int32_t>() : facts_->corners(static_cast<std::int32_t>(found - facets.begin())));
+  begin_polygon(found == facets.end() ? std::span<const std::int32_t>()
+                                      : facts_->corners(static_cast<std::int32_t>(found - facets.begin())));
 }
 
 inline bool Foreteller::look_at_corners() {
@@ -142,7 +144,9 @@ inline void Foreteller::evaluate(FacingTest& event) {
 }
 
 inline void Foreteller::tell(PolygonReject& event) const {
-  event.reason = facing_ == Facing::back ? Reject::back_facing : facing_ == Facing::edge_on ? Reject::edge_on : Reject::outside;
+  event.reason = facing_ == Facing::back      ? Reject::back_facing
+                 : facing_ == Facing::edge_on ? Reject::edge_on
+                                              : Reject::outside;
 }
 
 inline void Foreteller::evaluate(ClipTest& event) {
@@ -179,7 +183,8 @@ inline void Foreteller::tell(EdgeTableInsert& event) const {
   const Side side = next_side();
   event.vertex_0 = side.from, event.vertex_1 = side.to;
   glm::dvec3 from, to;
-  if (find_raster(side.from, from) && find_raster(side.to, to) && from.y > to.y) std::swap(event.vertex_0, event.vertex_1);
+  if (find_raster(side.from, from) && find_raster(side.to, to) && from.y > to.y)
+    std::swap(event.vertex_0, event.vertex_1);
 }
 
 inline void Foreteller::evaluate(EdgeTableInsert& event) const {

@@ -1,5 +1,5 @@
-// Guesses along scan lines: most of what is not a pixel, so that they are worth having where they can be compiled into a decoder's loop.
-// Part of foreteller.hpp.
+// Guesses along scan lines: most of what is not a pixel, so that they are worth having where they can be compiled into
+// a decoder's loop. Part of foreteller.hpp.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,8 @@ inline std::int32_t column_after(double x, std::int32_t width) {
 
 inline void Foreteller::tell(ScanLineBegin& event) const {
   const std::int32_t y = whole_[slot_of("y")];
-  event.y = !in_rows_ && edges_.first_row() >= 0 ? edges_.first_row() : static_cast<std::int32_t>(static_cast<std::uint32_t>(y) + 1u);
+  event.y = !in_rows_ && edges_.first_row() >= 0 ? edges_.first_row()
+                                                 : static_cast<std::int32_t>(static_cast<std::uint32_t>(y) + 1u);
 }
 
 inline void Foreteller::note(const ScanLineBegin&) {
@@ -87,7 +88,8 @@ inline void Foreteller::tell(SpanBegin& event) const {
   event.right_edge = std::max(0, edges_.to_begin_span(1));
 }
 
-inline void Foreteller::fill_span(SpanBegin& event, double x_left, double z_left, double x_right, double z_right) const {
+inline void Foreteller::fill_span(SpanBegin& event, double x_left, double z_left, double x_right,
+                                  double z_right) const {
   const std::int32_t width = facts_->scene().raster.width;
   event.x_left = x_left, event.z_left = z_left, event.x_right = x_right, event.z_right = z_right;
   event.first = std::max(0, column_from(x_left, width));
@@ -97,14 +99,16 @@ inline void Foreteller::fill_span(SpanBegin& event, double x_left, double z_left
 
 inline void Foreteller::evaluate(SpanBegin& event) {
   const KnownEdge *left = edges_.at(event.left_edge), *right = edges_.at(event.right_edge);
-  fill_span(event, left != nullptr ? left->x : real_[slot_of("x_right")], left != nullptr ? left->z : real_[slot_of("z_right")],
-            right != nullptr ? right->x : 0, right != nullptr ? right->z : 0);
+  fill_span(event, left != nullptr ? left->x : real_[slot_of("x_right")],
+            left != nullptr ? left->z : real_[slot_of("z_right")], right != nullptr ? right->x : 0,
+            right != nullptr ? right->z : 0);
 }
 
 inline void Foreteller::note(const SpanBegin& event) {
   edges_.span();
   // Field by field: a copy as a whole would wait until the event's fields, just written, have reached memory.
-  for_each_index<SpanBegin>([&]<std::size_t I>() { span_.*field_at<SpanBegin, I>.member = event.*field_at<SpanBegin, I>.member; });
+  for_each_index<SpanBegin>(
+      [&]<std::size_t I>() { span_.*field_at<SpanBegin, I>.member = event.*field_at<SpanBegin, I>.member; });
   in_span_ = true;
   // So the span's first pixel is "one more".
   whole_[slot_of("x")] = static_cast<std::int32_t>(static_cast<std::uint32_t>(event.first) - 1u);
@@ -126,7 +130,8 @@ inline bool Foreteller::guess_row(Row& row) const {
   left.edge = edges_.number(*one), right.edge = edges_.number(*other);
   fill_span(row.span, left.x_edge, left.z_edge, right.x_edge, right.z_edge);
   row.span.left_edge = left.edge, row.span.right_edge = right.edge, row.span.y = y;
-  const bool are_numbers = left.x_edge == left.x_edge && left.z_edge == left.z_edge && right.x_edge == right.x_edge && right.z_edge == right.z_edge;
+  const bool are_numbers = left.x_edge == left.x_edge && left.z_edge == left.z_edge && right.x_edge == right.x_edge &&
+                           right.z_edge == right.z_edge;
   return are_numbers && row.span.dz_dx == row.span.dz_dx;
 }
 

@@ -1,10 +1,11 @@
 // How an event is foretold from the scene and from the events of its block before it (docs/trace-format.md, "Guesses").
 //
-// Encoder and decoder walk an event's fields in order. What is guessed right is not stored. A guess may use what the file's header and
-// scene state and what the block's earlier events told, and nothing else, so that each block is read without the others.
+// Encoder and decoder walk an event's fields in order. What is guessed right is not stored. A guess may use what the
+// file's header and scene state and what the block's earlier events told, and nothing else, so that each block is read
+// without the others.
 //
-// The guesses themselves stand in foretell_polygons.hpp, foretell_rows.hpp, foretell_pieces.hpp and foretell_areas.hpp, to be compiled into the
-// loops that ask for them: encoder and decoder include foretell.hpp.
+// The guesses themselves stand in foretell_polygons.hpp, foretell_rows.hpp, foretell_pieces.hpp and foretell_areas.hpp,
+// to be compiled into the loops that ask for them: encoder and decoder include foretell.hpp.
 #pragma once
 
 #include <array>
@@ -33,7 +34,8 @@ class Foreteller {
   /// All that the events of a block told.
   void forget();
 
-  /// The guess for the I-th field of the next event, whose earlier fields are set in `event`. Guesses by formula are left in `event`, too.
+  /// The guess for the I-th field of the next event, whose earlier fields are set in `event`. Guesses by formula are
+  /// left in `event`, too.
   template <class E, std::size_t I>
   auto guess(E& event) {
     constexpr Guess way = field_at<E, I>.guess;
@@ -104,8 +106,8 @@ class Foreteller {
     return ways[static_cast<std::size_t>(static_cast<int>(I) + step)];
   }
 
-  // Fields that are told before an event. An encoder may ask twice for what a decoder asks once: to ask changes nothing that another
-  // answer depends on, but for what is remembered of the scene.
+  // Fields that are told before an event. An encoder may ask twice for what a decoder asks once: to ask changes nothing
+  // that another answer depends on, but for what is remembered of the scene.
   void tell(PolygonBegin& event) const;
   void tell(PolygonReject& event) const;
   void tell(OutlineVertex& event) const;
@@ -155,7 +157,9 @@ class Foreteller {
   void evaluate(SideTest& event) const;
   void evaluate(RayPlane& event) const;
   void evaluate(RayHit& event) const;
-  void evaluate(DepthInterpolate& event) const { event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")]; }
+  void evaluate(DepthInterpolate& event) const {
+    event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")];
+  }
   void evaluate(PixelPaint& event) const;
   // What events change besides their registers.
   void note(const TablesBegin& event);
@@ -186,7 +190,9 @@ class Foreteller {
   void note(const SpanFlags& event);
   void note(const SpanWinner& event);
   void note(const PlaneDepth& event);
-  void note(const RayBegin& event) { ray_from_ = {event.x_0, event.y_0, event.z_0}, ray_along_ = {event.dir_x, event.dir_y, event.dir_z}; }
+  void note(const RayBegin& event) {
+    ray_from_ = {event.x_0, event.y_0, event.z_0}, ray_along_ = {event.dir_x, event.dir_y, event.dir_z};
+  }
 
   /// From now on depths are asked for at these points, of pieces inside on a line or of those of an area.
   void begin_depths(bool on_line, const std::array<glm::dvec2, 4>& points, std::size_t count);

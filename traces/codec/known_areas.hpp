@@ -1,5 +1,6 @@
-// Warnock's areas, as far as a block has told of them: which pieces an area will be asked about, and in which order. The quarters of an area
-// are asked about the same pieces: those that surround it, and then those that lie in it partly.
+// Warnock's areas, as far as a block has told of them: which pieces an area will be asked about, and in which order.
+// The quarters of an area are asked about the same pieces: those that surround it, and then those that lie in it
+// partly.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,9 @@ class KnownAreas {
   bool surrounded_before() const { return told_whole_ && asked_.size() < around_.back().surrounding; }
   /// Those of the area at work that are not disjoint from it, in the order in which their depths are compared.
   std::size_t piece_count() const { return surrounding_.size() + partly_.size(); }
-  std::int32_t piece(std::size_t place) const { return place < surrounding_.size() ? surrounding_[place] : partly_[place - surrounding_.size()]; }
+  std::int32_t piece(std::size_t place) const {
+    return place < surrounding_.size() ? surrounding_[place] : partly_[place - surrounding_.size()];
+  }
 
   void begin(const AreaBegin& event) {
     while (!around_.empty() && around_.back().area != event.parent) around_.pop_back();

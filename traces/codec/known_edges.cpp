@@ -72,7 +72,8 @@ void KnownEdges::enter(std::int32_t number, std::int32_t place) {
 }
 
 void KnownEdges::retire(std::int32_t number) {
-  auto found = std::find(active_.begin() + static_cast<std::ptrdiff_t>(std::min(retire_, active_.size())), active_.end(), number);
+  auto found = std::find(active_.begin() + static_cast<std::ptrdiff_t>(std::min(retire_, active_.size())),
+                         active_.end(), number);
   if (found == active_.end()) found = std::find(active_.begin(), active_.end(), number);
   if (found == active_.end()) return;
   retire_ = static_cast<std::size_t>(found - active_.begin());  // the next one on this row stands no further left

@@ -25,7 +25,8 @@ class KnownEdges {
   /// An edge of the table; nullptr when this block has not told of it.
   const KnownEdge* at(std::int32_t number) const {
     const std::int64_t place = std::int64_t{number} - base_;
-    return place >= 0 && place < static_cast<std::int64_t>(edges_.size()) ? &edges_[static_cast<std::size_t>(place)] : nullptr;
+    return place >= 0 && place < static_cast<std::int64_t>(edges_.size()) ? &edges_[static_cast<std::size_t>(place)]
+                                                                          : nullptr;
   }
   KnownEdge* at(std::int32_t number) { return const_cast<KnownEdge*>(std::as_const(*this).at(number)); }
   void insert(std::int32_t number, const KnownEdge& edge);

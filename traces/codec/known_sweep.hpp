@@ -1,4 +1,5 @@
-// The scan-line method's sweep, as far as a block has told of it: the pieces whose flag is true, in the order in which they became so.
+// The scan-line method's sweep, as far as a block has told of it: the pieces whose flag is true, in the order in which
+// they became so.
 #pragma once
 
 #include <algorithm>

@@ -17,6 +17,9 @@ std::uint8_t only_step(const Page& page, std::uint8_t kind) {
 
 }  // namespace
 
-RowSteps::RowSteps(const Page& page) : line(only_step(page, kind_of<ScanLineBegin>)), edge(only_step(page, kind_of<EdgeStep>)), span(only_step(page, kind_of<SpanBegin>)) {}
+RowSteps::RowSteps(const Page& page)
+    : line(only_step(page, kind_of<ScanLineBegin>)),
+      edge(only_step(page, kind_of<EdgeStep>)),
+      span(only_step(page, kind_of<SpanBegin>)) {}
 
 }  // namespace zstep::codec

@@ -28,15 +28,18 @@ struct Row {
 
   explicit Row(const RowSteps& steps_) : steps(steps_) {}
   static constexpr std::uint32_t events() { return 4; }
-  bool has(std::uint8_t kind) const { return kind == kind_of<ScanLineBegin> || kind == kind_of<EdgeStep> || kind == kind_of<SpanBegin>; }
+  bool has(std::uint8_t kind) const {
+    return kind == kind_of<ScanLineBegin> || kind == kind_of<EdgeStep> || kind == kind_of<SpanBegin>;
+  }
   template <class Visit>
   bool expand(Visit&& visit) const {
-    return visit(steps.line, line) && visit(steps.edge, edges[0]) && visit(steps.edge, edges[1]) && visit(steps.span, span);
+    return visit(steps.line, line) && visit(steps.edge, edges[0]) && visit(steps.edge, edges[1]) &&
+           visit(steps.span, span);
   }
 };
 
-/// Pixels of a span that are held against the depth buffer, from left to right. Each is a depth_interpolate and a depth_compare; where it is
-/// nearer, a depth_write and a pixel_write follow.
+/// Pixels of a span that are held against the depth buffer, from left to right. Each is a depth_interpolate and a
+/// depth_compare; where it is nearer, a depth_write and a pixel_write follow.
 struct FragmentRun {
   std::int32_t x = 0, y = 0;  ///< of the first pixel
   std::uint32_t count = 0;
@@ -47,10 +50,13 @@ struct FragmentRun {
   bool increments = false;
   double before = 0;  ///< the depth told before the first
 
-  std::uint32_t events() const { return 2 * (count + static_cast<std::uint32_t>(nearer == 0 ? 0 : std::popcount(nearer))); }
+  std::uint32_t events() const {
+    return 2 * (count + static_cast<std::uint32_t>(nearer == 0 ? 0 : std::popcount(nearer)));
+  }
   /// Whether some event of this kind is among them.
   bool has(std::uint8_t kind) const {
-    return kind == kind_of<DepthInterpolate> || kind == kind_of<DepthCompare> || (nearer != 0 && (kind == kind_of<DepthWrite> || kind == kind_of<PixelWrite>));
+    return kind == kind_of<DepthInterpolate> || kind == kind_of<DepthCompare> ||
+           (nearer != 0 && (kind == kind_of<DepthWrite> || kind == kind_of<PixelWrite>));
   }
   bool is_nearer(std::uint32_t pixel) const { return (nearer >> pixel & 1u) != 0; }
   std::int32_t end() const { return x + static_cast<std::int32_t>(count); }
@@ -60,7 +66,8 @@ struct FragmentRun {
     return 2 * (pixel + static_cast<std::uint32_t>(std::popcount(earlier)));
   }
 
-  /// Calls each(k, x, z, is nearer) for its pixels in turn; stops early when it returns false. True when all were visited.
+  /// Calls each(k, x, z, is nearer) for its pixels in turn; stops early when it returns false. True when all were
+  /// visited.
   template <class Each>
   bool for_each(Each&& each) const {
     std::array<double, run_limit> depths;
@@ -82,7 +89,8 @@ struct FragmentRun {
   template <class Visit>
   bool expand(Visit&& visit) const {
     return for_each([&](std::uint32_t, std::int32_t column, double z, bool wins) {
-      if (!visit(steps[0], DepthInterpolate{column, y, z}) || !visit(steps[1], DepthCompare{column, y, z, wins})) return false;
+      if (!visit(steps[0], DepthInterpolate{column, y, z}) || !visit(steps[1], DepthCompare{column, y, z, wins}))
+        return false;
       return !wins || (visit(steps[2], DepthWrite{column, y, z}) && visit(steps[3], PixelWrite{column, y, polygon}));
     });
   }
@@ -111,7 +119,9 @@ struct PaintRun {
   }
   template <class Visit>
   bool expand(Visit&& visit) const {
-    return for_each([&](std::uint32_t, std::int32_t column, double z) { return visit(step, PixelPaint{column, y, z, polygon}); });
+    return for_each([&](std::uint32_t, std::int32_t column, double z) {
+      return visit(step, PixelPaint{column, y, z, polygon});
+    });
   }
 };
 

@@ -22,7 +22,8 @@ SceneGeometry::SceneGeometry(const Scene& scene, const Header& header)
       viewed_(scene.camera.kind != Camera::Kind::screen),
       orthographic_(scene.camera.kind == Camera::Kind::orthographic),
       view_depth_(header.conventions.depth == Conventions::Depth::view),
-      one_table_(std::any_of(header.page.begin(), header.page.end(), [](const StepInfo& step) { return step.kind == kind_of<FlagFlip>; })),
+      one_table_(std::any_of(header.page.begin(), header.page.end(),
+                             [](const StepInfo& step) { return step.kind == kind_of<FlagFlip>; })),
       d_(scene.camera.d),
       window_x_(scene.camera.window * scene.raster.width / scene.raster.height),
       window_y_(scene.camera.window),
@@ -34,7 +35,8 @@ SceneGeometry::SceneGeometry(const Scene& scene, const Header& header)
       height_(scene.raster.height) {}
 
 glm::dvec3 SceneGeometry::project(glm::dvec3 view) const {
-  if (orthographic_) return {view.x, view.y, view_depth_ ? view.z : formulas::parallel_pseudodepth(near_, far_, view.z)};
+  if (orthographic_)
+    return {view.x, view.y, view_depth_ ? view.z : formulas::parallel_pseudodepth(near_, far_, view.z)};
   return {formulas::projected(d_, view.x, view.z), formulas::projected(d_, view.y, view.z),
           view_depth_ ? view.z : formulas::pseudodepth(near_, a_, b_, view.z)};
 }
@@ -81,7 +83,8 @@ void SceneGeometry::find_out(std::int32_t vertex, VertexGeometry& facts) const {
 std::span<const std::int32_t> SceneGeometry::corners(std::int32_t facet) const {
   if (facet < 0 || static_cast<std::size_t>(facet) >= scene_->facets.size()) return {};
   const Facet& found = scene_->facets[static_cast<std::size_t>(facet)];
-  return std::span(scene_->corners).subspan(static_cast<std::size_t>(found.first_corner), static_cast<std::size_t>(found.corner_count));
+  return std::span(scene_->corners)
+      .subspan(static_cast<std::size_t>(found.first_corner), static_cast<std::size_t>(found.corner_count));
 }
 
 const FacetPlane& SceneGeometry::plane(std::int32_t facet) const {
@@ -127,7 +130,8 @@ FacetPlane plane_through(std::int32_t number, std::size_t count, const auto& cor
 
 FacetPlane SceneGeometry::plane_by_parts(std::int32_t facet) const {
   const std::span<const std::int32_t> of_facet = corners(facet);
-  return plane_through(facet, of_facet.size(), [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; });
+  return plane_through(facet, of_facet.size(),
+                       [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; });
 }
 
 std::vector<glm::dvec3> SceneGeometry::clipped(std::span<const std::int32_t> outline, std::int32_t outside_some) const {
@@ -173,7 +177,8 @@ void SceneGeometry::number_pieces() const {
       const auto point = [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; };
       const glm::dvec3 first = point(0);
       glm::dvec3 normal(0);
-      for (std::size_t i = 0; i < of_facet.size(); ++i) normal += glm::cross(point(i) - first, point(i + 1 < of_facet.size() ? i + 1 : 0) - first);
+      for (std::size_t i = 0; i < of_facet.size(); ++i)
+        normal += glm::cross(point(i) - first, point(i + 1 < of_facet.size() ? i + 1 : 0) - first);
       const double along = glm::dot(orthographic_ ? -scene_->camera.eye : first - scene_->camera.eye, normal);
       if (along == 0 || (cull_ && along > 0) || !in_view(of_facet)) continue;
     }
@@ -198,7 +203,8 @@ bool SceneGeometry::find_out(std::int32_t piece, PieceExtent& extent) const {
   const std::span<const glm::dvec3> corners = raster_outline(piece);
   if (corners.empty()) return false;
   extent = {piece, corners[0], corners[0]};
-  for (const glm::dvec3& corner : corners) extent.low = glm::min(extent.low, corner), extent.high = glm::max(extent.high, corner);
+  for (const glm::dvec3& corner : corners)
+    extent.low = glm::min(extent.low, corner), extent.high = glm::max(extent.high, corner);
   return true;
 }
 
@@ -223,7 +229,9 @@ std::int32_t SceneGeometry::next_by_depth(std::int32_t piece) const {
     next_by_depth_.assign(count, -1);
     for (std::size_t i = 1; i < count; ++i) next_by_depth_[at(order[i - 1])] = order[i];
   }
-  return piece >= 0 && static_cast<std::size_t>(piece) < next_by_depth_.size() ? next_by_depth_[static_cast<std::size_t>(piece)] : -1;
+  return piece >= 0 && static_cast<std::size_t>(piece) < next_by_depth_.size()
+             ? next_by_depth_[static_cast<std::size_t>(piece)]
+             : -1;
 }
 
 std::span<const glm::dvec3> SceneGeometry::raster_outline(std::int32_t piece) const {
@@ -293,7 +301,8 @@ double SceneGeometry::tolerance() const {
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const glm::dvec3& point : scene_->points) low = glm::min(low, point), high = glm::max(high, point);
   const glm::dvec3 far = glm::max(glm::abs(low), glm::abs(high));
-  tolerance_ = scene_->points.empty() ? 0 : 1e-9 * glm::length(high - low) + 1e-14 * std::max(far.x, std::max(far.y, far.z));
+  tolerance_ =
+      scene_->points.empty() ? 0 : 1e-9 * glm::length(high - low) + 1e-14 * std::max(far.x, std::max(far.y, far.z));
   return tolerance_;
 }
 

@@ -1,7 +1,7 @@
 // What a trace's scene and conventions tell of its events before any of them is read: where each vertex goes.
 //
-// The formulas are those of docs/trace-format.md, "Guesses", evaluated in float64 in the order given there. They are part of the file
-// format: a method that computes otherwise makes larger files, and no others.
+// The formulas are those of docs/trace-format.md, "Guesses", evaluated in float64 in the order given there. They are
+// part of the file format: a method that computes otherwise makes larger files, and no others.
 #pragma once
 
 #include <array>
@@ -88,7 +88,9 @@ class SceneGeometry {
   /// False for scenes whose points stand on the raster already.
   bool viewed() const { return viewed_; }
 
-  bool is_point(std::int32_t vertex) const { return vertex >= 0 && static_cast<std::size_t>(vertex) < scene_->points.size(); }
+  bool is_point(std::int32_t vertex) const {
+    return vertex >= 0 && static_cast<std::size_t>(vertex) < scene_->points.size();
+  }
   /// Of one of the scene's points.
   const VertexGeometry& of_point(std::int32_t vertex) const {
     VertexGeometry& facts = points_.at(vertex);
@@ -107,9 +109,9 @@ class SceneGeometry {
   const FacetPlane& plane(std::int32_t facet) const;
   /// The same as BSP trees compute it: the corners divided by their number before they are added.
   FacetPlane plane_by_parts(std::int32_t facet) const;
-  /// Of a piece of a method that keeps all pieces in a table, if it numbers the facets that are neither turned away nor out of view in
-  /// their order: its plane on the raster, (x_s, y_s, depth), with the corners divided by their number before they are added, and its
-  /// extents there; nullptr where there are not so many.
+  /// Of a piece of a method that keeps all pieces in a table, if it numbers the facets that are neither turned away nor
+  /// out of view in their order: its plane on the raster, (x_s, y_s, depth), with the corners divided by their number
+  /// before they are added, and its extents there; nullptr where there are not so many.
   const FacetPlane* plane_of_piece(std::int32_t piece) const {
     FacetPlane& plane = piece_planes_.at(piece);
     return piece >= 0 && (plane.facet == piece || find_out(piece, plane)) ? &plane : nullptr;
@@ -122,17 +124,17 @@ class SceneGeometry {
     PieceSides& sides = piece_sides_.at(piece);
     return piece >= 0 && (sides.piece == piece || find_out(piece, sides)) && sides.count > 0 ? &sides : nullptr;
   }
-  /// The piece that comes after this one when they are ordered by their greatest depths, the farthest first, and of equal ones the later
-  /// polygon and the later piece; -1 where that is not known.
+  /// The piece that comes after this one when they are ordered by their greatest depths, the farthest first, and of
+  /// equal ones the later polygon and the later piece; -1 where that is not known.
   std::int32_t next_by_depth(std::int32_t piece) const;
-  /// Of a table that has the edges of all these pieces in their order, as far as they meet a row; nullptr where there are not so many, or
-  /// no such table, as the trace crosses no edges by their numbers.
+  /// Of a table that has the edges of all these pieces in their order, as far as they meet a row; nullptr where there
+  /// are not so many, or no such table, as the trace crosses no edges by their numbers.
   const TableEdge* edge_of_table(std::int32_t edge) const {
     TableEdge& known = table_edges_.at(edge);
     return one_table_ && edge >= 0 && (known.edge == edge || find_out(edge, known)) ? &known : nullptr;
   }
-  /// How near to a plane a point lies on it, in a BSP tree of the scene: 1e-9 of the diagonal of the box around the points, and 1e-14 of
-  /// the farthest coordinate.
+  /// How near to a plane a point lies on it, in a BSP tree of the scene: 1e-9 of the diagonal of the box around the
+  /// points, and 1e-14 of the farthest coordinate.
   double tolerance() const;
 
  private:

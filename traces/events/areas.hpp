@@ -41,12 +41,14 @@ inline constexpr auto fields_of<AreaBegin> =
 template <>
 inline constexpr KindText kind_text<AreaBin>{"area_bin", "a polygon is put into one of the four bins of an area"};
 template <>
-inline constexpr auto fields_of<AreaBin> = Fields{
-    Field{"piece", &AreaBin::piece, "index", "the polygon's piece", Guess::told},
-    Field{"crossings", &AreaBin::crossings, "1", "edges of the polygon that meet the area; -1 when the box decided", Guess::formula},
-    Field{"corners_inside", &AreaBin::corners_inside, "1",
-          "corners of the area inside the polygon; -1 when the box decided", Guess::formula},
-    Field{"bin", &AreaBin::bin, "1", "the bin", Guess::formula}, Field{"by_box", &AreaBin::by_box, "1", "the bounding box decided", Guess::formula}};
+inline constexpr auto fields_of<AreaBin> =
+    Fields{Field{"piece", &AreaBin::piece, "index", "the polygon's piece", Guess::told},
+           Field{"crossings", &AreaBin::crossings, "1",
+                 "edges of the polygon that meet the area; -1 when the box decided", Guess::formula},
+           Field{"corners_inside", &AreaBin::corners_inside, "1",
+                 "corners of the area inside the polygon; -1 when the box decided", Guess::formula},
+           Field{"bin", &AreaBin::bin, "1", "the bin", Guess::formula},
+           Field{"by_box", &AreaBin::by_box, "1", "the bounding box decided", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<AreaDecide>{"area_decide", "what is done with an area"};

@@ -48,7 +48,8 @@ struct FieldsAt<std::index_sequence<place...>, Field...> : PlacedField<place, Fi
 template <class... Field>
 struct Fields : detail::FieldsAt<std::index_sequence_for<Field...>, Field...> {
   static constexpr std::size_t count = sizeof...(Field);
-  constexpr explicit Fields(Field... field) : detail::FieldsAt<std::index_sequence_for<Field...>, Field...>{{field}...} {}
+  constexpr explicit Fields(Field... field)
+      : detail::FieldsAt<std::index_sequence_for<Field...>, Field...>{{field}...} {}
 };
 template <std::size_t place, class Field>
 constexpr const Field& field_in(const detail::PlacedField<place, Field>& placed) {

@@ -44,8 +44,8 @@ template <>
 inline constexpr KindText kind_text<PairBegin>{"pair_begin",
                                                "two pieces are to be compared: may the one be drawn before the other?"};
 template <>
-inline constexpr auto fields_of<PairBegin> =
-    Fields{Field{"piece", &PairBegin::piece, "index", "P", Guess::told}, Field{"other", &PairBegin::other, "index", "Q", Guess::formula}};
+inline constexpr auto fields_of<PairBegin> = Fields{Field{"piece", &PairBegin::piece, "index", "P", Guess::told},
+                                                    Field{"other", &PairBegin::other, "index", "Q", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<RootCandidate>{

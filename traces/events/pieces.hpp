@@ -63,29 +63,34 @@ inline constexpr auto fields_of<PieceMake> =
 template <>
 inline constexpr KindText kind_text<PlaneEquation>{"plane_equation", "the plane of a piece: A x + B y + C z + D = 0"};
 template <>
-inline constexpr auto fields_of<PlaneEquation> = Fields{
-    Field{"piece", &PlaneEquation::piece, "index", "the piece"}, Field{"plane_a", &PlaneEquation::plane_a, "1", "A", Guess::formula},
-    Field{"plane_b", &PlaneEquation::plane_b, "1", "B", Guess::formula}, Field{"plane_c", &PlaneEquation::plane_c, "1", "C", Guess::formula},
-    Field{"plane_d", &PlaneEquation::plane_d, "1", "D", Guess::formula}};
+inline constexpr auto fields_of<PlaneEquation> =
+    Fields{Field{"piece", &PlaneEquation::piece, "index", "the piece"},
+           Field{"plane_a", &PlaneEquation::plane_a, "1", "A", Guess::formula},
+           Field{"plane_b", &PlaneEquation::plane_b, "1", "B", Guess::formula},
+           Field{"plane_c", &PlaneEquation::plane_c, "1", "C", Guess::formula},
+           Field{"plane_d", &PlaneEquation::plane_d, "1", "D", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<Extent>{"extent", "the bounding box of a piece"};
 template <>
-inline constexpr auto fields_of<Extent> = Fields{Field{"piece", &Extent::piece, "index", "the piece"},
-                                                     Field{"x_min", &Extent::x_min, "px", "its least x", Guess::formula},
-                                                     Field{"x_max", &Extent::x_max, "px", "its greatest x", Guess::formula},
-                                                     Field{"y_min", &Extent::y_min, "px", "its least y", Guess::formula},
-                                                     Field{"y_max", &Extent::y_max, "px", "its greatest y", Guess::formula},
-                                                     Field{"z_min", &Extent::z_min, "depth", "its least depth", Guess::formula},
-                                                     Field{"z_max", &Extent::z_max, "depth", "its greatest depth", Guess::formula}};
+inline constexpr auto fields_of<Extent> =
+    Fields{Field{"piece", &Extent::piece, "index", "the piece"},
+           Field{"x_min", &Extent::x_min, "px", "its least x", Guess::formula},
+           Field{"x_max", &Extent::x_max, "px", "its greatest x", Guess::formula},
+           Field{"y_min", &Extent::y_min, "px", "its least y", Guess::formula},
+           Field{"y_max", &Extent::y_max, "px", "its greatest y", Guess::formula},
+           Field{"z_min", &Extent::z_min, "depth", "its least depth", Guess::formula},
+           Field{"z_max", &Extent::z_max, "depth", "its greatest depth", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<PlaneDepth>{
     "plane_depth", "the depth of a piece's plane at a point of the raster: z = -(A x + B y + D)/C"};
 template <>
-inline constexpr auto fields_of<PlaneDepth> = Fields{
-    Field{"piece", &PlaneDepth::piece, "index", "the piece", Guess::told}, Field{"x_at", &PlaneDepth::x_at, "px", "x of the point", Guess::told},
-    Field{"y_at", &PlaneDepth::y_at, "px", "y of the point", Guess::told}, Field{"z", &PlaneDepth::z, "depth", "the depth there", Guess::formula}};
+inline constexpr auto fields_of<PlaneDepth> =
+    Fields{Field{"piece", &PlaneDepth::piece, "index", "the piece", Guess::told},
+           Field{"x_at", &PlaneDepth::x_at, "px", "x of the point", Guess::told},
+           Field{"y_at", &PlaneDepth::y_at, "px", "y of the point", Guess::told},
+           Field{"z", &PlaneDepth::z, "depth", "the depth there", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<VertexSide>{"vertex_side", "a vertex is held against the plane of a piece"};
@@ -101,10 +106,10 @@ inline constexpr KindText kind_text<SideTest>{"side_test", "a piece is held agai
 template <>
 inline constexpr auto fields_of<SideTest> =
     Fields{Field{"piece", &SideTest::piece, "index", "the piece", Guess::told},
-               Field{"plane_of", &SideTest::plane_of, "index", "the piece whose plane it is", Guess::told},
-               Field{"least", &SideTest::least, "1", "the least of A x + B y + C z + D over its vertices", Guess::formula},
-               Field{"greatest", &SideTest::greatest, "1", "the greatest", Guess::formula},
-               Field{"side", &SideTest::side, "1", "where it lies; crossing is on both sides", Guess::formula}};
+           Field{"plane_of", &SideTest::plane_of, "index", "the piece whose plane it is", Guess::told},
+           Field{"least", &SideTest::least, "1", "the least of A x + B y + C z + D over its vertices", Guess::formula},
+           Field{"greatest", &SideTest::greatest, "1", "the greatest", Guess::formula},
+           Field{"side", &SideTest::side, "1", "where it lies; crossing is on both sides", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ExtentTest>{"extent_test",
@@ -151,10 +156,11 @@ inline constexpr auto fields_of<PieceDraw> =
                Field{"polygon", &PieceDraw::polygon, "index", "the polygon it is a piece of"}};
 
 template <>
-inline constexpr KindText kind_text<Saved>{"saved", "tests that coherence, an extent or the order of drawing made needless"};
+inline constexpr KindText kind_text<Saved>{"saved",
+                                           "tests that coherence, an extent or the order of drawing made needless"};
 template <>
-inline constexpr auto fields_of<Saved> =
-    Fields{Field{"coherence", &Saved::coherence, "1", "thanks to which coherence; or to extents, or to the order of drawing"},
-               Field{"tests", &Saved::tests, "1", "how many tests were not made"}};
+inline constexpr auto fields_of<Saved> = Fields{
+    Field{"coherence", &Saved::coherence, "1", "thanks to which coherence; or to extents, or to the order of drawing"},
+    Field{"tests", &Saved::tests, "1", "how many tests were not made"}};
 
 }  // namespace zstep

@@ -46,8 +46,10 @@ template <>
 inline constexpr auto fields_of<FacingTest> = Fields{
     Field{"determinant", &FacingTest::determinant, "view^3",
           "V0 . (V1 x V2) summed over the fan, in viewing coordinates; negative faces away", Guess::formula},
-    Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3", "A x + B y + C z + D at the eye; negative faces away", Guess::formula},
-    Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away", Guess::formula},
+    Field{"plane_at_eye", &FacingTest::plane_at_eye, "world^3", "A x + B y + C z + D at the eye; negative faces away",
+          Guess::formula},
+    Field{"view_dot_normal", &FacingTest::view_dot_normal, "world^3", "(p - e) . n; positive faces away",
+          Guess::formula},
     Field{"projected_normal_z", &FacingTest::projected_normal_z, "px^2",
           "z of the normal after projection; positive faces away; NaN with a vertex behind the eye", Guess::formula},
     Field{"facing", &FacingTest::facing, "1", "the verdict", Guess::formula}};
@@ -63,10 +65,10 @@ inline constexpr auto fields_of<PolygonReject> =
 template <>
 inline constexpr KindText kind_text<ClipTest>{"clip_test", "the outcodes of a polygon's vertices, or-ed and and-ed"};
 template <>
-inline constexpr auto fields_of<ClipTest> =
-    Fields{Field{"outside_some", &ClipTest::outside_some, "bits",
-                     "bit k: some vertex is outside plane k (near, far, left, right, bottom, top)", Guess::formula},
-               Field{"outside_all", &ClipTest::outside_all, "bits", "bit k: all vertices are outside plane k", Guess::formula}};
+inline constexpr auto fields_of<ClipTest> = Fields{
+    Field{"outside_some", &ClipTest::outside_some, "bits",
+          "bit k: some vertex is outside plane k (near, far, left, right, bottom, top)", Guess::formula},
+    Field{"outside_all", &ClipTest::outside_all, "bits", "bit k: all vertices are outside plane k", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ClipVertex>{"clip_vertex", "a vertex is held against one plane of the view volume"};

@@ -37,17 +37,17 @@ template <>
 inline constexpr KindText kind_text<EdgeTableInsert>{"edge_table_insert",
                                                      "an edge goes into the bucket of its first scan line"};
 template <>
-inline constexpr auto fields_of<EdgeTableInsert> =
-    Fields{Field{"edge", &EdgeTableInsert::edge, "index", "the edge, numbered in order of insertion", Guess::told},
-               Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds", Guess::told},
-               Field{"vertex_0", &EdgeTableInsert::vertex_0, "index", "its end with the smaller y", Guess::told},
-               Field{"vertex_1", &EdgeTableInsert::vertex_1, "index", "its end with the larger y", Guess::told},
-               Field{"first_row", &EdgeTableInsert::first_row, "row", "the first scan line it meets: its bucket", Guess::formula},
-               Field{"end_row", &EdgeTableInsert::end_row, "row", "the scan line at which it leaves", Guess::formula},
-               Field{"x_edge", &EdgeTableInsert::x_edge, "px", "x on the first scan line", Guess::formula},
-               Field{"dx_dy", &EdgeTableInsert::dx_dy, "px", "1/m: what x gains from line to line", Guess::formula},
-               Field{"z_edge", &EdgeTableInsert::z_edge, "depth", "depth on the first scan line", Guess::formula},
-               Field{"dz_dy", &EdgeTableInsert::dz_dy, "depth", "what depth gains from line to line", Guess::formula}};
+inline constexpr auto fields_of<EdgeTableInsert> = Fields{
+    Field{"edge", &EdgeTableInsert::edge, "index", "the edge, numbered in order of insertion", Guess::told},
+    Field{"polygon", &EdgeTableInsert::polygon, "index", "the polygon it bounds", Guess::told},
+    Field{"vertex_0", &EdgeTableInsert::vertex_0, "index", "its end with the smaller y", Guess::told},
+    Field{"vertex_1", &EdgeTableInsert::vertex_1, "index", "its end with the larger y", Guess::told},
+    Field{"first_row", &EdgeTableInsert::first_row, "row", "the first scan line it meets: its bucket", Guess::formula},
+    Field{"end_row", &EdgeTableInsert::end_row, "row", "the scan line at which it leaves", Guess::formula},
+    Field{"x_edge", &EdgeTableInsert::x_edge, "px", "x on the first scan line", Guess::formula},
+    Field{"dx_dy", &EdgeTableInsert::dx_dy, "px", "1/m: what x gains from line to line", Guess::formula},
+    Field{"z_edge", &EdgeTableInsert::z_edge, "depth", "depth on the first scan line", Guess::formula},
+    Field{"dz_dy", &EdgeTableInsert::dz_dy, "depth", "what depth gains from line to line", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<EdgeTableSkip>{"edge_table_skip",
@@ -70,19 +70,21 @@ inline constexpr KindText kind_text<EdgeEnter>{"edge_enter",
 template <>
 inline constexpr auto fields_of<EdgeEnter> =
     Fields{Field{"edge", &EdgeEnter::edge, "index", "the edge", Guess::told},
-               Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0", Guess::formula}};
+           Field{"place", &EdgeEnter::place, "index", "its place in the list, from the left, from 0", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<EdgeRetire>{"edge_retire", "an edge that ends leaves the active edge list"};
 template <>
-inline constexpr auto fields_of<EdgeRetire> = Fields{Field{"edge", &EdgeRetire::edge, "index", "the edge", Guess::told}};
+inline constexpr auto fields_of<EdgeRetire> =
+    Fields{Field{"edge", &EdgeRetire::edge, "index", "the edge", Guess::told}};
 
 template <>
 inline constexpr KindText kind_text<EdgeStep>{"edge_step", "an active edge moves to the next scan line"};
 template <>
-inline constexpr auto fields_of<EdgeStep> = Fields{Field{"edge", &EdgeStep::edge, "index", "the edge", Guess::told},
-                                                       Field{"x_edge", &EdgeStep::x_edge, "px", "its x there", Guess::formula},
-                                                       Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there", Guess::formula}};
+inline constexpr auto fields_of<EdgeStep> =
+    Fields{Field{"edge", &EdgeStep::edge, "index", "the edge", Guess::told},
+           Field{"x_edge", &EdgeStep::x_edge, "px", "its x there", Guess::formula},
+           Field{"z_edge", &EdgeStep::z_edge, "depth", "its depth there", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<EdgeSwap>{"edge_swap", "two neighbours in the active edge list change places"};
@@ -95,14 +97,15 @@ inline constexpr KindText kind_text<SpanBegin>{"span_begin", "the pixels between
 template <>
 inline constexpr auto fields_of<SpanBegin> =
     Fields{Field{"left_edge", &SpanBegin::left_edge, "index", "the edge on the left", Guess::told},
-               Field{"right_edge", &SpanBegin::right_edge, "index", "the edge on the right", Guess::told},
-               Field{"y", &SpanBegin::y, "row", "the scan line"},
-               Field{"first", &SpanBegin::first, "px", "the first pixel", Guess::formula},
-               Field{"last", &SpanBegin::last, "px", "the last pixel; smaller than the first when none lies between", Guess::formula},
-               Field{"x_left", &SpanBegin::x_left, "px", "x where the scan line meets the left edge", Guess::formula},
-               Field{"z_left", &SpanBegin::z_left, "depth", "depth there", Guess::formula},
-               Field{"x_right", &SpanBegin::x_right, "px", "x where the scan line meets the right edge", Guess::formula},
-               Field{"z_right", &SpanBegin::z_right, "depth", "depth there", Guess::formula},
-               Field{"dz_dx", &SpanBegin::dz_dx, "depth", "what depth gains from pixel to pixel", Guess::formula}};
+           Field{"right_edge", &SpanBegin::right_edge, "index", "the edge on the right", Guess::told},
+           Field{"y", &SpanBegin::y, "row", "the scan line"},
+           Field{"first", &SpanBegin::first, "px", "the first pixel", Guess::formula},
+           Field{"last", &SpanBegin::last, "px", "the last pixel; smaller than the first when none lies between",
+                 Guess::formula},
+           Field{"x_left", &SpanBegin::x_left, "px", "x where the scan line meets the left edge", Guess::formula},
+           Field{"z_left", &SpanBegin::z_left, "depth", "depth there", Guess::formula},
+           Field{"x_right", &SpanBegin::x_right, "px", "x where the scan line meets the right edge", Guess::formula},
+           Field{"z_right", &SpanBegin::z_right, "depth", "depth there", Guess::formula},
+           Field{"dz_dx", &SpanBegin::dz_dx, "depth", "what depth gains from pixel to pixel", Guess::formula}};
 
 }  // namespace zstep

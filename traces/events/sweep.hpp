@@ -33,11 +33,12 @@ inline constexpr KindText kind_text<SpanFlags>{
 template <>
 inline constexpr auto fields_of<SpanFlags> =
     Fields{Field{"y", &SpanFlags::y, "row", "the scan line"},
-               Field{"x_left", &SpanFlags::x_left, "px", "where it begins", Guess::told},
-               Field{"x_right", &SpanFlags::x_right, "px", "where it ends", Guess::told},
-               Field{"first", &SpanFlags::first, "px", "its first pixel", Guess::formula},
-               Field{"last", &SpanFlags::last, "px", "its last pixel; smaller than the first when none lies between", Guess::formula},
-               Field{"flags", &SpanFlags::flags, "1", "how many flags are true", Guess::formula}};
+           Field{"x_left", &SpanFlags::x_left, "px", "where it begins", Guess::told},
+           Field{"x_right", &SpanFlags::x_right, "px", "where it ends", Guess::told},
+           Field{"first", &SpanFlags::first, "px", "its first pixel", Guess::formula},
+           Field{"last", &SpanFlags::last, "px", "its last pixel; smaller than the first when none lies between",
+                 Guess::formula},
+           Field{"flags", &SpanFlags::flags, "1", "how many flags are true", Guess::formula}};
 
 template <>
 inline constexpr KindText kind_text<ImpliedEdge>{

@@ -28,8 +28,8 @@ namespace zstep {
 
 // --- All of them
 
-// X(Kind) for every kind, in the order of their numbers. What follows is made from it without recursion: nearly every file includes this.
-// clang-format off
+// X(Kind) for every kind, in the order of their numbers. What follows is made from it without recursion: nearly every
+// file includes this. clang-format off
 #define ZSTEP_EVERY_KIND(X) \
   X(BuffersClear) X(ViewTransform) X(Projection) X(ViewportTransform) X(PolygonBegin) X(FacingTest) \
   X(PolygonReject) X(ClipTest) X(ClipVertex) X(ClipCross) X(OutlineVertex) X(EdgeTableInsert) X(EdgeTableSkip) \

@@ -47,7 +47,8 @@ inline std::int32_t unzigzag(std::uint32_t value) {
   return static_cast<std::int32_t>((value >> 1) ^ (0u - (value & 1u)));
 }
 
-/// How far a float64's bits are from the guess's, small for numbers that are close: their difference as whole numbers, zigzag.
+/// How far a float64's bits are from the guess's, small for numbers that are close: their difference as whole numbers,
+/// zigzag.
 inline std::uint64_t difference(std::uint64_t bits, std::uint64_t guess) {
   const std::uint64_t apart = bits - guess;
   return (apart << 1) ^ (0 - (apart >> 63));

@@ -96,7 +96,8 @@ Bytes compress(std::span<const std::uint8_t> bytes, Compression how) {
   thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
   const std::size_t most = ZSTD_compressBound(bytes.size());
   const std::unique_ptr<std::uint8_t[]> frame(new std::uint8_t[most]);  // memory that is not touched costs nothing
-  const std::size_t size = ZSTD_compressCCtx(context.get(), frame.get(), most, bytes.data(), bytes.size(), how == Compression::fast ? -3 : 1);
+  const std::size_t size = ZSTD_compressCCtx(context.get(), frame.get(), most, bytes.data(), bytes.size(),
+                                             how == Compression::fast ? -3 : 1);
   if (ZSTD_isError(size)) throw std::runtime_error(ZSTD_getErrorName(size));
   return Bytes(frame.get(), frame.get() + size);
 }

@@ -5,7 +5,8 @@
 //     chunk*:  tag[4] size:u64 checksum:u64 bytes[size]       checksum = XXH3-64 of tag and bytes
 //     trailer: "ZEND" offset of the INDX chunk:u64 checksum:u64 of the 12 bytes before
 //
-// HEAD, SCEN and INDX are zstd frames; EVTS is the info of a block with its length first, then a zstd frame of its events (docs/trace-format.md).
+// HEAD, SCEN and INDX are zstd frames; EVTS is the info of a block with its length first, then a zstd frame of its
+// events (docs/trace-format.md).
 #pragma once
 
 #include <array>

@@ -32,7 +32,16 @@ struct Comparison {
 enum class NumberFormat : std::uint8_t { float64, float32 };
 
 /// What a header may leave undeclared; then it is as in a trace of zstep's own, and nobody may state it as a fact.
-enum class Convention : std::uint8_t { depth, interpolation, coverage, cull, number_format, pixel_centre, nearer, ties };
+enum class Convention : std::uint8_t {
+  depth,
+  interpolation,
+  coverage,
+  cull,
+  number_format,
+  pixel_centre,
+  nearer,
+  ties
+};
 
 struct Header {
   std::string writer;     ///< who wrote it: "zstep 0.1.0", or a student's program

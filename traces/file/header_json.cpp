@@ -24,7 +24,9 @@ constexpr std::array<std::string_view, 2> tie_words{"first", "last"};
 /// In the order in which a header has them.
 constexpr std::array<std::string_view, 8> convention_keys{"depth",         "interpolation", "coverage", "cull",
                                                           "number_format", "pixel_centre",  "nearer",   "ties"};
-constexpr std::string_view key_of(Convention convention) { return convention_keys[static_cast<std::size_t>(convention)]; }
+constexpr std::string_view key_of(Convention convention) {
+  return convention_keys[static_cast<std::size_t>(convention)];
+}
 
 ordered_json conventions_to_json(const Header& header) {
   const Conventions& c = header.conventions;
@@ -143,7 +145,8 @@ double real_from_json(const json& value, const char* what) {
   if (value == "inf") return no_depth;
   if (value == "-inf") return -no_depth;
   if (value == "nan") return std::nan("");
-  throw MalformedJson(value, "", fmt::format("\"{}\" is not a number (\"inf\", \"-inf\" and \"nan\" are written as texts)", what));
+  throw MalformedJson(value, "",
+                      fmt::format("\"{}\" is not a number (\"inf\", \"-inf\" and \"nan\" are written as texts)", what));
 }
 
 ordered_json header_to_json(const Header& header) {

@@ -15,7 +15,8 @@ namespace zstep {
 
 /// What a JSON document says that cannot be. Readers turn it into an InputError that says where.
 struct MalformedJson : std::runtime_error {
-  explicit MalformedJson(const std::string& what, std::string mend_ = "") : std::runtime_error(what), mend(std::move(mend_)) {}
+  explicit MalformedJson(const std::string& what, std::string mend_ = "")
+      : std::runtime_error(what), mend(std::move(mend_)) {}
   /// The same at a value of the document that is read, or at one of its members.
   MalformedJson(const nlohmann::json& at_, std::string key_, const std::string& what, std::string mend_ = "")
       : std::runtime_error(what), mend(std::move(mend_)), at(&at_), key(std::move(key_)) {}
@@ -31,7 +32,8 @@ struct MalformedParts : MalformedJson {
 };
 
 nlohmann::ordered_json header_to_json(const Header& header);
-/// Throws MalformedParts for anything missing, of the wrong type, or that this zstep does not know: nothing is passed over.
+/// Throws MalformedParts for anything missing, of the wrong type, or that this zstep does not know: nothing is passed
+/// over.
 Header header_from_json(const nlohmann::json& json);
 
 nlohmann::ordered_json scene_to_json(const Scene& scene);

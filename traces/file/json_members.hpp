@@ -21,7 +21,8 @@ namespace zstep::json_members {
 using nlohmann::json;
 
 inline const json& member(const json& object, const char* key) {
-  if (!object.is_object() || !object.contains(key)) throw MalformedJson(object, "", fmt::format("\"{}\" is missing", key));
+  if (!object.is_object() || !object.contains(key))
+    throw MalformedJson(object, "", fmt::format("\"{}\" is missing", key));
   return object.at(key);
 }
 
@@ -55,7 +56,8 @@ inline std::int32_t whole_or(const json& object, const char* key, std::int32_t o
 
 inline bool truth_or(const json& object, const char* key, bool otherwise) {
   if (!object.is_object() || !object.contains(key)) return otherwise;
-  if (!object.at(key).is_boolean()) throw MalformedJson(object, key, fmt::format("\"{}\" is neither true nor false", key));
+  if (!object.at(key).is_boolean())
+    throw MalformedJson(object, key, fmt::format("\"{}\" is neither true nor false", key));
   return object.at(key).get<bool>();
 }
 

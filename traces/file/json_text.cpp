@@ -18,8 +18,8 @@ namespace {
 constexpr std::string_view spaces = " \t\r\n";
 bool is_space(char c) { return spaces.find(c) != std::string_view::npos; }
 bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '+' ||
-         c == '-';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
+         c == '+' || c == '-';
 }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -80,8 +80,8 @@ bool find_way(const json& from, const json* wanted, std::vector<Part>& way) {
   return false;
 }
 
-/// Goes on from an object to its member's value; the last of them, if there are several, as that is the one which is read.
-/// Where its key stands; nothing if there is no such member.
+/// Goes on from an object to its member's value; the last of them, if there are several, as that is the one which is
+/// read. Where its key stands; nothing if there is no such member.
 std::optional<std::size_t> enter_member(Walk& walk, std::string_view key) {
   std::optional<std::size_t> found;
   std::size_t value = walk.at;
@@ -137,7 +137,9 @@ constexpr const char* by_dumps = "print json.dumps(event), and not the event its
 std::optional<Fault> fault_of_word(std::string_view text, std::size_t begin, std::string_view word) {
   const std::string low = lower(word);
   const std::string_view bare = std::string_view(low).substr(low.find_first_not_of("+-") == 1 ? 1 : 0);
-  const auto fault = [&](std::string what, std::string mend) { return Fault{begin, false, std::move(what), std::move(mend)}; };
+  const auto fault = [&](std::string what, std::string mend) {
+    return Fault{begin, false, std::move(what), std::move(mend)};
+  };
   if (bare == "nan") return fault(fmt::format("{} is no number of JSON's", word), "write \"nan\", in quotes");
   if (bare == "inf" || bare == "infinity")
     return fault(fmt::format("{} is no number of JSON's", word),
@@ -145,7 +147,8 @@ std::optional<Fault> fault_of_word(std::string_view text, std::size_t begin, std
   if (low == "true" || low == "false")
     return fault(fmt::format("{} is Python's, and JSON has {}", word, low), by_dumps);
   if (low == "none" || low == "undefined" || low == "nil")
-    return fault(fmt::format("{} is no value of JSON's", word), "give every field its value; a number that is none is \"nan\"");
+    return fault(fmt::format("{} is no value of JSON's", word),
+                 "give every field its value; a number that is none is \"nan\"");
   std::size_t after = begin + word.size();
   while (after < text.size() && is_space(text[after])) ++after;
   const bool named = !word.empty() && !is_digit(word[0]) && after < text.size() && text[after] == ':';
@@ -174,7 +177,8 @@ std::size_t begin_of_string(std::string_view text, std::size_t place) {
 Fault fault_behind(std::string_view text, std::size_t place) {
   if (text[place] == '{' || text[place] == '[')
     return {place, false, "a second object begins on the line", "begin a new line after each }"};
-  if (text[place] == ',') return {place, false, "a comma stands behind the object", "write one object a line, without commas between"};
+  if (text[place] == ',')
+    return {place, false, "a comma stands behind the object", "write one object a line, without commas between"};
   return {place, false, fmt::format("\"{}\" stands behind the object", shown(text.substr(place), 24)),
           "write one object a line, and nothing else"};
 }
@@ -203,7 +207,8 @@ Fault fault_at(std::string_view text, std::size_t place) {
   Walk whole{text, 0};
   whole.skip_spaces();
   if (whole.here() != '{' && whole.here() != '[')
-    return {whole.at, false, fmt::format("\"{}\" is not JSON", shown(text.substr(whole.at), 40)), "write one JSON object a line"};
+    return {whole.at, false, fmt::format("\"{}\" is not JSON", shown(text.substr(whole.at), 40)),
+            "write one JSON object a line"};
   if (place >= text.size())
     return {text.size(), true, "the line ends within an object", "write each object on one line, to its last }"};
   if (open_brackets(text.substr(0, place)) == 0 && whole.at < place) return fault_behind(text, place);
@@ -212,7 +217,8 @@ Fault fault_at(std::string_view text, std::size_t place) {
   std::size_t begin = place;
   if (is_word(text[place])) {
     const std::string_view word = word_around(text, begin);
-    const bool decimal_comma = before(text, begin) == ',' && begin >= 2 && text[begin - 1] == ',' && is_digit(text[begin - 2]) && is_digit(word[0]);
+    const bool decimal_comma = before(text, begin) == ',' && begin >= 2 && text[begin - 1] == ',' &&
+                               is_digit(text[begin - 2]) && is_digit(word[0]);
     if (decimal_comma) return {begin - 1, false, "a number is written with a comma", "write a point: 0.5"};
     if (auto fault = fault_of_word(text, begin, word)) return *fault;
   }
@@ -229,11 +235,13 @@ Fault fault_at(std::string_view text, std::size_t place) {
     return {place, false, "a text holds a control character", "write it as \\n, \\t or \\u001b"};
   if (static_cast<unsigned char>(text[place]) >= 0x80)
     return {place, false, "a character is not UTF-8, or stands outside quotes", "save the file as UTF-8"};
-  return {place, false, fmt::format("is not JSON from \"{}\" on", shown(text.substr(place), 24)), "write one JSON object a line"};
+  return {place, false, fmt::format("is not JSON from \"{}\" on", shown(text.substr(place), 24)),
+          "write one JSON object a line"};
 }
 
 bool goes_on(std::string_view next_line) {
-  return !next_line.empty() && (is_space(next_line.front()) || next_line.front() == '"' || next_line.front() == '}' || next_line.front() == ']');
+  return !next_line.empty() && (is_space(next_line.front()) || next_line.front() == '"' || next_line.front() == '}' ||
+                                next_line.front() == ']');
 }
 
 int open_brackets(std::string_view text) {

@@ -29,7 +29,8 @@ bool goes_on(std::string_view next_line);
 /// How deep in brackets a text ends.
 int open_brackets(std::string_view text);
 
-/// Line and column, from 1, of a place in a text that begins at `line`. A column is a character, however many bytes it has.
+/// Line and column, from 1, of a place in a text that begins at `line`. A column is a character, however many bytes it
+/// has.
 struct LineColumn {
   std::int64_t line = 1, column = 1;
 };

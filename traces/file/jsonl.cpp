@@ -29,7 +29,9 @@ void put(ordered_json& line, std::string_view name, bool value) { line[std::stri
 void put(ordered_json& line, std::string_view name, std::int32_t value) { line[std::string(name)] = value; }
 void put(ordered_json& line, std::string_view name, std::string_view value) { line[std::string(name)] = value; }
 
-std::string text_of(const ordered_json& line) { return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace); }
+std::string text_of(const ordered_json& line) {
+  return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
 
 ordered_json begin_line(const Page& page, std::uint8_t step) {
   const StepInfo* info = find_step(page, step);
@@ -44,7 +46,8 @@ std::string event_line(const Page& page, std::uint8_t step, const E& event) {
   for_each_index<E>([&]<std::size_t I>() {
     using Value = FieldValue<E, I>;
     const Value value = event.*field_at<E, I>.member;
-    if constexpr (std::is_enum_v<Value>) put(line, field_at<E, I>.name, words_of<Value>[static_cast<std::size_t>(value)]);
+    if constexpr (std::is_enum_v<Value>)
+      put(line, field_at<E, I>.name, words_of<Value>[static_cast<std::size_t>(value)]);
     else put(line, field_at<E, I>.name, value);
   });
   return text_of(line);

@@ -22,15 +22,16 @@ inline constexpr const char* cut_off_key = "cut_off";
 /// The whole trace.
 void write_jsonl(const Trace& trace, std::ostream& out);
 
-/// Reads JSONL and hands header and scene to `begin`, which returns the recorder that takes the events. It keeps the scene for as long as
-/// the recorder lives.
-/// What the file of a program that crashed ends with, a line that was torn off or a message, is quoted in what is returned, or that its last
-/// line is the mark of a recording that was cut off; nothing where the file is whole. Throws InputError for what is wrong elsewhere, the first ten mistakes, each as NAME:LINE:COLUMN.
+/// Reads JSONL and hands header and scene to `begin`, which returns the recorder that takes the events. It keeps the
+/// scene for as long as the recorder lives.
+/// What the file of a program that crashed ends with, a line that was torn off or a message, is quoted in what is
+/// returned, or that its last line is the mark of a recording that was cut off; nothing where the file is whole. Throws
+/// InputError for what is wrong elsewhere, the first ten mistakes, each as NAME:LINE:COLUMN.
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
                                       const std::function<TraceRecorder&(const Header&, Scene)>& begin);
 
-/// JSONL file to trace file. Nothing is left behind when it fails. Returns what read_jsonl() does; such a trace has no end, as that of a
-/// recording that was killed.
+/// JSONL file to trace file. Nothing is left behind when it fails. Returns what read_jsonl() does; such a trace has no
+/// end, as that of a recording that was killed.
 std::optional<std::string> import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to);
 /// JSONL file to a trace in memory. Of a file that was cut off the trace warns.
 Trace open_jsonl(const std::filesystem::path& path);

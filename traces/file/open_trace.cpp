@@ -25,7 +25,8 @@ class FileSource : public ByteSource {
   explicit FileSource(const std::filesystem::path& path) {
     // A pipe could be waited for for ever, and has no end to begin at.
     if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
-      throw InputError(path.string(), "is not a file that can be read at any place", "name a .ztrace file; of a pipe, make one first");
+      throw InputError(path.string(), "is not a file that can be read at any place",
+                       "name a .ztrace file; of a pipe, make one first");
     file_.open(path, std::ios::binary);
     if (!file_) throw InputError(path.string(), "cannot be opened", "check the name and that you may read it");
     file_.seekg(0, std::ios::end);
@@ -123,7 +124,8 @@ bool is_whole(const ByteSource& source, const ChunkPlace& place) {
 }
 
 /// Does the block begin as the index says? One that is damaged says nothing, and is lost once it is asked for.
-bool block_agrees(const ByteSource& source, const ChunkPlace& place, std::span<const std::uint8_t> info, std::uint64_t frame_offset) {
+bool block_agrees(const ByteSource& source, const ChunkPlace& place, std::span<const std::uint8_t> info,
+                  std::uint64_t frame_offset) {
   Bytes told;
   put_varint(told, info.size());
   told.insert(told.end(), info.begin(), info.end());
@@ -132,7 +134,8 @@ bool block_agrees(const ByteSource& source, const ChunkPlace& place, std::span<c
   return std::equal(told.begin(), told.end(), bytes.begin() + chunk_head_size) || !is_whole(source, place);
 }
 
-/// True when the file has an index, it is intact, and the blocks agree with it: they stand one after the other, as many, and begin so.
+/// True when the file has an index, it is intact, and the blocks agree with it: they stand one after the other, as
+/// many, and begin so.
 bool read_index(Trace::Impl& trace, std::uint64_t head_end) {
   const auto offset = index_offset(*trace.source);
   if (!offset) return false;
@@ -152,7 +155,8 @@ bool read_index(Trace::Impl& trace, std::uint64_t head_end) {
       BlockInfo info = take_block_info(in, trace.scene.raster);
       const ChunkPlace block{events_tag, block_offset, size};
       end = block.end();
-      if (end > *offset || !block_agrees(*trace.source, block, rest.first(rest.size() - in.left()), frame_offset)) return false;
+      if (end > *offset || !block_agrees(*trace.source, block, rest.first(rest.size() - in.left()), frame_offset))
+        return false;
       add_block(trace, block, std::move(info), frame_offset);
     }
     return end == *offset;
@@ -166,7 +170,8 @@ std::optional<std::uint64_t> find_block(const ByteSource& source, std::uint64_t 
   constexpr std::uint64_t window = 1 << 16;
   while (offset + chunk_head_size <= source.size()) {
     const Bytes bytes = source.read(offset, std::min(window, source.size() - offset));
-    for (auto at = bytes.begin(); (at = std::search(at, bytes.end(), events_tag.begin(), events_tag.end())) != bytes.end(); ++at) {
+    for (auto at = bytes.begin();
+         (at = std::search(at, bytes.end(), events_tag.begin(), events_tag.end())) != bytes.end(); ++at) {
       const auto place = chunk_at(source, offset + static_cast<std::uint64_t>(at - bytes.begin()));
       if (!place) continue;
       if (place->size > left_to_read) return std::nullopt;
@@ -214,7 +219,8 @@ void walk_blocks(Trace::Impl& trace, std::uint64_t& offset) {
       if (missing > most || missing < 0) return false;
       if (missing > 0) {
         trace.whole = false;
-        trace.warnings.push_back(fmt::format("{}: steps {} to {} are lost: the file is damaged there", trace.name, trace.size + 1, trace.size + missing));
+        trace.warnings.push_back(fmt::format("{}: steps {} to {} are lost: the file is damaged there", trace.name,
+                                             trace.size + 1, trace.size + missing));
         add_lost(trace, missing, offset);
       }
       add_block(trace, place, std::move(info), bytes.size() - in.left());
@@ -239,7 +245,8 @@ void walk_blocks(Trace::Impl& trace, std::uint64_t& offset) {
 /// A file up to some byte, and then other bytes.
 class ContinuedSource : public ByteSource {
  public:
-  ContinuedSource(std::unique_ptr<ByteSource> source, std::uint64_t end, Bytes more) : source_(std::move(source)), end_(end), more_(std::move(more)) {}
+  ContinuedSource(std::unique_ptr<ByteSource> source, std::uint64_t end, Bytes more)
+      : source_(std::move(source)), end_(end), more_(std::move(more)) {}
   std::uint64_t size() const override { return end_ + more_.size(); }
   Bytes read(std::uint64_t offset, std::uint64_t size) const override {
     const std::uint64_t of_file = offset < end_ ? std::min(size, end_ - offset) : 0;
@@ -259,7 +266,8 @@ class ContinuedSource : public ByteSource {
 /// The blocks that a recording had in memory when it was killed, as they would have followed.
 Bytes blocks_in_journal(const Trace::Impl& trace, std::uint64_t head_end) {
   Bytes chunks;
-  const std::vector<Bytes> logs = logs_in_journal(trace.name, checksum_of(head_tag, trace.source->read(0, head_end)), trace.blocks.size() + 1);
+  const std::vector<Bytes> logs =
+      logs_in_journal(trace.name, checksum_of(head_tag, trace.source->read(0, head_end)), trace.blocks.size() + 1);
   BlockEncoder encoder(trace.scene, trace.header, trace.size);
   for (const Bytes& bytes : logs) {
     const EventLog log(bytes, trace.meanings->kind);
@@ -289,20 +297,26 @@ void rebuild_index(Trace::Impl& trace, std::uint64_t head_end) {
   std::uint64_t offset = head_end;
   walk_blocks(trace, offset);
   if (has_end(*trace.source, offset)) {
-    const std::string kept = trace.whole ? fmt::format("all {} events are there", trace.size) : fmt::format("{} events are there or known to be lost", trace.size);
-    trace.warnings.push_back(fmt::format("{}: its index is damaged and was made anew from its blocks; {}", trace.name, kept));
+    const std::string kept = trace.whole ? fmt::format("all {} events are there", trace.size)
+                                         : fmt::format("{} events are there or known to be lost", trace.size);
+    trace.warnings.push_back(
+        fmt::format("{}: its index is damaged and was made anew from its blocks; {}", trace.name, kept));
     return;
   }
   trace.whole = false;
   const std::uint64_t file_end = offset;
   const bool more = offset < trace.source->size();
   if (trace.of_file && !trace.any_lost) {
-    trace.source = std::make_unique<ContinuedSource>(std::move(trace.source), offset, blocks_in_journal(trace, head_end));
+    trace.source =
+        std::make_unique<ContinuedSource>(std::move(trace.source), offset, blocks_in_journal(trace, head_end));
     walk_blocks(trace, offset);
   }
-  const std::string journal = offset > file_end ? fmt::format(", the last of them in {}", journal_of(trace.name).string()) : "";
-  trace.warnings.push_back(fmt::format("{}: the recording {}; {} events could be read{}", trace.name,
-                                       more && journal.empty() ? "was cut off or is damaged before its end" : "was cut off before its end", trace.size, journal));
+  const std::string journal =
+      offset > file_end ? fmt::format(", the last of them in {}", journal_of(trace.name).string()) : "";
+  trace.warnings.push_back(
+      fmt::format("{}: the recording {}; {} events could be read{}", trace.name,
+                  more && journal.empty() ? "was cut off or is damaged before its end" : "was cut off before its end",
+                  trace.size, journal));
 }
 
 constexpr std::size_t few_blocks = 8;  // that are read whole at once, so that nothing in them is taken on trust

@@ -58,7 +58,8 @@ bool is_recorded(const fs::path&) { return false; }
 #endif
 
 [[noreturn]] void refuse_recorded(const fs::path& path) {
-  throw InputError(path.string(), "another zstep is recording to it", "wait until it has ended, or write to another file");
+  throw InputError(path.string(), "another zstep is recording to it",
+                   "wait until it has ended, or write to another file");
 }
 
 }  // namespace
@@ -76,7 +77,8 @@ void check_replaceable(const fs::path& path) {
     const std::lock_guard lock(inputs().mutex);
     std::error_code error;
     for (const fs::path& input : inputs().paths)
-      if (fs::equivalent(path, input, error) && !error) throw InputError(path.string(), "would overwrite the input", "write to another file");
+      if (fs::equivalent(path, input, error) && !error)
+        throw InputError(path.string(), "would overwrite the input", "write to another file");
   }
   if (is_recorded(path)) refuse_recorded(path);
 }
@@ -92,7 +94,8 @@ OpenFile open_output(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_fifo(path, ignored)) {
     Descriptor pipe{open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)};
-    if (pipe.number < 0 && errno == ENXIO) throw InputError(path.string(), "is a pipe that nobody reads", "start its reader first");
+    if (pipe.number < 0 && errno == ENXIO)
+      throw InputError(path.string(), "is a pipe that nobody reads", "start its reader first");
     if (pipe.number < 0) return nullptr;
     fcntl(pipe.number, F_SETFL, fcntl(pipe.number, F_GETFL) & ~O_NONBLOCK);
     return OpenFile(fdopen(pipe.release(), "wb"));
@@ -149,7 +152,8 @@ void Unfinished::remove_all() {
 
 void output_failed(const fs::path& path, int error) {
   const std::string what = fmt::format("cannot be written: {}", std::strerror(error));
-  if (error == ENOSPC || error == EFBIG || error == EDQUOT) throw Exhausted(path.string(), what, "make room there, or write to another place");
+  if (error == ENOSPC || error == EFBIG || error == EDQUOT)
+    throw Exhausted(path.string(), what, "make room there, or write to another place");
   throw InputError(path.string(), what, "choose a place that can be written to");
 }
 

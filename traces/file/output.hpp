@@ -7,10 +7,12 @@
 
 namespace zstep {
 
-/// Remembers a file that was read, or that one which was read names: nothing is written over it from now on, under whatever name.
+/// Remembers a file that was read, or that one which was read names: nothing is written over it from now on, under
+/// whatever name.
 void note_input(const std::filesystem::path& path);
 
-/// Throws InputError where writing to `path` would replace such a file, or one that a recording is writing at the moment.
+/// Throws InputError where writing to `path` would replace such a file, or one that a recording is writing at the
+/// moment.
 void check_replaceable(const std::filesystem::path& path);
 
 /// Where a link leads, so that the file is replaced and not the link.
@@ -21,10 +23,11 @@ struct CloseFile {
 };
 using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Opens for writing from the beginning; null, with the reason in errno, where that cannot be. Throws InputError for a pipe without a
-/// reader, which would wait for one.
+/// Opens for writing from the beginning; null, with the reason in errno, where that cannot be. Throws InputError for a
+/// pipe without a reader, which would wait for one.
 OpenFile open_output(const std::filesystem::path& path);
-/// The same for a recording: it is this process's until it is closed. Throws InputError where another one records to it.
+/// The same for a recording: it is this process's until it is closed. Throws InputError where another one records to
+/// it.
 OpenFile open_own_output(const std::filesystem::path& path);
 
 /// A file that is not yet what it will be: gone when this goes, unless it has another name by then.

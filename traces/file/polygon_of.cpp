@@ -26,7 +26,8 @@ Kinds kinds_among() {
 
 /// What is about all polygons at once, after the work on each of them.
 Kinds about_all(const Kinds& recorded) {
-  Kinds kinds = kinds_among<VertexSide, SideTest, RootCandidate, NodeMake, ListInsert, PairBegin, AreaBegin, BoxMake, GridMake, RayBegin, CurveBegin, LineBegin>();
+  Kinds kinds = kinds_among<VertexSide, SideTest, RootCandidate, NodeMake, ListInsert, PairBegin, AreaBegin, BoxMake,
+                            GridMake, RayBegin, CurveBegin, LineBegin>();
   if (recorded[kind_of<TablesBegin>]) kinds.set(kind_of<ScanLineBegin>);
   return kinds & recorded;
 }
@@ -40,11 +41,17 @@ const Trace::Impl::Turns& Trace::Impl::turns(const Trace& trace) const {
   if (polygons.empty() || ends.none()) return turns;
   auto after_last = polygons.end();
   if (recorded[kind_of<PieceDraw>])
-    after_last = std::partition_point(polygons.begin(), polygons.end(), [&](const PolygonMark& mark) { return std::holds_alternative<PolygonBegin>(trace.event(mark.position).event); });
+    after_last = std::partition_point(polygons.begin(), polygons.end(), [&](const PolygonMark& mark) {
+      return std::holds_alternative<PolygonBegin>(trace.event(mark.position).event);
+    });
   if (after_last == polygons.begin()) return turns;
   turns.last = static_cast<std::size_t>(after_last - polygons.begin()) - 1;
-  const std::int64_t drawn = after_last == polygons.end() ? size + 1 : after_last->position;  // from there on pieces take turns
-  const auto end = trace.next(polygons[turns.last].position, [&](const RecordedEvent& recorded_event) { return ends[recorded_event.event.index()]; }, Trace::Among({}, {}, drawn - 1));
+  const std::int64_t drawn =
+      after_last == polygons.end() ? size + 1 : after_last->position;  // from there on pieces take turns
+  const auto end = trace.next(
+      polygons[turns.last].position,
+      [&](const RecordedEvent& recorded_event) { return ends[recorded_event.event.index()]; },
+      Trace::Among({}, {}, drawn - 1));
   turns.end = end.value_or(size + 1);
   return turns;
 }
@@ -53,7 +60,8 @@ std::int64_t Trace::end_of_turns() const { return impl_->turns(*this).end; }
 
 std::int32_t Trace::polygon_at_work(std::int64_t position) const {
   const auto marks = polygons();
-  const auto after = std::upper_bound(marks.begin(), marks.end(), position, [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
+  const auto after = std::upper_bound(marks.begin(), marks.end(), position,
+                                      [](std::int64_t p, const PolygonMark& mark) { return p < mark.position; });
   if (after == marks.begin()) return no_polygon;
   const Impl::Turns& turns = impl_->turns(*this);
   const bool is_last = static_cast<std::size_t>(after - marks.begin()) - 1 == turns.last;
@@ -70,7 +78,8 @@ std::int32_t Trace::polygon_of_piece(std::int32_t piece) const {
     });
   }
   const std::vector<std::int32_t>& made = *impl_->polygon_by_piece;
-  return piece >= 0 && static_cast<std::size_t>(piece) < made.size() ? made[static_cast<std::size_t>(piece)] : no_polygon;
+  return piece >= 0 && static_cast<std::size_t>(piece) < made.size() ? made[static_cast<std::size_t>(piece)]
+                                                                     : no_polygon;
 }
 
 std::optional<std::int32_t> Trace::polygon_named(const Event& event) const {
@@ -78,7 +87,9 @@ std::optional<std::int32_t> Trace::polygon_named(const Event& event) const {
     if constexpr (names_polygon<E> == Names::polygon) return known.polygon;
     else if constexpr (names_polygon<E> == Names::facet) {
       const std::vector<Facet>& facets = scene().facets;
-      return known.facet >= 0 && static_cast<std::size_t>(known.facet) < facets.size() ? facets[static_cast<std::size_t>(known.facet)].polygon : no_polygon;
+      return known.facet >= 0 && static_cast<std::size_t>(known.facet) < facets.size()
+                 ? facets[static_cast<std::size_t>(known.facet)].polygon
+                 : no_polygon;
     } else if constexpr (names_polygon<E> == Names::piece) return polygon_of_piece(known.piece);
     else return std::nullopt;
   }, event);

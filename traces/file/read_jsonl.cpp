@@ -48,7 +48,8 @@ bool next_line(std::istream& in, std::string& line) {
 
 bool truth_from(const json& in, std::string_view name) {
   if (in.is_boolean()) return in.get<bool>();
-  throw MalformedJson(in, "", fmt::format("\"{}\" is neither true nor false", name), "write true or false, without quotes");
+  throw MalformedJson(in, "", fmt::format("\"{}\" is neither true nor false", name),
+                      "write true or false, without quotes");
 }
 
 std::size_t word_from(const json& in, std::string_view name, std::span<const std::string_view> words) {
@@ -65,7 +66,8 @@ std::int32_t whole_from(const json& in, std::string_view name) {
   // Programs in languages with one kind of number write 5.0 for 5.
   if (in.is_number()) {
     const double value = in.get<double>();
-    if (value == static_cast<double>(static_cast<std::int64_t>(std::clamp(value, -3e9, 3e9))) && value >= INT32_MIN && value <= INT32_MAX)
+    if (value == static_cast<double>(static_cast<std::int64_t>(std::clamp(value, -3e9, 3e9))) && value >= INT32_MIN &&
+        value <= INT32_MAX)
       return static_cast<std::int32_t>(value);
   }
   throw MalformedJson(in, "", fmt::format("\"{}\" is not a whole number", name));
@@ -84,7 +86,8 @@ void refuse_others(const json& line, std::span<const std::string_view> fields, s
   for (const auto& item : line.items()) {
     const std::string& key = item.key();
     if (key == "step" || std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
-    throw MalformedJson(line, key, fmt::format("\"{}\" is no field of {}", key, kind), near_word_or_list(key, fields, "its fields are"));
+    throw MalformedJson(line, key, fmt::format("\"{}\" is no field of {}", key, kind),
+                        near_word_or_list(key, fields, "its fields are"));
   }
 }
 
@@ -164,7 +167,9 @@ class Reader {
       if (faults_.size() >= most_faults) faults_.push_back(name_ + ": there may be more mistakes; mend these first");
       throw InputError(faults_);
     }
-    if (cut_off_) return fmt::format("{}:{}: the recording was cut off before its end; {} steps could be read", name_, *cut_off_, events_);
+    if (cut_off_)
+      return fmt::format("{}:{}: the recording was cut off before its end; {} steps could be read", name_, *cut_off_,
+                         events_);
     if (tail_.empty()) return std::nullopt;
     return fmt::format("{}:{}: the recording was cut off here, at {}; {} steps could be read", name_, tail_.line(),
                        tail_.quoted(), events_);
@@ -192,7 +197,8 @@ class Reader {
   void add(std::int64_t first, const json_text::Fault& fault, std::string_view text) {
     if (faults_.size() >= most_faults) return;
     const auto [line, column] = json_text::line_and_column(text, fault.place, first);
-    faults_.push_back(printable(InputError(fmt::format("{}:{}:{}", name_, line, column), fault.what, fault.mend).what()));
+    faults_.push_back(
+        printable(InputError(fmt::format("{}:{}:{}", name_, line, column), fault.what, fault.mend).what()));
   }
 
   void check_encoding(std::string& line) const {
@@ -204,8 +210,9 @@ class Reader {
     if (starts("\xef\xbb\xbf")) line.erase(0, 3);  // UTF-8, as some editors mark it
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first != std::string::npos && line[first] == '[')
-      throw InputError(fmt::format("{}:1:{}", name_, first + 1), "the file is one list",
-                       "write each object on a line of its own, without the brackets around all and the commas between");
+      throw InputError(
+          fmt::format("{}:1:{}", name_, first + 1), "the file is one list",
+          "write each object on a line of its own, without the brackets around all and the commas between");
   }
 
   /// One line, or the several on which a pretty-printed object stands.
@@ -214,7 +221,8 @@ class Reader {
     json document;
     if (!parse(text, document)) return;
     give_up_tail();  // a whole object comes after it, so it is no end
-    if (cut_off_) add(*cut_off_, {0, false, "the recording is said to be cut off here, but it goes on", "take this line out"}, "");
+    if (cut_off_)
+      add(*cut_off_, {0, false, "the recording is said to be cut off here, but it goes on", "take this line out"}, "");
     cut_off_.reset();
     if (recorder_ != nullptr && document.is_object() && document.size() == 1 && document.contains(cut_off_key)) {
       cut_off_ = first;
@@ -247,7 +255,8 @@ class Reader {
       const std::int64_t first = number_;
       if (fault.unfinished && gather(text)) return parse_gathered(first, text, document);
       const std::size_t begin = text.find_first_not_of(" \t\r");
-      if (recorder_ != nullptr && (fault.unfinished || text[begin] != '{')) return tail_.add(number_, text, fault), false;
+      if (recorder_ != nullptr && (fault.unfinished || text[begin] != '{'))
+        return tail_.add(number_, text, fault), false;
       give_up_tail();
       add(number_, fault, text);
     } catch (const json::exception&) {
@@ -308,8 +317,10 @@ class Reader {
 
   void record(const json& document) {
     const auto found = document.find("step");
-    if (found == document.end()) throw MalformedJson(document, "", "\"step\" is missing", "an event names a step of the header's list");
-    if (!found->is_string()) throw MalformedJson(document, "step", "\"step\" is not a text", "an event names a step of the header's list");
+    if (found == document.end())
+      throw MalformedJson(document, "", "\"step\" is missing", "an event names a step of the header's list");
+    if (!found->is_string())
+      throw MalformedJson(document, "step", "\"step\" is not a text", "an event names a step of the header's list");
     const auto& name = found->get_ref<const std::string&>();
     const StepInfo* step = find_step(header_.page, std::string_view(name));
     if (step == nullptr)

@@ -23,8 +23,8 @@ Color take_color(ByteReader& in) {
   return color;
 }
 
-// --- Columns: whole numbers of one kind, each as what it is more than the one before (the first: than 0), so that regular scenes take
-// little room.
+// --- Columns: whole numbers of one kind, each as what it is more than the one before (the first: than 0), so that
+// regular scenes take little room.
 
 /// A zigzag varint of the difference.
 void put_whole(Bytes& out, std::int32_t value, std::uint32_t& last) {
@@ -91,7 +91,8 @@ std::uint64_t low_bytes(const std::uint8_t* from, std::size_t count) {
 
 /// Eight words as the bytes of eight others: byte k of word i becomes byte i of word k.
 void transpose(std::array<std::uint64_t, 8>& words) {
-  const auto exchange = [&](std::size_t apart, std::uint64_t mask) {  // blocks of apart x apart bytes, across the diagonal
+  const auto exchange = [&](std::size_t apart,
+                            std::uint64_t mask) {  // blocks of apart x apart bytes, across the diagonal
     for (std::size_t i = 0; i < 8; ++i) {
       if ((i & apart) != 0) continue;
       const std::uint64_t changed = ((words[i] >> (8 * apart)) ^ words[i + apart]) & mask;
@@ -104,7 +105,8 @@ void transpose(std::array<std::uint64_t, 8>& words) {
   exchange(1, 0x00ff00ff00ff00ff);
 }
 
-/// One coordinate of the points: the differences of the float64s' bits, zigzag, first the lowest byte of all of them, then the next of all …
+/// One coordinate of the points: the differences of the float64s' bits, zigzag, first the lowest byte of all of them,
+/// then the next of all …
 void put_coordinates(Bytes& out, const std::vector<glm::dvec3>& points, int axis) {
   const std::size_t begin = out.size(), count = points.size();
   out.resize(begin + 8 * count);
@@ -144,8 +146,9 @@ std::size_t count_of_points(ByteReader& in) {
   return static_cast<std::size_t>(points);
 }
 
-/// What most scenes do not have stands at the end, and is missing where a scene has none of it: light, surface and fit as
-/// JSON, then the materials, as runs of polygons that have the same, the placements, and the points as their files have them.
+/// What most scenes do not have stands at the end, and is missing where a scene has none of it: light, surface and fit
+/// as JSON, then the materials, as runs of polygons that have the same, the placements, and the points as their files
+/// have them.
 bool has_extras(const Scene& scene) {
   return scene.light || scene.surface || scene.fit || !scene.placements.empty() ||
          std::any_of(scene.polygons.begin(), scene.polygons.end(),
@@ -193,7 +196,8 @@ void take_extras(ByteReader& in, const nlohmann::json& document, Scene& scene) {
   }
   for (std::uint64_t left = in.varint(); left > 0; --left) {
     Placement placement;
-    for (std::int32_t* whole : {&placement.first_point, &placement.point_count}) *whole = static_cast<std::int32_t>(static_cast<std::uint32_t>(in.varint()));
+    for (std::int32_t* whole : {&placement.first_point, &placement.point_count})
+      *whole = static_cast<std::int32_t>(static_cast<std::uint32_t>(in.varint()));
     placement.source = in.text();
     placement.line = static_cast<std::int32_t>(static_cast<std::uint32_t>(in.varint()));
     for (glm::dvec3* column : {&placement.linear[0], &placement.linear[1], &placement.linear[2], &placement.offset})
@@ -280,10 +284,12 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
   std::vector<Polygon>& polygons = scene.polygons;
   polygons.resize(count(most_polygons));
   for (const auto part : {&Color::red, &Color::green, &Color::blue})
-    take_runs(in, polygons.size(), [&](std::size_t i, std::int32_t value) { polygons[i].color.*part = static_cast<std::uint8_t>(value); });
+    take_runs(in, polygons.size(),
+              [&](std::size_t i, std::int32_t value) { polygons[i].color.*part = static_cast<std::uint8_t>(value); });
   take_runs(in, polygons.size(), [&](std::size_t i, std::int32_t line) { polygons[i].source_line = line; });
   std::vector<std::uint32_t> lengths(polygons.size());
-  take_runs(in, polygons.size(), [&](std::size_t i, std::int32_t length) { lengths[i] = static_cast<std::uint32_t>(length); });
+  take_runs(in, polygons.size(),
+            [&](std::size_t i, std::int32_t length) { lengths[i] = static_cast<std::uint32_t>(length); });
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const std::span<const std::uint8_t> name = in.take(lengths[i]);
     polygons[i].name = std::string(name.begin(), name.end());
@@ -299,7 +305,8 @@ Scene scene_from_bytes(std::span<const std::uint8_t> bytes) {
     corners += corner_count;
     if (corner_count < 0 || corners > most_corners) throw MalformedBytes("a facet with more corners than the data");
   });
-  if (static_cast<std::int64_t>(count(most_corners)) != corners) throw MalformedBytes("a facet with more corners than the data");
+  if (static_cast<std::int64_t>(count(most_corners)) != corners)
+    throw MalformedBytes("a facet with more corners than the data");
   scene.corners.resize(static_cast<std::size_t>(corners));
   std::uint32_t last = 0;
   for (std::int32_t& corner : scene.corners) corner = take_whole(in, last);

@@ -140,7 +140,8 @@ Surface surface_from_json(const json& in) {
 
 ordered_json placement_to_json(const Placement& placement) {
   ordered_json rows = ordered_json::array();
-  for (int row = 0; row < 3; ++row) rows.push_back(vector_to({placement.linear[0][row], placement.linear[1][row], placement.linear[2][row]}));
+  for (int row = 0; row < 3; ++row)
+    rows.push_back(vector_to({placement.linear[0][row], placement.linear[1][row], placement.linear[2][row]}));
   return {{"first", placement.first_point}, {"points", placement.point_count}, {"source", placement.source},
           {"line", placement.line},         {"matrix", std::move(rows)},       {"offset", vector_to(placement.offset)}};
 }
@@ -158,7 +159,9 @@ Placement placement_from_json(const json& in) {
   return placement;
 }
 
-ordered_json fit_to_json(const Fit& fit) { return {{"centre", vector_to(fit.centre)}, {"radius", real_to_json(fit.radius)}}; }
+ordered_json fit_to_json(const Fit& fit) {
+  return {{"centre", vector_to(fit.centre)}, {"radius", real_to_json(fit.radius)}};
+}
 
 Fit fit_from_json(const json& in) {
   known_keys(in, "the fit", {"centre", "radius"});
@@ -294,21 +297,26 @@ void check_surface(const Surface& surface, std::size_t points) {
         fmt::format("the surface has {} x {} samples, but there are {} points", surface.columns, surface.rows, points));
 }
 
-bool is_finite(const glm::dvec3& point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
+bool is_finite(const glm::dvec3& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
 
 void check_origins(const Scene& scene) {
   if (!scene.file_points.empty() && scene.file_points.size() != scene.points.size())
     wrong_scene("as many points in files as points are needed, or none");
   if (scene.fit && !(is_finite(scene.fit->centre) && scene.fit->radius > 0 && std::isfinite(scene.fit->radius)))
     wrong_scene(fmt::format("it is fitted from a ball of radius {}", scene.fit->radius));
-  if (scene.fit && scene.file_points.empty() && !scene.points.empty()) wrong_scene("it is fitted, but what its points were before is missing");
+  if (scene.fit && scene.file_points.empty() && !scene.points.empty())
+    wrong_scene("it is fitted, but what its points were before is missing");
   std::int64_t end = 0;
   for (const Placement& placement : scene.placements) {
-    if (placement.first_point < end || placement.point_count < 0) wrong_scene("placements overlap, or are not in the order of their points");
+    if (placement.first_point < end || placement.point_count < 0)
+      wrong_scene("placements overlap, or are not in the order of their points");
     end = std::int64_t{placement.first_point} + placement.point_count;
     if (end > static_cast<std::int64_t>(scene.points.size())) wrong_scene("a placement is of points that do not exist");
     for (int column = 0; column < 3; ++column)
-      if (!is_finite(placement.linear[column]) || !is_finite(placement.offset)) wrong_scene("a placement has a number that is none");
+      if (!is_finite(placement.linear[column]) || !is_finite(placement.offset))
+        wrong_scene("a placement has a number that is none");
   }
 }
 

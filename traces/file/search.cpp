@@ -10,7 +10,8 @@ namespace zstep {
 namespace {
 
 /// Gives each event of a range that is meant to `each`, until it returns false.
-using Each = std::function<bool(std::int64_t, const RecordedEvent&)>;  // one type, so that reading a block is compiled once
+using Each =
+    std::function<bool(std::int64_t, const RecordedEvent&)>;  // one type, so that reading a block is compiled once
 
 struct Search {
   const Trace::Among& among;
@@ -58,7 +59,8 @@ StepSet steps_of(const Page& page, std::optional<std::uint8_t> kind) {
 }
 
 /// The last position of a block that can be meant; 0 if none can.
-std::int64_t last_meant(const Trace::Impl& trace, std::size_t block, const StepSet& steps, const std::optional<Trace::Pixel>& pixel) {
+std::int64_t last_meant(const Trace::Impl& trace, std::size_t block, const StepSet& steps,
+                        const std::optional<Trace::Pixel>& pixel) {
   const BlockInfo& info = trace.blocks[block].info;
   if (!info.steps.meets(steps)) return 0;
   return pixel ? trace.last_touch(block, *pixel) : info.first_position + info.count;
@@ -93,7 +95,8 @@ std::optional<std::int64_t> Trace::next_at(std::int64_t from, const PredicateAt&
     const std::size_t block = impl_->block_of(position + 1);
     const BlockInfo& info = impl_->blocks[block].info;
     std::optional<std::int64_t> found;
-    visit(position, std::min(end, last_meant(*impl_, block, steps, among.pixel)), search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
+    visit(position, std::min(end, last_meant(*impl_, block, steps, among.pixel)),
+          search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
             if (predicate(at, recorded)) found = at;
             return !found;
           }));
@@ -103,14 +106,16 @@ std::optional<std::int64_t> Trace::next_at(std::int64_t from, const PredicateAt&
   return std::nullopt;
 }
 
-std::optional<std::int64_t> Trace::previous_at(std::int64_t from, const PredicateAt& predicate, const Among& among) const {
+std::optional<std::int64_t> Trace::previous_at(std::int64_t from, const PredicateAt& predicate,
+                                               const Among& among) const {
   const StepSet steps = steps_of(header().page, among.kind);
   const std::int64_t begin = std::max<std::int64_t>(0, among.until.value_or(1) - 1);
   for (std::int64_t position = std::min(from - 1, size()); position > begin;) {
     const std::size_t block = impl_->block_of(position);
     const std::int64_t block_begin = std::max(begin, impl_->blocks[block].info.first_position);
     std::optional<std::int64_t> found;
-    visit(block_begin, std::min(position, last_meant(*impl_, block, steps, among.pixel)), search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
+    visit(block_begin, std::min(position, last_meant(*impl_, block, steps, among.pixel)),
+          search_for(among, [&](std::int64_t at, const RecordedEvent& recorded) {
             if (predicate(at, recorded)) found = at;
             return true;
           }));
@@ -120,7 +125,8 @@ std::optional<std::int64_t> Trace::previous_at(std::int64_t from, const Predicat
   return std::nullopt;
 }
 
-void Trace::each(std::int64_t first, std::int64_t last, const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const {
+void Trace::each(std::int64_t first, std::int64_t last,
+                 const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const {
   RecordedEvent recorded;
   visit(first, last, [&](std::int64_t position, std::uint8_t step, const auto& event) {
     recorded.step = step;

@@ -57,7 +57,8 @@ std::span<const std::int64_t> Trace::clears() const {
 }
 
 bool Trace::has(std::uint8_t kind) const {
-  return std::any_of(impl_->header.page.begin(), impl_->header.page.end(), [&](const StepInfo& step) { return step.kind == kind && impl_->steps.has(step.id); });
+  return std::any_of(impl_->header.page.begin(), impl_->header.page.end(),
+                     [&](const StepInfo& step) { return step.kind == kind && impl_->steps.has(step.id); });
 }
 
 std::size_t Trace::Impl::block_of(std::int64_t position) const {
@@ -92,7 +93,8 @@ struct CheckBlock {
     ++position;
     sound(check(event));
     seen.steps.add(step);
-    if constexpr (requires { event.x, event.y; }) seen.touch(static_cast<std::int32_t>(event.x), static_cast<std::int32_t>(event.x) + 1, event.y);
+    if constexpr (requires { event.x, event.y; })
+      seen.touch(static_cast<std::int32_t>(event.x), static_cast<std::int32_t>(event.x) + 1, event.y);
     else if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>)
       seen.marks.push_back({static_cast<std::uint32_t>(position - 1 - seen.first_position), event.polygon, {}});
     return true;
@@ -101,13 +103,15 @@ struct CheckBlock {
     position += run.events();
     for (std::size_t i = 0; i < (run.nearer != 0 ? 4u : 2u); ++i) seen.steps.add(run.steps[i]);
     seen.touch(run.x, run.end(), run.y);
-    return sound(check(PixelWrite{run.x, run.y, run.nearer != 0 ? run.polygon : 0})) && sound(check(PixelWrite{run.end() - 1, run.y, 0}));
+    return sound(check(PixelWrite{run.x, run.y, run.nearer != 0 ? run.polygon : 0})) &&
+           sound(check(PixelWrite{run.end() - 1, run.y, 0}));
   }
   bool operator()(const codec::PaintRun& run) {
     position += run.events();
     seen.steps.add(run.step);
     seen.touch(run.x, run.end(), run.y);
-    return sound(check(PixelWrite{run.x, run.y, run.polygon})) && sound(check(PixelWrite{run.end() - 1, run.y, run.polygon}));
+    return sound(check(PixelWrite{run.x, run.y, run.polygon})) &&
+           sound(check(PixelWrite{run.end() - 1, run.y, run.polygon}));
   }
   bool sound(const std::string& fault) const {
     if (!fault.empty()) throw MalformedBytes(fmt::format("step {}: {}", position, fault));
@@ -126,8 +130,10 @@ void Trace::Impl::check(std::size_t block, const Bytes& packed) const {
   decoder.visit_all(checking);
   // An info may say of more than there is, which costs time; of less, and what it denies would not be found.
   const BlockInfo& seen = checking.seen;
-  const std::size_t first = blocks[block].first_mark, end = block + 1 < blocks.size() ? blocks[block + 1].first_mark : polygons.size();
-  bool true_info = seen.steps.within(info.steps) && seen.tiles.within(info.tiles) && seen.lead.within(info.lead) && seen.marks.size() == end - first;
+  const std::size_t first = blocks[block].first_mark,
+                    end = block + 1 < blocks.size() ? blocks[block + 1].first_mark : polygons.size();
+  bool true_info = seen.steps.within(info.steps) && seen.tiles.within(info.tiles) && seen.lead.within(info.lead) &&
+                   seen.marks.size() == end - first;
   for (std::size_t i = 0; true_info && i < seen.marks.size(); ++i)
     true_info = info.first_position + seen.marks[i].offset + 1 == polygons[first + i].position &&
                 seen.marks[i].polygon == polygons[first + i].polygon && seen.marks[i].box.within(boxes[first + i]);
@@ -139,7 +145,8 @@ void Trace::Impl::refuse_lies() const {
     try {
       if (blocks[block].lost) continue;
       const Bytes bytes = read_chunk(*source, blocks[block].place);
-      check(block, decompress(std::span(bytes).subspan(std::min<std::size_t>(blocks[block].frame_offset, bytes.size())), block_limit));
+      check(block, decompress(std::span(bytes).subspan(std::min<std::size_t>(blocks[block].frame_offset, bytes.size())),
+                              block_limit));
       blocks[block].checked = true;
     } catch (const DeniedEvents&) {
       throw;
@@ -152,7 +159,8 @@ void Trace::Impl::lose(std::size_t block, const std::string& what) const {
   const BlockInfo& info = blocks[block].info;
   if (!on_loss) damaged(block, what);
   blocks[block].lost = any_lost = true;
-  on_loss(fmt::format("{}: steps {} to {} are lost: {}", name, info.first_position + 1, info.first_position + info.count, what));
+  on_loss(fmt::format("{}: steps {} to {} are lost: {}", name, info.first_position + 1,
+                      info.first_position + info.count, what));
 }
 
 const Bytes* Trace::Impl::packed(std::size_t block) const {
@@ -191,7 +199,9 @@ const Trace::Impl::Events& Trace::Impl::events(std::size_t block) const {
   unpacked->reserve(blocks[block].info.count);
   const Bytes* bytes = packed(block);
   if (bytes == nullptr)
-    throw Incomplete(name, fmt::format("steps {} to {} are lost", blocks[block].info.first_position + 1, blocks[block].info.first_position + blocks[block].info.count),
+    throw Incomplete(name,
+                     fmt::format("steps {} to {} are lost", blocks[block].info.first_position + 1,
+                                 blocks[block].info.first_position + blocks[block].info.count),
                      "ask about another step");
   try {
     BlockDecoder decoder(*bytes, blocks[block].info.count, *meanings, *facts);
@@ -212,7 +222,8 @@ const RecordedEvent& Trace::event(std::int64_t position) const {
   const std::size_t block = impl_->block_of(position);
   // Who asks once for a block is given the one event; who asks again will ask for more.
   const auto& at_hand = impl_->events_at_hand;
-  const bool unpacked = std::any_of(at_hand.begin(), at_hand.end(), [&](const auto& other) { return other.first == block; });
+  const bool unpacked =
+      std::any_of(at_hand.begin(), at_hand.end(), [&](const auto& other) { return other.first == block; });
   if (!unpacked && impl_->asked_once != block && impl_->packed(block) != nullptr) {
     visit(position - 1, position, [&](std::int64_t, std::uint8_t step, const auto& event) {
       impl_->one_event = {step, event};
@@ -224,7 +235,9 @@ const RecordedEvent& Trace::event(std::int64_t position) const {
   return (*impl_->events(block))[static_cast<std::size_t>(position - 1 - impl_->blocks[block].info.first_position)];
 }
 
-std::int64_t Trace::begin_of_block(std::int64_t position) const { return impl_->blocks[impl_->block_of(position)].info.first_position; }
+std::int64_t Trace::begin_of_block(std::int64_t position) const {
+  return impl_->blocks[impl_->block_of(position)].info.first_position;
+}
 
 std::optional<Trace::Pixel> pixel_of(const Event& event) {
   return std::visit(

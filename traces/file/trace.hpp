@@ -52,7 +52,8 @@ class Trace {
   /// Opens a .ztrace file, whole or cut off. Reads header, scene and index; events are read when they are asked for.
   /// Throws InputError for what is no trace, is damaged where it cannot be missed, or comes from a newer zstep.
   static Trace open(const std::filesystem::path& path);
-  /// The same from memory (a recording that was never a file). `cut`: what is said of a recording without its end, in place of the usual.
+  /// The same from memory (a recording that was never a file). `cut`: what is said of a recording without its end, in
+  /// place of the usual.
   static Trace from_bytes(std::vector<std::uint8_t> bytes, const std::string& name, const std::string& cut = "");
 
   Trace(Trace&&) noexcept;
@@ -63,26 +64,31 @@ class Trace {
   const Scene& scene() const;
   const std::string& name() const;                   ///< the path it was opened from, or the name given
   std::int64_t size() const;                         ///< number of events
-  /// Does it have all that was recorded? What the warnings say may concern something else, as an index that was made anew.
+  /// Does it have all that was recorded? What the warnings say may concern something else, as an index that was made
+  /// anew.
   bool whole() const;
   const std::vector<std::string>& warnings() const;  ///< "the recording was cut off; 12 041 events could be read", …
   std::span<const PolygonMark> polygons() const;     ///< all of them, by position
   std::span<const RejectMark> rejects() const;       ///< likewise; they are read when they are first asked for
   std::span<const std::int64_t> clears() const;      ///< where the buffers are cleared; likewise
-  /// The polygon that is worked on at a position: the last that was begun, until what follows is about all of them (a tree, a list, areas,
-  /// rays, lines, scan lines of one table); then none, and later those whose pieces are drawn.
+  /// The polygon that is worked on at a position: the last that was begun, until what follows is about all of them (a
+  /// tree, a list, areas, rays, lines, scan lines of one table); then none, and later those whose pieces are drawn.
   std::int32_t polygon_at_work(std::int64_t position) const;
-  std::int64_t end_of_turns() const;  ///< the position at which it is none any more; size() + 1 where that does not come
-  /// The polygon that an event names, by its number, its facet or its piece, no_polygon where that does not exist; nothing if it names none.
+  std::int64_t end_of_turns()
+      const;  ///< the position at which it is none any more; size() + 1 where that does not come
+  /// The polygon that an event names, by its number, its facet or its piece, no_polygon where that does not exist;
+  /// nothing if it names none.
   std::optional<std::int32_t> polygon_named(const Event& event) const;
-  std::int32_t polygon_of_piece(std::int32_t piece) const;  ///< by the piece_make events; no_polygon where there is none
+  std::int32_t polygon_of_piece(
+      std::int32_t piece) const;                     ///< by the piece_make events; no_polygon where there is none
   bool has(std::uint8_t kind) const;                 ///< whether some event is of this kind
 
-  /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand; the reference lives until
-  /// events of other blocks are asked for. Not thread-safe.
+  /// The event that leads to `position` (1 … size()). Decodes its block when it is not at hand; the reference lives
+  /// until events of other blocks are asked for. Not thread-safe.
   const RecordedEvent& event(std::int64_t position) const;
 
-  /// The position from which events on to this one (1 … size()) are read at the least cost: each block is decoded from its beginning.
+  /// The position from which events on to this one (1 … size()) are read at the least cost: each block is decoded from
+  /// its beginning.
   std::int64_t begin_of_block(std::int64_t position) const;
 
   /// Calls visit(position, step id, const E& event) for the events leading to positions first+1 … last, in order, until
@@ -90,9 +96,9 @@ class Trace {
   template <class Visit>
   void visit(std::int64_t first, std::int64_t last, Visit&& visit) const;
 
-  /// The first position > `from` (or the last < `from`) whose event satisfies the predicate, if any. `among` says which events are
-  /// asked at all; blocks that hold none of them are not unpacked. The predicate depends on the event alone, as it may be asked in any
-  /// order.
+  /// The first position > `from` (or the last < `from`) whose event satisfies the predicate, if any. `among` says which
+  /// events are asked at all; blocks that hold none of them are not unpacked. The predicate depends on the event alone,
+  /// as it may be asked in any order.
   using Predicate = std::function<bool(const RecordedEvent&)>;
   struct Pixel {
     std::int32_t x, y;
@@ -111,20 +117,29 @@ class Trace {
   /// The same with the position. The predicate must not ask the trace for events.
   using PredicateAt = std::function<bool(std::int64_t, const RecordedEvent&)>;
   std::optional<std::int64_t> next_at(std::int64_t from, const PredicateAt& predicate, const Among& among = {}) const;
-  std::optional<std::int64_t> previous_at(std::int64_t from, const PredicateAt& predicate, const Among& among = {}) const;
-  /// All events that are meant, in order, until the visitor returns false. It must not ask the trace for others meanwhile.
+  std::optional<std::int64_t> previous_at(std::int64_t from, const PredicateAt& predicate,
+                                          const Among& among = {}) const;
+  /// All events that are meant, in order, until the visitor returns false. It must not ask the trace for others
+  /// meanwhile.
   void scan(const Among& among, const std::function<bool(std::int64_t, const RecordedEvent&)>& visit) const;
-  /// Every event from the one after `first` to the `last`, in order, until the visitor returns false. What visit() does, for who does not
-  /// go through many: each use of visit() is a reader of its own, which takes seconds to compile.
-  void each(std::int64_t first, std::int64_t last, const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const;
+  /// Every event from the one after `first` to the `last`, in order, until the visitor returns false. What visit()
+  /// does, for who does not go through many: each use of visit() is a reader of its own, which takes seconds to
+  /// compile.
+  void each(std::int64_t first, std::int64_t last,
+            const std::function<bool(std::int64_t, const RecordedEvent&)>& visitor) const;
   /// The same for events of one kind: condition(const E&).
   template <class E, class Condition>
   std::optional<std::int64_t> next(std::int64_t from, Condition&& condition, std::optional<Pixel> pixel = {}) const {
-    return next(from, [&](const RecordedEvent& recorded) { return condition(std::get<E>(recorded.event)); }, Among(pixel, kind_of<E>));
+    return next(
+        from, [&](const RecordedEvent& recorded) { return condition(std::get<E>(recorded.event)); },
+        Among(pixel, kind_of<E>));
   }
   template <class E, class Condition>
-  std::optional<std::int64_t> previous(std::int64_t from, Condition&& condition, std::optional<Pixel> pixel = {}) const {
-    return previous(from, [&](const RecordedEvent& recorded) { return condition(std::get<E>(recorded.event)); }, Among(pixel, kind_of<E>));
+  std::optional<std::int64_t> previous(std::int64_t from, Condition&& condition,
+                                       std::optional<Pixel> pixel = {}) const {
+    return previous(
+        from, [&](const RecordedEvent& recorded) { return condition(std::get<E>(recorded.event)); },
+        Among(pixel, kind_of<E>));
   }
 
   struct Impl;

@@ -24,7 +24,8 @@ struct Trace::Impl {
     std::size_t first_mark = 0;  ///< in `polygons`
     ChunkPlace place;
     std::uint64_t frame_offset = 0;  ///< of the zstd frame within the chunk's bytes
-    mutable bool checked = false;    ///< its events' numbers were found to lie within the scene, and what its info says of them to be true
+    mutable bool checked =
+        false;  ///< its events' numbers were found to lie within the scene, and what its info says of them to be true
     mutable bool lost = false;       ///< it is damaged
   };
 
@@ -45,7 +46,8 @@ struct Trace::Impl {
   std::int64_t size = 0;
   StepSet steps;  ///< that occur
 
-  /// When polygons come one after the other: the last of them that does, in `polygons`, and where what is about all of them begins.
+  /// When polygons come one after the other: the last of them that does, in `polygons`, and where what is about all of
+  /// them begins.
   struct Turns {
     std::size_t last = 0;
     std::int64_t end = 0;
@@ -58,8 +60,8 @@ struct Trace::Impl {
   /// The last position of a block that may touch a pixel; 0 if none may.
   std::int64_t last_touch(std::size_t block, Trace::Pixel pixel) const;
 
-  /// A block's packed columns, from the file or from the few kept at hand. Of one that is damaged null, where losses are told, else it
-  /// throws InputError.
+  /// A block's packed columns, from the file or from the few kept at hand. Of one that is damaged null, where losses
+  /// are told, else it throws InputError.
   const Bytes* packed(std::size_t block) const;
   /// Whether the step that leads to this position can be read, or is lost with its block.
   bool readable(std::int64_t position) const {
@@ -70,7 +72,8 @@ struct Trace::Impl {
   /// A block's events, unpacked; a few blocks are kept at hand, and others by whom they are given to.
   using Events = std::shared_ptr<const std::vector<RecordedEvent>>;
   const Events& events(std::size_t block) const;
-  /// Throws MalformedBytes when an event of a block names what the scene does not have, or is one that the block's info denies.
+  /// Throws MalformedBytes when an event of a block names what the scene does not have, or is one that the block's info
+  /// denies.
   void check(std::size_t block, const Bytes& packed) const;
   /// Throws MalformedBytes when the info of some block denies what is in it.
   void refuse_lies() const;

@@ -42,7 +42,8 @@ struct VisitRange {
         position = end;
       } else {
         std::int64_t at = position;
-        go_on = run.expand([&](std::uint8_t step, const auto& event) { return static_cast<bool>(visit(++at, step, event)); });
+        go_on = run.expand(
+            [&](std::uint8_t step, const auto& event) { return static_cast<bool>(visit(++at, step, event)); });
         position = at;
       }
       return go_on;

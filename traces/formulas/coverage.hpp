@@ -1,5 +1,5 @@
-// Which pixels lie between two edges, and which scan lines an edge meets (000; the top-left rule of Foley et al., section 3.6).
-// Templates for the reason in lines.hpp.
+// Which pixels lie between two edges, and which scan lines an edge meets (000; the top-left rule of Foley et al.,
+// section 3.6). Templates for the reason in lines.hpp.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,8 @@ T last_pixel(const T& x_right, Conventions::Coverage coverage) {
   return coverage == Conventions::Coverage::inclusive ? floor(x_right) : ceil(x_right) - T(1);
 }
 
-/// The coverage that gives a recorded whole number: the one that is declared, unless none is and only the other one gives it.
+/// The coverage that gives a recorded whole number: the one that is declared, unless none is and only the other one
+/// gives it.
 template <class Gives>
 Conventions::Coverage coverage_of(const Header& header, const Gives& gives) {
   using enum Conventions::Coverage;
@@ -38,8 +39,8 @@ T first_row(const T& y_0) {
   return ceil(y_0);
 }
 
-/// The scan line at which an edge leaves whose lower end is at y_1. `past_end`: with inclusive coverage an edge goes on through scan line
-/// y_1 itself where its polygon has its lowest point; elsewhere the next edge begins on it.
+/// The scan line at which an edge leaves whose lower end is at y_1. `past_end`: with inclusive coverage an edge goes on
+/// through scan line y_1 itself where its polygon has its lowest point; elsewhere the next edge begins on it.
 template <class T>
 T end_row(const T& y_1, bool past_end) {
   using std::ceil, std::floor;

@@ -1,7 +1,8 @@
 // What is linear between two ends: x and z along an edge, z along a span (000, "Double interpolation").
 //
-// Each formula stands here once, for any type of number: the engine and the codec evaluate it with double, in this order, so that they
-// agree to the bit; the words evaluate it with a number that remembers how it was made, and print that.
+// Each formula stands here once, for any type of number: the engine and the codec evaluate it with double, in this
+// order, so that they agree to the bit; the words evaluate it with a number that remembers how it was made, and print
+// that.
 #pragma once
 
 namespace zstep::formulas {

@@ -1,8 +1,9 @@
 // When a recorded number is what its formula gives: the one tolerance of all commands and of the viewer.
 //
-// Of a number that a program has recorded, some last digits are rounding: it may write fewer digits than it computes with, multiply
-// before it divides, or go on with what it did not record. So each operand counts as known to so many digits, and a result as known to
-// what these leave of it: a difference of two numbers that are nearly equal has few digits left, and is held to no more of them.
+// Of a number that a program has recorded, some last digits are rounding: it may write fewer digits than it computes
+// with, multiply before it divides, or go on with what it did not record. So each operand counts as known to so many
+// digits, and a result as known to what these leave of it: a difference of two numbers that are nearly equal has few
+// digits left, and is held to no more of them.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 
 namespace zstep::formulas {
 
-/// By what share of itself a number may be off. Of the 15.9 digits of float64 nine are asked for, as many as "%.10g" keeps, and of the 7.2 of
-/// float32 six.
+/// By what share of itself a number may be off. Of the 15.9 digits of float64 nine are asked for, as many as "%.10g"
+/// keeps, and of the 7.2 of float32 six.
 inline constexpr double rounding_of_float64 = 1e-9, rounding_of_float32 = 1e-6;
 /// For the numbers of a trace.
 inline double rounding_of(const Header& header) {
@@ -32,7 +33,9 @@ struct Rounded {
 inline Rounded operator+(Rounded a, Rounded b) { return {a.value + b.value, a.spread + b.spread}; }
 inline Rounded operator-(Rounded a, Rounded b) { return {a.value - b.value, a.spread + b.spread}; }
 inline Rounded operator-(Rounded a) { return {-a.value, a.spread}; }
-inline Rounded operator*(Rounded a, Rounded b) { return {a.value * b.value, a.spread * std::abs(b.value) + b.spread * std::abs(a.value)}; }
+inline Rounded operator*(Rounded a, Rounded b) {
+  return {a.value * b.value, a.spread * std::abs(b.value) + b.spread * std::abs(a.value)};
+}
 inline Rounded operator/(Rounded a, Rounded b) {
   const double value = a.value / b.value;
   return {value, (a.spread + b.spread * std::abs(value)) / std::abs(b.value)};

@@ -13,9 +13,10 @@
 
 namespace zstep {
 
-/// A thread that sleeps until there is work. To be put to sleep and woken costs as much as a small piece, and to look out instead takes
-/// from the caller what two processors of one core share: so the thread is woken for several pieces at once, and a caller who found no
-/// room waits until there is room for several. Where the system gives no thread, the caller does the work itself.
+/// A thread that sleeps until there is work. To be put to sleep and woken costs as much as a small piece, and to look
+/// out instead takes from the caller what two processors of one core share: so the thread is woken for several pieces
+/// at once, and a caller who found no room waits until there is room for several. Where the system gives no thread, the
+/// caller does the work itself.
 class BackgroundWorker {
  public:
   /// `most`: pieces that may wait or be at work.

@@ -61,9 +61,10 @@ inline Page page() {
   for (StepInfo & line : ::zstep::module::page()) {                        \
     if (line.id >= ::zstep::module::step::first.id) lines.push_back(line); \
   }
-#define STEP_OF(indent, module, name, text)                                                                            \
-  lines.push_back({::zstep::module::step::name.id,                                                                     \
-                   []<class E>(Step<E>) { return kind_of<E>; }(::zstep::module::step::name), indent, #module, #name, text});
+#define STEP_OF(indent, module, name, text)                                                                          \
+  lines.push_back({::zstep::module::step::name.id,                                                                   \
+                   []<class E>(Step<E>) { return kind_of<E>; }(::zstep::module::step::name), indent, #module, #name, \
+                   text});
 #include ZSTEP_STEPS
 #undef STEP
 #undef STEPS_OF

@@ -16,14 +16,16 @@ constexpr std::size_t largest_event() {
   return largest;
 }
 
-/// Whether these bytes, as many as an event of this kind has, can be one: a truth value that is neither true nor false is none.
+/// Whether these bytes, as many as an event of this kind has, can be one: a truth value that is neither true nor false
+/// is none.
 template <class E>
 bool can_be(const std::uint8_t* bytes) {
   bool possible = true;
   const E event{};
   for_each_index<E>([&]<std::size_t I>() {
     using Value = FieldValue<E, I>;
-    const auto at = reinterpret_cast<const std::uint8_t*>(&(event.*field_at<E, I>.member)) - reinterpret_cast<const std::uint8_t*>(&event);
+    const auto at = reinterpret_cast<const std::uint8_t*>(&(event.*field_at<E, I>.member)) -
+                    reinterpret_cast<const std::uint8_t*>(&event);
     if constexpr (std::is_same_v<Value, bool>) {
       possible = possible && bytes[at] <= 1;
     } else if constexpr (std::is_enum_v<Value>) {
@@ -41,18 +43,22 @@ const std::size_t EventLog::most_bytes = block_events * (largest_event() + 2) + 
 
 // What is not needed is never touched, and costs no memory.
 EventLog::EventLog() : own_(new std::uint8_t[most_bytes]), begin_(own_.get()), end_(begin_) {
-  static_assert(2 + sizeof(RunHead) + sizeof(double) <= largest_event() + 2, "a run of one pixel takes no more than an event");
+  static_assert(2 + sizeof(RunHead) + sizeof(double) <= largest_event() + 2,
+                "a run of one pixel takes no more than an event");
   *end_ = end_mark;
 }
 
 EventLog::EventLog(std::uint8_t* memory) : begin_(memory), end_(memory) { *end_ = end_mark; }
 
-EventLog::EventLog(std::span<const std::uint8_t> bytes, const std::array<std::uint8_t, 128>& kind_of_step) : EventLog() {
+EventLog::EventLog(std::span<const std::uint8_t> bytes, const std::array<std::uint8_t, 128>& kind_of_step)
+    : EventLog() {
   bytes = bytes.first(std::min(bytes.size(), most_bytes - 1));
   std::copy(bytes.begin(), bytes.end(), begin_);
   codec::RunSteps steps;
   while (const std::size_t left = bytes.size() - static_cast<std::size_t>(end_ - begin_)) {
-    const auto [size, events] = left < 2 ? Whole{} : *end_ == run_mark ? whole_run(left, steps) : whole_event(left, kind_of_step, steps);
+    const auto [size, events] = left < 2            ? Whole{}
+                                : *end_ == run_mark ? whole_run(left, steps)
+                                                    : whole_event(left, kind_of_step, steps);
     if (size == 0 || events > block_events - count_) break;
     end_ += size, count_ += events;
   }
@@ -75,7 +81,8 @@ EventLog::Whole EventLog::whole_run(std::size_t left, const codec::RunSteps& ste
   return {size, painted ? head.count : 2 * (head.count + static_cast<std::uint32_t>(std::popcount(head.nearer)))};
 }
 
-EventLog::Whole EventLog::whole_event(std::size_t left, const std::array<std::uint8_t, 128>& kind_of_step, codec::RunSteps& steps) const {
+EventLog::Whole EventLog::whole_event(std::size_t left, const std::array<std::uint8_t, 128>& kind_of_step,
+                                      codec::RunSteps& steps) const {
   const std::uint8_t step = end_[0], kind = end_[1];
   if (step >= codec::row_token || kind >= kind_count || kind_of_step[step] != kind) return {};
   Whole whole;

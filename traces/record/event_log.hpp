@@ -1,7 +1,9 @@
-// What a run has recorded since the last block: events as they came, and the pixels of a span already drawn together into runs.
+// What a run has recorded since the last block: events as they came, and the pixels of a span already drawn together into
+// runs.
 //
-// This is the half of recording that runs within the method that is recorded, so it does little: it sees whether pixels follow one another
-// along their span, and copies everything else. Whether the depths are those that the span foretells is the packer's to find out. The other half, packing, may be another thread's (codec/block_encoder.hpp).
+// This is the half of recording that runs within the method that is recorded, so it does little: it sees whether pixels
+// follow one another along their span, and copies everything else. Whether the depths are those that the span foretells
+// is the packer's to find out. The other half, packing, may be another thread's (codec/block_encoder.hpp).
 #pragma once
 
 #include <array>
@@ -29,7 +31,8 @@ inline constexpr std::uint32_t run_limit = 64;  ///< pixels, as many as a word h
 inline constexpr std::uint8_t row_token = 125, fragments_token = 126, paints_token = 127;
 inline constexpr std::uint8_t unknown_step = 0xff;
 
-/// Pixels that follow one another along a span, as the log keeps them; their y, polygon and steps are those of the events before.
+/// Pixels that follow one another along a span, as the log keeps them; their y, polygon and steps are those of the
+/// events before.
 struct LoggedRun {
   bool painted = false;
   std::int32_t x = 0;  ///< of the first pixel
@@ -76,8 +79,8 @@ class EventLog {
   EventLog();
   /// In this memory, `most_bytes` long, which must live as long as the log does.
   explicit EventLog(std::uint8_t* memory);
-  /// What stood in a log's memory, as far as a recording can have left it so: the first bytes of it that are whole events of the steps of
-  /// these kinds.
+  /// What stood in a log's memory, as far as a recording can have left it so: the first bytes of it that are whole
+  /// events of the steps of these kinds.
   EventLog(std::span<const std::uint8_t> bytes, const std::array<std::uint8_t, 128>& kind_of_step);
 
   /// True when the next event needs an empty log.
@@ -87,7 +90,8 @@ class EventLog {
     put_one(step, event);
     return count_ > block_events - longest_run;
   }
-  /// Whether the block may end here, if work on another polygon or ray begins: guesses start anew with a block, and lose least there.
+  /// Whether the block may end here, if work on another polygon or ray begins: guesses start anew with a block, and
+  /// lose least there.
   bool may_end() const { return count_ > block_events / 2; }
 
   std::uint32_t count() const { return count_; }  ///< events, without those of a run that goes on
@@ -117,7 +121,8 @@ class EventLog {
         RunHead head;
         std::memcpy(&head, at + 2, sizeof head);
         at += 2 + sizeof head;
-        logged_run.painted = kind != 0, logged_run.x = head.x, logged_run.count = head.count, logged_run.nearer = head.nearer;
+        logged_run.painted = kind != 0, logged_run.x = head.x, logged_run.count = head.count,
+        logged_run.nearer = head.nearer;
         logged_run.depths = at;
         at += head.count * sizeof(double);
         run(logged_run);
@@ -132,8 +137,9 @@ class EventLog {
   }
 
  private:
-  static constexpr std::uint32_t longest_run = 4 * codec::run_limit + 8;  ///< events of a run at work, and of what ends it
-  static constexpr std::uint8_t run_mark = 0xff, end_mark = 0xfe;         ///< in the place of a step: pixels; nothing yet
+  static constexpr std::uint32_t longest_run =
+      4 * codec::run_limit + 8;                                    ///< events of a run at work, and of what ends it
+  static constexpr std::uint8_t run_mark = 0xff, end_mark = 0xfe;  ///< in the place of a step: pixels; nothing yet
   struct RunHead {
     std::int32_t x;
     std::uint32_t count;
@@ -142,11 +148,15 @@ class EventLog {
 
   template <class E>
   static constexpr std::size_t logged_size = 2 + sizeof(E);
-  static constexpr std::size_t edges_at = logged_size<ScanLineBegin>, span_at = edges_at + 2 * logged_size<EdgeStep>, row_size = span_at + logged_size<SpanBegin>;
+  static constexpr std::size_t edges_at = logged_size<ScanLineBegin>, span_at = edges_at + 2 * logged_size<EdgeStep>,
+                               row_size = span_at + logged_size<SpanBegin>;
   bool row_stands(const std::uint8_t* at) const {
-    const auto is = [&]<class E>(std::size_t offset, std::type_identity<E>) { return at[offset] != run_mark && at[offset + 1] == kind_of<E>; };
+    const auto is = [&]<class E>(std::size_t offset, std::type_identity<E>) {
+      return at[offset] != run_mark && at[offset + 1] == kind_of<E>;
+    };
     const std::type_identity<EdgeStep> edge;
-    return static_cast<std::size_t>(end_ - at) >= row_size && is(edges_at, edge) && is(edges_at + logged_size<EdgeStep>, edge) && is(span_at, std::type_identity<SpanBegin>{});
+    return static_cast<std::size_t>(end_ - at) >= row_size && is(edges_at, edge) &&
+           is(edges_at + logged_size<EdgeStep>, edge) && is(span_at, std::type_identity<SpanBegin>{});
   }
   static void take_row(const std::uint8_t*& at, codec::LoggedRow& row) {
     const auto take = [&](std::size_t place, auto& event) {
@@ -177,25 +187,32 @@ class EventLog {
     return true;
   }
   bool take(std::uint8_t step, const DepthCompare& event) {
-    if (stage_ != Stage::interpolated || step != steps_.fragment[1] || event.x != x_ || event.y != y_ || !same(event.z, depths_[pixels_])) return false;
+    if (stage_ != Stage::interpolated || step != steps_.fragment[1] || event.x != x_ || event.y != y_ ||
+        !same(event.z, depths_[pixels_]))
+      return false;
     nearer_ |= std::uint64_t{event.nearer} << pixels_;
     if (event.nearer) stage_ = Stage::compared;
     else end_pixel();
     return true;
   }
   bool take(std::uint8_t step, const DepthWrite& event) {
-    if (stage_ != Stage::compared || step != steps_.fragment[2] || event.x != x_ || event.y != y_ || !same(event.z, depths_[pixels_])) return false;
+    if (stage_ != Stage::compared || step != steps_.fragment[2] || event.x != x_ || event.y != y_ ||
+        !same(event.z, depths_[pixels_]))
+      return false;
     stage_ = Stage::depth_written;
     return true;
   }
   bool take(std::uint8_t step, const PixelWrite& event) {
-    if (stage_ != Stage::depth_written || step != steps_.fragment[3] || event.x != x_ || event.y != y_ || event.polygon != polygon_) return false;
+    if (stage_ != Stage::depth_written || step != steps_.fragment[3] || event.x != x_ || event.y != y_ ||
+        event.polygon != polygon_)
+      return false;
     end_pixel();
     return true;
   }
   bool take(std::uint8_t step, const PixelPaint& event) {
     const bool begins = stage_ == Stage::ready && pixels_ == 0 && step == steps_.paint;
-    if (!(painting_ || begins) || step != steps_.paint || event.polygon != polygon_ || event.x != x_ || event.y != y_) return false;
+    if (!(painting_ || begins) || step != steps_.paint || event.polygon != polygon_ || event.x != x_ || event.y != y_)
+      return false;
     painting_ = painted_ = true;
     stage_ = Stage::closed;  // to fragments
     depths_[pixels_] = event.z;
@@ -241,7 +258,9 @@ class EventLog {
     // Field by field: a copy as a whole would wait until the event's fields, just written, have reached memory.
     for_each_index<E>([&]<std::size_t I>() {
       const auto& value = event.*field_at<E, I>.member;
-      std::memcpy(to + 2 + (reinterpret_cast<const std::uint8_t*>(&value) - reinterpret_cast<const std::uint8_t*>(&event)), &value, sizeof value);
+      std::memcpy(
+          to + 2 + (reinterpret_cast<const std::uint8_t*>(&value) - reinterpret_cast<const std::uint8_t*>(&event)),
+          &value, sizeof value);
     });
     stands(step, logged_size<E>);
     ++count_;
@@ -254,22 +273,28 @@ class EventLog {
       in_span_ = true;
       x_ = event.first, y_ = event.y;
       stage_ = Stage::ready;
-    } else if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> || std::is_same_v<E, DepthWrite> ||
-                         std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>) {
+    } else if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> ||
+                         std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelWrite> ||
+                         std::is_same_v<E, PixelPaint>) {
       x_ = static_cast<std::int32_t>(static_cast<std::uint32_t>(event.x) + 1u), y_ = event.y;
-      constexpr bool ends_pixel = std::is_same_v<E, DepthCompare> || std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>;
+      constexpr bool ends_pixel =
+          std::is_same_v<E, DepthCompare> || std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>;
       if (ends_pixel && in_span_) stage_ = Stage::ready;
     } else {
       // Any of these may take a register that the next pixel would be foretold from.
-      if constexpr (requires { event.x; } || requires { event.y; } || requires { event.z; } || is_break<E>) in_span_ = false;
+      if constexpr (
+          requires { event.x; } || requires { event.y; } || requires { event.z; } || is_break<E>)
+        in_span_ = false;
     }
   }
   template <class E>
-  static constexpr bool is_break = std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw> || std::is_same_v<E, ScanLineBegin>;
+  static constexpr bool is_break =
+      std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw> || std::is_same_v<E, ScanLineBegin>;
 
   void close_run();
 
-  /// What was written after the first byte counts from now on. In this order, so that at every moment the memory holds whole events only.
+  /// What was written after the first byte counts from now on. In this order, so that at every moment the memory holds
+  /// whole events only.
   void stands(std::uint8_t step, std::size_t size) {
     std::uint8_t* const from = end_;
     from[size] = end_mark;
@@ -289,11 +314,13 @@ class EventLog {
   bool painting_ = false;     ///< they are painted, and more may follow
   bool painted_ = false;
   bool in_span_ = false;
-  // Of the next pixel. x_ and y_ stand apart: together they would be read as one word, which waits until x_, just written, is in memory.
+  // Of the next pixel. x_ and y_ stand apart: together they would be read as one word, which waits until x_, just
+  // written, is in memory.
   std::int32_t x_ = 0, polygon_ = 0;
   std::uint64_t nearer_ = 0;
   std::int32_t y_ = 0;
-  // Of those that wait, and of the pixel at work: not in the log itself, as a compiler takes what is written there for anything.
+  // Of those that wait, and of the pixel at work: not in the log itself, as a compiler takes what is written there for
+  // anything.
   std::array<double, codec::run_limit> depths_{};
   codec::RunSteps steps_;
 };

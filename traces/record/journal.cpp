@@ -48,7 +48,8 @@ std::uint64_t layout_of_events() {
     const E event{};
     for_each_field<E>([&](const auto& field) {
       text += field.name;
-      text += ' ' + std::to_string(reinterpret_cast<const char*>(&(event.*field.member)) - reinterpret_cast<const char*>(&event));
+      text += ' ' + std::to_string(reinterpret_cast<const char*>(&(event.*field.member)) -
+                                   reinterpret_cast<const char*>(&event));
     });
   });
   return checksum_of({'L', 'O', 'G', 'S'}, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
@@ -66,7 +67,8 @@ std::optional<Head> head_of(std::istream& in) {
 /// A new file with this head and room on the disk for all of its size, mapped; nullptr if that cannot be.
 std::uint8_t* map_new(const std::filesystem::path& path, const Head& head, std::size_t size) {
   rlimit limit{};
-  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur < size) return nullptr;  // to ask for more would end the program
+  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur < size)
+    return nullptr;  // to ask for more would end the program
   if (std::ifstream old(path, std::ios::binary); old) {
     std::error_code error;
     const bool begun = head_of(old) || std::filesystem::file_size(path, error) == 0;  // by a recording that was killed
@@ -77,7 +79,8 @@ std::uint8_t* map_new(const std::filesystem::path& path, const Head& head, std::
   if (file < 0) return nullptr;
   void* mapped = MAP_FAILED;
   const bool begun = write(file, &head, sizeof head) == static_cast<ssize_t>(sizeof head);
-  if (begun && posix_fallocate(file, 0, static_cast<off_t>(size)) == 0) mapped = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  if (begun && posix_fallocate(file, 0, static_cast<off_t>(size)) == 0)
+    mapped = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
   close(file);
   if (mapped != MAP_FAILED) return static_cast<std::uint8_t*>(mapped);
   unlink(path.c_str());
@@ -93,8 +96,10 @@ Journal::Journal(const std::filesystem::path& trace, std::size_t logs, std::size
 #ifdef ZSTEP_MAPS_FILES
   std::error_code error;
   mapped_size_ = page + logs * log_size;
-  const std::filesystem::file_type type = trace.empty() ? std::filesystem::file_type::none : std::filesystem::status(trace, error).type();
-  if (logs <= most_logs && (type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found)) {
+  const std::filesystem::file_type type =
+      trace.empty() ? std::filesystem::file_type::none : std::filesystem::status(trace, error).type();
+  if (logs <= most_logs &&
+      (type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found)) {
     Head head;
     head.layout = layout_of_events(), head.logs = logs, head.log_size = log_size;
     path_ = journal_of(trace);
@@ -128,18 +133,22 @@ void Journal::belongs_to(std::uint64_t head_checksum) {
   if (mapped_ != nullptr) std::memcpy(mapped_ + offsetof(Head, trace), &head_checksum, sizeof head_checksum);
 }
 
-std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint64_t head_checksum, std::uint64_t first) {
+std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint64_t head_checksum,
+                                   std::uint64_t first) {
   std::vector<Bytes> found;
   std::ifstream in(journal_of(trace), std::ios::binary);
   const std::optional<Head> head = in ? head_of(in) : std::nullopt;
-  if (!head || head->layout != layout_of_events() || head->trace != head_checksum || head->logs > most_logs) return found;
+  if (!head || head->layout != layout_of_events() || head->trace != head_checksum || head->logs > most_logs)
+    return found;
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(journal_of(trace), error);
   if (error || size < page || head->log_size > (size - page) / std::max<std::uint64_t>(head->logs, 1)) return found;
   const auto log_size = static_cast<std::size_t>(head->log_size);
   if (log_size != head->log_size) return found;  // more than there is memory to address
   for (std::uint64_t block = first; found.size() < head->logs; ++block) {
-    const auto number = static_cast<std::size_t>(std::find(head->block.begin(), head->block.begin() + static_cast<std::ptrdiff_t>(head->logs), block) - head->block.begin());
+    const auto number = static_cast<std::size_t>(
+        std::find(head->block.begin(), head->block.begin() + static_cast<std::ptrdiff_t>(head->logs), block) -
+        head->block.begin());
     if (number == head->logs) break;
     Bytes log(log_size);
     in.seekg(static_cast<std::streamoff>(page + std::uint64_t{number} * log_size));

@@ -1,8 +1,8 @@
-// Memory for what a recording has not written yet, kept so that it outlives the recording: a process that is killed, or falls, takes its
-// own memory with it, but not that of a file which it has mapped.
+// Memory for what a recording has not written yet, kept so that it outlives the recording: a process that is killed, or
+// falls, takes its own memory with it, but not that of a file which it has mapped.
 //
-// The file stands beside the trace, as "run.ztrace.journal", while it is recorded. Whoever opens a trace without an end finds in it the
-// blocks that come next (file/open_trace.cpp).
+// The file stands beside the trace, as "run.ztrace.journal", while it is recorded. Whoever opens a trace without an end
+// finds in it the blocks that come next (file/open_trace.cpp).
 #pragma once
 
 #include <cstddef>
@@ -44,8 +44,9 @@ class Journal {
 
 std::filesystem::path journal_of(const std::filesystem::path& trace);
 
-/// The logs of blocks `first`, `first + 1` and so on that the journal of a trace holds, as they stood in memory; none where there is no
-/// journal, or it is another trace's or another zstep's. They are hostile until checked.
-std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint64_t head_checksum, std::uint64_t first);
+/// The logs of blocks `first`, `first + 1` and so on that the journal of a trace holds, as they stood in memory; none
+/// where there is no journal, or it is another trace's or another zstep's. They are hostile until checked.
+std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint64_t head_checksum,
+                                   std::uint64_t first);
 
 }  // namespace zstep

@@ -33,6 +33,7 @@ struct StepInfo {
 /// A method's pseudo-code: its steps in the order in which they are read.
 using Page = std::vector<StepInfo>;
 
-inline constexpr int step_limit = 125;  ///< a token of the file is seven bits, and three of them stand for several events
+inline constexpr int step_limit =
+    125;  ///< a token of the file is seven bits, and three of them stand for several events
 
 }  // namespace zstep

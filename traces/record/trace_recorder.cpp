@@ -23,8 +23,9 @@ namespace {
 constexpr std::size_t logs_at_work = 9;
 }  // namespace
 
-/// The file of a recording. It has its name once its head is written, so that whatever has that name can be opened, whenever the recording
-/// is killed; what had the name before is there until then. What is no ordinary file is written as it stands.
+/// The file of a recording. It has its name once its head is written, so that whatever has that name can be opened,
+/// whenever the recording is killed; what had the name before is there until then. What is no ordinary file is written
+/// as it stands.
 class TraceRecorder::Output {
  public:
   explicit Output(const std::filesystem::path& path) : path_(where_it_leads(path)) {
@@ -32,7 +33,8 @@ class TraceRecorder::Output {
     std::error_code error;
     const std::filesystem::file_type type = std::filesystem::status(path_, error).type();
     const bool is_new = type == std::filesystem::file_type::not_found;
-    if (is_new || (type == std::filesystem::file_type::regular && OpenFile(std::fopen(path_.string().c_str(), "r+b")))) {
+    if (is_new ||
+        (type == std::filesystem::file_type::regular && OpenFile(std::fopen(path_.string().c_str(), "r+b")))) {
       begun_ = path_.string() + ".begun";
       file_ = open_own_output(begun_);
       check_replaceable(path_);  // another recording may have begun meanwhile
@@ -52,7 +54,8 @@ class TraceRecorder::Output {
   Output& operator=(const Output&) = delete;
 
   void write(const Bytes& bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size() && std::fflush(file_.get()) == 0) return;
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size() && std::fflush(file_.get()) == 0)
+      return;
     throw Exhausted(path_.string(), "the trace could not be written any further (is the disk full?)",
                     "what was written so far can be opened; free some space or record to another place");
   }
@@ -60,11 +63,14 @@ class TraceRecorder::Output {
     if (begun_.empty()) return;
     std::error_code error;
     std::filesystem::rename(begun_, path_, error);
-    if (error) throw InputError(path_.string(), "cannot be written: " + error.message(), "name a file in a folder that is yours");
+    if (error)
+      throw InputError(path_.string(), "cannot be written: " + error.message(),
+                       "name a file in a folder that is yours");
     begun_.clear();
   }
   void close() {
-    if (std::fclose(file_.release()) != 0) throw Exhausted(path_.string(), "the end of the trace could not be written", "is the disk full?");
+    if (std::fclose(file_.release()) != 0)
+      throw Exhausted(path_.string(), "the end of the trace could not be written", "is the disk full?");
   }
 
  private:
@@ -72,8 +78,8 @@ class TraceRecorder::Output {
   OpenFile file_;
 };
 
-/// Where the bytes go, and the index that grows as they do. Logs are packed and written by another thread while the next ones are
-/// recorded; nothing else here is touched meanwhile.
+/// Where the bytes go, and the index that grows as they do. Logs are packed and written by another thread while the
+/// next ones are recorded; nothing else here is touched meanwhile.
 struct TraceRecorder::Sink {
   std::unique_ptr<Output> file;  ///< none: to memory
   Bytes memory;
@@ -145,7 +151,8 @@ TraceRecorder::TraceRecorder(const std::filesystem::path& path, const Header& he
   else sink_->worker.begin([sink = sink_.get(), header, &scene] { sink->write_head(header, scene); });
 }
 
-TraceRecorder::TraceRecorder(const Header& header, const Scene& scene) : TraceRecorder(std::filesystem::path(), header, scene) {}
+TraceRecorder::TraceRecorder(const Header& header, const Scene& scene)
+    : TraceRecorder(std::filesystem::path(), header, scene) {}
 
 TraceRecorder::~TraceRecorder() = default;
 

@@ -16,9 +16,9 @@ namespace zstep {
 
 class TraceRecorder {
  public:
-  /// To a file, written block by block under its own name; what is not written yet stands in a journal beside it, so that a recording that
-  /// is killed or falls keeps all but the pixels of its last span. Throws InputError when the file cannot be written. The scene must live
-  /// as long as the recorder does: it foretells events.
+  /// To a file, written block by block under its own name; what is not written yet stands in a journal beside it, so
+  /// that a recording that is killed or falls keeps all but the pixels of its last span. Throws InputError when the
+  /// file cannot be written. The scene must live as long as the recorder does: it foretells events.
   TraceRecorder(const std::filesystem::path& path, const Header& header, const Scene& scene);
   TraceRecorder(const std::filesystem::path& path, const Header& header, Scene&& scene) = delete;
   /// To memory.

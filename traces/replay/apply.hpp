@@ -1,7 +1,8 @@
 // What each kind of event does to a state.
 //
-// Two halves. apply_method_state (apply_method_state.hpp, apply_structures.hpp) changes what is small and can be re-applied from a copy. apply_stores
-// changes buffers, vertices and the pixel at work, and tells a log the old value of whatever it changes.
+// Two halves. apply_method_state (apply_method_state.hpp, apply_structures.hpp) changes what is small and can be
+// re-applied from a copy. apply_stores changes buffers, vertices and the pixel at work, and tells a log the old value
+// of whatever it changes.
 #pragma once
 
 #include "traces/replay/apply_structures.hpp"

@@ -1,7 +1,7 @@
-// The small half of applying an event: what each kind does to a MethodState. Here stands what one polygon goes through, its
-// edges and spans; apply_structures.hpp has what methods keep of all polygons. It never looks at buffers or vertices, so that
-// it can be applied again from a copy. A trace from elsewhere may say impossible things (retire an edge that is not
-// active): apply_method_state then throws Impossible and has changed nothing.
+// The small half of applying an event: what each kind does to a MethodState. Here stands what one polygon goes through,
+// its edges and spans; apply_structures.hpp has what methods keep of all polygons. It never looks at buffers or
+// vertices, so that it can be applied again from a copy. A trace from elsewhere may say impossible things (retire an
+// edge that is not active): apply_method_state then throws Impossible and has changed nothing.
 #pragma once
 
 #include <limits>
@@ -80,7 +80,9 @@ inline void apply_method_state(const PolygonBegin& event, MethodState& machine) 
 inline void apply_method_state(const FacingTest& event, MethodState& machine) { machine.facing = event; }
 inline void apply_method_state(const ClipTest& event, MethodState& machine) { machine.clip_test = event; }
 inline void apply_method_state(const PolygonReject& event, MethodState& machine) { machine.rejected = event.reason; }
-inline void apply_method_state(const OutlineVertex& event, MethodState& machine) { machine.outline.push_back(event.vertex); }
+inline void apply_method_state(const OutlineVertex& event, MethodState& machine) {
+  machine.outline.push_back(event.vertex);
+}
 
 inline void apply_method_state(const EdgeTableInsert& event, MethodState& machine) {
   if (event.edge != static_cast<std::int32_t>(machine.edge_table.size())) {

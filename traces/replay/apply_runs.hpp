@@ -10,7 +10,13 @@ namespace detail {
 
 /// What stood at a pixel before the fragment that comes now.
 inline Fragment fragment_before(const Picture& picture, std::size_t pixel, std::int32_t x, std::int32_t y, double z) {
-  return {x, y, z, picture.depth[pixel], picture.polygon[pixel], picture.ink.empty() ? no_ink : picture.ink[pixel], std::nullopt};
+  return {x,
+          y,
+          z,
+          picture.depth[pixel],
+          picture.polygon[pixel],
+          picture.ink.empty() ? no_ink : picture.ink[pixel],
+          std::nullopt};
 }
 
 }  // namespace detail

@@ -1,5 +1,6 @@
-// What each kind of event does to the structures that a method keeps of all polygons: pieces, lists, trees, flags, areas,
-// boxes, rays, curves, lines, the light. The rest of the small half of applying an event stands in apply_method_state.hpp.
+// What each kind of event does to the structures that a method keeps of all polygons: pieces, lists, trees, flags,
+// areas, boxes, rays, curves, lines, the light. The rest of the small half of applying an event stands in
+// apply_method_state.hpp.
 #pragma once
 
 #include <algorithm>
@@ -118,8 +119,12 @@ inline void apply_method_state(const FlagFlip& event, MethodState& machine) {
   machine.sweep.flip = event;
 }
 inline void apply_method_state(const SpanFlags& event, MethodState& machine) { machine.sweep.interval = event; }
-inline void apply_method_state(const ImpliedEdge& event, MethodState& machine) { machine.sweep.implied.push_back(event); }
-inline void apply_method_state(const SpanWinner& event, MethodState& machine) { machine.sweep.winners.push_back(event); }
+inline void apply_method_state(const ImpliedEdge& event, MethodState& machine) {
+  machine.sweep.implied.push_back(event);
+}
+inline void apply_method_state(const SpanWinner& event, MethodState& machine) {
+  machine.sweep.winners.push_back(event);
+}
 inline void apply_method_state(const CoverageAdd& event, MethodState& machine) {
   std::vector<CoverageAdd>& covered = machine.sweep.covered;
   if (!covered.empty() && (covered.back().x != event.x || covered.back().y != event.y)) covered.clear();
@@ -164,8 +169,10 @@ inline void apply_method_state(const RayBegin& event, MethodState& machine) {
   RayWork& rays = machine.rays;
   if (event.role == RayRole::eye) rays.tree.clear();
   if (!rays.tree.empty() && event.ray <= rays.tree.back().entry.ray)
-    throw Impossible(fmt::format("ray {} begins after ray {}, though rays are numbered in the order of work", event.ray, rays.tree.back().entry.ray));
-  if (rays.tree.size() >= most_rays_of_pixel) throw Impossible(fmt::format("one pixel has more than {} rays", most_rays_of_pixel));
+    throw Impossible(fmt::format("ray {} begins after ray {}, though rays are numbered in the order of work", event.ray,
+                                 rays.tree.back().entry.ray));
+  if (rays.tree.size() >= most_rays_of_pixel)
+    throw Impossible(fmt::format("one pixel has more than {} rays", most_rays_of_pixel));
   rays.tree.push_back({event, std::nullopt});
   rays.ray = event.ray;
   rays.boxes.clear();
@@ -183,8 +190,10 @@ inline void apply_method_state(const RayPlane& event, MethodState& machine) {
 inline void apply_method_state(const RayHit& event, MethodState& machine) { machine.rays.hits.push_back(event); }
 inline void apply_method_state(const RayEnd& event, MethodState& machine) {
   std::vector<RayRow>& rows = machine.rays.tree;
-  const auto row = std::lower_bound(rows.begin(), rows.end(), event.ray, [](const RayRow& one, std::int32_t ray) { return one.entry.ray < ray; });
-  if (row == rows.end() || row->entry.ray != event.ray) throw Impossible(fmt::format("ray {} ends but did not begin", event.ray));
+  const auto row = std::lower_bound(rows.begin(), rows.end(), event.ray,
+                                    [](const RayRow& one, std::int32_t ray) { return one.entry.ray < ray; });
+  if (row == rows.end() || row->entry.ray != event.ray)
+    throw Impossible(fmt::format("ray {} ends but did not begin", event.ray));
   row->end = event;
   machine.rays.ray = row->entry.parent >= 0 ? row->entry.parent : row->entry.ray;
 }
@@ -245,7 +254,8 @@ inline void apply_method_state(const ShadowCompare& event, MethodState& machine)
 template <class E>
 void apply_method_state(const E& event, MethodState& machine, std::int64_t step) {
   apply_method_state(event, machine);
-  if constexpr (std::is_same_v<E, PlaneEquation>) machine.pieces.edit(static_cast<std::size_t>(event.piece)).plane_step = step;
+  if constexpr (std::is_same_v<E, PlaneEquation>)
+    machine.pieces.edit(static_cast<std::size_t>(event.piece)).plane_step = step;
 }
 
 }  // namespace zstep

@@ -1,5 +1,5 @@
-// Whole states along a trace, from which a seek starts. Of a picture, a frame keeps the pixels that differ from the frame before; every
-// sixteenth keeps all that was drawn, so that no more than sixteen make a picture.
+// Whole states along a trace, from which a seek starts. Of a picture, a frame keeps the pixels that differ from the
+// frame before; every sixteenth keeps all that was drawn, so that no more than sixteen make a picture.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,9 @@ namespace zstep {
 
 class KeyFrames {
  public:
-  /// `end`: the last position at which a frame can stand. `spacing`: events from frame to frame; it is doubled, and every other frame
-  /// let go, when all of them take more than `budget` bytes. `beginning` must live as long as this does.
+  /// `end`: the last position at which a frame can stand. `spacing`: events from frame to frame; it is doubled, and
+  /// every other frame let go, when all of them take more than `budget` bytes. `beginning` must live as long as this
+  /// does.
   KeyFrames(const Beginning& beginning, std::int64_t end, std::int64_t spacing, std::size_t budget);
 
   /// Where the next frame is due; frames stand in the order of their positions.
@@ -36,8 +37,11 @@ class KeyFrames {
     MethodState machine;
     SharedChunks<VertexStages> vertices;
     PictureChange picture, light;
-    std::size_t bytes() const { return sizeof(Frame) + picture.bytes() + light.bytes(); }  ///< of what it does not share
-    std::size_t bytes_beyond(const Frame& later) const;  ///< of machine and vertices, without what a later frame holds, too
+    std::size_t bytes() const {
+      return sizeof(Frame) + picture.bytes() + light.bytes();
+    }  ///< of what it does not share
+    std::size_t bytes_beyond(
+        const Frame& later) const;  ///< of machine and vertices, without what a later frame holds, too
   };
   static constexpr std::size_t group = 16;
   /// The changes of the n-th frame from what it is told from: the pictures of the frame before, or nothing.

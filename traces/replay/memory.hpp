@@ -26,7 +26,8 @@ std::size_t heap_of(const std::vector<T>& items);
 /// What a value holds outside of itself, in bytes.
 template <class T>
 std::size_t heap_of(const T& value) {
-  if constexpr (ListsMembers<T>) return std::apply([](const auto&... member) { return (heap_of(member) + ... + std::size_t{0}); }, value.members());
+  if constexpr (ListsMembers<T>)
+    return std::apply([](const auto&... member) { return (heap_of(member) + ... + std::size_t{0}); }, value.members());
   else return 0;
 }
 template <class T>
@@ -60,7 +61,9 @@ template <class T>
 std::size_t heap_beyond(const T& one, const T& other) {
   if constexpr (ListsMembers<T>) {
     const auto of_one = one.members(), of_other = other.members();
-    return [&]<std::size_t... I>(std::index_sequence<I...>) { return (heap_beyond(std::get<I>(of_one), std::get<I>(of_other)) + ... + std::size_t{0}); }
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return (heap_beyond(std::get<I>(of_one), std::get<I>(of_other)) + ... + std::size_t{0});
+    }
     (std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(of_one)>>>{});
   } else {
     return heap_of(one);

@@ -38,13 +38,16 @@ PictureChange::PictureChange(const Picture* before, const Picture& after, double
     const double depth = before != nullptr ? before->depth[pixel] : empty_depth;
     const std::int32_t polygon = before != nullptr ? before->polygon[pixel] : no_polygon;
     const std::uint32_t ink = !inked ? 0u : before != nullptr ? before->ink[pixel] : no_ink;
-    return bits_of_depth(depth) != bits_of_depth(after.depth[pixel]) || polygon != after.polygon[pixel] || (inked && ink != after.ink[pixel]);
+    return bits_of_depth(depth) != bits_of_depth(after.depth[pixel]) || polygon != after.polygon[pixel] ||
+           (inked && ink != after.ink[pixel]);
   };
   constexpr std::size_t many = 64;
-  const auto same = [&](const auto& one, const auto& other, std::size_t first) { return std::memcmp(&one[first], &other[first], many * sizeof one[first]) == 0; };
+  const auto same = [&](const auto& one, const auto& other, std::size_t first) {
+    return std::memcmp(&one[first], &other[first], many * sizeof one[first]) == 0;
+  };
   const auto many_unchanged = [&](std::size_t first) {
-    return before != nullptr && size - first >= many && same(before->depth, after.depth, first) && same(before->polygon, after.polygon, first) &&
-           (!inked || same(before->ink, after.ink, first));
+    return before != nullptr && size - first >= many && same(before->depth, after.depth, first) &&
+           same(before->polygon, after.polygon, first) && (!inked || same(before->ink, after.ink, first));
   };
   Line depths, inks;
   std::int32_t last_polygon = no_polygon;

@@ -9,8 +9,9 @@
 
 namespace zstep {
 
-/// Intervales of changed pixels that show one polygon: how many pixels come between, how many there are, the polygon, and of each depth how far
-/// it is from where the two before it lead. Along a span that is next to nothing, and a byte does.
+/// Intervales of changed pixels that show one polygon: how many pixels come between, how many there are, the polygon,
+/// and of each depth how far it is from where the two before it lead. Along a span that is next to nothing, and a byte
+/// does.
 class PictureChange {
  public:
   PictureChange() = default;

@@ -30,7 +30,8 @@ struct Replay::Impl {
         points(trace_.scene().points.size()),
         beginning(trace_),
         state(beginning.state()),
-        key_frames(beginning, trace->size() - tuning.lead_in, std::max(tuning.key_frame_every, trace->size() / most_key_frames), key_frame_budget) {
+        key_frames(beginning, trace->size() - tuning.lead_in,
+                   std::max(tuning.key_frame_every, trace->size() / most_key_frames), key_frame_budget) {
     forget();
   }
 
@@ -149,7 +150,8 @@ struct Replay::Impl {
     state.machine = check_points.back().second;
     for (std::int64_t position = check_points.back().first + 1; position <= target; ++position) {
       if (!trace->impl().readable(position)) continue;
-      std::visit([&](const auto& event) { apply_method_state(event, state.machine, position); }, trace->event(position).event);
+      std::visit([&](const auto& event) { apply_method_state(event, state.machine, position); },
+                 trace->event(position).event);
     }
     state.machine.fragment = fragment;
     state.position = target;

@@ -34,8 +34,9 @@ class Replay {
   const State& state() const;
   std::int64_t position() const { return state().position; }
 
-  /// To any position; clamped to 0 … trace().size(). Near ones are stepped to, far ones sought. On a long way, `on_way`, if there is one,
-  /// is told now and then what share of it is done; when it returns true, the way ends there.
+  /// To any position; clamped to 0 … trace().size(). Near ones are stepped to, far ones sought. On a long way,
+  /// `on_way`, if there is one, is told now and then what share of it is done; when it returns true, the way ends
+  /// there.
   using OnWay = std::function<bool(double share)>;
   void go_to(std::int64_t position, const OnWay& on_way = nullptr);
   void step_forward() { go_to(position() + 1); }

@@ -95,11 +95,13 @@ bool same(const std::array<T, N>& a, const std::array<T, N>& b) {
 
 template <class T>
 bool same(const SharedChunks<T>& a, const SharedChunks<T>& b) {
-  return a.shares_with(b) || std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& one, const T& other) { return same(one, other); });
+  return a.shares_with(b) || std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                                        [](const T& one, const T& other) { return same(one, other); });
 }
 template <class T>
 bool same(const SharedList<T>& a, const SharedList<T>& b) {
-  return a.shares_with(b) || std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& one, const T& other) { return same(one, other); });
+  return a.shares_with(b) || std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                                        [](const T& one, const T& other) { return same(one, other); });
 }
 
 }  // namespace zstep

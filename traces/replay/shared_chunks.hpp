@@ -1,5 +1,5 @@
-// A long vector in pieces, which copies share until one of them changes: a copy costs a pointer a piece, and then what differs. States are
-// copied often, as check-points and key frames, and little of them changes in between.
+// A long vector in pieces, which copies share until one of them changes: a copy costs a pointer a piece, and then what
+// differs. States are copied often, as check-points and key frames, and little of them changes in between.
 #pragma once
 
 #include <algorithm>
@@ -63,7 +63,8 @@ class SharedChunks {
   /// New items are T{}, and take no memory while whole chunks of them are.
   void resize(std::size_t size) {
     const std::size_t at_edge = std::min(size, size_) / chunk_size;
-    if (at_edge < chunks_.size() && chunks_[at_edge]) own(at_edge).resize(std::min(size - at_edge * chunk_size, chunk_size));
+    if (at_edge < chunks_.size() && chunks_[at_edge])
+      own(at_edge).resize(std::min(size - at_edge * chunk_size, chunk_size));
     chunks_.resize((size + chunk_size - 1) / chunk_size);
     size_ = size;
   }
@@ -86,7 +87,8 @@ class SharedChunks {
   void share(const SharedChunks& other, Same&& same) {
     for (std::size_t i = 0; i < std::min(chunks_.size(), other.chunks_.size()); ++i) {
       if (chunks_[i] == other.chunks_[i] || !chunks_[i] || !other.chunks_[i]) continue;
-      if (std::equal(chunks_[i]->begin(), chunks_[i]->end(), other.chunks_[i]->begin(), other.chunks_[i]->end(), same)) chunks_[i] = other.chunks_[i];
+      if (std::equal(chunks_[i]->begin(), chunks_[i]->end(), other.chunks_[i]->begin(), other.chunks_[i]->end(), same))
+        chunks_[i] = other.chunks_[i];
     }
   }
 

@@ -36,7 +36,9 @@ enum class EdgeStage : std::uint8_t { waiting, active, retired };
 class EdgeStages {
  public:
   std::size_t size() const { return size_; }
-  EdgeStage operator[](std::size_t edge) const { return static_cast<EdgeStage>(words_[edge / in_word] >> shift(edge) & mask); }
+  EdgeStage operator[](std::size_t edge) const {
+    return static_cast<EdgeStage>(words_[edge / in_word] >> shift(edge) & mask);
+  }
   void set(std::size_t edge, EdgeStage stage) {
     std::uint64_t& word = words_.edit(edge / in_word);
     word = (word & ~(mask << shift(edge))) | static_cast<std::uint64_t>(stage) << shift(edge);
@@ -117,9 +119,9 @@ struct MethodState {
   std::array<std::int64_t, words_of<Coherence>.size()> saved{};  ///< tests, by coherence
 
   auto members() const {
-    return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active, scan_line, span,
-                    fragment, keeps_all, pass, pieces, drawn, list, pair, tree, node, sweep, areas, area, bins,
-                    boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
+    return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
+                    scan_line, span, fragment, keeps_all, pass, pieces, drawn, list, pair, tree, node, sweep, areas,
+                    area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
   }
 };
 

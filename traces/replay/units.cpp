@@ -64,7 +64,8 @@ std::int64_t previous_unit(const Trace& trace, std::int64_t from, Unit unit) {
     return mark == marks.begin() ? 0 : std::prev(mark)->position;
   }
   const std::set<std::size_t> kinds = beginnings(trace, unit);
-  return trace.previous(from, [&](const RecordedEvent& event) { return kinds.contains(event.event.index()); }).value_or(0);
+  return trace.previous(from, [&](const RecordedEvent& event) { return kinds.contains(event.event.index()); })
+      .value_or(0);
 }
 
 }  // namespace zstep

@@ -46,7 +46,8 @@ void note_textures(const std::filesystem::path& folder, std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     const bool texture = line.starts_with("comment TextureFile ") ||
-                         std::any_of(statements.begin(), statements.end(), [&](std::string_view word) { return line.starts_with(word); });
+                         std::any_of(statements.begin(), statements.end(),
+                                     [&](std::string_view word) { return line.starts_with(word); });
     const std::size_t last = line.find_last_of(" \t");
     if (texture && last != std::string_view::npos) note_input(folder / std::filesystem::path(line.substr(last + 1)));
   }
@@ -59,7 +60,8 @@ PolygonSoup read_mesh(const std::filesystem::path& path) {
   if (!format) throw InputError(path.string(), "its extension names no mesh format", "use .obj, .off, .ply or .stl");
   const std::string bytes = read_bytes(path);
   PolygonSoup soup;
-  if (*format == MeshFormat::ply) note_textures(path.parent_path(), std::string_view(bytes).substr(0, bytes.find("end_header")));
+  if (*format == MeshFormat::ply)
+    note_textures(path.parent_path(), std::string_view(bytes).substr(0, bytes.find("end_header")));
   if (*format == MeshFormat::obj) {
     // Only from the mesh's own folder: a mesh from the net must not make zstep open files elsewhere.
     const auto materials = [&](const std::string& file_name) -> std::optional<std::string> {

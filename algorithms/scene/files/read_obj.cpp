@@ -94,8 +94,8 @@ class Reader {
       soup_.notes.push_back(fmt::format("{}: {} free-form curves and surfaces (curv, curv2, surf) are left out",
                                         free_forms_.where, free_forms_.count));
     if (unknown_.count > 0)
-      soup_.notes.push_back(fmt::format("{}: {} is no statement of an OBJ file; {} such line{} left out", unknown_.where,
-                                        in_quotes(unknown_.word), unknown_.count,
+      soup_.notes.push_back(fmt::format("{}: {} is no statement of an OBJ file; {} such line{} left out",
+                                        unknown_.where, in_quotes(unknown_.word), unknown_.count,
                                         unknown_.count == 1 ? " was" : "s were"));
     return std::move(soup_);
   }

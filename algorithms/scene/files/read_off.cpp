@@ -72,7 +72,8 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name, std::si
   const auto count = [&](std::string_view what, std::size_t least_bytes) {
     const auto value = file.take<std::int32_t>();
     if (value < 0 || static_cast<std::size_t>(value) > file.bytes_left() / least_bytes)
-      throw InputError(where(), fmt::format("{} {} are declared, which {} bytes cannot hold", value, what, file.bytes_left()),
+      throw InputError(where(),
+                       fmt::format("{} {} are declared, which {} bytes cannot hold", value, what, file.bytes_left()),
                        "correct the count, or get the file again if it was cut short");
     return value;
   };
@@ -127,7 +128,8 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     if (token == "BINARY") {
       // The numbers begin after the line's end, be it LF or CR LF.
       const std::size_t end = bytes.find('\n', bytes.size() - file.bytes_left());
-      if (end == std::string_view::npos) file.fail("the file ends after BINARY", "get the file again: it was cut short");
+      if (end == std::string_view::npos)
+        file.fail("the file ends after BINARY", "get the file again: it was cut short");
       return read_binary(bytes, name, end + 1, kind);
     }
   } else if (!parse_integer(token)) {  // the keyword may be missing altogether

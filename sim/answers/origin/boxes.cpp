@@ -19,7 +19,8 @@ int number_of_axis(std::string_view field) { return field[0] == 'x' ? 0 : field[
 /// By how much boxes are larger than what is in them.
 double pad_of(const Scene& scene) {
   double size = glm::length(scene.camera.eye);
-  for (const std::int32_t corner : scene.corners) size = std::max(size, glm::length(scene.points[static_cast<std::size_t>(corner)]));
+  for (const std::int32_t corner : scene.corners)
+    size = std::max(size, glm::length(scene.points[static_cast<std::size_t>(corner)]));
   return 1e-9 * size;
 }
 
@@ -46,7 +47,10 @@ const RayBegin* ray_at_work(const Work& work) {
 void tell_at_side(Datum& datum, Work& work, std::int64_t step, int axis, const Number& bound) {
   const Step begin = find_last<RayBegin>(work.trace, step, [](const RayBegin&) { return true; });
   if (!begin) return;
-  datum.is(fmt::format("(side - {})/{}", from_fields[axis], along_fields[axis]), {{"side", bound}, {from_fields[axis], work.field(*begin, from_fields[axis])}, {along_fields[axis], work.field(*begin, along_fields[axis])}});
+  datum.is(fmt::format("(side - {})/{}", from_fields[axis], along_fields[axis]),
+           {{"side", bound},
+            {from_fields[axis], work.field(*begin, from_fields[axis])},
+            {along_fields[axis], work.field(*begin, along_fields[axis])}});
 }
 
 struct Sides {
@@ -61,7 +65,8 @@ bool tell_passage(Datum& datum, Work& work, std::int64_t step, const Sides& side
   const double from[] = {ray->x_0, ray->y_0, ray->z_0}, along[] = {ray->dir_x, ray->dir_y, ray->dir_z};
   for (int axis = 0; axis < 3; ++axis)
     for (const bool low : {true, false}) {
-      if (along[axis] == 0 || ((low ? sides.low[axis] : sides.high[axis]) - from[axis]) / along[axis] != datum.number()) continue;
+      if (along[axis] == 0 || ((low ? sides.low[axis] : sides.high[axis]) - from[axis]) / along[axis] != datum.number())
+        continue;
       tell_at_side(datum, work, step, axis, bound(axis, low));
       return true;
     }
@@ -83,15 +88,21 @@ void tell(Datum& datum, Work& work, std::int64_t step, const BoxTest& e, std::st
   const auto at = static_cast<std::size_t>(e.box);
   if (field == "hit") {
     const Number enter = work.field(step, "t_enter"), leave = work.field(step, "t_leave");
-    if (!e.hit && enter.value <= leave.value) return datum.comes_of("it enters beyond the t that is kept", {enter, leave});
+    if (!e.hit && enter.value <= leave.value)
+      return datum.comes_of("it enters beyond the t that is kept", {enter, leave});
     return datum.holds_if("t_enter <= t_leave", {{"t_enter", enter}, {"t_leave", leave}});
   }
   if (e.box < 0 || at >= work.machine().boxes.size() || field == "box") return;
   const BoxMake box = work.machine().boxes[at].entry;
   const Step made = find_first<BoxMake>(work.trace, 1, [&](const BoxMake& other) { return other.box == e.box; });
   const Sides sides{{box.x_min, box.y_min, box.z_min}, {box.x_max, box.y_max, box.z_max}};
-  const bool told = tell_passage(datum, work, step, sides, [&](int axis, bool low) { return work.field(made, low ? low_fields[axis] : high_fields[axis], low ? sides.low[axis] : sides.high[axis]); });
-  if (!told) datum.note(std::isinf(datum.number()) ? "the ray runs beside the box" : field == "t_enter" ? "where the ray begins" : "where the ray ends");
+  const bool told = tell_passage(datum, work, step, sides, [&](int axis, bool low) {
+    return work.field(made, low ? low_fields[axis] : high_fields[axis], low ? sides.low[axis] : sides.high[axis]);
+  });
+  if (!told)
+    datum.note(std::isinf(datum.number()) ? "the ray runs beside the box"
+               : field == "t_enter"       ? "where the ray begins"
+                                          : "where the ray ends");
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const CellVisit& e, std::string_view field) {
@@ -108,10 +119,16 @@ void tell(Datum& datum, Work& work, std::int64_t step, const CellVisit& e, std::
     }
   const bool told = tell_passage(datum, work, step, sides, [&](int axis, bool low) {
     const double edge = low ? sides.low[axis] : sides.high[axis];
-    return work.derived(step, fmt::format("side {} {}", axis, low), fmt::format("side of cell ({}, {}, {})", e.cell_x, e.cell_y, e.cell_z), "side", edge, [&](Datum& inner) {
-      inner.is("low + (high - low)*k/cells", {{"low", work.field(made, low_fields[axis], lows[axis])}, {"high", work.field(made, high_fields[axis], highs[axis])},
-                                              {"k", cell[axis] + (low ? 0 : 1)}, {"cells", cells[axis]}}, false);
-    });
+    return work.derived(step, fmt::format("side {} {}", axis, low),
+                        fmt::format("side of cell ({}, {}, {})", e.cell_x, e.cell_y, e.cell_z), "side", edge,
+                        [&](Datum& inner) {
+                          inner.is("low + (high - low)*k/cells",
+                                   {{"low", work.field(made, low_fields[axis], lows[axis])},
+                                    {"high", work.field(made, high_fields[axis], highs[axis])},
+                                    {"k", cell[axis] + (low ? 0 : 1)},
+                                    {"cells", cells[axis]}},
+                                   false);
+                        });
   });
   if (!told) datum.note("where the ray enters the grid, or begins");
 }

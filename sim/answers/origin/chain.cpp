@@ -67,7 +67,9 @@ class Evaluation {
   }
 
  private:
-  [[noreturn]] void wrong() const { throw std::logic_error(fmt::format("'{}' is no formula at character {}", text_, at_)); }
+  [[noreturn]] void wrong() const {
+    throw std::logic_error(fmt::format("'{}' is no formula at character {}", text_, at_));
+  }
   void skip() {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
   }
@@ -179,9 +181,11 @@ std::string numbers_text(const ChainValue& value) {
 std::string line_text(const ChainValue& value) {
   std::string text = value.name;
   if (!value.word.empty()) {
-    text += ": " + value.word + (value.formula.empty() ? "" : ", as " + formula_text(value) + " = " + numbers_text(value));
+    text +=
+        ": " + value.word + (value.formula.empty() ? "" : ", as " + formula_text(value) + " = " + numbers_text(value));
   } else if (value.condition) {
-    if (!value.formula.empty()) text += ": " + formula_text(value) + ":  " + numbers_text(value) + "  is " + result_text(value);
+    if (!value.formula.empty())
+      text += ": " + formula_text(value) + ":  " + numbers_text(value) + "  is " + result_text(value);
     else text += ": " + result_text(value);
   } else {
     // What was taken over as it was needs its number once.
@@ -204,9 +208,12 @@ bool holds(const ChainValue& value) {
 std::string doubt_text(const ChainValue& value) {
   if (holds(value)) return "";
   const double computed = evaluate(value);
-  if (value.condition) return fmt::format("The trace says {}, but by these numbers it is {}.", result_text(value), computed != 0 ? "true" : "false");
+  if (value.condition)
+    return fmt::format("The trace says {}, but by these numbers it is {}.", result_text(value),
+                       computed != 0 ? "true" : "false");
   const bool copied = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
-  return fmt::format("The trace records {}, but {} {}.", full_digits(value.value), copied ? "it was taken from" : "this formula gives", full_digits(computed));
+  return fmt::format("The trace records {}, but {} {}.", full_digits(value.value),
+                     copied ? "it was taken from" : "this formula gives", full_digits(computed));
 }
 
 }  // namespace zstep::answers

@@ -10,7 +10,8 @@
 
 namespace zstep::answers {
 
-/// A number in a formula. It is one of the chain's own, or a plain one (a row, a size of the raster, an entry of a matrix).
+/// A number in a formula. It is one of the chain's own, or a plain one (a row, a size of the raster, an entry of a
+/// matrix).
 struct Operand {
   std::string symbol;      ///< letters, digits and _: as it stands in the formula
   double value = 0;
@@ -24,7 +25,7 @@ struct ChainValue {
   double value = 0;
   std::string formula;   ///< over the operands' symbols, "z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)"; empty: taken over
   std::vector<Operand> operands;
-  bool exact = true;     ///< of a run of zstep's own the formula gives the recorded bits; else it does so but for rounding
+  bool exact = true;  ///< of a run of zstep's own the formula gives the recorded bits; else it does so but for rounding
   bool condition = false;
   std::string word;      ///< of a choice between words, the one: "front"
   std::string note;      ///< what no formula says, in a few words
@@ -41,8 +42,8 @@ struct ChainLink {
   std::string source;        ///< "pyramid.obj:12", where the scene has lines
 };
 
-/// The links in the order in which they are read: each right behind the one that asked for it, or behind what that one had
-/// asked for before. The first value of the first link is the number that was asked about.
+/// The links in the order in which they are read: each right behind the one that asked for it, or behind what that one
+/// had asked for before. The first value of the first link is the number that was asked about.
 struct Chain {
   std::vector<ChainLink> links;
   bool cut = false;  ///< there was more than a chain may hold
@@ -58,8 +59,8 @@ std::string line_text(const ChainValue& value);
 std::string full_digits(double value);
 std::string result_text(const ChainValue& value);
 
-/// What the formula gives, in the order in which it is written. Knows + - * / ( ) < <= > >=, sqrt, abs, round, ⌊a⌋, ⌈a⌉, min, max
-/// and numbers. Throws std::logic_error for a formula that is none.
+/// What the formula gives, in the order in which it is written. Knows + - * / ( ) < <= > >=, sqrt, abs, round, ⌊a⌋,
+/// ⌈a⌉, min, max and numbers. Throws std::logic_error for a formula that is none.
 double evaluate(const ChainValue& value);
 /// Is that what was recorded, but for rounding?
 bool holds(const ChainValue& value);

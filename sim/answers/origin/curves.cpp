@@ -14,13 +14,18 @@ void tell_on_segment(Datum& datum, Work& work, std::int32_t column) {
   const auto& segment = work.machine().horizon.segment;
   if (!segment) return;
   const CurveSegment s = *segment;
-  const auto a = zstep::on_raster(work.scene, work.state(), s.vertex_0), b = zstep::on_raster(work.scene, work.state(), s.vertex_1);
+  const auto a = zstep::on_raster(work.scene, work.state(), s.vertex_0),
+             b = zstep::on_raster(work.scene, work.state(), s.vertex_1);
   if (!a || !b) return datum.note("on a piece of the curve that is cut at the near plane");
   const auto at = [&](std::int32_t vertex, Axis3 axis) { return work.on_raster(vertex, axis); };
   const bool between = column >= std::min(a->x, b->x) && column <= std::max(a->x, b->x);
-  if (!between || a->x == b->x) return datum.same_as("y_s", at(datum.number() == a->y ? s.vertex_0 : s.vertex_1, Axis3::y));
-  datum.is("y_0 + (y_1 - y_0)*(x - x_0)/(x_1 - x_0)", {{"y_0", at(s.vertex_0, Axis3::y)}, {"y_1", at(s.vertex_1, Axis3::y)}, {"x", column},
-                                                       {"x_0", at(s.vertex_0, Axis3::x)}, {"x_1", at(s.vertex_1, Axis3::x)}});
+  if (!between || a->x == b->x)
+    return datum.same_as("y_s", at(datum.number() == a->y ? s.vertex_0 : s.vertex_1, Axis3::y));
+  datum.is("y_0 + (y_1 - y_0)*(x - x_0)/(x_1 - x_0)", {{"y_0", at(s.vertex_0, Axis3::y)},
+                                                       {"y_1", at(s.vertex_1, Axis3::y)},
+                                                       {"x", column},
+                                                       {"x_0", at(s.vertex_0, Axis3::x)},
+                                                       {"x_1", at(s.vertex_1, Axis3::x)}});
 }
 
 Step horizon_before(const Work& work, std::int64_t step, std::int32_t x, bool upper) {
@@ -29,12 +34,16 @@ Step horizon_before(const Work& work, std::int64_t step, std::int32_t x, bool up
 
 Number horizon_at(Work& work, std::int64_t step, std::int32_t x, bool upper) {
   const Step moved = horizon_before(work, step, x, upper);
-  const double value = moved ? std::get<HorizonMove>(work.trace.event(*moved).event).y_curve : upper ? no_depth : -no_depth;
-  return work.derived(step, fmt::format("horizon {} {}", x, upper), fmt::format("{} horizon of column {}", upper ? "upper" : "lower", x), "y", value, [&](Datum& datum) {
-    if (!moved) return datum.note("nothing was drawn there yet");
-    datum.is("y_curve", {{"y_curve", value}});
-    work.later(*moved, "y_curve", "y_curve");
-  });
+  const double value = moved   ? std::get<HorizonMove>(work.trace.event(*moved).event).y_curve
+                       : upper ? no_depth
+                               : -no_depth;
+  return work.derived(step, fmt::format("horizon {} {}", x, upper),
+                      fmt::format("{} horizon of column {}", upper ? "upper" : "lower", x), "y", value,
+                      [&](Datum& datum) {
+                        if (!moved) return datum.note("nothing was drawn there yet");
+                        datum.is("y_curve", {{"y_curve", value}});
+                        work.later(*moved, "y_curve", "y_curve");
+                      });
 }
 
 }  // namespace
@@ -48,7 +57,8 @@ void tell(Datum& datum, Work& work, std::int64_t, const CurveBegin& e, std::stri
 void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std::string_view field) {
   if (field == "y_curve") return tell_on_segment(datum, work, e.x);
   if (field != "verdict") return;
-  const Number y = work.field(step, "y_curve"), upper = horizon_at(work, step, e.x, true), lower = horizon_at(work, step, e.x, false);
+  const Number y = work.field(step, "y_curve"), upper = horizon_at(work, step, e.x, true),
+               lower = horizon_at(work, step, e.x, false);
   datum.comes_of("above where y is at most upper[x], below where it is at least lower[x]", {y, upper, lower});
 }
 
@@ -64,15 +74,19 @@ void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std
 void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, std::string_view field) {
   if (field == "upper") return;
   const Step to = find_last<HorizonTest>(work.trace, step, [](const HorizonTest&) { return true; });
-  const Step from = to ? find_last<HorizonTest>(work.trace, *to - 1, [](const HorizonTest&) { return true; }) : std::nullopt;
+  const Step from =
+      to ? find_last<HorizonTest>(work.trace, *to - 1, [](const HorizonTest&) { return true; }) : std::nullopt;
   if (!from) return;
-  const HorizonTest a = std::get<HorizonTest>(work.trace.event(*from).event), b = std::get<HorizonTest>(work.trace.event(*to).event);
+  const HorizonTest a = std::get<HorizonTest>(work.trace.event(*from).event),
+                    b = std::get<HorizonTest>(work.trace.event(*to).event);
   // Where the curve was on the column before, its own piece may have been another.
-  const Number y_0 = work.derived(*from, "column before", fmt::format("the curve at x = {}", a.x), "y", a.y_curve, [&](Datum& datum_before) {
-    datum_before.is("y_curve", {{"y_curve", a.y_curve}});
-    work.later(*from, "y_curve", "y_curve");
-  });
-  const Number y_1 = work.field(*to, "y_curve"), h_0 = horizon_at(work, *from, a.x, e.upper), h_1 = horizon_at(work, *to, b.x, e.upper);
+  const Number y_0 = work.derived(*from, "column before", fmt::format("the curve at x = {}", a.x), "y", a.y_curve,
+                                  [&](Datum& datum_before) {
+                                    datum_before.is("y_curve", {{"y_curve", a.y_curve}});
+                                    work.later(*from, "y_curve", "y_curve");
+                                  });
+  const Number y_1 = work.field(*to, "y_curve"), h_0 = horizon_at(work, *from, a.x, e.upper),
+               h_1 = horizon_at(work, *to, b.x, e.upper);
   const bool x = field == "x_at";
   const std::string part = "(y_0 - h_0)/((y_0 - h_0) - (y_1 - h_1))";
   std::vector<Given> given{{"y_0", y_0}, {"h_0", h_0}, {"y_1", y_1}, {"h_1", h_1}};
@@ -93,7 +107,8 @@ std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegi
   if (facet < 0 || at >= work.scene.facets.size()) return -1;
   std::int32_t best = -1;
   double least = std::numeric_limits<double>::infinity();
-  const auto a = zstep::on_raster(work.scene, work.state(), line.vertex_0), b = zstep::on_raster(work.scene, work.state(), line.vertex_1);
+  const auto a = zstep::on_raster(work.scene, work.state(), line.vertex_0),
+             b = zstep::on_raster(work.scene, work.state(), line.vertex_1);
   for (std::size_t i = 0; a && b && i < work.machine().pieces.size(); ++i) {
     const Piece& piece = work.machine().pieces[i];
     if (piece.polygon != work.scene.facets[at].polygon || !piece.plane) continue;
@@ -106,11 +121,13 @@ std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegi
 }
 
 Number behind(Work& work, std::int64_t step, std::int32_t piece, std::int32_t vertex, bool first) {
-  const auto given = plane_at([&](char letter) { return work.plane(piece, letter); }, [&](Axis3 axis) { return work.on_raster(vertex, axis); });
+  const auto given = plane_at([&](char letter) { return work.plane(piece, letter); },
+                              [&](Axis3 axis) { return work.on_raster(vertex, axis); });
   ChainValue value;
   value.formula = "A*x + B*y + C*z + D";
   for (const Given& one : given) value.operands.push_back({one.symbol, one.number.value, -1, {}});
-  return work.derived(step, "", "", first ? "d_0" : "d_1", evaluate(value), [&](Datum& datum) { datum.is(value.formula, given); });
+  return work.derived(step, "", "", first ? "d_0" : "d_1", evaluate(value),
+                      [&](Datum& datum) { datum.is(value.formula, given); });
 }
 
 /// Where, on the picture, the line crosses an edge of the face: the edge that gives this t.
@@ -134,9 +151,17 @@ void tell_edge_crossing(Datum& datum, Work& work, const LineCross& e, const Line
   const std::int32_t a = outline[best], b = outline[(best + 1) % outline.size()];
   const auto at = [&](std::int32_t vertex, Axis3 axis) { return work.on_raster(vertex, axis); };
   datum.is("((a_x - x_0)*(b_y - a_y) - (a_y - y_0)*(b_x - a_x))/((x_1 - x_0)*(b_y - a_y) - (y_1 - y_0)*(b_x - a_x))",
-           {{"a_x", at(a, Axis3::x)}, {"x_0", at(line.vertex_0, Axis3::x)}, {"b_y", at(b, Axis3::y)}, {"a_y", at(a, Axis3::y)}, {"y_0", at(line.vertex_0, Axis3::y)},
-            {"b_x", at(b, Axis3::x)}, {"x_1", at(line.vertex_1, Axis3::x)}, {"y_1", at(line.vertex_1, Axis3::y)}}, false);
-  datum.note(fmt::format("where it crosses the edge from vertex {} to vertex {}", work.vertex_name(a), work.vertex_name(b)));
+           {{"a_x", at(a, Axis3::x)},
+            {"x_0", at(line.vertex_0, Axis3::x)},
+            {"b_y", at(b, Axis3::y)},
+            {"a_y", at(a, Axis3::y)},
+            {"y_0", at(line.vertex_0, Axis3::y)},
+            {"b_x", at(b, Axis3::x)},
+            {"x_1", at(line.vertex_1, Axis3::x)},
+            {"y_1", at(line.vertex_1, Axis3::y)}},
+           false);
+  datum.note(
+      fmt::format("where it crosses the edge from vertex {} to vertex {}", work.vertex_name(a), work.vertex_name(b)));
 }
 
 }  // namespace
@@ -149,17 +174,23 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::
   if (field == "t") {
     const std::int32_t piece = piece_of_facet(work, e.facet, line, e.t);
     if (piece < 0) return;
-    return datum.is("d_0/(d_0 - d_1)", {{"d_0", behind(work, step, piece, line.vertex_0, true)}, {"d_1", behind(work, step, piece, line.vertex_1, false)}}, false);
+    return datum.is("d_0/(d_0 - d_1)",
+                    {{"d_0", behind(work, step, piece, line.vertex_0, true)},
+                     {"d_1", behind(work, step, piece, line.vertex_1, false)}},
+                    false);
   }
   const Axis3 axis = field == "x_at" ? Axis3::x : Axis3::y;
   const std::string p = field == "x_at" ? "x" : "y";
-  datum.is(fmt::format("{0}_0 + t*({0}_1 - {0}_0)", p), {{p + "_0", work.on_raster(line.vertex_0, axis)}, {"t", work.field(step, "t")}, {p + "_1", work.on_raster(line.vertex_1, axis)}});
+  datum.is(fmt::format("{0}_0 + t*({0}_1 - {0}_0)", p), {{p + "_0", work.on_raster(line.vertex_0, axis)},
+                                                         {"t", work.field(step, "t")},
+                                                         {p + "_1", work.on_raster(line.vertex_1, axis)}});
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {
   const double t = datum.number();
   const Step cross = find_last<LineCross>(
-      work.trace, step, [&](const LineCross& other) { return other.line == e.line && other.facet == e.facet && other.t == t; },
+      work.trace, step,
+      [&](const LineCross& other) { return other.line == e.line && other.facet == e.facet && other.t == t; },
       [](const Event& event) { return std::holds_alternative<LineAgainst>(event); });
   if (cross) return datum.same_as("t", work.field(*cross, "t"));
   datum.note(field == "t_0" ? "where the edge begins" : field == "t_1" ? "where the edge ends" : "");
@@ -170,7 +201,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::
   const double t = datum.number();
   if (t == 0 || t == 1) return datum.note(t == 0 ? "where the edge begins" : "where the edge ends");
   const Step hide = find_last<LineHide>(
-      work.trace, step, [&](const LineHide& other) { return other.line == e.line && (other.t_0 == t || other.t_1 == t); },
+      work.trace, step,
+      [&](const LineHide& other) { return other.line == e.line && (other.t_0 == t || other.t_1 == t); },
       [](const Event& event) { return std::holds_alternative<LineBegin>(event); });
   if (!hide) return;
   const bool begins = std::get<LineHide>(work.trace.event(*hide).event).t_0 == t;

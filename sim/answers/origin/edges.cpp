@@ -14,7 +14,8 @@ const EdgeTableInsert* row_of(const Work& work, std::int32_t edge) {
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
 /// A whole number, limited to what the raster holds where that changes it.
-void tell_whole(Datum& datum, const words::Shown& formula, Given of, std::int32_t least, std::int32_t most, const char* most_name) {
+void tell_whole(Datum& datum, const words::Shown& formula, Given of, std::int32_t least, std::int32_t most,
+                const char* most_name) {
   std::string text = formula_of(formula);
   const double value = of.number.value;
   std::vector<Given> operands{std::move(of)};
@@ -32,7 +33,11 @@ void tell_on_edge(Datum& datum, Work& work, std::int32_t edge, Axis3 axis, doubl
   // Heights first: a vertex is then told from the raster on, and its depth with its projection.
   const Number y_0 = work.edge_end(edge, false, Axis3::y), y_1 = work.edge_end(edge, true, Axis3::y);
   datum.is(formula_of(formulas::on_line(symbol(p + "_0"), symbol(p + "_1"), symbol("y"), symbol("y_0"), symbol("y_1"))),
-           {{p + "_0", work.edge_end(edge, false, axis)}, {p + "_1", work.edge_end(edge, true, axis)}, {"y", y}, {"y_0", y_0}, {"y_1", y_1}});
+           {{p + "_0", work.edge_end(edge, false, axis)},
+            {p + "_1", work.edge_end(edge, true, axis)},
+            {"y", y},
+            {"y_0", y_0},
+            {"y_1", y_1}});
 }
 
 }  // namespace
@@ -64,12 +69,14 @@ void tell(Datum& datum, Work& work, std::int64_t, const EdgeTableInsert& e, std:
   const Number y_0 = work.edge_end(e.edge, false, Axis3::y), y_1 = work.edge_end(e.edge, true, Axis3::y);
   const bool turned = y_0.value > y_1.value;
   if (field == "first_row")
-    return tell_whole(datum, formulas::first_row(symbol(turned ? "y_1" : "y_0")), {turned ? "y_1" : "y_0", turned ? y_1 : y_0}, 0, height, "H");
+    return tell_whole(datum, formulas::first_row(symbol(turned ? "y_1" : "y_0")),
+                      {turned ? "y_1" : "y_0", turned ? y_1 : y_0}, 0, height, "H");
   if (field != "end_row") return;
   const Given below{turned ? "y_0" : "y_1", turned ? y_0 : y_1};
   // As far as scan line y_1 itself where coverage is inclusive and the polygon has its lowest point there.
   const double longer = formulas::end_row(below.number.value, true);
-  const bool past_end = formulas::may_include_end(work.trace.header()) && formulas::row_from(longer, height) == e.end_row;
+  const bool past_end =
+      formulas::may_include_end(work.trace.header()) && formulas::row_from(longer, height) == e.end_row;
   tell_whole(datum, formulas::end_row(symbol(below.symbol), past_end), below, 0, height, "H");
   if (past_end) datum.note("coverage is inclusive, and the edge goes on as far as y_1");
 }
@@ -82,7 +89,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const EdgeStep& e, std::s
   const Step line = find_last<ScanLineBegin>(work.trace, step, [](const ScanLineBegin&) { return true; });
   if (!line) return;
   const std::int32_t y = std::get<ScanLineBegin>(work.trace.event(*line).event).y;
-  if (work.conventions.interpolation == Conventions::Interpolation::direct) return tell_on_edge(datum, work, e.edge, axis, y);
+  if (work.conventions.interpolation == Conventions::Interpolation::direct)
+    return tell_on_edge(datum, work, e.edge, axis, y);
   // By increments: of the many additions before, one is told, and the row that they began from.
   const char* slope = axis == Axis3::x ? "dx_dy" : "dz_dy";
   const std::string p = axis == Axis3::x ? "x" : "z", m = slope;
@@ -90,14 +98,18 @@ void tell(Datum& datum, Work& work, std::int64_t step, const EdgeStep& e, std::s
   const std::int32_t lines = y - row->first_row;
   const auto before = find_last<EdgeStep>(
       work.trace, step - 1, [&](const EdgeStep& other) { return other.edge == e.edge; },
-      [&](const Event& event) { return std::holds_alternative<EdgeEnter>(event) && std::get<EdgeEnter>(event).edge == e.edge; });
-  const Number first = work.field(entered, axis == Axis3::x ? "x_edge" : "z_edge", start), per_line = work.field(entered, slope, gain);
+      [&](const Event& event) {
+        return std::holds_alternative<EdgeEnter>(event) && std::get<EdgeEnter>(event).edge == e.edge;
+      });
+  const Number first = work.field(entered, axis == Axis3::x ? "x_edge" : "z_edge", start),
+               per_line = work.field(entered, slope, gain);
   if (!before) return datum.is(p + "_0 + " + m, {{p + "_0", first}, {m, per_line}});
   const EdgeStep last = std::get<EdgeStep>(work.trace.event(*before).event);
   const double was = axis == Axis3::x ? last.x_edge : last.z_edge;
-  const Number one_before = work.derived(*before, "line before", "the same edge on the line before", p + "_b", was, [&](Datum& inner) {
-    inner.is(fmt::format("{}_f + lines*{}", p, m), {{p + "_f", first}, {"lines", lines - 1}, {m, per_line}}, false);
-  });
+  const Number one_before =
+      work.derived(*before, "line before", "the same edge on the line before", p + "_b", was, [&](Datum& inner) {
+        inner.is(fmt::format("{}_f + lines*{}", p, m), {{p + "_f", first}, {"lines", lines - 1}, {m, per_line}}, false);
+      });
   datum.is(p + "_b + " + m, {{p + "_b", one_before}, {m, per_line}});
 }
 
@@ -105,17 +117,24 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SpanBegin& e, std::
   const bool left = field.ends_with("left"), x = field.starts_with("x");
   if (field == "dz_dx") {
     if (e.x_right == e.x_left) return datum.note("no width: nothing to gain");
-    return datum.is(formula_of(formulas::slope(symbol("z_L"), symbol("z_R"), symbol("x_L"), symbol("x_R"))), {{"z_R", work.field(step, "z_right")}, {"z_L", work.field(step, "z_left")},
-                                                {"x_R", work.field(step, "x_right")}, {"x_L", work.field(step, "x_left")}});
+    return datum.is(formula_of(formulas::slope(symbol("z_L"), symbol("z_R"), symbol("x_L"), symbol("x_R"))),
+                    {{"z_R", work.field(step, "z_right")},
+                     {"z_L", work.field(step, "z_left")},
+                     {"x_R", work.field(step, "x_right")},
+                     {"x_L", work.field(step, "x_left")}});
   }
   const std::int32_t width = work.scene.raster.width;
-  if (field == "first") return tell_whole(datum, formulas::first_pixel(symbol("x_L")), {"x_L", work.field(step, "x_left")}, 0, width, "W");
+  if (field == "first")
+    return tell_whole(datum, formulas::first_pixel(symbol("x_L")), {"x_L", work.field(step, "x_left")}, 0, width, "W");
   if (field == "last") {
     const Conventions::Coverage coverage = formulas::coverage_of(work.trace.header(), [&](Conventions::Coverage by) {
       return formulas::limited_column(formulas::last_pixel(e.x_right, by) + 1, width) - 1 == e.last;
     });
-    tell_whole(datum, formulas::last_pixel(symbol("x_R"), coverage), {"x_R", work.field(step, "x_right")}, -2, width - 1, "W - 1");
-    return datum.note(coverage == Conventions::Coverage::inclusive ? "coverage is inclusive: a pixel on x_R belongs to the span" : "a pixel on x_R belongs to what lies to the right");
+    tell_whole(datum, formulas::last_pixel(symbol("x_R"), coverage), {"x_R", work.field(step, "x_right")}, -2,
+               width - 1, "W - 1");
+    return datum.note(coverage == Conventions::Coverage::inclusive
+                          ? "coverage is inclusive: a pixel on x_R belongs to the span"
+                          : "a pixel on x_R belongs to what lies to the right");
   }
   if (!field.ends_with("left") && !field.ends_with("right")) return;
   const Step active = step_of_active_edge(work.trace, work.machine(), step, left ? e.left_edge : e.right_edge);

@@ -8,7 +8,9 @@ namespace zstep::answers {
 namespace {
 
 template <class E>
-concept Told = requires(Datum& datum, Work& work, const E& event) { tell(datum, work, std::int64_t{}, event, std::string_view{}); };
+concept Told = requires(Datum& datum, Work& work, const E& event) {
+  tell(datum, work, std::int64_t{}, event, std::string_view{});
+};
 
 /// A field's value without its type: what is needed of it here.
 struct Described {
@@ -19,7 +21,14 @@ struct Described {
 
 template <class V>
 Described described(std::string_view name, std::string_view unit, std::string_view meaning, V value) {
-  Described field{name, unit, meaning, "", static_cast<double>(value), std::is_same_v<V, bool>, std::is_same_v<V, std::int32_t>, std::is_same_v<V, double>};
+  Described field{name,
+                  unit,
+                  meaning,
+                  "",
+                  static_cast<double>(value),
+                  std::is_same_v<V, bool>,
+                  std::is_same_v<V, std::int32_t>,
+                  std::is_same_v<V, double>};
   if constexpr (std::is_enum_v<V>) field.word = words_of<V>[static_cast<std::size_t>(value)];
   return field;
 }
@@ -31,9 +40,13 @@ void add(AllFields& all, const Described& field) { all.push_back(field); }
 AllFields described_fields(const Event& event) {
   AllFields all;
   void (*const keep)(AllFields&, const Described&) = add;  // one call a field
-  std::visit([&](const auto& known) {
-    for_each_field<std::decay_t<decltype(known)>>([&](const auto& field) { keep(all, described(field.name, field.unit, field.meaning, known.*(field.member))); });
-  }, event);
+  std::visit(
+      [&](const auto& known) {
+        for_each_field<std::decay_t<decltype(known)>>([&](const auto& field) {
+          keep(all, described(field.name, field.unit, field.meaning, known.*(field.member)));
+        });
+      },
+      event);
   return all;
 }
 
@@ -48,14 +61,17 @@ void tell_name(Datum& datum, Work& work, std::string_view field, std::int32_t nu
   const auto at = static_cast<std::size_t>(number);
   const bool vertex = field.starts_with("vertex");
   if (number < 0) return datum.note("none");
-  if (field == "polygon" || field == "owner") return datum.at_source(work.source_of_polygon(number)), datum.note(work.label(number));
+  if (field == "polygon" || field == "owner")
+    return datum.at_source(work.source_of_polygon(number)), datum.note(work.label(number));
   if (field.find("facet") != std::string_view::npos) {
     if (at >= work.scene.facets.size()) return;
     const std::int32_t polygon = work.scene.facets[at].polygon;
     datum.at_source(work.source_of_polygon(polygon));
     return datum.note("of " + work.label(polygon));
   }
-  if (vertex && at < work.scene.points.size()) return datum.comes_of("vertex " + work.vertex_name(number), {work.world(number, Axis3::x), work.world(number, Axis3::y), work.world(number, Axis3::z)});
+  if (vertex && at < work.scene.points.size())
+    return datum.comes_of("vertex " + work.vertex_name(number),
+                          {work.world(number, Axis3::x), work.world(number, Axis3::y), work.world(number, Axis3::z)});
   if (vertex) {
     const Step made = work.steps_of(number).made;
     return datum.comes_of("a vertex that cutting made", {work.field(made, "t", 0)});
@@ -79,13 +95,16 @@ std::optional<double> field_number(const Event& event, std::string_view name) {
 }
 
 std::string shown_name(const Event& event, std::string_view name, const std::string& depth) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 24> names{{
-      {"x_left", "x_L"}, {"x_right", "x_R"}, {"z_left", "z_L"}, {"z_right", "z_R"}, {"dx_dy", "1/m"}, {"dz_dy", "dz/dy"},
-      {"dz_dx", "dz/dx"}, {"x_edge", "x"}, {"plane_a", "A"}, {"plane_b", "B"}, {"plane_c", "C"}, {"plane_d", "D"},
-      {"y_curve", "y"}, {"x_at", "x"}, {"y_at", "y"}, {"x_cut", "x"}, {"y_cut", "y"}, {"z_cut", "z"},
-      {"dir_x", "dX_x"}, {"dir_y", "dX_y"}, {"dir_z", "dX_z"}, {"r8", "red"}, {"g8", "green"}, {"b8", "blue"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 24> names{
+      {{"x_left", "x_L"},  {"x_right", "x_R"}, {"z_left", "z_L"}, {"z_right", "z_R"}, {"dx_dy", "1/m"},
+       {"dz_dy", "dz/dy"}, {"dz_dx", "dz/dx"}, {"x_edge", "x"},   {"plane_a", "A"},   {"plane_b", "B"},
+       {"plane_c", "C"},   {"plane_d", "D"},   {"y_curve", "y"},  {"x_at", "x"},      {"y_at", "y"},
+       {"x_cut", "x"},     {"y_cut", "y"},     {"z_cut", "z"},    {"dir_x", "dX_x"},  {"dir_y", "dX_y"},
+       {"dir_z", "dX_z"},  {"r8", "red"},      {"g8", "green"},   {"b8", "blue"}}};
   if (name == "z" || name == "z_edge") return depth;
-  if (name == "z_cut" && std::holds_alternative<SplitVertex>(event) && std::get<SplitVertex>(event).space == Space::raster) return depth;
+  if (name == "z_cut" && std::holds_alternative<SplitVertex>(event) &&
+      std::get<SplitVertex>(event).space == Space::raster)
+    return depth;
   for (const auto& [field, shown] : names)
     if (field == name) return std::string(shown);
   return std::string(name);
@@ -96,7 +115,8 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
   if (!field) return;
   if (field->choice) datum.holds_if("", {});
   if (!field->word.empty()) datum.word(std::string(field->word));
-  if (field->whole && field->unit == "index") return tell_name(datum, work, name, static_cast<std::int32_t>(field->number), field->meaning);
+  if (field->whole && field->unit == "index")
+    return tell_name(datum, work, name, static_cast<std::int32_t>(field->number), field->meaning);
   std::visit(
       [&](const auto& known) {
         if constexpr (Told<std::decay_t<decltype(known)>>) tell(datum, work, step, known, name);
@@ -113,7 +133,8 @@ std::vector<std::string> fields_in(const Event& event) {
 
 std::string main_field(const Event& event) {
   const std::vector<Described> fields = described_fields(event);
-  for (const char* wanted : {"z", "t", "y_curve", "value", "x_edge", "z_left", "distance", "z_light", "view_dot_normal", "t_enter", "nearer"})
+  for (const char* wanted : {"z", "t", "y_curve", "value", "x_edge", "z_left", "distance", "z_light", "view_dot_normal",
+                             "t_enter", "nearer"})
     for (const Described& field : fields)
       if (field.name == wanted) return wanted;
   for (const Described& field : fields)

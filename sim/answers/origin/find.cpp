@@ -4,11 +4,13 @@
 
 namespace zstep::answers {
 
-std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end, const Trace::Predicate& predicate) {
+std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end,
+                                        const Trace::Predicate& predicate) {
   return trace.next(from, predicate, Trace::Among({}, {}, end - 1));
 }
 
-std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end, const Trace::Predicate& predicate) {
+std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end,
+                                            const Trace::Predicate& predicate) {
   return trace.previous(from, predicate, Trace::Among({}, {}, end + 1));
 }
 
@@ -42,7 +44,8 @@ namespace {
 
 auto mark_beyond(const Trace& trace, std::int64_t step) {
   const auto marks = trace.polygons();
-  return std::upper_bound(marks.begin(), marks.end(), step, [](std::int64_t at, const PolygonMark& mark) { return at < mark.position; });
+  return std::upper_bound(marks.begin(), marks.end(), step,
+                          [](std::int64_t at, const PolygonMark& mark) { return at < mark.position; });
 }
 
 }  // namespace

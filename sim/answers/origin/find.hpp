@@ -13,8 +13,10 @@
 namespace zstep::answers {
 
 /// The first step in (from, end) that satisfies the predicate; the last one in (end, from) for the way back.
-std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end, const Trace::Predicate& predicate);
-std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end, const Trace::Predicate& predicate);
+std::optional<std::int64_t> next_within(const Trace& trace, std::int64_t from, std::int64_t end,
+                                        const Trace::Predicate& predicate);
+std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t from, std::int64_t end,
+                                            const Trace::Predicate& predicate);
 
 template <class... E>
 bool is_one_of(const RecordedEvent& recorded) {
@@ -75,12 +77,13 @@ std::optional<Found<E>> next_event(const Trace& trace, std::int64_t from, std::i
   return next_that<E>(trace, from, end, [](const E&) { return true; });
 }
 
-/// The first step in (from, end) whose event E satisfies `beyond`, where all E that follow do so, too. By leaps and then by halving, so
-/// that few blocks are read; what is near is found soonest.
+/// The first step in (from, end) whose event E satisfies `beyond`, where all E that follow do so, too. By leaps and
+/// then by halving, so that few blocks are read; what is near is found soonest.
 template <class E, class Beyond>
 std::optional<Found<E>> first_beyond(const Trace& trace, std::int64_t from, std::int64_t end, const Beyond& beyond) {
   constexpr std::int64_t block = block_events;  // what is not larger is read from its beginning to its end
-  std::int64_t low = from, high = end, leap = block;  // no E up to `low` is beyond; one after it, or the first after `high`, is
+  std::int64_t low = from, high = end,
+               leap = block;  // no E up to `low` is beyond; one after it, or the first after `high`, is
   while (high - low > block) {
     const std::int64_t near_middle = low + std::min(leap, (high - low) / 2), begin = trace.begin_of_block(near_middle);
     const std::int64_t middle = begin > low ? begin : near_middle;
@@ -93,7 +96,8 @@ std::optional<Found<E>> first_beyond(const Trace& trace, std::int64_t from, std:
 
 /// The step in (from, end) whose event E has this number, where the numbers of all E in there go up.
 template <class E>
-std::optional<std::int64_t> numbered(const Trace& trace, std::int64_t from, std::int64_t end, std::int32_t E::*number, std::int32_t wanted) {
+std::optional<std::int64_t> numbered(const Trace& trace, std::int64_t from, std::int64_t end, std::int32_t E::*number,
+                                     std::int32_t wanted) {
   const auto found = first_beyond<E>(trace, from, end, [&](const E& event) { return event.*number >= wanted; });
   return found && found->event.*number == wanted ? std::optional(found->step) : std::nullopt;
 }

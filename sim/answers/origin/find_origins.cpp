@@ -26,8 +26,10 @@ struct Interval {
 Interval viewing_interval(const Trace& trace, const MethodState& machine) {
   const auto marks = trace.polygons();
   const auto facets = trace.scene().facets.size();
-  const Interval between{facets > 0 && marks.size() >= facets ? marks[facets - 1].position : 0, marks.size() > facets ? marks[facets].position : trace.size()};
-  if (trace.scene().light && machine.pass == Pass::eye && marks.size() > facets && facets > 0) return between;  // the second pass of a shadow buffer
+  const Interval between{facets > 0 && marks.size() >= facets ? marks[facets - 1].position : 0,
+                         marks.size() > facets ? marks[facets].position : trace.size()};
+  if (trace.scene().light && machine.pass == Pass::eye && marks.size() > facets && facets > 0)
+    return between;  // the second pass of a shadow buffer
   // A tree is built of all facets before its vertices are viewed, and then its pieces are drawn.
   if (trace.size() > 0 && is<TablesBegin>(trace.event(1).event) && !marks.empty()) return between;
   return {0, marks.empty() ? trace.size() : marks.front().position};
@@ -52,18 +54,21 @@ void find_projection(const Trace& trace, std::int64_t from, std::int64_t at, std
 }
 
 bool same_edge(const EdgeTableInsert& a, const EdgeTableInsert& b) {
-  return a.edge == b.edge && a.polygon == b.polygon && a.vertex_0 == b.vertex_0 && a.vertex_1 == b.vertex_1 && a.x_edge == b.x_edge && a.z_edge == b.z_edge;
+  return a.edge == b.edge && a.polygon == b.polygon && a.vertex_0 == b.vertex_0 && a.vertex_1 == b.vertex_1 &&
+         a.x_edge == b.x_edge && a.z_edge == b.z_edge;
 }
 
 }  // namespace
 
 std::int64_t begin_of_work(const Trace& trace, const MethodState& machine, std::int64_t at) {
   const auto marks = trace.polygons();
-  auto mark = std::upper_bound(marks.begin(), marks.end(), at, [](std::int64_t step, const PolygonMark& m) { return step < m.position; });
+  auto mark = std::upper_bound(marks.begin(), marks.end(), at,
+                               [](std::int64_t step, const PolygonMark& m) { return step < m.position; });
   const auto last = mark == marks.begin() ? 1 : std::prev(mark)->position;
   if (machine.piece >= 0) {
     // Work on a piece begins at a mark, too.
-    if (const auto* draw = std::get_if<PieceDraw>(&trace.event(last).event); draw && draw->piece == machine.piece) return last;
+    if (const auto* draw = std::get_if<PieceDraw>(&trace.event(last).event); draw && draw->piece == machine.piece)
+      return last;
     const auto drawn = find_last<PieceDraw>(trace, at, [&](const PieceDraw& e) { return e.piece == machine.piece; });
     if (drawn) return *drawn;
   }
@@ -83,7 +88,8 @@ VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std:
     // Of a polygon at work, clipping made it after the work began.
     const bool of_polygon = machine.polygon != no_polygon && machine.piece == -1 && !machine.keeps_all;
     if (of_polygon) steps.made = trace.next(begin_of_work(trace, machine, at), made);
-    if (machine.keeps_all) steps.made = numbered(trace, 0, at + 1, &SplitVertex::vertex, vertex);  // their numbers go up
+    if (machine.keeps_all)
+      steps.made = numbered(trace, 0, at + 1, &SplitVertex::vertex, vertex);  // their numbers go up
     if (machine.keeps_all && !steps.made) steps.made = numbered(trace, 0, at + 1, &ClipCross::vertex, vertex);
     if (!steps.made || *steps.made > at) steps.made = trace.previous(at + 1, made);
     if (!steps.made) return steps;
@@ -110,7 +116,9 @@ Step step_of_edge(const Trace& trace, const MethodState& machine, std::int64_t a
   const EdgeTableInsert entry = machine.edge_table[static_cast<std::size_t>(edge)];
   const auto wanted = [&](const EdgeTableInsert& e) { return same_edge(e, entry); };
   const std::int64_t soon = std::max<std::int64_t>(1, at - near);
-  if (const auto found = find_last<EdgeTableInsert>(trace, at, wanted, [](const Event&) { return false; }, soon)) return found;
+  if (const auto found = find_last<EdgeTableInsert>(
+          trace, at, wanted, [](const Event&) { return false; }, soon))
+    return found;
   // A polygon's edges follow its beginning, those of all at once the last of the polygons, and their numbers go up.
   if (machine.keeps_all && machine.piece == -1)
     if (const auto found = numbered(trace, last_mark(trace), at + 1, &EdgeTableInsert::edge, edge)) return found;
@@ -134,7 +142,9 @@ Step step_of_plane(const MethodState& machine, std::int32_t piece) {
 }
 
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light) {
-  const bool passes = trace.scene().light && std::any_of(trace.header().page.begin(), trace.header().page.end(), [](const StepInfo& s) { return s.kind == kind_of<PassBegin>; });
+  const bool passes =
+      trace.scene().light && std::any_of(trace.header().page.begin(), trace.header().page.end(),
+                                         [](const StepInfo& s) { return s.kind == kind_of<PassBegin>; });
   const auto writes = [&](const RecordedEvent& recorded) {
     if (const auto* depth = std::get_if<DepthWrite>(&recorded.event)) return depth->x == pixel.x && depth->y == pixel.y;
     if (const auto* paint = std::get_if<PixelPaint>(&recorded.event)) return paint->x == pixel.x && paint->y == pixel.y;
@@ -142,7 +152,8 @@ Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool
   };
   const auto marks = trace.polygons();
   const auto facets = trace.scene().facets.size();
-  const bool two = passes && marks.size() > facets && facets > 0;  // the eye's pass begins before the second round of polygons
+  const bool two =
+      passes && marks.size() > facets && facets > 0;  // the eye's pass begins before the second round of polygons
   const std::int64_t eye = two ? marks[facets].position : trace.size() + 1;
   const auto found = trace.previous(light && two ? std::min(at + 1, eye) : at + 1, writes, pixel);
   if (found && two && !light && *found < eye) return std::nullopt;

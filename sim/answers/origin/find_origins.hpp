@@ -1,5 +1,6 @@
-// Where in a trace the steps stand that a chain passes through. A search begins where its step must be near: at the polygon at
-// work, at the line, at the beginning of the run; none goes through a whole trace where there is another way.
+// Where in a trace the steps stand that a chain passes through. A search begins where its step must be near: at the
+// polygon at work, at the line, at the beginning of the run; none goes through a whole trace where there is another
+// way.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +13,18 @@ namespace zstep::answers {
 
 using Step = std::optional<std::int64_t>;
 
-/// The last step at or before `at`, or the first at or after it, whose event is an E for which `wanted(event)` holds. With `stop` nothing
-/// is looked at beyond an event for which `stop(event)` holds; `least` is the first step that is looked at.
+/// The last step at or before `at`, or the first at or after it, whose event is an E for which `wanted(event)` holds.
+/// With `stop` nothing is looked at beyond an event for which `stop(event)` holds; `least` is the first step that is
+/// looked at.
 template <class E, class Wanted, class Stop>
 Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted, Stop&& stop, std::int64_t least = 1) {
   const auto is_wanted = [&](const Event& event) {
     const auto* known = std::get_if<E>(&event);
     return known && wanted(*known);
   };
-  const auto found = trace.previous(at + 1, [&](const RecordedEvent& recorded) { return is_wanted(recorded.event) || stop(recorded.event); }, Trace::Among({}, {}, least));
+  const auto found = trace.previous(
+      at + 1, [&](const RecordedEvent& recorded) { return is_wanted(recorded.event) || stop(recorded.event); },
+      Trace::Among({}, {}, least));
   return found && is_wanted(trace.event(*found).event) ? found : std::nullopt;
 }
 template <class E, class Wanted>
@@ -49,7 +53,8 @@ Step step_of_active_edge(const Trace& trace, const MethodState& machine, std::in
 /// Where the plane of a piece was found.
 Step step_of_plane(const MethodState& machine, std::int32_t piece);
 
-/// The last step at or before `at` that gave a pixel of the buffer in use then its depth. `light`: of the light's picture.
+/// The last step at or before `at` that gave a pixel of the buffer in use then its depth. `light`: of the light's
+/// picture.
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light);
 
 /// Where work on the polygon or the piece at `at` began; 1 if nothing says so.

@@ -1,4 +1,5 @@
-// From a pixel of the eye's picture to the light's (shadow buffer): the way of a vertex backwards, then once more forwards.
+// From a pixel of the eye's picture to the light's (shadow buffer): the way of a vertex backwards, then once more
+// forwards.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -16,13 +17,17 @@ namespace {
 constexpr std::array<const char*, 3> world_names{"x_w", "y_w", "z_w"}, light_names{"x_v", "y_v", "z_v"};
 
 /// A row of a matrix times a point, with the entries as plain numbers.
-void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, std::size_t row, const std::array<Number, 3>& point, const std::array<const char*, 3>& names) {
+void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, std::size_t row,
+              const std::array<Number, 3>& point, const std::array<const char*, 3>& names) {
   std::vector<Given> given;
   for (std::size_t column = 0; column < 4; ++column) {
-    given.push_back({fmt::format("{}_{}{}", letter, row + 1, column + 1), matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)]});
+    given.push_back({fmt::format("{}_{}{}", letter, row + 1, column + 1),
+                     matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)]});
     if (column < 3) given.push_back({names[column], point[column]});
   }
-  datum.is(fmt::format("({0}_{1}1*{2} + {0}_{1}2*{3}) + ({0}_{1}3*{4} + {0}_{1}4)", letter, row + 1, names[0], names[1], names[2]), std::move(given), false);
+  datum.is(fmt::format("({0}_{1}1*{2} + {0}_{1}2*{3}) + ({0}_{1}3*{4} + {0}_{1}4)", letter, row + 1, names[0], names[1],
+                       names[2]),
+           std::move(given), false);
 }
 
 /// The numbers between the two pictures, as values of the step's link.
@@ -39,10 +44,12 @@ struct ThroughSpace {
 
   Number depth() {
     const double z = work.state().picture.depth[work.state().picture.at(e.x, e.y)];
-    return work.derived(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z, [&](Datum& datum) {
-      datum.is("z", {{"z", z}});
-      if (const Step wrote = step_of_depth(work.trace, step, {e.x, e.y}, false)) work.later(*wrote, "z", "z");
-    });
+    return work.derived(step, "depth", fmt::format("depth of pixel ({}, {})", e.x, e.y), work.depth_name(), z,
+                        [&](Datum& datum) {
+                          datum.is("z", {{"z", z}});
+                          if (const Step wrote = step_of_depth(work.trace, step, {e.x, e.y}, false))
+                            work.later(*wrote, "z", "z");
+                        });
   }
   Number z_v() {
     const Number z = depth();
@@ -54,10 +61,12 @@ struct ThroughSpace {
   }
   Number viewed(bool x) {
     const Number z = z_v();
-    const double plane = x ? (2 * (e.x + 0.5) / eye.width - 1) * eye.window_x : (1 - 2 * (e.y + 0.5) / eye.height) * eye.window_y;
+    const double plane =
+        x ? (2 * (e.x + 0.5) / eye.width - 1) * eye.window_x : (1 - 2 * (e.y + 0.5) / eye.height) * eye.window_y;
     return value(x ? "x_eye" : "y_eye", plane * (eye.orthographic ? 1 : z.value / eye.d), [&](Datum& datum) {
       const std::string formula = x ? "(2*(x + 0.5)/W - 1)*w_x" : "(1 - 2*(y + 0.5)/H)*w_y";
-      std::vector<Given> given = x ? std::vector<Given>{{"x", e.x}, {"W", eye.width}, {"w_x", eye.window_x}} : std::vector<Given>{{"y", e.y}, {"H", eye.height}, {"w_y", eye.window_y}};
+      std::vector<Given> given = x ? std::vector<Given>{{"x", e.x}, {"W", eye.width}, {"w_x", eye.window_x}}
+                                   : std::vector<Given>{{"y", e.y}, {"H", eye.height}, {"w_y", eye.window_y}};
       if (!eye.orthographic) given.push_back({"z_eye", z}), given.push_back({"d", eye.d});
       datum.is(eye.orthographic ? formula : formula + "*(z_eye/d)", std::move(given));
     });
@@ -66,26 +75,33 @@ struct ThroughSpace {
     const std::array<Number, 3> at{viewed(true), viewed(false), z_v()};
     const glm::dmat4 matrix = glm::inverse(work.scene.camera.view);
     const glm::dvec4 point = matrix * glm::dvec4(at[0].value, at[1].value, at[2].value, 1);
-    return value(world_names[axis], point[static_cast<glm::length_t>(axis)], [&](Datum& datum) { tell_row(datum, matrix, "V", axis, at, {"x_eye", "y_eye", "z_eye"}); });
+    return value(world_names[axis], point[static_cast<glm::length_t>(axis)], [&](Datum& datum) {
+      tell_row(datum, matrix, "V", axis, at, {"x_eye", "y_eye", "z_eye"});
+    });
   }
   Number seen(std::size_t axis) {
     const std::array<Number, 3> at{world(0), world(1), world(2)};
     const glm::dvec4 point = camera.view * glm::dvec4(at[0].value, at[1].value, at[2].value, 1);
-    return value(light_names[axis], point[static_cast<glm::length_t>(axis)], [&](Datum& datum) { tell_row(datum, camera.view, "L", axis, at, world_names); });
+    return value(light_names[axis], point[static_cast<glm::length_t>(axis)],
+                 [&](Datum& datum) { tell_row(datum, camera.view, "L", axis, at, world_names); });
   }
 };
 
 /// The depth in the light's picture, as far from the light as it is.
 void tell_from_light(Datum& datum, const viewing::Lens& lens, const Number& shadow) {
   if (lens.depth == Conventions::Depth::view || std::isinf(shadow.value)) return datum.same_as("shadow", shadow);
-  if (lens.orthographic) return datum.is("n + (shadow + 1)*(f - n)/2", {{"n", lens.near}, {"shadow", shadow}, {"f", lens.far}});
+  if (lens.orthographic)
+    return datum.is("n + (shadow + 1)*(f - n)/2", {{"n", lens.near}, {"shadow", shadow}, {"f", lens.far}});
   datum.is("2*n*f/(f + n - shadow*(f - n))", {{"n", lens.near}, {"f", lens.far}, {"shadow", shadow}});
 }
 
-/// How far behind the shadow buffer a point may lie and still be lit, in 1/1000: as the run was told, or the method's own.
+/// How far behind the shadow buffer a point may lie and still be lit, in 1/1000: as the run was told, or the method's
+/// own.
 double bias_of(const Conventions& conventions) {
   const auto given = conventions.options.find("bias");
-  return std::strtod(given != conventions.options.end() ? given->second.c_str() : std::string(shadow_buffer::options[0].standard).c_str(), nullptr);
+  return std::strtod(given != conventions.options.end() ? given->second.c_str()
+                                                        : std::string(shadow_buffer::options[0].standard).c_str(),
+                     nullptr);
 }
 
 }  // namespace
@@ -95,33 +111,48 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, s
   ThroughSpace through{work, step, e};
   const viewing::Lens& lens = through.light;
   if (field == "x_light")
-    return datum.is("(d*x_v/z_v + w_x)/(2*w_x)*W - 0.5", {{"d", lens.d}, {"x_v", through.seen(0)}, {"z_v", through.seen(2)}, {"w_x", lens.window_x}, {"W", lens.width}}, false);
+    return datum.is(
+        "(d*x_v/z_v + w_x)/(2*w_x)*W - 0.5",
+        {{"d", lens.d}, {"x_v", through.seen(0)}, {"z_v", through.seen(2)}, {"w_x", lens.window_x}, {"W", lens.width}},
+        false);
   if (field == "y_light")
-    return datum.is("(w_y - d*y_v/z_v)/(2*w_y)*H - 0.5", {{"w_y", lens.window_y}, {"d", lens.d}, {"y_v", through.seen(1)}, {"z_v", through.seen(2)}, {"H", lens.height}}, false);
+    return datum.is(
+        "(w_y - d*y_v/z_v)/(2*w_y)*H - 0.5",
+        {{"w_y", lens.window_y}, {"d", lens.d}, {"y_v", through.seen(1)}, {"z_v", through.seen(2)}, {"H", lens.height}},
+        false);
   if (field == "z_light") {
     if (lens.depth == Conventions::Depth::view) return datum.is("z_v", {{"z_v", through.seen(2)}}, false);
-    return datum.is("n*(a*z_v + b)/z_v", {{"n", lens.near}, {"a", lens.a}, {"z_v", through.seen(2)}, {"b", lens.b}}, false);
+    return datum.is("n*(a*z_v + b)/z_v", {{"n", lens.near}, {"a", lens.a}, {"z_v", through.seen(2)}, {"b", lens.b}},
+                    false);
   }
   const double column = std::round(e.x_light), row = std::round(e.y_light);
-  const std::vector<Number> asked{work.field(step, "z_light"), work.field(step, "x_light"), work.field(step, "y_light")};
+  const std::vector<Number> asked{work.field(step, "z_light"), work.field(step, "x_light"),
+                                  work.field(step, "y_light")};
   const Picture& light = work.state().light;
-  if (!(column >= 0 && column < light.width && row >= 0 && row < light.height)) return datum.comes_of("false beside the light's picture", asked);
+  if (!(column >= 0 && column < light.width && row >= 0 && row < light.height))
+    return datum.comes_of("false beside the light's picture", asked);
   const Trace::Pixel pixel{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
   const double stored = light.depth[light.at(pixel.x, pixel.y)];
-  const Number shadow = work.derived(step, "shadow", fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, work.label(light.polygon[light.at(pixel.x, pixel.y)])), "shadow", stored, [&](Datum& inner) {
-    const Step wrote = step_of_depth(work.trace, step, pixel, true);
-    if (!wrote) return inner.note("the light saw nothing there");
-    inner.is("z", {{"z", stored}});
-    work.later(*wrote, "z", "z");
-  });
+  const Number shadow = work.derived(
+      step, "shadow",
+      fmt::format("shadow[{}, {}], of {}", pixel.x, pixel.y, work.label(light.polygon[light.at(pixel.x, pixel.y)])),
+      "shadow", stored, [&](Datum& inner) {
+        const Step wrote = step_of_depth(work.trace, step, pixel, true);
+        if (!wrote) return inner.note("the light saw nothing there");
+        inner.is("z", {{"z", stored}});
+        work.later(*wrote, "z", "z");
+      });
   // It is by how far they are from the light that the two depths are held against each other.
   const Number z_v = through.seen(2);
-  if (z_v.value < through.camera.near) return datum.comes_of("false before the light's near plane", {z_v, asked[0], asked[1], asked[2]});
-  const Number behind = through.value("z_shadow", view_depth(through.camera, work.conventions, stored), [&](Datum& inner) { tell_from_light(inner, lens, shadow); });
+  if (z_v.value < through.camera.near)
+    return datum.comes_of("false before the light's near plane", {z_v, asked[0], asked[1], asked[2]});
+  const Number behind = through.value("z_shadow", view_depth(through.camera, work.conventions, stored),
+                                      [&](Datum& inner) { tell_from_light(inner, lens, shadow); });
   const double bias = bias_of(work.conventions);
   const bool as_recorded = e.lit == (z_v.value * (1 - bias / 1000) <= behind.value);
   if (!as_recorded && !work.conventions.options.contains("bias"))
-    return datum.comes_of("by z_v and z_shadow; the trace does not say how large its bias is", {z_v, behind, asked[0], shadow, asked[1], asked[2]});
+    return datum.comes_of("by z_v and z_shadow; the trace does not say how large its bias is",
+                          {z_v, behind, asked[0], shadow, asked[1], asked[2]});
   datum.holds_if("z_v*(1 - bias/1000) <= z_shadow", {{"z_v", z_v}, {"bias", bias}, {"z_shadow", behind}});
   datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
 }

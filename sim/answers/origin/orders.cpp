@@ -1,4 +1,5 @@
-// Pieces against pieces and planes: extents, sides, cuts; the eye's side of a tree's nodes; areas and intervals of a line.
+// Pieces against pieces and planes: extents, sides, cuts; the eye's side of a tree's nodes; areas and intervals of a
+// line.
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +49,8 @@ std::int32_t corner_with(const Work& work, const Piece& piece, const PlaneEquati
 Number Work::extent(std::int32_t number, std::string_view name) {
   const auto axis = static_cast<std::size_t>(axis_of(name));
   const auto value = extent_value(*this, number, axis, name.ends_with("max"));
-  const auto step = find_last<Extent>(trace, step_of_plane(machine(), number).value_or(at()) + 1, [&](const Extent& e) { return e.piece == number; });
+  const auto step = find_last<Extent>(trace, step_of_plane(machine(), number).value_or(at()) + 1,
+                                      [&](const Extent& e) { return e.piece == number; });
   return field(step, name, value.value_or(0));
 }
 
@@ -60,7 +62,8 @@ void tell(Datum& datum, Work& work, std::int64_t, const Extent& e, std::string_v
   for (const std::int32_t vertex : outline) {
     if (work.raster_value(vertex, axis) != datum.number()) continue;
     datum.same_as(axis == Axis3::x ? "x_s" : axis == Axis3::y ? "y_s" : "z", work.on_raster(vertex, axis));
-    return datum.note(fmt::format("the {} of {} corners", field.ends_with("min") ? "least" : "greatest", outline.size()));
+    return datum.note(
+        fmt::format("the {} of {} corners", field.ends_with("min") ? "least" : "greatest", outline.size()));
   }
 }
 
@@ -71,10 +74,14 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std:
   if (field == "other_low") return datum.same_as("min", work.extent(e.other, extent_fields[axis][0]));
   if (field == "other_high") return datum.same_as("max", work.extent(e.other, extent_fields[axis][1]));
   if (field != "overlap") return;
-  const Number low = work.field(step, "low"), high = work.field(step, "high"), other_low = work.field(step, "other_low"), other_high = work.field(step, "other_high");
+  const Number low = work.field(step, "low"), high = work.field(step, "high"),
+               other_low = work.field(step, "other_low"), other_high = work.field(step, "other_high");
   // Two conditions: the one that failed, or, where both hold, the first.
-  if (low.value < other_high.value && !e.overlap) return datum.holds_if("other_low < high", {{"other_low", other_low}, {"high", high}, {"low", low}, {"other_high", other_high}});
-  datum.holds_if("low < other_high", {{"low", low}, {"other_high", other_high}, {"other_low", other_low}, {"high", high}});
+  if (low.value < other_high.value && !e.overlap)
+    return datum.holds_if("other_low < high",
+                          {{"other_low", other_low}, {"high", high}, {"low", low}, {"other_high", other_high}});
+  datum.holds_if("low < other_high",
+                 {{"low", low}, {"other_high", other_high}, {"other_low", other_low}, {"high", high}});
   if (e.overlap) datum.note("and other_low < high");
 }
 
@@ -86,11 +93,15 @@ void tell(Datum& datum, Work& work, std::int64_t step, const VertexSide& e, std:
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::string_view field) {
-  if (field == "side") return datum.comes_of("by the least and the greatest value", {work.field(step, "least"), work.field(step, "greatest")});
+  if (field == "side")
+    return datum.comes_of("by the least and the greatest value",
+                          {work.field(step, "least"), work.field(step, "greatest")});
   const double value = datum.number();
   const Step vertex_side = find_last<VertexSide>(
       work.trace, step, [&](const VertexSide& other) { return other.plane_of == e.plane_of && other.value == value; },
-      [&](const Event& event) { return !std::holds_alternative<VertexSide>(event) && !std::holds_alternative<SideTest>(event); });
+      [&](const Event& event) {
+        return !std::holds_alternative<VertexSide>(event) && !std::holds_alternative<SideTest>(event);
+      });
   if (vertex_side) return datum.same_as("value", work.field(*vertex_side, "value"));
   const Piece *piece = piece_at(work, e.piece), *of = piece_at(work, e.plane_of);
   if (!piece || !of || !of->plane) return;
@@ -98,15 +109,20 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::s
   const std::int32_t corner = corner_with(work, *piece, *of->plane, value, turned);
   if (corner < 0) return;
   const bool own_depth = work.step_name(step) == "penetrate";  // there a corner counts where its own plane has it
-  auto given = plane_at([&](char letter) { return work.plane(e.plane_of, letter); }, [&](Axis3 axis) { return work.cutting(corner, axis); });
+  auto given = plane_at([&](char letter) { return work.plane(e.plane_of, letter); },
+                        [&](Axis3 axis) { return work.cutting(corner, axis); });
   datum.is(turned ? "-A*x - B*y - C*z - D" : "A*x + B*y + C*z + D", std::move(given), false);
   datum.note(fmt::format("at vertex {}{}", work.vertex_name(corner), own_depth ? ", with z from its own plane" : ""));
 }
 
 void tell(Datum& datum, Work& work, std::int64_t, const OverlapTest& e, std::string_view field) {
-  if (field == "overlap" || std::isnan(datum.number())) return datum.comes_of("do the outlines have a point in common?", {work.extent(e.piece, "x_min"), work.extent(e.other, "x_min")});
+  if (field == "overlap" || std::isnan(datum.number()))
+    return datum.comes_of("do the outlines have a point in common?",
+                          {work.extent(e.piece, "x_min"), work.extent(e.other, "x_min")});
   const std::string axis = field == "x_at" ? "x" : "y";
-  datum.comes_of("of a point inside both outlines", {work.extent(e.piece, axis + "_min"), work.extent(e.piece, axis + "_max"), work.extent(e.other, axis + "_min"), work.extent(e.other, axis + "_max")});
+  datum.comes_of("of a point inside both outlines",
+                 {work.extent(e.piece, axis + "_min"), work.extent(e.piece, axis + "_max"),
+                  work.extent(e.other, axis + "_min"), work.extent(e.other, axis + "_max")});
 }
 
 namespace {
@@ -116,11 +132,13 @@ Number cut_distance(Work& work, std::int64_t step, std::int32_t vertex, bool fir
   const Step test = find_last<SideTest>(work.trace, step, [](const SideTest&) { return true; });
   if (!test) return 0;
   const std::int32_t plane_of = std::get<SideTest>(work.trace.event(*test).event).plane_of;
-  const auto given = plane_at([&](char letter) { return work.plane(plane_of, letter); }, [&](Axis3 axis) { return work.cutting(vertex, axis); });
+  const auto given = plane_at([&](char letter) { return work.plane(plane_of, letter); },
+                              [&](Axis3 axis) { return work.cutting(vertex, axis); });
   ChainValue value;
   value.formula = "A*x + B*y + C*z + D";
   for (const Given& one : given) value.operands.push_back({one.symbol, one.number.value, -1, {}});
-  return work.derived(step, "", "", first ? "d_0" : "d_1", evaluate(value), [&](Datum& datum) { datum.is(value.formula, given); });
+  return work.derived(step, "", "", first ? "d_0" : "d_1", evaluate(value),
+                      [&](Datum& datum) { datum.is(value.formula, given); });
 }
 
 }  // namespace
@@ -132,7 +150,9 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex& e, std
     return datum.is("d_0/(d_0 - d_1)", {{"d_0", d_0}, {"d_1", d_1}}, false);
   }
   const Axis3 axis = axis_of(field);
-  datum.is("V_0 + t*(V_1 - V_0)", {{"V_0", work.cutting(e.vertex_0, axis)}, {"t", work.field(step, "t")}, {"V_1", work.cutting(e.vertex_1, axis)}});
+  datum.is(
+      "V_0 + t*(V_1 - V_0)",
+      {{"V_0", work.cutting(e.vertex_0, axis)}, {"t", work.field(step, "t")}, {"V_1", work.cutting(e.vertex_1, axis)}});
 }
 
 namespace {
@@ -150,7 +170,14 @@ void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide& e, std::st
   if (field != "value") return;
   const glm::dvec4 eye = bsp::eye_of(work.scene.camera, work.scene.raster, false).at;
   const auto plane = [&](char letter) { return node_plane(work, e.node, letter); };
-  datum.is("A*x + B*y + C*z + D*w", {{"A", plane('A')}, {"x", eye.x}, {"B", plane('B')}, {"y", eye.y}, {"C", plane('C')}, {"z", eye.z}, {"D", plane('D')}, {"w", eye.w}});
+  datum.is("A*x + B*y + C*z + D*w", {{"A", plane('A')},
+                                     {"x", eye.x},
+                                     {"B", plane('B')},
+                                     {"y", eye.y},
+                                     {"C", plane('C')},
+                                     {"z", eye.z},
+                                     {"D", plane('D')},
+                                     {"w", eye.w}});
   datum.note(eye.w == 0 ? "(x, y, z) is the direction of the eye, w = 0" : "(x, y, z) is the eye, w = 1");
 }
 
@@ -161,7 +188,8 @@ void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string
   // The corner of the view volume that has this value.
   for (const glm::dvec3& corner : bsp::eye_of(work.scene.camera, work.scene.raster, true).volume) {
     if (a.value * corner.x + b.value * corner.y + c.value * corner.z + d.value != e.value) continue;
-    datum.is("A*x + B*y + C*z + D", {{"A", a}, {"x", corner.x}, {"B", b}, {"y", corner.y}, {"C", c}, {"z", corner.z}, {"D", d}});
+    datum.is("A*x + B*y + C*z + D",
+             {{"A", a}, {"x", corner.x}, {"B", b}, {"y", corner.y}, {"C", c}, {"z", corner.z}, {"D", d}});
     return datum.note("(x, y, z) is a corner of the view volume");
   }
 }
@@ -171,9 +199,11 @@ void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::strin
   if (e.parent < 0 || parent >= work.machine().areas.size()) return datum.note("the whole picture");
   const bool column = field.ends_with("column");
   const AreaBegin around = work.machine().areas[parent].entry;
-  const Step step = find_last<AreaBegin>(work.trace, work.at(), [&](const AreaBegin& other) { return other.area == e.parent; });
+  const Step step =
+      find_last<AreaBegin>(work.trace, work.at(), [&](const AreaBegin& other) { return other.area == e.parent; });
   const char *first = column ? "first_column" : "first_row", *end = column ? "end_column" : "end_row";
-  const Number low = work.field(step, first, column ? around.first_column : around.first_row), high = work.field(step, end, column ? around.end_column : around.end_row);
+  const Number low = work.field(step, first, column ? around.first_column : around.first_row),
+               high = work.field(step, end, column ? around.end_column : around.end_row);
   if (datum.number() == low.value) return datum.same_as("first", low);
   if (datum.number() == high.value) return datum.same_as("end", high);
   datum.is("first + \u230a(end - first)/2\u230b", {{"first", low}, {"end", high}});
@@ -184,16 +214,21 @@ void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::st
   if (!area || field == "piece") return;
   std::vector<Number> numbers;
   for (const char* side : {"x_min", "x_max", "y_min", "y_max"}) numbers.push_back(work.extent(e.piece, side));
-  for (const char* side : {"first_column", "end_column", "first_row", "end_row"}) numbers.push_back(work.field(*area, side));
-  datum.comes_of(field == "by_box" ? "does the piece's box miss the area, or lie in it?" : "the piece's edges and the corners of the area", numbers);
+  for (const char* side : {"first_column", "end_column", "first_row", "end_row"})
+    numbers.push_back(work.field(*area, side));
+  datum.comes_of(field == "by_box" ? "does the piece's box miss the area, or lie in it?"
+                                   : "the piece's edges and the corners of the area",
+                 numbers);
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
   const MethodState& m = work.machine();
   if (field == "flags") return datum.note("those that are in");
   const bool left = field == "x_left" || field == "first";
-  if (field == "first") return datum.comes_of("the first whole number from x_L on, within the raster", {work.field(step, "x_left")});
-  if (field == "last") return datum.comes_of("the last whole number before x_R, within the raster", {work.field(step, "x_right")});
+  if (field == "first")
+    return datum.comes_of("the first whole number from x_L on, within the raster", {work.field(step, "x_left")});
+  if (field == "last")
+    return datum.comes_of("the last whole number before x_R, within the raster", {work.field(step, "x_right")});
   if (!field.starts_with("x")) return;
   // Between the edge that was crossed last and the next of the active ones.
   const Step flipped = find_last<FlagFlip>(work.trace, step, [](const FlagFlip&) { return true; });

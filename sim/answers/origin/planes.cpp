@@ -14,7 +14,8 @@ std::string newell(std::size_t count, char u, char v) {
   std::string text;
   for (std::size_t i = 1; i + 1 < count; ++i) {
     if (!text.empty()) text += " + ";
-    text += fmt::format("((p{0}_{2} - p0_{2})*(p{1}_{3} - p0_{3}) - (p{1}_{2} - p0_{2})*(p{0}_{3} - p0_{3}))", i, i + 1, u, v);
+    text += fmt::format("((p{0}_{2} - p0_{2})*(p{1}_{3} - p0_{3}) - (p{1}_{2} - p0_{2})*(p{0}_{3} - p0_{3}))", i, i + 1,
+                        u, v);
   }
   return text;
 }
@@ -23,7 +24,8 @@ std::vector<Given> corners_along(std::size_t count, const Corner& corner, std::i
   constexpr const char* names[] = {"x", "y", "z"};
   std::vector<Given> given;
   for (std::size_t i = 0; i < count; ++i)
-    for (const Axis3 axis : axes) given.push_back({fmt::format("p{}_{}", i, names[static_cast<std::size_t>(axis)]), corner(i, axis)});
+    for (const Axis3 axis : axes)
+      given.push_back({fmt::format("p{}_{}", i, names[static_cast<std::size_t>(axis)]), corner(i, axis)});
   return given;
 }
 
@@ -36,7 +38,9 @@ double value_of(const PlaneEquation& plane, char letter) {
   return letter == 'A' ? plane.plane_a : letter == 'B' ? plane.plane_b : letter == 'C' ? plane.plane_c : plane.plane_d;
 }
 
-const char* field_of(char letter) { return letter == 'A' ? "plane_a" : letter == 'B' ? "plane_b" : letter == 'C' ? "plane_c" : "plane_d"; }
+const char* field_of(char letter) {
+  return letter == 'A' ? "plane_a" : letter == 'B' ? "plane_b" : letter == 'C' ? "plane_c" : "plane_d";
+}
 
 char letter_of(std::string_view field) { return static_cast<char>('A' + (field.back() - 'a')); }
 
@@ -44,10 +48,12 @@ char letter_of(std::string_view field) { return static_cast<char>('A' + (field.b
 
 bool cuts_in_world(const Work& work) {
   return work.scene.camera.kind != Camera::Kind::screen &&
-         std::any_of(work.trace.header().page.begin(), work.trace.header().page.end(), [](const StepInfo& step) { return step.kind == kind_of<NodeMake>; });
+         std::any_of(work.trace.header().page.begin(), work.trace.header().page.end(),
+                     [](const StepInfo& step) { return step.kind == kind_of<NodeMake>; });
 }
 
-void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& subject, char letter, std::size_t count, const Corner& corner) {
+void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& subject, char letter, std::size_t count,
+                const Corner& corner) {
   if (count > most_corners || count < 3) {
     std::vector<Number> some;
     for (std::size_t i = 0; i < std::min<std::size_t>(count, 3); ++i)
@@ -59,10 +65,13 @@ void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& 
     ChainValue computed;
     computed.formula = newell(count, u, v);
     for (const Given& given : n) computed.operands.push_back({given.symbol, given.number.value, -1, {}});
-    return work.derived(step, subject, "", fmt::format("n_{}", name), evaluate(computed), [&](Datum& inner) { inner.is(newell(count, u, v), n); });
+    return work.derived(step, subject, "", fmt::format("n_{}", name), evaluate(computed),
+                        [&](Datum& inner) { inner.is(newell(count, u, v), n); });
   };
   const auto along = [&](char name) {
-    return name == 'x' ? side('x', 'y', 'z', Axis3::y, Axis3::z) : name == 'y' ? side('y', 'z', 'x', Axis3::z, Axis3::x) : side('z', 'x', 'y', Axis3::x, Axis3::y);
+    return name == 'x'   ? side('x', 'y', 'z', Axis3::y, Axis3::z)
+           : name == 'y' ? side('y', 'z', 'x', Axis3::z, Axis3::x)
+                         : side('z', 'x', 'y', Axis3::x, Axis3::y);
   };
   if (letter != 'D') {
     const char own = static_cast<char>('x' + (letter - 'A'));
@@ -81,12 +90,15 @@ void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& 
     }
     text += fmt::format("{}{}*({})/{}", own == 'A' ? "" : " + ", own, sum, count);
   }
-  for (const char own : {'A', 'B', 'C'}) given.push_back({std::string(1, own), subject.empty() ? work.field(step, field_of(own)) : work.facet_plane(std::stoi(subject.substr(6)), own)});
+  for (const char own : {'A', 'B', 'C'})
+    given.push_back({std::string(1, own), subject.empty() ? work.field(step, field_of(own))
+                                                          : work.facet_plane(std::stoi(subject.substr(6)), own)});
   datum.is("-(" + text + ")", std::move(given), false);
 }
 
 std::vector<Given> plane_at(const std::function<Number(char)>& plane, const std::function<Number(Axis3)>& point) {
-  return {{"A", plane('A')}, {"x", point(Axis3::x)}, {"B", plane('B')}, {"y", point(Axis3::y)}, {"C", plane('C')}, {"z", point(Axis3::z)}, {"D", plane('D')}};
+  return {{"A", plane('A')}, {"x", point(Axis3::x)}, {"B", plane('B')}, {"y", point(Axis3::y)},
+          {"C", plane('C')}, {"z", point(Axis3::z)}, {"D", plane('D')}};
 }
 
 Number Work::plane(std::int32_t number, char letter) {
@@ -100,12 +112,17 @@ Number Work::facet_plane(std::int32_t facet, char letter) {
   const auto number = static_cast<std::size_t>(facet);
   if (facet < 0 || number >= scene.facets.size()) return 0;
   const ray_casting::Target target = ray_casting::target_of(scene, facet);
-  const double value = letter == 'A' ? target.plane.a : letter == 'B' ? target.plane.b : letter == 'C' ? target.plane.c : target.plane.d;
-  const std::string subject = fmt::format("facet {}", facet), what = "plane of " + label(scene.facets[number].polygon) + ", in the world";
+  const double value = letter == 'A'   ? target.plane.a
+                       : letter == 'B' ? target.plane.b
+                       : letter == 'C' ? target.plane.c
+                                       : target.plane.d;
+  const std::string subject = fmt::format("facet {}", facet),
+                    what = "plane of " + label(scene.facets[number].polygon) + ", in the world";
   return derived(0, subject, what, std::string(1, letter), value, [&](Datum& datum) {
     datum.at_source(source_of_polygon(scene.facets[number].polygon));
     const auto first = static_cast<std::size_t>(scene.facets[number].first_corner);
-    tell_plane(datum, *this, 0, subject, letter, target.corners.size(), [&](std::size_t i, Axis3 axis) { return world(scene.corners[first + i], axis); });
+    tell_plane(datum, *this, 0, subject, letter, target.corners.size(),
+               [&](std::size_t i, Axis3 axis) { return world(scene.corners[first + i], axis); });
   });
 }
 
@@ -115,12 +132,16 @@ void tell(Datum& datum, Work& work, std::int64_t step, const PlaneEquation& e, s
   while (whole && whole->parent >= 0 && piece_at(work, whole->parent)) whole = piece_at(work, whole->parent);
   if (!whole) return;
   const std::vector<std::int32_t> outline = whole->outline;
-  tell_plane(datum, work, step, "", letter_of(field), outline.size(), [&](std::size_t i, Axis3 axis) { return work.cutting(outline[i], axis); });
+  tell_plane(datum, work, step, "", letter_of(field), outline.size(),
+             [&](std::size_t i, Axis3 axis) { return work.cutting(outline[i], axis); });
 }
 
 void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
   const auto plane = [&](char letter) { return work.plane(e.piece, letter); };
-  if (field == "z") return datum.is("-(A*x + B*y + D)/C", {{"A", plane('A')}, {"x", e.x_at}, {"B", plane('B')}, {"y", e.y_at}, {"D", plane('D')}, {"C", plane('C')}});
+  if (field == "z")
+    return datum.is(
+        "-(A*x + B*y + D)/C",
+        {{"A", plane('A')}, {"x", e.x_at}, {"B", plane('B')}, {"y", e.y_at}, {"D", plane('D')}, {"C", plane('C')}});
   // An end of the interval of the line that is at work, or a corner or the centre of an area.
   const auto& interval = work.machine().sweep.interval;
   if (!interval || field != "x_at") return;
@@ -133,10 +154,16 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ImpliedEdge& e, std
   const double y = work.machine().scan_line.value_or(0);
   const auto one = [&](char letter) { return work.plane(e.piece, letter); };
   if (field == "z")
-    return datum.is("-(A*x + B*y + D)/C", {{"A", one('A')}, {"x", work.field(step, "x_at")}, {"B", one('B')}, {"y", y}, {"D", one('D')}, {"C", one('C')}});
+    return datum.is("-(A*x + B*y + D)/C", {{"A", one('A')},
+                                           {"x", work.field(step, "x_at")},
+                                           {"B", one('B')},
+                                           {"y", y},
+                                           {"D", one('D')},
+                                           {"C", one('C')}});
   const auto other = [&](char letter) { return work.plane(e.other, letter); };
-  std::vector<Given> given{{"A_1", one('A')}, {"B_1", one('B')}, {"C_1", one('C')}, {"D_1", one('D')},
-                           {"A_2", other('A')}, {"B_2", other('B')}, {"C_2", other('C')}, {"D_2", other('D')}, {"y", y}};
+  std::vector<Given> given{{"A_1", one('A')},   {"B_1", one('B')},   {"C_1", one('C')},
+                           {"D_1", one('D')},   {"A_2", other('A')}, {"B_2", other('B')},
+                           {"C_2", other('C')}, {"D_2", other('D')}, {"y", y}};
   datum.is("-((B_2/C_2 - B_1/C_1)*y + (D_2/C_2 - D_1/C_1))/(A_2/C_2 - A_1/C_1)", std::move(given), false);
 }
 

@@ -12,10 +12,12 @@ namespace zstep::answers {
 /// Are pieces cut in the world, as those of a tree are?
 bool cuts_in_world(const Work& work);
 
-/// Tells a letter of the plane A x + B y + C z + D = 0 through corners: Newell's normal of length 1, through the mean. The numbers
-/// on the way stand at the link of `step` and `subject`. `corner(i, axis)` is a coordinate of the i-th of `count`.
+/// Tells a letter of the plane A x + B y + C z + D = 0 through corners: Newell's normal of length 1, through the mean.
+/// The numbers on the way stand at the link of `step` and `subject`. `corner(i, axis)` is a coordinate of the i-th of
+/// `count`.
 using Corner = std::function<Number(std::size_t, Axis3)>;
-void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& subject, char letter, std::size_t count, const Corner& corner);
+void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& subject, char letter, std::size_t count,
+                const Corner& corner);
 
 /// A x + B y + C z + D at a point.
 std::vector<Given> plane_at(const std::function<Number(char)>& plane, const std::function<Number(Axis3)>& point);

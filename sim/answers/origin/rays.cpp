@@ -53,10 +53,12 @@ Step kept_hit(const Work& work, std::int64_t at, std::int64_t begin) {
 Number unit_along(Work& work, std::int64_t begin, int axis) {
   const RayBegin ray = begin_at(work, begin);
   const glm::dvec3 along = glm::normalize(glm::dvec3(ray.dir_x, ray.dir_y, ray.dir_z));
-  return work.derived(begin, "unit", fmt::format("direction of ray {}, of length 1", ray.ray), fmt::format("D_{}", axis_names[axis]), component(along, axis), [&](Datum& datum) {
-    const Number x = work.field(begin, "dir_x"), y = work.field(begin, "dir_y"), z = work.field(begin, "dir_z");
-    datum.is(fmt::format("{}/sqrt(x*x + y*y + z*z)", axis_names[axis]), {{"x", x}, {"y", y}, {"z", z}}, false);
-  });
+  return work.derived(
+      begin, "unit", fmt::format("direction of ray {}, of length 1", ray.ray), fmt::format("D_{}", axis_names[axis]),
+      component(along, axis), [&](Datum& datum) {
+        const Number x = work.field(begin, "dir_x"), y = work.field(begin, "dir_y"), z = work.field(begin, "dir_z");
+        datum.is(fmt::format("{}/sqrt(x*x + y*y + z*z)", axis_names[axis]), {{"x", x}, {"y", y}, {"z", z}}, false);
+      });
 }
 
 void tell_eye_direction(Datum& datum, Work& work, const RayBegin& e, int axis) {
@@ -66,23 +68,40 @@ void tell_eye_direction(Datum& datum, Work& work, const RayBegin& e, int axis) {
   const glm::dmat4& view = camera.view;
   if (lens.orthographic) return datum.note("the line of sight, the third row of T_v");
   const double right = view[axis][0], up = view[axis][1], away = view[axis][2];
-  datum.is("((x + 0.5)*2*w_x/W - w_x)*T_1 + (w_y - (y + 0.5)*2*w_y/H)*T_2 + d*T_3",
-           {{"x", e.x}, {"w_x", lens.window_x}, {"W", lens.width}, {"T_1", right}, {"w_y", lens.window_y}, {"y", e.y}, {"H", lens.height}, {"T_2", up}, {"d", lens.d}, {"T_3", away}});
+  datum.is("((x + 0.5)*2*w_x/W - w_x)*T_1 + (w_y - (y + 0.5)*2*w_y/H)*T_2 + d*T_3", {{"x", e.x},
+                                                                                     {"w_x", lens.window_x},
+                                                                                     {"W", lens.width},
+                                                                                     {"T_1", right},
+                                                                                     {"w_y", lens.window_y},
+                                                                                     {"y", e.y},
+                                                                                     {"H", lens.height},
+                                                                                     {"T_2", up},
+                                                                                     {"d", lens.d},
+                                                                                     {"T_3", away}});
   datum.note(fmt::format("T_1, T_2, T_3: column {} of T_v", axis + 1));
 }
 
 void tell_eye_start(Datum& datum, Work& work, const RayBegin& e, int axis) {
   const Camera& camera = work.scene.camera;
-  if (camera.kind == Camera::Kind::screen) return datum.note(axis == 0 ? fmt::format("pixel column {}", e.x) : axis == 1 ? fmt::format("pixel row {}", e.y) : "z = 0");
-  if (camera.kind == Camera::Kind::perspective) return datum.note(camera.polar ? fmt::format("the eye, from rho {:.6g}, theta {:.6g}, phi {:.6g}", camera.rho, camera.theta, camera.phi) : "the eye");
+  if (camera.kind == Camera::Kind::screen)
+    return datum.note(axis == 0   ? fmt::format("pixel column {}", e.x)
+                      : axis == 1 ? fmt::format("pixel row {}", e.y)
+                                  : "z = 0");
+  if (camera.kind == Camera::Kind::perspective)
+    return datum.note(camera.polar ? fmt::format("the eye, from rho {:.6g}, theta {:.6g}, phi {:.6g}", camera.rho,
+                                                 camera.theta, camera.phi)
+                                   : "the eye");
   datum.note(fmt::format("on the plane of the eye, for pixel ({}, {})", e.x, e.y));
 }
 
-void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std::int64_t hit, const RayBegin& e, int axis) {
+void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std::int64_t hit, const RayBegin& e,
+                              int axis) {
   const std::string name = axis_names[axis];
   if (e.role == RayRole::shadow) {
     const Number point = work.field(hit, hit_fields[axis]);
-    return datum.is("light_" + name + " - point_" + name, {{"light_" + name, work.scene.light ? component(work.scene.light->position, axis) : 0}, {"point_" + name, point}});
+    return datum.is("light_" + name + " - point_" + name,
+                    {{"light_" + name, work.scene.light ? component(work.scene.light->position, axis) : 0},
+                     {"point_" + name, point}});
   }
   const std::int32_t facet = std::get<RayHit>(work.trace.event(hit).event).facet;
   std::vector<Given> given;
@@ -100,7 +119,9 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
   const double n = work.scene.polygons[polygon].material->refraction, ratio = entering ? 1 / n : n;
   const std::string cosine = entering ? "(-(D_x*N_x + D_y*N_y + D_z*N_z))" : "(D_x*N_x + D_y*N_y + D_z*N_z)";
   given.push_back({"r", ratio});
-  datum.is(fmt::format("r*D_{0} + (r*{1} - sqrt(1 - r*r*(1 - {1}*{1})))*{2}N_{0}", name, cosine, entering ? "" : "(-1)*"), std::move(given), false);
+  datum.is(
+      fmt::format("r*D_{0} + (r*{1} - sqrt(1 - r*r*(1 - {1}*{1})))*{2}N_{0}", name, cosine, entering ? "" : "(-1)*"),
+      std::move(given), false);
   datum.note("r = n_1/n_2, by Snell's law");
 }
 
@@ -110,7 +131,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::s
   const bool start = field == "x_0" || field == "y_0" || field == "z_0";
   if (!start && !field.starts_with("dir_")) return;
   const int axis = axis_in(start ? field : field.substr(4));
-  if (e.role == RayRole::eye) return start ? tell_eye_start(datum, work, e, axis) : tell_eye_direction(datum, work, e, axis);
+  if (e.role == RayRole::eye)
+    return start ? tell_eye_start(datum, work, e, axis) : tell_eye_direction(datum, work, e, axis);
   const Step parent = begin_of_ray(work, step - 1, e.parent);
   const Step hit = parent ? kept_hit(work, step, *parent) : std::nullopt;
   if (!hit) return;
@@ -142,7 +164,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::str
   const Step begin = ray_at_work(work, step);
   if (!begin || field == "facet") return;
   if (field == "t") {
-    const Step plane = find_last<RayPlane>(work.trace, step, [&](const RayPlane& other) { return other.facet == e.facet; });
+    const Step plane =
+        find_last<RayPlane>(work.trace, step, [&](const RayPlane& other) { return other.facet == e.facet; });
     const Number t = work.field(plane, "t", e.t);
     if (t.value == e.t) return datum.same_as("t", t);
     return datum.comes_of("0: the ray begins in this plane", {t});  // layers that touch
@@ -151,18 +174,25 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::str
     double kept = std::numeric_limits<double>::infinity();
     Step keeper;
     for (std::int64_t before = *begin + 1; before < step; ++before)
-      if (const auto* hit = std::get_if<RayHit>(&work.trace.event(before).event); hit && hit->nearest) kept = hit->t, keeper = before;
+      if (const auto* hit = std::get_if<RayHit>(&work.trace.event(before).event); hit && hit->nearest)
+        kept = hit->t, keeper = before;
     const std::vector<Number> numbers{work.field(step, "t"), work.field(keeper, "t", kept)};
-    if (!e.inside || !keeper) return datum.comes_of(!e.inside ? "the point lies outside the facet" : "nothing was kept before", numbers);
+    if (!e.inside || !keeper)
+      return datum.comes_of(!e.inside ? "the point lies outside the facet" : "nothing was kept before", numbers);
     const bool tie = e.t == kept;
     datum.holds_if(tie && e.nearest ? "t <= kept" : "t < kept", {{"t", numbers[0]}, {"kept", numbers[1]}});
     if (!tie) return;
     const std::int32_t other = std::get<RayHit>(work.trace.event(*keeper).event).facet;
     return datum.note(e.nearest == (e.facet < other) ? "a tie: of two as near the first in the file is kept" : "a tie");
   }
-  if (field == "inside") return datum.comes_of("by the even-odd rule along the ray", {work.field(step, "x_hit"), work.field(step, "y_hit"), work.field(step, "z_hit")});
+  if (field == "inside")
+    return datum.comes_of("by the even-odd rule along the ray",
+                          {work.field(step, "x_hit"), work.field(step, "y_hit"), work.field(step, "z_hit")});
   const int axis = axis_in(field);
-  datum.is(fmt::format("{0} + t*{1}", from_fields[axis], along_fields[axis]), {{from_fields[axis], work.field(*begin, from_fields[axis])}, {"t", work.field(step, "t")}, {along_fields[axis], work.field(*begin, along_fields[axis])}});
+  datum.is(fmt::format("{0} + t*{1}", from_fields[axis], along_fields[axis]),
+           {{from_fields[axis], work.field(*begin, from_fields[axis])},
+            {"t", work.field(step, "t")},
+            {along_fields[axis], work.field(*begin, along_fields[axis])}});
 }
 
 namespace {
@@ -175,9 +205,10 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
   const bool met = e.nearest_facet >= 0 && facet < work.scene.facets.size();
   const std::int32_t polygon = met ? work.scene.facets[facet].polygon : no_polygon;
   const Color color = met ? work.scene.polygons[static_cast<std::size_t>(polygon)].color : work.scene.background;
-  const Number own = work.derived(0, fmt::format("colour of {}", polygon), "colour of " + work.label(polygon), light_names[which], channel(color, which), [&](Datum& inner) {
-    inner.at_source(met ? work.source_of_polygon(polygon) : work.source_line(0));
-  });
+  const Number own = work.derived(0, fmt::format("colour of {}", polygon), "colour of " + work.label(polygon),
+                                  light_names[which], channel(color, which), [&](Datum& inner) {
+                                    inner.at_source(met ? work.source_of_polygon(polygon) : work.source_line(0));
+                                  });
   const Step begin = begin_of_ray(work, step, e.ray);
   Step mirrored, through, shadow;
   bool dark = false;
@@ -199,11 +230,16 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
   if (shadow) datum.note(fmt::format("the light {} the point: step {}", dark ? "does not reach" : "reaches", *shadow));
   if (!mirrored && !through) return datum.is(own_part, std::move(given), false);
   const Material& material = *work.scene.polygons[static_cast<std::size_t>(polygon)].material;
-  const double passes = (1 - material.reflectance) * (1 - material.opacity), mirror = material.reflectance + (through ? 0 : passes);
+  const double passes = (1 - material.reflectance) * (1 - material.opacity),
+               mirror = material.reflectance + (through ? 0 : passes);
   given.push_back({"own_part", (1 - material.reflectance) * material.opacity});
   std::string text = "own_part*(" + own_part + ")";
-  if (mirrored) text += " + r*mirrored", given.push_back({"r", mirror}), given.push_back({"mirrored", work.field(*mirrored, light_names[which])});
-  if (through) text += " + p*through", given.push_back({"p", passes}), given.push_back({"through", work.field(*through, light_names[which])});
+  if (mirrored)
+    text += " + r*mirrored", given.push_back({"r", mirror}),
+        given.push_back({"mirrored", work.field(*mirrored, light_names[which])});
+  if (through)
+    text += " + p*through", given.push_back({"p", passes}),
+        given.push_back({"through", work.field(*through, light_names[which])});
   datum.is(text, std::move(given), false);
 }
 
@@ -223,7 +259,9 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, std::str
     if (field != light_names[which]) continue;
     if (!is_shadow) return tell_light(datum, work, step, e, which);
     const Step hit = kept_hit(work, step, *begin);
-    datum.comes_of(hit ? "0: something lies between the point and the light" : "1: nothing lies between the point and the light", {work.field(hit, "t", no_depth)});
+    datum.comes_of(
+        hit ? "0: something lies between the point and the light" : "1: nothing lies between the point and the light",
+        {work.field(hit, "t", no_depth)});
   }
 }
 

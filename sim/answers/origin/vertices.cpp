@@ -1,4 +1,5 @@
-// The way of a vertex, backwards: raster, projection plane, viewing coordinates, the world, the file's line; and clipping.
+// The way of a vertex, backwards: raster, projection plane, viewing coordinates, the world, the file's line; and
+// clipping.
 #include <array>
 
 #include "algorithms/viewing/camera.hpp"
@@ -10,12 +11,14 @@
 namespace zstep::answers {
 namespace {
 
-constexpr std::array<const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v", "y_v", "z_v"}, cut_names{"x_cut", "y_cut", "z_cut"},
-    scene_names{"x_m", "y_m", "z_m"}, file_names{"x_f", "y_f", "z_f"};
+constexpr std::array<const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v", "y_v", "z_v"},
+    cut_names{"x_cut", "y_cut", "z_cut"}, scene_names{"x_m", "y_m", "z_m"}, file_names{"x_f", "y_f", "z_f"};
 
 std::size_t place(Axis3 axis) { return static_cast<std::size_t>(axis); }
 
-viewing::Lens lens_of(const Work& work) { return {camera_at_work(work.scene, work.machine()), work.scene.raster, work.conventions.depth}; }
+viewing::Lens lens_of(const Work& work) {
+  return {camera_at_work(work.scene, work.machine()), work.scene.raster, work.conventions.depth};
+}
 
 const VertexStages* way_of(const Work& work, std::int32_t vertex) {
   const auto at = static_cast<std::size_t>(vertex);
@@ -35,7 +38,9 @@ bool is_moved(const Scene& scene, std::int32_t vertex) {
 void tell_fit(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
   const std::string letter = world_names[place(axis)];
   const Number before = work.in_scene(vertex, axis);
-  datum.is(fmt::format("({0} - c_{1})/r", before.name, letter), {{before.name, before}, {"c_" + letter, component(work.scene.fit->centre, axis)}, {"r", work.scene.fit->radius}});
+  datum.is(
+      fmt::format("({0} - c_{1})/r", before.name, letter),
+      {{before.name, before}, {"c_" + letter, component(work.scene.fit->centre, axis)}, {"r", work.scene.fit->radius}});
 }
 
 /// The row of the matrix times the point of the file; what is multiplied by 0 is left out.
@@ -65,7 +70,9 @@ void tell_placement(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
   datum.at_source(work.source_line(placement.line));
 }
 
-bool is_split(const Work& work, const Step& made) { return made && std::holds_alternative<SplitVertex>(work.trace.event(*made).event); }
+bool is_split(const Work& work, const Step& made) {
+  return made && std::holds_alternative<SplitVertex>(work.trace.event(*made).event);
+}
 
 }  // namespace
 
@@ -78,27 +85,34 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
     return is_split(*this, made) ? field(*made, cut_names[place(axis)]) : Number(way ? component(way->world, axis) : 0);
   }
   const bool screen = scene.camera.kind == Camera::Kind::screen;
-  const std::string what = fmt::format("vertex {} of the scene{}", vertex_name(vertex), screen ? ", on the raster" : scene.fit ? ", fitted: c the centre of the bounding box, r how far the farthest vertex is" : ", in the world");
-  return derived(0, fmt::format("point {}", vertex), what, world_names[place(axis)], component(scene.points[number], axis), [&](Datum& datum) {
-    if (scene.fit) return tell_fit(datum, *this, vertex, axis);
-    if (is_moved(scene, vertex)) return tell_placement(datum, *this, vertex, axis);
-    datum.at_source(source_of_point(vertex));
-    if (scene.surface && axis == Axis3::z) datum.note("y = " + scene.surface->formula + ", drawn upwards");
-  });
+  const std::string what =
+      fmt::format("vertex {} of the scene{}", vertex_name(vertex),
+                  screen      ? ", on the raster"
+                  : scene.fit ? ", fitted: c the centre of the bounding box, r how far the farthest vertex is"
+                              : ", in the world");
+  return derived(0, fmt::format("point {}", vertex), what, world_names[place(axis)],
+                 component(scene.points[number], axis), [&](Datum& datum) {
+                   if (scene.fit) return tell_fit(datum, *this, vertex, axis);
+                   if (is_moved(scene, vertex)) return tell_placement(datum, *this, vertex, axis);
+                   datum.at_source(source_of_point(vertex));
+                   if (scene.surface && axis == Axis3::z)
+                     datum.note("y = " + scene.surface->formula + ", drawn upwards");
+                 });
 }
 
 Number Work::in_scene(std::int32_t vertex, Axis3 axis) {
   if (!is_moved(scene, vertex)) return in_file(vertex, axis);
   const auto number = static_cast<std::size_t>(vertex);
   const double value = component((*placement_of(scene, vertex))(scene.file_points[number]), axis);
-  return derived(0, fmt::format("placed {}", vertex), fmt::format("vertex {} where the scene places it", vertex_name(vertex)), scene_names[place(axis)], value,
-                 [&](Datum& datum) { tell_placement(datum, *this, vertex, axis); });
+  return derived(0, fmt::format("placed {}", vertex),
+                 fmt::format("vertex {} where the scene places it", vertex_name(vertex)), scene_names[place(axis)],
+                 value, [&](Datum& datum) { tell_placement(datum, *this, vertex, axis); });
 }
 
 Number Work::in_file(std::int32_t vertex, Axis3 axis) {
   const double value = component(scene.file_points[static_cast<std::size_t>(vertex)], axis);
-  return derived(0, fmt::format("file {}", vertex), fmt::format("vertex {} in its file", vertex_name(vertex)), file_names[place(axis)], value,
-                 [&](Datum& datum) { datum.at_source(source_of_point(vertex)); });
+  return derived(0, fmt::format("file {}", vertex), fmt::format("vertex {} in its file", vertex_name(vertex)),
+                 file_names[place(axis)], value, [&](Datum& datum) { datum.at_source(source_of_point(vertex)); });
 }
 
 Number Work::viewed(std::int32_t vertex, Axis3 axis) {
@@ -116,13 +130,17 @@ Number Work::projected(std::int32_t vertex, std::string_view name) {
 }
 
 Number Work::on_raster(std::int32_t vertex, Axis3 axis) {
-  if (scene.camera.kind == Camera::Kind::screen && static_cast<std::size_t>(vertex) < scene.points.size()) return world(vertex, axis);
+  if (scene.camera.kind == Camera::Kind::screen && static_cast<std::size_t>(vertex) < scene.points.size())
+    return world(vertex, axis);
   const VertexSteps& steps = steps_of(vertex);
   if (is_split(*this, steps.made) && std::get<SplitVertex>(trace.event(*steps.made).event).space == Space::raster)
     return field(*steps.made, cut_names[place(axis)]);
   if (axis == Axis3::z) return projected(vertex, "z");
   const VertexStages* way = way_of(*this, vertex);
-  return field(steps.on_raster, axis == Axis3::x ? "x_s" : "y_s", !way ? 0 : axis == Axis3::x ? way->raster.x : way->raster.y);
+  return field(steps.on_raster, axis == Axis3::x ? "x_s" : "y_s",
+               !way               ? 0
+               : axis == Axis3::x ? way->raster.x
+                                  : way->raster.y);
 }
 
 double Work::raster_value(std::int32_t vertex, Axis3 axis) const {
@@ -142,7 +160,8 @@ void tell(Datum& datum, Work& work, std::int64_t, const ViewTransform& e, std::s
   for (std::size_t column = 0; column < 4; ++column) {
     const double entry = view[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)];
     given.push_back({fmt::format("T_{}{}", row + 1, column + 1), entry});
-    if (column < 3) given.push_back({fmt::format("{}_w", world_names[column]), work.world(e.vertex, static_cast<Axis3>(column))});
+    if (column < 3)
+      given.push_back({fmt::format("{}_w", world_names[column]), work.world(e.vertex, static_cast<Axis3>(column))});
   }
   // Two sums of two products: the order in which the product of matrix and vector is computed.
   datum.is(fmt::format("(T_{0}1*x_w + T_{0}2*y_w) + (T_{0}3*z_w + T_{0}4)", row + 1), std::move(given));
@@ -153,7 +172,8 @@ void tell(Datum& datum, Work& work, std::int64_t, const Projection& e, std::stri
   if (field == "z") {
     const Number z_v = work.viewed(e.vertex, Axis3::z);
     if (lens.depth == Conventions::Depth::view) return datum.same_as("z_v", z_v);
-    if (lens.orthographic) return datum.is("2*(z_v - n)/(f - n) - 1", {{"z_v", z_v}, {"n", lens.near}, {"f", lens.far}});
+    if (lens.orthographic)
+      return datum.is("2*(z_v - n)/(f - n) - 1", {{"z_v", z_v}, {"n", lens.near}, {"f", lens.far}});
     return datum.is("n*(a*z_v + b)/z_v", {{"n", lens.near}, {"a", lens.a}, {"z_v", z_v}, {"b", lens.b}});
   }
   const bool x = field == "x_p";
@@ -166,8 +186,10 @@ void tell(Datum& datum, Work& work, std::int64_t, const Projection& e, std::stri
 void tell(Datum& datum, Work& work, std::int64_t, const ViewportTransform& e, std::string_view field) {
   const viewing::Lens lens = lens_of(work);
   if (field == "x_s")
-    return datum.is("(x_p + w_x)/(2*w_x)*W - 0.5", {{"x_p", work.projected(e.vertex, "x_p")}, {"w_x", lens.window_x}, {"W", lens.width}});
-  datum.is("(w_y - y_p)/(2*w_y)*H - 0.5", {{"w_y", lens.window_y}, {"y_p", work.projected(e.vertex, "y_p")}, {"H", lens.height}});
+    return datum.is("(x_p + w_x)/(2*w_x)*W - 0.5",
+                    {{"x_p", work.projected(e.vertex, "x_p")}, {"w_x", lens.window_x}, {"W", lens.width}});
+  datum.is("(w_y - y_p)/(2*w_y)*H - 0.5",
+           {{"w_y", lens.window_y}, {"y_p", work.projected(e.vertex, "y_p")}, {"H", lens.height}});
 }
 
 namespace {
@@ -181,7 +203,8 @@ void tell_distance(Datum& datum, Work& work, ClipPlane plane, std::int32_t verte
   const bool x = plane == ClipPlane::left || plane == ClipPlane::right;
   const char* sign = plane == ClipPlane::left || plane == ClipPlane::bottom ? "+" : "-";
   const std::string symbol = x ? "x_v" : "y_v", window = x ? "w_x" : "w_y";
-  const Given across{symbol, work.viewed(vertex, x ? Axis3::x : Axis3::y)}, half{window, x ? lens.window_x : lens.window_y};
+  const Given across{symbol, work.viewed(vertex, x ? Axis3::x : Axis3::y)},
+      half{window, x ? lens.window_x : lens.window_y};
   if (lens.orthographic) return datum.is(fmt::format("1 {} {}/{}", sign, symbol, window), {across, half});
   datum.is(fmt::format("z_v {} d*{}/{}", sign, symbol, window), {{"z_v", z_v}, {"d", lens.d}, across, half});
 }
@@ -190,9 +213,11 @@ void tell_distance(Datum& datum, Work& work, ClipPlane plane, std::int32_t verte
 Number distance(Work& work, std::int64_t step, const ClipCross& e, bool inside) {
   const std::int32_t vertex = inside ? e.vertex_inside : e.vertex_outside;
   glm::dvec3 view(0);
-  for (const Axis3 axis : {Axis3::x, Axis3::y, Axis3::z}) view[static_cast<glm::length_t>(axis)] = work.viewed(vertex, axis).value;
+  for (const Axis3 axis : {Axis3::x, Axis3::y, Axis3::z})
+    view[static_cast<glm::length_t>(axis)] = work.viewed(vertex, axis).value;
   const double value = viewing::distance_inside(lens_of(work), view, e.plane);
-  return work.derived(step, "", "", inside ? "d_in" : "d_out", value, [&](Datum& datum) { tell_distance(datum, work, e.plane, vertex); });
+  return work.derived(step, "", "", inside ? "d_in" : "d_out", value,
+                      [&](Datum& datum) { tell_distance(datum, work, e.plane, vertex); });
 }
 
 }  // namespace
@@ -209,7 +234,9 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ClipCross& e, std::
     return datum.is("d_in/(d_in - d_out)", {{"d_in", in}, {"d_out", out}});
   }
   const Axis3 axis = field == "x_v" ? Axis3::x : field == "y_v" ? Axis3::y : Axis3::z;
-  datum.is("V_in + t*(V_out - V_in)", {{"V_in", work.viewed(e.vertex_inside, axis)}, {"t", work.field(step, "t")}, {"V_out", work.viewed(e.vertex_outside, axis)}});
+  datum.is("V_in + t*(V_out - V_in)", {{"V_in", work.viewed(e.vertex_inside, axis)},
+                                       {"t", work.field(step, "t")},
+                                       {"V_out", work.viewed(e.vertex_outside, axis)}});
 }
 
 }  // namespace zstep::answers

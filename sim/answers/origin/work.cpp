@@ -21,7 +21,9 @@ void Datum::is(std::string formula, std::vector<Given> operands, bool exact) {
   told.formula = std::move(formula);
   told.exact = exact;
   told.rounding = formulas::rounding_of(work_.trace.header());
-  for (Given& given : operands) told.operands.push_back({std::move(given.symbol), given.number.value, given.number.link, std::move(given.number.name)});
+  for (Given& given : operands)
+    told.operands.push_back(
+        {std::move(given.symbol), given.number.value, given.number.link, std::move(given.number.name)});
 }
 
 void Datum::same_as(const std::string& symbol, const Number& number) {
@@ -51,10 +53,12 @@ bool Datum::told() const {
 void Datum::at_source(std::string source) { work_.chain.links[link_].source = std::move(source); }
 
 std::string formula_of(const words::Shown& formula) {
-  static constexpr std::pair<std::string_view, std::string_view> signs[] = {{"\u2212", "-"}, {"\u00b7", "*"}, {")(", ")*("}};
+  static constexpr std::pair<std::string_view, std::string_view> signs[] = {
+      {"\u2212", "-"}, {"\u00b7", "*"}, {")(", ")*("}};
   std::string text = formula.symbols();
   for (const auto& [printed, plain] : signs)
-    for (std::size_t at = text.find(printed); at != std::string::npos; at = text.find(printed, at + plain.size())) text.replace(at, printed.size(), plain);
+    for (std::size_t at = text.find(printed); at != std::string::npos; at = text.find(printed, at + plain.size()))
+      text.replace(at, printed.size(), plain);
   return text;
 }
 
@@ -68,7 +72,8 @@ const std::string& Work::piece(std::int32_t number) const {
 std::string Work::vertex_name(std::int32_t vertex) const { return vertex_label(scene, vertex); }
 
 std::string Work::step_name(std::int64_t step) const {
-  const StepInfo* info = step > 0 && step <= trace.size() ? find_step(trace.header().page, trace.event(step).step) : nullptr;
+  const StepInfo* info =
+      step > 0 && step <= trace.size() ? find_step(trace.header().page, trace.event(step).step) : nullptr;
   return info ? info->name : "";
 }
 
@@ -123,9 +128,8 @@ Number Work::field(std::int64_t step, std::string_view name) {
   const Event event = trace.event(step).event;
   const auto value = field_number(event, name);
   if (!value) return 0;
-  return derived(step, "", what_happens(*this, event), shown_name(event, name, depth_name()), *value, [&](Datum& datum) {
-    tell_field(datum, *this, step, event, name);
-  });
+  return derived(step, "", what_happens(*this, event), shown_name(event, name, depth_name()), *value,
+                 [&](Datum& datum) { tell_field(datum, *this, step, event, name); });
 }
 
 Number Work::field(const Step& step, std::string_view name, double otherwise) {

@@ -1,4 +1,5 @@
-// How a chain grows: each number asks for those it was made of. For sim/answers/explain_value.cpp and the files beside this one.
+// How a chain grows: each number asks for those it was made of. For sim/answers/explain_value.cpp and the files beside
+// this one.
 #pragma once
 
 #include <deque>
@@ -70,14 +71,16 @@ class Datum {
 
 class Work {
  public:
-  Work(const Trace& trace_, Replay& replay) : trace(trace_), scene(trace_.scene()), conventions(trace_.header().conventions), replay_(replay) {}
+  Work(const Trace& trace_, Replay& replay)
+      : trace(trace_), scene(trace_.scene()), conventions(trace_.header().conventions), replay_(replay) {}
 
   const Trace& trace;
   const Scene& scene;
   const Conventions& conventions;
   Chain chain;
 
-  /// The state in which numbers are looked for: that of the step that was asked about, or of a later question of the chain.
+  /// The state in which numbers are looked for: that of the step that was asked about, or of a later question of the
+  /// chain.
   const State& state() const { return replay_.state(); }
   const MethodState& machine() const { return replay_.state().machine; }
   std::int64_t at() const { return replay_.position(); }
@@ -92,7 +95,8 @@ class Work {
   Number field(const Step& step, std::string_view name, double otherwise);
   /// A number with a name of its own at a step's link (what an event does not carry), told by `tell(datum)`.
   template <class Tell>
-  Number derived(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name, double value, Tell&& tell) {
+  Number derived(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name,
+                 double value, Tell&& tell) {
     const std::int32_t link = link_of(step, subject, what);
     if (link < 0) return value;
     const auto place = place_of(link, name, value);
@@ -103,8 +107,8 @@ class Work {
     current_ = outer;
     return {value, link, name};
   }
-  /// A field of a step at which the run stood elsewhere: told once all else is, and then known to the operand with this symbol of
-  /// the link at work.
+  /// A field of a step at which the run stood elsewhere: told once all else is, and then known to the operand with this
+  /// symbol of the link at work.
   void later(std::int64_t step, std::string_view name, const std::string& symbol = "");
   void run_later();
 
@@ -148,7 +152,8 @@ class Work {
 
 using Axis3 = Work::Axis3;
 
-/// A name in a formula of traces/formulas, and what the formula looks like over such names: "z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)".
+/// A name in a formula of traces/formulas, and what the formula looks like over such names: "z_L + (z_R - z_L)*(x -
+/// x_L)/(x_R - x_L)".
 inline words::Shown symbol(std::string name) { return {std::move(name), 0, ""}; }
 std::string formula_of(const words::Shown& formula);
 
@@ -158,17 +163,19 @@ std::string what_happens(const Work& work, const Event& event);
 // --- Where each field of each kind of event comes from. What is not listed names something, or counts.
 
 #define ZSTEP_TOLD(E) void tell(Datum& datum, Work& work, std::int64_t step, const E& event, std::string_view field);
-ZSTEP_TOLD(ViewTransform) ZSTEP_TOLD(Projection) ZSTEP_TOLD(ViewportTransform)
-ZSTEP_TOLD(FacingTest) ZSTEP_TOLD(ClipTest) ZSTEP_TOLD(ClipVertex) ZSTEP_TOLD(ClipCross)
-ZSTEP_TOLD(EdgeTableInsert) ZSTEP_TOLD(EdgeStep) ZSTEP_TOLD(SpanBegin)
-ZSTEP_TOLD(DepthInterpolate) ZSTEP_TOLD(DepthCompare) ZSTEP_TOLD(DepthWrite) ZSTEP_TOLD(PixelPaint)
-ZSTEP_TOLD(ColorBlend) ZSTEP_TOLD(ColorWrite) ZSTEP_TOLD(ShadowCompare)
-ZSTEP_TOLD(PlaneEquation) ZSTEP_TOLD(Extent) ZSTEP_TOLD(PlaneDepth) ZSTEP_TOLD(ImpliedEdge) ZSTEP_TOLD(SpanFlags)
-ZSTEP_TOLD(ExtentTest) ZSTEP_TOLD(SideTest) ZSTEP_TOLD(VertexSide) ZSTEP_TOLD(OverlapTest) ZSTEP_TOLD(SplitVertex)
-ZSTEP_TOLD(EyeSide) ZSTEP_TOLD(NodeSkip) ZSTEP_TOLD(AreaBegin) ZSTEP_TOLD(AreaBin)
-ZSTEP_TOLD(BoxMake) ZSTEP_TOLD(GridMake) ZSTEP_TOLD(RayBegin) ZSTEP_TOLD(CellVisit) ZSTEP_TOLD(BoxTest) ZSTEP_TOLD(RayPlane) ZSTEP_TOLD(RayHit) ZSTEP_TOLD(RayEnd)
-ZSTEP_TOLD(CurveBegin) ZSTEP_TOLD(HorizonTest) ZSTEP_TOLD(HorizonMove) ZSTEP_TOLD(HorizonCross)
-ZSTEP_TOLD(LineCross) ZSTEP_TOLD(LineHide) ZSTEP_TOLD(LinePiece)
+ZSTEP_TOLD(ViewTransform)
+ZSTEP_TOLD(Projection) ZSTEP_TOLD(ViewportTransform) ZSTEP_TOLD(FacingTest) ZSTEP_TOLD(ClipTest) ZSTEP_TOLD(ClipVertex)
+    ZSTEP_TOLD(ClipCross) ZSTEP_TOLD(EdgeTableInsert) ZSTEP_TOLD(EdgeStep) ZSTEP_TOLD(SpanBegin)
+        ZSTEP_TOLD(DepthInterpolate) ZSTEP_TOLD(DepthCompare) ZSTEP_TOLD(DepthWrite) ZSTEP_TOLD(PixelPaint)
+            ZSTEP_TOLD(ColorBlend) ZSTEP_TOLD(ColorWrite) ZSTEP_TOLD(ShadowCompare) ZSTEP_TOLD(PlaneEquation)
+                ZSTEP_TOLD(Extent) ZSTEP_TOLD(PlaneDepth) ZSTEP_TOLD(ImpliedEdge) ZSTEP_TOLD(SpanFlags)
+                    ZSTEP_TOLD(ExtentTest) ZSTEP_TOLD(SideTest) ZSTEP_TOLD(VertexSide) ZSTEP_TOLD(OverlapTest)
+                        ZSTEP_TOLD(SplitVertex) ZSTEP_TOLD(EyeSide) ZSTEP_TOLD(NodeSkip) ZSTEP_TOLD(AreaBegin)
+                            ZSTEP_TOLD(AreaBin) ZSTEP_TOLD(BoxMake) ZSTEP_TOLD(GridMake) ZSTEP_TOLD(RayBegin)
+                                ZSTEP_TOLD(CellVisit) ZSTEP_TOLD(BoxTest) ZSTEP_TOLD(RayPlane) ZSTEP_TOLD(RayHit)
+                                    ZSTEP_TOLD(RayEnd) ZSTEP_TOLD(CurveBegin) ZSTEP_TOLD(HorizonTest)
+                                        ZSTEP_TOLD(HorizonMove) ZSTEP_TOLD(HorizonCross) ZSTEP_TOLD(LineCross)
+                                            ZSTEP_TOLD(LineHide) ZSTEP_TOLD(LinePiece)
 #undef ZSTEP_TOLD
 
 }  // namespace zstep::answers

@@ -17,8 +17,8 @@ struct ChartValue {
   bool warning = false;  ///< marked by a cross in place of a dot
 };
 
-/// Rows of dots: a row a method, a column a quantity with an axis of its own. Axes are logarithmic; 0 has a place of its
-/// own at their left end.
+/// Rows of dots: a row a method, a column a quantity with an axis of its own. Axes are logarithmic; 0 has a place of
+/// its own at their left end.
 struct DotChart {
   struct Column {
     std::string title, subtitle;

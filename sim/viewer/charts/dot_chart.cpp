@@ -39,7 +39,9 @@ Scale axis_of(const DotChart::Column& column, float left, float right) {
 
 void draw_axis(Sheet& sheet, const Scale& axis, float top, float bottom) {
   const auto tick = [&](float x, const std::string& text) {  // the outer labels stay within the column
-    const Sheet::Side side = x <= axis.left ? Sheet::Side::left : x >= axis.right ? Sheet::Side::right : Sheet::Side::middle;
+    const Sheet::Side side = x <= axis.left    ? Sheet::Side::left
+                             : x >= axis.right ? Sheet::Side::right
+                                               : Sheet::Side::middle;
     sheet.rule({x, top}, {x, bottom}, sheet.theme().rule);
     sheet.text(x, bottom + 6, text, sheet.theme().muted, side);
   };

@@ -45,7 +45,8 @@ void draw_names(Sheet& sheet, std::vector<EndName> names, float x, float top, fl
   std::sort(names.begin(), names.end(), [](const EndName& a, const EndName& b) { return a.y < b.y; });
   for (std::size_t k = 1; k < names.size(); ++k) names[k].y = std::max(names[k].y, names[k - 1].y + step);
   float limit = bottom;
-  for (std::size_t k = names.size(); k-- > 0; limit = names[k].y - step) names[k].y = std::max(top, std::min(names[k].y, limit));
+  for (std::size_t k = names.size(); k-- > 0; limit = names[k].y - step)
+    names[k].y = std::max(top, std::min(names[k].y, limit));
   for (const EndName& name : names) sheet.text(x, name.y - sheet.text_height() / 2, name.text, name.color);
 }
 
@@ -90,11 +91,13 @@ Image draw_chart(const LineChart& chart) {
   for (const LineChart::Line& one : chart.lines) {
     const ImU32 color = color_of_look(theme, one.look);
     for (std::size_t k = 1; k < one.points.size(); ++k) {
-      const ImVec2 from(x_at(one.points[k - 1].x), up.at(one.points[k - 1].y)), to(x_at(one.points[k].x), up.at(one.points[k].y));
+      const ImVec2 from(x_at(one.points[k - 1].x), up.at(one.points[k - 1].y)),
+          to(x_at(one.points[k].x), up.at(one.points[k].y));
       if (one.dashed) sheet.dashed_line(from, to, color, 2.5f);
       else sheet.line(from, to, color, 3);
     }
-    for (const glm::dvec2 point : one.points) sheet.mark({x_at(point.x), up.at(point.y)}, mark_size, one.look, color, !one.dashed);
+    for (const glm::dvec2 point : one.points)
+      sheet.mark({x_at(point.x), up.at(point.y)}, mark_size, one.look, color, !one.dashed);
     if (!one.points.empty()) names.push_back({up.at(one.points.back().y), color, one.name});
   }
   draw_names(sheet, std::move(names), right + 14, top, bottom);

@@ -38,10 +38,13 @@ void Sheet::text(float x, float y, const std::string& text, ImU32 color, Side si
   const ImFont* font = bold ? fonts_.bold : fonts_.text;
   const float wide = side == Side::left ? 0 : text_width(text, bold);
   const float left = side == Side::middle ? x - wide / 2 : x - wide;
-  ImGui::GetBackgroundDrawList()->AddText(font, font->FontSize, ImVec2(std::round(left), std::round(y)), color, fonts_.drawable(text).c_str());
+  ImGui::GetBackgroundDrawList()->AddText(font, font->FontSize, ImVec2(std::round(left), std::round(y)), color,
+                                          fonts_.drawable(text).c_str());
 }
 
-void Sheet::line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) { canvas_.line(from.x, from.y, to.x, to.y, thickness, to_pixel(color)); }
+void Sheet::line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
+  canvas_.line(from.x, from.y, to.x, to.y, thickness, to_pixel(color));
+}
 
 void Sheet::dashed_line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
   const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
@@ -66,7 +69,9 @@ void Sheet::rectangle(ImVec2 from, ImVec2 to, ImU32 color) {
 void Sheet::image(int x, int y, const Image& image) {
   for (int row = 0; row < image.height && y + row < canvas_.height(); ++row)
     for (int column = 0; column < image.width && x + column < canvas_.width(); ++column) {
-      const std::size_t at = (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) * 3;
+      const std::size_t at =
+          (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) *
+          3;
       canvas_.row(y + row)[x + column] = opaque({image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]});
     }
 }
@@ -96,7 +101,9 @@ void Sheet::mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled) {
   for (int y = std::max(0, middle_y - reach); y <= std::min(canvas_.height() - 1, middle_y + reach); ++y) {
     for (int x = std::max(0, middle_x - reach); x <= std::min(canvas_.width() - 1, middle_x + reach); ++x) {
       const float depth = inside_mark(shape, static_cast<float>(x) - at.x, static_cast<float>(y) - at.y, radius);
-      const auto share = [](float inside) { return static_cast<unsigned>(std::lround(255 * std::clamp(inside + 0.5f, 0.0f, 1.0f))); };
+      const auto share = [](float inside) {
+        return static_cast<unsigned>(std::lround(255 * std::clamp(inside + 0.5f, 0.0f, 1.0f)));
+      };
       Pixel32& pixel = canvas_.row(y)[x];
       pixel = mixed(pixel, to_pixel(color), share(depth));
       if (!filled) pixel = mixed(pixel, to_pixel(theme().pane), share(depth - rim));
@@ -130,7 +137,8 @@ std::string decade_text(int n) {
   if (n >= 0 && n <= 2) return fmt::format("{:.0f}", std::pow(10.0, n));
   if (n < 0 && n >= -3) return fmt::format("{:.{}f}", std::pow(10.0, n), -n);
   if (n >= 3 && n <= 5) return fmt::format("{:.0f} 000", std::pow(10.0, n - 3));
-  static const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074", "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  static const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                       "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = n < 0 ? "10\u207b" : "10";
   for (const char c : std::to_string(std::abs(n))) text += digits[c - '0'];
   return text;

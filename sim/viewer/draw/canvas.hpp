@@ -11,7 +11,8 @@ namespace zstep::viewer {
 /// 0xAARRGGBB.
 using Pixel32 = std::uint32_t;
 constexpr Pixel32 opaque(Color c) {
-  return 0xff000000u | static_cast<Pixel32>(c.red) << 16 | static_cast<Pixel32>(c.green) << 8 | static_cast<Pixel32>(c.blue);
+  return 0xff000000u | static_cast<Pixel32>(c.red) << 16 | static_cast<Pixel32>(c.green) << 8 |
+         static_cast<Pixel32>(c.blue);
 }
 /// `share` 0…255 of `top` over `bottom`.
 constexpr Pixel32 mixed(Pixel32 bottom, Pixel32 top, unsigned share) {
@@ -30,7 +31,9 @@ class Canvas {
   int height() const { return height_; }
   bool empty() const { return pixels_.empty(); }
   Pixel32* row(int y) { return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
-  const Pixel32* row(int y) const { return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
+  const Pixel32* row(int y) const {
+    return pixels_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+  }
 
   /// Clipped to the canvas; right and bottom are exclusive.
   void rectangle(int left, int top, int right, int bottom, Pixel32 color);

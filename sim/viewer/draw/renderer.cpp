@@ -13,13 +13,15 @@ unsigned alpha_of(ImU32 color) { return color >> 24; }
 
 /// Corners a, b, c, d in the order ImDrawList gives a rectangle: clockwise from the top left.
 bool is_rectangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c, const ImDrawVert& d) {
-  return a.pos.y == b.pos.y && b.pos.x == c.pos.x && c.pos.y == d.pos.y && d.pos.x == a.pos.x && a.pos.x <= c.pos.x && a.pos.y <= c.pos.y;
+  return a.pos.y == b.pos.y && b.pos.x == c.pos.x && c.pos.y == d.pos.y && d.pos.x == a.pos.x && a.pos.x <= c.pos.x &&
+         a.pos.y <= c.pos.y;
 }
 
 }  // namespace
 
 void Renderer::resize(int width, int height) {
-  if (picture_.width() != width || picture_.height() != height) picture_.resize(std::max(width, 1), std::max(height, 1));
+  if (picture_.width() != width || picture_.height() != height)
+    picture_.resize(std::max(width, 1), std::max(height, 1));
 }
 
 void Renderer::take_fonts() {
@@ -42,8 +44,10 @@ void Renderer::fill(Box box, ImU32 color) {
 }
 
 void Renderer::draw_letter(const ImDrawVert& first, const ImDrawVert& opposite, Box box, Box clip) {
-  const int u0 = whole(first.uv.x * static_cast<float>(font_.width)), v0 = whole(first.uv.y * static_cast<float>(font_.height));
-  const int u1 = whole(opposite.uv.x * static_cast<float>(font_.width)), v1 = whole(opposite.uv.y * static_cast<float>(font_.height));
+  const int u0 = whole(first.uv.x * static_cast<float>(font_.width)),
+            v0 = whole(first.uv.y * static_cast<float>(font_.height));
+  const int u1 = whole(opposite.uv.x * static_cast<float>(font_.width)),
+            v1 = whole(opposite.uv.y * static_cast<float>(font_.height));
   const int wide = std::max(1, box.right - box.left), high = std::max(1, box.bottom - box.top);
   const bool same_size = u1 - u0 == wide && v1 - v0 == high;
   const Pixel32 ink = to_pixel(first.col);
@@ -75,7 +79,9 @@ void Renderer::draw_quad(const ImDrawVert& first, const ImDrawVert& opposite, co
   const Box box{whole(first.pos.x), whole(first.pos.y), whole(opposite.pos.x), whole(opposite.pos.y)};
   if (texture != &font_) return draw_canvas(picture_, *static_cast<const Canvas*>(texture), box, clip);
   if (first.uv.x != opposite.uv.x) return draw_letter(first, opposite, box, clip);
-  fill({std::max(box.left, clip.left), std::max(box.top, clip.top), std::min(box.right, clip.right), std::min(box.bottom, clip.bottom)}, first.col);
+  fill({std::max(box.left, clip.left), std::max(box.top, clip.top), std::min(box.right, clip.right),
+        std::min(box.bottom, clip.bottom)},
+       first.col);
 }
 
 /// In one colour; a pixel belongs to it when its centre does.
@@ -94,7 +100,9 @@ void Renderer::draw_triangle(const ImDrawVert& a, const ImDrawVert& b, const ImD
       high = std::max(high, x);
     }
     if (low > high) continue;
-    fill({std::max(clip.left, whole(std::ceil(low - 0.5f))), y, std::min(clip.right, whole(std::ceil(high - 0.5f))), y + 1}, a.col);
+    fill({std::max(clip.left, whole(std::ceil(low - 0.5f))), y, std::min(clip.right, whole(std::ceil(high - 0.5f))),
+          y + 1},
+         a.col);
   }
 }
 
@@ -112,7 +120,8 @@ void Renderer::draw(const ImDrawData& data, Pixel32 clear) {
       const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
       for (unsigned i = 0; i + 2 < command.ElemCount;) {
         const ImDrawIdx* t = index + i;
-        if (i + 5 < command.ElemCount && t[3] == t[0] && t[4] == t[2] && is_rectangle(vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[5]])) {
+        if (i + 5 < command.ElemCount && t[3] == t[0] && t[4] == t[2] &&
+            is_rectangle(vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[5]])) {
           draw_quad(vertices[t[0]], vertices[t[2]], texture, clip);
           i += 6;
           continue;

@@ -5,8 +5,8 @@ namespace {
 
 constexpr ImU32 rgb(unsigned hex) { return to_im(0xff000000u | hex); }
 
-// Accents: pink, green and violet, far from every colour that polygons get (those of Okabe and Ito, "Color universal design", 2008)
-// and from each other, with a contrast of 4.5 : 1 as text. A test measures all three.
+// Accents: pink, green and violet, far from every colour that polygons get (those of Okabe and Ito, "Color universal
+// design", 2008) and from each other, with a contrast of 4.5 : 1 as text. A test measures all three.
 constexpr Theme light{
     rgb(0xe9e9e6), rgb(0xffffff), rgb(0x161616), rgb(0x5c5c5c), rgb(0xc9c9c4), rgb(0xf3f3f0),
     rgb(0xcc0066), rgb(0xfbe3ee),

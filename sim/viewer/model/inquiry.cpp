@@ -37,12 +37,14 @@ std::optional<std::size_t> place_of(const std::vector<std::string>& names, const
 // The columns of an answer that mean something to the viewer.
 struct KnownColumns {
   std::optional<std::size_t> step, x, y;
-  explicit KnownColumns(const std::vector<std::string>& names) : step(place_of(names, "step")), x(place_of(names, "x")), y(place_of(names, "y")) {}
+  explicit KnownColumns(const std::vector<std::string>& names)
+      : step(place_of(names, "step")), x(place_of(names, "x")), y(place_of(names, "y")) {}
 
   std::optional<Cell> pixel(std::span<const query::Value> row, const Raster& raster) const {
     if (!x || !y) return std::nullopt;
     const auto column = number_of(row[*x]), line = number_of(row[*y]);
-    if (!column || !line || !(*column >= 0 && *column < raster.width && *line >= 0 && *line < raster.height)) return std::nullopt;
+    if (!column || !line || !(*column >= 0 && *column < raster.width && *line >= 0 && *line < raster.height))
+      return std::nullopt;
     return Cell{static_cast<std::int32_t>(*column), static_cast<std::int32_t>(*line)};
   }
 };
@@ -70,7 +72,15 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
           columns_ = names;
           places.emplace(names);
           if (!places->x || !places->y) return;
-          heat_ = HeatMap{"rows", std::vector<double>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height), std::nan("")), 0, 0, "", false, -1};
+          heat_ = HeatMap{
+              "rows",
+              std::vector<double>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height),
+                                  std::nan("")),
+              0,
+              0,
+              "",
+              false,
+              -1};
         },
         [&](std::span<const query::Value> row) {
           ++count;
@@ -81,7 +91,8 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
             if (painted) heat_->name = columns_[*painted];
           }
           if (heat_ && pixel) {
-            double& value = heat_->values[static_cast<std::size_t>(pixel->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(pixel->x)];
+            double& value = heat_->values[static_cast<std::size_t>(pixel->y) * static_cast<std::size_t>(raster.width) +
+                                          static_cast<std::size_t>(pixel->x)];
             if (!painted) value = std::isnan(value) ? 1 : value + 1;
             else value = number_of(row[*painted]).value_or(std::nan(""));
           }
@@ -113,10 +124,15 @@ void Inquiry::ask(const std::string& sql, const std::function<bool()>& stop) {
   note_ = count == 1 ? "1 row" : fmt::format("{} rows", grouped(count));
   if (stopped) note_ = fmt::format("stopped; {} so far", note_);
   if (late) note_ = fmt::format("not done after {:g} seconds; {} so far", patience, note_);
-  if (count > static_cast<std::int64_t>(rows_.size())) note_ += fmt::format("; the first {} are shown", grouped(static_cast<std::int64_t>(rows_.size())));
+  if (count > static_cast<std::int64_t>(rows_.size()))
+    note_ += fmt::format("; the first {} are shown", grouped(static_cast<std::int64_t>(rows_.size())));
 }
 
-std::optional<std::int64_t> Inquiry::step_of(std::size_t row) const { return row < steps_.size() ? steps_[row] : std::nullopt; }
-std::optional<Cell> Inquiry::pixel_of(std::size_t row) const { return row < pixels_.size() ? pixels_[row] : std::nullopt; }
+std::optional<std::int64_t> Inquiry::step_of(std::size_t row) const {
+  return row < steps_.size() ? steps_[row] : std::nullopt;
+}
+std::optional<Cell> Inquiry::pixel_of(std::size_t row) const {
+  return row < pixels_.size() ? pixels_[row] : std::nullopt;
+}
 
 }  // namespace zstep::viewer

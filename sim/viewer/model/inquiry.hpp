@@ -1,4 +1,5 @@
-// Questions to the trace in SQL, as the viewer's box keeps them: the answer's rows, where each leads, and what can be painted of it.
+// Questions to the trace in SQL, as the viewer's box keeps them: the answer's rows, where each leads, and what can be
+// painted of it.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,8 @@ class Inquiry {
   /// The trace must outlive it.
   explicit Inquiry(const Trace& trace) : trace_(trace) {}
 
-  /// Asks; what comes of it stands in columns(), rows() and note(). `stop` is asked now and then, and true ends the question; without it,
-  /// it ends after some seconds.
+  /// Asks; what comes of it stands in columns(), rows() and note(). `stop` is asked now and then, and true ends the
+  /// question; without it, it ends after some seconds.
   void ask(const std::string& sql, const std::function<bool()>& stop = nullptr);
 
   const std::string& sql() const { return sql_; }  ///< that was asked last

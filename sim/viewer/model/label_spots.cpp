@@ -19,7 +19,8 @@ SeenPart seen_part_of(const RasterMap& map) {
   const auto end = [&](double begin, int box, int count) {
     return std::min(count, static_cast<int>(std::floor((box - begin) / map.cell + 0.5)));
   };
-  SeenPart seen{first(map.left), end(map.left, map.box_width, map.width), first(map.top), end(map.top, map.box_height, map.height)};
+  SeenPart seen{first(map.left), end(map.left, map.box_width, map.width), first(map.top),
+                end(map.top, map.box_height, map.height)};
   if (map.y_up) seen = {seen.left, seen.right, map.height - seen.high, map.height - seen.low};
   return seen;
 }
@@ -38,10 +39,12 @@ std::vector<int> depth_inside(const Picture& picture, const SeenPart& seen) {
   };
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      at(x, y) = 1 + std::min({beyond(x, y, x - 1, y), beyond(x, y, x - 1, y - 1), beyond(x, y, x, y - 1), beyond(x, y, x + 1, y - 1)});
+      at(x, y) = 1 + std::min({beyond(x, y, x - 1, y), beyond(x, y, x - 1, y - 1), beyond(x, y, x, y - 1),
+                               beyond(x, y, x + 1, y - 1)});
   for (int y = height; y-- > 0;)
     for (int x = width; x-- > 0;)
-      at(x, y) = std::min(at(x, y), 1 + std::min({beyond(x, y, x + 1, y), beyond(x, y, x + 1, y + 1), beyond(x, y, x, y + 1), beyond(x, y, x - 1, y + 1)}));
+      at(x, y) = std::min(at(x, y), 1 + std::min({beyond(x, y, x + 1, y), beyond(x, y, x + 1, y + 1),
+                                                  beyond(x, y, x, y + 1), beyond(x, y, x - 1, y + 1)}));
   return inside;
 }
 
@@ -64,7 +67,8 @@ void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const
     std::size_t i = 0;
     for (int y = seen.low; y < seen.high; ++y)
       for (int x = seen.left; x < seen.right; ++x, ++i)
-        if (const std::int32_t polygon = picture.polygon[picture.at(x, y)]; polygon >= 0) visit(best[polygon], inside[i], x, y);
+        if (const std::int32_t polygon = picture.polygon[picture.at(x, y)]; polygon >= 0)
+          visit(best[polygon], inside[i], x, y);
   };
   each([](Best& one, int depth, int x, int y) {
     ++one.pixels;
@@ -75,11 +79,13 @@ void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const
   each([](Best& one, int depth, int x, int y) {
     if (depth != one.depth) return;
     const auto ties = static_cast<double>(one.ties);
-    const double distance = std::hypot(x - static_cast<double>(one.sum_x) / ties, y - static_cast<double>(one.sum_y) / ties);
+    const double distance =
+        std::hypot(x - static_cast<double>(one.sum_x) / ties, y - static_cast<double>(one.sum_y) / ties);
     if (distance < one.distance) one.distance = distance, one.cell = {x, y};
   });
   for (const auto& [polygon, one] : best) spots.push_back({polygon, one.cell, one.pixels});
-  std::stable_sort(spots.begin(), spots.end(), [](const LabelSpot& a, const LabelSpot& b) { return a.pixels > b.pixels; });
+  std::stable_sort(spots.begin(), spots.end(),
+                   [](const LabelSpot& a, const LabelSpot& b) { return a.pixels > b.pixels; });
 }
 
 void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const Moment& moment) {

@@ -8,8 +8,8 @@
 
 namespace zstep::viewer {
 
-/// The line at work, the lines it stands in, its neighbours in the same block and what it holds. Where it stands in its block alone, the
-/// neighbours of the line around it, too, as one of them comes next.
+/// The line at work, the lines it stands in, its neighbours in the same block and what it holds. Where it stands in its
+/// block alone, the neighbours of the line around it, too, as one of them comes next.
 std::vector<bool> lines_near(const Page& page, std::size_t now);
 
 }  // namespace zstep::viewer

@@ -1,5 +1,5 @@
-// What is painted over the frame for each pixel: how often it was written, who wrote it last, … Follows the reader's step, and
-// catches up a little each frame.
+// What is painted over the frame for each pixel: how often it was written, who wrote it last, … Follows the reader's
+// step, and catches up a little each frame.
 #pragma once
 
 #include <memory>

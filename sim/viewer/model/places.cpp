@@ -64,8 +64,9 @@ void Places::look_on() {
     const std::int64_t step = search_->step();
     search_.reset();
     if (result == Result::found) session_.go_to(step);
-    session_.message = result == Result::found ? fmt::format("Here {} is true; J runs on to the next step where it is.", text)
-                                               : fmt::format("No {} step fulfils {}.", forwards ? "later" : "earlier", text);
+    session_.message = result == Result::found
+                           ? fmt::format("Here {} is true; J runs on to the next step where it is.", text)
+                           : fmt::format("No {} step fulfils {}.", forwards ? "later" : "earlier", text);
   } catch (const InputError& error) {
     search_.reset();
     session_.message = error.what();
@@ -81,14 +82,15 @@ void Places::stop() {
 
 std::string Places::progress() const {
   if (!search_) return "";
-  return fmt::format("Looking {} for {}: step {} of {}", search_->way() == Way::forwards ? "forwards" : "backwards", search_->condition().text(),
-                     grouped(search_->at()), grouped(session_.size()));
+  return fmt::format("Looking {} for {}: step {} of {}", search_->way() == Way::forwards ? "forwards" : "backwards",
+                     search_->condition().text(), grouped(search_->at()), grouped(session_.size()));
 }
 
 std::vector<Places::Suggestion> Places::suggestions() const {
   std::vector<Suggestion> all;
   const auto add = [&](const std::string& condition, const std::string& meaning) {
-    if (std::none_of(all.begin(), all.end(), [&](const Suggestion& s) { return s.condition == condition; })) all.push_back({condition, meaning});
+    if (std::none_of(all.begin(), all.end(), [&](const Suggestion& s) { return s.condition == condition; }))
+      all.push_back({condition, meaning});
   };
   for (const std::string& text : asked_) add(text, "asked before");
   const Header& header = session_.header();
@@ -97,13 +99,18 @@ std::vector<Places::Suggestion> Places::suggestions() const {
   };
   if (records(kind_of<DepthCompare>)) add("not nearer", "a compare fails");
   const auto cell = session_.selected ? session_.selected : session_.current_cell();
-  if (cell) add(fmt::format("changes({}, {})", cell->x, cell->y), session_.selected ? "the selected pixel changes" : "the pixel at work changes");
+  if (cell)
+    add(fmt::format("changes({}, {})", cell->x, cell->y),
+        session_.selected ? "the selected pixel changes" : "the pixel at work changes");
   if (const RecordedEvent* event = session_.event())
     if (const StepInfo* step = find_step(header.page, event->step)) add(step->name, "this line runs");
   if (const std::int32_t polygon = session_.state().machine.polygon; polygon >= 0) {
     const std::string name = polygon_label(session_.scene(), polygon);
-    const bool plain = places::polygons_called(session_.scene(), name).size() == 1 && std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-    add(fmt::format("polygon_begin where polygon != {}", plain ? name : std::to_string(polygon)), "another polygon begins");
+    const bool plain =
+        places::polygons_called(session_.scene(), name).size() == 1 &&
+        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+    add(fmt::format("polygon_begin where polygon != {}", plain ? name : std::to_string(polygon)),
+        "another polygon begins");
   }
   return all;
 }

@@ -11,10 +11,12 @@ namespace zstep::viewer {
 
 struct RasterView {
   double zoom = 1;                   ///< 1: the whole raster fits the pane
-  double center_x = 0, center_y = 0; ///< the raster point in the middle of the pane while zoomed in, in cells from the centre
+  double center_x = 0,
+         center_y = 0;  ///< the raster point in the middle of the pane while zoomed in, in cells from the centre
 };
 
-/// How far one may zoom: in a large raster until four cells fill the pane, so that numbers in projector type have room in them.
+/// How far one may zoom: in a large raster until four cells fill the pane, so that numbers in projector type have room
+/// in them.
 inline double most_zoom(const Raster& raster) { return std::max(64.0, std::max(raster.width, raster.height) / 4.0); }
 
 /// The raster laid into a box of pixels. Raster coordinates have pixel centres at integers.
@@ -50,7 +52,8 @@ inline RasterMap::RasterMap(const Raster& raster, const RasterView& view, int bo
 }
 
 inline std::optional<Cell> RasterMap::cell_at(double pixel_x, double pixel_y) const {
-  const int x = static_cast<int>(std::floor((pixel_x - left) / cell)), row = static_cast<int>(std::floor((pixel_y - top) / cell));
+  const int x = static_cast<int>(std::floor((pixel_x - left) / cell)),
+            row = static_cast<int>(std::floor((pixel_y - top) / cell));
   if (x < 0 || row < 0 || x >= width || row >= height) return std::nullopt;
   return Cell{x, y_up ? height - 1 - row : row};
 }

@@ -14,7 +14,8 @@
 namespace zstep::viewer {
 namespace {
 
-/// What a unit is called in this trace: methods without scan lines have areas or edges in their stead, some work on curves in turn.
+/// What a unit is called in this trace: methods without scan lines have areas or edges in their stead, some work on
+/// curves in turn.
 const char* word_in(const Trace& trace, Unit unit) {
   if (unit == Unit::scan_line && !trace.has(kind_of<ScanLineBegin>)) {
     if (trace.has(kind_of<AreaBegin>)) return "area";
@@ -28,7 +29,8 @@ const char* word_in(const Trace& trace, Unit unit) {
 bool has_any(const Trace& trace, Unit unit) {
   switch (unit) {
     case Unit::span: return trace.has(kind_of<SpanBegin>) || trace.has(kind_of<SpanFlags>);
-    case Unit::scan_line: return trace.has(kind_of<ScanLineBegin>) || trace.has(kind_of<AreaBegin>) || trace.has(kind_of<LineBegin>);
+    case Unit::scan_line:
+      return trace.has(kind_of<ScanLineBegin>) || trace.has(kind_of<AreaBegin>) || trace.has(kind_of<LineBegin>);
     case Unit::polygon: return !trace.polygons().empty() || trace.has(kind_of<CurveBegin>);
     default: return true;
   }
@@ -36,7 +38,9 @@ bool has_any(const Trace& trace, Unit unit) {
 
 /// Whether the last event may begin a unit: pixels do anywhere, all else where a recording was cut off.
 bool may_begin(const Event& event, Unit unit) {
-  const auto is_one_of = [&event](std::initializer_list<std::size_t> kinds) { return std::find(kinds.begin(), kinds.end(), event.index()) != kinds.end(); };
+  const auto is_one_of = [&event](std::initializer_list<std::size_t> kinds) {
+    return std::find(kinds.begin(), kinds.end(), event.index()) != kinds.end();
+  };
   switch (unit) {
     case Unit::pixel: return pixel_of(event).has_value() || is_one_of({kind_of<RayBegin>});
     case Unit::span: return is_one_of({kind_of<SpanBegin>, kind_of<SpanFlags>});
@@ -101,10 +105,12 @@ void Session::move(Unit unit, int direction) {
   const char* word = word_in(trace_, unit);
   if (!has_any(trace_, unit)) return say(fmt::format("No {} begins in this trace.", word));
   const std::int64_t to = direction > 0 ? next_unit(trace_, at, unit) : previous_unit(trace_, at, unit);
-  if (direction < 0 && to == 0) return say(fmt::format("No earlier {} begins; Home goes to the beginning of the trace.", word));
+  if (direction < 0 && to == 0)
+    return say(fmt::format("No earlier {} begins; Home goes to the beginning of the trace.", word));
   const bool last = direction > 0 && to == size() && !may_begin(trace_.event(to).event, unit);
   // After the last polygon many methods have most of their work before them.
-  if (last && unit == Unit::polygon) return say(fmt::format("No later {} begins; End goes to the end of the trace.", word));
+  if (last && unit == Unit::polygon)
+    return say(fmt::format("No later {} begins; End goes to the end of the trace.", word));
   go_to(to, unit);
   if (last) say(fmt::format("No later {} begins; this is the end of the trace.", word));
 }
@@ -133,7 +139,8 @@ bool Session::to_selected_pixel(int direction) {
     return pixel && pixel->x == cell.x && pixel->y == cell.y;
   };
   const Trace::Pixel pixel{cell.x, cell.y};
-  const auto found = direction > 0 ? trace_.next(position(), touches, pixel) : trace_.previous(position(), touches, pixel);
+  const auto found =
+      direction > 0 ? trace_.next(position(), touches, pixel) : trace_.previous(position(), touches, pixel);
   if (found) {
     go_to(*found);
     return true;
@@ -240,7 +247,8 @@ void Session::next_stop(int direction) {
   const int count = static_cast<int>(lesson_->stops.size());
   int target = stop_ + direction;
   // Going back from between two stops returns to the one that still speaks.
-  if (direction < 0 && stop_ >= 0 && position() > lesson_->stops[static_cast<std::size_t>(stop_)].position) target = stop_;
+  if (direction < 0 && stop_ >= 0 && position() > lesson_->stops[static_cast<std::size_t>(stop_)].position)
+    target = stop_;
   if (target < 0 || target >= count) {
     message = direction > 0 ? "This was the last stop of the lesson." : "This is the first stop of the lesson.";
     touch();
@@ -258,7 +266,8 @@ bool Session::question_open() const {
 }
 
 bool Session::nudged() const {
-  return question_open() && !chosen(stop_) && (told_to_answer_ || position() > lesson_->stops[static_cast<std::size_t>(stop_)].position);
+  return question_open() && !chosen(stop_) &&
+         (told_to_answer_ || position() > lesson_->stops[static_cast<std::size_t>(stop_)].position);
 }
 
 void Session::answer(int choice) {
@@ -288,7 +297,8 @@ bool Session::asks_here() const {
 void Session::say_that_it_asks() {
   told_to_answer_ = true;
   const std::size_t answers = lesson_->stops[static_cast<std::size_t>(stop_)].question->answers.size();
-  message = fmt::format("Here the lesson asks. Answer first (a key from 1 to {}, or a click), then Space plays on.", answers);
+  message =
+      fmt::format("Here the lesson asks. Answer first (a key from 1 to {}, or a click), then Space plays on.", answers);
   touch();
 }
 
@@ -324,7 +334,8 @@ double Session::play(double now) {
   if (const double left = reading_until_ - now; left > 0) {
     const int whole = static_cast<int>(std::ceil(left));
     if (whole != std::exchange(waits_, whole)) {
-      message = fmt::format("Time to read this stop: playing goes on in {} s. Space goes on at once, Esc pauses.", whole);
+      message =
+          fmt::format("Time to read this stop: playing goes on in {} s. Space goes on at once, Esc pauses.", whole);
       touch();
     }
     return std::max(frame, left - (whole - 1));
@@ -344,11 +355,14 @@ double Session::play(double now) {
   if (lesson_ && to > position())
     for (std::size_t i = 0; i < lesson_->stops.size(); ++i) {
       const Stop& stop = lesson_->stops[i];
-      const bool next_here = stop.position == position() && static_cast<int>(i) > stop_;  // several may speak at one step
+      const bool next_here =
+          stop.position == position() && static_cast<int>(i) > stop_;  // several may speak at one step
       if (stop.position > to || (stop.position <= position() && !next_here)) continue;
       to_stop(static_cast<int>(i));
       owed_ = 0;
-      if (!asks_here()) reading_until_ = now + 2 + static_cast<double>(std::count(stop.text.begin(), stop.text.end(), ' ')) / words_a_second;
+      if (!asks_here())
+        reading_until_ =
+            now + 2 + static_cast<double>(std::count(stop.text.begin(), stop.text.end(), ' ')) / words_a_second;
       return 0;
     }
   if (to != position()) go_to(to, s.unit_a_frame.value_or(Unit::event));

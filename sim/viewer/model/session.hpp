@@ -34,15 +34,16 @@ class Session {
 
   // --- Moving. All clamp to the trace; looking back goes back by the unit of the last move.
   void go_to(std::int64_t position, Unit unit = Unit::event);
-  /// Stays, and says so, where no such unit begins that way. After the last scan line, span or pixel it goes to the end, and says so.
+  /// Stays, and says so, where no such unit begins that way. After the last scan line, span or pixel it goes to the
+  /// end, and says so.
   void move(Unit unit, int direction);
   /// To the next (or previous) event of this step of the pseudo-code. False, and a message, when there is none.
   bool to_step(std::uint8_t step, int direction);
   /// To the next (or previous) event that touches the selected pixel.
   bool to_selected_pixel(int direction);
 
-  /// Lets someone look at other steps through the session's own replay, which then stands where it stood: another one would take
-  /// as much memory again.
+  /// Lets someone look at other steps through the session's own replay, which then stands where it stood: another one
+  /// would take as much memory again.
   template <class Look>
   void look_elsewhere(Look&& look) {
     const std::int64_t here = position();
@@ -82,7 +83,8 @@ class Session {
 
   // --- Playing
   bool playing = false;
-  /// Play or pause, by key and by button. Says why where nothing is played: the end, or a question that waits for its answer.
+  /// Play or pause, by key and by button. Says why where nothing is played: the end, or a question that waits for its
+  /// answer.
   void toggle_play();
   /// Whole seconds that playing still leaves a reader at this stop; 0 where it does not wait.
   int seconds_to_read() const { return playing ? waits_ : 0; }

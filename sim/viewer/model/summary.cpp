@@ -28,7 +28,8 @@ DepthRange depth_range(const Trace& trace) {
     double nearest = no_depth, farthest = -no_depth;
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
       const auto corner = static_cast<std::size_t>(facet.first_corner + k);
-      const auto point = corner < scene.corners.size() ? static_cast<std::size_t>(scene.corners[corner]) : scene.points.size();
+      const auto point =
+          corner < scene.corners.size() ? static_cast<std::size_t>(scene.corners[corner]) : scene.points.size();
       if (point >= scene.points.size()) continue;
       const double z = screen ? scene.points[point].z : (camera.view * glm::dvec4(scene.points[point], 1)).z;
       nearest = std::min(nearest, z);
@@ -37,7 +38,8 @@ DepthRange depth_range(const Trace& trace) {
     if (screen) add(nearest), add(farthest);
     if (screen || !(nearest <= camera.far && farthest >= camera.near)) continue;  // nothing of it is in view
     // What is cut by the near or the far plane reaches as far as that.
-    for (const double z_v : {nearest, farthest}) add(buffer_depth(camera, trace.header().conventions, std::clamp(z_v, camera.near, camera.far)));
+    for (const double z_v : {nearest, farthest})
+      add(buffer_depth(camera, trace.header().conventions, std::clamp(z_v, camera.near, camera.far)));
   }
   return range;
 }
@@ -46,10 +48,12 @@ std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
   if (sweep_known_) return sweep_from_;
   sweep_known_ = true;
   const Page& page = trace.header().page;
-  const bool sweeps = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<FlagFlip>; });
+  const bool sweeps =
+      std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<FlagFlip>; });
   if (!sweeps) return std::nullopt;
   const std::int64_t gathered = trace.polygons().empty() ? 0 : trace.polygons().back().position;
-  const auto line = trace.next(gathered, [](const RecordedEvent& e) { return std::holds_alternative<ScanLineBegin>(e.event); });
+  const auto line =
+      trace.next(gathered, [](const RecordedEvent& e) { return std::holds_alternative<ScanLineBegin>(e.event); });
   if (line) sweep_from_ = *line - 1;
   return sweep_from_;
 }
@@ -72,7 +76,8 @@ const ScanLineMarks::Interval& ScanLineMarks::at(const Trace& trace, std::int64_
   } else if (sweep && s.last > *sweep) {
     s.last = *sweep;
   }
-  if (interval_ && interval_->first == s.first && interval_->last == s.last && interval_->polygon == s.polygon) return *interval_;
+  if (interval_ && interval_->first == s.first && interval_->last == s.last && interval_->polygon == s.polygon)
+    return *interval_;
   s.complete = s.last - s.first <= quick;
   if (s.complete && (sweeping || s.polygon != no_polygon))
     trace.visit(s.first, s.last, [&](std::int64_t p, std::uint8_t, const auto& event) {
@@ -100,7 +105,8 @@ void visit_each(const Trace& trace, Visit&& visit) {
 /// The last mark at or before a position: its place, −1 before the first.
 template <class Mark>
 std::ptrdiff_t last_before(const std::vector<Mark>& marks, std::int64_t position) {
-  const auto after = std::upper_bound(marks.begin(), marks.end(), position, [](std::int64_t p, const Mark& mark) { return p < mark.position; });
+  const auto after = std::upper_bound(marks.begin(), marks.end(), position,
+                                      [](std::int64_t p, const Mark& mark) { return p < mark.position; });
   return after - marks.begin() - 1;
 }
 
@@ -109,7 +115,9 @@ std::ptrdiff_t last_before(const std::vector<Mark>& marks, std::int64_t position
 const std::vector<CurveMarks::Mark>& CurveMarks::of(const Trace& trace) {
   if (marks_) return *marks_;
   marks_.emplace();
-  visit_each<CurveBegin>(trace, [&](std::int64_t position, const CurveBegin& curve) { marks_->push_back({position, curve}); });
+  visit_each<CurveBegin>(trace, [&](std::int64_t position, const CurveBegin& curve) {
+    marks_->push_back({position, curve});
+  });
   return *marks_;
 }
 

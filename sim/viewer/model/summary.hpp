@@ -10,8 +10,8 @@
 
 namespace zstep::viewer {
 
-/// The depths that can be drawn, in the buffer's own numbers; the colours of the depth buffer span it. Fixed for a scene and its
-/// camera, so that a colour means the same depth at every step.
+/// The depths that can be drawn, in the buffer's own numbers; the colours of the depth buffer span it. Fixed for a
+/// scene and its camera, so that a colour means the same depth at every step.
 struct DepthRange {
   double near = 0, far = 1;
   bool known = false;
@@ -20,8 +20,8 @@ struct DepthRange {
 };
 DepthRange depth_range(const Trace& trace);
 
-/// Scan lines of the polygon at work, or of all polygons where a method goes through them at once; for the timeline. Found
-/// again when the polygon changes.
+/// Scan lines of the polygon at work, or of all polygons where a method goes through them at once; for the timeline.
+/// Found again when the polygon changes.
 class ScanLineMarks {
  public:
   struct Mark { std::int64_t position; std::int32_t y; };
@@ -41,8 +41,8 @@ class ScanLineMarks {
   std::optional<std::int64_t> sweep_from_;
 };
 
-/// Where the curves of a floating horizon begin, for the timeline and for drawing those that were at work. Found once; none
-/// where the trace is too long to look through, or has none.
+/// Where the curves of a floating horizon begin, for the timeline and for drawing those that were at work. Found once;
+/// none where the trace is too long to look through, or has none.
 class CurveMarks {
  public:
   struct Mark { std::int64_t position; CurveBegin curve; };
@@ -54,8 +54,8 @@ class CurveMarks {
   std::optional<std::vector<Mark>> marks_;
 };
 
-/// Where rays begin a row of pixels, for the timeline of a method that goes from pixel to pixel. Found once; none where the
-/// trace is too long to look through, or has no rays.
+/// Where rays begin a row of pixels, for the timeline of a method that goes from pixel to pixel. Found once; none where
+/// the trace is too long to look through, or has no rays.
 class RowMarks {
  public:
   struct Mark { std::int64_t position; std::int32_t y; };
@@ -67,7 +67,8 @@ class RowMarks {
   std::optional<std::vector<Mark>> marks_;
 };
 
-/// How often each step ran up to a position. Follows small moves by counting; late in a huge trace that would take too long.
+/// How often each step ran up to a position. Follows small moves by counting; late in a huge trace that would take too
+/// long.
 class HitCounts {
  public:
   void follow(const Trace& trace, std::int64_t position);

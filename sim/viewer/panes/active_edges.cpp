@@ -1,5 +1,5 @@
-// The active edge list, left to right, with the edge that enters, steps or leaves. Where all polygons are at work at once, the
-// next edges of the global table wait below.
+// The active edge list, left to right, with the edge that enters, steps or leaves. Where all polygons are at work at
+// once, the next edges of the global table wait below.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -18,7 +18,8 @@ Mark mark_of(const MethodState& machine, const RecordedEvent* event, std::size_t
   if (event) {
     if (const auto* e = std::get_if<EdgeEnter>(&event->event); e && e->edge == edge) return {"\u2192 enters", true};
     if (const auto* e = std::get_if<EdgeStep>(&event->event); e && e->edge == edge) return {"\u2193 steps", true};
-    if (const auto* e = std::get_if<EdgeSwap>(&event->event); e && (place == static_cast<std::size_t>(e->place) || place == static_cast<std::size_t>(e->place) + 1))
+    if (const auto* e = std::get_if<EdgeSwap>(&event->event);
+        e && (place == static_cast<std::size_t>(e->place) || place == static_cast<std::size_t>(e->place) + 1))
       return {"\u2195 swapped", true};
   }
   const bool on_event = event && std::holds_alternative<SpanBegin>(event->event);
@@ -53,7 +54,9 @@ std::vector<TableRow> waiting_rows(const Session& s) {
   std::vector<const EdgeTableInsert*> waiting;
   for (const EdgeTableInsert& entry : machine.edge_table)
     if (machine.edge_stages[static_cast<std::size_t>(entry.edge)] == EdgeStage::waiting) waiting.push_back(&entry);
-  const auto sooner = [](const EdgeTableInsert* a, const EdgeTableInsert* b) { return std::make_pair(a->first_row, a->edge) < std::make_pair(b->first_row, b->edge); };
+  const auto sooner = [](const EdgeTableInsert* a, const EdgeTableInsert* b) {
+    return std::make_pair(a->first_row, a->edge) < std::make_pair(b->first_row, b->edge);
+  };
   const std::size_t count = std::min(enough, waiting.size());
   std::partial_sort(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count), waiting.end(), sooner);
   std::vector<TableRow> rows;
@@ -61,8 +64,12 @@ std::vector<TableRow> waiting_rows(const Session& s) {
   for (std::size_t k = 0; k < count; ++k) {
     const EdgeTableInsert& e = *waiting[k];
     TableRow row;
-    const auto asks = [&](const char* field) { return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}}); };
-    row.cells = {name_of(s, e.edge), TableCell(e.x_edge, asks("x_edge")), TableCell(e.z_edge, asks("z_edge")), TableCell(static_cast<double>(e.end_row), asks("end_row")), fmt::format("waits for y = {}", e.first_row)};
+    const auto asks = [&](const char* field) {
+      return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}});
+    };
+    row.cells = {name_of(s, e.edge), TableCell(e.x_edge, asks("x_edge")), TableCell(e.z_edge, asks("z_edge")),
+                 TableCell(static_cast<double>(e.end_row), asks("end_row")),
+                 fmt::format("waits for y = {}", e.first_row)};
     row.cells.back().brief = fmt::format("y {}", e.first_row);
     row.look = insert && insert->edge == e.edge ? TableRow::Look::now : TableRow::Look::gone;
     row.lit = s.lit_edge() == e.edge;
@@ -77,12 +84,18 @@ TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   TableRow row;
   const auto at = static_cast<std::size_t>(active.edge);
   const EdgeTableInsert* entry = active.edge >= 0 && at < machine.edge_table.size() ? &machine.edge_table[at] : nullptr;
-  const auto asks = [&](const char* field) { return answers::made_by<EdgeStep, EdgeTableInsert>(s.position(), field, {{"edge", active.edge}}); };
+  const auto asks = [&](const char* field) {
+    return answers::made_by<EdgeStep, EdgeTableInsert>(s.position(), field, {{"edge", active.edge}});
+  };
   row.cells = {name_of(s, active.edge), TableCell(active.x, asks("x_edge")), TableCell(active.z, asks("z_edge"))};
-  if (entry) row.cells.emplace_back(static_cast<double>(entry->end_row), answers::made_by<EdgeTableInsert>(s.position(), "end_row", {{"edge", active.edge}}));
+  if (entry)
+    row.cells.emplace_back(static_cast<double>(entry->end_row),
+                           answers::made_by<EdgeTableInsert>(s.position(), "end_row", {{"edge", active.edge}}));
   else row.cells.emplace_back(std::string());
   row.cells.emplace_back(mark.word);
-  row.cells.back().brief = mark.word == "left" ? "L" : mark.word == "right" ? "R" : mark.word.substr(0, mark.word.find(' '));
+  row.cells.back().brief = mark.word == "left"    ? "L"
+                           : mark.word == "right" ? "R"
+                                                  : mark.word.substr(0, mark.word.find(' '));
   row.look = mark.now ? TableRow::Look::now : TableRow::Look::plain;
   row.lit = s.lit_edge() == active.edge;
   row.key = active.edge;
@@ -109,9 +122,11 @@ void draw(Ui& ui) {
   if (machine.keeps_all && machine.piece == -1)
     for (TableRow& row : waiting_rows(s)) rows.push_back(std::move(row));
   if (rows.empty())
-    return say_empty(ui, machine.scan_line ? fmt::format("Empty: no edge crosses scan line {} at this moment.", *machine.scan_line)
-                         : machine.edge_table.empty() ? std::string("Empty: it fills when scan conversion reaches an edge's first scan line.")
-                                                      : std::string("Empty: edges enter when the scan line reaches their bucket."));
+    return say_empty(ui, machine.scan_line
+                             ? fmt::format("Empty: no edge crosses scan line {} at this moment.", *machine.scan_line)
+                         : machine.edge_table.empty()
+                             ? std::string("Empty: it fills when scan conversion reaches an edge's first scan line.")
+                             : std::string("Empty: edges enter when the scan line reaches their bucket."));
   const std::string z = depth_symbol(s.scene(), s.header().conventions);
   const TableResult result = number_table(ui, "active", {"edge", "x", z, "leaves", ""}, rows);
   if (result.hovered) ui.hovered_edge_next = result.hovered;

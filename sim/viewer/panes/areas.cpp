@@ -37,7 +37,8 @@ void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme&
   const Picture& picture = now.state().picture;
   const int line = static_cast<int>(std::lround(thin));
   std::vector<Pixel32> cells(picture.polygon.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = mixed(opaque(zstep::color_at(picture, now.scene(), i)), to_pixel(c.pane), 110);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    cells[i] = mixed(opaque(zstep::color_at(picture, now.scene(), i)), to_pixel(c.pane), 110);
   paint_raster(canvas, map, cells, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)});
   for (const AreaRow& row : m.areas)
     if (has_pixels(row.entry)) frame(canvas, box_of(map, row.entry), line, to_pixel(c.text));
@@ -48,14 +49,16 @@ void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme&
         const auto b = on_raster(now.scene(), now.state(), piece.outline[(i + 1) % piece.outline.size()]);
         if (!a || !b) continue;
         const auto polygon = static_cast<std::size_t>(piece.polygon);
-        const Pixel32 color = polygon < now.scene().polygons.size() ? opaque(now.scene().polygons[polygon].color) : to_pixel(c.muted);
+        const Pixel32 color =
+            polygon < now.scene().polygons.size() ? opaque(now.scene().polygons[polygon].color) : to_pixel(c.muted);
         canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 3.6 * line, to_pixel(c.text), 200);
         canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 2.0 * line, color);
       }
   const auto at = static_cast<std::size_t>(m.area);
   if (m.area >= 0 && at < m.areas.size() && has_pixels(m.areas[at].entry)) {
     const Box b = box_of(map, m.areas[at].entry);
-    frame(canvas, {b.left - 2 * line, b.top - 2 * line, b.right + 2 * line, b.bottom + 2 * line}, 4 * line, to_pixel(c.now));
+    frame(canvas, {b.left - 2 * line, b.top - 2 * line, b.right + 2 * line, b.bottom + 2 * line}, 4 * line,
+          to_pixel(c.now));
   }
 }
 
@@ -74,8 +77,11 @@ void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin) {
     for (const ImFont* font : {ui.fonts.bold, ui.fonts.small}) {
       const ImVec2 size = text_size(ui, font, sign);
       if (size.x + 6 > width || size.y + 2 > height) continue;
-      const ImVec2 at{origin.x + static_cast<float>(b.left) + (width - size.x) / 2, origin.y + static_cast<float>(b.top) + (height - size.y) / 2};
-      if (!sign.empty()) ImGui::GetWindowDrawList()->AddRectFilled({at.x - 3, at.y - 1}, {at.x + size.x + 3, at.y + size.y + 1}, ui.colors().pane);
+      const ImVec2 at{origin.x + static_cast<float>(b.left) + (width - size.x) / 2,
+                      origin.y + static_cast<float>(b.top) + (height - size.y) / 2};
+      if (!sign.empty())
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x - 3, at.y - 1}, {at.x + size.x + 3, at.y + size.y + 1},
+                                                  ui.colors().pane);
       draw_text(ui, at, font, ui.colors().text, sign);
       break;
     }
@@ -98,7 +104,8 @@ void draw_bin(Ui& ui, Bin bin) {
   }
   const float y = at.y + std::round((height - ui.em) / 2) - 1;
   const float side = std::round(ui.em * 0.55f);
-  draw_text(ui, {at.x + ui.em * 0.4f, y}, ui.fonts.text, c.muted, std::string(words_of<Bin>[static_cast<std::size_t>(bin)]));
+  draw_text(ui, {at.x + ui.em * 0.4f, y}, ui.fonts.text, c.muted,
+            std::string(words_of<Bin>[static_cast<std::size_t>(bin)]));
   float x = at.x + ui.em * 0.8f + text_size(ui, ui.fonts.text, "surrounding ").x;
   std::size_t all = 0, shown = 0;
   for (const AreaBin& row : m.bins) all += row.bin == bin;
@@ -115,9 +122,11 @@ void draw_bin(Ui& ui, Bin bin) {
     }
     const float top = at.y + std::round((height - side) / 2);
     if (static_cast<std::size_t>(polygon) < s.scene().polygons.size())
-      list->AddRectFilled({x, top}, {x + side, top + side}, to_im(opaque(s.scene().polygons[static_cast<std::size_t>(polygon)].color)));
+      list->AddRectFilled({x, top}, {x + side, top + side},
+                          to_im(opaque(s.scene().polygons[static_cast<std::size_t>(polygon)].color)));
     frame_box(ui, {x, top}, {x + side, top + side}, c.text);
-    draw_text(ui, {x + ui.em * 0.75f, y}, now == nullptr || now->piece != row.piece ? ui.fonts.text : ui.fonts.bold, c.text, label);
+    draw_text(ui, {x + ui.em * 0.75f, y}, now == nullptr || now->piece != row.piece ? ui.fonts.text : ui.fonts.bold,
+              c.text, label);
     x += width;
     ++shown;
   }
@@ -127,7 +136,8 @@ void draw_bin(Ui& ui, Bin bin) {
 
 void draw_bins(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
-  if (m.area < 0 || m.areas.empty()) return say_empty(ui, "The bins of an area fill once all polygons are on the raster.");
+  if (m.area < 0 || m.areas.empty())
+    return say_empty(ui, "The bins of an area fill once all polygons are on the raster.");
   Flow heading;
   heading.font = ui.fonts.bold;
   flow(ui, fmt::format("Area {}", m.area), heading);
@@ -136,7 +146,8 @@ void draw_bins(Ui& ui) {
   Flow quiet;
   quiet.color = ui.colors().muted;
   const bool settled = m.areas[static_cast<std::size_t>(m.area)].decided.has_value();
-  if (known > 0 && settled) flow(ui, fmt::format("{} more {} known to miss the area around it.", known, known == 1 ? "is" : "are"), quiet);
+  if (known > 0 && settled)
+    flow(ui, fmt::format("{} more {} known to miss the area around it.", known, known == 1 ? "is" : "are"), quiet);
 }
 
 void draw(Ui& ui) {
@@ -148,9 +159,11 @@ void draw(Ui& ui) {
   const int height = static_cast<int>(beside ? avail.y : avail.y - bins_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width - 4, height - 4);
-  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint, map, ui.moment(), ui.colors(), ui.thin);
+  const Kept<Canvas>& canvas =
+      keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at, {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
+                                       {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});
   draw_signs(ui, map, at);
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});

@@ -45,14 +45,16 @@ void color_frame(Cells& cells, const Moment& now) {
       continue;
     }
     const std::int32_t p = picture.polygon[i];
-    cells.colors[i] = p >= 0 && static_cast<std::size_t>(p) < colors.size() ? colors[static_cast<std::size_t>(p)] : background;
+    cells.colors[i] =
+        p >= 0 && static_cast<std::size_t>(p) < colors.size() ? colors[static_cast<std::size_t>(p)] : background;
   }
 }
 
 std::string heat_text(const Ui& ui, std::size_t at) {
   const double value = ui.heat->values[at];
   if (std::isnan(value)) return "";
-  return ui.heat->polygons ? polygon_label(ui.session.scene(), static_cast<std::int32_t>(value)) : number(value, 2, true);
+  return ui.heat->polygons ? polygon_label(ui.session.scene(), static_cast<std::int32_t>(value))
+                           : number(value, 2, true);
 }
 
 std::vector<std::string> about_cell(Ui& ui, Cell cell) {
@@ -63,7 +65,9 @@ std::vector<std::string> about_cell(Ui& ui, Cell cell) {
   std::vector<std::string> lines{fmt::format("pixel ({}, {})", cell.x, cell.y),
                                  fmt::format("frame: {}", polygon_label(s.scene(), picture.polygon[at])),
                                  fmt::format("{} = {}", z, exact(picture.depth[at]))};
-  if (z == "z*") lines.push_back(fmt::format("z_v = {}", exact(view_depth(s.scene().camera, s.header().conventions, picture.depth[at]))));
+  if (z == "z*")
+    lines.push_back(
+        fmt::format("z_v = {}", exact(view_depth(s.scene().camera, s.header().conventions, picture.depth[at]))));
   if (ui.heat) {
     const std::string value = heat_text(ui, at);
     lines.push_back(fmt::format("{}: {}", ui.heat->name, value.empty() ? "none" : value));
@@ -76,7 +80,8 @@ void draw_frame(Ui& ui) {
   const Scene& scene = s.scene();
   const float bottom = ImGui::GetCursorScreenPos().y + ImGui::GetContentRegionAvail().y;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const Kept<Cells>& cells = ui.heat ? keep(ui.cells, "heat", color_heat, *ui.heat, scene, ui.depth_scale) : keep(ui.cells, "frame", color_frame, ui.moment());
+  const Kept<Cells>& cells = ui.heat ? keep(ui.cells, "heat", color_heat, *ui.heat, scene, ui.depth_scale)
+                                     : keep(ui.cells, "frame", color_frame, ui.moment());
   draw_raster(
       ui, "frame", ui.presenter && !ui.heat ? 0 : legend_height(ui), cells,
       [&](std::size_t at, int) {
@@ -93,11 +98,15 @@ void draw_frame(Ui& ui) {
 std::string frame_note(Ui& ui) {
   const Session& s = ui.session;
   if (!ui.heat_behind.empty()) return ui.heat_behind;
-  if (ui.heat) return fmt::format("{}{}; Esc ends", ui.heat->name, ui.heat->until >= 0 ? fmt::format(" up to step {}", grouped(ui.heat->until)) : "");
+  if (ui.heat)
+    return fmt::format("{}{}; Esc ends", ui.heat->name,
+                       ui.heat->until >= 0 ? fmt::format(" up to step {}", grouped(ui.heat->until)) : "");
   if (s.looking_back) return fmt::format("BEFORE: step {}", grouped(s.before()));
   if (s.state().machine.pass == Pass::light) return "as the light sees it";
   return fmt::format("{} \u00d7 {}{}", s.scene().raster.width, s.scene().raster.height,
-                     ui.view.zoom >= 100 ? fmt::format(", zoom {:.0f}", ui.view.zoom) : ui.view.zoom > 1 ? fmt::format(", zoom {:.3g}", ui.view.zoom) : "");
+                     ui.view.zoom >= 100 ? fmt::format(", zoom {:.0f}", ui.view.zoom)
+                     : ui.view.zoom > 1  ? fmt::format(", zoom {:.3g}", ui.view.zoom)
+                                         : "");
 }
 
 /// Decimals that the numbers in the buffer need.
@@ -110,11 +119,12 @@ int decimals_in(const Picture& picture) {
   return decimals_needed(values, 3);
 }
 
-/// What the colours of the depth buffer span: one set by hand, that of what is shown, or the scene's. The light's picture, and a
-/// trace that does not say where its vertices are, have that of what is shown.
+/// What the colours of the depth buffer span: one set by hand, that of what is shown, or the scene's. The light's
+/// picture, and a trace that does not say where its vertices are, have that of what is shown.
 DepthRange range_of(const Ui& ui, const Moment& now) {
   if (ui.range_mode == Ui::RangeMode::by_hand) return ui.hand_range;
-  const bool fits = ui.range_mode == Ui::RangeMode::fitted || !ui.depth_range.known || now.state().machine.pass == Pass::light;
+  const bool fits =
+      ui.range_mode == Ui::RangeMode::fitted || !ui.depth_range.known || now.state().machine.pass == Pass::light;
   return fits ? fitted_range(now.picture()) : ui.depth_range;
 }
 
@@ -138,8 +148,10 @@ void draw_depth(Ui& ui) {
     return answers::of_pixel(s.looking_back ? s.before() : s.position(), {cell.x, cell.y});
   };
   draw_raster(
-      ui, "depth", legend_height(ui) + (spread ? histogram_height(ui) : 0.0f), keep(ui.cells, "depth", color_depths, ui.moment(), range, ui.depth_scale),
-      [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, [&](Cell cell) { return about_cell(ui, cell); }, talk);
+      ui, "depth", legend_height(ui) + (spread ? histogram_height(ui) : 0.0f),
+      keep(ui.cells, "depth", color_depths, ui.moment(), range, ui.depth_scale),
+      [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); },
+      [&](Cell cell) { return about_cell(ui, cell); }, talk);
   ImGui::SetCursorScreenPos(corner);
   draw_depth_legend(ui, bottom, range);
   if (spread) draw_histogram(ui, bottom, range, s.picture());
@@ -151,7 +163,9 @@ std::string depth_note(Ui& ui) {
   if (s.state().machine.pass == Pass::light) return "the light's: the shadow buffer";
   const std::string z = depth_symbol(s.scene(), s.header().conventions);
   const std::string name = z == "z*" ? "z* pseudodepth" : z == "z_v" ? "z_v" : "z";
-  return name + (ui.range_mode == Ui::RangeMode::fitted ? ", range fitted" : ui.range_mode == Ui::RangeMode::by_hand ? ", range by hand" : "");
+  return name + (ui.range_mode == Ui::RangeMode::fitted    ? ", range fitted"
+                 : ui.range_mode == Ui::RangeMode::by_hand ? ", range by hand"
+                                                           : "");
 }
 
 bool has_depths(const Header& header) {

@@ -82,11 +82,14 @@ void draw_axis(Ui& ui, const Rows& rows) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   const ImVec2 head = ImGui::GetCursorScreenPos();
-  const std::string far = fmt::format("far {}", number(rows.axis.far, 3, true)), near = fmt::format("near {}", number(rows.axis.near, 3, true));
-  draw_text(ui, {head.x + ui.em * 0.4f, head.y}, ui.fonts.small, c.muted, depth_symbol(s.scene(), s.header().conventions));
+  const std::string far = fmt::format("far {}", number(rows.axis.far, 3, true)),
+                    near = fmt::format("near {}", number(rows.axis.near, 3, true));
+  draw_text(ui, {head.x + ui.em * 0.4f, head.y}, ui.fonts.small, c.muted,
+            depth_symbol(s.scene(), s.header().conventions));
   draw_text(ui, {head.x + rows.bars_left, head.y}, ui.fonts.small, c.muted, far);
   if (text_size(ui, ui.fonts.small, far + near).x + ui.em < rows.bars)
-    draw_text(ui, {head.x + rows.bars_left + rows.bars - text_size(ui, ui.fonts.small, near).x, head.y}, ui.fonts.small, c.muted, near);
+    draw_text(ui, {head.x + rows.bars_left + rows.bars - text_size(ui, ui.fonts.small, near).x, head.y}, ui.fonts.small,
+              c.muted, near);
   ImGui::Dummy({rows.room, std::round(ui.fonts.small->FontSize * 1.3f)});
   const float bottom = ImGui::GetCursorScreenPos().y;
   ImGui::GetWindowDrawList()->AddRectFilled({head.x, bottom - 1}, {head.x + rows.room, bottom}, c.rule);
@@ -103,7 +106,8 @@ void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   const bool is_p = entry.piece == rows.p, is_q = entry.piece == rows.q;
   ImGui::Dummy({rows.room, rows.height});
   if (ImGui::IsItemHovered() && piece && piece->extent)
-    tooltip(ui, {fmt::format("least z = {}", exact(piece->extent->z_min)), fmt::format("farthest z = {}", exact(piece->extent->z_max)),
+    tooltip(ui, {fmt::format("least z = {}", exact(piece->extent->z_min)),
+                 fmt::format("farthest z = {}", exact(piece->extent->z_max)),
                  entry.marked ? "\u25cf marked: it was moved" : "not marked"});
   if (entry.piece == rows.touched) {
     list->AddRectFilled(at, {at.x + rows.room, at.y + rows.height}, c.now_soft);
@@ -121,7 +125,8 @@ void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   x += rows.name + ui.em * 0.4f;
   if (entry.marked) draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.now, "\u25cf");
   if (!piece || !piece->extent) return;
-  const float from = at.x + rows.x_of(piece->extent->z_max), to = std::max(from + 2, at.x + rows.x_of(piece->extent->z_min));
+  const float from = at.x + rows.x_of(piece->extent->z_max),
+              to = std::max(from + 2, at.x + rows.x_of(piece->extent->z_min));
   const float top = at.y + std::round(rows.height * 0.22f), bottom = at.y + std::round(rows.height * 0.8f);
   list->AddRectFilled({from, top}, {to, bottom}, chip_of(s, piece->polygon));
   frame_box(ui, {from, top}, {to, bottom}, c.text, is_p || is_q ? 2.0f : 1.0f);
@@ -134,7 +139,8 @@ void draw_reach(Ui& ui, const Rows& rows, ImVec2 top) {
   const auto at = static_cast<std::size_t>(rows.p);
   if (rows.p < 0 || at >= pieces.size() || !pieces[at].extent) return;
   const float x = top.x + rows.x_of(pieces[at].extent->z_min), bottom = ImGui::GetCursorScreenPos().y;
-  for (float y = top.y; y < bottom; y += 8) ImGui::GetWindowDrawList()->AddRectFilled({x - 1, y}, {x + 1, std::min(y + 5, bottom)}, ui.colors().selected);
+  for (float y = top.y; y < bottom; y += 8)
+    ImGui::GetWindowDrawList()->AddRectFilled({x - 1, y}, {x + 1, std::min(y + 5, bottom)}, ui.colors().selected);
 }
 
 void draw_list(Ui& ui) {
@@ -158,8 +164,9 @@ void draw(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   if (machine.list.empty())
-    return say_empty(ui, !machine.drawn.empty() ? "Empty: everything is drawn."
-                                                  : "Empty: when all polygons have been viewed they enter it, the farthest first.");
+    return say_empty(ui, !machine.drawn.empty()
+                             ? "Empty: everything is drawn."
+                             : "Empty: when all polygons have been viewed they enter it, the farthest first.");
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   const auto made = machine.pair && find_step(s.header().page, "test_1") ? since_pair(s) : std::nullopt;
   const float least_list = ui.em * 14;
@@ -170,7 +177,8 @@ void draw(Ui& ui) {
   if (!beside && made) {
     const TestTable above = lay_out_tests(ui, *made, avail.x);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::BeginChild("tests", {avail.x, std::min(above.height + 2, std::max(2 * row, avail.y - 4 * row))}, false, ImGuiWindowFlags_None);
+    ImGui::BeginChild("tests", {avail.x, std::min(above.height + 2, std::max(2 * row, avail.y - 4 * row))}, false,
+                      ImGuiWindowFlags_None);
     draw_tests(ui, *machine.pair, above);
     ImGui::EndChild();
     ImGui::PopStyleVar();

@@ -47,8 +47,10 @@ void draw(Ui& ui) {
   if (machine.polygon == no_polygon)
     return say_empty(ui, "Empty: no polygon is at work yet. Each polygon fills it with its own edges.");
   if (machine.edge_table.empty())
-    return say_empty(ui, machine.rejected ? fmt::format("Empty: polygon {} was dropped before it got here.", polygon_label(s.scene(), machine.polygon))
-                                          : fmt::format("Empty: the edges of polygon {} are not in it yet.", polygon_label(s.scene(), machine.polygon)));
+    return say_empty(ui, machine.rejected ? fmt::format("Empty: polygon {} was dropped before it got here.",
+                                                        polygon_label(s.scene(), machine.polygon))
+                                          : fmt::format("Empty: the edges of polygon {} are not in it yet.",
+                                                        polygon_label(s.scene(), machine.polygon)));
   std::vector<const EdgeTableInsert*> order;
   for (const EdgeTableInsert& entry : machine.edge_table) order.push_back(&entry);
   std::stable_sort(order.begin(), order.end(), [](const EdgeTableInsert* a, const EdgeTableInsert* b) {
@@ -62,17 +64,26 @@ void draw(Ui& ui) {
     const EdgeStage stage = machine.edge_stages[static_cast<std::size_t>(e.edge)];
     TableRow out;
     const bool is_now = now == e.edge;
-    const auto asks = [&](const char* field) { return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}}); };
-    out.cells = {bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row), edge_label(s.scene(), e),
-                 TableCell(static_cast<double>(e.end_row), asks("end_row")), TableCell(e.x_edge, asks("x_edge")), TableCell(e.dx_dy, asks("dx_dy")),
-                 TableCell(e.z_edge, asks("z_edge")), TableCell(e.dz_dy, asks("dz_dy")),
+    const auto asks = [&](const char* field) {
+      return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}});
+    };
+    out.cells = {bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row),
+                 edge_label(s.scene(), e),
+                 TableCell(static_cast<double>(e.end_row), asks("end_row")),
+                 TableCell(e.x_edge, asks("x_edge")),
+                 TableCell(e.dx_dy, asks("dx_dy")),
+                 TableCell(e.z_edge, asks("z_edge")),
+                 TableCell(e.dz_dy, asks("dz_dy")),
                  TableCell(polygon_label(s.scene(), e.polygon),
                            e.polygon >= 0 && static_cast<std::size_t>(e.polygon) < s.scene().polygons.size()
-                               ? to_im(opaque(s.scene().polygons[static_cast<std::size_t>(e.polygon)].color)) : 0),
+                               ? to_im(opaque(s.scene().polygons[static_cast<std::size_t>(e.polygon)].color))
+                               : 0),
                  state_word(stage, is_now, s.event())};
     bucket = e.first_row;
     out.cells.back().brief = state_sign(stage, is_now, s.event());
-    out.look = is_now ? TableRow::Look::now : stage == EdgeStage::retired ? TableRow::Look::gone : TableRow::Look::plain;
+    out.look = is_now                        ? TableRow::Look::now
+               : stage == EdgeStage::retired ? TableRow::Look::gone
+                                             : TableRow::Look::plain;
     out.lit = s.lit_edge() == e.edge;
     out.key = e.edge;
     rows.push_back(std::move(out));
@@ -94,11 +105,11 @@ std::string note(Ui& ui) {
   return machine.edge_table.empty() ? "" : fmt::format("{} edges", machine.edge_table.size());
 }
 
-// Where there is a shadow buffer, a list of pieces, a tree or a polygon table, that is what the method lives by, and the room is
-// its. Edges of all polygons at once wait below the active ones.
+// Where there is a shadow buffer, a list of pieces, a tree or a polygon table, that is what the method lives by, and
+// the room is its. Edges of all polygons at once wait below the active ones.
 bool serves(const Header& header) {
-  return has_step_of<EdgeTableInsert>(header) && !has_step_of<ShadowCompare>(header) && !has_step_of<ListInsert>(header) &&
-         !has_step_of<FlagFlip>(header) && !has_step_of<NodeMake>(header);
+  return has_step_of<EdgeTableInsert>(header) && !has_step_of<ShadowCompare>(header) &&
+         !has_step_of<ListInsert>(header) && !has_step_of<FlagFlip>(header) && !has_step_of<NodeMake>(header);
 }
 
 }  // namespace

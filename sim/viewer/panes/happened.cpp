@@ -16,7 +16,8 @@ std::string keep_terms(const Ui& ui, const std::string& formula, float width) {
     const std::size_t equals = std::min(formula.find(" = ", from == 0 ? 0 : from + 3), formula.size());
     std::string term = formula.substr(from, equals - from);
     if (text_size(ui, ui.fonts.mono, term).x < width)
-      for (std::size_t at = term.find(' ', 1); at != std::string::npos; at = term.find(' ', at)) term.replace(at, 1, "\u00a0");
+      for (std::size_t at = term.find(' ', 1); at != std::string::npos; at = term.find(' ', at))
+        term.replace(at, 1, "\u00a0");
     out += term;
     if (equals == formula.size()) break;
     from = equals;
@@ -35,13 +36,16 @@ void tell(Ui& ui, const std::string& sentence) {
   flow(ui, sentence, how);
 }
 
-/// A click on a formula asks about the number that it gives, or else about the step's main one; on one of its numbers, about that.
+/// A click on a formula asks about the number that it gives, or else about the step's main one; on one of its numbers,
+/// about that.
 void tell_formula(Ui& ui, const std::string& formula, Flow how) {
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float right = top.x + ImGui::GetContentRegionAvail().x;
   const auto ask = [&](ImVec2 a, ImVec2 b) {
     if (!number_at(ui, a, b, {ui.session.position()})) return false;
-    if (ui.asked) ui.asked->field = answers::field_called(ui.session.trace(), ui.session.position(), formula.substr(0, formula.find(" = ")));
+    if (ui.asked)
+      ui.asked->field =
+          answers::field_called(ui.session.trace(), ui.session.position(), formula.substr(0, formula.find(" = ")));
     return true;
   };
   bool on_number = false;
@@ -90,7 +94,8 @@ void draw(Ui& ui) {
     doubt.font = ui.fonts.bold;
     flow(ui, *told.doubt, doubt);
   }
-  if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered()) tooltip(ui, exact_lines(told.values), ImVec2{top.x, bottom.y + ui.em * 0.5f});
+  if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered())
+    tooltip(ui, exact_lines(told.values), ImVec2{top.x, bottom.y + ui.em * 0.5f});
 }
 
 }  // namespace

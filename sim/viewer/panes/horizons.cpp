@@ -13,7 +13,8 @@ namespace zstep::viewer {
 namespace {
 
 /// A curve of the surface's grid, straight from sample to sample, as far as the trace has brought them to the raster.
-void draw_curve(const Moment& s, Canvas& canvas, const RasterMap& map, const CurveBegin& curve, double thickness, Pixel32 color) {
+void draw_curve(const Moment& s, Canvas& canvas, const RasterMap& map, const CurveBegin& curve, double thickness,
+                Pixel32 color) {
   if (!s.scene().surface || curve.across) return;
   const std::int32_t columns = s.scene().surface->columns;
   for (std::int32_t column = 0; column + 1 < columns; ++column) {
@@ -36,7 +37,8 @@ void shade_hidden(const HorizonWork& work, Canvas& canvas, const RasterMap& map,
 }
 
 /// One horizon, from column to column; a level piece where a neighbour has none. The lower one is dashed.
-void draw_horizon(const std::vector<double>& horizon, Canvas& canvas, const RasterMap& map, bool dashed, double thickness, Pixel32 color) {
+void draw_horizon(const std::vector<double>& horizon, Canvas& canvas, const RasterMap& map, bool dashed,
+                  double thickness, Pixel32 color) {
   for (std::size_t x = 0; x < horizon.size(); ++x) {
     if (!std::isfinite(horizon[x])) continue;
     const double at = map.px(static_cast<double>(x)), y = map.py(horizon[x]), half = map.cell / 2;
@@ -53,12 +55,14 @@ bool one_horizon(const Header& header) {
   return found != options.end() && found->second == "one";
 }
 
-void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const std::vector<CurveMarks::Mark>& curves, const Theme& c, const float& thin) {
+void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const std::vector<CurveMarks::Mark>& curves,
+           const Theme& c, const float& thin) {
   const HorizonWork& work = now.state().machine.horizon;
   const Pixel32 paper = to_pixel(c.head);
   const auto line = static_cast<double>(thin);
   canvas.fill(to_pixel(c.pane));
-  canvas.rectangle(map.column_begin(0), map.row_begin(0), map.column_begin(map.width), map.row_end(map.height - 1), paper);
+  canvas.rectangle(map.column_begin(0), map.row_begin(0), map.column_begin(map.width), map.row_end(map.height - 1),
+                   paper);
   shade_hidden(work, canvas, map, one_horizon(now.header()), mixed(paper, to_pixel(c.muted), 70));
   for (const CurveMarks::Mark& mark : curves)
     if (mark.position <= now.position()) draw_curve(now, canvas, map, mark.curve, line, to_pixel(c.muted));
@@ -66,18 +70,22 @@ void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const std::v
   draw_horizon(work.upper, canvas, map, false, 2.5 * line, to_pixel(c.text));
   if (work.curve) draw_curve(now, canvas, map, *work.curve, 2 * line, to_pixel(c.now));
   if (work.segment) {
-    const auto a = on_raster(now.scene(), now.state(), work.segment->vertex_0), b = on_raster(now.scene(), now.state(), work.segment->vertex_1);
+    const auto a = on_raster(now.scene(), now.state(), work.segment->vertex_0),
+               b = on_raster(now.scene(), now.state(), work.segment->vertex_1);
     if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), 4 * line, to_pixel(c.now));
   }
 }
 
-/// The column at work: a thin line down the raster, a dot on the curve (hollow where it is hidden) and the verdict in words.
+/// The column at work: a thin line down the raster, a dot on the curve (hollow where it is hidden) and the verdict in
+/// words.
 void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   const HorizonWork& work = s.state().machine.horizon;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto place = [&](double x, double y) { return ImVec2{at.x + static_cast<float>(map.px(x)), at.y + static_cast<float>(map.py(y))}; };
+  const auto place = [&](double x, double y) {
+    return ImVec2{at.x + static_cast<float>(map.px(x)), at.y + static_cast<float>(map.py(y))};
+  };
   if (work.test) {
     const HorizonTest& now = *work.test;
     const ImVec2 top = place(now.x, -0.5), bottom = place(now.x, map.height - 0.5);
@@ -87,7 +95,9 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
       const float radius = std::max(4.0f, ui.em * 0.3f);
       list->AddCircleFilled(dot, radius, now.verdict == Horizon::hidden ? c.pane : c.now);
       list->AddCircle(dot, radius, c.now, 0, 2 * ui.thin);
-      const std::string word = now.verdict == Horizon::hidden ? "hidden" : now.verdict == Horizon::above ? "above" : "below";
+      const std::string word = now.verdict == Horizon::hidden  ? "hidden"
+                               : now.verdict == Horizon::above ? "above"
+                                                               : "below";
       const ImVec2 size = text_size(ui, ui.fonts.small, word);
       float x = dot.x + radius + 4, y = dot.y - size.y - radius;
       if (x + size.x > at.x + static_cast<float>(map.box_width)) x = dot.x - radius - 4 - size.x;
@@ -99,7 +109,9 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
   if (work.cross) {
     const ImVec2 cross = place(work.cross->x_at, work.cross->y_at);
     const float arm = std::max(5.0f, ui.em * 0.4f);
-    for (const float side : {-1.0f, 1.0f}) list->AddLine({cross.x - arm, cross.y - side * arm}, {cross.x + arm, cross.y + side * arm}, c.changed, 2.5f * ui.thin);
+    for (const float side : {-1.0f, 1.0f})
+      list->AddLine({cross.x - arm, cross.y - side * arm}, {cross.x + arm, cross.y + side * arm}, c.changed,
+                    2.5f * ui.thin);
   }
 }
 
@@ -111,11 +123,14 @@ void draw(Ui& ui) {
   const int width = static_cast<int>(avail.x), height = static_cast<int>(avail.y - legend);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width, height);
-  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, "horizons", width, height, paint, map, ui.moment(), ui.curves.of(s.trace()), ui.colors(), ui.thin);
+  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, "horizons", width, height, paint, map, ui.moment(),
+                                           ui.curves.of(s.trace()), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at, {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
+                                       {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
   mark_column(ui, at, map);
-  const std::string whole = one_horizon(s.header()) ? "solid: the horizon    shaded: hidden, by this rule" : "solid: upper   dashed: lower   shaded: hidden";
+  const std::string whole = one_horizon(s.header()) ? "solid: the horizon    shaded: hidden, by this rule"
+                                                    : "solid: upper   dashed: lower   shaded: hidden";
   for (const std::string& text : {whole, std::string("shaded: hidden")})
     if (text_size(ui, font, text).x <= avail.x) {
       draw_text(ui, {at.x, at.y + static_cast<float>(height) + 2}, font, ui.colors().muted, text);

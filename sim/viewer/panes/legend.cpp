@@ -22,7 +22,8 @@ Bar bar_between(const Ui& ui, const std::string& before, const std::string& afte
   const ImFont* font = ui.fonts.small;
   const float x = ImGui::GetCursorScreenPos().x, width = ImGui::GetContentRegionAvail().x;
   const float box = std::round(font->FontSize * 0.9f), gap = std::round(ui.em * 0.35f);
-  return {x + text_size(ui, font, before).x + gap, x + width - text_size(ui, font, after).x - text_size(ui, font, hatched).x - box - 3 * gap};
+  return {x + text_size(ui, font, before).x + gap,
+          x + width - text_size(ui, font, after).x - text_size(ui, font, hatched).x - box - 3 * gap};
 }
 
 void draw_hatched_box(Ui& ui, ImVec2 at, float box, const std::string& meaning) {
@@ -40,7 +41,8 @@ std::pair<std::string, std::string> ends_of(const DepthRange& range, bool by_han
   const double ends[] = {range.near, range.far};
   const int decimals = std::min(4, decimals_needed(ends, range.far - range.near < 0.1 ? 4 : 2));
   // Set by hand, the ends stand for what lies beyond them, too.
-  return {(by_hand ? "near \u2264 " : "near ") + number(range.near, decimals), (by_hand ? "\u2265 " : "") + number(range.far, decimals) + " far"};
+  return {(by_hand ? "near \u2264 " : "near ") + number(range.near, decimals),
+          (by_hand ? "\u2265 " : "") + number(range.far, decimals) + " far"};
 }
 
 void paint_scale(Canvas& canvas, const DepthScale& scale) {
@@ -65,8 +67,10 @@ void draw_scale(Ui& ui, float bottom, const std::string& before, const std::stri
   const float box = std::round(font->FontSize * 0.9f), gap = std::round(ui.em * 0.35f);
   draw_text(ui, at, font, c.muted, before);
   const int width = static_cast<int>(bar.right - bar.left), height = static_cast<int>(box);
-  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, fmt::format("scale {}", width), width, height, paint_scale, ui.depth_scale);
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), {bar.left, at.y + 1}, {bar.left + static_cast<float>(width), at.y + 1 + box});
+  const Kept<Canvas>& canvas =
+      keep_canvas(ui.canvases, fmt::format("scale {}", width), width, height, paint_scale, ui.depth_scale);
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), {bar.left, at.y + 1},
+                                       {bar.left + static_cast<float>(width), at.y + 1 + box});
   draw_text(ui, {bar.right + gap, at.y}, font, c.muted, after);
   draw_hatched_box(ui, {bar.right + text_size(ui, font, after).x + 2 * gap, at.y}, box, hatched);
 }
@@ -78,11 +82,13 @@ void draw_heat_legend(Ui& ui, float bottom) {
     // One value, or none: there are no colours to tell apart.
     const std::string what = heat.meaning.empty() ? heat.name : heat.meaning;
     const bool none = !heat.meaning.empty() && heat.most == 0;
-    const std::string all = none ? fmt::format("{}: none yet", what) : fmt::format("{}: {} at each", what, number(heat.most));
+    const std::string all =
+        none ? fmt::format("{}: none yet", what) : fmt::format("{}: {} at each", what, number(heat.most));
     const ImVec2 at{ImGui::GetCursorScreenPos().x, bottom - legend_height(ui) + 2};
     const float box = std::round(ui.fonts.small->FontSize * 0.9f), words = text_size(ui, ui.fonts.small, all).x;
     if (words <= width) draw_text(ui, at, ui.fonts.small, ui.colors().muted, all);
-    if (words + box + text_size(ui, ui.fonts.small, "none").x + 2 * ui.em <= width) draw_hatched_box(ui, {at.x + words + ui.em, at.y}, box, "none");
+    if (words + box + text_size(ui, ui.fonts.small, "none").x + 2 * ui.em <= width)
+      draw_hatched_box(ui, {at.x + words + ui.em, at.y}, box, "none");
     return;
   }
   if (!heat.polygons) {
@@ -106,7 +112,8 @@ void draw_depth_legend(Ui& ui, float bottom, const DepthRange& range) {
   }
   const std::string all = range.known ? fmt::format("every depth is {}", number(range.near)) : "no depth is known yet";
   const ImVec2 at{ImGui::GetCursorScreenPos().x, bottom - legend_height(ui) + 2};
-  if (text_size(ui, ui.fonts.small, all).x <= ImGui::GetContentRegionAvail().x) draw_text(ui, at, ui.fonts.small, ui.colors().muted, all);
+  if (text_size(ui, ui.fonts.small, all).x <= ImGui::GetContentRegionAvail().x)
+    draw_text(ui, at, ui.fonts.small, ui.colors().muted, all);
 }
 
 Histogram histogram_of(const Picture& picture, const DepthRange& range, std::size_t bins) {
@@ -116,7 +123,9 @@ Histogram histogram_of(const Picture& picture, const DepthRange& range, std::siz
     if (!std::isfinite(z)) continue;
     if (z < range.near) ++made.nearer;
     else if (z > range.far) ++made.farther;
-    else ++made.bins[std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, range.share(z)) * static_cast<double>(bins)))];
+    else
+      ++made.bins[std::min(bins - 1,
+                           static_cast<std::size_t>(std::max(0.0, range.share(z)) * static_cast<double>(bins)))];
   }
   made.most = *std::max_element(made.bins.begin(), made.bins.end());
   return made;
@@ -129,7 +138,8 @@ void draw_histogram(Ui& ui, float bottom, const DepthRange& range, const Picture
   const auto [near, far] = ends_of(range, by_hand(ui));
   const Bar bar = bar_between(ui, near, far, nothing_there);
   if (bar.right - bar.left < 40) return;
-  const float foot = bottom - legend_height(ui), top = foot - histogram_height(ui) + font->FontSize + 4, step = std::max(3.0f, std::round(ui.em * 0.3f));
+  const float foot = bottom - legend_height(ui), top = foot - histogram_height(ui) + font->FontSize + 4,
+              step = std::max(3.0f, std::round(ui.em * 0.3f));
   const auto bins = static_cast<std::size_t>((bar.right - bar.left) / step);
   const Histogram spread = histogram_of(picture, range, bins);
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -137,22 +147,28 @@ void draw_histogram(Ui& ui, float bottom, const DepthRange& range, const Picture
   for (std::size_t i = 0; i < bins; ++i) {
     if (spread.bins[i] == 0) continue;
     const float x0 = std::floor(bar.left + (bar.right - bar.left) * static_cast<float>(i) / static_cast<float>(bins));
-    const float x1 = std::floor(bar.left + (bar.right - bar.left) * static_cast<float>(i + 1) / static_cast<float>(bins));
-    const float y = std::min(foot - 3, foot - 1 - std::round((foot - top - 1) * static_cast<float>(spread.bins[i]) / static_cast<float>(spread.most)));
+    const float x1 =
+        std::floor(bar.left + (bar.right - bar.left) * static_cast<float>(i + 1) / static_cast<float>(bins));
+    const float y = std::min(
+        foot - 3,
+        foot - 1 - std::round((foot - top - 1) * static_cast<float>(spread.bins[i]) / static_cast<float>(spread.most)));
     list->AddRectFilled({x0, y}, {x1, foot - 1}, c.text);
-    list->AddRectFilled({x0 + 1, y + 1}, {std::max(x0 + 2, x1 - 1), foot - 1}, to_im(ui.depth_scale.at((static_cast<double>(i) + 0.5) / static_cast<double>(bins))));
+    list->AddRectFilled({x0 + 1, y + 1}, {std::max(x0 + 2, x1 - 1), foot - 1},
+                        to_im(ui.depth_scale.at((static_cast<double>(i) + 0.5) / static_cast<double>(bins))));
   }
   std::string said = fmt::format("pixels by depth; the highest bar is {}", grouped(spread.most));
   if (spread.nearer > 0) said += fmt::format("; {} nearer", grouped(spread.nearer));
   if (spread.farther > 0) said += fmt::format("; {} farther", grouped(spread.farther));
-  if (text_size(ui, font, said).x > ImGui::GetContentRegionAvail().x) said = fmt::format("highest: {}", grouped(spread.most));
+  if (text_size(ui, font, said).x > ImGui::GetContentRegionAvail().x)
+    said = fmt::format("highest: {}", grouped(spread.most));
   draw_text(ui, {ImGui::GetCursorScreenPos().x, top - font->FontSize - 3}, font, c.muted, said);
 }
 
 DepthRange fitted_range(const Picture& picture) {
   DepthRange range;
   for (const double z : picture.depth)
-    if (std::isfinite(z)) range = range.known ? DepthRange{std::min(range.near, z), std::max(range.far, z), true} : DepthRange{z, z, true};
+    if (std::isfinite(z))
+      range = range.known ? DepthRange{std::min(range.near, z), std::max(range.far, z), true} : DepthRange{z, z, true};
   if (!range.known) range.near = range.far = 0;
   return range;
 }

@@ -23,7 +23,8 @@ void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
   const ImU32 edge = given ? (answer.right ? c.good : c.bad) : c.rule;
   list->AddRectFilled(at, end, hovered ? c.button_hovered : c.button);
   frame_box(ui, at, end, edge, given ? 2.0f : 1.0f);
-  draw_text(ui, {at.x + pad, at.y + pad * 0.6f}, ui.fonts.bold, given ? edge : c.muted, given ? (answer.right ? "\u2713" : "\u2717") : fmt::format("{}", index + 1));
+  draw_text(ui, {at.x + pad, at.y + pad * 0.6f}, ui.fonts.bold, given ? edge : c.muted,
+            given ? (answer.right ? "\u2713" : "\u2717") : fmt::format("{}", index + 1));
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({at.x + pad + key, at.y + pad * 0.6f});
   flow(ui, answer.text, how);
@@ -35,7 +36,8 @@ void draw_question(Ui& ui, const Question& question) {
   Session& s = ui.session;
   const Theme& c = ui.colors();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(2 * ui.thin)}, s.nudged() ? c.now : c.rule);
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      at, {at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(2 * ui.thin)}, s.nudged() ? c.now : c.rule);
   ImGui::Dummy({1, ui.em * 0.4f});
   if (s.nudged()) {
     Flow nudge;
@@ -77,7 +79,8 @@ void draw(Ui& ui) {
   if (button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
   const bool last = s.stop() + 1 == static_cast<int>(s.lesson()->stops.size());
   const std::string on = last ? "This was the last stop" : "Next (N) \u25b6";
-  const float needed = text_size(ui, ui.fonts.text, "\u25c0 Back").x + text_size(ui, ui.fonts.text, on).x + ui.em * 2.8f;
+  const float needed =
+      text_size(ui, ui.fonts.text, "\u25c0 Back").x + text_size(ui, ui.fonts.text, on).x + ui.em * 2.8f;
   if (needed <= ImGui::GetContentRegionAvail().x) ImGui::SameLine(0, ui.em * 0.4f);
   else ImGui::Dummy({1, ui.em * 0.25f});
   if (button(ui, on, !last && !s.question_open(), !last)) s.next_stop(1);

@@ -1,4 +1,5 @@
-// The edges with their visible and hidden pieces, the one at work and the face it is held against; a table of its intervals.
+// The edges with their visible and hidden pieces, the one at work and the face it is held against; a table of its
+// intervals.
 #include <algorithm>
 #include <cmath>
 
@@ -38,17 +39,20 @@ void dashes(Canvas& canvas, const Ends& e, double thickness, Pixel32 color) {
 /// The face of the last test, if that was of the edge at work.
 std::int32_t face_now(const MethodState& m) { return m.against && m.against->line == m.line ? m.against->facet : -1; }
 
-void draw_face(const Moment& s, Canvas& canvas, const RasterMap& map, std::int32_t facet, double thickness, Pixel32 color) {
+void draw_face(const Moment& s, Canvas& canvas, const RasterMap& map, std::int32_t facet, double thickness,
+               Pixel32 color) {
   if (facet < 0 || static_cast<std::size_t>(facet) >= s.scene().facets.size()) return;
   const Facet& face = s.scene().facets[static_cast<std::size_t>(facet)];
   for (std::int32_t k = 0; k < face.corner_count; ++k) {
     const std::int32_t a = s.scene().corners[static_cast<std::size_t>(face.first_corner + k)];
     const std::int32_t b = s.scene().corners[static_cast<std::size_t>(face.first_corner + (k + 1) % face.corner_count)];
-    if (const auto e = ends_of(s, map, {0, a, b, -1, -1, LineKind::inner})) canvas.line(e->x0, e->y0, e->x1, e->y1, thickness, color);
+    if (const auto e = ends_of(s, map, {0, a, b, -1, -1, LineKind::inner}))
+      canvas.line(e->x0, e->y0, e->x1, e->y1, thickness, color);
   }
 }
 
-void draw_pieces(const Moment& s, Canvas& canvas, const RasterMap& map, const LineRow& row, double thickness, Pixel32 visible, Pixel32 hidden) {
+void draw_pieces(const Moment& s, Canvas& canvas, const RasterMap& map, const LineRow& row, double thickness,
+                 Pixel32 visible, Pixel32 hidden) {
   const auto ends = ends_of(s, map, row.entry);
   if (!ends) return;
   for (const LinePiece& piece : row.pieces) {
@@ -63,7 +67,8 @@ void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme&
   const auto thin = static_cast<double>(weight);
   canvas.fill(to_pixel(c.pane));
   draw_face(now, canvas, map, face_now(m), 4 * thin, to_pixel(c.selected));
-  for (const LineRow& row : m.lines) draw_pieces(now, canvas, map, row, 1.6 * thin, to_pixel(c.text), to_pixel(c.muted));
+  for (const LineRow& row : m.lines)
+    draw_pieces(now, canvas, map, row, 1.6 * thin, to_pixel(c.text), to_pixel(c.muted));
   const auto at = static_cast<std::size_t>(m.line);
   if (m.line < 0 || at >= m.lines.size()) return;
   const LineRow& row = m.lines[at];
@@ -95,17 +100,20 @@ void draw_table(Ui& ui) {
   flow(ui, fmt::format("Edge {}: {}\u2013{}, {}", m.line, row.entry.vertex_0, row.entry.vertex_1,
                        words_of<LineKind>[static_cast<std::size_t>(row.entry.kind)]), heading);
   const RecordedEvent* event = s.event();
-  const bool hides_now = event && std::holds_alternative<LineHide>(event->event), cuts_now = event && std::holds_alternative<LinePiece>(event->event);
+  const bool hides_now = event && std::holds_alternative<LineHide>(event->event),
+             cuts_now = event && std::holds_alternative<LinePiece>(event->event);
   std::vector<TableRow> rows;
   for (std::size_t i = 0; i < row.hidden.size(); ++i) {
     const LineHide& hidden = row.hidden[i];
     const auto asks = [&](const char* field, double t) {
-      answers::Question question = answers::made_by<LineHide>(s.position(), field, {{"line", hidden.line}, {"facet", hidden.facet}});
+      answers::Question question =
+          answers::made_by<LineHide>(s.position(), field, {{"line", hidden.line}, {"facet", hidden.facet}});
       question.value = t;
       return question;
     };
     TableRow shown;
-    shown.cells = {"hidden by " + face_label(s.scene(), hidden.facet), TableCell(hidden.t_0, asks("t_0", hidden.t_0)), TableCell(hidden.t_1, asks("t_1", hidden.t_1))};
+    shown.cells = {"hidden by " + face_label(s.scene(), hidden.facet), TableCell(hidden.t_0, asks("t_0", hidden.t_0)),
+                   TableCell(hidden.t_1, asks("t_1", hidden.t_1))};
     if (hides_now && i + 1 == row.hidden.size()) shown.look = TableRow::Look::now;
     rows.push_back(std::move(shown));
   }
@@ -117,7 +125,8 @@ void draw_table(Ui& ui) {
       return question;
     };
     TableRow shown;
-    shown.cells = {std::string(piece.visible ? "\u2500\u2500 visible" : "- - hidden"), TableCell(piece.t_0, asks("t_0", piece.t_0)), TableCell(piece.t_1, asks("t_1", piece.t_1))};
+    shown.cells = {std::string(piece.visible ? "\u2500\u2500 visible" : "- - hidden"),
+                   TableCell(piece.t_0, asks("t_0", piece.t_0)), TableCell(piece.t_1, asks("t_1", piece.t_1))};
     if (cuts_now && i + 1 == row.pieces.size()) shown.look = TableRow::Look::now;
     rows.push_back(std::move(shown));
   }
@@ -126,7 +135,8 @@ void draw_table(Ui& ui) {
     return;
   }
   const std::int32_t face = face_now(m);
-  say_empty(ui, face >= 0 ? fmt::format("Held against {}: no part of it is hidden so far.", face_label(s.scene(), face)) : std::string("No face was held against it yet."));
+  say_empty(ui, face >= 0 ? fmt::format("Held against {}: no part of it is hidden so far.", face_label(s.scene(), face))
+                          : std::string("No face was held against it yet."));
 }
 
 void draw(Ui& ui) {
@@ -138,12 +148,15 @@ void draw(Ui& ui) {
   const int height = static_cast<int>(beside ? avail.y : avail.y - table_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   RasterMap map(s.scene().raster, {}, width, height);
-  map.cell = std::min((width - 8.0) / map.width, (height - 8.0) / map.height);  // not in whole pixels: lines may use all the room
+  map.cell = std::min((width - 8.0) / map.width,
+                      (height - 8.0) / map.height);  // not in whole pixels: lines may use all the room
   map.left = std::floor((width - map.width * map.cell) / 2);
   map.top = std::floor((height - map.height * map.cell) / 2);
-  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, "lines", width, height, paint, map, ui.moment(), ui.colors(), ui.thin);
+  const Kept<Canvas>& canvas =
+      keep_canvas(ui.canvases, "lines", width, height, paint, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at, {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
+                                       {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
   begin_part(ui, "intervals");
@@ -155,7 +168,8 @@ std::string note(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.lines.empty()) return "";
   const std::int32_t face = face_now(m);
-  return face >= 0 ? fmt::format("edge {} against {}", m.line, face_label(ui.session.scene(), face)) : fmt::format("edge {}", m.line);
+  return face >= 0 ? fmt::format("edge {} against {}", m.line, face_label(ui.session.scene(), face))
+                   : fmt::format("edge {}", m.line);
 }
 
 bool serves(const Header& header) { return has_step_of<LineBegin>(header); }

@@ -15,7 +15,8 @@ struct Column {
   bool numeric = false, hidden = false;
 };
 
-std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, const std::vector<TableRow>& rows, const ImFont* font, int at_most, bool brief) {
+std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, const std::vector<TableRow>& rows,
+                            const ImFont* font, int at_most, bool brief) {
   std::vector<Column> columns(headings.size());
   for (std::size_t k = 0; k < columns.size(); ++k) {
     Column& column = columns[k];
@@ -29,7 +30,9 @@ std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, co
       std::string text;
       if (k < row.cells.size()) {
         const TableCell& cell = row.cells[k];
-        text = cell.value ? cell_number(*cell.value, column.decimals) : brief && !cell.brief.empty() ? cell.brief : cell.text;
+        text = cell.value                     ? cell_number(*cell.value, column.decimals)
+               : brief && !cell.brief.empty() ? cell.brief
+                                              : cell.text;
       }
       float width = text_size(ui, font, text).x;
       if (k < row.cells.size() && row.cells[k].chip) width += ui.em * 0.75f;
@@ -48,12 +51,13 @@ float total(const std::vector<Column>& columns, float gap) {
 
 }  // namespace
 
-TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>& headings, const std::vector<TableRow>& rows) {
+TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>& headings,
+                         const std::vector<TableRow>& rows) {
   TableResult result;
   const Theme& c = ui.colors();
   const float room = ImGui::GetContentRegionAvail().x;
-  // When it does not fit: smaller gaps, two decimals of numbers that have many, smaller type, signs for words, fewer columns; and
-  // at last the pane scrolls. With fewer decimals a number would be another one.
+  // When it does not fit: smaller gaps, two decimals of numbers that have many, smaller type, signs for words, fewer
+  // columns; and at last the pane scrolls. With fewer decimals a number would be another one.
   float gap = std::round(ui.em * 0.85f);
   const ImFont* font = ui.fonts.mono;
   int at_most = usual_decimals;
@@ -67,10 +71,12 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   if (!fits()) brief = true, again();
   while (!fits() && gap > ui.em * 0.35f) gap -= 1;
   while (!fits() && gap > ui.em * 0.2f) gap -= 1;
-  // The last columns of numbers give way before a number would become another; the first two stay, and what stands last in words.
+  // The last columns of numbers give way before a number would become another; the first two stay, and what stands last
+  // in words.
   for (std::size_t k = columns.size(); k-- > 2 && !fits();) columns[k].hidden = columns[k].numeric;
   const float width = std::max(room, total(columns, gap));
-  const float height = std::round(ui.fonts.mono->FontSize * 1.35f), text_top = std::round((height - font->FontSize) / 2) - 1;
+  const float height = std::round(ui.fonts.mono->FontSize * 1.35f),
+              text_top = std::round((height - font->FontSize) / 2) - 1;
   ImGui::PushID(id);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -110,7 +116,8 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     x = at.x + gap / 2;
     std::vector<std::string> exact_values;
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (k < row.cells.size() && row.cells[k].value) exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
+      if (k < row.cells.size() && row.cells[k].value)
+        exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
       if (columns[k].hidden) continue;
       float left = x;
       if (k < row.cells.size() && row.cells[k].chip) {
@@ -122,7 +129,9 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       if (columns[k].numeric) left = x + columns[k].width - text_size(ui, font, columns[k].shown[r]).x;
       draw_text(ui, {left, at.y + text_top}, font, color, columns[k].shown[r]);
       if (k < row.cells.size() && row.cells[k].value && row.cells[k].question)
-        on_number = number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y}, *row.cells[k].question) || on_number;
+        on_number = number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y},
+                              *row.cells[k].question) ||
+                    on_number;
       x += columns[k].width + gap;
     }
     result.on_number = result.on_number || on_number;

@@ -35,6 +35,7 @@ struct TableResult {
 };
 
 /// Draws headings and rows at the cursor. Decimals shrink, then gaps, before anything would be cut.
-TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>& headings, const std::vector<TableRow>& rows);
+TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>& headings,
+                         const std::vector<TableRow>& rows);
 
 }  // namespace zstep::viewer

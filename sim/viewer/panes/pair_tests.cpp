@@ -11,7 +11,9 @@
 namespace zstep::viewer {
 namespace {
 
-std::string range(double low, double high) { return fmt::format("{}\u2026{}", number(low, 2, true), number(high, 2, true)); }
+std::string range(double low, double high) {
+  return fmt::format("{}\u2026{}", number(low, 2, true), number(high, 2, true));
+}
 
 TestLine line_of(std::int64_t at, const Event& event, bool wants_behind) {
   TestLine line;
@@ -20,19 +22,24 @@ TestLine line_of(std::int64_t at, const Event& event, bool wants_behind) {
     line.numbers = range(extents->low, extents->high) + " | " + range(extents->other_low, extents->other_high);
     line.passed = !extents->overlap;
     line.outcome = extents->overlap ? "overlap" : "apart";
-    line.question = answers::made_by<ExtentTest>(at, "overlap", {{"piece", extents->piece}, {"other", extents->other}, {"axis", static_cast<std::int32_t>(extents->axis)}});
+    line.question = answers::made_by<ExtentTest>(
+        at, "overlap",
+        {{"piece", extents->piece}, {"other", extents->other}, {"axis", static_cast<std::int32_t>(extents->axis)}});
   } else if (const auto* sides = std::get_if<SideTest>(&event)) {
     line.numbers = range(sides->least, sides->greatest);
-    line.outcome = sides->side == Side::front ? "before" : std::string(words_of<Side>[static_cast<std::size_t>(sides->side)]);
+    line.outcome =
+        sides->side == Side::front ? "before" : std::string(words_of<Side>[static_cast<std::size_t>(sides->side)]);
     line.passed = sides->side == (wants_behind ? Side::behind : Side::front);
     if (sides->side == Side::crossing) line.outcome = "both sides";
     if (sides->side == Side::on) line.outcome = "in it";
     line.question = answers::made_by<SideTest>(at, "side", {{"piece", sides->piece}, {"plane_of", sides->plane_of}});
   } else if (const auto* projections = std::get_if<OverlapTest>(&event)) {
     line.passed = !projections->overlap;
-    if (projections->overlap) line.numbers = fmt::format("at ({}, {})", number(projections->x_at, 2, true), number(projections->y_at, 2, true));
+    if (projections->overlap)
+      line.numbers = fmt::format("at ({}, {})", number(projections->x_at, 2, true), number(projections->y_at, 2, true));
     line.outcome = projections->overlap ? "overlap" : "apart";
-    line.question = answers::made_by<OverlapTest>(at, "x_at", {{"piece", projections->piece}, {"other", projections->other}});
+    line.question =
+        answers::made_by<OverlapTest>(at, "x_at", {{"piece", projections->piece}, {"other", projections->other}});
   }
   return line;
 }
@@ -87,7 +94,8 @@ std::optional<std::vector<RecordedEvent>> since_pair(const Session& s) {
       std::reverse(made.begin(), made.end());
       return made;
     }
-    if (std::holds_alternative<ListInsert>(recorded.event) || std::holds_alternative<PieceDraw>(recorded.event)) return std::nullopt;
+    if (std::holds_alternative<ListInsert>(recorded.event) || std::holds_alternative<PieceDraw>(recorded.event))
+      return std::nullopt;
     made.push_back(recorded);
   }
   return std::nullopt;
@@ -101,9 +109,11 @@ TestTable lay_out_tests(Ui& ui, const std::vector<RecordedEvent>& made, float ro
   for (const ImFont* font : {ui.fonts.mono, ui.fonts.small}) {
     table.font = font;
     // The numbers' column keeps a width, so that lines stay where they are while they fill.
-    table.column = {text_size(ui, font, "5 projections").x, text_size(ui, font, "15.25\u202615.25 | 15.25\u202615.25").x,
+    table.column = {text_size(ui, font, "5 projections").x,
+                    text_size(ui, font, "15.25\u202615.25 | 15.25\u202615.25").x,
                     text_size(ui, font, "\u2713 both sides").x};
-    for (const TestLine& line : table.lines) table.column[1] = std::max(table.column[1], text_size(ui, font, line.numbers).x);
+    for (const TestLine& line : table.lines)
+      table.column[1] = std::max(table.column[1], text_size(ui, font, line.numbers).x);
     table.width = table.column[0] + table.column[1] + table.column[2] + 2 * table.gap + ui.em * 0.7f;
     if (table.width <= room) break;
   }
@@ -118,7 +128,8 @@ void draw_tests(Ui& ui, const PairBegin& pair, const TestTable& table) {
   const float height = line_height(*table.font);
   ImDrawList* list = ImGui::GetWindowDrawList();
   draw_text(ui, ImGui::GetCursorScreenPos(), ui.fonts.bold, c.text,
-            fmt::format("May P = {} come before Q = {}?", piece_label(s.scene(), machine, pair.piece), piece_label(s.scene(), machine, pair.other)));
+            fmt::format("May P = {} come before Q = {}?", piece_label(s.scene(), machine, pair.piece),
+                        piece_label(s.scene(), machine, pair.other)));
   ImGui::Dummy({table.width, line_height(*ui.fonts.bold)});
   for (std::size_t i = 0; i < table.lines.size(); ++i) {
     const TestLine& line = table.lines[i];
@@ -136,7 +147,9 @@ void draw_tests(Ui& ui, const PairBegin& pair, const TestTable& table) {
     if (line.question && !line.numbers.empty())
       number_at(ui, {x - 2, at.y}, {x + text_size(ui, table.font, line.numbers).x + 2, at.y + height}, *line.question);
     x += table.column[1] + table.gap;
-    if (line.made) draw_text(ui, {x, at.y}, table.font, line.passed ? c.good : c.text, (line.passed ? "\u2713 " : "\u2717 ") + line.outcome);
+    if (line.made)
+      draw_text(ui, {x, at.y}, table.font, line.passed ? c.good : c.text,
+                (line.passed ? "\u2713 " : "\u2717 ") + line.outcome);
     ImGui::Dummy({table.width, height});
     if (line.now) follow(ui, at.y, height);
   }

@@ -1,7 +1,7 @@
 // Panes: small functions that draw a part of the window from a Ui. Each lives in a file of its own.
 //
-// A method that lives by another structure (a tree, a list, areas, rays) adds its pane to structure_panes() and says with
-// `serves` for which traces it is shown; nothing else needs to change.
+// A method that lives by another structure (a tree, a list, areas, rays) adds its pane to structure_panes() and says
+// with `serves` for which traces it is shown; nothing else needs to change.
 #pragma once
 
 #include <string>

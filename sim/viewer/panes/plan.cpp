@@ -1,5 +1,5 @@
-// The plane at work cutting the scene, seen along the plane: from above where it is upright. Pieces as lines or outlines,
-// the planes of the tree as far as each reaches, the eye.
+// The plane at work cutting the scene, seen along the plane: from above where it is upright. Pieces as lines or
+// outlines, the planes of the tree as far as each reaches, the eye.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,9 +59,12 @@ struct Frame {
   }
   ImVec2 place(glm::dvec2 p) const {
     const glm::dvec2 from_middle = (p - (low + high) / 2.0) * scale;
-    return {top.x + size.x / 2 + static_cast<float>(from_middle.x), top.y + size.y / 2 - static_cast<float>(from_middle.y)};
+    return {top.x + size.x / 2 + static_cast<float>(from_middle.x),
+            top.y + size.y / 2 - static_cast<float>(from_middle.y)};
   }
-  double reach() const { return glm::length(glm::dvec2(static_cast<double>(size.x), static_cast<double>(size.y))) / scale; }
+  double reach() const {
+    return glm::length(glm::dvec2(static_cast<double>(size.x), static_cast<double>(size.y))) / scale;
+  }
 };
 
 /// A plane that is seen from its edge, as a x + b y + c = 0 in the section.
@@ -74,7 +77,8 @@ std::optional<glm::dvec3> line_of(const PlaneEquation* plane, const Section& sec
 }
 
 /// The part of a node's line that lies in the node's own part of space.
-std::optional<std::array<glm::dvec2, 2>> reach_of_line(const MethodState& m, std::int32_t node, const Section& section, const Frame& frame) {
+std::optional<std::array<glm::dvec2, 2>> reach_of_line(const MethodState& m, std::int32_t node, const Section& section,
+                                                       const Frame& frame) {
   const auto line = line_of(plane_of_node(m, node), section);
   if (!line) return std::nullopt;
   const glm::dvec2 normal(*line), middle = (frame.low + frame.high) / 2.0;
@@ -87,7 +91,8 @@ std::optional<std::array<glm::dvec2, 2>> reach_of_line(const MethodState& m, std
     const auto limit = line_of(plane_of_node(m, parent), section);
     if (!limit) continue;
     const double sign = m.tree[at(parent)].front_child == child ? 1 : -1;
-    const double value = sign * (glm::dot(glm::dvec2(*limit), foot) + limit->z), slope = sign * glm::dot(glm::dvec2(*limit), way);
+    const double value = sign * (glm::dot(glm::dvec2(*limit), foot) + limit->z),
+                 slope = sign * glm::dot(glm::dvec2(*limit), way);
     if (slope > 1e-12) first = std::max(first, -value / slope);
     else if (slope < -1e-12) last = std::min(last, -value / slope);
     else if (value < 0) return std::nullopt;
@@ -137,7 +142,8 @@ ImVec2 label_place(const View& v, const std::vector<glm::dvec2>& points, ImVec2 
   glm::dvec2 normal(-way.y, way.x);
   if (glm::dot(normal, outwards) < -1e-9) normal = -normal;
   const ImVec2 at_piece = v.frame.place(middle);
-  const double off = std::abs(normal.x) * static_cast<double>(size.x) / 2 + std::abs(normal.y) * static_cast<double>(size.y) / 2 + 5;
+  const double off =
+      std::abs(normal.x) * static_cast<double>(size.x) / 2 + std::abs(normal.y) * static_cast<double>(size.y) / 2 + 5;
   return {at_piece.x + static_cast<float>(normal.x * off), at_piece.y - static_cast<float>(normal.y * off)};
 }
 
@@ -155,12 +161,16 @@ void draw_pieces(const View& v) {
     if (points.size() < 2) continue;
     const bool lit = number == now;
     const auto polygon = at(piece.polygon);
-    const Pixel32 own = polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
+    const Pixel32 own =
+        polygon < v.s.scene().polygons.size() ? opaque(v.s.scene().polygons[polygon].color) : to_pixel(v.c.text);
     const bool painted = draw_places[at(number)] >= 0;
     if (lit)
-      for (std::size_t k = 0; k < points.size(); ++k) v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now, 9 * v.ui.thin);
+      for (std::size_t k = 0; k < points.size(); ++k)
+        v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now,
+                        9 * v.ui.thin);
     for (std::size_t k = 0; k < points.size(); ++k)
-      v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own), (painted || shown < most_names ? 4.0f : 1.5f) * v.ui.thin);
+      v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own),
+                      (painted || shown < most_names ? 4.0f : 1.5f) * v.ui.thin);
     if (shown > most_names && !lit) continue;
     const std::string name = piece_label(v.s.scene(), v.m, number);
     const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, name), middle = label_place(v, points, size);
@@ -202,7 +212,8 @@ void draw_sides(const View& v) {
     const ImVec2 place = v.frame.place(end + normal * (sign * static_cast<double>(v.ui.em) * 0.8 / v.frame.scale));
     const std::string text = sign > 0 ? "+" : "\u2212";
     const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, text);
-    draw_text(v.ui, {std::round(place.x - size.x / 2), std::round(place.y - size.y / 2)}, v.ui.fonts.bold, v.c.now, text);
+    draw_text(v.ui, {std::round(place.x - size.x / 2), std::round(place.y - size.y / 2)}, v.ui.fonts.bold, v.c.now,
+              text);
   }
 }
 
@@ -225,7 +236,9 @@ void draw_the_eye(const View& v) {
   v.list->AddCircleFilled(place, margin * 0.3f, v.c.text);
   const std::string text = outside ? "eye, further out" : "eye";
   const ImVec2 size = text_size(v.ui, v.ui.fonts.small, text);
-  const float x = std::max(v.frame.top.x, place.x + margin + size.x > v.frame.top.x + v.frame.size.x ? place.x - margin - size.x : place.x + margin);
+  const float x =
+      std::max(v.frame.top.x, place.x + margin + size.x > v.frame.top.x + v.frame.size.x ? place.x - margin - size.x
+                                                                                         : place.x + margin);
   const float y = std::clamp(place.y - size.y / 2, v.frame.top.y, v.frame.top.y + v.frame.size.y - size.y);
   v.list->AddRectFilled({x - 1, y}, {x + size.x + 1, y + size.y}, v.c.pane);
   draw_text(v.ui, {std::round(x), std::round(y)}, v.ui.fonts.small, v.c.text, text);
@@ -236,11 +249,19 @@ void draw(Ui& ui) {
   const MethodState& m = s.state().machine;
   if (m.pieces.empty()) return say_empty(ui, "Empty: nothing is gathered yet.");
   const std::int32_t node = node_at_work(m, s.event() ? &s.event()->event : nullptr);
-  View v{ui, s, m, ui.colors(), section_of(plane_of_node(m, node), s.scene().camera.kind), {}, node, ImGui::GetWindowDrawList()};
+  View v{ui,
+         s,
+         m,
+         ui.colors(),
+         section_of(plane_of_node(m, node), s.scene().camera.kind),
+         {},
+         node,
+         ImGui::GetWindowDrawList()};
   for (const Piece& piece : m.pieces)
     for (const glm::dvec2 p : v.outline(piece)) v.frame.take(p);
   const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  if (room.x < ui.em * 3 || room.y < ui.em * 3) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  if (room.x < ui.em * 3 || room.y < ui.em * 3)
+    return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   v.frame.fit(top, room);
   v.list->PushClipRect(top, {top.x + room.x, top.y + room.y}, true);
   draw_planes(v);

@@ -15,7 +15,8 @@ namespace {
 float indent_of(const Ui& ui, const Page& page) {
   int deepest = 1;
   for (const StepInfo& step : page) deepest = std::max(deepest, static_cast<int>(step.indent));
-  return std::max(3.0f, std::round(std::min(ui.em * 0.8f, ImGui::GetContentRegionAvail().x * 0.22f / static_cast<float>(deepest))));
+  return std::max(
+      3.0f, std::round(std::min(ui.em * 0.8f, ImGui::GetContentRegionAvail().x * 0.22f / static_cast<float>(deepest))));
 }
 
 void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {

@@ -30,7 +30,9 @@ void paint_large(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32
       const bool grid_row = grid && py + 1 == map.row_end(y);
       for (int px = left; px < right; ++px) {
         const Pixel32 cell = source[column[static_cast<std::size_t>(px)]];
-        out[px] = grid_row || line[static_cast<std::size_t>(px)] ? ink.grid : cell == hatched_cell ? hatch_at(px, py, ink) : cell;
+        out[px] = grid_row || line[static_cast<std::size_t>(px)] ? ink.grid
+                  : cell == hatched_cell                         ? hatch_at(px, py, ink)
+                                                                 : cell;
       }
     }
   }
@@ -78,7 +80,8 @@ struct Greatest {
       const int y = map.y_up ? map.height - 1 - row : row;
       const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
       for (int x = under.left; x < under.right; ++x)
-        if (const std::size_t at = first + static_cast<std::size_t>(x); counts[at] >= most) most = counts[at], found = cells[at];
+        if (const std::size_t at = first + static_cast<std::size_t>(x); counts[at] >= most)
+          most = counts[at], found = cells[at];
     }
     return found == hatched_cell ? ink.hatch : found;
   }
@@ -89,7 +92,9 @@ template <class ColorOf>
 void paint_small(Canvas& canvas, const RasterMap& map, const ColorOf& color) {
   const double step = 1 / map.cell;
   // Where one pixel ends the next begins, so that no cell is left out; nor is the last one by rounding.
-  const auto cell_at = [step](int pixel, double begin) { return static_cast<int>(std::floor((pixel - begin) * step + 1e-9)); };
+  const auto cell_at = [step](int pixel, double begin) {
+    return static_cast<int>(std::floor((pixel - begin) * step + 1e-9));
+  };
   for (int py = 0; py < canvas.height(); ++py) {
     Under under;
     under.top = std::max(0, cell_at(py, map.top)), under.bottom = std::min(map.height, cell_at(py + 1, map.top));

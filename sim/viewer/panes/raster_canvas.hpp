@@ -15,9 +15,9 @@ struct RasterInk {
   Pixel32 outside, grid, hatch, hatch_line;
 };
 
-/// `cells` is row-major, row 0 first; cells smaller than a pixel are averaged. Draws a grid when cells are large enough. With
-/// `counts`, one for each cell and NaN for none, a pixel shows the colour of the greatest one under it instead: a single marked cell
-/// stays in sight, and no colour is shown that is not on the scale.
+/// `cells` is row-major, row 0 first; cells smaller than a pixel are averaged. Draws a grid when cells are large
+/// enough. With `counts`, one for each cell and NaN for none, a pixel shows the colour of the greatest one under it
+/// instead: a single marked cell stays in sight, and no colour is shown that is not on the scale.
 void paint_raster(Canvas& canvas, const RasterMap& map, const std::vector<Pixel32>& cells, const RasterInk& ink,
                   const std::vector<double>* counts = nullptr);
 

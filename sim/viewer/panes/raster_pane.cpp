@@ -34,7 +34,8 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
     const std::string text = std::to_string(x);
     const float at = static_cast<float>(map.px(x)) - text_size(ui, font, text).x / 2;
     if (map.px(x) < 0 || map.px(x) > map.box_width) continue;
-    const float y = origin.y + static_cast<float>(std::min<double>(map.box_height, map.top + map.height * map.cell)) + 1.0f;
+    const float y =
+        origin.y + static_cast<float>(std::min<double>(map.box_height, map.top + map.height * map.cell)) + 1.0f;
     draw_text(ui, {std::max(origin.x - rulers.left, origin.x + at), y}, font, c.muted, text);
   }
   const auto line = ui.session.state().machine.scan_line;
@@ -57,21 +58,27 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
     const float width = text_size(ui, font, text).x;
     draw_text(ui, {edge - 4 - width, y}, font, c.now, text);
     const float tip = edge - 6 - width, middle = y + font->FontSize / 2, size = font->FontSize * 0.3f;
-    ImGui::GetWindowDrawList()->AddTriangleFilled({tip - size * 1.4f, middle - size}, {tip, middle}, {tip - size * 1.4f, middle + size}, c.now);
+    ImGui::GetWindowDrawList()->AddTriangleFilled({tip - size * 1.4f, middle - size}, {tip, middle},
+                                                  {tip - size * 1.4f, middle + size}, c.now);
   }
 }
 
 /// The outline of the polygon at work and the edge that is lit, over the cells.
-void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, const std::optional<std::int32_t>& lit, const Theme& c, double thin) {
+void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, const std::optional<std::int32_t>& lit,
+                   const Theme& c, double thin) {
   const MethodState& m = now.state().machine;
   const auto line = [&](std::int32_t a, std::int32_t b, double thickness, ImU32 color, unsigned share) {
     const auto from = on_raster(now.scene(), now.state(), a), to = on_raster(now.scene(), now.state(), b);
-    if (from && to) canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness * thin, to_pixel(color), share);
+    if (from && to)
+      canvas.line(map.px(from->x), map.py(from->y), map.px(to->x), map.py(to->y), thickness * thin, to_pixel(color),
+                  share);
   };
   // Dark on a light border: visible on every colour a cell can have.
   if (map.cell >= 3 && m.outline.size() > 1) {
-    for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 3, IM_COL32(255, 255, 255, 255), 130);
-    for (std::size_t i = 0; i < m.outline.size(); ++i) line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, IM_COL32(40, 40, 40, 255), 200);
+    for (std::size_t i = 0; i < m.outline.size(); ++i)
+      line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 3, IM_COL32(255, 255, 255, 255), 130);
+    for (std::size_t i = 0; i < m.outline.size(); ++i)
+      line(m.outline[i], m.outline[(i + 1) % m.outline.size()], 1.2, IM_COL32(40, 40, 40, 255), 200);
   }
   if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
     const EdgeTableInsert& e = m.edge_table[static_cast<std::size_t>(*lit)];
@@ -79,14 +86,16 @@ void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, cons
   }
 }
 
-void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const Moment& now, const std::optional<std::int32_t>& lit,
-           const Theme& c, const float& thin) {
-  paint_raster(canvas, map, cells.made.colors, {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
+void paint(Canvas& canvas, const RasterMap& map, const Kept<Cells>& cells, const Moment& now,
+           const std::optional<std::int32_t>& lit, const Theme& c, const float& thin) {
+  paint_raster(canvas, map, cells.made.colors,
+               {to_pixel(c.pane), to_pixel(c.grid), to_pixel(c.empty), to_pixel(c.empty_hatch)},
                cells.made.counts.empty() ? nullptr : &cells.made.counts);
   draw_geometry(canvas, map, now, lit, c, static_cast<double>(thin));
   const int line = static_cast<int>(std::lround(thin));
   const int x0 = map.column_begin(0) - line, x1 = map.column_begin(map.width) + line - 1;
-  const int y0 = static_cast<int>(std::lround(map.top)) - line, y1 = static_cast<int>(std::lround(map.top + map.height * map.cell)) + line - 1;
+  const int y0 = static_cast<int>(std::lround(map.top)) - line,
+            y1 = static_cast<int>(std::lround(map.top + map.height * map.cell)) + line - 1;
   canvas.rectangle(x0, y0, x1, y0 + line, to_pixel(c.grid));
   canvas.rectangle(x0, y1 - line, x1, y1, to_pixel(c.grid));
   canvas.rectangle(x0, y0, x0 + line, y1, to_pixel(c.grid));
@@ -98,7 +107,8 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
   RasterView& view = ui.view;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
     const double before = map.cell;
-    const double zoom = std::clamp(view.zoom * std::pow(1.25, static_cast<double>(io.MouseWheel)), 1.0, most_zoom(ui.session.scene().raster));
+    const double zoom = std::clamp(view.zoom * std::pow(1.25, static_cast<double>(io.MouseWheel)), 1.0,
+                                   most_zoom(ui.session.scene().raster));
     // The cell under the mouse stays there.
     const double from_x = (io.MousePos.x - origin.x - map.left) / before - map.width / 2.0;
     const double from_y = (io.MousePos.y - origin.y - map.top) / before - map.height / 2.0;
@@ -109,7 +119,8 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
     if (zoom == 1) view.center_x = view.center_y = 0;
     ui.session.touch();
   }
-  const bool dragging = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 4) || ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 4));
+  const bool dragging = ImGui::IsItemActive() && (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 4) ||
+                                                  ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 4));
   if (dragging && view.zoom > 1) {
     view.center_x -= io.MouseDelta.x / map.cell;
     view.center_y -= io.MouseDelta.y / map.cell;
@@ -119,46 +130,62 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
   view.center_y = std::clamp(view.center_y, -map.height / 2.0, map.height / 2.0);
 }
 
-/// As many decimals as fit every visible cell; none at all when two do not: a depth without decimals would mislead. True when
-/// there are any.
-bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cells, const std::function<std::string(std::size_t, int)>& cell_text) {
+/// As many decimals as fit every visible cell; none at all when two do not: a depth without decimals would mislead.
+/// True when there are any.
+bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cells,
+                  const std::function<std::string(std::size_t, int)>& cell_text) {
   if (map.cell < numbers_from) return false;
-  const int x0 = std::max(0, static_cast<int>(-map.left / map.cell)), x1 = std::min(map.width - 1, static_cast<int>((map.box_width - map.left) / map.cell));
-  const int r0 = std::max(0, static_cast<int>(-map.top / map.cell)), r1 = std::min(map.height - 1, static_cast<int>((map.box_height - map.top) / map.cell));
+  const int x0 = std::max(0, static_cast<int>(-map.left / map.cell)),
+            x1 = std::min(map.width - 1, static_cast<int>((map.box_width - map.left) / map.cell));
+  const int r0 = std::max(0, static_cast<int>(-map.top / map.cell)),
+            r1 = std::min(map.height - 1, static_cast<int>((map.box_height - map.top) / map.cell));
   const auto widest_with = [&](const ImFont* font, int decimals) {
     double widest = 0;
     for (int r = r0; r <= r1; ++r)
       for (int x = x0; x <= x1; ++x) {
         const int y = map.y_up ? map.height - 1 - r : r;
-        widest = std::max<double>(widest, text_size(ui, font, cell_text(static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x), decimals)).x);
+        widest = std::max<double>(
+            widest, text_size(ui, font,
+                              cell_text(static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+                                            static_cast<std::size_t>(x),
+                                        decimals))
+                        .x);
       }
     return widest;
   };
   for (const ImFont* font : {ui.fonts.mono, ui.fonts.small}) {
     if (font->FontSize > map.cell - 3) continue;
     // Smaller type is better than fewer decimals; fewer decimals are better than nothing.
-    const auto decimals = font == ui.fonts.mono ? widest_with(font, cells.decimals) <= map.cell - 4 ? std::optional(cells.decimals) : std::nullopt
-                                                : decimals_that_fit(cells.decimals, map.cell - 4, [&](int fewer) { return widest_with(font, fewer); });
+    const auto decimals =
+        font == ui.fonts.mono
+            ? widest_with(font, cells.decimals) <= map.cell - 4 ? std::optional(cells.decimals) : std::nullopt
+            : decimals_that_fit(cells.decimals, map.cell - 4, [&](int fewer) { return widest_with(font, fewer); });
     if (!decimals) continue;
     for (int r = r0; r <= r1; ++r)
       for (int x = x0; x <= x1; ++x) {
         const int y = map.y_up ? map.height - 1 - r : r;
-        const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
+        const std::size_t at =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
         const std::string text = cell_text(at, *decimals);
         if (text.empty()) continue;
         const ImVec2 size = text_size(ui, font, text);
         // Cells that the pane's border cuts go without.
-        if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 || map.py(y) + size.y / 2 > map.box_height) continue;
+        if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 ||
+            map.py(y) + size.y / 2 > map.box_height)
+          continue;
         const Pixel32 back = cells.colors[at] == hatched_cell ? to_pixel(ui.colors().empty) : cells.colors[at];
-        draw_text(ui, {origin.x + static_cast<float>(map.px(x)) - size.x / 2, origin.y + static_cast<float>(map.py(y)) - size.y / 2}, font,
-                  wants_dark_text(back) ? IM_COL32(20, 20, 20, 255) : IM_COL32(250, 250, 250, 255), text);
+        draw_text(ui,
+                  {origin.x + static_cast<float>(map.px(x)) - size.x / 2,
+                   origin.y + static_cast<float>(map.py(y)) - size.y / 2},
+                  font, wants_dark_text(back) ? IM_COL32(20, 20, 20, 255) : IM_COL32(250, 250, 250, 255), text);
       }
     return true;
   }
   return false;
 }
 
-/// The letter of each polygon, once, with a halo: where pixels are too small for one each. The largest first, and none over another.
+/// The letter of each polygon, once, with a halo: where pixels are too small for one each. The largest first, and none
+/// over another.
 void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const auto find = static_cast<void (*)(std::vector<LabelSpot>&, const RasterMap&, const Moment&)>(find_label_spots);
   const ImFont* font = ui.fonts.bold;
@@ -170,10 +197,15 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
     const ImVec2 size = text_size(ui, font, label);
     // What is seen of it must be as large as its letter.
     if (static_cast<double>(spot.pixels) * map.cell * map.cell < static_cast<double>(size.x * font->FontSize)) continue;
-    const ImVec2 at{std::round(origin.x + std::clamp(static_cast<float>(map.px(spot.cell.x)) - size.x / 2, halo, std::max(halo, static_cast<float>(map.box_width) - size.x - halo))),
-                    std::round(origin.y + std::clamp(static_cast<float>(map.py(spot.cell.y)) - size.y / 2, halo, std::max(halo, static_cast<float>(map.box_height) - size.y - halo)))};
+    const ImVec2 at{
+        std::round(origin.x + std::clamp(static_cast<float>(map.px(spot.cell.x)) - size.x / 2, halo,
+                                         std::max(halo, static_cast<float>(map.box_width) - size.x - halo))),
+        std::round(origin.y + std::clamp(static_cast<float>(map.py(spot.cell.y)) - size.y / 2, halo,
+                                         std::max(halo, static_cast<float>(map.box_height) - size.y - halo)))};
     const Box box{at.x - halo, at.y, at.x + size.x + halo, at.y + size.y};
-    const auto meets = [&](const Box& other) { return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom; };
+    const auto meets = [&](const Box& other) {
+      return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
+    };
     if (std::any_of(taken.begin(), taken.end(), meets)) continue;
     taken.push_back(box);
     for (const float x : {-halo, 0.0f, halo})
@@ -184,8 +216,10 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
 
 void frame_cell(const Ui& ui, const RasterMap& map, ImVec2 origin, Cell cell, float out, float thickness, ImU32 color) {
   out = std::round(out * ui.thin);
-  const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)) - out, origin.y + static_cast<float>(map.row_begin(cell.y)) - out};
-  const ImVec2 b{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) + out - 1, origin.y + static_cast<float>(map.row_end(cell.y)) + out - 1};
+  const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)) - out,
+                 origin.y + static_cast<float>(map.row_begin(cell.y)) - out};
+  const ImVec2 b{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) + out - 1,
+                 origin.y + static_cast<float>(map.row_end(cell.y)) + out - 1};
   frame_box(ui, a, b, color, thickness);
 }
 
@@ -206,8 +240,10 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
     // A filled corner in each changed cell.
     const float size = std::max(4.0f, std::round(static_cast<float>(map.cell) * 0.3f));
     for (const Cell cell : changed) {
-      const ImVec2 corner{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) - 1, origin.y + static_cast<float>(map.row_begin(cell.y))};
-      list->AddTriangleFilled({corner.x - size - 1, corner.y}, corner, {corner.x, corner.y + size + 1}, ui.colors().pane);
+      const ImVec2 corner{origin.x + static_cast<float>(map.column_begin(cell.x + 1)) - 1,
+                          origin.y + static_cast<float>(map.row_begin(cell.y))};
+      list->AddTriangleFilled({corner.x - size - 1, corner.y}, corner, {corner.x, corner.y + size + 1},
+                              ui.colors().pane);
       list->AddTriangleFilled({corner.x - size, corner.y}, corner, {corner.x, corner.y + size}, c.changed);
     }
   } else if (!changed.empty()) {
@@ -217,7 +253,8 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
       low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
       high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
     }
-    const float x0 = origin.x + static_cast<float>(map.column_begin(low.x)) - 2, x1 = origin.x + static_cast<float>(map.column_begin(high.x + 1)) + 2;
+    const float x0 = origin.x + static_cast<float>(map.column_begin(low.x)) - 2,
+                x1 = origin.x + static_cast<float>(map.column_begin(high.x + 1)) + 2;
     const float y0 = origin.y + static_cast<float>(std::min(map.row_begin(low.y), map.row_begin(high.y))) - 2;
     const float y1 = origin.y + static_cast<float>(std::max(map.row_end(low.y), map.row_end(high.y))) + 2;
     const float arm = std::min(8.0f, std::max(3.0f, (x1 - x0) / 3));
@@ -247,16 +284,18 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
 }
 
 void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>& cells,
-                 const std::function<std::string(std::size_t, int)>& cell_text, const std::function<std::vector<std::string>(Cell)>& cell_tip,
-                 const RasterTalk& talk) {
+                 const std::function<std::string(std::size_t, int)>& cell_text,
+                 const std::function<std::vector<std::string>(Cell)>& cell_tip, const RasterTalk& talk) {
   Session& s = ui.session;
   const Rulers rulers = room_for_rulers(ui, s.scene().raster);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), avail = ImGui::GetContentRegionAvail();
   const ImVec2 origin{corner.x + rulers.left, corner.y};
-  const int width = static_cast<int>(avail.x - rulers.left), height = static_cast<int>(avail.y - rulers.below - reserve_below);
+  const int width = static_cast<int>(avail.x - rulers.left),
+            height = static_cast<int>(avail.y - rulers.below - reserve_below);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, ui.view, width, height);
-  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
+  const Kept<Canvas>& canvas =
+      keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
   const ImVec2 end{origin.x + static_cast<float>(width), origin.y + static_cast<float>(height)};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), origin, end);
 
@@ -269,10 +308,14 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   if (under) {
     ui.pointed_next = under;
     const char* moves = ui.view.zoom > 1 ? "Wheel: zoom. Drag: pan." : "Wheel: zoom.";
-    const float moved = std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).x) + std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).y);
+    const float moved = std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).x) +
+                        std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).y);
     const auto asks = talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
-    ui.mouse_help = asks ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
-                         : fmt::format("Click: select this pixel; F goes to the next step that touches it. Right click: its history. {}", moves);
+    ui.mouse_help =
+        asks ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
+             : fmt::format(
+                   "Click: select this pixel; F goes to the next step that touches it. Right click: its history. {}",
+                   moves);
     if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
       if (asks) ui.asked = asks;
       else s.select(s.selected == under ? std::nullopt : under);

@@ -13,17 +13,18 @@ namespace zstep::viewer {
 
 struct RasterTalk {
   std::function<std::optional<answers::Question>(Cell)> question = {};  ///< what a click on the selected pixel asks
-  bool polygons = false;  ///< pixels have the colours of polygons: each polygon gets its letter where they are too small for one each
+  bool polygons = false;  ///< pixels have the colours of polygons: each polygon gets its letter where they are too
+                          ///< small for one each
 };
 
-/// Draws the raster into what is left of the pane. `cell_text` says what stands in a pixel, with so many decimals; `cell_tip` what the
-/// mouse is told there.
+/// Draws the raster into what is left of the pane. `cell_text` says what stands in a pixel, with so many decimals;
+/// `cell_tip` what the mouse is told there.
 void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>& cells,
-                 const std::function<std::string(std::size_t, int)>& cell_text, const std::function<std::vector<std::string>(Cell)>& cell_tip,
-                 const RasterTalk& talk);
+                 const std::function<std::string(std::size_t, int)>& cell_text,
+                 const std::function<std::vector<std::string>(Cell)>& cell_tip, const RasterTalk& talk);
 
-/// How many decimals a cell's numbers are written with, from `most` down to the fewest that say something: two, or all that they
-/// have. `widest` tells the width of the widest of them; nullopt when not even the shortest has room.
+/// How many decimals a cell's numbers are written with, from `most` down to the fewest that say something: two, or all
+/// that they have. `widest` tells the width of the widest of them; nullopt when not even the shortest has room.
 std::optional<int> decimals_that_fit(int most, double room, const std::function<double(int)>& widest);
 
 /// Marks over the raster: changed, selected, pointed at, now.

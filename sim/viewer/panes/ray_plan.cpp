@@ -1,4 +1,5 @@
-// The rays of the pixel at work, seen from above: through the boxes or cells that they are held against, to what they meet.
+// The rays of the pixel at work, seen from above: through the boxes or cells that they are held against, to what they
+// meet.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +16,8 @@
 namespace zstep::viewer {
 namespace {
 
-/// From above: what lies away from the eye is drawn upwards, or to the right where the pane is wider than high. A screen
-/// scene is seen along its rows: x and z.
+/// From above: what lies away from the eye is drawn upwards, or to the right where the pane is wider than high. A
+/// screen scene is seen along its rows: x and z.
 class Plan {
  public:
   Plan(const Scene& scene, ImVec2 at, ImVec2 size, float margin)
@@ -102,9 +103,12 @@ void draw_cells(const Ui& ui, const Plan& plan) {
   const Theme& c = ui.colors();
   const GridMake& g = *machine.grid;
   const glm::dvec3 low(g.x_min, g.y_min, g.z_min);
-  const glm::dvec3 cell((g.x_max - g.x_min) / g.cells_x, (g.y_max - g.y_min) / g.cells_y, (g.z_max - g.z_min) / g.cells_z);
+  const glm::dvec3 cell((g.x_max - g.x_min) / g.cells_x, (g.y_max - g.y_min) / g.cells_y,
+                        (g.z_max - g.z_min) / g.cells_z);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto corner = [&](std::int32_t x, std::int32_t y, std::int32_t z) { return plan.place(low + cell * glm::dvec3(x, y, z)); };
+  const auto corner = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+    return plan.place(low + cell * glm::dvec3(x, y, z));
+  };
   const auto outline = [&](const CellVisit& visit, std::array<ImVec2, 4>& corners) {
     const std::int32_t x = visit.cell_x, y = visit.cell_y, z = visit.cell_z;
     corners = {corner(x, y, z), corner(x + 1, y, z), corner(x + 1, y + 1, z), corner(x, y + 1, z)};
@@ -114,8 +118,10 @@ void draw_cells(const Ui& ui, const Plan& plan) {
     outline(visit, corners);
     list->AddConvexPolyFilled(corners.data(), 4, c.selected_soft);
   }
-  for (std::int32_t x = 0; x <= g.cells_x; ++x) list->AddLine(corner(x, 0, 0), corner(x, g.cells_y, 0), c.rule, ui.thin);
-  for (std::int32_t y = 0; y <= g.cells_y; ++y) list->AddLine(corner(0, y, 0), corner(g.cells_x, y, 0), c.rule, ui.thin);
+  for (std::int32_t x = 0; x <= g.cells_x; ++x)
+    list->AddLine(corner(x, 0, 0), corner(x, g.cells_y, 0), c.rule, ui.thin);
+  for (std::int32_t y = 0; y <= g.cells_y; ++y)
+    list->AddLine(corner(0, y, 0), corner(g.cells_x, y, 0), c.rule, ui.thin);
   for (const CellVisit& visit : machine.rays.cells) {
     outline(visit, corners);
     list->AddPolyline(corners.data(), 4, c.selected, ImDrawFlags_Closed, 2 * ui.thin);
@@ -129,7 +135,8 @@ void mark_facet(const Ui& ui, const Plan& plan, std::int32_t number, ImU32 color
   const Facet& facet = scene.facets[static_cast<std::size_t>(number)];
   for (std::int32_t k = 0; k < facet.corner_count; ++k) {
     const auto corner = [&](std::int32_t i) {
-      return scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + i % facet.corner_count)])];
+      return scene.points[static_cast<std::size_t>(
+          scene.corners[static_cast<std::size_t>(facet.first_corner + i % facet.corner_count)])];
     };
     ImGui::GetWindowDrawList()->AddLine(plan.place(corner(k)), plan.place(corner(k + 1)), color, thickness * ui.thin);
   }
@@ -141,7 +148,8 @@ void draw_facets(const Ui& ui, const Plan& plan) {
   const std::size_t step = 1 + scene.facets.size() / most_drawn;
   for (std::size_t i = 0; i < scene.facets.size(); i += step) {
     const Polygon& polygon = scene.polygons[static_cast<std::size_t>(scene.facets[i].polygon)];
-    mark_facet(ui, plan, static_cast<std::int32_t>(i), scene.facets.size() > 200 ? ui.colors().muted : to_im(opaque(polygon.color)),
+    mark_facet(ui, plan, static_cast<std::int32_t>(i),
+               scene.facets.size() > 200 ? ui.colors().muted : to_im(opaque(polygon.color)),
                scene.facets.size() > 200 ? 1.0f : 3.0f);
   }
 }
@@ -156,7 +164,8 @@ void draw_names(const Ui& ui, const Plan& plan) {
       sum += scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + k)])];
     }
     const std::string name = polygon_label(scene, facet.polygon);
-    const ImVec2 at = plan.place(sum / static_cast<double>(facet.corner_count)), size = text_size(ui, ui.fonts.bold, name);
+    const ImVec2 at = plan.place(sum / static_cast<double>(facet.corner_count)),
+                 size = text_size(ui, ui.fonts.bold, name);
     draw_text(ui, {at.x - size.x - 5, at.y - size.y - 2}, ui.fonts.bold, ui.colors().text, name);
   }
 }
@@ -180,7 +189,8 @@ void draw_rays(const Ui& ui, const Plan& plan) {
     const double speed = std::max(1e-12, glm::length(along));
     const double t_end = met ? row.end->t : ray.role == RayRole::shadow ? 1 : plan.farthest() / speed;
     const RayBegin* child = row.end ? nullptr : first_child(machine.rays, ray.ray);
-    const ImVec2 a = plan.place(from), b = plan.place(child ? glm::dvec3(child->x_0, child->y_0, child->z_0) : from + t_end * along);
+    const ImVec2 a = plan.place(from),
+                 b = plan.place(child ? glm::dvec3(child->x_0, child->y_0, child->z_0) : from + t_end * along);
     const ImU32 color = now ? c.now : c.text;
     if (ray.role == RayRole::shadow || (!met && !child)) dash(a, b, color, (now ? 2.0f : 1.2f) * ui.thin);
     else list->AddLine(a, b, color, (now ? 2.5f : 1.5f) * ui.thin);
@@ -220,7 +230,8 @@ void draw(Ui& ui) {
     const ImVec2 p = plan.place(point), width = text_size(ui, ui.fonts.text, word);
     list->AddCircleFilled(p, 4, ui.colors().text, 12);
     const float left = std::clamp(p.x + 7, at.x, at.x + size.x - width.x - 2);
-    draw_text(ui, {left, std::clamp(p.y - width.y, at.y, at.y + size.y - width.y)}, ui.fonts.text, ui.colors().text, word);
+    draw_text(ui, {left, std::clamp(p.y - width.y, at.y, at.y + size.y - width.y)}, ui.fonts.text, ui.colors().text,
+              word);
   };
   if (scene.camera.kind == Camera::Kind::perspective) label(scene.camera.eye, "eye");
   if (scene.light) label(scene.light->position, "light");

@@ -28,18 +28,26 @@ void draw_tests(Ui& ui) {
   for (const CellVisit& visit : rays.cells) {
     TableRow row;
     const auto asks = [&](const char* field) {
-      return answers::made_by<CellVisit>(s.position(), field, {{"cell_x", visit.cell_x}, {"cell_y", visit.cell_y}, {"cell_z", visit.cell_z}});
+      return answers::made_by<CellVisit>(
+          s.position(), field, {{"cell_x", visit.cell_x}, {"cell_y", visit.cell_y}, {"cell_z", visit.cell_z}});
     };
-    row.cells = {fmt::format("cell {},{},{}", visit.cell_x, visit.cell_y, visit.cell_z), TableCell(visit.t_enter, asks("t_enter")), TableCell(visit.t_leave, asks("t_leave")), std::string("entered")};
+    row.cells = {fmt::format("cell {},{},{}", visit.cell_x, visit.cell_y, visit.cell_z),
+                 TableCell(visit.t_enter, asks("t_enter")), TableCell(visit.t_leave, asks("t_leave")),
+                 std::string("entered")};
     if (just<CellVisit>(s) && &visit == &rays.cells.back()) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
   }
   for (const BoxTest& test : rays.boxes) {
     TableRow row;
     const bool meets = test.t_enter <= test.t_leave;
-    const auto asks = [&](const char* field) { return answers::made_by<BoxTest>(s.position(), field, {{"box", test.box}}); };
-    row.cells = {fmt::format("box {}", test.box), TableCell(test.t_enter, asks("t_enter")), TableCell(test.t_leave, asks("t_leave")),
-                 std::string(test.hit ? "met" : meets ? "too far" : "missed")};
+    const auto asks = [&](const char* field) {
+      return answers::made_by<BoxTest>(s.position(), field, {{"box", test.box}});
+    };
+    row.cells = {fmt::format("box {}", test.box), TableCell(test.t_enter, asks("t_enter")),
+                 TableCell(test.t_leave, asks("t_leave")),
+                 std::string(test.hit ? "met"
+                             : meets  ? "too far"
+                                      : "missed")};
     if (!test.hit) row.look = TableRow::Look::gone;
     if (just<BoxTest>(s) && &test == &rays.boxes.back()) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
@@ -47,8 +55,12 @@ void draw_tests(Ui& ui) {
   double kept = std::numeric_limits<double>::quiet_NaN();  // the smallest t so far
   for (const RayHit& hit : rays.hits) {
     TableRow row;
-    row.cells = {facet_label(s.scene(), hit.facet), TableCell(hit.t, answers::made_by<RayHit>(s.position(), "t", {{"facet", hit.facet}})), std::string(),
-                 std::string(hit.nearest ? "nearest so far" : !hit.inside ? "outside" : hit.t == kept ? "inside, as near" : "inside, farther")};
+    row.cells = {facet_label(s.scene(), hit.facet),
+                 TableCell(hit.t, answers::made_by<RayHit>(s.position(), "t", {{"facet", hit.facet}})), std::string(),
+                 std::string(hit.nearest     ? "nearest so far"
+                             : !hit.inside   ? "outside"
+                             : hit.t == kept ? "inside, as near"
+                                             : "inside, farther")};
     row.cells.back().brief = hit.nearest ? "nearest" : !hit.inside ? "outside" : hit.t == kept ? "as near" : "farther";
     if (hit.nearest) kept = hit.t;
     if (!hit.nearest) row.look = TableRow::Look::gone;
@@ -91,12 +103,15 @@ void draw_tree(Ui& ui) {
     row.cells.back().brief = branch + brief_roles[role];
     if (ray.end) {
       row.cells.emplace_back(facet_label(s.scene(), ray.end->nearest_facet));
-      if (ray.end->nearest_facet >= 0) row.cells.emplace_back(ray.end->t, answers::made_by<RayEnd>(s.position(), "t", {{"ray", ray.entry.ray}}));
+      if (ray.end->nearest_facet >= 0)
+        row.cells.emplace_back(ray.end->t, answers::made_by<RayEnd>(s.position(), "t", {{"ray", ray.entry.ray}}));
       else row.cells.emplace_back(std::string());
       if (ray.entry.role == RayRole::shadow) {
         row.cells.emplace_back(std::string(ray.end->nearest_facet >= 0 ? "dark" : "lit"));
       } else {
-        const auto part = [](double v) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0))); };
+        const auto part = [](double v) {
+          return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0)));
+        };
         const Color color{part(ray.end->red), part(ray.end->green), part(ray.end->blue)};
         row.cells.emplace_back(fmt::format("{} {} {}", color.red, color.green, color.blue), to_im(opaque(color)));
         row.cells.back().brief = fmt::format("{:02x}{:02x}{:02x}", color.red, color.green, color.blue);

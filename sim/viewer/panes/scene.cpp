@@ -48,8 +48,9 @@ struct Lens {
 void paint_wireframe(Canvas& canvas, const RasterMap& map, const Scene& scene, const Theme& c, const float& thin) {
   const Lens lens(scene);
   canvas.fill(to_pixel(c.pane));
-  canvas.rectangle(static_cast<int>(map.left), static_cast<int>(map.top), static_cast<int>(map.left + map.width * map.cell),
-                   static_cast<int>(map.top + map.height * map.cell), to_pixel(c.head));
+  canvas.rectangle(static_cast<int>(map.left), static_cast<int>(map.top),
+                   static_cast<int>(map.left + map.width * map.cell), static_cast<int>(map.top + map.height * map.cell),
+                   to_pixel(c.head));
   std::set<std::pair<std::int32_t, std::int32_t>> drawn;
   const bool many = scene.corners.size() > 2000;
   const Pixel32 ink = many ? mixed(to_pixel(c.head), to_pixel(c.muted), 110) : to_pixel(c.muted);
@@ -58,8 +59,10 @@ void paint_wireframe(Canvas& canvas, const RasterMap& map, const Scene& scene, c
       const std::int32_t a = scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
       const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
       if (!drawn.insert(std::minmax(a, b)).second) continue;
-      if (const auto s = lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
-        canvas.line(map.px(s->first.x), map.py(s->first.y), map.px(s->second.x), map.py(s->second.y), static_cast<double>(thin), ink);
+      if (const auto s =
+              lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
+        canvas.line(map.px(s->first.x), map.py(s->first.y), map.px(s->second.x), map.py(s->second.y),
+                    static_cast<double>(thin), ink);
     }
 }
 
@@ -77,7 +80,8 @@ std::int32_t piece_shown(const Moment& s) {
 }
 
 /// The facet at work, over the wireframe; its corners dotted and, where there are few, numbered.
-void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const std::optional<std::int32_t>& lit, const Theme& c, double thin) {
+void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const std::optional<std::int32_t>& lit,
+                  const Theme& c, double thin) {
   const Scene& scene = s.scene();
   const MethodState& m = s.state().machine;
   const Lens lens(scene);
@@ -86,8 +90,10 @@ void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const s
     for (std::int32_t k = 0; k < facet.corner_count; ++k) {
       const std::int32_t a = scene.corners[static_cast<std::size_t>(facet.first_corner + k)];
       const std::int32_t b = scene.corners[static_cast<std::size_t>(facet.first_corner + (k + 1) % facet.corner_count)];
-      if (const auto e = lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
-        canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4 * thin, to_pixel(c.now));
+      if (const auto e =
+              lens.segment(scene.points[static_cast<std::size_t>(a)], scene.points[static_cast<std::size_t>(b)]))
+        canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4 * thin,
+                    to_pixel(c.now));
     }
   }
   if (const std::int32_t piece = piece_shown(s); piece >= 0 && static_cast<std::size_t>(piece) < m.pieces.size()) {
@@ -95,10 +101,13 @@ void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const s
     const bool world = !m.tree.empty();
     const std::vector<std::int32_t>& outline = m.pieces[static_cast<std::size_t>(piece)].outline;
     for (std::size_t k = 0; k < outline.size(); ++k) {
-      const auto a = cutting_point(scene, s.state(), outline[k]), b = cutting_point(scene, s.state(), outline[(k + 1) % outline.size()]);
+      const auto a = cutting_point(scene, s.state(), outline[k]),
+                 b = cutting_point(scene, s.state(), outline[(k + 1) % outline.size()]);
       if (!a || !b) continue;
       const auto e = world ? lens.segment(*a, *b) : std::make_pair(glm::dvec2(*a), glm::dvec2(*b));
-      if (e) canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4 * thin, to_pixel(c.now));
+      if (e)
+        canvas.line(map.px(e->first.x), map.py(e->first.y), map.px(e->second.x), map.py(e->second.y), 2.4 * thin,
+                    to_pixel(c.now));
     }
   }
   if (lit && static_cast<std::size_t>(*lit) < m.edge_table.size()) {
@@ -108,13 +117,15 @@ void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const s
   }
   if (m.scan_line) {
     const int y = static_cast<int>(std::lround(map.py(*m.scan_line)));
-    const int left = std::max(0, static_cast<int>(map.left)), right = std::min(canvas.width(), static_cast<int>(map.left + map.width * map.cell));
-    for (int x = left; x < right; x += 8) canvas.rectangle(x, y, std::min(x + 5, right), y + static_cast<int>(std::lround(thin)), to_pixel(c.now));
+    const int left = std::max(0, static_cast<int>(map.left)),
+              right = std::min(canvas.width(), static_cast<int>(map.left + map.width * map.cell));
+    for (int x = left; x < right; x += 8)
+      canvas.rectangle(x, y, std::min(x + 5, right), y + static_cast<int>(std::lround(thin)), to_pixel(c.now));
   }
 }
 
-void paint_scene(Canvas& canvas, const RasterMap& map, const Kept<Canvas>& wires, const Moment& now, const std::optional<std::int32_t>& lit,
-                 const Theme& c, const float& thin) {
+void paint_scene(Canvas& canvas, const RasterMap& map, const Kept<Canvas>& wires, const Moment& now,
+                 const std::optional<std::int32_t>& lit, const Theme& c, const float& thin) {
   canvas = wires.made;
   draw_pieces(canvas, map, now, c, static_cast<double>(thin));
   draw_polygon(canvas, map, now, lit, c, static_cast<double>(thin));
@@ -128,7 +139,8 @@ void draw(Ui& ui) {
   const float way_height = scarce ? 0 : std::min(avail.y * 0.6f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
   // Side by side when there is more width than height, else the way below the picture.
   const bool beside = avail.x > avail.y * 1.9f && avail.x > ui.em * 30;
-  const int width = static_cast<int>(beside ? avail.x - ui.em * 18 : avail.x), height = static_cast<int>(beside ? avail.y : avail.y - way_height);
+  const int width = static_cast<int>(beside ? avail.x - ui.em * 18 : avail.x),
+            height = static_cast<int>(beside ? avail.y : avail.y - way_height);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map = [&] {
     // Not in whole pixels: a wireframe may use all the room.
@@ -138,8 +150,10 @@ void draw(Ui& ui) {
     m.top = std::floor((height - m.height * m.cell) / 2);
     return m;
   }();
-  const Kept<Canvas>& wires = keep_canvas(ui.canvases, "wires", width, height, paint_wireframe, map, s.scene(), ui.colors(), ui.thin);
-  const Kept<Canvas>& shown = keep_canvas(ui.canvases, "scene", width, height, paint_scene, map, wires, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
+  const Kept<Canvas>& wires =
+      keep_canvas(ui.canvases, "wires", width, height, paint_wireframe, map, s.scene(), ui.colors(), ui.thin);
+  const Kept<Canvas>& shown = keep_canvas(ui.canvases, "scene", width, height, paint_scene, map, wires, ui.moment(),
+                                          s.lit_edge(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});

@@ -13,7 +13,8 @@ void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const 
     for (std::size_t k = 0; k < piece.outline.size(); ++k) {
       const auto a = on_raster(now.scene(), now.state(), piece.outline[k]);
       const auto b = on_raster(now.scene(), now.state(), piece.outline[(k + 1) % piece.outline.size()]);
-      if (a && b) canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), thickness * thin, to_pixel(color));
+      if (a && b)
+        canvas.line(map.px(a->x), map.py(a->y), map.px(b->x), map.py(b->y), thickness * thin, to_pixel(color));
     }
   };
   if (m.list.empty()) return;
@@ -21,7 +22,8 @@ void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const 
     if (piece.parent >= 0 && !piece.cut) outline(piece, 1.2, c.text);
   if (!m.pair) return;
   for (const auto& [number, color] : {std::pair{m.pair->other, c.selected}, {m.pair->piece, c.now}})
-    if (number >= 0 && static_cast<std::size_t>(number) < m.pieces.size()) outline(m.pieces[static_cast<std::size_t>(number)], 2.8, color);
+    if (number >= 0 && static_cast<std::size_t>(number) < m.pieces.size())
+      outline(m.pieces[static_cast<std::size_t>(number)], 2.8, color);
 }
 
 void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
@@ -41,13 +43,15 @@ void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
     }
     const ImVec2 size = text_size(ui, ui.fonts.bold, letter);
     const float beside = *letter == 'P' ? static_cast<float>(left) - size.x - 6 : static_cast<float>(right) + 6;
-    const ImVec2 at{origin.x + std::clamp(beside, 2.0f, static_cast<float>(map.box_width) - size.x - 2), origin.y + std::max(0.0f, static_cast<float>(top))};
+    const ImVec2 at{origin.x + std::clamp(beside, 2.0f, static_cast<float>(map.box_width) - size.x - 2),
+                    origin.y + std::max(0.0f, static_cast<float>(top))};
     ImGui::GetWindowDrawList()->AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, c.pane);
     draw_text(ui, at, ui.fonts.bold, c.text, letter);
   }
   const auto* overlap = s.event() ? std::get_if<OverlapTest>(&s.event()->event) : nullptr;
   if (!overlap || !overlap->overlap) return;
-  const ImVec2 at{origin.x + static_cast<float>(map.px(overlap->x_at)), origin.y + static_cast<float>(map.py(overlap->y_at))};
+  const ImVec2 at{origin.x + static_cast<float>(map.px(overlap->x_at)),
+                  origin.y + static_cast<float>(map.py(overlap->y_at))};
   ImGui::GetWindowDrawList()->AddLine({at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, c.text, 3 * ui.thin);
   ImGui::GetWindowDrawList()->AddLine({at.x - 6, at.y + 6}, {at.x + 6, at.y - 6}, c.text, 3 * ui.thin);
 }

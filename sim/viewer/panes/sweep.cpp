@@ -34,7 +34,8 @@ std::vector<std::int32_t> pieces_now(const RecordedEvent* event) {
 std::string names_inside(const Session& s) {
   const MethodState& m = s.state().machine;
   std::string names;
-  for (const std::int32_t piece : m.sweep.inside) names += (names.empty() ? "" : ", ") + piece_label(s.scene(), m, piece);
+  for (const std::int32_t piece : m.sweep.inside)
+    names += (names.empty() ? "" : ", ") + piece_label(s.scene(), m, piece);
   return names.empty() ? "none" : names;
 }
 
@@ -62,7 +63,9 @@ void draw_cells(const Session& s, ImDrawList* list, const Strip& strip, std::int
   list->AddRectFilled(strip.at, strip.end, c.head);
   if (y < 0 || y >= picture.height) return;
   for (std::int32_t x = 0; x < picture.width;) {
-    const auto color = [&](std::int32_t column) { return color_of(s.scene(), picture.polygon[picture.at(column, y)], c.head); };
+    const auto color = [&](std::int32_t column) {
+      return color_of(s.scene(), picture.polygon[picture.at(column, y)], c.head);
+    };
     std::int32_t end = x + 1;
     while (end < picture.width && color(end) == color(x)) ++end;
     list->AddRectFilled({strip.x(x - 0.5), strip.at.y}, {strip.x(end - 0.5), strip.end.y}, color(x));
@@ -84,7 +87,8 @@ void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
     const float x = strip.x(column), width = text_size(ui, ui.fonts.small, name).x;
     list->AddRectFilled({x - weight / 2, strip.at.y - 3}, {x + (weight + 1) / 2, strip.end.y + 3}, color);
     // A name may give way to the one before it, but not so far that it seems another edge's.
-    const float wanted = std::clamp(x - width / 2, strip.at.x, std::max(strip.at.x, strip.end.x - width)), left = std::max(wanted, free_from);
+    const float wanted = std::clamp(x - width / 2, strip.at.x, std::max(strip.at.x, strip.end.x - width)),
+                left = std::max(wanted, free_from);
     if (left - wanted > width * 0.75f || left + width > strip.end.x) return;
     draw_text(ui, {left, strip.at.y - ui.fonts.small->FontSize - 5}, ui.fonts.small, color, name);
     free_from = left + width + 4;
@@ -94,7 +98,11 @@ void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
     const auto at = static_cast<std::size_t>(edge.edge);
     if (at >= m.edge_table.size()) continue;
     const bool now = flip && flip->edge == edge.edge, lit = s.lit_edge() == edge.edge;
-    tick(edge.x, edge_label(s.scene(), m.edge_table[at]), now ? c.now : lit ? c.selected : c.text, (now || lit ? 3.0f : 1.0f) * ui.thin);
+    tick(edge.x, edge_label(s.scene(), m.edge_table[at]),
+         now   ? c.now
+         : lit ? c.selected
+               : c.text,
+         (now || lit ? 3.0f : 1.0f) * ui.thin);
   }
   for (const ImpliedEdge& implied : m.sweep.implied) {
     const float x = strip.x(implied.x_at), y = (strip.at.y + strip.end.y) / 2, half = ui.em * 0.3f;
@@ -107,9 +115,12 @@ void draw_strip(Ui& ui, std::int32_t y) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   const MethodState& m = s.state().machine;
-  const float names = ui.fonts.small->FontSize + 6, bar = std::round(ui.em * 1.1f), width = ImGui::GetContentRegionAvail().x;
+  const float names = ui.fonts.small->FontSize + 6, bar = std::round(ui.em * 1.1f),
+              width = ImGui::GetContentRegionAvail().x;
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  const Strip strip{{top.x + 2, top.y + names}, {top.x + width - 2, top.y + names + bar}, std::max(1.0, static_cast<double>(s.scene().raster.width))};
+  const Strip strip{{top.x + 2, top.y + names},
+                    {top.x + width - 2, top.y + names + bar},
+                    std::max(1.0, static_cast<double>(s.scene().raster.width))};
   ImDrawList* list = ImGui::GetWindowDrawList();
   draw_cells(s, list, strip, y, c);
   frame_box(ui, strip.at, strip.end, c.rule);
@@ -141,17 +152,26 @@ void draw_table(Ui& ui) {
   const MethodState& m = s.state().machine;
   const bool line_buffer = with_line_buffer(s);
   const std::vector<std::int32_t> now = pieces_now(s.event());
-  const auto among = [](const std::vector<std::int32_t>& list, std::int32_t piece) { return std::find(list.begin(), list.end(), piece) != list.end(); };
+  const auto among = [](const std::vector<std::int32_t>& list, std::int32_t piece) {
+    return std::find(list.begin(), list.end(), piece) != list.end();
+  };
   std::vector<TableRow> rows;
   for (std::size_t k = 0; k < m.pieces.size(); ++k) {
     const auto piece = static_cast<std::int32_t>(k);
-    const bool in = line_buffer ? is_active(m, m.pieces[k].polygon) : among(m.sweep.inside, piece), is_now = among(now, piece);
+    const bool in = line_buffer ? is_active(m, m.pieces[k].polygon) : among(m.sweep.inside, piece),
+               is_now = among(now, piece);
     if (m.pieces.size() > whole_table && !in && !is_now) continue;
     TableRow row;
-    row.cells = {TableCell(piece_label(s.scene(), m, piece), color_of(s.scene(), m.pieces[k].polygon, 0)), std::string(line_buffer ? (in ? "\u25cf active" : "\u00b7") : in ? "\u25cf in" : "\u00b7 out")};
+    row.cells = {TableCell(piece_label(s.scene(), m, piece), color_of(s.scene(), m.pieces[k].polygon, 0)),
+                 std::string(line_buffer ? (in ? "\u25cf active" : "\u00b7")
+                             : in        ? "\u25cf in"
+                                         : "\u00b7 out")};
     row.cells.back().brief = in ? "\u25cf" : "\u00b7";
     if (const auto& plane = m.pieces[k].plane)
-      for (const auto& [field, value] : {std::pair{"plane_a", plane->plane_a}, {"plane_b", plane->plane_b}, {"plane_c", plane->plane_c}, {"plane_d", plane->plane_d}})
+      for (const auto& [field, value] : {std::pair{"plane_a", plane->plane_a},
+                                         {"plane_b", plane->plane_b},
+                                         {"plane_c", plane->plane_c},
+                                         {"plane_d", plane->plane_d}})
         row.cells.emplace_back(value, answers::made_by<PlaneEquation>(s.position(), field, {{"piece", piece}}));
     row.look = is_now ? TableRow::Look::now : in ? TableRow::Look::plain : TableRow::Look::gone;
     rows.push_back(std::move(row));
@@ -162,16 +182,20 @@ void draw_table(Ui& ui) {
 
 void draw(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
-  if (m.pieces.empty()) return say_empty(ui, "Empty: each polygon that is in view gets a row, with its plane and a flag.");
+  if (m.pieces.empty())
+    return say_empty(ui, "Empty: each polygon that is in view gets a row, with its plane and a flag.");
   if (m.scan_line) draw_strip(ui, *m.scan_line);
-  ImGui::BeginChild("table", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_HorizontalScrollbar);  // the strip stays in view
+  ImGui::BeginChild("table", ImGui::GetContentRegionAvail(), false,
+                    ImGuiWindowFlags_HorizontalScrollbar);  // the strip stays in view
   draw_table(ui);
   ImGui::EndChild();
 }
 
 std::string note(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
-  return m.scan_line ? fmt::format("y = {}", *m.scan_line) : m.pieces.empty() ? "" : fmt::format("{} polygons", m.pieces.size());
+  return m.scan_line        ? fmt::format("y = {}", *m.scan_line)
+         : m.pieces.empty() ? ""
+                            : fmt::format("{} polygons", m.pieces.size());
 }
 
 bool serves(const Header& header) { return has_step_of<FlagFlip>(header); }

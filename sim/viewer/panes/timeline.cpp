@@ -32,13 +32,15 @@ std::optional<Sign> sign_under(const Ui& ui, const Strip& strip, bool with_stops
   };
   if (ui.places)
     for (const places::Bookmark& mark : ui.places->bookmarks())
-      look(mark.step, -1, [&] { return fmt::format("Click: to the bookmark {} at step {}.", mark.name, grouped(mark.step)); });
+      look(mark.step, -1,
+           [&] { return fmt::format("Click: to the bookmark {} at step {}.", mark.name, grouped(mark.step)); });
   if (const Lesson* lesson = with_stops ? ui.session.lesson() : nullptr)
     for (int i = 0; i < static_cast<int>(lesson->stops.size()); ++i) {
       const Stop& stop = lesson->stops[static_cast<std::size_t>(i)];
       look(stop.position, i, [&] {
         const char* what = stop.question ? "question" : "stop";
-        return fmt::format("Click: to {} {}{} at step {}.", what, i + 1, stop.heading.empty() ? "" : ", " + stop.heading + ",", grouped(stop.position));
+        return fmt::format("Click: to {} {}{} at step {}.", what, i + 1,
+                           stop.heading.empty() ? "" : ", " + stop.heading + ",", grouped(stop.position));
       });
     }
   return found;
@@ -52,7 +54,8 @@ void draw_places(Ui& ui, const Strip& strip) {
   const float flag = std::round(ui.em * 0.38f), top = strip.at.y, foot = top + std::round(ui.em * 0.3f);
   const auto inside = [&](std::int64_t step) { return strip.holds(step); };
   if (s.loops() && s.loop_first < strip.last && s.loop_last > strip.first) {
-    const float x0 = std::floor(strip.x(std::max(s.loop_first, strip.first))), x1 = std::floor(strip.x(std::min(s.loop_last, strip.last)));
+    const float x0 = std::floor(strip.x(std::max(s.loop_first, strip.first))),
+                x1 = std::floor(strip.x(std::min(s.loop_last, strip.last)));
     list->AddRectFilled({x0, top - 3}, {x1 + 1, top}, c.selected);
     for (const auto& [step, x] : {std::pair{s.loop_first, x0}, {s.loop_last, x1}})
       if (inside(step)) list->AddRectFilled({x - 1, top - 3}, {x + 2, foot}, c.selected);
@@ -92,12 +95,14 @@ void draw_place(Ui& ui, const Strip& strip) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float half = std::round(1.5f * ui.thin);
   list->AddRectFilled({x + 1 - half, strip.at.y}, {x + half, bottom}, ui.colors().now);
-  list->AddTriangleFilled({x - head, bottom + 1}, {x + 0.5f, bottom - head - 1}, {x + 1 + head, bottom + 1}, ui.colors().now);
+  list->AddTriangleFilled({x - head, bottom + 1}, {x + 0.5f, bottom - head - 1}, {x + 1 + head, bottom + 1},
+                          ui.colors().now);
 }
 
 ImU32 color_of(const Session& s, std::int32_t polygon) {
   const auto at = static_cast<std::size_t>(polygon);
-  return polygon >= 0 && at < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[at].color)) : IM_COL32(128, 128, 128, 255);
+  return polygon >= 0 && at < s.scene().polygons.size() ? to_im(opaque(s.scene().polygons[at].color))
+                                                        : IM_COL32(128, 128, 128, 255);
 }
 
 /// Where a method that gathers all polygons first is done with that: what comes then is no polygon's own. The end if it
@@ -142,13 +147,15 @@ void draw_sections(Ui& ui, const Strip& strip, const Sections& sections) {
   const float end = strip.at.x + strip.width, bottom = strip.at.y + strip.height;
   float drawn_to = -1;
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const float x0 = std::floor(strip.x(marks[i].position)), x1 = std::floor(i + 1 < marks.size() ? strip.x(marks[i + 1].position) : end);
+    const float x0 = std::floor(strip.x(marks[i].position)),
+                x1 = std::floor(i + 1 < marks.size() ? strip.x(marks[i + 1].position) : end);
     if (x1 <= drawn_to) continue;
     drawn_to = x1;
     list->AddRectFilled({x0, bottom - 5}, {std::max(x0 + 1, x1), bottom}, i % 2 == 0 ? c.muted : c.grid);
     if (x1 - x0 < 4) continue;
     list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, bottom}, c.rule);
-    const std::string number = std::to_string(marks[i].number), label = (x1 - x0 > ui.em * 6 ? sections.word + std::string(" ") : "") + number;
+    const std::string number = std::to_string(marks[i].number),
+                      label = (x1 - x0 > ui.em * 6 ? sections.word + std::string(" ") : "") + number;
     const float width = text_size(ui, ui.fonts.small, label).x;
     if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, ui.fonts.small, c.text, label);
   }
@@ -172,7 +179,8 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
     draw_text(ui, {(x0 + end.x - text_size(ui, font, units).x) / 2, strip.at.y + 1}, font, c.text, units);
   }
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const float x0 = std::floor(strip.x(marks[i].position)), x1 = std::floor(strip.x(i + 1 < marks.size() ? marks[i + 1].position : gathered));
+    const float x0 = std::floor(strip.x(marks[i].position)),
+                x1 = std::floor(strip.x(i + 1 < marks.size() ? marks[i + 1].position : gathered));
     if (x1 <= drawn_to) continue;  // many polygons in one pixel: the first stands for them
     drawn_to = x1;
     list->AddRectFilled({x0, end.y - 5}, {std::max(x0 + 1, x1), end.y}, color_of(s, marks[i].polygon));
@@ -183,11 +191,14 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
     if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, font, c.text, label);
   }
   if (!sections.all.empty()) draw_sections(ui, strip, sections);
-  else if (marks.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, has_step_of<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
+  else if (marks.empty())
+    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted,
+              has_step_of<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
       const float arm = std::round(4 * ui.thin), x = std::floor(strip.x(stop.position)), y = end.y - arm;
-      list->AddQuadFilled({x, y - arm}, {x + arm, y}, {x, y + arm}, {x - arm, y}, stop.question ? c.selected : c.changed);
+      list->AddQuadFilled({x, y - arm}, {x + arm, y}, {x, y + arm}, {x - arm, y},
+                          stop.question ? c.selected : c.changed);
     }
   frame_box(ui, strip.at, end, c.rule);
   draw_places(ui, strip);
@@ -209,7 +220,8 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
   const float needed = text_size(ui, font, "y 000").x + 6;
   for (std::size_t i = 0; i < interval.lines.size(); ++i) {
     const auto& mark = interval.lines[i];
-    const float x0 = std::floor(strip.x(mark.position)), x1 = i + 1 < interval.lines.size() ? std::floor(strip.x(interval.lines[i + 1].position)) : end.x;
+    const float x0 = std::floor(strip.x(mark.position)),
+                x1 = i + 1 < interval.lines.size() ? std::floor(strip.x(interval.lines[i + 1].position)) : end.x;
     if (lit && mark.y >= lit->first && mark.y < lit->second) {
       list->AddRectFilled({x0, strip.at.y}, {x1, end.y}, c.selected_soft);
       list->AddRectFilled({x0, end.y - 3}, {x1, end.y}, c.selected);
@@ -221,13 +233,19 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
   }
   if (!sections.all.empty()) {
     const std::string which = sections.at < 0 ? fmt::format("before the first {}", sections.word)
-                                              : fmt::format("{} {}", sections.word, sections.all[static_cast<std::size_t>(sections.at)].number);
+                                              : fmt::format("{} {}", sections.word,
+                                                            sections.all[static_cast<std::size_t>(sections.at)].number);
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, which);
-  } else if (interval.polygon == no_polygon && interval.lines.empty() && interval.complete && !s.trace().polygons().empty())
+  } else if (interval.polygon == no_polygon && interval.lines.empty() && interval.complete &&
+             !s.trace().polygons().empty())
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
-  else if (!has_step_of<ScanLineBegin>(s.header())) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this method has no scan lines");
-  else if (!interval.complete) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
-  else if (interval.lines.empty()) draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), interval.polygon)));
+  else if (!has_step_of<ScanLineBegin>(s.header()))
+    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this method has no scan lines");
+  else if (!interval.complete)
+    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
+  else if (interval.lines.empty())
+    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted,
+              fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), interval.polygon)));
   frame_box(ui, strip.at, end, c.rule);
   draw_places(ui, strip);
   draw_place(ui, strip);
@@ -236,7 +254,8 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
 /// A button that does what a key does, and says so.
 void command_button(Ui& ui, const char* label, const char* id, bool lit = false) {
   const auto all = commands();
-  const auto command = std::find_if(all.begin(), all.end(), [&](const Command& one) { return one.id == std::string(id); });
+  const auto command =
+      std::find_if(all.begin(), all.end(), [&](const Command& one) { return one.id == std::string(id); });
   if (command == all.end()) return;
   if (button(ui, label, lit)) ui.clicked = &*command;
   if (!ImGui::IsItemHovered()) return;
@@ -264,7 +283,8 @@ void draw_transport(Ui& ui) {
   float widest = 0;
   for (const auto& speed : Session::speeds()) widest = std::max(widest, text_size(ui, ui.fonts.text, speed.name).x);
   const std::string name = Session::speeds()[static_cast<std::size_t>(s.speed)].name;
-  draw_text(ui, {at.x + (widest - text_size(ui, ui.fonts.text, name).x) / 2, at.y + std::round(ui.em * 0.25f)}, ui.fonts.text, ui.colors().text, name);
+  draw_text(ui, {at.x + (widest - text_size(ui, ui.fonts.text, name).x) / 2, at.y + std::round(ui.em * 0.25f)},
+            ui.fonts.text, ui.colors().text, name);
   ImGui::Dummy({widest, ui.em});
   ImGui::SameLine(0, gap);
   command_button(ui, "+##faster", "faster");
@@ -279,7 +299,8 @@ struct StripSizes {
 };
 /// With large letters the strips lie closer.
 StripSizes strip_sizes(const Ui& ui) {
-  return ui.presenter ? StripSizes{std::round(ui.em * 1.1f), std::round(ui.em * 0.35f)} : StripSizes{std::round(ui.em * 1.25f), std::round(ui.em * 0.55f)};
+  return ui.presenter ? StripSizes{std::round(ui.em * 1.1f), std::round(ui.em * 0.35f)}
+                      : StripSizes{std::round(ui.em * 1.25f), std::round(ui.em * 0.55f)};
 }
 
 }  // namespace
@@ -310,16 +331,21 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   ImGui::SameLine(0, ui.em);
   // What the mouse does here, else where this is; only when there is room for all of it.
   const Session& s = ui.session;
-  const std::string percent = s.size() ? fmt::format("{:.1f} %", 100.0 * static_cast<double>(s.position()) / static_cast<double>(s.size())) : "0 %";
+  const std::string percent =
+      s.size() ? fmt::format("{:.1f} %", 100.0 * static_cast<double>(s.position()) / static_cast<double>(s.size()))
+               : "0 %";
   const float room = origin.x + size.x - ImGui::GetCursorScreenPos().x;
   const float right = text_size(ui, ui.fonts.mono, percent).x;
   const float y = ImGui::GetCursorScreenPos().y + std::round(ui.em * 0.3f);
   draw_text(ui, {origin.x + size.x - right, y}, ui.fonts.mono, ui.colors().text, percent);
-  const bool lines = has_step_of<ScanLineBegin>(s.header()) || !sections.all.empty(), polygons = !s.trace().polygons().empty();
-  const std::string every = fmt::format("\u2192 step    Shift+\u2192 pixel    {}{}Space play    ? all keys", lines ? fmt::format("Ctrl+\u2192 {}    ", sections.all.empty() ? "scan line" : sections.word) : "",
-                                        polygons ? "Page down polygon    " : "");
-  for (const std::string& hint : {ui.mouse_help, every,
-                                  std::string("\u2192 step    Shift+\u2192 pixel    ? all keys"), std::string("? all keys")})
+  const bool lines = has_step_of<ScanLineBegin>(s.header()) || !sections.all.empty(),
+             polygons = !s.trace().polygons().empty();
+  const std::string every =
+      fmt::format("\u2192 step    Shift+\u2192 pixel    {}{}Space play    ? all keys",
+                  lines ? fmt::format("Ctrl+\u2192 {}    ", sections.all.empty() ? "scan line" : sections.word) : "",
+                  polygons ? "Page down polygon    " : "");
+  for (const std::string& hint : {ui.mouse_help, every, std::string("\u2192 step    Shift+\u2192 pixel    ? all keys"),
+                                  std::string("? all keys")})
     if (!hint.empty() && text_size(ui, ui.fonts.text, hint).x + right + ui.em < room) {
       draw_text(ui, {ImGui::GetCursorScreenPos().x, y}, ui.fonts.text, ui.colors().muted, hint);
       break;

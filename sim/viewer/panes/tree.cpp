@@ -29,7 +29,8 @@ std::vector<std::int32_t> subtree_sizes(const SharedChunks<TreeNode>& tree) {
 /// A node's pieces by name, "A" or "A, D".
 std::string name_of(const Session& s, const TreeNode& node) {
   std::string text;
-  for (const std::int32_t piece : node.pieces) text += (text.empty() ? "" : ", ") + piece_label(s.scene(), s.state().machine, piece);
+  for (const std::int32_t piece : node.pieces)
+    text += (text.empty() ? "" : ", ") + piece_label(s.scene(), s.state().machine, piece);
   return text;
 }
 
@@ -94,7 +95,8 @@ void draw_whole(Ui& ui) {
   const float half_height = std::round(std::min(high * 0.36f, font->FontSize * 0.72f));
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto centre = [&](std::size_t node) {
-    return ImVec2{std::round(top.x + wide * (places[node].column + 0.5f)), std::round(top.y + high * (static_cast<float>(places[node].row) + 0.5f))};
+    return ImVec2{std::round(top.x + wide * (places[node].column + 0.5f)),
+                  std::round(top.y + high * (static_cast<float>(places[node].row) + 0.5f))};
   };
 
   for (std::size_t node = 0; node < places.size(); ++node) {
@@ -117,21 +119,29 @@ void draw_whole(Ui& ui) {
     const TreeNode& one = m.tree[node];
     const std::string name = name_of(s, one);
     const float half = std::max(half_height * 1.2f, text_size(ui, font, name).x / 2 + 5);
-    const ImVec2 middle = centre(node), low{middle.x - half, middle.y - half_height}, end{middle.x + half, middle.y + half_height};
+    const ImVec2 middle = centre(node), low{middle.x - half, middle.y - half_height},
+                 end{middle.x + half, middle.y + half_height};
     const bool lit = static_cast<std::int32_t>(node) == now;
     list->AddRectFilled(low, end, lit ? c.now_soft : c.pane);
     list->AddRectFilled({low.x, end.y - 4}, end, color_of_node(s, one));
     frame_box(ui, low, end, lit ? c.now : c.text, lit ? 3 : 1);
-    draw_text(ui, {std::round(middle.x - text_size(ui, font, name).x / 2), std::round(middle.y - font->FontSize * 0.62f)}, font, c.text, name);
-    if (one.eye) number_at(ui, low, end, answers::made_by<EyeSide>(s.position(), "value", {{"node", static_cast<std::int32_t>(node)}}));
+    draw_text(ui,
+              {std::round(middle.x - text_size(ui, font, name).x / 2), std::round(middle.y - font->FontSize * 0.62f)},
+              font, c.text, name);
+    if (one.eye)
+      number_at(ui, low, end,
+                answers::made_by<EyeSide>(s.position(), "value", {{"node", static_cast<std::int32_t>(node)}}));
     if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);
     std::int32_t drawn = -1;
     for (const std::int32_t piece : one.pieces)
       if (at(piece) < m.pieces.size()) drawn = std::max(drawn, draw_places[at(piece)]);
-    if (drawn >= 0) draw_text(ui, {std::round(end.x - half * 0.6f), end.y + 1}, ui.fonts.small, c.changed, fmt::format("#{}", drawn + 1));
+    if (drawn >= 0)
+      draw_text(ui, {std::round(end.x - half * 0.6f), end.y + 1}, ui.fonts.small, c.changed,
+                fmt::format("#{}", drawn + 1));
   }
   const std::string long_text = "+ in front, \u2212 behind   arrow: the eye's side   #1: drawn first";
-  for (const std::string& text : {long_text, std::string("arrow: the eye's side   #1: drawn first"), std::string("arrow: the eye's side")})
+  for (const std::string& text :
+       {long_text, std::string("arrow: the eye's side   #1: drawn first"), std::string("arrow: the eye's side")})
     if (text_size(ui, ui.fonts.small, text).x <= room.x) {
       draw_text(ui, {top.x, top.y + room.y - legend}, ui.fonts.small, c.muted, text);
       break;
@@ -157,7 +167,8 @@ void draw_path(Ui& ui) {
     const char* hangs = one.parent < 0 ? "root" : m.tree[at(one.parent)].front_child == node ? "+" : "\u2212";
     row.cells = {TableCell(std::string(hangs)), TableCell(name_of(s, one), color_of_node(s, one))};
     row.cells.emplace_back(one.eye ? std::string(one.eye->front ? "front" : "behind") : std::string());
-    if (one.eye) row.cells.emplace_back(one.eye->value, answers::made_by<EyeSide>(s.position(), "value", {{"node", node}}));
+    if (one.eye)
+      row.cells.emplace_back(one.eye->value, answers::made_by<EyeSide>(s.position(), "value", {{"node", node}}));
     else row.cells.emplace_back();
     row.cells.emplace_back(static_cast<double>(count(one.front_child)));
     row.cells.emplace_back(static_cast<double>(count(one.back_child)));
@@ -170,7 +181,9 @@ void draw_path(Ui& ui) {
 void draw(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.tree.empty()) return say_empty(ui, "Empty: the tree grows once all polygons are gathered.");
-  if (m.tree.size() <= largest_drawn && ImGui::GetContentRegionAvail().x > ui.em * 1.1f * static_cast<float>(m.tree.size())) draw_whole(ui);
+  if (m.tree.size() <= largest_drawn &&
+      ImGui::GetContentRegionAvail().x > ui.em * 1.1f * static_cast<float>(m.tree.size()))
+    draw_whole(ui);
   else draw_path(ui);
 }
 

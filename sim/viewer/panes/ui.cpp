@@ -37,13 +37,16 @@ const ImFont* font_of(const Ui& ui, const TextRun& run, const Flow& how) {
   return how.font ? how.font : ui.fonts.text;
 }
 
-/// Bytes of the longest beginning of a word, at least a character, that is no wider than this. What is much too long is not measured whole.
+/// Bytes of the longest beginning of a word, at least a character, that is no wider than this. What is much too long is
+/// not measured whole.
 std::size_t fitting(const Ui& ui, const ImFont* font, std::string_view text, float limit) {
   const auto border = [&](std::size_t at) {
     while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0u) == 0x80u) ++at;
     return std::min(at, text.size());
   };
-  const auto fits = [&](std::size_t bytes) { return text_size(ui, font, std::string(text.substr(0, bytes))).x <= limit; };
+  const auto fits = [&](std::size_t bytes) {
+    return text_size(ui, font, std::string(text.substr(0, bytes))).x <= limit;
+  };
   std::size_t low = border(1), high = std::min<std::size_t>(border(64), text.size());
   while (high < text.size() && fits(high)) low = high, high = border(2 * high);
   if (high == text.size() && fits(high)) return high;
@@ -56,7 +59,8 @@ std::size_t fitting(const Ui& ui, const ImFont* font, std::string_view text, flo
 }
 
 /// Cuts a word that is wider than a whole line into pieces that are not, at character borders.
-void push_word(const Ui& ui, std::vector<Word>& words, std::string_view text, const ImFont* font, bool space, bool code, float limit) {
+void push_word(const Ui& ui, std::vector<Word>& words, std::string_view text, const ImFont* font, bool space, bool code,
+               float limit) {
   while (!text.empty()) {
     const std::string piece(text.substr(0, fitting(ui, font, text, limit)));
     words.push_back({piece, font, text_size(ui, font, piece).x, space, code, false});
@@ -72,7 +76,8 @@ std::vector<Word> words_in(const Ui& ui, const std::vector<TextRun>& runs, const
     const ImFont* font = font_of(ui, run, how);
     std::string word;
     const auto end_word = [&] {
-      if (!word.empty()) push_word(ui, words, std::exchange(word, {}), font, std::exchange(space, false), run.code, limit);
+      if (!word.empty())
+        push_word(ui, words, std::exchange(word, {}), font, std::exchange(space, false), run.code, limit);
     };
     for (const char c : run.text) {
       if (c == '\n') {
@@ -95,7 +100,8 @@ void tell_numbers(const Ui& ui, const Word& word, ImVec2 at, const Flow& how) {
   for (const auto& [from, bytes] : numbers_in(word.text)) {
     const float left = at.x + text_size(ui, word.font, word.text.substr(0, from)).x;
     const std::string text = word.text.substr(from, bytes);
-    how.on_number(text, {left, at.y}, {left + text_size(ui, word.font, text).x, at.y + std::round(word.font->FontSize * 1.15f)});
+    how.on_number(text, {left, at.y},
+                  {left + text_size(ui, word.font, text).x, at.y + std::round(word.font->FontSize * 1.15f)});
   }
 }
 
@@ -112,7 +118,8 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
       y += line;
       continue;
     }
-    const float space = word.space_before ? std::round(base->FontSize * 0.28f) + (word.font == ui.fonts.mono ? 2.0f : 0.0f) : 0;
+    const float space =
+        word.space_before ? std::round(base->FontSize * 0.28f) + (word.font == ui.fonts.mono ? 2.0f : 0.0f) : 0;
     const bool first = x == 0 || (y > 0 && x == how.indent);
     if (!first && x + space + word.width > width) {
       x = how.indent;
@@ -124,7 +131,8 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
       const float baseline = std::round((base->Ascent - word.font->Ascent));
       const ImVec2 at{origin.x + x, origin.y + y + baseline};
       if (word.code && base != ui.fonts.mono)
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x - 1, at.y - 1}, {at.x + word.width + 1, at.y + word.font->FontSize + 1}, ui.colors().head);
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {at.x - 1, at.y - 1}, {at.x + word.width + 1, at.y + word.font->FontSize + 1}, ui.colors().head);
       draw_text(ui, at, word.font, color, word.text);
       if (how.on_number) tell_numbers(ui, word, at, how);
     }
@@ -133,8 +141,8 @@ float lay_out(Ui& ui, const std::vector<TextRun>& runs, const Flow& how, bool dr
   return y + line;
 }
 
-/// A block of code keeps its columns. In a line that fits no space flows; in a longer one those that begin it or stand in
-/// a row do not.
+/// A block of code keeps its columns. In a line that fits no space flows; in a longer one those that begin it or stand
+/// in a row do not.
 std::string keep_columns(const Ui& ui, const std::string& code, float width) {
   std::string kept;
   for (std::size_t at = 0; at <= code.size();) {
@@ -159,7 +167,9 @@ void flow(Ui& ui, const std::vector<TextRun>& runs, const Flow& how) {
   ImGui::Dummy({std::max(1.0f, width), lay_out(ui, runs, how, true)});
 }
 
-void flow(Ui& ui, const std::string& text, const Flow& how) { flow(ui, std::vector<TextRun>{{text, false, false, false}}, how); }
+void flow(Ui& ui, const std::string& text, const Flow& how) {
+  flow(ui, std::vector<TextRun>{{text, false, false, false}}, how);
+}
 
 float flow_height(Ui& ui, const std::string& text, const Flow& how) {
   return lay_out(ui, std::vector<TextRun>{{text, false, false, false}}, how, false);
@@ -175,7 +185,8 @@ void flow_markdown(Ui& ui, const std::string& markdown) {
       case TextBlock::Kind::quote: how.color = ui.colors().muted; break;
       case TextBlock::Kind::rule: {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + 1}, ui.colors().rule);
+        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + 1},
+                                                  ui.colors().rule);
         ImGui::Dummy({1, ui.em * 0.4f});
         continue;
       }
@@ -213,9 +224,12 @@ float scroll_for(float at, float height, float view) {
 
 bool begin_wrapped(Ui& ui, const char* id, ImVec2 size, ImGuiWindowFlags flags) {
   bool& overflows = ui.overflows[id];
-  const ImVec4 grab = overflows ? ImGui::GetStyle().Colors[ImGuiCol_ScrollbarGrab] : ImGui::GetStyle().Colors[ImGuiCol_ScrollbarBg];
+  const ImVec4 grab =
+      overflows ? ImGui::GetStyle().Colors[ImGuiCol_ScrollbarGrab] : ImGui::GetStyle().Colors[ImGuiCol_ScrollbarBg];
   ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
-  if (!overflows) ImGui::PushStyleColor(ImGuiCol_ScrollbarGrabHovered, grab), ImGui::PushStyleColor(ImGuiCol_ScrollbarGrabActive, grab);
+  if (!overflows)
+    ImGui::PushStyleColor(ImGuiCol_ScrollbarGrabHovered, grab),
+        ImGui::PushStyleColor(ImGuiCol_ScrollbarGrabActive, grab);
   const int pushed = overflows ? 1 : 3;
   const bool shown = ImGui::BeginChild(id, size, false, flags | ImGuiWindowFlags_AlwaysVerticalScrollbar);
   ImGui::PopStyleColor(pushed);
@@ -244,10 +258,12 @@ void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
 
 bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question) {
   // What it lies on, a row of a table, may have taken the press already.
-  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) || !ImGui::IsMouseHoveringRect(a, b)) return false;
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) || !ImGui::IsMouseHoveringRect(a, b))
+    return false;
   ImGui::GetWindowDrawList()->AddRectFilled({a.x, b.y - 2}, b, ui.colors().selected);
   ui.mouse_help = "Click: where this number comes from.";
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.asked = question;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+    ui.asked = question;
   return true;
 }
 

@@ -69,14 +69,15 @@ struct Ui {
   std::uint64_t scroll_follows = 0;  ///< the moment and the layout for which panes have scrolled to what is at work
   int scroll_frames = 0;             ///< frames until they have: a scroll bar that comes wraps lines anew
   bool scroll_now = false;           ///< this frame they must
-  std::uint64_t speaks_follows = 0;  ///< the same for the lesson, which stays where it was scrolled to until another stop speaks
+  std::uint64_t speaks_follows =
+      0;  ///< the same for the lesson, which stays where it was scrolled to until another stop speaks
   int speaks_frames = 0;
   bool speaks_now = false;
   std::optional<answers::Question> asked;  ///< the number that was clicked in this frame
   std::optional<Cell> asked_history;       ///< the pixel whose history was asked for in this frame
   const Command* clicked = nullptr;        ///< the command whose button was clicked in this frame
   std::string asked_as;                    ///< how it is written there, where it is one of a formula's
-  bool reads = false;                ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
+  bool reads = false;  ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
   std::string mouse_help;            ///< what the mouse does here, for the bottom line
 
   const Theme& colors() const { return *theme; }
@@ -108,22 +109,25 @@ void flow_markdown(Ui& ui, const std::string& markdown);
 /// A sentence in muted colour: why a pane is empty.
 void say_empty(Ui& ui, const std::string& why);
 
-/// Scrolls the pane so that the line at `top` (on screen) can be read with what follows it. Where it scrolls to depends on the
-/// line alone, never on where the pane was: the same step always looks the same. Does so when the step or the layout changed.
+/// Scrolls the pane so that the line at `top` (on screen) can be read with what follows it. Where it scrolls to depends
+/// on the line alone, never on where the pane was: the same step always looks the same. Does so when the step or the
+/// layout changed.
 void follow(Ui& ui, float top, float height);
-/// A child window of text that is wrapped. The place of its scroll bar is kept free: where a bar came and went, it would wrap lines
-/// anew, and whether it is needed would depend on whether it was there before. Ends with ImGui::EndChild().
+/// A child window of text that is wrapped. The place of its scroll bar is kept free: where a bar came and went, it
+/// would wrap lines anew, and whether it is needed would depend on whether it was there before. Ends with
+/// ImGui::EndChild().
 bool begin_wrapped(Ui& ui, const char* id, ImVec2 size, ImGuiWindowFlags flags);
 /// The rest of a pane as a part that scrolls by itself; ends with ImGui::EndChild().
 void begin_part(Ui& ui, const char* id);
-/// Where follow() scrolls to for a line at `at` in what is scrolled, in a pane that shows `view` of it: all of the line is seen.
+/// Where follow() scrolls to for a line at `at` in what is scrolled, in a pane that shows `view` of it: all of the line
+/// is seen.
 float scroll_for(float at, float height, float view);
 
 /// A frame of whole pixels, inside these corners; `thickness` in thin lines.
 void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 1);
 
-/// What stands between these corners is a number that can be asked about: under the mouse it is underlined, a click puts the
-/// question into `asked`. True under the mouse: whatever else a click does there must then give way.
+/// What stands between these corners is a number that can be asked about: under the mouse it is underlined, a click
+/// puts the question into `asked`. True under the mouse: whatever else a click does there must then give way.
 bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question);
 
 /// A button with a label that fits; true when clicked.

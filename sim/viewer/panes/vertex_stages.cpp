@@ -34,7 +34,8 @@ std::vector<std::int32_t> vertices_shown(const Session& s) {
   std::vector<std::int32_t> shown;
   if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < s.scene().facets.size()) {
     const Facet& facet = s.scene().facets[static_cast<std::size_t>(m.facet)];
-    for (std::int32_t k = 0; k < facet.corner_count; ++k) shown.push_back(s.scene().corners[static_cast<std::size_t>(facet.first_corner + k)]);
+    for (std::int32_t k = 0; k < facet.corner_count; ++k)
+      shown.push_back(s.scene().corners[static_cast<std::size_t>(facet.first_corner + k)]);
     for (const std::int32_t v : m.outline)
       if (std::find(shown.begin(), shown.end(), v) == shown.end()) shown.push_back(v);
   }
@@ -49,7 +50,8 @@ StageLayout lay_out_stages(const Ui& ui, const std::vector<StageRow>& rows, floa
   for (const StageRow& row : rows)
     for (int k = 0; k < (row.flat ? 2 : 3); ++k) values.push_back((*row.at)[k]);
   StageLayout how{ui.fonts.mono, 3, decimals_needed(values, 3), 0, 0};
-  for (const auto& [font, across] : {std::pair{ui.fonts.mono, 3}, {ui.fonts.small, 3}, {ui.fonts.mono, 1}, {ui.fonts.small, 1}}) {
+  for (const auto& [font, across] :
+       {std::pair{ui.fonts.mono, 3}, {ui.fonts.small, 3}, {ui.fonts.mono, 1}, {ui.fonts.small, 1}}) {
     how.font = font, how.across = across, how.column = 0;
     how.name = text_size(ui, font, "screen ").x;
     for (const double v : values) how.column = std::max(how.column, text_size(ui, font, number(v, how.decimals)).x);
@@ -70,8 +72,10 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
   std::vector<StageRow> rows;
   const bool screen = s.scene().camera.kind == Camera::Kind::screen;
   if (at < s.scene().points.size()) rows.push_back({screen ? "screen" : "world", s.scene().points[at], false, "_w"});
-  if (screen && way && at >= s.scene().points.size()) rows.push_back({"screen", glm::dvec3(way->raster, way->plane.z), false, "_s"});
-  else if (!s.state().machine.tree.empty() && way && way->world != glm::dvec3(0)) rows.push_back({"world", way->world, false, "_w"});
+  if (screen && way && at >= s.scene().points.size())
+    rows.push_back({"screen", glm::dvec3(way->raster, way->plane.z), false, "_s"});
+  else if (!s.state().machine.tree.empty() && way && way->world != glm::dvec3(0))
+    rows.push_back({"world", way->world, false, "_w"});
   if (!screen && way) {
     if (way->stage >= VertexStages::viewed) rows.push_back({"view", way->view, false, "_v"});
     if (way->stage >= VertexStages::projected) rows.push_back({"plane", way->plane, false, "_p"});
@@ -98,11 +102,13 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
     draw_text(ui, {x, y}, font, c.muted, row.stage);
     for (int k = 0; k < (row.flat ? 2 : 3); ++k) {
       const std::string text = number((*row.at)[k], how.decimals);
-      const ImVec2 right{x + how.name + how.column * static_cast<float>(how.across == 1 ? 1 : k + 1), y + (how.across == 1 ? height * static_cast<float>(k) : 0.0f)};
+      const ImVec2 right{x + how.name + how.column * static_cast<float>(how.across == 1 ? 1 : k + 1),
+                         y + (how.across == 1 ? height * static_cast<float>(k) : 0.0f)};
       const float width = text_size(ui, font, text).x;
       draw_text(ui, {right.x - width, right.y}, font, c.text, text);
       if (!row.field.empty())
-        number_at(ui, {right.x - width - 2, right.y}, {right.x + 2, right.y + height}, answers::of_vertex(s.position(), vertex, k == 2 && row.field == "_p" ? "z" : "xyz"[k] + row.field));
+        number_at(ui, {right.x - width - 2, right.y}, {right.x + 2, right.y + height},
+                  answers::of_vertex(s.position(), vertex, k == 2 && row.field == "_p" ? "z" : "xyz"[k] + row.field));
       tips.push_back(fmt::format("{} {} = {}", row.stage, "xyz"[k], exact((*row.at)[k])));
     }
     y += height * static_cast<float>(lines_of(row));

@@ -29,7 +29,8 @@ struct StageLayout {
   int decimals;
   float name, column; ///< widths
 };
-/// Where three do not fit into the room, smaller type, then one below the other; never fewer decimals, for 0 is another number than 0.5.
+/// Where three do not fit into the room, smaller type, then one below the other; never fewer decimals, for 0 is another
+/// number than 0.5.
 StageLayout lay_out_stages(const Ui& ui, const std::vector<StageRow>& rows, float room);
 
 }  // namespace zstep::viewer

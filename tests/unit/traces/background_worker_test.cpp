@@ -27,7 +27,8 @@ TEST_CASE("background worker: every piece is done, in order, whether it was to b
           REQUIRE(done.size() == static_cast<std::size_t>(piece) + 1);
         }
       }
-      for (int piece = 2000; piece < 2000 + static_cast<int>(most); ++piece) worker.begin_with_others([&done, piece] { done.push_back(piece); });
+      for (int piece = 2000; piece < 2000 + static_cast<int>(most); ++piece)
+        worker.begin_with_others([&done, piece] { done.push_back(piece); });
     }
     REQUIRE(done.size() == 2000 + most);  // also what waited for others when it ended
     for (std::size_t i = 0; i < done.size(); ++i) REQUIRE(done[i] == static_cast<int>(i));

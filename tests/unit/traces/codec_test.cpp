@@ -128,7 +128,8 @@ TEST_CASE("codec: runs of pixels come back to the bit, whatever breaks them") {
       const auto y = static_cast<std::int32_t>(random() % 12), first = static_cast<std::int32_t>(random() % 8);
       const std::int32_t last = first + static_cast<std::int32_t>(random() % 8);
       const auto polygon = static_cast<std::int32_t>(random() % 2);
-      const SpanBegin span{0, 1, y, first, last, first - 0.25, 1.5, last + 0.5, 1.5 + static_cast<double>(random() % 100) / 7, 0.125};
+      const SpanBegin span{
+          0, 1, y, first, last, first - 0.25, 1.5, last + 0.5, 1.5 + static_cast<double>(random() % 100) / 7, 0.125};
       const int odd = static_cast<int>(random() % 6);  // what is odd about this span
       if (random() % 3 == 0) add(PolygonBegin{polygon, polygon});
       add(span);

@@ -50,7 +50,9 @@ TEST_CASE("damage: a trace opens with the blocks it has wherever it is cut off, 
   const Trace undamaged = Trace::from_bytes(whole, "whole");
   const auto at_end_of_block = [&](std::int64_t position) {
     const auto& blocks = undamaged.impl().blocks;
-    return position == 0 || std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.info.first_position + block.info.count == position; });
+    return position == 0 || std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) {
+             return block.info.first_position + block.info.count == position;
+           });
   };
   REQUIRE(undamaged.impl().blocks.size() > 1);
   std::int64_t last = 0;
@@ -99,7 +101,9 @@ TEST_CASE("damage: no flipped byte goes unnoticed") {
 
 TEST_CASE("damage: a flipped byte costs its block and no other") {
   std::vector<RecordedEvent> events;
-  for (std::uint32_t i = 0; i < 3 * block_events; ++i) events.push_back({step_of(kind_of<PixelWrite>), PixelWrite{static_cast<std::int32_t>(i % 16), static_cast<std::int32_t>(i / 16 % 12), 1}});
+  for (std::uint32_t i = 0; i < 3 * block_events; ++i)
+    events.push_back({step_of(kind_of<PixelWrite>),
+                      PixelWrite{static_cast<std::int32_t>(i % 16), static_cast<std::int32_t>(i / 16 % 12), 1}});
   const Bytes whole = recorded_bytes(events);
   const Trace undamaged = Trace::from_bytes(whole, "whole");
   const auto& blocks = undamaged.impl().blocks;
@@ -116,7 +120,8 @@ TEST_CASE("damage: a flipped byte costs its block and no other") {
       const BlockInfo& info = blocks[block].info;
       std::int64_t read = 0;
       const auto read_block = [&] {
-        trace.each(info.first_position, info.first_position + info.count, [&](std::int64_t, const RecordedEvent&) { return ++read, true; });
+        trace.each(info.first_position, info.first_position + info.count,
+                   [&](std::int64_t, const RecordedEvent&) { return ++read, true; });
       };
       if (block == 1) CHECK_THROWS_AS(read_block(), InputError);
       else read_block();
@@ -269,7 +274,8 @@ TEST_CASE("damage: random rubbish behind valid checksums is an error, not a cras
     Bytes bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(begin_of_blocks));
     bytes.insert(bytes.end(), made.begin(), made.end());
     const std::string error = read_all(std::move(bytes));
-    reached += error.empty() || error.find("steps 1 to ") != std::string::npos || error.find(": step ") != std::string::npos ||
+    reached += error.empty() || error.find("steps 1 to ") != std::string::npos ||
+               error.find(": step ") != std::string::npos ||
                error.find("what a block says of itself") != std::string::npos;
   }
   CHECK(reached == rounds);  // none was refused for anything but its block

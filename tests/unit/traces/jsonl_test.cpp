@@ -65,7 +65,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 /// A trace of someone else with these conventions in its header.
 std::string with_conventions(const std::string& conventions) {
-  return replaced(foreign("greater.jsonl"), R"("conventions": {"nearer": "greater"})", R"("conventions": )" + conventions);
+  return replaced(foreign("greater.jsonl"), R"("conventions": {"nearer": "greater"})",
+                  R"("conventions": )" + conventions);
 }
 
 /// A good trace with one more line, its twenty-first.
@@ -97,14 +98,17 @@ TEST_CASE("jsonl: what is wrong is said with its line and column") {
   CHECK(read(head).error == "");
   CHECK(read("").error.find("run.jsonl:1:1: there is no header line") == 0);
   CHECK(read("{}").error.find("run.jsonl:1:1: \"ztrace\" is missing") == 0);
-  CHECK(has(read("{\"step\":\"depth_write\"}").error, "run.jsonl:1:1: the header line is missing: this is an event already"));
+  CHECK(has(read("{\"step\":\"depth_write\"}").error,
+            "run.jsonl:1:1: the header line is missing: this is an event already"));
   says(R"({"step":"depth_write","x":1,"y":2})", 1, "\"z\" is missing");
   says(R"({"step":"depth_write","x":1.5,"y":2,"z":1})", 27, "\"x\" is not a whole number");
   says(R"({"step":"depth_write","x":1e99,"y":2,"z":1})", 27, "\"x\" is not a whole number");
-  says(R"({"step":"depth_write","x":1,"y":2,"z":1,"w":0})", 41, "\"w\" is no field of depth_write; its fields are x, y, z");
+  says(R"({"step":"depth_write","x":1,"y":2,"z":1,"w":0})", 41,
+       "\"w\" is no field of depth_write; its fields are x, y, z");
   says(R"({"step":"depth_write","x":1,"y":2,"Z":1})", 35, "did you mean \"z\"?");
-  says(R"({"step":"facing_test","determinant":1,"plane_at_eye":1,"view_dot_normal":1,"projected_normal_z":1,"facing":"font"})",
-       108, "front, back, edge_on; did you mean \"front\"?");
+  says(
+      R"({"step":"facing_test","determinant":1,"plane_at_eye":1,"view_dot_normal":1,"projected_normal_z":1,"facing":"font"})",
+      108, "front, back, edge_on; did you mean \"front\"?");
   says(R"({"step":"depth_write","x":900,"y":2,"z":1})", 23, "column 900 lies outside the raster");
   says(R"({"step":"pixel_write","x":1,"y":2,"polygon":2})", 35, "polygon 2 does not exist (there are 2)");
   says(R"({"step":"paint"})", 2, "there is no step \"paint\" in the header's list; ");
@@ -122,10 +126,12 @@ TEST_CASE("jsonl: what is no JSON is told with its likely cause") {
     CHECK(has(said, part));
     CHECK(!has(said, "\n"));
   };
-  says(R"({"step":"compare","x":1,"y":1,"z":NaN,"nearer":true})", 35, "NaN is no number of JSON's; write \"nan\", in quotes");
+  says(R"({"step":"compare","x":1,"y":1,"z":NaN,"nearer":true})", 35,
+       "NaN is no number of JSON's; write \"nan\", in quotes");
   says(R"({"step":"compare","x":1,"y":1,"z":-Infinity,"nearer":true})", 35, "write \"-inf\", in quotes");
   says(R"({"step":"compare","x":1,"y":1,"z":inf,"nearer":true})", 35, "write \"inf\", in quotes");
-  says(R"({"step":"compare","x":1,"y":1,"z":1,"nearer":True})", 46, "True is Python's, and JSON has true; print json.dumps(event)");
+  says(R"({"step":"compare","x":1,"y":1,"z":1,"nearer":True})", 46,
+       "True is Python's, and JSON has true; print json.dumps(event)");
   says(R"({"step":"compare","x":1,"y":1,"z":None,"nearer":true})", 35, "None is no value");
   says(R"({'step':'compare','x':1,'y':1,'z':1,'nearer':1})", 2, "single quotes");
   says(R"({"step":"compare","x":1,"y":1,"z":1,"nearer":true,})", 51, "a comma stands before }");
@@ -153,15 +159,17 @@ TEST_CASE("jsonl: a whole file that is written otherwise is told in one line") {
   for (const char c : good) wide += std::string{c, '\0'};
   one(read(wide).error, "run.jsonl:1:1: the file is UTF-16; save it as UTF-8");
   one(read("[" + good + "]").error, "run.jsonl:1:1: the file is one list; write each object on a line of its own");
-  const std::string pretty = replaced(replaced(good, "{\"ztrace\": 1, ", "{\n \"ztrace\": 1,\n "), "\"steps\": [", "\"steps\": [\n  ");
+  const std::string pretty =
+      replaced(replaced(good, "{\"ztrace\": 1, ", "{\n \"ztrace\": 1,\n "), "\"steps\": [", "\"steps\": [\n  ");
   one(read(pretty).error, "run.jsonl:1:1: the object goes on over several lines; write each object on one line");
   CHECK(read("\xef\xbb\xbf" + good).error == "");  // UTF-8 as Windows' editors mark it
   CHECK(dumped(*read("\xef\xbb\xbf" + good).trace) == dumped(*read(good).trace));
 }
 
 TEST_CASE("jsonl: the first ten mistakes are told, each on a line") {
-  std::string text = replaced(with_line(R"({"step":"wp","x":-1,"y":1,"polygon":0})"), "{\"step\": \"scan\", \"y\": 1}\n",
-                              "{\"step\": \"scan\", \"y\": 1}\n{\"step\":\"wq\"}\n");
+  std::string text =
+      replaced(with_line(R"({"step":"wp","x":-1,"y":1,"polygon":0})"), "{\"step\": \"scan\", \"y\": 1}\n",
+               "{\"step\": \"scan\", \"y\": 1}\n{\"step\":\"wq\"}\n");
   std::vector<std::string> said = lines_of(read(text).error);
   REQUIRE(said.size() == 2);
   CHECK(has(said[0], "run.jsonl:21:14: column -1 lies outside the raster"));
@@ -170,7 +178,9 @@ TEST_CASE("jsonl: the first ten mistakes are told, each on a line") {
   said = lines_of(read(text).error);
   REQUIRE(said.size() == 11);
   CHECK(said.back() == "run.jsonl: there may be more mistakes; mend these first");
-  CHECK(lines_of(read(with_conventions(R"({"nearer": "greatest", "coverage": "round", "Ties": "last"})")).error).size() == 3);
+  CHECK(
+      lines_of(read(with_conventions(R"({"nearer": "greatest", "coverage": "round", "Ties": "last"})")).error).size() ==
+      3);
 }
 
 TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that there are") {
@@ -181,8 +191,10 @@ TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that th
     CHECK(has(said, part));
     CHECK(!has(said, "\n"));
   };
-  refused(R"({"Nearer": "greater"})", "1:80: \"Nearer\" is no key of \"conventions\"; did you mean \"nearer\"? It can have depth, interpolation, ");
-  refused(R"({"nearer": "greatest"})", "\"nearer\" is \"greatest\", but can only be one of: smaller, greater; did you mean \"greater\"?");
+  refused(R"({"Nearer": "greater"})",
+          "1:80: \"Nearer\" is no key of \"conventions\"; did you mean \"nearer\"? It can have depth, interpolation, ");
+  refused(R"({"nearer": "greatest"})",
+          "\"nearer\" is \"greatest\", but can only be one of: smaller, greater; did you mean \"greater\"?");
   refused(R"({"nearer": "larger"})", "smaller, greater");
   refused(R"({"coverage": "round"})", "top_left, inclusive");
   refused(R"({"depth": "distance"})", "pseudodepth, view");
@@ -192,11 +204,15 @@ TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that th
   refused(R"({"initial_depth": "nan"})", "\"initial_depth\" is no number");
   refused(R"({"initial_depth": "far"})", "\"initial_depth\" is not a number");
   const std::string good = foreign("greater.jsonl");
-  CHECK(has(read(replaced(good, "\"writer\"", "\"writter\"")).error, "\"writter\" is no key of a trace's header; did you mean \"writer\"?"));
+  CHECK(has(read(replaced(good, "\"writer\"", "\"writter\"")).error,
+            "\"writter\" is no key of a trace's header; did you mean \"writer\"?"));
   CHECK(has(read(replaced(good, "\"text\": \"scan\"", "\"txt\": \"scan\"")).error, "\"txt\" is no key of a step"));
-  CHECK(has(read(replaced(good, "\"event\": \"scan_line_begin\"", "\"event\": \"scanline_begin\"")).error, "did you mean \"scan_line_begin\"?"));
-  CHECK(has(read(replaced(good, "\"height\": 8", "\"height\": 8, \"y_axis\": \"upwards\"")).error, "\"y_axis\" is \"upwards\", but can only be one of: down, up"));
-  CHECK(has(read(replaced(good, "\"height\": 8", "\"height\": 8, \"yaxis\": \"up\"")).error, "\"yaxis\" is no key of the raster; did you mean \"y_axis\"?"));
+  CHECK(has(read(replaced(good, "\"event\": \"scan_line_begin\"", "\"event\": \"scanline_begin\"")).error,
+            "did you mean \"scan_line_begin\"?"));
+  CHECK(has(read(replaced(good, "\"height\": 8", "\"height\": 8, \"y_axis\": \"upwards\"")).error,
+            "\"y_axis\" is \"upwards\", but can only be one of: down, up"));
+  CHECK(has(read(replaced(good, "\"height\": 8", "\"height\": 8, \"yaxis\": \"up\"")).error,
+            "\"yaxis\" is no key of the raster; did you mean \"y_axis\"?"));
 
   const auto kept = [](const std::string& conventions) {
     const Read first = read(with_conventions(conventions));
@@ -222,7 +238,8 @@ TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that th
 }
 
 TEST_CASE("jsonl: depths begin as the header declares, in every state that a replay comes to") {
-  const Read first = read(replaced(with_conventions(R"({"nearer": "greater", "initial_depth": -3})"), "{\"step\": \"clear\", \"z\": 0.0}\n", ""));
+  const Read first = read(replaced(with_conventions(R"({"nearer": "greater", "initial_depth": -3})"),
+                                   "{\"step\": \"clear\", \"z\": 0.0}\n", ""));
   REQUIRE(first.error == "");
   Replay replay(*first.trace, {40, 8, 24, 100});
   CHECK(replay.state().picture.depth[7] == -3);
@@ -240,7 +257,9 @@ TEST_CASE("jsonl: the file of a program that crashed is read up to its last whol
   const Read torn = read(foreign("torn.jsonl"));
   CHECK(torn.error == "");
   REQUIRE(torn.cut);
-  CHECK(*torn.cut == "run.jsonl:152: the recording was cut off here, at \u201c{\"step\":\"compare\",\"x\":1,\"y\":\u201d; 150 steps could be read");
+  CHECK(*torn.cut ==
+        "run.jsonl:152: the recording was cut off here, at \u201c{\"step\":\"compare\",\"x\":1,\"y\":\u201d; 150 steps "
+        "could be read");
   CHECK(torn.trace->size() == 150);
   REQUIRE(torn.trace->warnings().size() == 1);
   CHECK(torn.trace->warnings()[0] == *torn.cut);
@@ -248,7 +267,9 @@ TEST_CASE("jsonl: the file of a program that crashed is read up to its last whol
   const Read traceback = read(foreign("torn_trace.jsonl"));
   REQUIRE(traceback.cut);
   CHECK(has(*traceback.cut, "run.jsonl:152: "));
-  CHECK(has(*traceback.cut, "\u201cTraceback (most recent call last):\u201d, \u201c  File \"zb.py\", line 3\u201d, \u201cZeroDivisionError: division by zero\u201d"));
+  CHECK(has(*traceback.cut,
+            "\u201cTraceback (most recent call last):\u201d, \u201c  File \"zb.py\", line 3\u201d, "
+            "\u201cZeroDivisionError: division by zero\u201d"));
   CHECK(traceback.trace->size() == 150);
 
   // What comes before the end is no end, and where nothing was recorded there is nothing to read.

@@ -1,4 +1,5 @@
-// Materials, light, surface and where its points come from travel in both forms of a trace, and nothing impossible is read back.
+// Materials, light, surface and where its points come from travel in both forms of a trace, and nothing impossible is
+// read back.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -85,7 +86,8 @@ TEST_CASE("scene: which placement a point comes from") {
 TEST_CASE("scene: one without materials, light and surface says nothing of them") {
   const Scene plain = some_scene();
   const std::string text = scene_to_json(plain).dump();
-  for (const char* key : {"opacity", "reflectance", "refraction", "light", "surface", "placements", "fit", "file_points"})
+  for (const char* key :
+       {"opacity", "reflectance", "refraction", "light", "surface", "placements", "fit", "file_points"})
     CHECK(text.find(key) == std::string::npos);
   Scene lit = plain;
   lit.light = Light{{1, 2, 8}, {0, 0, 0}, 1, 1, 2};
@@ -131,7 +133,8 @@ TEST_CASE("scene: impossible materials, lights and surfaces are refused") {
 
   says([](Scene& s) { s.file_points.pop_back(); }, "as many points in files as points");
   says([](Scene& s) { s.file_points.clear(); }, "it is fitted, but what its points were before is missing");
-  for (const double value : {0.0, -1.0, nan, infinite}) says([&](Scene& s) { s.fit->radius = value; }, "it is fitted from a ball of radius");
+  for (const double value : {0.0, -1.0, nan, infinite})
+    says([&](Scene& s) { s.fit->radius = value; }, "it is fitted from a ball of radius");
   says([&](Scene& s) { s.fit->centre.y = nan; }, "it is fitted from a ball");
   says([](Scene& s) { s.placements[1].point_count = 2; }, "a placement is of points that do not exist");
   says([](Scene& s) { s.placements[1].point_count = 2'147'483'647; }, "a placement is of points that do not exist");

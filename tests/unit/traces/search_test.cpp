@@ -29,12 +29,16 @@ TEST_CASE("search: a pixel is found in whichever block it was touched") {
         const auto* write = std::get_if<PixelWrite>(&events[i].event);
         if (write != nullptr && write->x == x && write->y == y) wanted.push_back(static_cast<std::int64_t>(i) + 1);
       }
-      trace.scan(Trace::Pixel{x, y}, [&](std::int64_t position, const RecordedEvent&) { return found.push_back(position), true; });
+      trace.scan(Trace::Pixel{x, y},
+                 [&](std::int64_t position, const RecordedEvent&) { return found.push_back(position), true; });
       REQUIRE(found == wanted);
-      for (std::size_t block = 0; block < trace.impl().blocks.size(); ++block) passed_over += trace.impl().last_touch(block, {x, y}) == 0;
+      for (std::size_t block = 0; block < trace.impl().blocks.size(); ++block)
+        passed_over += trace.impl().last_touch(block, {x, y}) == 0;
       if (x % 3 != 2) continue;
       const auto any = [](const RecordedEvent&) { return true; };
-      for (auto at = trace.previous(trace.size() + 1, any, Trace::Pixel{x, y}); at; at = trace.previous(*at, any, Trace::Pixel{x, y})) backwards.insert(backwards.begin(), *at);
+      for (auto at = trace.previous(trace.size() + 1, any, Trace::Pixel{x, y}); at;
+           at = trace.previous(*at, any, Trace::Pixel{x, y}))
+        backwards.insert(backwards.begin(), *at);
       REQUIRE(backwards == wanted);
     }
   }

@@ -92,7 +92,8 @@ TEST_CASE("shared chunks: what is the same is shared again, and only what differ
   SharedChunks<Item> one;
   for (int i = 0; i < 12; ++i) one.push_back(Item{i, {}});
   SharedChunks<Item> other = one;
-  for (std::size_t i = 0; i < 12; ++i) other.edit(i).value = static_cast<int>(i);  // three chunks of its own, no value new
+  for (std::size_t i = 0; i < 12; ++i)
+    other.edit(i).value = static_cast<int>(i);  // three chunks of its own, no value new
   other.edit(5).value = 50;
   CHECK(items_beyond(other, one) == 12);
   other.share(one, [](const Item& a, const Item& b) { return a.value == b.value; });
@@ -130,7 +131,9 @@ TEST_CASE("shared list: what one copy alone holds is what was changed in it, whe
   CHECK(beyond(one, other) <= SharedList<int>::longest);
 }
 
-TEST_CASE("key frames: all that they hold counts, also lists that each has for itself, and no more of them stay than the budget bears") {
+TEST_CASE(
+    "key frames: all that they hold counts, also lists that each has for itself, and no more of them stay than the "
+    "budget bears") {
   const Trace trace = record_events({});
   const Beginning beginning(trace);
   constexpr std::size_t budget = 4'000'000, entries = 10'000, each = entries * sizeof(ActiveEdge);

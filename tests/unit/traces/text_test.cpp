@@ -22,9 +22,9 @@ TEST_CASE("text from outside shows itself and does nothing else") {
       {"\xed\xa0\x80", "\\xed\\xa0\\x80"},                    // half of a surrogate pair
       {"\xf4\x90\x80\x80", "\\xf4\\x90\\x80\\x80"},           // beyond the last character
   };
-  for (const auto& [given, shown] : cases) {
-    CAPTURE(given);
-    CHECK(printable(given) == shown);
+  for (const auto& each : cases) {
+    CAPTURE(each.first);
+    CHECK(printable(each.first) == each.second);
   }
   CHECK(printable_lines("a\n\tb\x1b\r\n") == "a\n\tb\\x1b\\r\n");
 }

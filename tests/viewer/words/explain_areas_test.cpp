@@ -56,15 +56,19 @@ TEST_CASE("areas are told by their columns and rows, and by the squares of their
 
 TEST_CASE("each bin has its sentence, and one for what the box knows and one for what was known") {
   const Trace trace = warnock_run(quarters, false), boxed = warnock_run(quarters, true);
-  CHECK(told_at<AreaBin>(trace, "disjoint", any).sentence == "No edge of A meets the area, and A is not around it: disjoint.");
-  CHECK(told_at<AreaBin>(trace, "intersecting", any).sentence == "An edge of B meets the area, and B goes on outside it: intersecting.");
-  CHECK(told_at<AreaBin>(trace, "surrounding", any).sentence == "No edge of B meets the area, and the area lies inside B: surrounding.");
+  CHECK(told_at<AreaBin>(trace, "disjoint", any).sentence ==
+        "No edge of A meets the area, and A is not around it: disjoint.");
+  CHECK(told_at<AreaBin>(trace, "intersecting", any).sentence ==
+        "An edge of B meets the area, and B goes on outside it: intersecting.");
+  CHECK(told_at<AreaBin>(trace, "surrounding", any).sentence ==
+        "No edge of B meets the area, and the area lies inside B: surrounding.");
   CHECK(told_at<AreaBin>(trace, "contained", any).sentence == "All edges of A lie in the area: contained.");
   CHECK(told_at<AreaBin>(trace, "surrounding", any).formulas.at(1) == "corners of the area inside B: 4");
   const Explanation box = told_at<AreaBin>(boxed, "disjoint", any);
   CHECK(box.sentence == "The box of A misses the area: A is disjoint, and its edges need no test.");
   CHECK(box.formulas.at(0) == "its box: x 12 to 15.2, y 1.2 to 7.4");
-  const Explanation known = told_at<AreaBin>(warnock_run(test::in_checkout("tests/golden/clipping.toml"), false), "still_surrounding", any);
+  const Explanation known =
+      told_at<AreaBin>(warnock_run(test::in_checkout("tests/golden/clipping.toml"), false), "still_surrounding", any);
   CHECK(known.sentence.find("surrounds the area around this one") != std::string::npos);
 }
 
@@ -75,7 +79,8 @@ TEST_CASE("each case is told with its number and who is in which bin") {
   CHECK(sentence("one_polygon").substr(0, 15) == "Case 2: B alone");
   CHECK(sentence("surrounded").substr(0, 19) == "Case 3: B surrounds");
   CHECK(sentence("front_surrounder").substr(0, 19) == "Case 4: B surrounds");
-  CHECK(sentence("subdivide") == "None of the cases holds for area 0: it is quartered, and each quarter is settled by itself.");
+  CHECK(sentence("subdivide") ==
+        "None of the cases holds for area 0: it is quartered, and each quarter is settled by itself.");
   CHECK(sentence("pixel").find("A is the nearest at its centre") != std::string::npos);
   const Explanation none = told_at<AreaDecide>(trace, "pixel", [](const AreaDecide& e) { return e.piece == -1; });
   CHECK(none.sentence.find("No polygon covers its centre") != std::string::npos);

@@ -53,7 +53,8 @@ bool formula(const Explanation& explanation, const std::string& part) {
 }  // namespace
 
 TEST_CASE("floating horizon: every event is told, and no formula disagrees with what was recorded") {
-  for (const auto& options : {std::map<std::string, std::string>{}, {{"horizons", "one"}}, {{"across", "on"}, {"sides", "off"}}}) {
+  for (const auto& options :
+       {std::map<std::string, std::string>{}, {{"horizons", "one"}}, {{"across", "on"}, {"sides", "off"}}}) {
     const Trace trace = horizon_run(options);
     Replay replay(trace);
     while (replay.position() < trace.size()) {
@@ -74,12 +75,15 @@ TEST_CASE("floating horizon: the tests of the lesson, in words and numbers") {
     return told<HorizonTest>(trace, [&](const HorizonTest& test) { return test.x == x && test.verdict == where; });
   };
   CHECK(at(2, Horizon::above).sentence == "No curve has passed column 2 yet: row 10.175 is visible.");
-  CHECK(at(7, Horizon::hidden).sentence == "On column 7 the curve, row 4.8, lies between the horizons, rows 4.2097 and 11.05: hidden.");
+  CHECK(at(7, Horizon::hidden).sentence ==
+        "On column 7 the curve, row 4.8, lies between the horizons, rows 4.2097 and 11.05: hidden.");
   CHECK(formula(at(7, Horizon::hidden), "y \u2264 upper[x]:  4.8 \u2264 4.2097  is false"));
   CHECK(formula(at(7, Horizon::hidden), "y \u2265 lower[x]:  4.8 \u2265 11.05  is false"));
   CHECK(has(at(18, Horizon::below).sentence, "is below the lower horizon"));
   CHECK(formula(at(18, Horizon::below), "is true"));
-  const Explanation one = told<HorizonTest>(horizon_run({{"horizons", "one"}}), [](const HorizonTest& test) { return test.x == 18 && test.verdict == Horizon::hidden; });
+  const Explanation one = told<HorizonTest>(horizon_run({{"horizons", "one"}}), [](const HorizonTest& test) {
+    return test.x == 18 && test.verdict == Horizon::hidden;
+  });
   CHECK(has(one.sentence, "is not above the horizon"));
 }
 
@@ -126,12 +130,18 @@ TEST_CASE("floating horizon: a crossing is told with the distances on both sides
 TEST_CASE("floating horizon: what moves a horizon, and from where") {
   const Trace trace = horizon_run();
   const auto move = [&](std::int32_t x, bool upper, double below) {
-    return told<HorizonMove>(trace, [&](const HorizonMove& m) { return m.x == x && m.upper == upper && m.y_curve < below && m.y_curve > -1e9; }).sentence;
+    return told<HorizonMove>(trace,
+                             [&](const HorizonMove& m) {
+                               return m.x == x && m.upper == upper && m.y_curve < below && m.y_curve > -1e9;
+                             })
+        .sentence;
   };
-  CHECK(has(told<HorizonMove>(trace, [](const HorizonMove&) { return true; }).sentence, "Nothing is drawn yet on column 0"));
+  CHECK(has(told<HorizonMove>(trace, [](const HorizonMove&) { return true; }).sentence,
+            "Nothing is drawn yet on column 0"));
   CHECK(move(2, true, 100) == "The upper horizon of column 2 begins at row 10.175.");
   CHECK(has(move(9, true, 10), "The upper horizon of column 9 rises from row 11.4 to row 3.7264."));
   CHECK(has(move(22, true, 100), "out to the side edge."));
-  const Explanation side = told<CurveSegment>(trace, [](const CurveSegment& s) { return s.vertex_1 - s.vertex_0 == 8; });
+  const Explanation side =
+      told<CurveSegment>(trace, [](const CurveSegment& s) { return s.vertex_1 - s.vertex_0 == 8; });
   CHECK(has(side.sentence, "The surface goes on between its curves, here from sample 0 at"));
 }

@@ -41,8 +41,12 @@ Explanation told_at(const Trace& trace, Condition&& condition) {
 
 TEST_CASE("an edge is told with its ends, its faces and what it is to the contour") {
   const Trace trace = lines_run("hidden-line");
-  const auto sentence = [&](std::int32_t line) { return told_at<LineBegin>(trace, [&](const LineBegin& e) { return e.line == line; }).sentence; };
-  CHECK(sentence(0) == "Edge 0 runs from vertex 0 to vertex 1, on the contour: of A and F one faces the eye and the other faces away.");
+  const auto sentence = [&](std::int32_t line) {
+    return told_at<LineBegin>(trace, [&](const LineBegin& e) { return e.line == line; }).sentence;
+  };
+  CHECK(
+      sentence(0) ==
+      "Edge 0 runs from vertex 0 to vertex 1, on the contour: of A and F one faces the eye and the other faces away.");
   CHECK(sentence(1) == "Edge 1 runs from vertex 1 to vertex 2. Its faces A and B both face the eye.");
   CHECK(sentence(9) == "Edge 9 runs from vertex 4 to vertex 7. Its faces D and F both face away.");
   CHECK(sentence(12) == "Edge 12 runs from vertex 8 to vertex 9. Only P is there; nothing lies on its other side.");
@@ -50,7 +54,9 @@ TEST_CASE("an edge is told with its ends, its faces and what it is to the contou
 
 TEST_CASE("what a face does to an edge: own, before, beside, covered") {
   const Trace trace = lines_run("hidden-line");
-  const auto sentence = [&](LineFace outcome) { return told_at<LineAgainst>(trace, [&](const LineAgainst& e) { return e.outcome == outcome; }).sentence; };
+  const auto sentence = [&](LineFace outcome) {
+    return told_at<LineAgainst>(trace, [&](const LineAgainst& e) { return e.outcome == outcome; }).sentence;
+  };
   CHECK(sentence(LineFace::own) == "Edge 0 (0\u20131) is an edge of A itself, and its own face does not hide it.");
   CHECK(sentence(LineFace::covered) == "P hides a part of edge 0 (0\u20131).");
   CHECK(sentence(LineFace::behind).find("beside B on the picture") != std::string::npos);
@@ -71,7 +77,8 @@ TEST_CASE("crossings show their formula, and it gives the recorded number") {
 TEST_CASE("pieces: visible, hidden, whole, of a back") {
   const Trace trace = lines_run("hidden-line");
   const auto sentence = [&](std::int32_t line, bool visible) {
-    return told_at<LinePiece>(trace, [&](const LinePiece& e) { return e.line == line && e.visible == visible; }).sentence;
+    return told_at<LinePiece>(trace, [&](const LinePiece& e) { return e.line == line && e.visible == visible; })
+        .sentence;
   };
   CHECK(sentence(0, true) == "Edge 0 (0\u20131) is visible from t = 0.35 to t = 1.");
   CHECK(sentence(0, false) == "Edge 0 (0\u20131) is hidden from t = 0 to t = 0.35.");
@@ -79,7 +86,9 @@ TEST_CASE("pieces: visible, hidden, whole, of a back") {
   CHECK(sentence(9, false) == "All faces at edge 9 (4\u20137) face away, so none of it is seen.");
   CHECK(sentence(15, false) == "All of edge 15 (11\u20138) is hidden.");
   const Explanation hide = told_at<LineHide>(trace, [](const LineHide&) { return true; });
-  CHECK(hide.sentence == "From t = 0 to t = 0.35 edge 0 (0\u20131) is inside P on the picture and behind its plane: hidden there.");
+  CHECK(hide.sentence ==
+        "From t = 0 to t = 0.35 edge 0 (0\u20131) is inside P on the picture and behind its plane: hidden there.");
   const Trace wires = lines_run("wireframe");
-  CHECK(told_at<LinePiece>(wires, [](const LinePiece& e) { return e.line == 9; }).sentence == "All of edge 9 (4\u20137) is drawn.");
+  CHECK(told_at<LinePiece>(wires, [](const LinePiece& e) { return e.line == 9; }).sentence ==
+        "All of edge 9 (4\u20137) is drawn.");
 }

@@ -46,7 +46,8 @@ bool says(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("depth sort: every event has a sentence, and its formula gives the recorded number") {
-  for (const std::string& scene : {std::string("cyclic"), std::string("intersecting"), std::string("pyramid"), test::in_checkout("lessons/scenes/five-tests.toml")}) {
+  for (const std::string& scene : {std::string("cyclic"), std::string("intersecting"), std::string("pyramid"),
+                                   test::in_checkout("lessons/scenes/five-tests.toml")}) {
     for (const char* by : {"painter", "depth-sort"}) {
       const Trace trace = test::record_run_by(by, scene);
       Replay replay(trace);
@@ -76,9 +77,12 @@ TEST_CASE("depth sort: sides of a plane, turned so that the eye's side is negati
   const Explanation both = told_of(five_tests(), "test_3");
   CHECK(says(both.sentence, "A lies on both sides of the plane of F. This test cannot decide."));
   CHECK(says(formulas(both), "f(x, y, z) = 0 x + (\u22120.4472) y + 0.8944 z + (\u22124.6957)"));
-  CHECK(says(told_of(five_tests(), "test_3", 2).sentence, "All of A lies behind the plane of D. So A may be drawn first."));
-  CHECK(says(told_of(five_tests(), "test_4", 2).sentence, "All of E lies on the eye's side of the plane of A. So A may be drawn first."));
-  CHECK(says(told_of(five_tests(), "test_3_swapped").sentence, "All of G lies behind the plane of B. So G may be drawn first."));
+  CHECK(says(told_of(five_tests(), "test_3", 2).sentence,
+             "All of A lies behind the plane of D. So A may be drawn first."));
+  CHECK(says(told_of(five_tests(), "test_4", 2).sentence,
+             "All of E lies on the eye's side of the plane of A. So A may be drawn first."));
+  CHECK(says(told_of(five_tests(), "test_3_swapped").sentence,
+             "All of G lies behind the plane of B. So G may be drawn first."));
   CHECK(says(told_of(five_tests(), "split").sentence, "C lies on both sides of the plane of H: it is cut there."));
 }
 

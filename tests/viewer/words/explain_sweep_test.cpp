@@ -43,7 +43,8 @@ Explanation first_of(const Trace& trace, Condition&& condition) {
 
 TEST_CASE("every event of the scan-line method has a sentence, and its formula gives the recorded number") {
   const std::string abc = "lessons/scenes/abc-def.toml", small = "tests/golden/scan-line.toml";
-  for (const Trace& trace : {swept(abc, {{"coherence", "on"}}), swept(small, {{"antialias", "on"}}), swept(small, {{"resolve", "line-buffer"}})}) {
+  for (const Trace& trace : {swept(abc, {{"coherence", "on"}}), swept(small, {{"antialias", "on"}}),
+                             swept(small, {{"resolve", "line-buffer"}})}) {
     Replay replay(trace);
     while (replay.position() < trace.size()) {
       replay.step_forward();
@@ -60,7 +61,8 @@ TEST_CASE("every event of the scan-line method has a sentence, and its formula g
 TEST_CASE("edges and vertices of polygons that are named by their corners go by letters") {
   const Trace trace = swept("lessons/scenes/abc-def.toml", {});
   CHECK(vertex_label(trace.scene(), 5) == "F");
-  CHECK(first_of<EdgeEnter>(trace, [](const EdgeEnter& e) { return e.edge == 5; }).sentence.find("FD") != std::string::npos);
+  CHECK(first_of<EdgeEnter>(trace, [](const EdgeEnter& e) { return e.edge == 5; }).sentence.find("FD") !=
+        std::string::npos);
   CHECK(first_of<FlagFlip>(trace, [](const FlagFlip& e) { return e.edge == 1; }).sentence ==
         "The sweep crosses edge CB: the flag of ABC turns to out.");
   const Trace small = swept("tests/golden/scan-line.toml", {});
@@ -69,7 +71,8 @@ TEST_CASE("edges and vertices of polygons that are named by their corners go by 
 
 TEST_CASE("the plane's depth and the implied edge are told with their numbers") {
   const Trace trace = swept("lessons/scenes/abc-def.toml", {});
-  const Explanation depth = first_of<PlaneDepth>(trace, [](const PlaneDepth& e) { return e.piece == 1 && e.y_at == 9; });
+  const Explanation depth =
+      first_of<PlaneDepth>(trace, [](const PlaneDepth& e) { return e.piece == 1 && e.y_at == 9; });
   REQUIRE(depth.formulas.size() == 1);
   CHECK(depth.formulas[0].find("z of DEF = \u2212(A\u00b7x + B\u00b7y + D)/C = ") == 0);
   CHECK(depth.formulas[0].ends_with("= 1.25"));
@@ -80,7 +83,8 @@ TEST_CASE("the plane's depth and the implied edge are told with their numbers") 
 
 TEST_CASE("a depth that its plane does not give is doubted") {
   const Trace trace = swept("lessons/scenes/abc-def.toml", {});
-  const auto position = trace.next(0, [](const RecordedEvent& e) { return std::holds_alternative<PlaneDepth>(e.event); });
+  const auto position =
+      trace.next(0, [](const RecordedEvent& e) { return std::holds_alternative<PlaneDepth>(e.event); });
   REQUIRE(position);
   Replay replay(trace);
   replay.go_to(*position);

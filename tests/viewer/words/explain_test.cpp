@@ -53,7 +53,8 @@ void every_event_is_told(const Trace& trace) {
 
 TEST_CASE("glass that is nearer does not take the pixel: it is seen through") {
   const Trace trace = test::record_run_by("transparency", test::in_checkout("lessons/scenes/panes.toml"));
-  const Explanation glass = first_of<DepthCompare>(trace, [](const DepthCompare& compare) { return compare.nearer && compare.z == 5.25; });
+  const Explanation glass =
+      first_of<DepthCompare>(trace, [](const DepthCompare& compare) { return compare.nearer && compare.z == 5.25; });
   CHECK(glass.sentence.find("becomes G") == std::string::npos);
   CHECK(glass.sentence.find("of opacity 0.5") != std::string::npos);
   CHECK(any_formula(glass, "5.25 < 8"));

@@ -43,7 +43,8 @@ TEST_CASE("numbers are found in sentences and formulas, digits of names are not"
     return all;
   };
   CHECK(found("x = x_0 + 0.5\u00b7(4 \u2212 2) = 1.5") == "0.5 4 2 1.5");
-  CHECK(found("\u22123.25 < \u2212\u221e, (\u22121)/2, 5\u22123, z*\u22122") == "\u22123.25 \u2212\u221e \u22121 2 5 3 2");
+  CHECK(found("\u22123.25 < \u2212\u221e, (\u22121)/2, 5\u22123, z*\u22122") ==
+        "\u22123.25 \u2212\u221e \u22121 2 5 3 2");
   CHECK(found("1.25e\u221207 and 2e+12 of e4, p12.5 at (9,\u00a07).") == "1.25e\u221207 2e+12 9 7");
   CHECK(found("12.") == "12");
   CHECK(found("") == "");

@@ -1,4 +1,5 @@
-// Whole sentences, as a person has read and approved them: tests/golden/sentences.txt has at least one for every kind of event.
+// Whole sentences, as a person has read and approved them: tests/golden/sentences.txt has at least one for every kind
+// of event.
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -47,7 +48,8 @@ std::map<std::string, std::vector<Approved>> approved_sentences() {
 }
 
 std::string kind_of_event(const Event& event) {
-  return std::visit([](const auto& known) { return std::string(kind_text<std::decay_t<decltype(known)>>.name); }, event);
+  return std::visit([](const auto& known) { return std::string(kind_text<std::decay_t<decltype(known)>>.name); },
+                    event);
 }
 
 }  // namespace

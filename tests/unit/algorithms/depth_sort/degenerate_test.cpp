@@ -104,8 +104,8 @@ TEST_SUITE("depth_sort/degenerate") {
         const double length = random.between(5, 14), width = random.between(0.7, 2), z = random.between(0, 10);
         const double along = random.between(-0.6, 0.6), across = random.between(-3, 3);
         const auto corner = [&](double s, double t) {
-          return glm::dvec3(x + s * std::cos(angle) - t * std::sin(angle), y + s * std::sin(angle) + t * std::cos(angle),
-                            z + along * s + across * t);
+          return glm::dvec3(x + s * std::cos(angle) - t * std::sin(angle),
+                            y + s * std::sin(angle) + t * std::cos(angle), z + along * s + across * t);
         };
         bar = {corner(-length, -width), corner(length, -width), corner(length, width), corner(-length, width)};
       }

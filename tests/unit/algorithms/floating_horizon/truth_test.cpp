@@ -26,8 +26,8 @@ struct Judgement {
   double worst = 0;            ///< how many rows a wrong one lies from the horizon that it was held against
 };
 
-/// Each tested point's pseudodepth, interpolated along its interval of curve, against those of the nine pixels around it
-/// in the Z-buffer's picture of the same surface: visible ought to be no farther than the farthest, hidden no nearer
+/// Each tested point's pseudodepth, interpolated along its interval of curve, against those of the nine pixels around
+/// it in the Z-buffer's picture of the same surface: visible ought to be no farther than the farthest, hidden no nearer
 /// than the nearest.
 Judgement judge(const Scene& scene, const std::map<std::string, std::string>& options = {}) {
   NullRecorder none;

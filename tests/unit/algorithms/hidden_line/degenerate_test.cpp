@@ -49,7 +49,8 @@ TEST_SUITE("hidden_line/degenerate") {
   }
 
   TEST_CASE("a face seen edge-on hides nothing; its edges are drawn") {
-    const Run run = hide(test::screen_scene(32, 32, {{{5, 5, 0}, {15, 15, 3}, {15, 15, 0}}, {{2, 8, 5}, {28, 8, 5}, {20, 28, 5}}}));
+    const Run run =
+        hide(test::screen_scene(32, 32, {{{5, 5, 0}, {15, 15, 3}, {15, 15, 0}}, {{2, 8, 5}, {28, 8, 5}, {20, 28, 5}}}));
     check_sums(run);
     CHECK(run.pieces_of(false) == 0);
   }
@@ -72,7 +73,8 @@ TEST_SUITE("hidden_line/degenerate") {
   TEST_CASE("a third face at an edge and neighbours that run the other way round: all is drawn") {
     Scene scene = test::screen_scene(32, 32, {});
     scene.points = {{2, 2, 0}, {20, 2, 0}, {20, 20, 5}, {2, 20, 0}, {9, 28, 0}};
-    for (const auto& corners : std::vector<std::vector<std::int32_t>>{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {2, 1, 4}}) test::add_polygon(scene, corners);
+    for (const auto& corners : std::vector<std::vector<std::int32_t>>{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {2, 1, 4}})
+      test::add_polygon(scene, corners);
     const Run run = hide(scene);
     check_sums(run);
     CHECK(run.lines.size() >= 8);

@@ -30,23 +30,30 @@ Seen look_from_eye(const Scene& scene, glm::dvec3 point, const LineBegin& line, 
     const Facet& facet = scene.facets[f];
     std::vector<glm::dvec3> corners;
     for (std::int32_t k = 0; k < facet.corner_count; ++k)
-      corners.push_back(scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + k)])]);
+      corners.push_back(
+          scene.points[static_cast<std::size_t>(scene.corners[static_cast<std::size_t>(facet.first_corner + k)])]);
     glm::dvec3 normal(0);
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) normal += glm::cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      normal += glm::cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
     const double toward = glm::dot(normal, ray);
     if (toward == 0 || (cull && toward > 0)) continue;
     const double t = glm::dot(normal, corners[0] - eye) / toward;
     if (t <= 0 || t > 1 + 1e-4) continue;
     // In the plane of the two axes that see most of the face.
     const glm::dvec3 at = eye + t * ray, size = glm::abs(normal);
-    const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2, u = (drop + 1) % 3, v = (drop + 2) % 3;
+    const int drop = size.x > size.y && size.x > size.z ? 0
+                     : size.y > size.z                  ? 1
+                                                        : 2,
+              u = (drop + 1) % 3, v = (drop + 2) % 3;
     bool inside = false;
     double nearest = 1e9;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
       const glm::dvec3 &p = corners[i], &q = corners[j];
-      if ((p[v] <= at[v]) != (q[v] <= at[v]) && at[u] >= p[u] + (q[u] - p[u]) * (at[v] - p[v]) / (q[v] - p[v])) inside = !inside;
+      if ((p[v] <= at[v]) != (q[v] <= at[v]) && at[u] >= p[u] + (q[u] - p[u]) * (at[v] - p[v]) / (q[v] - p[v]))
+        inside = !inside;
       const glm::dvec3 along = q - p;
-      const double along2 = std::max(glm::dot(along, along), 1e-300), s = std::clamp(glm::dot(at - p, along) / along2, 0.0, 1.0);
+      const double along2 = std::max(glm::dot(along, along), 1e-300),
+                   s = std::clamp(glm::dot(at - p, along) / along2, 0.0, 1.0);
       nearest = std::min(nearest, glm::length(at - p - s * along));
     }
     if (nearest < 1e-4 || t > 1 - 1e-4) unsure = unsure || inside || nearest < 1e-4;
@@ -173,8 +180,14 @@ TEST_SUITE("hidden_line") {
 
   TEST_CASE("pieces sum to the edge, and rays from the eye agree on every one") {
     struct Subject { std::string name; bool cull, ortho; };
-    for (const Subject& subject : {Subject{"cube", true, false}, {"pyramid", true, false}, {"pyramid-behind", false, false}, {"cyclic", false, false},
-                                   {"intersecting", false, false}, {"dodecahedron", true, true}, {"cyclic", false, true}, {"teapot:4", true, false},
+    for (const Subject& subject : {Subject{"cube", true, false},
+                                   {"pyramid", true, false},
+                                   {"pyramid-behind", false, false},
+                                   {"cyclic", false, false},
+                                   {"intersecting", false, false},
+                                   {"dodecahedron", true, true},
+                                   {"cyclic", false, true},
+                                   {"teapot:4", true, false},
                                    {"teapot:3", false, false}}) {
       CAPTURE(subject.name);
       CAPTURE(subject.ortho);
@@ -212,7 +225,8 @@ TEST_SUITE("hidden_line") {
 
   TEST_CASE("no polygon and no depth at any pixel") {
     const Run run = hide(seen("cube"));
-    CHECK(std::all_of(run.picture.polygon.begin(), run.picture.polygon.end(), [](std::int32_t p) { return p == no_polygon; }));
+    CHECK(std::all_of(run.picture.polygon.begin(), run.picture.polygon.end(),
+                      [](std::int32_t p) { return p == no_polygon; }));
     CHECK(std::all_of(run.picture.depth.begin(), run.picture.depth.end(), [](double z) { return z == no_depth; }));
   }
 }

@@ -21,13 +21,19 @@ struct Run {
 
   int pieces_of(bool visible) const {
     int count = 0;
-    for (const auto& [line, parts] : pieces) count += static_cast<int>(std::count_if(parts.begin(), parts.end(), [&](const LinePiece& p) { return p.visible == visible; }));
+    for (const auto& [line, parts] : pieces)
+      count += static_cast<int>(
+          std::count_if(parts.begin(), parts.end(), [&](const LinePiece& p) { return p.visible == visible; }));
     return count;
   }
   int lines_of(LineKind kind) const {
-    return static_cast<int>(std::count_if(lines.begin(), lines.end(), [&](const auto& l) { return l.second.kind == kind; }));
+    return static_cast<int>(
+        std::count_if(lines.begin(), lines.end(), [&](const auto& l) { return l.second.kind == kind; }));
   }
-  int inked() const { return static_cast<int>(std::count_if(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; })); }
+  int inked() const {
+    return static_cast<int>(
+        std::count_if(picture.ink.begin(), picture.ink.end(), [](std::uint32_t ink) { return ink != no_ink; }));
+  }
 };
 
 template <class Method>
@@ -52,7 +58,9 @@ inline Run wires(const Scene& scene, const char* edges = "all") {
   return run_with(wireframe::run<CollectRecorder>, scene, conventions);
 }
 
-inline Scene seen(const char* name, const ViewOptions& view = {}) { return look_at_scene(load_scene(name).scene, view); }
+inline Scene seen(const char* name, const ViewOptions& view = {}) {
+  return look_at_scene(load_scene(name).scene, view);
+}
 
 // The pieces of each edge follow each other from end to end, hidden and visible by turns.
 inline void check_sums(const Run& run) {

@@ -30,7 +30,8 @@ TEST_SUITE("wireframe") {
     const Run run = wires(test::screen_scene(16, 16, {{{1, 1, 0}, {9, 5, 0}, {1, 9, 0}}}));
     std::vector<std::pair<int, int>> first;
     for (const ColorWrite& pixel : run.record.all<ColorWrite>()) first.emplace_back(pixel.x, pixel.y);
-    const std::vector<std::pair<int, int>> along{{1, 1}, {2, 2}, {3, 2}, {4, 3}, {5, 3}, {6, 4}, {7, 4}, {8, 5}, {9, 5}};
+    const std::vector<std::pair<int, int>> along{{1, 1}, {2, 2}, {3, 2}, {4, 3}, {5, 3},
+                                                 {6, 4}, {7, 4}, {8, 5}, {9, 5}};
     first.resize(along.size());
     std::sort(first.begin(), first.end());
     CHECK(first == along);

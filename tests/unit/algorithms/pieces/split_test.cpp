@@ -23,7 +23,8 @@ bool covers(const std::vector<glm::dvec3>& points, const Outline& outline, doubl
   return inside;
 }
 
-/// How many points of a grid are in the outline and not in exactly one of its parts, or in a part and not in the outline.
+/// How many points of a grid are in the outline and not in exactly one of its parts, or in a part and not in the
+/// outline.
 int misplaced(std::vector<glm::dvec3> points, const Plane& plane, double tolerance) {
   const Plane own = plane_of(points);
   const double bend = bend_of(own, points);

@@ -155,15 +155,18 @@ TEST_SUITE("scan_line/options") {
   }
 
   TEST_CASE("an implied edge goes on in a straight line: found once, then known, until it leaves the interval") {
-    // z = x/2 against z = 5 − y/8: they meet at x = 10 − y/4, from column 10 in row 0 to column 1 in row 36; B is in from 2 to 9.
+    // z = x/2 against z = 5 − y/8: they meet at x = 10 − y/4, from column 10 in row 0 to column 1 in row 36; B is in
+    // from 2 to 9.
     const Scene scene = screen_scene(
-        16, 40, {{{1, 0, 0.5}, {14, 0, 7}, {14, 39, 7}, {1, 39, 0.5}}, {{2, 0, 5}, {9, 0, 5}, {9, 39, 0.125}, {2, 39, 0.125}}});
+        16, 40,
+        {{{1, 0, 0.5}, {14, 0, 7}, {14, 39, 7}, {1, 39, 0.5}}, {{2, 0, 5}, {9, 0, 5}, {9, 39, 0.125}, {2, 39, 0.125}}});
     CollectRecorder off, on;
     const Picture plain = scan_line::run(scene, with({}), off);
     const Picture coherent = scan_line::run(scene, with({{"coherence", "on"}}), on);
     CHECK(same_bits(plain, coherent));
-    // In rows 0 to 4 A is in front all along the interval; the two penetrate each other, so depths must be compared. In row 5 the
-    // implied edge is found, at 8.75, and in rows 6 to 38 it is known; at 9 and at 2 it is on an end, where depths decide.
+    // In rows 0 to 4 A is in front all along the interval; the two penetrate each other, so depths must be compared. In
+    // row 5 the implied edge is found, at 8.75, and in rows 6 to 38 it is known; at 9 and at 2 it is on an end, where
+    // depths decide.
     const std::vector<ImpliedEdge> found = off.all<ImpliedEdge>(), known = on.all<ImpliedEdge>();
     REQUIRE(found.size() == known.size());
     REQUIRE(found.size() == 27);
@@ -177,7 +180,9 @@ TEST_SUITE("scan_line/options") {
       saved += row.tests;
     }
     CHECK(saved > 4 * 25);
-    CHECK(static_cast<std::int64_t>(off.all<PlaneDepth>().size()) - static_cast<std::int64_t>(on.all<PlaneDepth>().size()) == saved);
+    CHECK(static_cast<std::int64_t>(off.all<PlaneDepth>().size()) -
+              static_cast<std::int64_t>(on.all<PlaneDepth>().size()) ==
+          saved);
   }
 
   TEST_CASE("area coverage: upright edges to the digit") {

@@ -97,8 +97,9 @@ TEST_SUITE("hostile meshes") {
     CHECK(contains(error_of(MeshFormat::off, "OFFx8 6 12\n"), "'OFFx8' is not read"));
     CHECK(contains(error_of(MeshFormat::off, "OFF BINARY"), "t:1: the file ends after BINARY"));
     CHECK(contains(error_of(MeshFormat::off, "OFF BINARY\n"), "t:byte 11: the file ends before the last element"));
-    CHECK(contains(error_of(MeshFormat::off, replaced(binary_triangle_off(), "\0\0\0\1\0\0\0\0"s, "\x7f\0\0\1\0\0\0\0"s)),
-                   "t:byte 15: 2130706433 faces are declared, which"));
+    CHECK(
+        contains(error_of(MeshFormat::off, replaced(binary_triangle_off(), "\0\0\0\1\0\0\0\0"s, "\x7f\0\0\1\0\0\0\0"s)),
+                 "t:byte 15: 2130706433 faces are declared, which"));
     CHECK(contains(error_of(MeshFormat::off, replaced(binary_triangle_off(), "\0\0\0\2\0\0\0\3"s, "\0\0\0\3\0\0\0\3"s)),
                    "t:byte 71: there is no vertex 3; the indices are 0 to 2"));
     CHECK(contains(error_of(MeshFormat::obj, pyramid_obj + "f 1 2 9\n"), "t:20: there is no vertex 9: the file has 5"));
@@ -109,7 +110,8 @@ TEST_SUITE("hostile meshes") {
     CHECK(contains(error_of(MeshFormat::obj, "v 1 2\n"), "t:1: z is missing"));
     CHECK(contains(error_of(MeshFormat::obj, "hello\n"), "t:1: 'hello' is no statement of an OBJ file"));
     CHECK(contains(error_of(MeshFormat::obj, "v 0 0 0\nsurf 0 1 0 1 1 2\n"), "t:2: free-form"));
-    CHECK(contains(error_of(MeshFormat::ply, replaced(strips_ply, "0 1 2 3 -1", "0 1 2 6 -1")), "t:17: there is no vertex 6"));
+    CHECK(contains(error_of(MeshFormat::ply, replaced(strips_ply, "0 1 2 3 -1", "0 1 2 6 -1")),
+                   "t:17: there is no vertex 6"));
     CHECK(contains(error_of(MeshFormat::ply, replaced(strips_ply, "vertex_indices", "indices")),
                    "t:8: the triangle strips have no list vertex_indices"));
     CHECK(

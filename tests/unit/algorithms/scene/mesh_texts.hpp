@@ -168,9 +168,10 @@ inline std::string binary_triangle_off() {
   const auto put = [&](std::uint32_t bits) {
     for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(bits >> shift & 255);
   };
-  for (const std::uint32_t count : {3, 1, 0}) put(count);
-  for (const float value : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.5f, 0.0f, 1.0f, 0.0f}) put(std::bit_cast<std::uint32_t>(value));
-  for (const std::uint32_t index : {3, 0, 1, 2}) put(index);
+  for (const std::uint32_t count : {3u, 1u, 0u}) put(count);
+  for (const float value : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.5f, 0.0f, 1.0f, 0.0f})
+    put(std::bit_cast<std::uint32_t>(value));
+  for (const std::uint32_t index : {3u, 0u, 1u, 2u}) put(index);
   put(3);
   for (const float value : {1.0f, 0.0f, 0.5f}) put(std::bit_cast<std::uint32_t>(value));
   return bytes;

@@ -65,7 +65,8 @@ void check_same(const PolygonSoup& soup, const PolygonSoup& original, double tol
 TEST_SUITE("mesh readers against OpenMesh's writers") {
   TEST_CASE("OBJ, OFF, PLY and STL, ascii and binary") {
     using Options = OpenMesh::IO::Options;
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("zstep_open_mesh_writers_" + std::to_string(getpid()));
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("zstep_open_mesh_writers_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     omlog().disable();  // its writers announce themselves
     struct Way {

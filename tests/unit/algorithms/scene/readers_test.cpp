@@ -130,10 +130,13 @@ TEST_SUITE("mesh readers") {
     const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const PolygonSoup unknown = read_mesh_bytes(MeshFormat::obj, mesh + "weight 1\nweight 2\n", "t.obj");
     CHECK(unknown.outlines.size() == 1);
-    CHECK(unknown.notes == std::vector<std::string>{"t.obj:5: 'weight' is no statement of an OBJ file; 2 such lines were left out"});
-    const PolygonSoup curves = read_mesh_bytes(MeshFormat::obj, mesh + "cstype bezier\nsurf 0 1 0 1 1 2\nend\n", "t.obj");
+    CHECK(unknown.notes ==
+          std::vector<std::string>{"t.obj:5: 'weight' is no statement of an OBJ file; 2 such lines were left out"});
+    const PolygonSoup curves =
+        read_mesh_bytes(MeshFormat::obj, mesh + "cstype bezier\nsurf 0 1 0 1 1 2\nend\n", "t.obj");
     CHECK(curves.outlines.size() == 1);
-    CHECK(curves.notes == std::vector<std::string>{"t.obj:6: 1 free-form curves and surfaces (curv, curv2, surf) are left out"});
+    CHECK(curves.notes ==
+          std::vector<std::string>{"t.obj:6: 1 free-form curves and surfaces (curv, curv2, surf) are left out"});
   }
 
   TEST_CASE("PLY: triangle strips become triangles that all turn the same way") {

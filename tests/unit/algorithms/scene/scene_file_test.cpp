@@ -78,10 +78,12 @@ TEST_SUITE("scene files") {
     REQUIRE(placement_of(scene, house) == &scene.placements[0]);
     CHECK(scene.point_lines[static_cast<std::size_t>(house)] > 0);
     CHECK(scene.file_points[static_cast<std::size_t>(house)] == glm::dvec3(-1, -1.5, -1));
-    CHECK(scene.placements[0](scene.file_points[static_cast<std::size_t>(house)]) == scene.points[static_cast<std::size_t>(house)]);
+    CHECK(scene.placements[0](scene.file_points[static_cast<std::size_t>(house)]) ==
+          scene.points[static_cast<std::size_t>(house)]);
     CHECK(placement_of(scene, house - 1) == nullptr);
     CHECK(scene.file_points[0] == scene.points[0]);
-    CHECK(scene.placements[1].first_point + scene.placements[1].point_count == static_cast<std::int32_t>(scene.points.size()));
+    CHECK(scene.placements[1].first_point + scene.placements[1].point_count ==
+          static_cast<std::int32_t>(scene.points.size()));
     // The house's corner (-1, -1.5, -1): halved, a quarter turn to the left, two units along -y.
     CHECK(scene.points[7] == glm::dvec3(0.75, -2.5, -0.5));
   }
@@ -169,7 +171,8 @@ TEST_SUITE("scene files") {
           "s.toml:4: depth is 'pseudo'; did you mean 'pseudodepth'?");
     CHECK(error_of("[[mesh]]\nbuiltin = \"teapod\"\n") ==
           "s.toml:2: there is no built-in mesh 'teapod'; did you mean 'teapot'?");
-    CHECK(contains(error_of("[[mesh]]\nbuiltin = \"teapot:65\"\n"), "s.toml:1: the level is not a whole number from 1 to 64; write teapot:8"));
+    CHECK(contains(error_of("[[mesh]]\nbuiltin = \"teapot:65\"\n"),
+                   "s.toml:1: the level is not a whole number from 1 to 64; write teapot:8"));
   }
 
   TEST_CASE("errors of meaning") {

@@ -43,12 +43,13 @@ std::int64_t dark_pixels(const Picture& picture) {
 }  // namespace
 
 TEST_SUITE("shadow buffer") {
-  TEST_CASE("the square's shadow is where the rays through its corners meet the floor, to a pixel of the light's picture") {
+  TEST_CASE(
+      "the square's shadow is where the rays through its corners meet the floor, to a pixel of the light's picture") {
     const Scene scene = floor_and_square(64);
     CollectRecorder record;
     const Picture picture = shadow_buffer::run(scene, Conventions{}, record);
-    // From 6 above, a square of half a side 0.5 at height 1 shades the floor up to 0.5 * 6/5; a pixel of the light's picture is
-    // 2 * 0.6 * 6 / 64 wide there.
+    // From 6 above, a square of half a side 0.5 at height 1 shades the floor up to 0.5 * 6/5; a pixel of the light's
+    // picture is 2 * 0.6 * 6 / 64 wide there.
     const double edge = 0.6, pixel = 2 * 0.6 * 6 / 64;
     std::int64_t dark = 0, lit = 0;
     for (const ShadowCompare& compare : record.all<ShadowCompare>()) {

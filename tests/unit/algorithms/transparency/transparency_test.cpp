@@ -76,7 +76,8 @@ struct Layer {
   std::int32_t polygon;
 };
 std::vector<std::vector<Layer>> layers_of(const Scene& scene) {
-  std::vector<std::vector<Layer>> layers(static_cast<std::size_t>(scene.raster.width) * static_cast<std::size_t>(scene.raster.height));
+  std::vector<std::vector<Layer>> layers(static_cast<std::size_t>(scene.raster.width) *
+                                         static_cast<std::size_t>(scene.raster.height));
   for (const Facet& facet : scene.facets) {
     Scene alone = scene;
     alone.facets = {facet};
@@ -87,7 +88,8 @@ std::vector<std::vector<Layer>> layers_of(const Scene& scene) {
     for (std::size_t pixel = 0; pixel < layers.size(); ++pixel)
       if (picture.polygon[pixel] != no_polygon) layers[pixel].push_back({picture.depth[pixel], facet.polygon});
   }
-  for (auto& stack : layers) std::sort(stack.begin(), stack.end(), [](const Layer& a, const Layer& b) { return a.z > b.z; });
+  for (auto& stack : layers)
+    std::sort(stack.begin(), stack.end(), [](const Layer& a, const Layer& b) { return a.z > b.z; });
   return layers;
 }
 

@@ -159,7 +159,8 @@ TEST_SUITE("warnock") {
     CHECK(depths[0].x_at == 0);
     CHECK(depths[0].z == doctest::Approx(4.8));
     // What does not cover the centre is not seen, however much of the pixel it covers.
-    const Run beside = settle(test::screen_scene(1, 1, {rectangle(-0.5, -0.5, 0, 0.5, 1), rectangle(-0.4, 0, 0, 0.4, 2)}));
+    const Run beside =
+        settle(test::screen_scene(1, 1, {rectangle(-0.5, -0.5, 0, 0.5, 1), rectangle(-0.4, 0, 0, 0.4, 2)}));
     CHECK(beside.picture.polygon[0] == no_polygon);
   }
 

@@ -31,8 +31,8 @@ inline Scene large_scene() {
   return look_at_scene(load_scene("pyramid-behind").scene, view);
 }
 
-/// The first part of a recording's file, as of a program that was killed: not more than three quarters of the run's steps. The run
-/// must take some blocks.
+/// The first part of a recording's file, as of a program that was killed: not more than three quarters of the run's
+/// steps. The run must take some blocks.
 inline Trace cut_off(const std::string& method_id, const Scene& scene) {
   const Method& by = method(method_id);
   TraceRecorder recorder(header_for(by, {}), scene);
@@ -41,7 +41,8 @@ inline Trace cut_off(const std::string& method_id, const Scene& scene) {
   const std::vector<std::uint8_t> bytes = recorder.take_bytes();
   const std::int64_t whole = Trace::from_bytes(bytes, "whole").size();
   for (std::size_t left = 98;; --left) {
-    Trace trace = Trace::from_bytes({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() * left / 100)}, "cut off");
+    Trace trace = Trace::from_bytes(
+        {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() * left / 100)}, "cut off");
     if (trace.size() * 4 <= whole * 3) return trace;
   }
 }

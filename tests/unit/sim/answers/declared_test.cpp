@@ -64,7 +64,8 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 TEST_CASE("declared: where the greater depth wins, every sentence goes by that") {
   const Trace trace = with_conventions(R"({"nearer": "greater"})");
   const std::vector<Explanation> lost = compares(trace, 1, 1), won = compares(trace, 3, 2);
-  CHECK(has(lost[0].sentence, "5 > 0: the depth buffer was cleared to that, and nothing was drawn here yet, so pixel (1, 1) becomes A."));
+  CHECK(has(lost[0].sentence,
+            "5 > 0: the depth buffer was cleared to that, and nothing was drawn here yet, so pixel (1, 1) becomes A."));
   CHECK(has(lost[1].sentence, "3 < 5: B is hidden behind A at pixel (1, 1), nothing is written."));
   CHECK(has(won[1].sentence, "6 > 5: nearer than A, so pixel (3, 2) becomes B."));
   CHECK(lost[1].formulas.front() == "z > zbuffer[x,y]:  3 > 5  is false");
@@ -88,10 +89,13 @@ TEST_CASE("declared: where the greater depth wins, every sentence goes by that")
 TEST_CASE("declared: what a header leaves open is no fact that its compares break") {
   const Trace trace = with_conventions("{}");
   const Explanation first = compares(trace, 1, 1)[0];
-  CHECK(first.sentence == "The trace says nearer at pixel (1, 1), although 5 < 0 is false; its header does not declare which depth is nearer.");
+  CHECK(first.sentence ==
+        "The trace says nearer at pixel (1, 1), although 5 < 0 is false; its header does not declare which depth is "
+        "nearer.");
   CHECK(first.doubt == "The trace says nearer, but 5 < 0 is false; its header does not declare which depth is nearer.");
   const auto history = answers::pixel_history(trace, {1, 1});
-  CHECK(has(answers::outcome_text(trace, history, history[0]), "the trace says nearer, but 5 < 0 is false (its header does not declare which depth is nearer)"));
+  CHECK(has(answers::outcome_text(trace, history, history[0]),
+            "the trace says nearer, but 5 < 0 is false (its header does not declare which depth is nearer)"));
   // By what it declares they do.
   const Explanation broken = compares(with_conventions(R"({"nearer": "smaller"})"), 1, 1)[0];
   CHECK(has(broken.sentence, "although 5 < 0 is false: A should not win over"));
@@ -100,7 +104,8 @@ TEST_CASE("declared: what a header leaves open is no fact that its compares brea
 TEST_CASE("declared: of equal depths the last wins where it says so") {
   // B is at z = 5 where x + y = 4, and is drawn last, so it should win there; the trace lets A stay.
   const Explanation tie = compares(with_conventions(R"({"nearer": "greater", "ties": "last"})"), 2, 2)[1];
-  CHECK(has(tie.sentence, "The trace says not nearer at pixel (2, 2), although 5 \u2265 5 is true: B should win over A."));
+  CHECK(has(tie.sentence,
+            "The trace says not nearer at pixel (2, 2), although 5 \u2265 5 is true: B should win over A."));
   const Explanation stays = compares(with_conventions(R"({"nearer": "greater", "ties": "first"})"), 2, 2)[1];
   CHECK(stays.sentence == "5 = 5: a tie, and A was first, so pixel (2, 2) stays.");
   CHECK(!stays.doubt);

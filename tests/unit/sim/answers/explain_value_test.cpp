@@ -25,7 +25,8 @@ using answers::Chain, answers::ChainLink, answers::ChainValue, answers::explain_
 namespace {
 
 const ChainLink* link_with(const Chain& chain, const std::string& what) {
-  const auto found = std::find_if(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) { return link.what.find(what) != std::string::npos; });
+  const auto found = std::find_if(chain.links.begin(), chain.links.end(),
+                                  [&](const ChainLink& link) { return link.what.find(what) != std::string::npos; });
   return found == chain.links.end() ? nullptr : &*found;
 }
 
@@ -44,7 +45,8 @@ void check_numbers(const Chain& chain) {
       for (const answers::Operand& operand : value.operands) {
         if (operand.link < 0) continue;
         const ChainLink& other = chain.links.at(static_cast<std::size_t>(operand.link));
-        const auto told = std::find_if(other.values.begin(), other.values.end(), [&](const ChainValue& one) { return one.name == operand.name; });
+        const auto told = std::find_if(other.values.begin(), other.values.end(),
+                                       [&](const ChainValue& one) { return one.name == operand.name; });
         REQUIRE(told != other.values.end());
         CHECK((told->value == operand.value || (std::isnan(told->value) && std::isnan(operand.value))));
       }
@@ -79,9 +81,16 @@ TEST_SUITE("explain a value") {
 
   TEST_CASE("the depth of a pixel ends at the lines of the file, by every method") {
     struct Case { const char *method, *scene; };
-    for (const Case one : std::array<Case, 10>{{{"z-buffer", "pyramid.toml"}, {"scan-line", "pyramid.toml"}, {"painter", "pyramid.toml"}, {"depth-sort", "pyramid.toml"},
-                                               {"bsp", "pyramid.toml"}, {"warnock", "pyramid.toml"}, {"ray-casting", "pyramid.toml"}, {"ray-tracing", "mirror.toml"},
-                                               {"transparency", "pyramid.toml"}, {"shadow-buffer", "lamp.toml"}}}) {
+    for (const Case one : std::array<Case, 10>{{{"z-buffer", "pyramid.toml"},
+                                                {"scan-line", "pyramid.toml"},
+                                                {"painter", "pyramid.toml"},
+                                                {"depth-sort", "pyramid.toml"},
+                                                {"bsp", "pyramid.toml"},
+                                                {"warnock", "pyramid.toml"},
+                                                {"ray-casting", "pyramid.toml"},
+                                                {"ray-tracing", "mirror.toml"},
+                                                {"transparency", "pyramid.toml"},
+                                                {"shadow-buffer", "lamp.toml"}}}) {
       const std::string method = one.method;
       CAPTURE(method);
       Scene scene = load_scene(test::in_checkout("lessons/scenes/") + std::string(one.scene)).scene;
@@ -98,7 +107,8 @@ TEST_SUITE("explain a value") {
           CHECK_FALSE(chain.cut);
           std::set<std::string> lines;
           for (const ChainLink& link : chain.links)
-            if (link.step == 0 && link.source.find(".toml:") != std::string::npos && link.what.starts_with("vertex")) lines.insert(link.source);
+            if (link.step == 0 && link.source.find(".toml:") != std::string::npos && link.what.starts_with("vertex"))
+              lines.insert(link.source);
           CHECK_FALSE(lines.empty());
         }
       CHECK(pixels > 8);
@@ -106,9 +116,12 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("of a mesh that was placed and fitted: back to the numbers that stand in the mesh's own line") {
-    const auto file = std::filesystem::temp_directory_path() / fmt::format("zstep-placed-{}.toml", std::random_device{}());
-    std::ofstream(file) << "[[polygon]]\npoints = [[-2, -2, -3], [2, -2, -3], [0, 2, -3]]\n[[mesh]]\nfile = \"" << test::in_checkout("") << "tests/data/meshes/house.off\"\n"
-                        << "scale = [0.3, 0.7, 1.5]\nrotate = [20, 0, 90]\ntranslate = [0.1, 0, 2]\n[[mesh]]\nbuiltin = \"cube\"\n";
+    const auto file =
+        std::filesystem::temp_directory_path() / fmt::format("zstep-placed-{}.toml", std::random_device{}());
+    std::ofstream(file)
+        << "[[polygon]]\npoints = [[-2, -2, -3], [2, -2, -3], [0, 2, -3]]\n[[mesh]]\nfile = \"" << test::in_checkout("")
+        << "tests/data/meshes/house.off\"\n"
+        << "scale = [0.3, 0.7, 1.5]\nrotate = [20, 0, 90]\ntranslate = [0.1, 0, 2]\n[[mesh]]\nbuiltin = \"cube\"\n";
     const Scene loaded = load_scene(file.string()).scene;
     std::filesystem::remove(file);
     for (const bool fit : {false, true}) {
@@ -162,11 +175,15 @@ TEST_SUITE("explain a value") {
     const ChainLink* depth = link_with(chain, "depth at x = 1 on the span");
     REQUIRE(depth);
     CHECK(depth->step == 218);
-    CHECK(answers::line_text(depth->values[0]) == "z = z_L + (z_R \u2212 z_L)\u00b7(x \u2212 x_L)/(x_R \u2212 x_L) = 4 + (7 \u2212 4)\u00b7(1 \u2212 0)/(3 \u2212 0) = 5");
+    CHECK(answers::line_text(depth->values[0]) ==
+          "z = z_L + (z_R \u2212 z_L)\u00b7(x \u2212 x_L)/(x_R \u2212 x_L) = 4 + (7 \u2212 4)\u00b7(1 \u2212 0)/(3 "
+          "\u2212 0) = 5");
     const ChainLink* edge = link_with(chain, "active edge e1 on scan line 3");
     REQUIRE(edge);
     CHECK(edge->step == 211);
-    CHECK(answers::line_text(edge->values[0]) == "z = z_0 + (z_1 \u2212 z_0)\u00b7(y \u2212 y_0)/(y_1 \u2212 y_0) = 2 + (7 \u2212 2)\u00b7(3 \u2212 1)/(6 \u2212 1) = 4");
+    CHECK(answers::line_text(edge->values[0]) ==
+          "z = z_0 + (z_1 \u2212 z_0)\u00b7(y \u2212 y_0)/(y_1 \u2212 y_0) = 2 + (7 \u2212 2)\u00b7(3 \u2212 1)/(6 "
+          "\u2212 1) = 4");
     REQUIRE(link_with(chain, "edge e1 in the edge table"));
     CHECK(link_with(chain, "edge e1 in the edge table")->step == 157);
     const ChainLink* vertex = link_with(chain, "vertex 5 of the scene");
@@ -190,11 +207,14 @@ TEST_SUITE("explain a value") {
     });
     REQUIRE(wrote);
     const Chain chain = explain_value(trace, Question{*lost, "nearer"});
-    CHECK(std::count_if(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) { return link.step == *wrote; }) == 1);
+    CHECK(std::count_if(chain.links.begin(), chain.links.end(),
+                        [&](const ChainLink& link) { return link.step == *wrote; }) == 1);
     CHECK(chain.links[0].values[0].value == 0);
     // Of both polygons there is a span.
-    CHECK(std::count_if(chain.links.begin(), chain.links.end(), [](const ChainLink& link) { return link.what.starts_with("span of"); }) == 2);
-    const ChainValue& stored = chain.links[static_cast<std::size_t>(chain.links[0].values[0].operands.at(1).link)].values[0];
+    CHECK(std::count_if(chain.links.begin(), chain.links.end(),
+                        [](const ChainLink& link) { return link.what.starts_with("span of"); }) == 2);
+    const ChainValue& stored =
+        chain.links[static_cast<std::size_t>(chain.links[0].values[0].operands.at(1).link)].values[0];
     REQUIRE(stored.operands.size() == 1);
     CHECK(chain.links.at(static_cast<std::size_t>(stored.operands[0].link)).step == *wrote);
     check_numbers(chain);
@@ -248,10 +268,13 @@ TEST_SUITE("explain a value") {
 
   TEST_CASE("a coordinate of a vertex, from any of its stages") {
     const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid.jsonl"));
-    const auto asked = [&](const char* field) { return explain_value(trace, answers::of_vertex(trace.size(), 2, field)); };
+    const auto asked = [&](const char* field) {
+      return explain_value(trace, answers::of_vertex(trace.size(), 2, field));
+    };
     const Chain screen = asked("y_s");
     REQUIRE(screen.links.size() == 4);
-    for (std::size_t i = 0; i + 1 < screen.links.size(); ++i) CHECK(screen.links[i].step == screen.links[i + 1].step + (i < 2 ? 1 : screen.links[i].step));
+    for (std::size_t i = 0; i + 1 < screen.links.size(); ++i)
+      CHECK(screen.links[i].step == screen.links[i + 1].step + (i < 2 ? 1 : screen.links[i].step));
     CHECK(screen.links.back().values.size() == 3);
     CHECK(asked("z").links.size() == 3);
     REQUIRE(asked("x_w").links.size() == 1);
@@ -261,7 +284,8 @@ TEST_SUITE("explain a value") {
   }
 
   TEST_CASE("a number that its formula does not give is noticed") {
-    ChainValue value{"z", 3, "a + b*(c - 1)", {{"a", 1, -1, ""}, {"b", 2, -1, ""}, {"c", 2, -1, ""}}, true, false, "", ""};
+    ChainValue value{"z", 3, "a + b*(c - 1)", {{"a", 1, -1, ""}, {"b", 2, -1, ""}, {"c", 2, -1, ""}}, true, false,
+                     "",  ""};
     CHECK(answers::holds(value));
     value.value = 3.0000001;
     CHECK_FALSE(answers::holds(value));

@@ -25,7 +25,8 @@ Trace trace_of_boxes(std::vector<std::int64_t>& steps) {
   std::mt19937_64 random(7);
   std::int64_t step = 0;
   const auto pass = [&](std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i, ++step) record_any(recorder, step_of(kind_of<PixelWrite>), PixelWrite{static_cast<std::int32_t>(random() % 16), 3, 0});
+    for (std::uint64_t i = 0; i < count; ++i, ++step)
+      record_any(recorder, step_of(kind_of<PixelWrite>), PixelWrite{static_cast<std::int32_t>(random() % 16), 3, 0});
   };
   for (std::int32_t number = 0; number < numbers; ++number) {
     pass(number % 500 == 250 ? 40000 : random() % 40);
@@ -59,7 +60,8 @@ TEST_SUITE("searches by leaps") {
     REQUIRE(found);
     CHECK(found->step == steps[1501]);
     CHECK(found->event.box == 3002);
-    CHECK_FALSE(answers::first_beyond<BoxMake>(trace, 0, end, [](const BoxMake& box) { return box.box > 2 * numbers; }));
+    CHECK_FALSE(
+        answers::first_beyond<BoxMake>(trace, 0, end, [](const BoxMake& box) { return box.box > 2 * numbers; }));
   }
 
   TEST_CASE("where vertices were viewed and edges entered the table: the steps that say so") {
@@ -68,7 +70,8 @@ TEST_SUITE("searches by leaps") {
       std::string method;
       const char* mesh;
     };
-    for (const Subject& subject : {Subject{"bsp", "teapot:6"}, Subject{"scan-line", "teapot:8"}, Subject{"z-buffer", "teapot:8"}}) {
+    for (const Subject& subject :
+         {Subject{"bsp", "teapot:6"}, Subject{"scan-line", "teapot:8"}, Subject{"z-buffer", "teapot:8"}}) {
       const std::string& name = subject.method;
       CAPTURE(name);
       ViewOptions view;
@@ -89,7 +92,8 @@ TEST_SUITE("searches by leaps") {
         const std::int32_t vertex = seen.first;
         if (vertex % 23 != 0) continue;
         CAPTURE(vertex);
-        const answers::VertexSteps steps = answers::steps_of_vertex(trace, replay.state().machine, trace.size(), vertex);
+        const answers::VertexSteps steps =
+            answers::steps_of_vertex(trace, replay.state().machine, trace.size(), vertex);
         CHECK(steps.viewed == seen.second);
         CHECK(std::holds_alternative<Projection>(trace.event(steps.projected.value()).event));
         CHECK(std::holds_alternative<ViewportTransform>(trace.event(steps.on_raster.value()).event));

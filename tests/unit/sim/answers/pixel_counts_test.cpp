@@ -37,13 +37,16 @@ std::map<Count, Table> by_hand(const Trace& trace, std::int64_t position) {
     if (const auto* hit = std::get_if<RayHit>(&event); hit && ray && hit->inside)
       there[*ray].insert(trace.scene().facets[static_cast<std::size_t>(hit->facet)].polygon);
     if (!at) continue;
-    const std::size_t pixel = static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x);
+    const std::size_t pixel =
+        static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x);
     ++all[Count::work][pixel];
-    if (const auto* begin = std::get_if<RayBegin>(&event)) ray = begin->role == RayRole::eye ? std::optional(pixel) : std::nullopt;
+    if (const auto* begin = std::get_if<RayBegin>(&event))
+      ray = begin->role == RayRole::eye ? std::optional(pixel) : std::nullopt;
     std::optional<std::int32_t> colour;
     if (const auto* compare = std::get_if<DepthCompare>(&event)) {
       all[Count::failed][pixel] += !compare->nearer;
-      there[pixel].insert(machine.span ? machine.edge_table[static_cast<std::size_t>(machine.span->left_edge)].polygon : machine.polygon);
+      there[pixel].insert(machine.span ? machine.edge_table[static_cast<std::size_t>(machine.span->left_edge)].polygon
+                                       : machine.polygon);
     }
     if (const auto* write = std::get_if<PixelWrite>(&event)) colour = write->polygon;
     if (const auto* paint = std::get_if<PixelPaint>(&event)) colour = paint->polygon;
@@ -54,12 +57,14 @@ std::map<Count, Table> by_hand(const Trace& trace, std::int64_t position) {
     all[Count::last][pixel] = *colour;
     if (all[Count::first][pixel] == no_polygon) all[Count::first][pixel] = *colour;
   }
-  for (std::size_t i = 0; i < pixels; ++i) there[i].erase(no_polygon), all[Count::covers][i] = static_cast<std::int32_t>(there[i].size());
+  for (std::size_t i = 0; i < pixels; ++i)
+    there[i].erase(no_polygon), all[Count::covers][i] = static_cast<std::int32_t>(there[i].size());
   return all;
 }
 
 void check_same(const PixelCounts& counts, const std::map<Count, Table>& expected) {
-  for (const auto& entry : expected) CHECK_MESSAGE(counts.of(entry.first) == entry.second, answers::count_names[static_cast<std::size_t>(entry.first)]);
+  for (const auto& entry : expected)
+    CHECK_MESSAGE(counts.of(entry.first) == entry.second, answers::count_names[static_cast<std::size_t>(entry.first)]);
 }
 
 }  // namespace
@@ -79,7 +84,8 @@ TEST_SUITE("pixel counts") {
       counts.count_to(trace.size() / 2);
       check_same(counts, half);
       for (const auto& [count, table] : whole)
-        for (const std::int32_t value : table) most[static_cast<std::size_t>(count)] = std::max<std::int64_t>(most[static_cast<std::size_t>(count)], value);
+        for (const std::int32_t value : table)
+          most[static_cast<std::size_t>(count)] = std::max<std::int64_t>(most[static_cast<std::size_t>(count)], value);
     });
     for (const std::int64_t value : most) CHECK(value > 1);
   }

@@ -30,7 +30,8 @@ namespace {
 /// What a run through the whole trace tells of every pixel: steps that compare or paint there in the eye's picture.
 std::vector<std::vector<std::int64_t>> fragments_of(const Trace& trace) {
   const Raster& raster = trace.scene().raster;
-  std::vector<std::vector<std::int64_t>> all(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+  std::vector<std::vector<std::int64_t>> all(static_cast<std::size_t>(raster.width) *
+                                             static_cast<std::size_t>(raster.height));
   Pass pass = Pass::eye;
   for (std::int64_t step = 1; step <= trace.size(); ++step) {
     const Event& event = trace.event(step).event;
@@ -39,7 +40,9 @@ std::vector<std::vector<std::int64_t>> fragments_of(const Trace& trace) {
     if (!at || pass == Pass::light) continue;
     const bool decides = std::holds_alternative<DepthCompare>(event) || std::holds_alternative<PixelPaint>(event) ||
                          std::holds_alternative<ColorBlend>(event) || std::holds_alternative<ColorWrite>(event);
-    if (decides) all[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x)].push_back(step);
+    if (decides)
+      all[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x)]
+          .push_back(step);
   }
   return all;
 }
@@ -59,7 +62,9 @@ std::optional<std::multiset<std::int32_t>> covering(const compare::Truth& truth,
 }  // namespace
 
 TEST_SUITE("pixel history") {
-  TEST_CASE("of every pixel of every golden trace: the same steps as by looking at all, and the last winner is what is seen") {
+  TEST_CASE(
+      "of every pixel of every golden trace: the same steps as by looking at all, and the last winner is what is "
+      "seen") {
     test::for_each_golden([&](const std::string& name, const Trace& trace) {
       CAPTURE(name);
       const auto all = fragments_of(trace);
@@ -79,17 +84,22 @@ TEST_SUITE("pixel history") {
             tell(replay, visit);
             CHECK_FALSE(visit.sentence.empty());
             const auto& fragment = replay.state().machine.fragment;
-            if (fragment && fragment->x == x && fragment->y == y && std::holds_alternative<DepthCompare>(replay.current()->event)) {
+            if (fragment && fragment->x == x && fragment->y == y &&
+                std::holds_alternative<DepthCompare>(replay.current()->event)) {
               CHECK(visit.stored == fragment->stored);
               CHECK(visit.stored_polygon == fragment->stored_polygon);
-              const auto write = trace.next(visit.step, [](const RecordedEvent&) { return true; }, Trace::Among(Trace::Pixel{x, y}, kind_of<PixelWrite>, visit.step + 2));
+              const auto write = trace.next(
+                  visit.step, [](const RecordedEvent&) { return true; },
+                  Trace::Among(Trace::Pixel{x, y}, kind_of<PixelWrite>, visit.step + 2));
               if (write) CHECK(visit.polygon == std::get<PixelWrite>(trace.event(*write).event).polygon);
             }
             if (visit.takes) seen = visit.polygon;
-            if (visit.outcome != Outcome::rejected && visit.outcome != Outcome::behind && !casts_rays(trace)) steps.push_back(visit.step);
+            if (visit.outcome != Outcome::rejected && visit.outcome != Outcome::behind && !casts_rays(trace))
+              steps.push_back(visit.step);
           }
           if (!casts_rays(trace)) CHECK(steps == all[picture.at(x, y)]);
-          const auto& options = trace.header().conventions.options;  // in the order of the file glass takes the pixel's polygon, too
+          const auto& options =
+              trace.header().conventions.options;  // in the order of the file glass takes the pixel's polygon, too
           const bool by_file = options.contains("order") && options.at("order") == "file";
           if (!by_file) CHECK(seen == picture.polygon[picture.at(x, y)]);
         }
@@ -121,7 +131,8 @@ TEST_SUITE("pixel history") {
     CHECK(over > 5);
   }
 
-  TEST_CASE("by scan line and by area: who is behind comes to no step at the pixel, and is told by the step that decided") {
+  TEST_CASE(
+      "by scan line and by area: who is behind comes to no step at the pixel, and is told by the step that decided") {
     for (const char* by : {"scan-line", "warnock"}) {
       CAPTURE(by);
       const Trace trace = test::recorded_by(by, look_at_scene(load_scene("pyramid-behind").scene, {}));
@@ -144,12 +155,15 @@ TEST_SUITE("pixel history") {
             CHECK((std::holds_alternative<SpanWinner>(decided) || std::holds_alternative<AreaDecide>(decided)));
             CHECK_FALSE(visit.takes);
             const double gap = *visit.z - *visit.stored;  // 0 where the triangle runs through a face
-            const std::string wanted = std::abs(gap) < 1e-9 ? "as near; the first stays" : "behind by " + answers::depth_text(gap);
+            const std::string wanted =
+                std::abs(gap) < 1e-9 ? "as near; the first stays" : "behind by " + answers::depth_text(gap);
             CHECK(gap > -1e-9);
             CHECK(answers::outcome_text(trace, history, visit) == wanted);
             // Its depth is that of the Z-buffer, in the buffer's own numbers.
             for (const compare::Candidate& candidate : truth.at(x, y))
-              if (candidate.polygon == visit.polygon) CHECK(view_depth(trace.scene().camera, trace.header().conventions, *visit.z) == doctest::Approx(candidate.z).epsilon(1e-9));
+              if (candidate.polygon == visit.polygon)
+                CHECK(view_depth(trace.scene().camera, trace.header().conventions, *visit.z) ==
+                      doctest::Approx(candidate.z).epsilon(1e-9));
             tell(replay, visit);
             CHECK_FALSE(visit.sentence.empty());
           }
@@ -159,8 +173,11 @@ TEST_SUITE("pixel history") {
     }
   }
 
-  TEST_CASE("buffers that are cleared once more: nothing from before is there, and why-not, history and explain agree on that") {
-    const std::vector<glm::dvec3> all{{-1, -1, 5}, {5, -1, 5}, {5, 5, 5}, {-1, 5, 5}}, nearer{{-1, -1, 3}, {5, -1, 3}, {5, 5, 3}, {-1, 5, 3}};
+  TEST_CASE(
+      "buffers that are cleared once more: nothing from before is there, and why-not, history and explain agree on "
+      "that") {
+    const std::vector<glm::dvec3> all{{-1, -1, 5}, {5, -1, 5}, {5, 5, 5}, {-1, 5, 5}},
+        nearer{{-1, -1, 3}, {5, -1, 3}, {5, 5, 3}, {-1, 5, 3}};
     const Trace once = test::recorded_by("z-buffer", test::screen_scene(4, 4, {all, nearer}));
     TraceRecorder recorder(once.header(), once.scene());
     std::int64_t second = 0;
@@ -212,7 +229,8 @@ TEST_SUITE("pixel history") {
         for (const Visit& visit : pixel_history(trace, {x, y})) {
           told.insert(visit.polygon);
           culled += visit.outcome == Outcome::rejected;
-          if (visit.outcome == Outcome::rejected) CHECK(std::get<PolygonReject>(trace.event(visit.step).event).polygon == visit.polygon);
+          if (visit.outcome == Outcome::rejected)
+            CHECK(std::get<PolygonReject>(trace.event(visit.step).event).polygon == visit.polygon);
         }
         if (there) CHECK(told == *there);
       }
@@ -229,7 +247,8 @@ TEST_SUITE("pixel history") {
     const std::vector<Visit> history = pixel_history(trace, {1, 1});
     REQUIRE(history.size() == 2);
     CHECK(answers::outcome_text(trace, history, history[0]) == "nearer");
-    CHECK(answers::outcome_text(trace, history, history[1]) == "the trace says nearer, but 7 < 7 is false; not written");
+    CHECK(answers::outcome_text(trace, history, history[1]) ==
+          "the trace says nearer, but 7 < 7 is false; not written");
     CHECK(history[0].takes);
     CHECK_FALSE(history[1].takes);
   }
@@ -250,7 +269,8 @@ TEST_SUITE("pixel history") {
           CAPTURE(y);
           const std::vector<Visit> history = pixel_history(trace, facets, {x, y});
           bool covered = false;
-          for (const compare::Candidate& candidate : truth.at(x, y)) covered = covered || (candidate.covers && candidate.edge > compare::edge_tolerance);
+          for (const compare::Candidate& candidate : truth.at(x, y))
+            covered = covered || (candidate.covers && candidate.edge > compare::edge_tolerance);
           if (covered) CHECK_FALSE(history.empty());  // else it would be said that it shows the background
           for (const Visit& visit : history) {
             if (visit.outcome != Outcome::cut_off) continue;
@@ -269,15 +289,19 @@ TEST_SUITE("pixel history") {
       const Trace trace = open_jsonl(test::in_checkout("tests/golden/") + std::string(name) + ".jsonl");
       for (std::int32_t y = 0; y < trace.scene().raster.height; ++y)
         for (std::int32_t x = 0; x < trace.scene().raster.width; ++x)
-          for (const Visit& visit : pixel_history(trace, {x, y})) ties += visit.outcome == Outcome::tie, lost += visit.outcome == Outcome::lost;
+          for (const Visit& visit : pixel_history(trace, {x, y}))
+            ties += visit.outcome == Outcome::tie, lost += visit.outcome == Outcome::lost;
     }
     CHECK(ties > 0);
     CHECK(lost > 0);
   }
 
   TEST_CASE("a difference in the seventh digit is told, and shown") {
-    const Trace trace = test::recorded_by("z-buffer", test::screen_scene(4, 4, {{{-1, -1, 0.5}, {5, -1, 0.5}, {5, 5, 0.5}, {-1, 5, 0.5}},
-                                                                               {{-1, -1, 0.5000003}, {5, -1, 0.5000003}, {5, 5, 0.5000003}, {-1, 5, 0.5000003}}}));
+    const Trace trace = test::recorded_by(
+        "z-buffer",
+        test::screen_scene(4, 4,
+                           {{{-1, -1, 0.5}, {5, -1, 0.5}, {5, 5, 0.5}, {-1, 5, 0.5}},
+                            {{-1, -1, 0.5000003}, {5, -1, 0.5000003}, {5, 5, 0.5000003}, {-1, 5, 0.5000003}}}));
     const std::vector<Visit> history = pixel_history(trace, {1, 1});
     REQUIRE(history.size() == 2);
     CHECK(answers::depth_text(*history[1].z) == "0.5000003");
@@ -320,7 +344,9 @@ TEST_CASE("a block that is damaged costs no history that it has no part in") {
   const Trace whole = Trace::from_bytes(bytes, "whole");
   std::vector<std::size_t> blocks;
   for (std::size_t at = 0; at + 4 < bytes.size(); ++at)
-    if (std::equal(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at) + 4, "EVTS")) blocks.push_back(at);
+    if (std::equal(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at) + 4,
+                   "EVTS"))
+      blocks.push_back(at);
   REQUIRE(blocks.size() > 3);
   bytes[blocks[blocks.size() / 2] + 400] ^= 0x10;
   const Trace damaged = Trace::from_bytes(std::move(bytes), "damaged");
@@ -333,7 +359,9 @@ TEST_CASE("a block that is damaged costs no history that it has no part in") {
       try {
         const std::vector<Visit> visits = pixel_history(damaged, facets, {x, y});
         REQUIRE(visits.size() == all.size());
-        for (std::size_t i = 0; i < all.size(); ++i) CHECK((visits[i].step == all[i].step && visits[i].polygon == all[i].polygon && visits[i].outcome == all[i].outcome));
+        for (std::size_t i = 0; i < all.size(); ++i)
+          CHECK((visits[i].step == all[i].step && visits[i].polygon == all[i].polygon &&
+                 visits[i].outcome == all[i].outcome));
         ++answered;
       } catch (const InputError&) {
         ++refused;

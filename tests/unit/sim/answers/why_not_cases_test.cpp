@@ -1,4 +1,5 @@
-// Why a polygon is not what is seen, case by case: what is said where faces are turned away, a trace contradicts itself or is not whole.
+// Why a polygon is not what is seen, case by case: what is said where faces are turned away, a trace contradicts itself
+// or is not whole.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -22,7 +23,9 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_SUITE("why not") {
-  TEST_CASE("of a hidden edge: the pixel lies on the edge, and within the interval that is hidden but for rounding, which is told") {
+  TEST_CASE(
+      "of a hidden edge: the pixel lies on the edge, and within the interval that is hidden but for rounding, which is "
+      "told") {
     ViewOptions view;
     view.width = 30, view.height = 20;
     const Scene scene = look_at_scene(load_scene(test::in_checkout("lessons/scenes/hidden-lines.toml")).scene, view);
@@ -40,7 +43,8 @@ TEST_SUITE("why not") {
             const std::size_t at = text.find(words);
             REQUIRE(at != std::string::npos);
             std::string digits = text.substr(at + words.size());
-            for (std::size_t minus = digits.find("\u2212"); minus != std::string::npos; minus = digits.find("\u2212")) digits.replace(minus, 3, "-");
+            for (std::size_t minus = digits.find("\u2212"); minus != std::string::npos; minus = digits.find("\u2212"))
+              digits.replace(minus, 3, "-");
             return std::stod(digits);
           };
           const double t = number_after(place, "at the pixel t = ");
@@ -80,7 +84,8 @@ TEST_SUITE("why not") {
 
   TEST_CASE("by rays, of a polygon that faces away: one normal is written n") {
     const Scene scene = look_at_scene(load_scene("pyramid-behind").scene, {});
-    const Verdict verdict = why_not(test::recorded_by("ray-casting", scene), *answers::polygon_called(scene, "B"), {15, 12});
+    const Verdict verdict =
+        why_not(test::recorded_by("ray-casting", scene), *answers::polygon_called(scene, "B"), {15, 12});
     REQUIRE(verdict.kind == Why::culled);
     for (const std::string& formula : verdict.formulas) CHECK_FALSE(contains(formula, "dX\u00b7n"));
     CHECK(contains(verdict.formulas.back(), "A dX + B dY + C dZ = 1.27"));
@@ -119,7 +124,8 @@ TEST_SUITE("why not") {
     CHECK(verdict.kind == Why::not_covered);
     CHECK(contains(verdict.sentence, "so near its outline that rounding decides"));
     CHECK_FALSE(contains(verdict.sentence, "half-open"));
-    CHECK(contains(why_not(test::recorded_by("z-buffer", scene), 0, {4, 3}).sentence, "lies on a right or last edge of it, and by the half-open rule such a centre is outside"));
+    CHECK(contains(why_not(test::recorded_by("z-buffer", scene), 0, {4, 3}).sentence,
+                   "lies on a right or last edge of it, and by the half-open rule such a centre is outside"));
   }
 
   TEST_CASE("a pixel that a recording did not reach is not lost to the background") {
@@ -141,7 +147,8 @@ TEST_SUITE("why not") {
   }
 
   TEST_CASE("a trace that was cut off, or comes from elsewhere and says less, is answered for as far as it goes") {
-    const Scene scene = test::screen_scene(4, 4, {{{-1, -1, 2}, {5, -1, 2}, {5, 5, 2}, {-1, 5, 2}}, {{-1, -1, 1}, {5, -1, 1}, {5, 5, 1}, {-1, 5, 1}}});
+    const Scene scene = test::screen_scene(
+        4, 4, {{{-1, -1, 2}, {5, -1, 2}, {5, 5, 2}, {-1, 5, 2}}, {{-1, -1, 1}, {5, -1, 1}, {5, 5, 1}, {-1, 5, 1}}});
     for (const Method& m : methods()) {
       if (m.needs != Needs::polygons) continue;
       CAPTURE(m.id);

@@ -55,7 +55,9 @@ struct Brute {
         now.clear();
         for (const Facet& facet : scene.facets) {
           const auto* corners = &scene.corners[static_cast<std::size_t>(facet.first_corner)];
-          const auto has = [&](std::int32_t vertex) { return std::find(corners, corners + facet.corner_count, vertex) != corners + facet.corner_count; };
+          const auto has = [&](std::int32_t vertex) {
+            return std::find(corners, corners + facet.corner_count, vertex) != corners + facet.corner_count;
+          };
           if (has(segment->vertex_0) && has(segment->vertex_1)) now.insert(facet.polygon);
         }
       } else if (const auto* color = at<ColorWrite>(trace, step)) {
@@ -74,20 +76,25 @@ Stored stored_before(const Trace& trace, std::int64_t step, Trace::Pixel pixel) 
   Stored stored;
   for (std::int64_t k = 1; k < step; ++k) {
     if (at<BuffersClear>(trace, k)) stored = {};
-    if (const auto* depth = at<DepthWrite>(trace, k); depth && depth->x == pixel.x && depth->y == pixel.y) stored.z = depth->z;
-    if (const auto* write = at<PixelWrite>(trace, k); write && write->x == pixel.x && write->y == pixel.y) stored.polygon = write->polygon;
+    if (const auto* depth = at<DepthWrite>(trace, k); depth && depth->x == pixel.x && depth->y == pixel.y)
+      stored.z = depth->z;
+    if (const auto* write = at<PixelWrite>(trace, k); write && write->x == pixel.x && write->y == pixel.y)
+      stored.polygon = write->polygon;
   }
   return stored;
 }
 
-std::int32_t polygon_of(const Scene& scene, std::int32_t facet) { return scene.facets[static_cast<std::size_t>(facet)].polygon; }
+std::int32_t polygon_of(const Scene& scene, std::int32_t facet) {
+  return scene.facets[static_cast<std::size_t>(facet)].polygon;
+}
 
 /// The depth at which the polygon won its last compare before the verdict's step.
 double mine_before(const Trace& trace, const Verdict& verdict, std::int32_t polygon, Trace::Pixel pixel) {
   double z = no_depth;
   std::optional<double> compared;
   for (std::int64_t k = 1; k < verdict.step; ++k) {
-    if (const auto* compare = at<DepthCompare>(trace, k); compare && compare->x == pixel.x && compare->y == pixel.y) compared = compare->z;
+    if (const auto* compare = at<DepthCompare>(trace, k); compare && compare->x == pixel.x && compare->y == pixel.y)
+      compared = compare->z;
     const auto* write = at<PixelWrite>(trace, k);
     if (compared && write && write->x == pixel.x && write->y == pixel.y && write->polygon == polygon) z = *compared;
   }
@@ -99,7 +106,9 @@ bool holds(const Trace& trace, std::int32_t box, std::int32_t polygon) {
   std::set<std::int32_t> inside{box};
   for (std::int64_t step = 1; step <= trace.size(); ++step) {
     if (const auto* made = at<BoxMake>(trace, step); made && inside.contains(made->parent)) inside.insert(made->box);
-    if (const auto* hold = at<BoxHold>(trace, step); hold && inside.contains(hold->box) && polygon_of(trace.scene(), hold->facet) == polygon) return true;
+    if (const auto* hold = at<BoxHold>(trace, step);
+        hold && inside.contains(hold->box) && polygon_of(trace.scene(), hold->facet) == polygon)
+      return true;
     if (at<RayBegin>(trace, step)) return false;
   }
   return false;
@@ -164,7 +173,8 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
         REQUIRE(here(at<DepthCompare>(trace, verdict.step)));
         CHECK(at<DepthCompare>(trace, verdict.step)->nearer);
         std::int64_t written = verdict.step;  // what is written there next
-        while (!here(at<PixelWrite>(trace, written)) && !here(at<ColorBlend>(trace, written))) REQUIRE(++written <= trace.size());
+        while (!here(at<PixelWrite>(trace, written)) && !here(at<ColorBlend>(trace, written)))
+          REQUIRE(++written <= trace.size());
         const auto* write = at<PixelWrite>(trace, written);
         CHECK((write ? write->polygon : at<ColorBlend>(trace, written)->polygon) == verdict.other);
         CHECK(*verdict.gap == mine_before(trace, verdict, polygon, pixel) - at<DepthCompare>(trace, verdict.step)->z);
@@ -205,7 +215,8 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
       REQUIRE(at<HorizonTest>(trace, verdict.step));
       CHECK(at<HorizonTest>(trace, verdict.step)->verdict == Horizon::hidden);
       CHECK(at<HorizonTest>(trace, verdict.step)->x == pixel.x);
-      CHECK(std::abs(at<HorizonTest>(trace, verdict.step)->y_curve - pixel.y) <= 0.5 + steepness(trace, verdict.step) / 2);
+      CHECK(std::abs(at<HorizonTest>(trace, verdict.step)->y_curve - pixel.y) <=
+            0.5 + steepness(trace, verdict.step) / 2);
       break;
     case Why::line_hidden:
       REQUIRE(at<LineHide>(trace, verdict.step));
@@ -216,7 +227,9 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
       CHECK_FALSE(at<LinePiece>(trace, verdict.step)->visible);
       break;
     case Why::mixed: CHECK((at<ColorBlend>(trace, verdict.step) || at<CoverageAdd>(trace, verdict.step))); break;
-    case Why::culled: CHECK((verdict.step == 0 || at<PolygonReject>(trace, verdict.step) || at<RayPlane>(trace, verdict.step))); break;
+    case Why::culled:
+      CHECK((verdict.step == 0 || at<PolygonReject>(trace, verdict.step) || at<RayPlane>(trace, verdict.step)));
+      break;
     default: break;
   }
 }
@@ -224,14 +237,18 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
 /// Whatever short cut was taken, the words are those of a replay that stands at the step.
 void check_formulas(const Trace& trace, const Verdict& verdict) {
   const bool of_pixel = at<DepthCompare>(trace, verdict.step) || at<PixelPaint>(trace, verdict.step);
-  const bool of_ray = at<RayHit>(trace, verdict.step) || at<RayPlane>(trace, verdict.step) || at<BoxTest>(trace, verdict.step);
+  const bool of_ray =
+      at<RayHit>(trace, verdict.step) || at<RayPlane>(trace, verdict.step) || at<BoxTest>(trace, verdict.step);
   if (!of_pixel && !of_ray && !at<ClipVertex>(trace, verdict.step)) return;
-  if (verdict.kind == Why::painted_over || verdict.kind == Why::taken || (verdict.kind == Why::seen && !at<RayHit>(trace, verdict.step))) return;
+  if (verdict.kind == Why::painted_over || verdict.kind == Why::taken ||
+      (verdict.kind == Why::seen && !at<RayHit>(trace, verdict.step)))
+    return;
   if (verdict.kind == Why::overwritten && of_ray) return;  // told of its own hit
   Replay replay(trace);
   replay.go_to(verdict.step);
   for (const std::string& formula : explain(trace, replay.state(), *replay.current()).formulas)
-    CHECK_MESSAGE(std::find(verdict.formulas.begin(), verdict.formulas.end(), formula) != verdict.formulas.end(), formula);
+    CHECK_MESSAGE(std::find(verdict.formulas.begin(), verdict.formulas.end(), formula) != verdict.formulas.end(),
+                  formula);
 }
 
 void check_verdict(const Brute& brute, const Verdict& verdict, std::int32_t polygon, Trace::Pixel pixel) {
@@ -258,10 +275,12 @@ void check_verdict(const Brute& brute, const Verdict& verdict, std::int32_t poly
     sure = sure && candidate.edge > compare::edge_tolerance && !candidate.edge_on;
     covers = covers || candidate.covers;
   }
-  for (const compare::Candidate& candidate : brute.front.at(pixel.x, pixel.y)) towards = towards || (candidate.polygon == polygon && candidate.covers);
+  for (const compare::Candidate& candidate : brute.front.at(pixel.x, pixel.y))
+    towards = towards || (candidate.polygon == polygon && candidate.covers);
   if (!sure) return;
   CHECK(verdict.kind != Why::not_recorded);
-  const bool partly = verdict.kind == Why::mixed && in_page<CoverageAdd>(trace);  // antialiasing looks beyond the centre
+  const bool partly =
+      verdict.kind == Why::mixed && in_page<CoverageAdd>(trace);  // antialiasing looks beyond the centre
   if (!partly) CHECK((answers::does_not_cover(verdict.kind) || verdict.kind == Why::clipped) == !covers);
   const bool culls = trace.header().conventions.cull && trace.scene().camera.kind != Camera::Kind::screen;
   CHECK((verdict.kind == Why::culled) == (culls && covers && !towards));
@@ -300,7 +319,9 @@ std::set<Why> check_all(const Trace& trace, std::int32_t columns, std::int32_t r
 }  // namespace
 
 TEST_SUITE("why not") {
-  TEST_CASE("of pixels of every golden trace and every polygon: as brute force has it, by the step it names, and each kind occurs") {
+  TEST_CASE(
+      "of pixels of every golden trace and every polygon: as brute force has it, by the step it names, and each kind "
+      "occurs") {
     std::set<Why> kinds;
     test::for_each_golden([&](const std::string& name, const Trace& trace) {
       CAPTURE(name);
@@ -309,12 +330,15 @@ TEST_SUITE("why not") {
     for (std::size_t k = 0; k < answers::why_count; ++k) {
       CAPTURE(k);
       const Why kind = static_cast<Why>(k);
-      const bool of_none = kind == Why::not_recorded || kind == Why::contradicted || kind == Why::wiped;  // no method of ours clears twice
+      const bool of_none = kind == Why::not_recorded || kind == Why::contradicted ||
+                           kind == Why::wiped;  // no method of ours clears twice
       if (!of_none) CHECK(kinds.contains(static_cast<Why>(k)));
     }
   }
 
-  TEST_CASE("of stars that cross each other, the near plane and the window, some of glass, by every method with every option") {
+  TEST_CASE(
+      "of stars that cross each other, the near plane and the window, some of glass, by every method with every "
+      "option") {
     Scene scene;
     test::Numbers random(5);
     for (int k = 0; k < 9; ++k) {
@@ -369,9 +393,12 @@ TEST_SUITE("why not") {
 
   TEST_CASE("by areas, of a polygon of two facets: the piece over the pixel is asked, not its neighbour") {
     // Two facets of one polygon meet along a diagonal, which passes between centres; a triangle hides some of both.
-    Scene scene = test::screen_scene(8, 8, {{{-1, -1, 5}, {8.3, -1, 5}, {-1, 8.3, 5}}, {{2, 1, 1}, {7, 2, 2}, {3, 7, 1}}});
-    const auto first = static_cast<std::int32_t>(scene.points.size()), corner = static_cast<std::int32_t>(scene.corners.size());
-    for (const glm::dvec3 point : {glm::dvec3(8.3, -1, 5), glm::dvec3(8.3, 8.3, 6), glm::dvec3(-1, 8.3, 5)}) scene.points.push_back(point);
+    Scene scene =
+        test::screen_scene(8, 8, {{{-1, -1, 5}, {8.3, -1, 5}, {-1, 8.3, 5}}, {{2, 1, 1}, {7, 2, 2}, {3, 7, 1}}});
+    const auto first = static_cast<std::int32_t>(scene.points.size()),
+               corner = static_cast<std::int32_t>(scene.corners.size());
+    for (const glm::dvec3 point : {glm::dvec3(8.3, -1, 5), glm::dvec3(8.3, 8.3, 6), glm::dvec3(-1, 8.3, 5)})
+      scene.points.push_back(point);
     for (std::int32_t k = 0; k < 3; ++k) scene.corners.push_back(first + k);
     scene.facets.insert(scene.facets.begin() + 1, Facet{0, corner, 3});
     const Trace trace = test::recorded_by("warnock", scene);
@@ -379,7 +406,8 @@ TEST_SUITE("why not") {
     std::set<std::int32_t> facets;
     for (std::int32_t y = 0; y < 8; ++y)
       for (std::int32_t x = 0; x < 8; ++x)
-        if (const Verdict verdict = why_not(trace, 0, {x, y}); verdict.kind == Why::lost || verdict.kind == Why::surrounded) {
+        if (const Verdict verdict = why_not(trace, 0, {x, y});
+            verdict.kind == Why::lost || verdict.kind == Why::surrounded) {
           CHECK(verdict.sentence.find(x + y < 7.3 ? "this is facet 0" : "this is facet 1") != std::string::npos);
           facets.insert(verdict.facet);
         }

@@ -21,8 +21,9 @@ TEST_CASE("the words of a command come back, quoted, without the step") {
   CHECK(back("view teapot") == "zstep view teapot");
   CHECK(back("view --at=40 teapot --no-cull") == "zstep view teapot --no-cull");
   CHECK(back("view 'my file.ztrace' --at 7") == "zstep view 'my file.ztrace'");
-  for (const char* option : {"--no-cull", "--depth view", "--interpolation increments", "--coverage inclusive", "--near 2", "--far 9.5",
-                             "--fit", "--ortho", "--theta -30", "--size 64x48", "--presenter"}) {
+  for (const char* option :
+       {"--no-cull", "--depth view", "--interpolation increments", "--coverage inclusive", "--near 2", "--far 9.5",
+        "--fit", "--ortho", "--theta -30", "--size 64x48", "--presenter"}) {
     CAPTURE(option);
     CHECK(back(std::string("view teapot --at 3 ") + option) == std::string("zstep view teapot ") + option);
   }

@@ -11,7 +11,8 @@
 using namespace zstep::cli;
 
 TEST_CASE("the nearest word is the one a typist meant") {
-  const std::vector<std::string> known{"render", "record", "info", "list", "--size", "--size-window", "--save", "--save-ids"};
+  const std::vector<std::string> known{"render", "record",        "info",   "list",
+                                       "--size", "--size-window", "--save", "--save-ids"};
   CHECK(nearest("redner", known) == "render");
   CHECK(nearest("recod", known) == "record");
   CHECK(nearest("RENDER", known) == "render");
@@ -36,11 +37,13 @@ TEST_CASE("numbers are read whole or not at all") {
   }
   CHECK(parse_whole("--at", "0", 0) == 0);
   CHECK(parse_whole("--at", "100000000000", 0) == 100000000000);
-  for (const std::string text : {"", "-1", "1.0", "99999999999999999999"}) CHECK_THROWS_AS(parse_whole("--at", text, 0), zstep::InputError);
+  for (const std::string text : {"", "-1", "1.0", "99999999999999999999"})
+    CHECK_THROWS_AS(parse_whole("--at", text, 0), zstep::InputError);
   CHECK_THROWS_AS(parse_whole("--from", "0", 1), zstep::InputError);
   CHECK(parse_size("--size", "640x480")[1] == 480);
   CHECK(parse_size("--size", "1X2")[0] == 1);
-  for (const std::string text : {"", "x", "4x", "x4", "4x4x4", "0x4", "4*4", "2147483648x1"}) CHECK_THROWS_AS(parse_size("--size", text), zstep::InputError);
+  for (const std::string text : {"", "x", "4x", "x4", "4x4x4", "0x4", "4*4", "2147483648x1"})
+    CHECK_THROWS_AS(parse_size("--size", text), zstep::InputError);
 }
 
 TEST_CASE("words and numbers for people") {

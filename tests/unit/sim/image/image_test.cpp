@@ -27,7 +27,8 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
   std::vector<std::string> names() const {
     std::vector<std::string> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path)) found.push_back(entry.path().filename().string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(path))
+      found.push_back(entry.path().filename().string());
     return found;
   }
 };
@@ -71,7 +72,8 @@ TEST_CASE("the same pixels give the same bytes, and an old file is replaced") {
 TEST_CASE("where a picture cannot be written an InputError says why") {
   const Folder folder;
   const std::vector<std::uint8_t> rgb = gradient(4, 4);
-  CHECK_THROWS_WITH_AS(write_png(folder.path / "none" / "a.png", 4, 4, rgb), doctest::Contains("there is no folder"), InputError);
+  CHECK_THROWS_WITH_AS(write_png(folder.path / "none" / "a.png", 4, 4, rgb), doctest::Contains("there is no folder"),
+                       InputError);
   CHECK_THROWS_WITH_AS(write_png(folder.path, 4, 4, rgb), doctest::Contains("is a folder"), InputError);
   CHECK(folder.names().empty());
   if (fs::exists("/dev/full"))

@@ -19,7 +19,8 @@ namespace {
 
 /// A copy of a golden trace in a folder of its own, which goes with it.
 struct Copy {
-  fs::path folder = fs::temp_directory_path() / fs::path("zstep-marks-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  fs::path folder =
+      fs::temp_directory_path() / fs::path("zstep-marks-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
   fs::path file = folder / "run.jsonl", marks = folder / "run.jsonl.marks";
   Copy() {
     fs::remove_all(folder);
@@ -93,7 +94,8 @@ TEST_SUITE("places") {
     refused(many, "more than 10000 bookmarks");
     copy.write("");
     Bookmarks marks(trace);
-    for (const char* name : {"", "  ", "12", "#a", "a\nb"}) CHECK(test::input_error([&] { marks.set(1, name); }).starts_with("bookmark: "));
+    for (const char* name : {"", "  ", "12", "#a", "a\nb"})
+      CHECK(test::input_error([&] { marks.set(1, name); }).starts_with("bookmark: "));
     CHECK(marks.all().empty());
   }
 

@@ -36,20 +36,26 @@ bool at(const Event& event, std::int32_t x, std::int32_t y) {
   const auto pixel = pixel_of(event);
   return pixel && pixel->x == x && pixel->y == y;
 }
-bool writes(const Event& e) { return as<DepthWrite>(e) || as<PixelWrite>(e) || as<PixelPaint>(e) || as<ColorWrite>(e) || as<ColorBlend>(e); }
+bool writes(const Event& e) {
+  return as<DepthWrite>(e) || as<PixelWrite>(e) || as<PixelPaint>(e) || as<ColorWrite>(e) || as<ColorBlend>(e);
+}
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
-      {"not nearer", [](const Event& e, std::int64_t, std::int32_t) { return as<DepthCompare>(e) && !as<DepthCompare>(e)->nearer; }},
-      {"depth_compare where nearer", [](const Event& e, std::int64_t, std::int32_t) { return as<DepthCompare>(e) && as<DepthCompare>(e)->nearer; }},
+      {"not nearer",
+       [](const Event& e, std::int64_t, std::int32_t) { return as<DepthCompare>(e) && !as<DepthCompare>(e)->nearer; }},
+      {"depth_compare where nearer",
+       [](const Event& e, std::int64_t, std::int32_t) { return as<DepthCompare>(e) && as<DepthCompare>(e)->nearer; }},
       {"x == 9 && y == 7", [](const Event& e, std::int64_t, std::int32_t) { return at(e, 9, 7); }},
       {"touches(9, 7)", [](const Event& e, std::int64_t, std::int32_t) { return at(e, 9, 7); }},
       {"changes(8, 6)", [](const Event& e, std::int64_t, std::int32_t) { return writes(e) && at(e, 8, 6); }},
       {"polygon == 1", [](const Event&, std::int64_t, std::int32_t p) { return p == 1; }},
-      {"polygon == 1 and step > 200 and step <= 900", [](const Event&, std::int64_t s, std::int32_t p) { return p == 1 && s > 200 && s <= 900; }},
+      {"polygon == 1 and step > 200 and step <= 900",
+       [](const Event&, std::int64_t s, std::int32_t p) { return p == 1 && s > 200 && s <= 900; }},
       {"polygon == 0 || polygon == -1", [](const Event&, std::int64_t, std::int32_t p) { return p == 0 || p == -1; }},
       {"polygon_begin", [](const Event& e, std::int64_t, std::int32_t) { return as<PolygonBegin>(e) != nullptr; }},
-      {"facing != front", [](const Event& e, std::int64_t, std::int32_t) { return as<FacingTest>(e) && as<FacingTest>(e)->facing != Facing::front; }},
+      {"facing != front", [](const Event& e, std::int64_t,
+                             std::int32_t) { return as<FacingTest>(e) && as<FacingTest>(e)->facing != Facing::front; }},
       {"first > last - 2 and y >= 5",
        [](const Event& e, std::int64_t, std::int32_t) {
          return of_fields(e, [](const auto& k) {
@@ -83,7 +89,8 @@ const std::vector<Case>& cases() {
       {"step >= 60 and step <= 63.5", [](const Event&, std::int64_t s, std::int32_t) { return s >= 60 && s <= 63; }},
       {"59 < step and 64 > step", [](const Event&, std::int64_t s, std::int32_t) { return s > 59 && s < 64; }},
       {"step == 77", [](const Event&, std::int64_t s, std::int32_t) { return s == 77; }},
-      {"step * 2 >= 300 and step < 170", [](const Event&, std::int64_t s, std::int32_t) { return s >= 150 && s < 170; }},
+      {"step * 2 >= 300 and step < 170",
+       [](const Event&, std::int64_t s, std::int32_t) { return s >= 150 && s < 170; }},
   };
   return all;
 }
@@ -149,8 +156,10 @@ TEST_SUITE("places") {
   TEST_CASE("names of polygons, and what a condition tells of where not to look") {
     const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
     const auto bounds = [&](const char* text) { return Condition(trace, text).bounds(); };
-    CHECK(found(trace, Condition(trace, "polygon == B"), 0, Way::forwards) == found(trace, Condition(trace, "\"B\" == polygon"), 0, Way::forwards));
-    CHECK(found(trace, Condition(trace, "polygon == B"), 0, Way::forwards) == found(trace, Condition(trace, "polygon == P2"), 0, Way::forwards));
+    CHECK(found(trace, Condition(trace, "polygon == B"), 0, Way::forwards) ==
+          found(trace, Condition(trace, "\"B\" == polygon"), 0, Way::forwards));
+    CHECK(found(trace, Condition(trace, "polygon == B"), 0, Way::forwards) ==
+          found(trace, Condition(trace, "polygon == P2"), 0, Way::forwards));
     CHECK(bounds("polygon == B and not nearer").polygon == 2);
     CHECK(bounds("not nearer").kinds.count() == 1);
     CHECK(bounds("12 == x and y == 7 and z < 4").pixel->x == 12);
@@ -162,7 +171,8 @@ TEST_SUITE("places") {
     CHECK(bounds("step > 10 and step <= 20").last == 20);
     CHECK(bounds("20.5 >= step").last == 20);
     // Elsewhere an event's polygon need not be the one at work.
-    CHECK_FALSE(Condition(open_jsonl(test::in_checkout("tests/golden/scan-line.jsonl")), "polygon == 1").bounds().polygon);
+    CHECK_FALSE(
+        Condition(open_jsonl(test::in_checkout("tests/golden/scan-line.jsonl")), "polygon == 1").bounds().polygon);
   }
 
   TEST_CASE("a condition is understood as a person types it and as the panes write it") {
@@ -205,7 +215,8 @@ TEST_SUITE("places") {
     same("scan_line == 5", "y == 5");
     // Depths are not where the scene's vertices are.
     const Condition depth(trace, "z* < 1000");
-    for (const std::int64_t step : found(trace, depth, 0, Way::forwards)) CHECK_FALSE(std::holds_alternative<ViewTransform>(trace.event(step).event));
+    for (const std::int64_t step : found(trace, depth, 0, Way::forwards))
+      CHECK_FALSE(std::holds_alternative<ViewTransform>(trace.event(step).event));
   }
 
   TEST_CASE("what is no condition is one line that says what may be typed") {

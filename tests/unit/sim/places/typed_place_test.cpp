@@ -20,7 +20,9 @@ TEST_SUITE("places") {
     lesson.stops.resize(3);
     lesson.stops[2].position = 77;
     const places::Bookmarks marks;
-    const auto at = [&](const std::string& text, std::int64_t from = 100) { return places::find_place({trace, marks, &lesson, from}, text, "go to"); };
+    const auto at = [&](const std::string& text, std::int64_t from = 100) {
+      return places::find_place({trace, marks, &lesson, from}, text, "go to");
+    };
     const auto step = [&](const std::string& text, std::int64_t from = 100) {
       CAPTURE(text);
       const std::string fault = test::input_error([&] { at(text, from); });
@@ -87,7 +89,8 @@ TEST_SUITE("places") {
     CHECK(std::get<ScanLineBegin>(trace.event(step("line 5", 0)).event).y == 5);
     CHECK(at("line 5", trace.size()).note.find("No later work on scan line 5") == 0);
 
-    for (const char* const text : {"", " ", "1e5", "12.5", "line", "line -3", "3 line", "9,", "9, 17, 3", "-9, 17", "p 3 4 x", "5'", "(5)", "1 0 1", "step", "pixel 9", "nothing"}) {
+    for (const char* const text : {"", " ", "1e5", "12.5", "line", "line -3", "3 line", "9,", "9, 17, 3", "-9, 17",
+                                   "p 3 4 x", "5'", "(5)", "1 0 1", "step", "pixel 9", "nothing"}) {
       CAPTURE(text);
       const std::string said = test::input_error([&] { at(text); });
       CHECK(said.starts_with("go to: "));
@@ -115,8 +118,11 @@ TEST_SUITE("places") {
     const Trace large = test::recorded_by("z-buffer", wide);
     REQUIRE(large.size() > 1100);
     const places::Bookmarks marks;
-    const auto at = [&](const std::string& text) { return places::find_place({large, marks, nullptr, 3}, text, "go to"); };
-    CHECK(test::input_error([&] { at("1,100"); }) == "go to: 1,100 may be a step or a pixel; type step 1100 or pixel 1 100");
+    const auto at = [&](const std::string& text) {
+      return places::find_place({large, marks, nullptr, 3}, text, "go to");
+    };
+    CHECK(test::input_error([&] { at("1,100"); }) ==
+          "go to: 1,100 may be a step or a pixel; type step 1100 or pixel 1 100");
     CHECK(at("1 100").step == 1100);  // as zstep writes steps
     CHECK(at("1,000").step == 1000);  // nobody writes a row so
     CHECK(at("1, 100").pixel);

@@ -1,4 +1,5 @@
-// SQL over a trace: every answer that an index may shorten is held against one that reads all, and nothing but reading is possible.
+// SQL over a trace: every answer that an index may shorten is held against one that reads all, and nothing but reading
+// is possible.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -144,7 +145,8 @@ TEST_SUITE("query") {
   TEST_CASE("no two columns of a table have the same name") {
     for (const query::Table& table : query::all_tables()) {
       std::set<std::string> names;
-      for (const query::Column& column : table.columns) CHECK_MESSAGE(names.insert(column.name).second, table.name, ".", column.name);
+      for (const query::Column& column : table.columns)
+        CHECK_MESSAGE(names.insert(column.name).second, table.name, ".", column.name);
     }
   }
 
@@ -162,14 +164,17 @@ TEST_SUITE("query") {
     };
     std::size_t rows = 0;
     for (int round = 0; round < 8; ++round) {
-      const std::string x = std::to_string(random() % 16), y = std::to_string(random() % 12), polygon = std::to_string(random() % 3);
+      const std::string x = std::to_string(random() % 16), y = std::to_string(random() % 12),
+                        polygon = std::to_string(random() % 3);
       const std::string low = std::to_string(random() % 200'000), high = std::to_string(random() % 210'000);
       rows += same("depth_compare", "x = " + x + " and y = " + y, "+x = " + x + " and +y = " + y);
       rows += same("depth_write", "step between " + low + " and " + high, "+step between " + low + " and " + high);
       rows += same("depth_write", "step > " + low + " and step < " + high + ".5 and y = " + y,
                    "+step > " + low + " and +step < " + high + ".5 and +y = " + y);
-      rows += same("depth_compare", "polygon = " + polygon + " and x = " + x, "+polygon = " + polygon + " and +x = " + x);
-      rows += same("pixel_write", "polygon = " + polygon + " and step >= " + low, "+polygon = " + polygon + " and +step >= " + low);
+      rows +=
+          same("depth_compare", "polygon = " + polygon + " and x = " + x, "+polygon = " + polygon + " and +x = " + x);
+      rows += same("pixel_write", "polygon = " + polygon + " and step >= " + low,
+                   "+polygon = " + polygon + " and +step >= " + low);
       // Each bound is the step of a row: x, and the same where no index is used, hold it or not alike.
       const std::string row = std::to_string(random() % 60'000 * 3 + 2);
       for (const char* sign : {" <= ", " < ", " >= ", " > ", " = "}) {
@@ -183,7 +188,8 @@ TEST_SUITE("query") {
     CHECK(ask(database, "select * from depth_compare where x = 'three'").empty());
     CHECK(ask(database, "select * from depth_compare where x = null").empty());
     CHECK(ask(database, "select * from depth_compare where step > 1e300").empty());
-    CHECK(number(database, "select count(*) from depth_compare where step > -1e300") == number(database, "select count(*) from depth_compare"));
+    CHECK(number(database, "select count(*) from depth_compare where step > -1e300") ==
+          number(database, "select count(*) from depth_compare"));
     CHECK(ask(database, "select step from depth_compare where step < 9000 order by step desc limit 1") ==
           ask(database, "select max(step) from depth_compare where step < 9000"));
   }
@@ -191,19 +197,26 @@ TEST_SUITE("query") {
   TEST_CASE("tables can be joined, also one with itself, and used again and again") {
     const Trace trace = long_trace();
     Database database(trace);
-    CHECK(number(database, "select count(*) from depth_compare a join depth_compare b on b.step = a.step + 3 where a.step < 3000") > 500);
-    CHECK(number(database, "select count(*) from pixel_write a, depth_write b, depth_compare c, scan_line_begin d, polygon_begin e, depth_write f, "
-                           "depth_write g where a.step = b.step + 1 and b.step = c.step + 1 and d.step = 92 and e.step = 1 and f.step = b.step + 3 "
-                           "and g.step = f.step + 3 and c.step between 150000 and 150020") > 0);
+    CHECK(
+        number(database,
+               "select count(*) from depth_compare a join depth_compare b on b.step = a.step + 3 where a.step < 3000") >
+        500);
+    CHECK(number(database,
+                 "select count(*) from pixel_write a, depth_write b, depth_compare c, scan_line_begin d, polygon_begin "
+                 "e, depth_write f, "
+                 "depth_write g where a.step = b.step + 1 and b.step = c.step + 1 and d.step = 92 and e.step = 1 and "
+                 "f.step = b.step + 3 "
+                 "and g.step = f.step + 3 and c.step between 150000 and 150020") > 0);
   }
 
   TEST_CASE("nothing but reading") {
     const Trace trace = golden("delhi");
     Database database(trace);
     for (const char* sql :
-         {"delete from depth_compare", "insert into depth_compare(x) values (1)", "update depth_compare set x = 1", "create table t(a)",
-          "drop table depth_compare", "attach 'other.db' as other", "pragma writable_schema = on", "pragma temp_store_directory = '/'", "vacuum",
-          "create virtual table t using trace(1)", "begin", "select load_extension('x')", "vacuum into 'copy.db'", "create temp table t as select 1",
+         {"delete from depth_compare", "insert into depth_compare(x) values (1)", "update depth_compare set x = 1",
+          "create table t(a)", "drop table depth_compare", "attach 'other.db' as other", "pragma writable_schema = on",
+          "pragma temp_store_directory = '/'", "vacuum", "create virtual table t using trace(1)", "begin",
+          "select load_extension('x')", "vacuum into 'copy.db'", "create temp table t as select 1",
           "select * from pragma_database_list", "reindex", "analyze", "detach main"}) {
       CAPTURE(sql);
       const std::string said = refusal(database, sql);
@@ -216,7 +229,9 @@ TEST_SUITE("query") {
   TEST_CASE("mistakes are one line each, with a way out") {
     const Trace trace = golden("delhi");
     Database database(trace);
-    CHECK(refusal(database, "select * from depth_compares").find("no such table: depth_compares; the tables of this trace are buffers_clear, ") != std::string::npos);
+    CHECK(refusal(database, "select * from depth_compares")
+              .find("no such table: depth_compares; the tables of this trace are buffers_clear, ") !=
+          std::string::npos);
     CHECK(refusal(database, "select depth from depth_compare").find("no such column: depth") != std::string::npos);
     CHECK(refusal(database, "selekt").find("syntax error, at \"selekt\"") != std::string::npos);
     CHECK(refusal(database, "").find("asks nothing") != std::string::npos);
@@ -231,7 +246,8 @@ TEST_SUITE("query") {
   TEST_CASE("a question without end is stopped by its time, and by who asks") {
     const Trace trace = golden("delhi");
     Database database(trace);
-    const std::string endless = "with recursive n(i) as (select 1 union all select i + 1 from n) select count(*) from n";
+    const std::string endless =
+        "with recursive n(i) as (select 1 union all select i + 1 from n) select count(*) from n";
     const auto run = [&](const Limits& limits) {
       database.run(endless, limits, [](const auto&) {}, [](auto) { return true; });
     };
@@ -261,7 +277,9 @@ TEST_SUITE("query") {
     // A recording of several blocks with one byte of the second turned over.
     const Scene scene = some_scene();
     TraceRecorder record(some_header(), scene);
-    for (int k = 0; k < 150'000; ++k) record(Step<DepthWrite>{step_of(kind_of<DepthWrite>)}, DepthWrite{k % 16, k % 12, std::sqrt(static_cast<double>(k))});
+    for (int k = 0; k < 150'000; ++k)
+      record(Step<DepthWrite>{step_of(kind_of<DepthWrite>)},
+             DepthWrite{k % 16, k % 12, std::sqrt(static_cast<double>(k))});
     record.finish();
     Bytes bytes = record.take_bytes();
     bytes[bytes.size() / 2] ^= 1;
