@@ -42,14 +42,20 @@ bool acts(std::uint32_t code) {
          within(0x2066, 0x2069) || code == 0xfeff;
 }
 
-std::string escaped(std::string_view text, bool by_lines) {
-  std::string out;
-  out.reserve(text.size());
+bool is_plain(char c) { return c >= ' ' && c < 0x7f; }
+
+enum class Form { one_line, lines, json };
+
+std::string escaped(std::string_view text, Form form) {
+  const auto first = std::find_if_not(text.begin(), text.end(), is_plain);
+  std::string out(text.begin(), first);
+  text.remove_prefix(out.size());
   while (!text.empty()) {
     const Letter letter = letter_at(text);
     if (letter.bytes == 0) out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
-    else if (!acts(letter.code) || (by_lines && (letter.code == '\n' || letter.code == '\t')))
+    else if (!acts(letter.code) || (form != Form::one_line && (letter.code == '\n' || letter.code == '\t')))
       out += text.substr(0, letter.bytes);
+    else if (form == Form::json) out += fmt::format("\\u{:04x}", letter.code);
     else if (letter.code == '\n') out += "\\n";
     else if (letter.code == '\t') out += "\\t";
     else if (letter.code == '\r') out += "\\r";
@@ -62,14 +68,14 @@ std::string escaped(std::string_view text, bool by_lines) {
 
 }  // namespace
 
-std::string printable(std::string_view text) { return escaped(text, false); }
-std::string printable_lines(std::string_view text) { return escaped(text, true); }
+std::string printable(std::string_view text) { return escaped(text, Form::one_line); }
+std::string printable_lines(std::string_view text) { return escaped(text, Form::lines); }
+std::string printable_json(std::string_view json) { return escaped(json, Form::json); }
 
 namespace {
 
 void mend(std::string& text) {
-  const bool plain = std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 0x7f; });
-  if (!plain) text = printable(text);
+  if (!std::all_of(text.begin(), text.end(), is_plain)) text = printable(text);
 }
 
 }  // namespace

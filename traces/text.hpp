@@ -12,6 +12,9 @@ namespace zstep {
 std::string printable(std::string_view text);
 /// The same line by line: line ends, and tabs, stay.
 std::string printable_lines(std::string_view text);
+/// The same for JSON that was written already: \u007f, \u0085, \u202e, so that it is read back as it was. Such
+/// characters can only be in its texts; its line ends stay.
+std::string printable_json(std::string_view json);
 
 struct Header;
 struct Scene;

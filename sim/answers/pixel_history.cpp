@@ -68,7 +68,7 @@ class History {
       add(touch.step, no_polygon, Outcome::colored);
       return;
     }
-    // What a ray meets stands there already; only what is painted against it does not.
+    // The hit that the ray kept is a visit already; only a paint that contradicts it is another one.
     if (keeper_ && touch.how != Touch::How::blended && touch.shows == *keeper_) return;
     const bool blend = touch.how == Touch::How::blended,
                compared = touch.how == Touch::How::compared || (blend && touch.z);
@@ -86,7 +86,7 @@ class History {
     if (blend) add(touch.blended, touch.polygon, Outcome::mixed).opacity = touch.opacity;
   }
 
-  /// What is not as the rule has it: another polygon written, another depth, none at all, or written though it is not
+  /// How the steps depart from the rule: another polygon or another depth is written, none at all, or one that is not
   /// nearer.
   std::string remark(const Touch& touch) const {
     std::string text;
@@ -127,7 +127,7 @@ class History {
   }
 
   bool cut() const { return !trace_.whole(); }
-  /// Work on some polygons begins in the trace, and on others it never does.
+  /// In the trace, work begins on some polygons and on others never.
   bool marks_some_only() {
     if (trace_.polygons().empty() || trace_.has(kind_of<RayBegin>)) return false;
     begun_.assign(trace_.scene().polygons.size(), false);
@@ -165,8 +165,7 @@ class History {
     return last != visits_.rend() && last->outcome == Outcome::painted ? &*last : nullptr;
   }
 
-  /// Those of them that came to no step at this pixel, as they were found to be behind on all of the interval or the
-  /// area.
+  /// Of these, the polygons without a step at this pixel: they were found to be behind on the whole interval or area.
   void add_behind() {
     const Visit* const painted = owner_by_interval_or_area();
     if (!painted || !painted->z) return;
@@ -188,12 +187,12 @@ class History {
     }
   }
 
-  /// Those of them that were not drawn.
+  /// Of these, the polygons that were not drawn.
   void add_rejected() {
     if (!trace_.has(kind_of<PolygonReject>) || facets_there_.empty()) return;
 
-    // A polygon is rejected after work on it begins, and before work on another does. A tree's back faces are rejected
-    // when their node is come to, between pieces that are drawn.
+    // A polygon is rejected after work on it begins, and before work on another does. A BSP tree
+    // rejects back faces when it comes to their node, between the pieces that it draws.
     const bool tree = page_has(trace_, kind_of<EyeSide>);
     const auto marks = trace_.polygons();
     const auto listed = all_rejects();
@@ -208,7 +207,7 @@ class History {
       }
     }
     if (!marks.empty() && !tree) return;
-    std::vector<bool> of_node = away_;  // of a polygon that was cut one piece speaks for all
+    std::vector<bool> of_node = away_;  // one piece of a polygon that was cut is enough
     for (const RejectMark& reject : trace_.rejects()) {
       const auto polygon = static_cast<std::size_t>(reject.polygon);
       if (!tree && there_[polygon]) add_rejected(reject);
@@ -217,8 +216,7 @@ class History {
     }
   }
 
-  /// The trace's list of rejects; nothing where a damaged block keeps it from being made, which need not concern this
-  /// pixel.
+  /// The trace's list of rejects; none if a damaged block prevents it. The damage need not concern this pixel.
   std::optional<std::span<const RejectMark>> all_rejects() const {
     try {
       return trace_.rejects();
@@ -226,7 +224,7 @@ class History {
       return std::nullopt;
     }
   }
-  /// Those of them at steps from first to last.
+  /// The rejects at steps from first to last.
   static std::vector<RejectMark> rejects_among(std::span<const RejectMark> all, std::int64_t first, std::int64_t last) {
     const auto from = std::lower_bound(all.begin(), all.end(), first,
                                        [](const RejectMark& mark, std::int64_t at) { return mark.position < at; });
@@ -252,12 +250,13 @@ class History {
     return work && polygon_of_facet(trace_.scene(), work->facet) == polygon && !facets_there_.contains(work->facet);
   }
 
-  /// Those of them whose turn did not come before the recording was cut off.
+  /// Of these, the polygons whose turn had not come when the recording was cut off.
   void add_cut_off() {
     if ((!cut() && begun_.empty()) || trace_.size() == 0 || page_has(trace_, kind_of<LineBegin>) ||
         page_has(trace_, kind_of<HorizonTest>))
       return;
-    // Each polygon is compared at each pixel that it covers; by other methods what is settled is not looked at again.
+    // Where depths are compared, each polygon comes to every pixel that it covers. Other methods leave alone what is
+    // settled.
     const bool all_come = page_has(trace_, kind_of<DepthCompare>);
     const bool settled = std::any_of(visits_.begin(), visits_.end(),
                                      [](const Visit& visit) { return visit.outcome != Outcome::rejected; });
@@ -307,7 +306,7 @@ class History {
   const FacetsNear& facets_;
   Trace::Pixel pixel_;
   std::optional<std::int32_t> keeper_;  ///< of the eye's ray, whose hit is kept; none where no ray is recorded
-  std::vector<bool> begun_;  ///< by polygon: work on it begins; empty where that tells nothing
+  std::vector<bool> begun_;  ///< by polygon: work on it begins; empty if all may have begun
   std::vector<bool> there_, towards_,
       away_;  ///< by polygon: it covers the pixel; with a facet that may be drawn; with one that is culled
   std::set<std::int32_t> facets_there_;
@@ -362,7 +361,9 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
                  ? "behind by " + depth_text(trace.header().comparison.behind(*visit.z, *visit.stored))
                  : "behind";
       break;
-    case Outcome::tie: text = "a tie: the first stays"; break;
+    case Outcome::tie:
+      text = trace.header().declares(Convention::ties) ? "a tie: the first stays" : "a tie: the trace says not nearer";
+      break;
     case Outcome::painted: text = "painted"; break;
     case Outcome::mixed:
       text = visit.opacity && *visit.opacity < 1 ? "mixed in, with opacity " + depth_text(*visit.opacity)

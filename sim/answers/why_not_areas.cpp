@@ -27,8 +27,7 @@ std::optional<Found<AreaBegin>> quarter_with(const Trace& trace, const AreaThere
   const std::int64_t end = trace.size() + 1;
   const auto first = next_event<AreaBegin>(trace, whole.decided, end);
   if (!first || holds(first->event, pixel)) return first;
-  // Where it was split is told by the first quarter; one column or row is not split. Quarters are settled one after the
-  // other.
+  // The first quarter shows where the area was split; a single column or row is not. Quarters are settled in turn.
   const AreaBegin& corner = first->event;
   const std::int32_t column = corner.end_column < whole.area.end_column ? corner.end_column : whole.area.end_column;
   const std::int32_t row = corner.end_row < whole.area.end_row ? corner.end_row : whole.area.end_row;
@@ -89,8 +88,8 @@ std::vector<std::int32_t> pieces_of(const Asked& q, const std::vector<FacetThere
   return pieces;
 }
 
-/// The bin that the polygon was put into last on the way down; what is not disjoint before what is. Looked for on the
-/// way up, as the areas near the pixel hold few polygons.
+/// The last bin that the polygon was put into on the way down, if possible not "disjoint". The search goes upwards,
+/// because the small areas around the pixel hold few polygons.
 std::optional<BinThere> last_bin(const Asked& q, const std::vector<AreaThere>& chain,
                                  const std::vector<std::int32_t>& pieces) {
   for (std::size_t k = chain.size(); k-- > 0;) {

@@ -13,12 +13,28 @@ std::string step_text(std::int64_t step) { return "step " + grouped(step); }
 /// Whose the pixel is by it, or whose colour was mixed in.
 std::int32_t whose(const Touch& touch) { return touch.takes ? touch.shows : touch.polygon; }
 
-/// "B at z = 5 wins the compare".
-std::string compare_link(const Asked& q, const Touch& touch, const char* outcome) {
-  return fmt::format("{}{} {}", q.label(touch.polygon), touch.z ? fmt::format(" at {} = {}", q.z, told(*touch.z)) : "",
-                     outcome);
+/// Was it compared? A blend may follow a compare, or come without one.
+bool was_compared(const Touch& touch) {
+  return touch.how == Touch::How::compared || (touch.how == Touch::How::blended && touch.step != touch.blended);
 }
-const char* outcome_of(const Touch& touch) { return touch.nearer ? "wins the compare" : "loses the compare"; }
+
+/// "the trace says nearer, but 7 < 7 is false".
+std::string contradiction_of(const Asked& q, const Touch& touch) {
+  return contradiction_text(q.trace, touch.nearer, *touch.z, touch.stored);
+}
+
+/// "B at z = 5 wins the compare"; where its numbers have another outcome, or none, that.
+std::string compare_link(const Asked& q, const Touch& touch) {
+  const std::string z = touch.known && std::isfinite(touch.stored) ? told_apart(*touch.z, touch.stored).first
+                                                                   : told(*touch.z);
+  std::string outcome = touch.nearer              ? "wins the compare"
+                        : *touch.z == touch.stored ? "is a tie"
+                                                   : "loses the compare";
+  if (!follows(q.trace, touch)) outcome = "is compared: " + contradiction_of(q, touch);
+  if (!touch.known)
+    outcome = fmt::format("is {} than a depth that the trace does not record", touch.nearer ? "nearer" : "not nearer");
+  return fmt::format("{} at {} = {} {}", q.label(touch.polygon), q.z, z, outcome);
+}
 
 std::string z_text(const Asked& q, const Touch& touch) {
   return touch.z ? fmt::format(", {} = {}", q.z, told(*touch.z)) : "";
@@ -55,11 +71,6 @@ void add_remarks(const Asked& q, Verdict& verdict, const Touch& touch) {
                                     step_text(touch.kept_at), who, told(*touch.kept), told(*touch.z));
 }
 
-/// "the trace says nearer, but 7 < 7 is false".
-std::string contradiction_of(const Asked& q, const Touch& touch) {
-  return contradiction_text(q.trace, touch.nearer, *touch.z, touch.stored);
-}
-
 /// Why a compare that was not followed by a write left no trace.
 std::string lost_text(const Asked& q, const Touch& mine) {
   const std::string step = step_text(mine.step), other = q.label(mine.stored_polygon);
@@ -77,8 +88,9 @@ std::string lost_text(const Asked& q, const Touch& mine) {
   if (mine.stored_polygon == no_polygon)
     return fmt::format("at {} its {} is {} {}, the depth written there before without a colour", step, q.z,
                        tie ? "equal to" : "not nearer than", told(mine.stored));
-  return tie ? fmt::format("at {} it is exactly as near as {}, which was there first, and of equals the first stays",
-                           step, other)
+  return tie ? fmt::format("at {} it is exactly as near as {}, which was there first, and {}", step, other,
+                           q.trace.header().declares(Convention::ties) ? "of equals the first stays"
+                                                                       : "the trace says not nearer")
              : fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step, other, q.z,
                            told(q.trace.header().comparison.behind(*mine.z, mine.stored)));
 }
@@ -86,7 +98,7 @@ std::string lost_text(const Asked& q, const Touch& mine) {
 /// It was compared and was not nearer than what stood there.
 Verdict why_lost(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
   const Touch* there = holder(touches, mine.step);
-  const bool tie = mine.known && mine.z == mine.stored, sound = !mine.nearer && follows(q.trace, mine);
+  const bool tie = mine.known && mine.z == mine.stored;
   Verdict verdict = q.verdict(tie ? Why::tie : Why::lost, mine.step, lost_text(q, mine));
   verdict.other = mine.stored_polygon;
   q.add_formulas(verdict, mine);
@@ -96,25 +108,23 @@ Verdict why_lost(Asked& q, const std::vector<Touch>& touches, const Touch& mine)
     verdict.chain.push_back({there->written, there->shows,
                              fmt::format("the pixel becomes {}{}", q.label(there->shows), z_text(q, *there))});
   }
-  verdict.chain.push_back({mine.step, q.polygon,
-                           compare_link(q, mine,
-                                        !sound ? "is compared"
-                                        : tie  ? "is a tie"
-                                               : "loses the compare")});
+  verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine)});
   add_last(q, verdict, touches);
   return verdict;
 }
 
-/// It won its compare, and another polygon's colour was written.
+/// It won its compare, or came without one, and another polygon's colour was written.
 Verdict why_miswritten(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
   const std::string other = q.label(mine.shows);
-  Verdict verdict =
-      q.verdict(Why::contradicted, mine.written,
-                fmt::format("it {} the compare at {}, but {} writes {} there", mine.nearer ? "won" : "lost",
-                            step_text(mine.step), step_text(mine.written), other));
+  const bool compared = was_compared(mine);
+  const std::string writes = fmt::format("{} writes {} there", step_text(mine.written), other);
+  Verdict verdict = q.verdict(Why::contradicted, mine.written,
+                              compared ? fmt::format("it {} the compare at {}, but {}", mine.nearer ? "won" : "lost",
+                                                     step_text(mine.step), writes)
+                                       : fmt::format("it is at work there, but {}", writes));
   verdict.other = mine.shows;
   q.add_formulas(verdict, mine);
-  verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine, outcome_of(mine))});
+  if (compared) verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine)});
   verdict.chain.push_back({mine.written, mine.shows, fmt::format("the pixel becomes {}", other)});
   add_last(q, verdict, touches);
   return verdict;
@@ -126,6 +136,9 @@ std::string gone_text(const Asked& q, const Touch& mine, const Touch& next) {
   if (next.how == Touch::How::painted)
     return fmt::format("it was painted there at {}, and {} was painted over it at {}", since, other,
                        step_text(next.written));
+  if (next.how == Touch::How::blended && !was_compared(next))
+    return fmt::format("it was there from {} on, until {} was laid over it at {} with opacity {}", since, other,
+                       step_text(next.written), number(next.opacity));
   if (next.how == Touch::How::written)
     return fmt::format("it was there from {} on, until {} wrote {} there without a compare", since,
                        step_text(next.written), other);
@@ -143,7 +156,7 @@ std::string gone_text(const Asked& q, const Touch& mine, const Touch& next) {
 
 /// It was there until another came.
 Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine, const Touch& next) {
-  const bool painted = next.how == Touch::How::painted, compared = !painted && next.how != Touch::How::written;
+  const bool painted = next.how == Touch::How::painted, compared = was_compared(next);
   const std::string other = q.label(whose(next));
   const Why kind = !compared ? Why::painted_over : next.nearer ? Why::overwritten : Why::contradicted;
   Verdict verdict = q.verdict(kind, compared ? next.step : next.written, gone_text(q, mine, next));
@@ -158,7 +171,7 @@ Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine,
     verdict.sentence += fmt::format(" {} is the nearer one there: the order was wrong for this pixel.", q.name);
   verdict.chain.push_back({mine.written, q.polygon, fmt::format("the pixel becomes {}{}", q.name, z_text(q, mine))});
   if (painted) add_order(q, verdict, mine.step, next.step);
-  else if (compared) verdict.chain.push_back({next.step, next.polygon, compare_link(q, next, outcome_of(next))});
+  else if (compared) verdict.chain.push_back({next.step, next.polygon, compare_link(q, next)});
   verdict.chain.push_back({next.written, whose(next), fmt::format("the pixel becomes {}", other)});
   add_last(q, verdict, touches);
   return verdict;
@@ -259,8 +272,7 @@ Verdict why_seen(Asked& q, const std::vector<Touch>& touches, const Touch& last)
                         last.polygon == q.polygon ? "it" : q.label(last.polygon), step_text(last.step))
           : fmt::format("{} put it there{}", step, z_text(q, last));
   Verdict verdict = seen(q, last.written, how, fmt::format("the pixel becomes {}", q.name));
-  if (last.step != last.written)
-    verdict.chain.push_back({last.step, last.polygon, compare_link(q, last, outcome_of(last))});
+  if (was_compared(last)) verdict.chain.push_back({last.step, last.polygon, compare_link(q, last)});
   if (compared && !follows(q.trace, last))
     verdict.sentence += fmt::format(" At {} {}.", step_text(last.step), contradiction_of(q, last));
   add_remarks(q, verdict, last);

@@ -6,6 +6,8 @@
 
 #include <md4c.h>
 
+#include "traces/text.hpp"
+
 namespace zstep {
 namespace {
 
@@ -130,8 +132,8 @@ void append_utf8(std::string& out, unsigned long code) {
   }
 }
 
-/// "&lt;" as "<". md4c hands entities on verbatim; the few that lesson writers use are known here, others stay as
-/// written.
+/// "&lt;" as "<", "&#955;" as "λ". md4c hands entities on verbatim; the few names that lesson writers use are known
+/// here. Other names stay as written, and so do numbers of characters that would do something, as "&#27;".
 std::string entity(std::string_view written) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> known{
       {{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&nbsp;", "\u00A0"}}};
@@ -143,7 +145,7 @@ std::string entity(std::string_view written) {
     const std::string digits(written.substr(hexadecimal ? 3 : 2));  // md4c has checked them
     std::string text;
     append_utf8(text, std::strtoul(digits.c_str(), nullptr, hexadecimal ? 16 : 10));
-    return text;
+    if (printable(text) == text) return text;
   }
   return std::string(written);
 }

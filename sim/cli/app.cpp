@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -124,21 +126,31 @@ const CLI::App& chosen(const CLI::App& app) {
   return commands.empty() ? app : *commands.front();
 }
 
-int parse_and_run(const std::vector<std::string>& words) {
+/// What prints a text.
+Action printing(std::string text) {
+  return [text = std::move(text)] {
+    fmt::print("{}", text);
+    return exit_code::done;
+  };
+}
+
+}  // namespace
+
+std::function<int()> parse(const std::vector<std::string>& words) {
   Action action = start;
-  CLI::App app("zstep shows how a computer decides what is visible: every step of a method, recorded and replayed.",
-               "zstep");
+  // Kept by what is returned: a command may ask for the others.
+  const auto kept = std::make_shared<CLI::App>(
+      "zstep shows how a computer decides what is visible: every step of a method, recorded and replayed.", "zstep");
+  CLI::App& app = *kept;
   declare(app, action);
   set_commands(command_names(app));
   try {
     check_words(app, words);
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", as_typed(chosen(app).help(&chosen(app) == &app ? "" : "zstep")));
-    return exit_code::done;
+    return printing(as_typed(chosen(app).help(&chosen(app) == &app ? "" : "zstep")));
   } catch (const CLI::CallForVersion&) {
-    fmt::print("zstep {}\n", ZSTEP_VERSION);
-    return exit_code::done;
+    return printing(fmt::format("zstep {}\n", ZSTEP_VERSION));
   } catch (const CLI::ParseError& error) {
     const CLI::App& command = chosen(app);
     const std::string name = &command == &app ? "zstep" : "zstep " + command.get_name();
@@ -148,17 +160,15 @@ int parse_and_run(const std::vector<std::string>& words) {
       what = fmt::format("does not know what to do with '{}'", command.remaining().front());
     throw InputError(name, what, fmt::format("see '{} --help'", name));
   }
-  return action();
+  return [kept, action] { return action(); };
 }
-
-}  // namespace
 
 int run(const std::vector<std::string>& words) {
 #if ZSTEP_HAS_VIEWER
   note_input(viewer::settings_path());
 #endif
   try {
-    const int code = parse_and_run(words);
+    const int code = parse(words)();
     if (code != exit_code::done) return code;
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) stdout_failed();
     return is_incomplete() ? exit_code::incomplete : code;

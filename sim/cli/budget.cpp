@@ -59,7 +59,7 @@ void watch_time() {
 
 }  // namespace
 
-void add_budget_options(CLI::App& command) {
+void add_limit_options(CLI::App& command) {
   add_number(command, "--seconds", budget().seconds,
              "Stop after this much processor time (default: 7, and more for a large file)")
       ->group("Limits");
@@ -67,27 +67,37 @@ void add_budget_options(CLI::App& command) {
              "Stop when it would need more than so many MiB (default: 768, and more for a large file)")
       ->type_name("MIB")
       ->group("Limits");
+}
+
+void add_budget_options(CLI::App& command) {
+  add_limit_options(command);
   command.add_flag("--strict", budget().strict, "Anything that is doubtful about the file is an error")
       ->group("Limits");
 }
 
 bool time_is_up() { return budget().until > 0 && processor_time() > budget().until - 0.5; }
 
-void begin_budget(std::uintmax_t file_bytes) {
+void begin_budget(std::optional<std::uintmax_t> file_bytes) {
   for (const auto& [name, value] : {std::pair{"--seconds", budget().seconds}, {"--memory", budget().memory}})
     if (value && !(*value > 0)) throw InputError(name, "is not more than 0", "leave it out, or give a larger number");
-  const double bytes = budget().memory ? *budget().memory * 1048576
-                                       : least_memory * 1048576 + static_cast<double>(file_bytes) * memory_a_byte;
-  compare::limit_heap(static_cast<std::int64_t>(std::fmin(bytes, 9e18)));
-  if (budget().until > 0) return extend_budget(static_cast<double>(file_bytes) * seconds_a_byte);
-  budget().until =
-      processor_time() + budget().seconds.value_or(least_seconds + static_cast<double>(file_bytes) * seconds_a_byte);
-  std::set_terminate(end_without_memory);
+  const auto bytes = static_cast<double>(file_bytes.value_or(0));
+  if (budget().memory || file_bytes) {
+    const double most = budget().memory.value_or(least_memory) * 1048576 + (budget().memory ? 0 : bytes * memory_a_byte);
+    compare::limit_heap(static_cast<std::int64_t>(std::fmin(most, 9e18)));
+    std::set_terminate(end_without_memory);
+  }
+  if (budget().until > 0) return extend_budget(bytes * seconds_a_byte);
+  if (!budget().seconds && !file_bytes) return;
+  budget().until = processor_time() + budget().seconds.value_or(least_seconds + bytes * seconds_a_byte);
   std::thread(watch_time).detach();
 }
 
 void extend_budget(double seconds) {
   if (!budget().seconds && budget().until > 0) budget().until = budget().until + seconds;
+}
+
+void end_budget() {
+  if (budget().until > 0) budget().until = processor_time() + 2;
 }
 
 std::string memory_budget_met() {

@@ -10,17 +10,21 @@
 
 namespace zstep::cli {
 
-/// --seconds, --memory and --strict, for commands that read a file. One command runs in a process, so these are its
-/// own.
+/// --seconds and --memory, for commands that run a method. One command runs in a process, so these are its own.
+void add_limit_options(CLI::App& command);
+/// These and --strict, for commands that read a trace.
 void add_budget_options(CLI::App& command);
 
 /// From now on the command ends with exit_code::incomplete when it has taken more than is meant for a file of so many
 /// bytes, or than a person gave it: what it printed stays, what it has half written goes. Another file adds to it.
-void begin_budget(std::uintmax_t file_bytes);
+/// Without a file, only what a person gave is a limit.
+void begin_budget(std::optional<std::uintmax_t> file_bytes);
 /// Half a second before that, for who can end better by itself.
 bool time_is_up();
 /// Work that was asked for by its number, frames of a film say, may take its time.
 void extend_budget(double seconds);
+/// Two seconds from now, whatever is left, to end well.
+void end_budget();
 
 /// What to say once memory is refused: that this was the budget. Empty where it was not.
 std::string memory_budget_met();

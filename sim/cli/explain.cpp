@@ -17,6 +17,7 @@
 #include "sim/cli/words.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -129,7 +130,7 @@ int explain(const ExplainOptions& options) {
   const answers::Chain chain = answers::explain_value(trace, question);
   if (chain.links.empty() && question.pixel) fmt::print("{}\n", no_depth_text(trace, *question.pixel, question.at));
   else if (chain.links.empty()) fmt::print("step {} has no number to explain\n", question.at);
-  else if (options.json) fmt::print("{}\n", json_of(chain).dump(2));
+  else if (options.json) fmt::print("{}\n", printable_json(json_of(chain).dump(2)));
   else fmt::print("{}", text_of(chain));
   return exit_code::done;
 }

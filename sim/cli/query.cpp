@@ -51,7 +51,7 @@ class Csv : public Answer {
  public:
   void columns(const std::vector<std::string>& names) override {
     for (std::size_t i = 0; i < names.size(); ++i)
-      fmt::print("{}{}", i == 0 ? "" : ",", compare::csv_cell(printable(names[i])));
+      fmt::print("{}{}", i == 0 ? "" : ",", compare::csv_cell(names[i]));
     fmt::print("\n");
   }
   void row(std::span<const query::Value> values) override {
@@ -60,7 +60,7 @@ class Csv : public Answer {
       if (i > 0) line += ',';
       if (const auto* whole = std::get_if<std::int64_t>(&values[i])) line += std::to_string(*whole);
       else if (const auto* number = std::get_if<double>(&values[i])) line += number_text(*number);
-      else if (const auto* text = std::get_if<std::string>(&values[i])) line += compare::csv_cell(printable(*text));
+      else if (const auto* text = std::get_if<std::string>(&values[i])) line += compare::csv_cell(*text);
     }
     fmt::print("{}\n", line);
   }
@@ -89,7 +89,7 @@ class Json : public Answer {
 
  private:
   static std::string text_of(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return printable_json(nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
   std::vector<std::string> names_;
   std::int64_t rows_ = 0;

@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
+#include "traces/outcome.hpp"
 #include "traces/record/trace_recorder.hpp"
 
 namespace zstep::cli {
@@ -33,7 +35,7 @@ int record(const RecordOptions& options) {
   const std::vector<std::string> inputs{options.run.scene};
   std::string path = options.trace;
   if (!path.empty()) check_outputs(options.outputs, inputs, {path});
-  const Run run = prepare(options.run);
+  const Run run = prepare_within_budget(options.run);
   check_gives(options.outputs, *run.method);
   if (path.empty()) {
     path = file_stem(run.scene) + ".ztrace";
@@ -42,15 +44,24 @@ int record(const RecordOptions& options) {
 
   TraceRecorder recorder(path, header_for(*run.method, run.conventions), run.scene);
   std::optional<Picture> picture;
+  bool out_of_time = false;
   try {
     Watch watch;
     watch.attach(recorder);
     picture = run.method->record(run.scene, run.conventions, recorder);
   } catch (const Interrupted&) {
     // What was recorded so far is kept: the file ends as every trace does.
+  } catch (const Incomplete&) {
+    out_of_time = true;  // likewise
   }
   recorder.on_block(nullptr);
+  if (out_of_time) end_budget();
   recorder.finish();
+  if (out_of_time)
+    throw Incomplete(path,
+                     fmt::format("stopped after {}, as time was up; the file holds them and can be opened",
+                                 counted(recorder.size(), "step", "steps")),
+                     "give --seconds more");
   if (!picture) {
     complain(fmt::format("{}: stopped by Ctrl-C after {}; the file holds them and can be opened", path,
                          counted(recorder.size(), "step", "steps")));
@@ -79,6 +90,7 @@ void add_record(CLI::App& app, Action& action) {
       ->group("Output");
   add_outputs(*command, options->outputs);
   add_run_options(*command, options->run);
+  add_limit_options(*command);
   command->footer(
       "Existing files are replaced. Ctrl-C ends the recording early and keeps what was recorded so far.\n"
       "\n"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/run_options.hpp"
@@ -28,7 +29,7 @@ std::int64_t polygons_seen(const Picture& picture, std::size_t polygons) {
 int render(const RenderOptions& options) {
   Outputs outputs = options.outputs;
   check_outputs(outputs, {options.run.scene});
-  const Run run = prepare(options.run);
+  const Run run = prepare_within_budget(options.run);
   check_gives(outputs, *run.method);
   if (!outputs.any()) {
     outputs.image = file_stem(run.scene) + ".png";
@@ -62,6 +63,7 @@ void add_render(CLI::App& app, Action& action) {
       ->required();
   add_outputs(*command, options->outputs);
   add_run_options(*command, options->run);
+  add_limit_options(*command);
   command->footer(
       "Without any --save… the picture goes to NAME.png in the current folder. Existing files are replaced.\n"
       "\n"

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
@@ -160,6 +161,23 @@ Run prepare(const RunOptions& options) {
   if (options.no_cull) run.conventions.cull = false;
   run.conventions.options = options.options;
   check_run(*run.method, run.scene, run.conventions);
+  return run;
+}
+
+Run prepare_within_budget(const RunOptions& options) {
+  const auto size_of = [](const std::string& path) -> std::uintmax_t {
+    std::error_code none;
+    const std::uintmax_t bytes = fs::file_size(path, none);
+    return none ? 0 : bytes;
+  };
+  if (size_of(options.scene) == 0) return begin_budget(std::nullopt), prepare(options);
+  const std::int64_t pixels = std::int64_t{options.view.width.value_or(0)} * options.view.height.value_or(0);
+  begin_budget(size_of(options.scene) + static_cast<std::uintmax_t>(pixels));
+  Run run = prepare(options);
+  std::uintmax_t meshes = 0;
+  for (const auto& placement : run.scene.placements)
+    if (placement.source != options.scene) meshes += size_of(placement.source);
+  if (meshes > 0) begin_budget(meshes);
   return run;
 }
 

@@ -11,7 +11,9 @@
 #include <unistd.h>
 #endif
 
+#include "sim/cli/budget.hpp"
 #include "sim/cli/words.hpp"
+#include "traces/outcome.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {
@@ -62,6 +64,7 @@ bool Watch::due() const {
 
 void Watch::tick(std::int64_t events) {
   if (pressed != 0) throw Interrupted{events};
+  if (time_is_up()) throw Incomplete("the recording", "was not done in time", "give --seconds more");
   if (!due()) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   show(fmt::format("recording: {} steps, {:.1f} s (Ctrl-C stops and keeps them)", grouped(events), seconds), events);

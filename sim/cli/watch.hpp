@@ -16,7 +16,7 @@ struct Interrupted {
 
 /// While it lives, Ctrl-C stops the recordings it is attached to at their next block, and other work where it next
 /// shows how far it is; a second Ctrl-C kills as always. On a terminal it shows that on stderr, once it takes longer
-/// than a moment.
+/// than a moment. A recording whose time is up ends in Incomplete.
 class Watch {
  public:
   Watch();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/truth/explain_difference.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::compare {
 
@@ -15,8 +16,9 @@ Agreement agreement(const Scene& scene, const Conventions& conventions, const Pi
   return result;
 }
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+std::string csv_cell(const std::string& raw) {
+  const std::string text = printable(raw);
+  if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";

@@ -32,7 +32,7 @@ struct Compared {
 /// one line, measure `end`, value `out_of_time` or `failed`.
 std::string csv_of(const std::string& scene, const std::vector<Compared>& methods);
 
-/// A cell of CSV: quoted where it must be.
-std::string csv_cell(const std::string& text);
+/// A cell of CSV: quoted where it must be, on one line, and with nothing that a terminal would act on.
+std::string csv_cell(const std::string& raw);
 
 }  // namespace zstep::compare

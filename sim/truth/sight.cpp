@@ -82,7 +82,10 @@ bool see(const Scene& scene, const Facet& facet, const Sight& sight, bool cull, 
   seen.outline.clear();
   seen.z_low = seen.z_high = corners[0].z;
   for (const Vec3& corner : corners) {
-    seen.outline.push_back(sight.on_raster(corner));
+    const Vec2 place = sight.on_raster(corner);
+    // A trace from elsewhere may hold a point, or a camera, that leads nowhere. The methods drop the facet, too.
+    if (!std::isfinite(place.x) || !std::isfinite(place.y)) return false;
+    seen.outline.push_back(place);
     seen.z_low = std::min(seen.z_low, corner.z), seen.z_high = std::max(seen.z_high, corner.z);
   }
   return true;

@@ -148,8 +148,8 @@ void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& low
 
 void App::draw_structures(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
-  // What does not get a readable width waits until there is one; the last pane (the scene) stays, unless a plan of it
-  // does.
+  // A pane that would be too narrow to read is left out until there is room. The last pane, the scene, always stays,
+  // unless a plan of the scene does.
   std::vector<Pane> shown = structures_;
   const auto narrowest = [&] { return ui_.em * 11; };
   if (ui_.presenter) {
@@ -193,8 +193,8 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
   }
 }
 
-/// The size of the pane in which the framebuffer is as large as it would be with small letters. The raster has in a
-/// pane what title, borders, rulers and legend leave of it, all of which go with the letters.
+/// The size of pane that shows the framebuffer as large as small letters would. Title, borders, rulers and legend take
+/// their room from the raster, and all of them grow with the letters.
 ImVec2 App::presented_frame() const {
   const Layout& l = settings_.layout;
   const Raster& raster = session_.scene().raster;
@@ -250,7 +250,7 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   }
   // With a lesson there is a column more, and the code gives way a little.
   const float shared = std::round(size.x * (session_.lesson() ? l.left * 0.94f : l.left));
-  // A class that is asked has the question before it, with all its answers, instead of the code.
+  // While a class answers a question, the question and all its answers take the place of the code.
   const bool asks = ui_.presenter && session_.question_open();
   const float left = asks ? 0 : shared;
   float right = session_.lesson() ? std::round(size.x * l.right) : 0;
@@ -267,7 +267,7 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
     if (!structures_.empty()) upper = std::clamp(needed.y, upper, std::max(upper, size.y - gap - ui_.em * 5));
   }
   if (!asks) {
-    // A class reads what happened to its end: a sentence of two lines and a formula of five.
+    // Room for a class to read all of what happened: a sentence of two lines and a formula of five.
     float code = ui_.presenter ? std::min(l.code, 1 - std::min(0.5f, ui_.em * 11 / size.y)) : l.code;
     const float code_before = code;
     draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, code, "code");

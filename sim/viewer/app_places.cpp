@@ -50,7 +50,7 @@ void App::end_painting() {
   session_.touch();
 }
 
-/// What is painted over the frame goes where the reader is, as far as a part of a frame's time reaches.
+/// Brings what is painted over the frame to the reader's step, as far as its share of a frame's time allows.
 void App::follow_overlay() {
   if (pixel_overlay_.look_on()) {
     if (pixel_overlay_.shown()) pixel_overlay_.take_picture(ui_.heat);
@@ -64,14 +64,17 @@ void App::take_range() {
   char *first = nullptr, *second = nullptr;
   const double near = std::strtod(text, &first), far = std::strtod(first, &second);
   const bool empty = typed.find_first_not_of(' ') == std::string::npos;
-  if (!empty && (first == text || second == first || !std::isfinite(near) || !std::isfinite(far) || near >= far ||
+  const DepthRange range = range_between(std::min(near, far), std::max(near, far), session_.header());
+  const bool in_order = std::isfinite(near) && std::isfinite(far) && near != far && near == range.near;
+  if (!empty && (first == text || second == first || !in_order ||
                  std::string(second).find_first_not_of(' ') != std::string::npos)) {
-    wrong = "Type two numbers, the nearer first: 0.2 0.8";
+    wrong = fmt::format("Type two numbers, the {} first: {}", range.named ? "nearer" : "smaller",
+                        session_.header().comparison.nearer == Comparison::Nearer::greater ? "0.8 0.2" : "0.2 0.8");
     return session_.touch();
   }
   open(Overlay::none);
   ui_.range_mode = empty ? Ui::RangeMode::whole : Ui::RangeMode::by_hand;
-  ui_.hand_range = {near, far, true};
+  ui_.hand_range = range;
   say(empty ? "The colours span all depths of the trace."
             : fmt::format("The colours span {} to {}; R ends that.", number(near), number(far)));
 }

@@ -84,6 +84,7 @@ inline void take(Fingerprint& print, const DepthRange& range) {
   take(print, range.near);
   take(print, range.far);
   take(print, range.known);
+  take(print, range.named);
 }
 
 inline void take(Fingerprint& print, const HeatMap& heat) {

@@ -34,7 +34,7 @@ void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32
   frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
 }
 
-/// Whether a step does nothing but begin work on something: it leads to a verdict, and decides none.
+/// Does the step only begin work on something? Then it comes before a verdict and decides nothing.
 bool only_begins(const Event& event) {
   for (const std::size_t kind : {kind_of<PolygonBegin>, kind_of<LineBegin>, kind_of<CurveBegin>})
     if (event.index() == kind) return true;

@@ -194,7 +194,10 @@ void tell(Telling& t, const DepthCompare& e) {
   } else if (e.z == stored) {
     t.say(is.cleared || is.empty
               ? fmt::format("{} = {}: equal to {}, so pixel {} stays.", z, before, is.who, where)
-              : fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, is.who, where));
+          : t.trace.header().declares(Convention::ties)
+              ? fmt::format("{} = {}: a tie, and {} was first, so pixel {} stays.", z, before, is.who, where)
+              : fmt::format("{} = {}: a tie with {}, and the trace says not nearer, so pixel {} stays.", z, before,
+                            is.who, where));
   } else {
     t.say(is.cleared || is.empty ? fmt::format("{} {} {}: {} is not nearer than {} at pixel {}, nothing is written.", z,
                                                relation, before, drawn, is.who, where)

@@ -240,6 +240,16 @@ TEST_CASE("dump refuses what the trace does not have") {
   }
 }
 
+TEST_CASE("no answer of a query reaches the terminal raw, and JSON gives it back as it was") {
+  const Folder folder;
+  must(folder, "record delhi -o run.ztrace");
+  const std::string question = "'select char(97, 127, 133, 155, 27, 8238, 228) as \"n\u009b\" from buffers_clear'";
+  CHECK(must(folder, "query run.ztrace --json " + question).out ==
+        "[\n{\"n\\u009b\":\"a\\u007f\\u0085\\u009b\\u001b\\u202e\u00e4\"}\n]\n");
+  CHECK(must(folder, "query run.ztrace --csv " + question).out ==
+        "n\\u009b\na\\x7f\\u0085\\u009b\\x1b\\u202e\u00e4\n");
+}
+
 TEST_CASE("explain takes a step, a part of the trace or a bookmark, and refuses what is none of them") {
   const Folder folder;
   must(folder, "record delhi -o run.ztrace");

@@ -111,6 +111,30 @@ TEST_CASE("what the viewer doubts, find and history and why-not doubt") {
            "The trace compares z = 0.15, but had interpolated z = 0.3.");
 }
 
+TEST_CASE("a step of why-not wins a compare only where there was one, and its numbers say so") {
+  const Folder folder;
+  HAS_LINE(must(folder, "why-not " + foreign("near9") + " A 1 1"),
+           "239  B        B at z = 0.499999999999 wins the compare");
+  const std::string forged = "'" + in_checkout("tests/data/hostile/forged_compare.jsonl") + "'";
+  const std::string seen = must(folder, "why-not " + forged + " P0 1 1");
+  CHECK(seen.find("wins the compare") == std::string::npos);
+  HAS_LINE(seen, "5  P0       P0 at z = 9 is compared: the trace says nearer, but 9 < 1 is false (its header does not "
+                 "declare which depth is nearer)");
+  // Glass that lets nothing through, laid over the pixel without a compare.
+  std::string glass = text_of(in_checkout("tests/data/foreign/nocompare.jsonl"));
+  const std::string steps = "\"steps\": [", pixel = R"({"step": "wp", "x": 1, "y": 1, "polygon": 1})";
+  glass.replace(glass.find(steps), steps.size(), steps + R"({"id": 20, "name": "mix", "event": "color_blend"}, )");
+  REQUIRE(times(glass, pixel) == 1);
+  glass.replace(glass.find(pixel), pixel.size(),
+                R"({"step": "mix", "x": 1, "y": 1, "polygon": 1, "opacity": 1, "r8": 0, "g8": 114, "b8": 178})" "\n" + pixel);
+  write_text(folder / "glass.jsonl", glass);
+  const std::string over = must(folder, "why-not glass.jsonl A 1 1");
+  CAPTURE(over);
+  CHECK(over.find("compare") == std::string::npos);
+  CHECK(over.find("nearer") == std::string::npos);
+  CHECK(over.find(" until B was laid over it at step ") != std::string::npos);
+}
+
 TEST_CASE("numbers that are copied or rounded are held against what they come from") {
   const Folder folder;
   HAS_LINE(must(folder, "explain " + foreign("wrongdepth") + " 1 1"),

@@ -93,6 +93,24 @@ TEST_CASE("hostile files: lessons and scenes") {
     check_harmless(folder, command);
 }
 
+TEST_CASE("hostile files: a small scene that makes much work comes to the budget of render and record") {
+  const Folder folder;
+  // 1 KB each: a raster as large as there may be, and a surface that is in front of itself all over it.
+  const std::string raster = "[raster]\nwidth = 7680\nheight = 4320\n";
+  write_text(folder / "surface.toml", raster + "[surface]\nformula = \"y = sin(40 * x) * cos(40 * z)\"\n"
+                                               "columns = 499\nrows = 499\n[camera]\nrho = 3\nphi = 80\n");
+  check_harmless(folder, "render surface.toml");
+  check_harmless(folder, "record surface.toml -o surface.ztrace");
+  // What was recorded by then is a trace.
+  const Outcome cut = run(folder, "record surface.toml -o cut.ztrace --seconds 2");
+  CHECK(cut.code == 3);
+  CHECK(has(cut.err, "cut.ztrace: stopped after "));
+  CHECK(has(cut.err, " steps, as time was up; the file holds them and can be opened; give --seconds more"));
+  CHECK(run(folder, "info cut.ztrace").code != 2);
+  CHECK(run(folder, "render surface.toml --seconds 0").code == 2);
+  CHECK(run(folder, "render teapot --size 640x480 --memory 1").code == 3);
+}
+
 TEST_CASE("an index that says otherwise than its blocks is made anew") {
   const Folder folder;
   for (const std::string name :

@@ -44,7 +44,7 @@ void furnish(const Folder& clone) {
   fs::copy_file(in_checkout("lessons/scenes/wall.toml"), clone / "my.toml");
   write_text(clone / "my-lesson.md", all_matches_replaced(text_of(in_checkout("lessons/5-worked-example.md")),
                                                           "scene = .*", "scene = \"delhi\""));
-  fs::create_directories(clone / ".config/fish/completions");
+  for (const char* folder : {"docs", ".config/fish/completions"}) fs::create_directories(clone / folder);
   fs::create_directories(clone / ".local/share/bash-completion/completions");
 }
 

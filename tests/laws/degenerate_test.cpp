@@ -1,4 +1,4 @@
-// The law of degenerate input: what docs/architecture.md says of it holds for every method of the catalog, on every
+// The law of degenerate input: what docs/degenerate-input.md says holds for every method of the catalog, on every
 // class. A case that is marked to fail says what ought to be and is not.
 #include <doctest/doctest.h>
 

@@ -74,8 +74,7 @@ Scene polygon_at(const std::vector<double>& depths) {
   return scene;
 }
 
-DepthRange range_in(const Scene& scene) {
-  Header header;
+DepthRange range_in(const Scene& scene, Header header = {}) {
   header.writer = "a program";
   header.algorithm = "mine";
   TraceRecorder record(header, scene);
@@ -127,6 +126,22 @@ TEST_CASE("the colours of depths span what is in view, near bright, and know no 
   CHECK(Tone(scale.at(1)).luminance() < 0.1);
   for (int i = 0; i < 100; ++i)
     CHECK(Tone(scale.at(i / 100.0)).luminance() >= Tone(scale.at((i + 1) / 100.0)).luminance());
+}
+
+TEST_CASE("near is bright where the greater depth is nearer, too, and no end is called near where none is declared") {
+  const DepthRange usual = range_in(polygon_at({2}));
+  Header header;
+  header.comparison.nearer = Comparison::Nearer::greater;
+  const DepthRange greater = range_in(polygon_at({2}), header);
+  CHECK(greater.near == usual.far);
+  CHECK(greater.far == usual.near);
+  CHECK(greater.share(greater.near) == 0);
+  CHECK(greater.share(greater.far) == 1);
+  CHECK_FALSE(greater.flat());
+  CHECK(greater.named);
+  header = {};
+  header.undeclared = 1u << static_cast<unsigned>(Convention::nearer);
+  CHECK_FALSE(range_in(polygon_at({2}), header).named);
 }
 
 TEST_CASE("a ray's depths have colours: the range is the scene's, not that of the first depth that was seen") {

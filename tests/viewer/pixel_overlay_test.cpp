@@ -117,7 +117,7 @@ TEST_CASE("R fits the colours to what is shown, Shift+R takes a range, I draws h
   CHECK(app.ui().range_mode == Ui::RangeMode::whole);
 
   const Picture& picture = app.session().picture();
-  const DepthRange fitted = fitted_range(picture);
+  const DepthRange fitted = fitted_range(picture, app.session().header());
   std::int32_t drawn = 0, beside = 0;
   for (const double z : picture.depth) {
     if (!std::isfinite(z)) continue;
@@ -138,4 +138,8 @@ TEST_CASE("R fits the colours to what is shown, Shift+R takes a range, I draws h
   CHECK(part.nearer + part.farther == beside);
   CHECK(sum(part) + beside == drawn);
   CHECK(beside > 0);
+  const Histogram greater = histogram_of(picture, {0.6, 0.2, true}, 7);  // where the greater depth is nearer
+  CHECK(greater.nearer == part.farther);
+  CHECK(greater.farther == part.nearer);
+  CHECK(sum(greater) == sum(part));
 }

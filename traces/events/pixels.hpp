@@ -39,7 +39,8 @@ template <>
 inline constexpr auto fields_of<DepthCompare> =
     Fields{Field{"x", &DepthCompare::x, "px", "column"}, Field{"y", &DepthCompare::y, "px", "row"},
                Field{"z", &DepthCompare::z, "depth", "the new depth"},
-               Field{"nearer", &DepthCompare::nearer, "1", "it is strictly smaller than the stored one"}};
+               Field{"nearer", &DepthCompare::nearer, "1",
+                     "it wins: smaller than the stored one, or greater, or also equal, as the trace declares"}};
 
 template <>
 inline constexpr KindText kind_text<DepthWrite>{"depth_write", "the depth buffer takes a depth"};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -80,11 +81,9 @@ bool find_way(const json& from, const json* wanted, std::vector<Part>& way) {
   return false;
 }
 
-/// Goes on from an object to its member's value; the last of them, if there are several, as that is the one which is
-/// read. Where its key stands; nothing if there is no such member.
+/// Goes on from an object to its member's value. Where its key stands; nothing if there is no such member.
 std::optional<std::size_t> enter_member(Walk& walk, std::string_view key) {
-  std::optional<std::size_t> found;
-  std::size_t value = walk.at;
+  const std::size_t object = walk.at;
   for (++walk.at; walk.at < walk.text.size();) {
     walk.skip_spaces();
     if (walk.here() != '"') {
@@ -97,11 +96,11 @@ std::optional<std::size_t> enter_member(Walk& walk, std::string_view key) {
     walk.skip_spaces();
     ++walk.at;  // the colon
     walk.skip_spaces();
-    if (name.is_string() && name.get_ref<const std::string&>() == key) found = begin, value = walk.at;
+    if (name.is_string() && name.get_ref<const std::string&>() == key) return begin;
     walk.skip_value();
   }
-  walk.at = value;
-  return found;
+  walk.at = object;
+  return std::nullopt;
 }
 
 bool enter_number(Walk& walk, std::size_t number) {
@@ -114,6 +113,25 @@ bool enter_number(Walk& walk, std::size_t number) {
     walk.skip_spaces();
     ++walk.at;  // the comma
   }
+}
+
+std::size_t members_in(const json& document) {
+  if (!document.is_structured()) return 0;
+  std::size_t members = document.is_object() ? document.size() : 0;
+  for (const json& value : document) members += members_in(value);
+  return members;
+}
+std::size_t members_in(std::string_view text) {
+  std::size_t members = 0;
+  for (Walk walk{text, 0}; walk.at < text.size();) {
+    if (walk.here() == '"') {
+      walk.take_string();
+      continue;
+    }
+    if (walk.here() == ':') ++members;
+    ++walk.at;
+  }
+  return members;
 }
 
 /// The word around a place, as NaN or -Infinity.
@@ -200,6 +218,27 @@ std::size_t place_of(std::string_view text, const json& document, const json* va
     return enter_member(walk, key).value_or(object);
   }
   return walk.at;
+}
+
+std::optional<RepeatedKey> repeated_key(std::string_view text, const json& document) {
+  if (members_in(text) == members_in(document)) return std::nullopt;  // as nearly always
+  std::vector<std::set<std::string>> keys;                            // of the objects and lists around
+  for (Walk walk{text, 0}; walk.at < text.size();) {
+    const char c = walk.here();
+    if (c == '{' || c == '[') keys.emplace_back();
+    if (c == '}' || c == ']') keys.pop_back();
+    if (c != '"') {
+      ++walk.at;
+      continue;
+    }
+    const std::size_t begin = walk.at;
+    const std::string_view written = walk.take_string();
+    walk.skip_spaces();
+    if (walk.here() != ':') continue;  // a value
+    const auto [key, is_new] = keys.back().insert(json::parse(written).get<std::string>());
+    if (!is_new) return RepeatedKey{begin, *key};
+  }
+  return std::nullopt;
 }
 
 Fault fault_at(std::string_view text, std::size_t place) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,14 @@ namespace zstep::json_text {
 /// Where the text of a document has one of its values, or that value's member `key`. 0 where that cannot be found.
 std::size_t place_of(std::string_view text, const nlohmann::json& document, const nlohmann::json* value,
                      std::string_view key);
+
+/// A key that an object has already, and where it stands again. A parser would take the last of them in silence.
+struct RepeatedKey {
+  std::size_t place = 0;
+  std::string key;
+};
+/// The first one in the text of a document.
+std::optional<RepeatedKey> repeated_key(std::string_view text, const nlohmann::json& document);
 
 /// Why a text is not JSON.
 struct Fault {

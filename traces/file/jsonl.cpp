@@ -9,6 +9,7 @@
 #include "traces/error.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/header_json.hpp"
+#include "traces/text.hpp"
 
 namespace zstep {
 
@@ -58,7 +59,7 @@ std::string event_line(const Page& page, std::uint8_t step, const E& event) {
 std::string jsonl_header(const Header& header, const Scene& scene) {
   ordered_json line = header_to_json(header);
   line["scene"] = scene_to_json(scene);
-  return text_of(line);
+  return printable_json(text_of(line));
 }
 
 std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {

@@ -224,6 +224,11 @@ class Reader {
     if (cut_off_)
       add(*cut_off_, {0, false, "the recording is said to be cut off here, but it goes on", "take this line out"}, "");
     cut_off_.reset();
+    if (const auto repeated = json_text::repeated_key(text, document)) {
+      add(first, {repeated->place, false, fmt::format("\"{}\" is given twice in one object", repeated->key),
+                  "keep one of them"}, text);
+      return;
+    }
     if (recorder_ != nullptr && document.is_object() && document.size() == 1 && document.contains(cut_off_key)) {
       cut_off_ = first;
       return;

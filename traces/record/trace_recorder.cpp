@@ -11,6 +11,7 @@
 #include "traces/codec/block_encoder.hpp"
 #include "traces/file/chunk.hpp"
 #include "traces/file/header_json.hpp"
+#include "traces/file/index.hpp"
 #include "traces/file/output.hpp"
 #include "traces/file/scene_bytes.hpp"
 #include "traces/outcome.hpp"
@@ -134,10 +135,7 @@ struct TraceRecorder::Sink {
     Bytes info;
     put_block_info(info, block.info);
     const EventsChunk chunk = make_events_chunk(info, block.bytes);
-    put_varint(index, written);
-    put_varint(index, chunk.bytes.size());
-    put_varint(index, chunk.frame_begins);
-    index.insert(index.end(), info.begin(), info.end());
+    put_index_entry(index, written, chunk, info);
     ++blocks;
     write(make_chunk(events_tag, chunk.bytes));
   }
@@ -176,12 +174,9 @@ void TraceRecorder::finish(bool whole) {
   if (log_.count() > 0) write_block();
   sink_->worker.wait();
   if (whole) {
-    const std::uint64_t offset = sink_->written;
-    Bytes index;
-    put_varint(index, sink_->blocks);
-    index.insert(index.end(), sink_->index.begin(), sink_->index.end());
-    sink_->write(make_chunk(index_tag, compress(index)));
-    sink_->write(make_trailer(offset));
+    Bytes end;
+    put_index(end, sink_->written, sink_->blocks, sink_->index);
+    sink_->write(end);
   }
   if (sink_->file) sink_->file->close();
 }

@@ -48,21 +48,18 @@ inline void apply_method_state(const Saved& event, MethodState& machine) {
 inline void apply_method_state(const ListInsert& event, MethodState& machine) {
   if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.list.size())
     throw Impossible(fmt::format("the list has no place {}", event.place));
+  detail::must_exist("piece", event.piece, machine.pieces.size());
+  if (machine.list.contains(event.piece)) throw Impossible(fmt::format("piece {} is in the list already", event.piece));
   machine.list.insert(static_cast<std::size_t>(event.place), ListEntry{event.piece, false});
 }
 namespace detail {
 inline std::size_t place_in_list(const MethodState& machine, std::int32_t piece) {
-  std::size_t place = 0;
-  for (const ListEntry& entry : machine.list) {
-    if (entry.piece == piece) return place;
-    ++place;
-  }
-  throw Impossible(fmt::format("piece {} is not in the list", piece));
+  if (!machine.list.contains(piece)) throw Impossible(fmt::format("piece {} is not in the list", piece));
+  return machine.list.place_of(piece);
 }
 }  // namespace detail
 inline void apply_method_state(const ListRemove& event, MethodState& machine) {
-  const std::size_t place = detail::place_in_list(machine, event.piece);
-  machine.list.erase(place);
+  machine.list.erase(detail::place_in_list(machine, event.piece));
 }
 inline void apply_method_state(const ListMark& event, MethodState& machine) {
   machine.list.edit(detail::place_in_list(machine, event.piece)).marked = true;

@@ -51,10 +51,10 @@ std::size_t heap_beyond(const SharedChunks<T>& one, const SharedChunks<T>& other
   one.for_each_beyond(other, [&](const std::vector<T>& items) { bytes += heap_of(items); });
   return bytes;
 }
-template <class T>
-std::size_t heap_beyond(const SharedList<T>& one, const SharedList<T>& other) {
+template <class T, std::int32_t T::*key>
+std::size_t heap_beyond(const SharedList<T, key>& one, const SharedList<T, key>& other) {
   std::size_t bytes = 0;
-  one.for_each_beyond(other, [&](const std::vector<T>& items) { bytes += heap_of(items); });
+  one.for_each_beyond(other, [&](const auto& items) { bytes += heap_of(items); });
   return bytes;
 }
 template <class T>

@@ -48,8 +48,8 @@ template <class T, std::size_t N>
 bool same(const std::array<T, N>& a, const std::array<T, N>& b);
 template <class T>
 bool same(const SharedChunks<T>& a, const SharedChunks<T>& b);
-template <class T>
-bool same(const SharedList<T>& a, const SharedList<T>& b);
+template <class T, std::int32_t T::*key>
+bool same(const SharedList<T, key>& a, const SharedList<T, key>& b);
 
 template <class T>
 requires Described<T> || ListsMembers<T>
@@ -98,8 +98,8 @@ bool same(const SharedChunks<T>& a, const SharedChunks<T>& b) {
   return a.shares_with(b) || std::equal(a.begin(), a.end(), b.begin(), b.end(),
                                         [](const T& one, const T& other) { return same(one, other); });
 }
-template <class T>
-bool same(const SharedList<T>& a, const SharedList<T>& b) {
+template <class T, std::int32_t T::*key>
+bool same(const SharedList<T, key>& a, const SharedList<T, key>& b) {
   return a.shares_with(b) || std::equal(a.begin(), a.end(), b.begin(), b.end(),
                                         [](const T& one, const T& other) { return same(one, other); });
 }

@@ -99,7 +99,7 @@ struct MethodState {
   Pass pass = Pass::eye;
   SharedChunks<Piece> pieces;
   SharedChunks<std::int32_t> drawn;  ///< pieces, in the order in which they were drawn
-  SharedList<ListEntry> list;     ///< depth sort's, from the front
+  SharedList<ListEntry, &ListEntry::piece> list;  ///< depth sort's, from the front
   std::optional<PairBegin> pair;  ///< under test
   SharedChunks<TreeNode> tree;    ///< node 0 is the root
   std::int32_t node = -1;         ///< at work

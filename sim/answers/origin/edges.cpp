@@ -30,7 +30,7 @@ void tell_whole(Datum& datum, const words::Shown& formula, Given of, std::int32_
 /// x or z on an edge.
 void tell_on_edge(Datum& datum, Work& work, std::int32_t edge, Axis3 axis, double y) {
   const std::string p = axis_names[static_cast<std::size_t>(axis)];
-  // Heights first: a vertex is then told from the raster on, and its depth with its projection.
+  // Heights first: then the links of a vertex begin on the raster, and its depth comes with its projection.
   const Number y_0 = work.edge_end(edge, false, Axis3::y), y_1 = work.edge_end(edge, true, Axis3::y);
   datum.is(formula_of(formulas::on_line(symbol(p + "_0"), symbol(p + "_1"), symbol("y"), symbol("y_0"), symbol("y_1"))),
            {{p + "_0", work.edge_end(edge, false, axis)},
@@ -91,7 +91,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const EdgeStep& e, std::s
   const std::int32_t y = std::get<ScanLineBegin>(work.trace.event(*line).event).y;
   if (work.conventions.interpolation == Conventions::Interpolation::direct)
     return tell_on_edge(datum, work, e.edge, axis, y);
-  // By increments: of the many additions before, one is told, and the row that they began from.
+  // By increments: the last of the many additions is explained, and the entry that they began from.
   const char* slope = axis == Axis3::x ? "dx_dy" : "dz_dy";
   const std::string p = axis == Axis3::x ? "x" : "z", m = slope;
   const double gain = axis == Axis3::x ? row->dx_dy : row->dz_dy, start = axis == Axis3::x ? row->x_edge : row->z_edge;

@@ -88,7 +88,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const DepthCompare& e, st
              first = comparison.ties == Comparison::Ties::first;
   const std::string sign = fmt::format("{}{}", smaller ? '<' : '>', first ? "" : "=");
   if (!fragment) return datum.comes_of(fmt::format("z {} the stored depth", sign), {work.field(step, "z")});
-  // What was stored was made elsewhere in the run: it is told when all of this is.
+  // The stored depth comes from elsewhere in the run: its own links follow after these.
   const Number stored = work.derived(
       step, "stored",
       fmt::format("stored depth at pixel ({}, {}), of {}", e.x, e.y, work.label(fragment->stored_polygon)), "stored",

@@ -25,7 +25,7 @@ const char* word_in(const Trace& trace, Unit unit) {
   return unit_word(unit);
 }
 
-/// Whether a unit begins anywhere in a trace, told without a look at its events; pixels are taken to.
+/// Does a unit begin anywhere in the trace? Found without reading its events; pixels are assumed to.
 bool has_any(const Trace& trace, Unit unit) {
   switch (unit) {
     case Unit::span: return trace.has(kind_of<SpanBegin>) || trace.has(kind_of<SpanFlags>);
@@ -36,7 +36,7 @@ bool has_any(const Trace& trace, Unit unit) {
   }
 }
 
-/// Whether the last event may begin a unit: pixels do anywhere, all else where a recording was cut off.
+/// May the last event begin a unit? A pixel always may; any other unit only where a recording was cut off.
 bool may_begin(const Event& event, Unit unit) {
   const auto is_one_of = [&event](std::initializer_list<std::size_t> kinds) {
     return std::find(kinds.begin(), kinds.end(), event.index()) != kinds.end();
@@ -218,7 +218,7 @@ std::optional<Cell> Session::current_cell() const {
 int Session::stop_at(std::int64_t position) const {
   if (!lesson_) return -1;
   const auto& stops = lesson_->stops;
-  // Where several speak at one position, arriving there begins with the first; later the last one has the word.
+  // Several stops may have one position: arriving there shows the first of them, later positions show the last.
   int found = -1;
   for (int i = 0; i < static_cast<int>(stops.size()); ++i) {
     const std::int64_t at = stops[static_cast<std::size_t>(i)].position;
@@ -246,7 +246,7 @@ void Session::next_stop(int direction) {
   }
   const int count = static_cast<int>(lesson_->stops.size());
   int target = stop_ + direction;
-  // Going back from between two stops returns to the one that still speaks.
+  // Going back from between two stops returns to the one that is still shown.
   if (direction < 0 && stop_ >= 0 && position() > lesson_->stops[static_cast<std::size_t>(stop_)].position)
     target = stop_;
   if (target < 0 || target >= count) {

@@ -14,15 +14,19 @@ namespace {
 constexpr std::int64_t quick = 3'000'000;  // events that can be looked through between two frames
 }
 
+DepthRange range_between(double smallest, double largest, const Header& header) {
+  const bool greater = header.comparison.nearer == Comparison::Nearer::greater;
+  return {greater ? largest : smallest, greater ? smallest : largest, true, header.declares(Convention::nearer)};
+}
+
 DepthRange depth_range(const Trace& trace) {
   const Scene& scene = trace.scene();
   const Camera& camera = scene.camera;
   const bool screen = camera.kind == Camera::Kind::screen;
-  DepthRange range;
-  if (!screen && !(camera.near < camera.far)) return range;
+  if (!screen && !(camera.near < camera.far)) return {};
+  double smallest = no_depth, largest = -no_depth;
   const auto add = [&](double z) {
-    if (!std::isfinite(z)) return;
-    range = range.known ? DepthRange{std::min(range.near, z), std::max(range.far, z), true} : DepthRange{z, z, true};
+    if (std::isfinite(z)) smallest = std::min(smallest, z), largest = std::max(largest, z);
   };
   for (const Facet& facet : scene.facets) {
     double nearest = no_depth, farthest = -no_depth;
@@ -41,7 +45,7 @@ DepthRange depth_range(const Trace& trace) {
     for (const double z_v : {nearest, farthest})
       add(buffer_depth(camera, trace.header().conventions, std::clamp(z_v, camera.near, camera.far)));
   }
-  return range;
+  return smallest <= largest ? range_between(smallest, largest, trace.header()) : DepthRange{};
 }
 
 std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
@@ -135,7 +139,7 @@ const std::vector<RowMarks::Mark>& RowMarks::of(const Trace& trace) {
 std::ptrdiff_t RowMarks::at(const Trace& trace, std::int64_t position) { return last_before(of(trace), position); }
 
 void HitCounts::follow(const Trace& trace, std::int64_t position) {
-  // However one came here: what may be known depends on the place alone.
+  // What is known depends on the position alone, not on the way that led to it.
   known_ = position <= quick;
   if (!known_) return;
   if (std::abs(position - position_) > position) {  // cheaper to count from the beginning

@@ -13,11 +13,15 @@ namespace zstep::viewer {
 /// The depths that can be drawn, in the buffer's own numbers; the colours of the depth buffer span it. Fixed for a
 /// scene and its camera, so that a colour means the same depth at every step.
 struct DepthRange {
-  double near = 0, far = 1;
+  double near = 0, far = 1;  ///< far is the smaller one where the greater depth is nearer
   bool known = false;
-  bool flat() const { return !(near < far); }
-  double share(double depth) const { return far > near ? (depth - near) / (far - near) : 0.5; }
+  bool named = true;  ///< the trace declares which of its ends is near
+  bool flat() const { return !(near < far || far < near); }
+  /// 0 at near, 1 at far.
+  double share(double depth) const { return flat() ? 0.5 : (depth - near) / (far - near); }
 };
+/// From the smallest and the largest depth, as the trace declares it.
+DepthRange range_between(double smallest, double largest, const Header& header);
 DepthRange depth_range(const Trace& trace);
 
 /// Scan lines of the polygon at work, or of all polygons where a method goes through them at once; for the timeline.

@@ -125,7 +125,7 @@ DepthRange range_of(const Ui& ui, const Moment& now) {
   if (ui.range_mode == Ui::RangeMode::by_hand) return ui.hand_range;
   const bool fits =
       ui.range_mode == Ui::RangeMode::fitted || !ui.depth_range.known || now.state().machine.pass == Pass::light;
-  return fits ? fitted_range(now.picture()) : ui.depth_range;
+  return fits ? fitted_range(now.picture(), now.header()) : ui.depth_range;
 }
 
 void color_depths(Cells& cells, const Moment& now, const DepthRange& range, const DepthScale& scale) {

@@ -105,8 +105,8 @@ std::string note(Ui& ui) {
   return machine.edge_table.empty() ? "" : fmt::format("{} edges", machine.edge_table.size());
 }
 
-// Where there is a shadow buffer, a list of pieces, a tree or a polygon table, that is what the method lives by, and
-// the room is its. Edges of all polygons at once wait below the active ones.
+// A method with a shadow buffer, a list of pieces, a tree or a polygon table needs the room for that. An edge table of
+// all polygons is shown below the active edges.
 bool serves(const Header& header) {
   return has_step_of<EdgeTableInsert>(header) && !has_step_of<ShadowCompare>(header) &&
          !has_step_of<ListInsert>(header) && !has_step_of<FlagFlip>(header) && !has_step_of<NodeMake>(header);

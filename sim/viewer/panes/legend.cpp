@@ -39,10 +39,13 @@ void draw_hatched_box(Ui& ui, ImVec2 at, float box, const std::string& meaning) 
 /// The two ends of a range with as many decimals as tell them apart.
 std::pair<std::string, std::string> ends_of(const DepthRange& range, bool by_hand) {
   const double ends[] = {range.near, range.far};
-  const int decimals = std::min(4, decimals_needed(ends, range.far - range.near < 0.1 ? 4 : 2));
+  const int decimals = std::min(4, decimals_needed(ends, std::abs(range.far - range.near) < 0.1 ? 4 : 2));
   // Set by hand, the ends stand for what lies beyond them, too.
-  return {(by_hand ? "near \u2264 " : "near ") + number(range.near, decimals),
-          (by_hand ? "\u2265 " : "") + number(range.far, decimals) + " far"};
+  const bool rises = range.near < range.far;
+  return {fmt::format("{}{}{}", range.named ? "near " : "", !by_hand ? "" : rises ? "\u2264 " : "\u2265 ",
+                      number(range.near, decimals)),
+          fmt::format("{}{}{}", !by_hand ? "" : rises ? "\u2265 " : "\u2264 ", number(range.far, decimals),
+                      range.named ? " far" : "")};
 }
 
 void paint_scale(Canvas& canvas, const DepthScale& scale) {
@@ -51,7 +54,8 @@ void paint_scale(Canvas& canvas, const DepthScale& scale) {
 }
 
 bool by_hand(const Ui& ui) { return ui.range_mode == Ui::RangeMode::by_hand; }
-const char* const nothing_there = "\u221e";
+/// What hatched pixels hold.
+const char* nothing_there(const DepthRange& range) { return range.far < range.near ? "\u2212\u221e" : "\u221e"; }
 
 }  // namespace
 
@@ -108,7 +112,7 @@ void draw_heat_legend(Ui& ui, float bottom) {
 void draw_depth_legend(Ui& ui, float bottom, const DepthRange& range) {
   if (!range.flat() && (range.known || by_hand(ui))) {
     const auto [near, far] = ends_of(range, by_hand(ui));
-    return draw_scale(ui, bottom, near, far, nothing_there);
+    return draw_scale(ui, bottom, near, far, nothing_there(range));
   }
   const std::string all = range.known ? fmt::format("every depth is {}", number(range.near)) : "no depth is known yet";
   const ImVec2 at{ImGui::GetCursorScreenPos().x, bottom - legend_height(ui) + 2};
@@ -121,11 +125,10 @@ Histogram histogram_of(const Picture& picture, const DepthRange& range, std::siz
   made.bins.assign(bins, 0);
   for (const double z : picture.depth) {
     if (!std::isfinite(z)) continue;
-    if (z < range.near) ++made.nearer;
-    else if (z > range.far) ++made.farther;
-    else
-      ++made.bins[std::min(bins - 1,
-                           static_cast<std::size_t>(std::max(0.0, range.share(z)) * static_cast<double>(bins)))];
+    const double share = range.share(z);
+    if (share < 0) ++made.nearer;
+    else if (share > 1) ++made.farther;
+    else ++made.bins[std::min(bins - 1, static_cast<std::size_t>(share * static_cast<double>(bins)))];
   }
   made.most = *std::max_element(made.bins.begin(), made.bins.end());
   return made;
@@ -136,7 +139,7 @@ void draw_histogram(Ui& ui, float bottom, const DepthRange& range, const Picture
   const Theme& c = ui.colors();
   const ImFont* font = ui.fonts.small;
   const auto [near, far] = ends_of(range, by_hand(ui));
-  const Bar bar = bar_between(ui, near, far, nothing_there);
+  const Bar bar = bar_between(ui, near, far, nothing_there(range));
   if (bar.right - bar.left < 40) return;
   const float foot = bottom - legend_height(ui), top = foot - histogram_height(ui) + font->FontSize + 4,
               step = std::max(3.0f, std::round(ui.em * 0.3f));
@@ -157,20 +160,18 @@ void draw_histogram(Ui& ui, float bottom, const DepthRange& range, const Picture
                         to_im(ui.depth_scale.at((static_cast<double>(i) + 0.5) / static_cast<double>(bins))));
   }
   std::string said = fmt::format("pixels by depth; the highest bar is {}", grouped(spread.most));
-  if (spread.nearer > 0) said += fmt::format("; {} nearer", grouped(spread.nearer));
-  if (spread.farther > 0) said += fmt::format("; {} farther", grouped(spread.farther));
+  if (spread.nearer > 0) said += fmt::format("; {} {}", grouped(spread.nearer), range.named ? "nearer" : "smaller");
+  if (spread.farther > 0) said += fmt::format("; {} {}", grouped(spread.farther), range.named ? "farther" : "larger");
   if (text_size(ui, font, said).x > ImGui::GetContentRegionAvail().x)
     said = fmt::format("highest: {}", grouped(spread.most));
   draw_text(ui, {ImGui::GetCursorScreenPos().x, top - font->FontSize - 3}, font, c.muted, said);
 }
 
-DepthRange fitted_range(const Picture& picture) {
-  DepthRange range;
+DepthRange fitted_range(const Picture& picture, const Header& header) {
+  double smallest = no_depth, largest = -no_depth;
   for (const double z : picture.depth)
-    if (std::isfinite(z))
-      range = range.known ? DepthRange{std::min(range.near, z), std::max(range.far, z), true} : DepthRange{z, z, true};
-  if (!range.known) range.near = range.far = 0;
-  return range;
+    if (std::isfinite(z)) smallest = std::min(smallest, z), largest = std::max(largest, z);
+  return smallest <= largest ? range_between(smallest, largest, header) : DepthRange{0, 0};
 }
 
 }  // namespace zstep::viewer

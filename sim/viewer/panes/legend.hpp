@@ -23,11 +23,12 @@ float histogram_height(const Ui& ui);
 /// How the values of a picture are spread over a range: pixels in each of so many equal parts, and beside it.
 struct Histogram {
   std::vector<std::int32_t> bins;
-  std::int32_t nearer = 0, farther = 0, most = 0;
+  std::int32_t nearer = 0, farther = 0;  ///< than the range
+  std::int32_t most = 0;                 ///< in one part
 };
 Histogram histogram_of(const Picture& picture, const DepthRange& range, std::size_t bins);
 
-/// The range of the depths that a picture holds.
-DepthRange fitted_range(const Picture& picture);
+/// The range of the depths that a picture of such a trace holds.
+DepthRange fitted_range(const Picture& picture, const Header& header);
 
 }  // namespace zstep::viewer

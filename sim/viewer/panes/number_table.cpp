@@ -71,8 +71,8 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   if (!fits()) brief = true, again();
   while (!fits() && gap > ui.em * 0.35f) gap -= 1;
   while (!fits() && gap > ui.em * 0.2f) gap -= 1;
-  // The last columns of numbers give way before a number would become another; the first two stay, and what stands last
-  // in words.
+  // Columns of numbers are dropped from the right before a number loses a digit that tells it apart. The first two
+  // stay, and so does a last column of words.
   for (std::size_t k = columns.size(); k-- > 2 && !fits();) columns[k].hidden = columns[k].numeric;
   const float width = std::max(room, total(columns, gap));
   const float height = std::round(ui.fonts.mono->FontSize * 1.35f),

@@ -69,7 +69,7 @@ std::vector<TestLine> lines_of(const Session& s, const std::vector<RecordedEvent
       line = line_of(s.position(), made[i].event, known.wants_behind);
       const bool last = i + 1 == made.size();
       line.now = last;
-      // What lies in the plane passes by its place in the file: the pair is settled if no test follows.
+      // Coplanar pieces are ordered by their place in the file, so the pair is settled if no test follows.
       if (line.outcome == "in it") {
         const StepInfo* next = last ? nullptr : find_step(s.header().page, made[i + 1].step);
         line.passed = !next || !next->name.starts_with("test_");

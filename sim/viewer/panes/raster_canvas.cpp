@@ -91,7 +91,7 @@ struct Greatest {
 template <class ColorOf>
 void paint_small(Canvas& canvas, const RasterMap& map, const ColorOf& color) {
   const double step = 1 / map.cell;
-  // Where one pixel ends the next begins, so that no cell is left out; nor is the last one by rounding.
+  // Each pixel begins where the one before it ends, so no cell is left out, and rounding does not lose the last one.
   const auto cell_at = [step](int pixel, double begin) {
     return static_cast<int>(std::floor((pixel - begin) * step + 1e-9));
   };

@@ -15,7 +15,7 @@ namespace {
 /// The range of the light's depths at this step: near is bright, as in the depth buffer.
 void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const DepthScale& scale) {
   const Picture& light = now.state().light;
-  const DepthRange range = fitted_range(light);
+  const DepthRange range = fitted_range(light, now.header());
   std::vector<Pixel32> cells(light.depth.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     cells[i] = std::isfinite(light.depth[i]) ? scale.at(range.share(light.depth[i])) : hatched_cell;

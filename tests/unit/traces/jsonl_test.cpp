@@ -113,6 +113,14 @@ TEST_CASE("jsonl: what is wrong is said with its line and column") {
   says(R"({"step":"pixel_write","x":1,"y":2,"polygon":2})", 35, "polygon 2 does not exist (there are 2)");
   says(R"({"step":"paint"})", 2, "there is no step \"paint\" in the header's list; ");
   says(R"({"step":"depth_wirte","x":1,"y":2,"z":1})", 2, "did you mean \"depth_write\"?");
+  says(R"({"step":"depth_write","x":1,"y":2,"x":3,"z":1})", 35, "\"x\" is given twice in one object; keep one of them");
+  says(R"({"step":"depth_write","x":1,"y":2,"\u0078":3,"z":1})", 35, "\"x\" is given twice in one object");
+  says(R"({"step":"depth_write","x":{"a":":","a":2},"y":2,"z":1})", 36, "\"a\" is given twice in one object");
+  says(R"({"step":"cut \"off\": {","step":1})", 26, "\"step\" is given twice in one object");
+  std::string twice = head;
+  twice.insert(1, "\"conventions\":{\"nearer\":\"greater\"},");
+  CHECK(read(twice).error.find("run.jsonl:1:") == 0);
+  CHECK(has(read(twice).error, "\"conventions\" is given twice in one object"));
   says("[1]", 1, "not a JSON object");
   says("{", 2, "ends within an object");
   says(R"({"stép":1,"x":NaN})", 15, "NaN is no number");  // a character is one column

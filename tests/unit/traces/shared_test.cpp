@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <random>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tests/unit/traces/some_trace.hpp"
 #include "traces/replay/beginning.hpp"
 #include "traces/replay/key_frames.hpp"
+#include "traces/replay/memory.hpp"
+#include "traces/replay/replay.hpp"
 #include "traces/replay/shared_chunks.hpp"
 #include "traces/replay/shared_list.hpp"
 
@@ -37,6 +42,14 @@ bool agree(const Copy& copy) {
   }
   return i == copy.plain.size() && (copy.plain.empty() || copy.shared.back().value == copy.plain.back());
 }
+
+/// An item of a list: found by its number.
+struct Numbered {
+  std::int32_t number = 0;
+  int value = 0;
+  bool operator==(const Numbered&) const = default;
+};
+using List = SharedList<Numbered, &Numbered::number>;
 
 std::size_t items_beyond(const SharedChunks<Item>& one, const SharedChunks<Item>& other) {
   std::size_t items = 0;
@@ -116,19 +129,24 @@ TEST_CASE("shared chunks: what was never touched takes no memory") {
 }
 
 TEST_CASE("shared list: what one copy alone holds is what was changed in it, wherever it stands by now") {
-  SharedList<int> one;
-  for (int i = 0; i < 3000; ++i) one.insert(one.size(), i);
-  SharedList<int> other = one;
-  const auto beyond = [](const SharedList<int>& a, const SharedList<int>& b) {
+  List one;
+  for (int i = 0; i < 3000; ++i) one.insert(one.size(), {i});
+  List other = one;
+  const auto beyond = [](const List& a, const List& b) {
     std::size_t items = 0;
-    a.for_each_beyond(b, [&](const std::vector<int>& piece) { items += piece.size(); });
+    a.for_each_beyond(b, [&]<class Item>(const std::vector<Item>& piece) {
+      if constexpr (std::is_same_v<Item, Numbered>) items += piece.size();
+    });
     return items;
   };
   CHECK(beyond(other, one) == 0);
-  for (int i = 0; i < 600; ++i) other.insert(0, -i);  // the first piece becomes others, and the rest moves up
+  CHECK(heap_beyond(other, one) == 0);
+  // The first piece becomes others, and the rest moves up.
+  for (int i = 0; i < 600; ++i) other.insert(0, {3000 + i});
   CHECK(beyond(other, one) > 600);
-  CHECK(beyond(other, one) < 600 + 2 * SharedList<int>::longest);
-  CHECK(beyond(one, other) <= SharedList<int>::longest);
+  CHECK(beyond(other, one) < 600 + 2 * List::longest);
+  CHECK(beyond(one, other) <= List::longest);
+  CHECK(heap_beyond(other, one) > beyond(other, one) * sizeof(Numbered) + 3600 * sizeof(std::uint32_t));
 }
 
 TEST_CASE(
@@ -163,36 +181,89 @@ TEST_CASE("law: copies of a shared list are each what a vector would be, after a
   std::mt19937 random(2);
   const auto below = [&](std::size_t end) { return static_cast<std::size_t>(random() % end); };
   struct Both {
-    SharedList<int> shared;
-    std::vector<int> plain;
+    List shared;
+    std::vector<Numbered> plain;
   };
   std::array<Both, 3> copies;
   std::size_t longest = 0;
   for (int change = 0; change < 6000; ++change) {
     Both& copy = copies[below(copies.size())];
-    std::vector<int>& plain = copy.plain;
+    std::vector<Numbered>& plain = copy.plain;
     const std::size_t what = below(200);
+    const std::size_t at = plain.empty() ? 0 : below(plain.size());
+    const auto place = plain.begin() + static_cast<std::ptrdiff_t>(at);
     if (what == 0) {
       const Both& other = copies[below(copies.size())];
       copy = other;
       CHECK(copy.shared.shares_with(other.shared));
     } else if (what < 20 && !plain.empty()) {
-      const std::size_t at = below(plain.size());
-      copy.shared.erase(at), plain.erase(plain.begin() + static_cast<std::ptrdiff_t>(at));
+      const std::int32_t number = place->number;
+      copy.shared.erase(at), plain.erase(place);
+      CHECK(!copy.shared.contains(number));
     } else if (what < 40 && !plain.empty()) {
-      const std::size_t at = below(plain.size());
-      copy.shared.edit(at) = change, plain[at] = change;
+      copy.shared.edit(at).value = change, place->value = change;
     } else {
-      const std::size_t at = below(plain.size() + 1);
-      copy.shared.insert(at, change), plain.insert(plain.begin() + static_cast<std::ptrdiff_t>(at), change);
+      const std::size_t before = below(plain.size() + 1);
+      const Numbered item{change, -change};
+      copy.shared.insert(before, item);
+      plain.insert(plain.begin() + static_cast<std::ptrdiff_t>(before), item);
     }
     longest = std::max(longest, plain.size());
     CAPTURE(change);
     for (const Both& each : copies) {
       REQUIRE(each.shared.size() == each.plain.size());
       REQUIRE(std::equal(each.shared.begin(), each.shared.end(), each.plain.begin(), each.plain.end()));
-      if (!each.plain.empty()) REQUIRE(each.shared[each.plain.size() / 2] == each.plain[each.plain.size() / 2]);
+      if (each.plain.empty()) continue;
+      const std::size_t some = below(each.plain.size());
+      REQUIRE(each.shared[some] == each.plain[some]);
+      REQUIRE(each.shared.contains(each.plain[some].number));
+      REQUIRE(each.shared.place_of(each.plain[some].number) == some);
+      REQUIRE(!each.shared.contains(6000));
+      REQUIRE(!each.shared.contains(-1));
     }
   }
-  CHECK(longest > 2 * SharedList<int>::longest);  // it came in several pieces
+  CHECK(longest > 2 * List::longest);  // it came in several pieces
+}
+
+TEST_CASE("a list of 100,000 pieces is replayed in a time that its length multiplies little") {
+  constexpr std::int32_t pieces = 100'000;
+  std::vector<RecordedEvent> events;
+  const auto record = [&]<class E>(const E& event) { events.push_back({step_of(kind_of<E>), event}); };
+  record(TablesBegin{});
+  for (std::int32_t piece = 0; piece < pieces; ++piece) record(PieceMake{piece, 0, -1});
+  for (std::int32_t piece = 0; piece < pieces; ++piece) record(ListInsert{piece, piece});
+  std::mt19937 random(3);
+  for (std::int32_t move = 0; move < pieces; ++move) {
+    const auto piece = static_cast<std::int32_t>(random() % pieces);
+    record(ListRemove{piece});
+    record(ListInsert{piece, static_cast<std::int32_t>(random() % pieces)});
+    record(ListMark{piece});
+  }
+  const Trace trace = record_events(events);
+  Replay replay(trace);
+  const std::clock_t begin = std::clock();
+  replay.go_to(trace.size());
+  for (int k = 0; k < 100; ++k) replay.step_back();
+  CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 5);
+  CHECK(replay.state().machine.list.size() >= pieces - 1);
+}
+
+TEST_CASE("a piece is in the list at most once, and only a piece is") {
+  const auto refused = [](const std::vector<RecordedEvent>& events) {
+    const Trace trace = record_events(events);
+    Replay replay(trace);
+    try {
+      replay.go_to(trace.size());
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const RecordedEvent make{step_of(kind_of<PieceMake>), PieceMake{0, 0, -1}};
+  const RecordedEvent insert{step_of(kind_of<ListInsert>), ListInsert{0, 0}};
+  const RecordedEvent remove{step_of(kind_of<ListRemove>), ListRemove{0}};
+  CHECK(refused({make, insert, remove, insert}) == "");
+  CHECK(refused({make, insert, insert}).find("piece 0 is in the list already") != std::string::npos);
+  CHECK(refused({make, insert, remove, remove}).find("piece 0 is not in the list") != std::string::npos);
+  CHECK(refused({insert}).find("there is no piece 0") != std::string::npos);
 }

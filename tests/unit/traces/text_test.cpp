@@ -27,4 +27,5 @@ TEST_CASE("text from outside shows itself and does nothing else") {
     CHECK(printable(each.first) == each.second);
   }
   CHECK(printable_lines("a\n\tb\x1b\r\n") == "a\n\tb\\x1b\\r\n");
+  CHECK(printable_json("[\n\"\u00fc\x7f\u0085\u202e\"\n]") == "[\n\"\u00fc\\u007f\\u0085\\u202e\"\n]");
 }

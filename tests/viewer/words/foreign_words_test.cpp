@@ -45,7 +45,7 @@ TEST_CASE("foreign traces: a compare and what is written with it") {
   CHECK(told("wrongcolour", 203).doubt);
   CHECK(sentence("writefirst", 56) == "0.5 < \u221e: nothing was drawn here yet, so pixel (1, 1) becomes A.");
   CHECK(sentence("nopoly", 91) == "0.5 < \u221e: nothing was drawn here yet, so pixel (1, 3) becomes A.");
-  CHECK(sentence("nopoly", 183) == "0.5 = 0.5: a tie, and A was first, so pixel (1, 3) stays.");
+  CHECK(sentence("nopoly", 183) == "0.5 = 0.5: a tie with A, and the trace says not nearer, so pixel (1, 3) stays.");
 }
 
 TEST_CASE("foreign traces: the ray keeps the farthest hit") {

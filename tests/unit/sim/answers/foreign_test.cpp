@@ -53,7 +53,8 @@ std::string history(const std::string& file, std::int32_t x, std::int32_t y) {
 
 TEST_SUITE("foreign traces") {
   TEST_CASE("what the depth buffer was cleared to is what a depth is held against") {
-    CHECK(history("far1", 1, 3) == "115 A 0.5 against 1: nearer\n243 B 0.5 against 0.5: a tie: the first stays\n");
+    CHECK(history("far1", 1, 3) == 
+          "115 A 0.5 against 1: nearer\n243 B 0.5 against 0.5: a tie: the trace says not nearer\n");
     const Verdict seen = why_not(foreign("far1"), "A", 1, 3);
     CHECK(seen.sentence == "A is what is seen at pixel (1, 3): step 117 put it there, z = 0.5.");
     CHECK(seen.formulas == std::vector<std::string>{"z < zbuffer[x,y]:  0.5 < 1  is true"});
@@ -63,7 +64,7 @@ TEST_SUITE("foreign traces") {
 
   TEST_CASE("where the greater depth is nearer, that is what is said") {
     CHECK(history("greater_minf", 1, 3) ==
-          "115 A 5 against \u2212\u221e: nearer\n239 B 5 against 5: a tie: the first stays\n");
+          "115 A 5 against \u2212\u221e: nearer\n239 B 5 against 5: a tie: the trace says not nearer\n");
     CHECK(why_not(foreign("greater_minf"), "A", 1, 3).formulas ==
           std::vector<std::string>{"z > zbuffer[x,y]:  5 > \u2212\u221e  is true"});
   }
@@ -128,8 +129,8 @@ TEST_SUITE("foreign traces") {
 
   TEST_CASE("a polygon that the trace does not name is not known") {
     CHECK(history("nopoly", 1, 3) ==
-          "91 A 0.5 against \u221e: nearer\n183 ? 0.5 against 0.5: a tie: the first stays; the trace does not say "
-          "whose\n");
+          "91 A 0.5 against \u221e: nearer\n183 ? 0.5 against 0.5: a tie: the trace says not nearer; the trace does "
+          "not say whose\n");
     CHECK(sentence("nopoly", "B", 1, 3) ==
           "B is not seen at pixel (1, 3): it covers the pixel; at step 183 a polygon that the trace does not name was "
           "compared there, and found not to be nearer.");

@@ -59,6 +59,12 @@ TEST_CASE("headings, quotes, rules, entities, HTML and links") {
   CHECK(plain_text({blocks[3]}) == "a < b λ φ <b>text next\nline");
 }
 
+TEST_CASE("entities are their characters, where they are known and do nothing") {
+  CHECK(plain_text(parse_markdown("&#233; &#x2192; &#128512; &amp; &nbsp;")) == "\u00e9 \u2192 \U0001f600 & \u00a0");
+  CHECK(plain_text(parse_markdown("&rarr; &#27;[31m &#x9b; &#x202E; &#; &#xfffffff;")) ==
+        "&rarr; &#27;[31m &#x9b; &#x202E; &#; &#xfffffff;");
+}
+
 TEST_CASE("nothing, and what is not Markdown, is read without complaint") {
   CHECK(parse_markdown("").empty());
   CHECK(plain_text(parse_markdown("** ` [ ] ( ")) == "** ` [ ] (");
