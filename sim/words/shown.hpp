@@ -23,6 +23,8 @@ class Shown {
   const std::string& numbers() const {
     return numbers_;
   }  ///< the same with numbers, where they differ with the digits that tell them apart
+  /// A number as it stands, and nothing computed.
+  bool is_operand() const { return leaf_; }
   /// "symbols = numbers"; the numbers alone where nothing has a name, or nothing is computed.
   std::string equation() const;
 

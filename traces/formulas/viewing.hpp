@@ -3,6 +3,12 @@
 
 namespace zstep::formulas {
 
+/// A row of T_v, (t_1, t_2, t_3, t_4), times a point.
+template <class T>
+T matrix_row(const T& t_1, const T& t_2, const T& t_3, const T& t_4, const T& x, const T& y, const T& z) {
+  return (t_1 * x + t_2 * y) + (t_3 * z + t_4);
+}
+
 /// x or y on the projection plane, at distance d from the eye.
 template <class T>
 T projected(const T& d, const T& xy_v, const T& z_v) {

@@ -1,0 +1,197 @@
+// zstep check: does each step of a run follow from its own operands?
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/cli/budget.hpp"
+#include "sim/cli/commands.hpp"
+#include "sim/cli/show.hpp"
+#include "sim/cli/traces.hpp"
+#include "sim/cli/watch.hpp"
+#include "sim/cli/words.hpp"
+#include "sim/words/derived.hpp"
+#include "sim/words/numbers.hpp"
+#include "traces/check/check.hpp"
+#include "traces/text.hpp"
+
+namespace zstep::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckOptions {
+  std::string trace;
+  bool all = false, json = false;
+};
+
+constexpr std::size_t most_causes = 10;
+
+/// What is said of a cause, made where it was found: the state before it is gone later.
+struct Told {
+  std::string subject, formula;
+};
+
+/// The line of a JSON Lines file that a step stands at; 0 in a file of another kind.
+class FileLines {
+ public:
+  explicit FileLines(const std::string& path) {
+    if (std::filesystem::path(path).extension() == ".jsonl") in_.open(path);
+  }
+  /// Steps must be asked for in order.
+  std::int64_t of(std::int64_t step) {
+    std::string text;
+    while (in_ && objects_ < step + 1 && std::getline(in_, text)) {  // the first object is the header
+      ++line_;
+      for (const char c : text) look_at(c);
+    }
+    return objects_ >= step + 1 ? line_ : 0;
+  }
+
+ private:
+  /// An object may stand on several lines.
+  void look_at(char c) {
+    if (in_text_) {
+      if (c == '"' && !escaped_) in_text_ = false;
+      escaped_ = c == '\\' && !escaped_;
+    } else if (c == '"') {
+      in_text_ = true;
+    } else if (c == '{') {
+      ++depth_;
+    } else if (c == '}') {
+      objects_ += --depth_ == 0;
+    }
+  }
+
+  std::ifstream in_;
+  std::int64_t line_ = 0, objects_ = 0;
+  int depth_ = 0;
+  bool in_text_ = false, escaped_ = false;
+};
+
+std::string where(const Trace& trace, const CheckOptions& options, const Cause& cause, std::int64_t file_line) {
+  const StepInfo* step = find_step(trace.header().page, cause.first.line);
+  const std::string place = file_line > 0 ? fmt::format("{}:{}", options.trace, file_line)
+                                          : fmt::format("{}, step {}", options.trace, cause.first.step);
+  return fmt::format("{}: {}", place, step ? step->name : "");
+}
+
+/// What is wrong, in one line.
+std::string what(const Cause& cause, const Told& told) {
+  const Fault& fault = cause.first;
+  if (!fault.impossible.empty()) return fmt::format("this step cannot be: {}", fault.impossible);
+  if (fault.rule) return std::string(rule_text(*fault.rule).broken);
+  const auto [is, ought] = tell_apart(fault.recorded, fault.expected);
+  if (told.formula.empty()) return fmt::format("{} = {}, but the trace has {}", fault.field, ought, is);
+  if (told.formula.find(":  ") != std::string::npos)  // a compare
+    return fmt::format("{}, but the trace says {}", told.formula, fault.recorded != 0 ? "nearer" : "not nearer");
+  return fmt::format("{} = {}, but the trace has {}", fault.field, told.formula, is);
+}
+
+std::string follow_text(const Cause& cause) {
+  std::string text;
+  if (cause.again > 0) text += counted(cause.again, "later step has", "later steps have") + " the same fault";
+  if (cause.inherited > 0)
+    text += (text.empty() ? "" : "; ") + counted(cause.inherited, "step follows", "steps follow") + " from it";
+  return text;
+}
+
+void print_text(const Trace& trace, const CheckOptions& options, const CheckReport& report,
+                const std::vector<Told>& told) {
+  const Precision& precision = report.precision;
+  fmt::print("{}: {} ({}), of which {} have a formula or a rule\n", printable(trace.name()),
+             counted(report.steps, "step", "steps"), precision.text, grouped(report.judged));
+  fmt::print("{} numbers: {} exact, {} rounded (at most {} units of a float64's last digit)\n\n",
+             grouped(report.numbers), grouped(report.exact), grouped(report.rounded),
+             number(report.largest_rounding, 1, true));
+  if (report.causes.empty()) return fmt::print("Nothing is wrong.\n");
+  fmt::print("{}: {} wrong, {} more follow from {}\n\n", counted(static_cast<std::int64_t>(report.causes.size()), "cause", "causes"),
+             counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
+             report.causes.size() == 1 ? "it" : "them");
+  FileLines lines(options.trace);
+  const std::size_t shown = options.all ? report.causes.size() : std::min(most_causes, report.causes.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Cause& cause = report.causes[i];
+    fmt::print("{}. {}{}\n   {}\n", i + 1, where(trace, options, cause, lines.of(cause.first.step)),
+               told[i].subject.empty() ? "" : ", " + told[i].subject, what(cause, told[i]));
+    if (const std::string more = follow_text(cause); !more.empty()) fmt::print("   {}\n", more);
+    fmt::print("   zstep view {} --at {}\n", options.trace, cause.first.step);
+  }
+  if (shown < report.causes.size())
+    fmt::print("… and {} more: --all prints them\n", grouped(static_cast<std::int64_t>(report.causes.size() - shown)));
+}
+
+void print_json(const Trace& trace, const CheckOptions& options, const CheckReport& report,
+                const std::vector<Told>& told) {
+  Json causes = Json::array();
+  FileLines lines(options.trace);
+  for (std::size_t i = 0; i < report.causes.size(); ++i) {
+    const Cause& cause = report.causes[i];
+    const Fault& fault = cause.first;
+    const StepInfo* step = find_step(trace.header().page, fault.line);
+    Json one{{"step", fault.step}};
+    if (const std::int64_t line = lines.of(fault.step); line > 0) one["line"] = line;
+    one["name"] = step ? step->name : "";
+    one["subject"] = told[i].subject;
+    if (fault.rule) one["rule"] = rule_text(*fault.rule).name;
+    if (!fault.field.empty()) {
+      one["field"] = fault.field, one["recorded"] = fault.recorded, one["expected"] = fault.expected;
+      if (!told[i].formula.empty()) one["formula"] = told[i].formula;
+    }
+    one["what"] = what(cause, told[i]);
+    one["again"] = cause.again, one["inherited"] = cause.inherited;
+    causes.push_back(one);
+  }
+  const Json all{{"trace", trace.name()},       {"steps", report.steps},     {"judged", report.judged},
+                 {"numbers", report.numbers},   {"exact", report.exact},     {"rounded", report.rounded},
+                 {"format", report.precision.text}, {"wrong", report.wrong_steps}, {"inherited", report.inherited},
+                 {"causes", causes}};
+  fmt::print("{}\n", all.dump(2));
+}
+
+int run(const CheckOptions& options) {
+  const Trace trace = open_trace(options.trace);
+  std::vector<Told> told;
+  Watch watch;
+  const CheckReport report = check(
+      trace,
+      [&](const Cause& cause, const formulas::Situation& at, const RecordedEvent& event) {
+        told.push_back({subject_of(event.event, at),
+                        cause.first.field.empty()
+                            ? ""
+                            : derived_formula(event.event, at, cause.first.field).value_or("")});
+      },
+      [&](std::int64_t done) {
+        watch.show(fmt::format("checking: step {} of {} (Ctrl-C stops)", grouped(done), grouped(trace.size())));
+        return false;
+      });
+  watch.clear_line();
+  if (options.json) print_json(trace, options, report, told);
+  else print_text(trace, options, report, told);
+  return report.causes.empty() ? exit_code::done : exit_code::finding;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Does each step follow from its own operands?");
+  command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
+  command->add_flag("--all", options->all, "Print all causes, not ten");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer(
+      "Holds every number against the formula it must follow from, with the trace's own operands and under the\n"
+      "conventions that its header declares, and every step against the rules of the method. Exit code 0: nothing is\n"
+      "wrong; 1: something is.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep check run.jsonl\n"
+      "  zstep check run.ztrace --json");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace zstep::cli

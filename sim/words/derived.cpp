@@ -1,0 +1,100 @@
+#include "sim/words/derived.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/shown.hpp"
+#include "traces/events/slots.hpp"
+#include "traces/formulas/of_events.hpp"
+
+namespace zstep {
+
+namespace {
+
+using words::Shown;
+
+/// Keeps the formula of one field.
+template <class E>
+struct Teller {
+  using Number = Shown;
+  const std::string& field;
+  const formulas::Situation& at;
+  std::optional<std::string> text;
+
+  Number number(std::string_view name, double value, const formulas::Place&) {
+    if (name == "z") return {depth_symbol(at.scene, at.header.conventions), value};
+    return {std::string(name), value};
+  }
+  Number named(std::string_view name, const Number& formula) { return {std::string(name), formula.value()}; }
+  void reads(const formulas::Place&) {}
+  bool equal(double one, double other) const { return one == other; }
+
+  void gives(double E::*member, const Number& formula) {
+    keep(member, formula.is_operand() ? formula.equation()
+                                      : fmt::format("{} = {}", formula.equation(), zstep::number(formula.value())));
+  }
+  void whole(std::int32_t E::*member, const Number& formula, std::int32_t within) {
+    const bool limited = formula.value() != within;
+    keep(member, limited ? fmt::format("{} = {}, within the raster {}", formula.equation(),
+                                       zstep::number(formula.value()), within)
+                         : fmt::format("{} = {}", formula.equation(), within));
+  }
+  template <class Value>
+  void is(Value E::*, Value) {}
+  void verdict(bool E::*member, const Number& z, const Number& stored) {
+    const Comparison& comparison = at.header.comparison;
+    const auto [one, other] = tell_apart(z.value(), stored.value());
+    keep(member, fmt::format("{0} {1} {2}:  {3} {1} {4} is {5}", z.symbols(), comparison.sign(), stored.symbols(), one,
+                             other, comparison.wins(z.value(), stored.value()) ? "true" : "false"));
+  }
+  void rule(formulas::Rule, bool) {}
+
+ private:
+  template <class Value>
+  void keep(Value E::*member, std::string formula) {
+    for_each_index<E>([&]<std::size_t I>() {
+      if constexpr (std::is_same_v<FieldValue<E, I>, Value>)
+        if (field_at<E, I>.member == member && field_at<E, I>.name == field) text = std::move(formula);
+    });
+  }
+};
+
+}  // namespace
+
+std::optional<std::string> derived_formula(const Event& event, const formulas::Situation& at,
+                                           const std::string& field) {
+  return std::visit(
+      [&]<class E>(const E& e) -> std::optional<std::string> {
+        Teller<E> teller{field, at, {}};
+        if constexpr (formulas::Derived<E, Teller<E>>) formulas::derive(e, at, teller);
+        return teller.text;
+      },
+      event);
+}
+
+std::string subject_of(const Event& event, const formulas::Situation& at) {
+  const auto edge = [&](std::int32_t number) {
+    const EdgeTableInsert* entry = at.edge(number);
+    return entry ? fmt::format("edge e{} ({}\u2013{})", number, entry->vertex_0, entry->vertex_1)
+                 : fmt::format("edge e{}", number);
+  };
+  return std::visit(
+      [&]<class E>(const E& e) -> std::string {
+        if constexpr (std::is_same_v<E, EdgeTableInsert>)
+          return fmt::format("edge e{} ({}\u2013{})", e.edge, e.vertex_0, e.vertex_1);
+        else if constexpr (requires { e.left_edge; })
+          return fmt::format("scan line {}, from {} to {}", e.y, edge(e.left_edge), edge(e.right_edge));
+        else if constexpr (requires { e.edge; }) return edge(e.edge);
+        else if constexpr (requires { e.x; e.y; }) return fmt::format("pixel ({}, {})", e.x, e.y);
+        else if constexpr (requires { e.vertex_0; e.vertex_1; })
+          return fmt::format("the edge from vertex {} to vertex {}", e.vertex_0, e.vertex_1);
+        else if constexpr (requires { e.vertex; }) return fmt::format("vertex {}", e.vertex);
+        else if constexpr (requires { e.y; }) return fmt::format("scan line {}", e.y);
+        else if constexpr (requires { e.polygon; }) return polygon_label(at.scene, e.polygon);
+        else return "";
+      },
+      event);
+}
+
+}  // namespace zstep

@@ -1,0 +1,19 @@
+// The formula that a field must follow from, in symbols and in the numbers of the trace itself.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "traces/file/trace.hpp"
+#include "traces/formulas/situation.hpp"
+
+namespace zstep {
+
+/// "z_L + (z_R − z_L)(x − x_L)/(x_R − x_L) = 0.5 + (0.7 − 0.5)(4 − 2)/(6 − 2) = 0.6"; nothing where no formula gives the
+/// field, or the trace does not have what it needs.
+std::optional<std::string> derived_formula(const Event& event, const formulas::Situation& at, const std::string& field);
+
+/// The vertices and edges that a step is about, so that a person finds it in a program: "edge e3 (4–7)", "pixel (3, 2)".
+std::string subject_of(const Event& event, const formulas::Situation& at);
+
+}  // namespace zstep

@@ -1,0 +1,211 @@
+#include "traces/check/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "traces/check/inheritance.hpp"
+#include "traces/events/slots.hpp"
+#include "traces/file/visit.hpp"
+#include "traces/formulas/of_events.hpp"
+#include "traces/formulas/rounding.hpp"
+#include "traces/replay/apply.hpp"
+#include "traces/replay/beginning.hpp"
+
+namespace zstep {
+
+namespace {
+
+using formulas::Place, formulas::Rounded, formulas::Rule, formulas::Situation;
+
+/// The number of an event's field.
+template <class E, class Value>
+std::size_t field_number(Value E::*member) {
+  std::size_t number = 0;
+  for_each_index<E>([&]<std::size_t I>() {
+    if constexpr (std::is_same_v<FieldValue<E, I>, Value>)
+      if (field_at<E, I>.member == member) number = I;
+  });
+  return number;
+}
+
+struct Checker {
+  const Trace& trace;
+  const OnCause& on_cause;
+  CheckReport report;
+  Inheritance inheritance;
+  std::map<std::tuple<int, std::uint8_t, std::size_t>, std::size_t> known;  ///< causes by what is wrong, kind, field
+
+  // Of the step at work.
+  std::int64_t step = 0;
+  std::uint8_t line = 0;
+  bool any_judged = false, any_fault = false;
+  std::int32_t inherited = Inheritance::clean;
+  const Situation* at = nullptr;
+  Event held{};  ///< what is wrong, for who wants to see it
+
+  void begin(std::int64_t position, std::uint8_t id) {
+    step = position, line = id;
+    any_judged = any_fault = false;
+    inherited = Inheritance::clean;
+  }
+  void read(const Place& place) {
+    if (inheritance.empty()) return;
+    if (const std::int32_t cause = inheritance.of(place); cause != Inheritance::clean && inherited == Inheritance::clean)
+      inherited = cause;
+  }
+
+  /// `what`: 0 a field, 1 a rule, 2 a step that cannot be.
+  void fault(int what, std::size_t number, Fault fault) {
+    fault.step = step, fault.line = line;
+    report.wrong_steps += !any_fault;
+    any_fault = true;
+    const auto [found, fresh] = known.try_emplace({what, fault.kind, number}, report.causes.size());
+    if (!fresh) {
+      Cause& cause = report.causes[found->second];
+      cause.again += cause.first.step != step;
+    } else {
+      report.causes.push_back({std::move(fault), 0, 0});
+      if (on_cause) on_cause(report.causes.back(), *at, RecordedEvent{line, held});
+    }
+    inherited = static_cast<std::int32_t>(found->second);
+  }
+
+  bool within_rounding(const Rounded& formula, double recorded) const {
+    if (formulas::gives(formula, recorded, report.precision.relative)) return true;
+    return std::abs(recorded - formula.value) <= report.precision.absolute;
+  }
+  /// Counts a number that is right; false where it is not.
+  bool holds(const Rounded& formula, double recorded) {
+    any_judged = true;
+    ++report.numbers;
+    if (recorded == formula.value || (std::isnan(recorded) && std::isnan(formula.value))) return ++report.exact, true;
+    if (!within_rounding(formula, recorded)) return false;
+    ++report.rounded;
+    const double last_digit = std::nextafter(std::abs(recorded), std::numeric_limits<double>::infinity()) -
+                              std::abs(recorded);
+    report.largest_rounding = std::max(report.largest_rounding, std::abs(recorded - formula.value) / last_digit);
+    return true;
+  }
+};
+
+/// Judges the fields of one event.
+template <class E>
+struct Judge {
+  using Number = Rounded;
+  Checker& checker;
+  const E& e;
+
+  Number number(const auto&, double value, const Place& place) {
+    if (place.in != Place::In::event && place.in != Place::In::scene) checker.read(place);
+    Rounded known(value);
+    if (checker.report.precision.absolute > 0)
+      known.spread += checker.report.precision.absolute / checker.report.precision.relative;
+    return known;
+  }
+  Number named(std::string_view, const Number& formula) { return formula; }
+  void reads(const Place& place) { checker.read(place); }
+  bool equal(double one, double other) const { return checker.within_rounding(Rounded(one), other); }
+
+  void gives(double E::*member, const Number& formula) {
+    if (!checker.holds(formula, e.*member)) wrong(member, e.*member, formula.value);
+  }
+  void whole(std::int32_t E::*member, const Number& formula, std::int32_t within) {
+    checker.any_judged = true;
+    if (e.*member == within) return;
+    // Just beside a pixel's centre rounding may decide either way.
+    const double off = std::abs(static_cast<double>(e.*member) - within);
+    const double nearest = std::round(formula.value);
+    if (off <= 1 && !checker.report.precision.every_digit && std::abs(formula.value - nearest) <= 1) return;
+    wrong(member, e.*member, within);
+  }
+  template <class Value>
+  void is(Value E::*member, Value value) {
+    checker.any_judged = true;
+    if (e.*member == value || (value != value && e.*member != e.*member)) return;
+    if constexpr (std::is_same_v<Value, double>)
+      if (equal(e.*member, value)) return;
+    wrong(member, static_cast<double>(e.*member), static_cast<double>(value));
+  }
+  void verdict(bool E::*member, const Number& z, const Number& stored) {
+    const Header& header = checker.trace.header();
+    const bool tie = z.value == stored.value;
+    if (!header.declares(tie ? Convention::ties : Convention::nearer)) return;
+    if (!checker.report.precision.every_digit && checker.within_rounding(z, stored.value)) return;
+    const bool wins = header.comparison.wins(z.value, stored.value);
+    checker.any_judged = true;
+    if (e.*member != wins) wrong(member, e.*member, wins);
+  }
+  void rule(Rule rule, bool holds) {
+    checker.any_judged = true;
+    if (holds) return;
+    Fault fault;
+    fault.kind = kind_of<E>, fault.rule = rule;
+    checker.held = e;
+    checker.fault(1, static_cast<std::size_t>(rule), std::move(fault));
+  }
+
+ private:
+  template <class Value>
+  void wrong(Value E::*member, double recorded, double expected) {
+    const std::size_t number = field_number(member);
+    Fault fault;
+    fault.kind = kind_of<E>, fault.recorded = recorded, fault.expected = expected;
+    for_each_index<E>([&]<std::size_t I>() {
+      if (I == number) fault.field = field_at<E, I>.name;
+    });
+    checker.held = e;
+    checker.fault(0, number, std::move(fault));
+  }
+};
+
+}  // namespace
+
+CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked) {
+  const Beginning beginning(trace);
+  State state = beginning.state();
+  Checker checker{trace, on_cause, {}, {}, {}};
+  checker.report.precision = precision_of(trace);
+  Situation at{trace.header(), trace.scene(), state, &trace.scene().camera};
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    at.kinds_recorded[kind] = trace.has(static_cast<std::uint8_t>(kind));
+  checker.at = &at;
+
+  NoLog log;
+  constexpr std::int64_t now_and_then = 1 << 16;
+  trace.visit(0, trace.size(), [&]<class E>(std::int64_t position, std::uint8_t line, const E& e) {
+    checker.begin(position, line);
+    // What the light sees is drawn by its own camera, which the scene has as a lamp.
+    at.camera = state.machine.pass == Pass::light ? nullptr : &trace.scene().camera;
+    Judge<E> judge{checker, e};
+    if constexpr (formulas::Derived<E, Judge<E>>) formulas::derive(e, at, judge);
+    if constexpr (std::is_same_v<E, EdgeEnter>) judge.reads({Place::In::edge_table, e.edge});
+    if constexpr (std::is_same_v<E, BuffersClear>)
+      for (const Place::In in : {Place::In::depth_buffer, Place::In::frame}) checker.inheritance.clear(in);
+
+    checker.report.judged += checker.any_judged;
+    if (checker.inherited != Inheritance::clean && !checker.any_fault) {
+      ++checker.report.inherited;
+      ++checker.report.causes[static_cast<std::size_t>(checker.inherited)].inherited;
+    }
+    if (!checker.inheritance.empty() || checker.any_fault)
+      for_each_place_written(e, at, [&](const Place& place) { checker.inheritance.set(place, checker.inherited); });
+    try {
+      apply_stores(e, state, trace.scene().points.size(), log);
+      apply_method_state(e, state.machine, position);
+    } catch (const Impossible& why) {
+      Fault fault;
+      fault.kind = kind_of<E>, fault.impossible = why.what();
+      checker.held = e;
+      checker.fault(2, 0, std::move(fault));
+    }
+    state.position = position;
+    ++checker.report.steps;
+    return !(on_checked && position % now_and_then == 0 && on_checked(position));
+  });
+  return std::move(checker.report);
+}
+
+}  // namespace zstep

@@ -1,0 +1,61 @@
+// Does each step of a run follow from its own operands? Judges a trace that zstep need not have made, by the formulas
+// of traces/formulas and the rules of the algorithm, under the conventions that its header declares.
+//
+// A number is held against what its formula gives for the operands that the trace itself has. So an error counts once,
+// where it is made; what correctly follows from it is counted as its consequence.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "traces/check/precision.hpp"
+#include "traces/check/rules.hpp"
+#include "traces/file/trace.hpp"
+#include "traces/formulas/situation.hpp"
+
+namespace zstep {
+
+/// Something that is wrong at a step: a field that is not what its formula gives, a rule that is broken, or a step that
+/// cannot be at all.
+struct Fault {
+  std::int64_t step = 0;
+  std::uint8_t line = 0;   ///< of the pseudo-code: the step's id
+  std::uint8_t kind = 0;   ///< of the event
+  std::string field;       ///< "x_edge"; empty where a rule is broken
+  std::optional<formulas::Rule> rule;
+  double recorded = 0, expected = 0;  ///< of a field
+  std::string impossible;  ///< why the step cannot be
+};
+
+/// A fault that does not follow from another one, and what goes with it.
+struct Cause {
+  Fault first;
+  std::int64_t again = 0;      ///< later steps with the same fault, not for the same reason as another's
+  std::int64_t inherited = 0;  ///< later steps that follow, correctly, from what is wrong here
+};
+
+struct CheckReport {
+  std::int64_t steps = 0;          ///< that were gone through
+  std::int64_t judged = 0;         ///< of these, with a field or a rule that could be judged
+  std::int64_t numbers = 0;        ///< that were held against a formula
+  std::int64_t exact = 0;          ///< of these, to the last bit
+  std::int64_t rounded = 0;        ///< within what rounding allows
+  double largest_rounding = 0;     ///< as a multiple of the float64's last digit, of those
+  std::int64_t wrong_steps = 0;    ///< with a fault of their own
+  std::int64_t inherited = 0;      ///< without one, but following from one
+  Precision precision;
+  std::vector<Cause> causes;       ///< by their first step
+};
+
+/// What a caller may look at where a cause is found: the state before it, and the event.
+using OnCause = std::function<void(const Cause&, const formulas::Situation&, const RecordedEvent&)>;
+/// Called now and then with the steps that are done; true ends the check there.
+using OnChecked = std::function<bool(std::int64_t)>;
+
+/// Goes through the whole trace. Throws InputError where it cannot be read.
+CheckReport check(const Trace& trace, const OnCause& on_cause = nullptr, const OnChecked& on_checked = nullptr);
+
+}  // namespace zstep

@@ -1,0 +1,60 @@
+// Which numbers follow from something that is wrong: for each place that holds numbers, the cause it goes back to.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+
+#include "traces/formulas/situation.hpp"
+
+namespace zstep {
+
+class Inheritance {
+ public:
+  static constexpr std::int32_t clean = -1;
+
+  /// Nothing is wrong anywhere, so nothing needs to be looked up.
+  bool empty() const { return wrong_.empty(); }
+  std::int32_t of(const formulas::Place& place) const {
+    if (wrong_.empty()) return clean;
+    const auto found = wrong_.find(key(place));
+    return found == wrong_.end() ? clean : found->second;
+  }
+  void set(const formulas::Place& place, std::int32_t cause) {
+    if (cause != clean) wrong_[key(place)] = cause;
+    else if (!wrong_.empty()) wrong_.erase(key(place));
+  }
+  /// A buffer that is cleared holds nothing that is wrong.
+  void clear(formulas::Place::In in) {
+    std::erase_if(wrong_, [&](const auto& entry) { return entry.first >> shift == static_cast<std::uint64_t>(in); });
+  }
+
+ private:
+  static constexpr unsigned shift = 56;
+  static std::uint64_t key(const formulas::Place& place) {
+    return static_cast<std::uint64_t>(place.in) << shift |
+           (static_cast<std::uint64_t>(place.number) & ((std::uint64_t{1} << shift) - 1));
+  }
+  std::unordered_map<std::uint64_t, std::int32_t> wrong_;
+};
+
+/// The places that an event writes to.
+template <class E, class Set>
+void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set) {
+  using formulas::Place;
+  using In = Place::In;
+  if constexpr (requires { e.vertex; } && !std::is_same_v<E, OutlineVertex>) {
+    if constexpr (!std::is_same_v<E, ClipVertex> && !std::is_same_v<E, VertexSide>) set(Place{In::vertex, e.vertex});
+  }
+  if constexpr (std::is_same_v<E, EdgeTableInsert>) set(Place{In::edge_table, e.edge});
+  if constexpr (std::is_same_v<E, EdgeEnter> || std::is_same_v<E, EdgeStep>) set(Place{In::active_edge, e.edge});
+  if constexpr (std::is_same_v<E, PlaneEquation> || std::is_same_v<E, Extent>) set(Place{In::piece, e.piece});
+  if constexpr (std::is_same_v<E, RayBegin> || std::is_same_v<E, RayPlane>) set(Place{In::ray, 0});
+  if constexpr (std::is_same_v<E, HorizonMove>) set(Place{In::horizon, e.x});
+  if constexpr (std::is_same_v<E, SpanBegin>) set(Place{In::span, 0});
+  if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare>) set(Place{In::fragment, 0});
+  if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>) set(at.depth_place(e.x, e.y));
+  if constexpr (std::is_same_v<E, PixelWrite> || std::is_same_v<E, PixelPaint>)
+    set(Place{In::frame, at.pixel(e.x, e.y)});
+}
+
+}  // namespace zstep

@@ -1,0 +1,21 @@
+// How exact the numbers of a trace are: as its header declares, else as the numbers themselves look.
+#pragma once
+
+#include <string>
+
+#include "traces/file/trace.hpp"
+
+namespace zstep {
+
+struct Precision {
+  double relative = 0;        ///< by what share of itself a number may be off
+  double absolute = 0;        ///< and by how much besides: numbers written with so many decimals
+  bool every_digit = true;    ///< all digits that the program computed with are there: equal means equal
+  std::string text;           ///< "float64, as the header declares"
+};
+
+/// Reads the whole trace where the header declares no number format: a program that prints "%f" or "%.6g" writes fewer
+/// digits than it computes with, and one that computes in float32 writes numbers that are float32.
+Precision precision_of(const Trace& trace);
+
+}  // namespace zstep

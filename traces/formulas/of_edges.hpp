@@ -1,0 +1,192 @@
+// What the edge table, the active edge list and spans follow from: x–y and z–y interpolation (000, "Double
+// interpolation"; 001), and the rules of the list (000, "The algorithm").
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/situation.hpp"
+
+namespace zstep::formulas {
+
+namespace detail {
+
+/// The ends of an edge, the one with the smaller y first, by the names that formulas have for them.
+template <class T>
+struct Ends {
+  T x_0, y_0, z_0, x_1, y_1, z_1;
+};
+template <class Out>
+auto ends_of(Out& out, const Situation& at, std::int32_t vertex_0, std::int32_t vertex_1)
+    -> std::optional<Ends<typename Out::Number>> {
+  const auto a = at.on_raster(vertex_0), b = at.on_raster(vertex_1);
+  if (!a || !b) return std::nullopt;
+  const Place from{Place::In::vertex, vertex_0}, to{Place::In::vertex, vertex_1};
+  return Ends<typename Out::Number>{out.number("x_0", a->x, from), out.number("y_0", a->y, from),
+                                    out.number("z_0", a->z, from), out.number("x_1", b->x, to),
+                                    out.number("y_1", b->y, to),   out.number("z_1", b->z, to)};
+}
+
+/// Do scan lines come one after the other, so that "the next one" means something?
+inline bool increments(const Situation& at) {
+  return at.header.conventions.interpolation == Conventions::Interpolation::increments;
+}
+
+/// Is the list out of order between these two places?
+inline bool out_of_order(const std::vector<ActiveEdge>& active, std::size_t left) {
+  return left + 1 < active.size() && active[left].x > active[left + 1].x;
+}
+
+/// Are these the first and second, third and fourth … of the list? Edges that meet may stand either way round.
+inline bool pair_of_list(const std::vector<ActiveEdge>& active, const ActiveEdge& left, const ActiveEdge& right) {
+  std::size_t before_left = 0, up_to_left = 0, before_right = 0, up_to_right = 0;
+  for (const ActiveEdge& one : active) {
+    before_left += one.x < left.x, up_to_left += one.x <= left.x;
+    before_right += one.x < right.x, up_to_right += one.x <= right.x;
+  }
+  for (std::size_t place = before_left + before_left % 2; place < up_to_left; place += 2)
+    if (place + 1 >= before_right && place + 1 < up_to_right) return true;
+  return false;
+}
+
+}  // namespace detail
+
+template <class Out>
+void derive(const EdgeTableInsert& e, const Situation& at, Out& out) {
+  const auto ends = detail::ends_of(out, at, e.vertex_0, e.vertex_1);
+  if (!ends) return;
+  const double y_0 = at.on_raster(e.vertex_0)->y, y_1 = at.on_raster(e.vertex_1)->y;
+  const std::int32_t height = at.scene.raster.height;
+  const bool turned = y_0 > y_1;
+  const auto &above = turned ? ends->y_1 : ends->y_0, &below = turned ? ends->y_0 : ends->y_1;
+  const double upper = std::min(y_0, y_1), lower = std::max(y_0, y_1);
+  out.whole(&EdgeTableInsert::first_row, first_row(above), row_from(upper, height));
+  // With inclusive coverage an edge goes on through the scan line it ends on where its polygon has its lowest point.
+  const bool past_end = may_include_end(at.header) && e.end_row == row_from(end_row(lower, true), height);
+  out.whole(&EdgeTableInsert::end_row, end_row(below, past_end), row_from(end_row(lower, past_end), height));
+  if (y_0 == y_1) return;
+  const auto row = out.number("y", e.first_row, Place{});
+  out.gives(&EdgeTableInsert::dx_dy, slope(ends->x_0, ends->x_1, ends->y_0, ends->y_1));
+  out.gives(&EdgeTableInsert::x_edge, on_line(ends->x_0, ends->x_1, row, ends->y_0, ends->y_1));
+  out.gives(&EdgeTableInsert::dz_dy, slope(ends->z_0, ends->z_1, ends->y_0, ends->y_1));
+  out.gives(&EdgeTableInsert::z_edge, on_line(ends->z_0, ends->z_1, row, ends->y_0, ends->y_1));
+}
+
+template <class Out>
+void derive(const EdgeTableSkip& e, const Situation& at, Out& out) {
+  const auto a = at.on_raster(e.vertex_0), b = at.on_raster(e.vertex_1);
+  if (!a || !b) return;
+  const double upper = std::min(a->y, b->y), lower = std::max(a->y, b->y);
+  const std::int32_t height = at.scene.raster.height;
+  out.reads(Place{Place::In::vertex, e.vertex_0});
+  out.reads(Place{Place::In::vertex, e.vertex_1});
+  if (e.why == EdgeSkip::horizontal) return out.rule(Rule::skip_is_right, out.equal(a->y, b->y));
+  out.rule(Rule::skip_is_right, row_from(upper, height) >= row_from(lower, height));
+}
+
+template <class Out>
+void derive(const ScanLineBegin& e, const Situation& at, Out& out) {
+  // What ended before this line should have left by now, unless it leaves on it.
+  bool all_left = true;
+  for (const ActiveEdge& active : at.method().active)
+    if (const EdgeTableInsert* entry = at.edge(active.edge)) all_left = all_left && entry->end_row >= e.y;
+  out.rule(Rule::edge_left_behind, all_left);
+  if (at.method().keeps_all) return;  // a table of all polygons is too long to be gone through at each line
+  bool all_entered = true;
+  for (std::size_t edge = 0; edge < at.method().edge_table.size(); ++edge)
+    all_entered = all_entered && (at.method().edge_stages[edge] != EdgeStage::waiting ||
+                                  at.method().edge_table[edge].first_row >= e.y);
+  out.rule(Rule::edge_missing, all_entered);
+}
+
+template <class Out>
+void derive(const EdgeEnter& e, const Situation& at, Out& out) {
+  const EdgeTableInsert* entry = at.edge(e.edge);
+  if (!entry) return;
+  out.reads(Place{Place::In::edge_table, e.edge});
+  if (at.method().scan_line) out.rule(Rule::edge_in_bucket, *at.method().scan_line == entry->first_row);
+  const auto& active = at.method().active;
+  const auto place = static_cast<std::size_t>(e.place);
+  if (e.place < 0 || place > active.size()) return;
+  const bool left = place == 0 || active[place - 1].x <= entry->x_edge || out.equal(active[place - 1].x, entry->x_edge);
+  const bool right =
+      place == active.size() || entry->x_edge <= active[place].x || out.equal(active[place].x, entry->x_edge);
+  // A list that is not in order has no place that keeps it so; it is sorted later then.
+  bool sorted = true;
+  for (std::size_t i = 0; i + 1 < active.size(); ++i) sorted = sorted && !detail::out_of_order(active, i);
+  if (sorted) out.rule(Rule::edge_sorted, left && right);
+}
+
+template <class Out>
+void derive(const EdgeRetire& e, const Situation& at, Out& out) {
+  const EdgeTableInsert* entry = at.edge(e.edge);
+  if (!entry || !at.method().scan_line) return;
+  const std::int32_t y = *at.method().scan_line;
+  out.reads(Place{Place::In::edge_table, e.edge});
+  // At the scan line where it ends, or at the end of the one before.
+  out.rule(Rule::edge_retires, y == entry->end_row || y + 1 == entry->end_row);
+}
+
+template <class Out>
+void derive(const EdgeStep& e, const Situation& at, Out& out) {
+  const EdgeTableInsert* entry = at.edge(e.edge);
+  const ActiveEdge* active = at.active(e.edge);
+  if (!entry || !active || !at.method().scan_line) return;
+  const Place table{Place::In::edge_table, e.edge}, here{Place::In::active_edge, e.edge};
+  if (detail::increments(at)) {
+    out.gives(&EdgeStep::x_edge, out.number("x", active->x, here) + out.number("1/m", entry->dx_dy, table));
+    out.gives(&EdgeStep::z_edge, out.number("z", active->z, here) + out.number("dz/dy", entry->dz_dy, table));
+    return;
+  }
+  const auto ends = detail::ends_of(out, at, entry->vertex_0, entry->vertex_1);
+  if (!ends) return;
+  const auto row = out.number("y", *at.method().scan_line, Place{});
+  out.gives(&EdgeStep::x_edge, on_line(ends->x_0, ends->x_1, row, ends->y_0, ends->y_1));
+  out.gives(&EdgeStep::z_edge, on_line(ends->z_0, ends->z_1, row, ends->y_0, ends->y_1));
+}
+
+template <class Out>
+void derive(const EdgeSwap& e, const Situation& at, Out& out) {
+  const auto& active = at.method().active;
+  const auto left = static_cast<std::size_t>(e.place);
+  if (e.place < 0 || left + 1 >= active.size()) return;
+  for (const std::size_t place : {left, left + 1}) out.reads(Place{Place::In::active_edge, active[place].edge});
+  out.rule(Rule::swap_needed, active[left].x >= active[left + 1].x);
+}
+
+template <class Out>
+void derive(const SpanBegin& e, const Situation& at, Out& out) {
+  const ActiveEdge *left = at.active(e.left_edge), *right = at.active(e.right_edge);
+  if (left && right) {
+    const auto& active = at.method().active;
+    bool sorted = true;
+    for (std::size_t i = 0; i + 1 < active.size(); ++i)
+      sorted = sorted && (!detail::out_of_order(active, i) || out.equal(active[i].x, active[i + 1].x));
+    out.rule(Rule::list_in_order, sorted);
+    if (sorted && !at.method().keeps_all) out.rule(Rule::span_pairs, detail::pair_of_list(active, *left, *right));
+    const Place l{Place::In::active_edge, e.left_edge}, r{Place::In::active_edge, e.right_edge};
+    out.gives(&SpanBegin::x_left, out.number("x of the left edge", left->x, l));
+    out.gives(&SpanBegin::z_left, out.number("z of the left edge", left->z, l));
+    out.gives(&SpanBegin::x_right, out.number("x of the right edge", right->x, r));
+    out.gives(&SpanBegin::z_right, out.number("z of the right edge", right->z, r));
+  }
+  if (at.method().scan_line) out.rule(Rule::span_line, *at.method().scan_line == e.y);
+  if (const EdgeTableInsert *l = at.edge(e.left_edge), *r = at.edge(e.right_edge); l && r)
+    out.rule(Rule::edge_left_behind, l->end_row > e.y && r->end_row > e.y);
+  const std::int32_t width = at.scene.raster.width;
+  const auto x_left = out.number("x_L", e.x_left, Place{}), x_right = out.number("x_R", e.x_right, Place{});
+  const auto last_within = [&](Conventions::Coverage coverage) {
+    return limited_column(last_pixel(e.x_right, coverage) + 1, width) - 1;
+  };
+  const Conventions::Coverage coverage =
+      coverage_of(at.header, [&](Conventions::Coverage which) { return last_within(which) == e.last; });
+  out.whole(&SpanBegin::first, first_pixel(x_left), std::max(0, limited_column(first_pixel(e.x_left), width)));
+  out.whole(&SpanBegin::last, last_pixel(x_right, coverage), last_within(coverage));
+  if (e.x_right == e.x_left) return;
+  out.gives(&SpanBegin::dz_dx, slope(out.number("z_L", e.z_left, Place{}), out.number("z_R", e.z_right, Place{}),
+                                     x_left, x_right));
+}
+
+}  // namespace zstep::formulas

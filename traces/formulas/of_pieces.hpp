@@ -1,0 +1,97 @@
+// Pieces of polygons, their planes and boxes, and the tests between them (001, 002, 003).
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/planes.hpp"
+#include "traces/formulas/vectors.hpp"
+
+namespace zstep::formulas {
+
+namespace detail {
+
+/// Where a vertex lies in the space in which pieces are cut: the world for a tree, else the raster with its depth.
+inline std::optional<glm::dvec3> cutting_point(const Situation& at, std::int32_t vertex) {
+  if (!at.method().tree.empty() && !at.on_screen()) {
+    if (at.is_point(vertex)) return at.scene.points[static_cast<std::size_t>(vertex)];
+    const VertexStages* found = at.vertex(vertex);
+    return found ? std::optional(found->world) : std::nullopt;
+  }
+  const auto found = at.on_raster(vertex);
+  return found ? std::optional(glm::dvec3(found->x, found->y, found->z)) : std::nullopt;
+}
+
+/// The plane A x + B y + C z + D of a piece.
+template <class T>
+struct Plane {
+  T a, b, c, d;
+};
+template <class Out>
+std::optional<Plane<typename Out::Number>> plane_of(Out& out, const Situation& at, std::int32_t piece) {
+  const Piece* found = at.piece(piece);
+  if (!found || !found->plane) return std::nullopt;
+  const Place place{Place::In::piece, piece};
+  const PlaneEquation& plane = *found->plane;
+  return Plane<typename Out::Number>{out.number("A", plane.plane_a, place), out.number("B", plane.plane_b, place),
+                                     out.number("C", plane.plane_c, place), out.number("D", plane.plane_d, place)};
+}
+
+}  // namespace detail
+
+template <class Out>
+void derive(const Extent& e, const Situation& at, Out& out) {
+  const Piece* piece = at.piece(e.piece);
+  if (!piece || piece->outline.empty()) return;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  glm::dvec3 low(far), high(-far);
+  for (const std::int32_t vertex : piece->outline) {
+    const auto corner = at.on_raster(vertex);
+    if (!corner) return;
+    out.reads(Place{Place::In::vertex, vertex});
+    low = {std::min(low.x, corner->x), std::min(low.y, corner->y), std::min(low.z, corner->z)};
+    high = {std::max(high.x, corner->x), std::max(high.y, corner->y), std::max(high.z, corner->z)};
+  }
+  out.is(&Extent::x_min, low.x), out.is(&Extent::x_max, high.x);
+  out.is(&Extent::y_min, low.y), out.is(&Extent::y_max, high.y);
+  out.is(&Extent::z_min, low.z), out.is(&Extent::z_max, high.z);
+}
+
+template <class Out>
+void derive(const PlaneDepth& e, const Situation& at, Out& out) {
+  const auto plane = detail::plane_of(out, at, e.piece);
+  if (!plane) return;
+  out.gives(&PlaneDepth::z, plane_depth(plane->a, plane->b, plane->c, plane->d, out.number("x", e.x_at, Place{}),
+                                        out.number("y", e.y_at, Place{})));
+}
+
+template <class Out>
+void derive(const VertexSide& e, const Situation& at, Out& out) {
+  const auto plane = detail::plane_of(out, at, e.plane_of);
+  const auto point = detail::cutting_point(at, e.vertex);
+  if (!plane || !point) return;
+  const auto p = vector_of(out, "", *point, Place{Place::In::vertex, e.vertex});
+  out.gives(&VertexSide::value, plane_value(plane->a, plane->b, plane->c, plane->d, p.x, p.y, p.z));
+}
+
+template <class Out>
+void derive(const ExtentTest& e, const Situation&, Out& out) {
+  // Whether what only touches overlaps is a convention, and z asks which one is nearer altogether.
+  if (e.axis == Axis::z || e.low == e.other_high || e.other_low == e.high) return;
+  out.is(&ExtentTest::overlap, e.low < e.other_high && e.other_low < e.high);
+}
+
+template <class Out>
+void derive(const SplitVertex& e, const Situation& at, Out& out) {
+  const auto from = detail::cutting_point(at, e.vertex_0), to = detail::cutting_point(at, e.vertex_1);
+  if (!from || !to) return;
+  const auto a = vector_of(out, "_0", *from, Place{Place::In::vertex, e.vertex_0}),
+             b = vector_of(out, "_1", *to, Place{Place::In::vertex, e.vertex_1});
+  const auto t = out.number("t", e.t, Place{});
+  out.gives(&SplitVertex::x_cut, part_of_way(a.x, b.x, t));
+  out.gives(&SplitVertex::y_cut, part_of_way(a.y, b.y, t));
+  out.gives(&SplitVertex::z_cut, part_of_way(a.z, b.z, t));
+}
+
+}  // namespace zstep::formulas

@@ -1,0 +1,84 @@
+// What happens at one pixel: z–x interpolation, the compare, the two writes (000, "The algorithm"; 004 for the tie).
+#pragma once
+
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/situation.hpp"
+
+namespace zstep::formulas {
+
+namespace detail {
+
+/// The depth that the span at work has at a pixel.
+template <class E, class Out>
+void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
+  const auto& span = at.method().span;
+  if (!span || span->y != e.y) return;
+  const Place place{Place::In::span, 0};
+  out.rule(Rule::pixel_in_span, e.x >= span->first && e.x <= span->last);
+  const auto z_left = out.number("z_L", span->z_left, place);
+  if (at.header.conventions.interpolation == Conventions::Interpolation::increments) {
+    // The first pixel of a span has nothing to be added to: its depth is computed directly.
+    if (const Fragment* left = at.fragment(e.x - 1, e.y))
+      return out.gives(&E::z, out.number("z", left->z, Place{Place::In::fragment, 0}) +
+                                  out.number("dz/dx", span->dz_dx, place));
+  }
+  if (span->x_right == span->x_left) return out.gives(&E::z, z_left);
+  out.gives(&E::z, on_line(z_left, out.number("z_R", span->z_right, place), out.number("x", e.x, Place{}),
+                           out.number("x_L", span->x_left, place), out.number("x_R", span->x_right, place)));
+}
+
+/// Before another pixel's turn comes: the one that was nearer has been written. Glass is mixed in and writes no depth.
+template <class Out>
+void derive_last_win(const Situation& at, Out& out) {
+  const auto& last = at.method().fragment;
+  if (!last || !last->nearer || !*last->nearer || !at.records<DepthWrite>() || at.records<ColorBlend>()) return;
+  out.reads(Place{Place::In::fragment, 0});
+  const double stored = at.stored(last->x, last->y);
+  out.rule(Rule::win_is_written, stored == last->z || out.equal(stored, last->z) || stored != last->stored);
+}
+
+}  // namespace detail
+
+template <class Out>
+void derive(const DepthInterpolate& e, const Situation& at, Out& out) {
+  detail::derive_last_win(at, out);
+  detail::derive_depth_on_span(e, at, out);
+}
+template <class Out>
+void derive(const PixelPaint& e, const Situation& at, Out& out) {
+  detail::derive_depth_on_span(e, at, out);
+}
+
+template <class Out>
+void derive(const DepthCompare& e, const Situation& at, Out& out) {
+  const Place buffer = at.depth_place(e.x, e.y);
+  if (const Fragment* fragment = at.fragment(e.x, e.y); fragment && !fragment->nearer) {
+    out.gives(&DepthCompare::z, out.number("z", fragment->z, Place{Place::In::fragment, 0}));
+  } else if (!at.records<DepthInterpolate>()) {
+    detail::derive_last_win(at, out);
+    detail::derive_depth_on_span(e, at, out);
+  }
+  const auto z = out.number("z", e.z, Place{}), stored = out.number("zbuffer[x,y]", at.stored(e.x, e.y), buffer);
+  out.verdict(&DepthCompare::nearer, z, stored);
+}
+
+template <class Out>
+void derive(const DepthWrite& e, const Situation& at, Out& out) {
+  const Fragment* fragment = at.fragment(e.x, e.y);
+  if (!fragment || !fragment->nearer) return;
+  out.rule(Rule::write_after_win, *fragment->nearer);
+  out.gives(&DepthWrite::z, out.number("z", fragment->z, Place{Place::In::fragment, 0}));
+}
+
+template <class Out>
+void derive(const PixelWrite& e, const Situation& at, Out& out) {
+  const Fragment* fragment = at.fragment(e.x, e.y);
+  if (fragment && fragment->nearer) {
+    out.reads(Place{Place::In::fragment, 0});
+    out.rule(Rule::write_after_win, *fragment->nearer);
+  }
+  if (at.method().polygon != no_polygon && !at.method().keeps_all)
+    out.is(&PixelWrite::polygon, at.method().polygon);
+}
+
+}  // namespace zstep::formulas

@@ -1,0 +1,132 @@
+// What happens to a polygon before it is drawn: the back-face test in the four formulations of the notes, outcodes,
+// clipping (000, 001, 003; Sutherland and Hodgman 1974).
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/vectors.hpp"
+#include "traces/formulas/viewing.hpp"
+
+namespace zstep::formulas {
+
+namespace detail {
+
+inline std::span<const std::int32_t> corners_of(const Situation& at, std::int32_t facet) {
+  if (facet < 0 || static_cast<std::size_t>(facet) >= at.scene.facets.size()) return {};
+  const Facet& found = at.scene.facets[static_cast<std::size_t>(facet)];
+  return std::span(at.scene.corners)
+      .subspan(static_cast<std::size_t>(found.first_corner), static_cast<std::size_t>(found.corner_count));
+}
+
+inline constexpr int clip_planes = 6;
+
+/// How far inside a plane of the view volume a point is, in viewing coordinates.
+template <class Out, class T>
+T distance_inside(Out& out, const Situation& at, ClipPlane plane, const Vector<T>& view) {
+  const Camera& camera = *at.camera;
+  const Place scene{Place::In::scene, 0};
+  const bool parallel = camera.kind == Camera::Kind::orthographic;
+  if (plane == ClipPlane::near) return view.z - out.number("f", camera.near, scene);
+  if (plane == ClipPlane::far) return out.number("F", camera.far, scene) - view.z;
+  const bool sideways = plane == ClipPlane::left || plane == ClipPlane::right;
+  const double half = sideways ? camera.window * at.scene.raster.width / at.scene.raster.height : camera.window;
+  const T window = out.number(sideways ? "w_x" : "w_y", half, scene), along = sideways ? view.x : view.y;
+  const T scaled = parallel ? along / window : out.number("d", camera.d, scene) * along / window;
+  const T w = parallel ? out.number("1", 1, scene) : view.z;
+  return plane == ClipPlane::left || plane == ClipPlane::bottom ? w + scaled : w - scaled;
+}
+template <class Out>
+auto distance_of_vertex(Out& out, const Situation& at, ClipPlane plane, std::int32_t vertex, std::string_view suffix)
+    -> std::optional<typename Out::Number> {
+  const VertexStages* found = at.viewed(vertex);
+  if (!found || !at.camera || at.on_screen()) return std::nullopt;
+  const Place place{Place::In::vertex, vertex};
+  return distance_inside(out, at, plane, vector_of(out, suffix, found->view, place));
+}
+
+}  // namespace detail
+
+template <class Out>
+void derive(const FacingTest& e, const Situation& at, Out& out) {
+  using T = typename Out::Number;
+  const std::span<const std::int32_t> corners = detail::corners_of(at, at.method().facet);
+  if (corners.size() < 3 || !at.camera || at.on_screen() || at.method().pass == Pass::light) return;
+  const bool parallel = at.camera->kind == Camera::Kind::orthographic;
+  const Place scene{Place::In::scene, 0};
+  const auto point = [&](std::size_t i) {
+    return vector_of(out, "_" + std::to_string(i), at.scene.points[static_cast<std::size_t>(corners[i])], scene);
+  };
+  const auto vertex = [&](std::size_t i) { return at.vertex(corners[i < corners.size() ? i : 0]); };
+  const auto view = [&](std::size_t i) {
+    const std::size_t n = i < corners.size() ? i : 0;
+    return vector_of(out, "_v" + std::to_string(n), vertex(n)->view, Place{Place::In::vertex, corners[n]});
+  };
+  const T zero = out.number("0", 0, scene);
+  const Vector<T> first = point(0);
+  Vector<T> normal{zero, zero, zero};
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    normal = normal + cross(point(i) - first, point(i + 1) - first);
+  const Vector<T> eye = vector_of(out, "_eye", at.camera->eye, scene);
+  const Vector<T> sight = parallel ? Vector<T>{-eye.x, -eye.y, -eye.z} : first - eye;
+  out.gives(&FacingTest::view_dot_normal, dot(sight, normal));
+  const T d = parallel ? zero : -dot(normal, first);
+  out.gives(&FacingTest::plane_at_eye, normal.x * eye.x + normal.y * eye.y + normal.z * eye.z + d);
+
+  bool all_viewed = true, on_raster = true, before_eye = true;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    all_viewed = all_viewed && at.viewed(corners[i]);
+    before_eye = before_eye && all_viewed && vertex(i)->view.z >= at.camera->near;
+    on_raster = on_raster && all_viewed && vertex(i)->stage >= VertexStages::on_raster;
+  }
+  if (all_viewed) {
+    Vector<T> sum{zero, zero, zero};
+    for (std::size_t i = 0; i < corners.size(); ++i) sum = sum + cross(view(i), view(i + 1));
+    const T one = out.number("1", 1, scene);
+    out.gives(&FacingTest::determinant, dot(parallel ? Vector<T>{zero, zero, one} : view(0), sum));
+  }
+  if (all_viewed && !before_eye) {
+    out.is(&FacingTest::projected_normal_z, std::numeric_limits<double>::quiet_NaN());
+  } else if (on_raster) {
+    T normal_z = zero;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::size_t n = i + 1 < corners.size() ? i + 1 : 0;
+      const auto x = [&](std::size_t k) {
+        return out.number("x_s" + std::to_string(k), vertex(k)->raster.x, Place{Place::In::vertex, corners[k]});
+      };
+      const auto y = [&](std::size_t k) {
+        return out.number("y_s" + std::to_string(k), vertex(k)->raster.y, Place{Place::In::vertex, corners[k]});
+      };
+      normal_z = normal_z + (x(i) * y(n) - x(n) * y(i));
+    }
+    out.gives(&FacingTest::projected_normal_z, normal_z);
+  }
+  // What is seen edge-on is decided by a tolerance of the program's own.
+  if (e.facing != Facing::edge_on && e.view_dot_normal != 0)
+    out.is(&FacingTest::facing, e.view_dot_normal > 0 ? Facing::back : Facing::front);
+}
+
+template <class Out>
+void derive(const ClipVertex& e, const Situation& at, Out& out) {
+  if (const auto distance = detail::distance_of_vertex(out, at, e.plane, e.vertex, "_v"))
+    out.gives(&ClipVertex::distance, *distance);
+  out.is(&ClipVertex::inside, e.distance >= 0);
+}
+
+template <class Out>
+void derive(const ClipCross& e, const Situation& at, Out& out) {
+  const auto in = detail::distance_of_vertex(out, at, e.plane, e.vertex_inside, "_in"),
+             outside = detail::distance_of_vertex(out, at, e.plane, e.vertex_outside, "_out");
+  if (!in || !outside) return;
+  out.gives(&ClipCross::t, where_zero(out.named("d_in", *in), out.named("d_out", *outside)));
+  const auto from = vector_of(out, "_in", at.vertex(e.vertex_inside)->view, Place{Place::In::vertex, e.vertex_inside}),
+             to = vector_of(out, "_out", at.vertex(e.vertex_outside)->view, Place{Place::In::vertex, e.vertex_outside});
+  const auto t = out.number("t", e.t, Place{});
+  out.gives(&ClipCross::x_v, part_of_way(from.x, to.x, t));
+  out.gives(&ClipCross::y_v, part_of_way(from.y, to.y, t));
+  out.gives(&ClipCross::z_v, part_of_way(from.z, to.z, t));
+}
+
+}  // namespace zstep::formulas

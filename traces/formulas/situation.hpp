@@ -1,0 +1,142 @@
+// What a step's formulas may look at, and how they are asked.
+//
+// For each kind of event there is one function, `derive(e, at, out)`, in the headers beside this one: it says, field by
+// field, what the event's numbers follow from. `out` decides what a number is and what becomes of the answer:
+//
+//   const auto x_0 = out.number("x_0", value, place);   an operand: its name, its value, and where it stands
+//   out.gives(&E::z, formula);                          a field must be what this formula gives
+//   out.whole(&E::first, formula, within);              the same of a whole number, which the raster may limit
+//   out.is(&E::polygon, value);                         a field must be this
+//   out.verdict(&E::nearer, z, stored);                 a field says whether z wins over what is stored
+//   out.rule(Rule::sorted, holds);                      what must hold besides
+//
+// With doubles that reproduces a run to the bit, with numbers that know how far they may be off it judges one, with
+// numbers that remember how they were made it prints the formula. What cannot be derived, as the trace does not have
+// the operands, is left out; then nothing is said of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "traces/file/header.hpp"
+#include "traces/replay/state.hpp"
+
+namespace zstep::formulas {
+
+/// Where an operand stands: what has to be right for what follows from it to be right.
+struct Place {
+  enum class In : std::uint8_t {
+    event,         ///< the event itself
+    scene,         ///< the scene, the camera, the header
+    vertex,        ///< a vertex's stages, by its number
+    edge_table,    ///< an entry of the edge table, by its number
+    active_edge,   ///< where an active edge has got to, by the edge's number
+    span,          ///< the span at work
+    fragment,      ///< the pixel at work
+    depth_buffer,  ///< by pixel, as Picture::at counts
+    light_buffer,  ///< the depth buffer of what the light sees, likewise
+    frame,         ///< likewise
+    piece,         ///< plane, extent and outline of a piece, by its number
+    ray,           ///< the ray at work
+    horizon,       ///< by column, the upper and the lower one
+    curve,         ///< the curve at work, and its last test
+    line,          ///< a line of the picture, by its number
+    area,          ///< an area, by its number
+  };
+  In in = In::event;
+  std::int64_t number = 0;
+  bool operator==(const Place&) const = default;
+};
+
+/// What must hold besides formulas. Each has a name and a sentence (traces/check/rules.hpp).
+enum class Rule : std::uint8_t {
+  edge_in_bucket,    ///< an edge enters at its first scan line
+  edge_sorted,       ///< it enters at a place that keeps the list in order
+  edge_retires,      ///< an edge leaves the list at the scan line where it ends
+  edge_left_behind,  ///< no edge stays in the list beyond its end
+  edge_missing,      ///< no edge whose scan line has come is left out of the list
+  swap_needed,       ///< only neighbours that are out of order change places
+  list_in_order,     ///< when a span begins the list is in order
+  span_pairs,        ///< a span goes from an edge to the next one in the list
+  span_line,         ///< it lies on the scan line at work
+  pixel_in_span,     ///< a pixel lies in the span at work
+  write_after_win,   ///< a pixel is written only after its depth was nearer
+  win_is_written,    ///< and after it was nearer, its depth is
+  skip_is_right,     ///< an edge is left out only where it meets no scan line
+  box_entered,       ///< a ray that meets a box enters it before it leaves it
+  kept_inside,       ///< of the points where a ray meets planes only those inside their facets are kept
+  count
+};
+
+/// Everything before an event happens: what its numbers follow from.
+struct Situation {
+  const Header& header;
+  const Scene& scene;
+  const State& before;
+  const Camera* camera = nullptr;  ///< by which the scene is being drawn; nullptr where that is not known
+  std::uint8_t kinds_recorded[kind_count] = {};  ///< 1 for each kind of event that the trace has
+
+  template <class E>
+  bool records() const {
+    return kinds_recorded[kind_of<E>] != 0;
+  }
+  const MethodState& method() const { return before.machine; }
+  bool on_screen() const { return scene.camera.kind == Camera::Kind::screen; }
+  bool is_point(std::int32_t vertex) const {
+    return vertex >= 0 && static_cast<std::size_t>(vertex) < scene.points.size();
+  }
+
+  /// A vertex on its way; nullptr where there is none.
+  const VertexStages* vertex(std::int32_t number) const {
+    const auto at = static_cast<std::size_t>(number);
+    return number >= 0 && at < before.vertices.size() ? &before.vertices[at] : nullptr;
+  }
+  /// The same once it has viewing coordinates.
+  const VertexStages* viewed(std::int32_t number) const {
+    const VertexStages* found = vertex(number);
+    return found && found->stage >= VertexStages::viewed ? found : nullptr;
+  }
+  /// A vertex as (x_s, y_s, depth), however it came there.
+  struct OnRaster {
+    double x, y, z;
+  };
+  std::optional<OnRaster> on_raster(std::int32_t number) const {
+    if (on_screen() && is_point(number)) {
+      const glm::dvec3& point = scene.points[static_cast<std::size_t>(number)];
+      return OnRaster{point.x, point.y, point.z};
+    }
+    const VertexStages* found = vertex(number);
+    if (!found || found->stage < VertexStages::on_raster) return std::nullopt;
+    return OnRaster{found->raster.x, found->raster.y, found->plane.z};
+  }
+  const EdgeTableInsert* edge(std::int32_t number) const {
+    const auto at = static_cast<std::size_t>(number);
+    return number >= 0 && at < method().edge_table.size() ? &method().edge_table[at] : nullptr;
+  }
+  const ActiveEdge* active(std::int32_t number) const {
+    for (const ActiveEdge& active : method().active)
+      if (active.edge == number) return &active;
+    return nullptr;
+  }
+  const Piece* piece(std::int32_t number) const {
+    const auto at = static_cast<std::size_t>(number);
+    return number >= 0 && at < method().pieces.size() ? &method().pieces[at] : nullptr;
+  }
+  /// The pixel at work, where it is this one.
+  const Fragment* fragment(std::int32_t x, std::int32_t y) const {
+    const auto& found = method().fragment;
+    return found && found->x == x && found->y == y ? &*found : nullptr;
+  }
+  std::int64_t pixel(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::int64_t>(before.picture_of_pass().at(x, y));
+  }
+  double stored(std::int32_t x, std::int32_t y) const {
+    return before.picture_of_pass().depth[static_cast<std::size_t>(pixel(x, y))];
+  }
+  Place depth_place(std::int32_t x, std::int32_t y) const {
+    return {method().pass == Pass::light ? Place::In::light_buffer : Place::In::depth_buffer, pixel(x, y)};
+  }
+};
+
+}  // namespace zstep::formulas
