@@ -97,7 +97,8 @@ void derive(const ScanLineBegin& e, const Situation& at, Out& out) {
   bool all_entered = true;
   for (std::size_t edge = 0; edge < at.method().edge_table.size(); ++edge)
     all_entered = all_entered && (at.method().edge_stages[edge] != EdgeStage::waiting ||
-                                  at.method().edge_table[edge].first_row >= e.y);
+                                  at.method().edge_table[edge].first_row >= e.y ||
+                                  at.method().edge_table[edge].first_row >= at.method().edge_table[edge].end_row);
   out.rule(Rule::edge_missing, all_entered);
 }
 

@@ -31,7 +31,7 @@ void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
 template <class Out>
 void derive_last_win(const Situation& at, Out& out) {
   const auto& last = at.method().fragment;
-  if (!last || !last->nearer || !*last->nearer || !at.records<DepthWrite>() || at.records<ColorBlend>()) return;
+  if (!last || !last->nearer || !*last->nearer || !at.has_step<DepthWrite>() || at.has_step<ColorBlend>()) return;
   out.reads(Place{Place::In::fragment, 0});
   const double stored = at.stored(last->x, last->y);
   out.rule(Rule::win_is_written, stored == last->z || out.equal(stored, last->z) || stored != last->stored);

@@ -52,6 +52,9 @@ auto distance_of_vertex(Out& out, const Situation& at, ClipPlane plane, std::int
 template <class Out>
 void derive(const FacingTest& e, const Situation& at, Out& out) {
   using T = typename Out::Number;
+  // What is seen edge-on is decided by a tolerance of the program's own.
+  if (e.facing != Facing::edge_on && e.view_dot_normal != 0)
+    out.is(&FacingTest::facing, e.view_dot_normal > 0 ? Facing::back : Facing::front);
   const std::span<const std::int32_t> corners = detail::corners_of(at, at.method().facet);
   if (corners.size() < 3 || !at.camera || at.on_screen() || at.method().pass == Pass::light) return;
   const bool parallel = at.camera->kind == Camera::Kind::orthographic;
@@ -103,9 +106,6 @@ void derive(const FacingTest& e, const Situation& at, Out& out) {
     }
     out.gives(&FacingTest::projected_normal_z, normal_z);
   }
-  // What is seen edge-on is decided by a tolerance of the program's own.
-  if (e.facing != Facing::edge_on && e.view_dot_normal != 0)
-    out.is(&FacingTest::facing, e.view_dot_normal > 0 ? Facing::back : Facing::front);
 }
 
 template <class Out>

@@ -15,6 +15,7 @@
 // the operands, is left out; then nothing is said of it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -80,6 +81,12 @@ struct Situation {
   template <class E>
   bool records() const {
     return kinds_recorded[kind_of<E>] != 0;
+  }
+  /// Does its pseudo-code have a line for this kind?
+  template <class E>
+  bool has_step() const {
+    return std::any_of(header.page.begin(), header.page.end(),
+                       [](const StepInfo& step) { return step.kind == kind_of<E>; });
   }
   const MethodState& method() const { return before.machine; }
   bool on_screen() const { return scene.camera.kind == Camera::Kind::screen; }
