@@ -1,4 +1,4 @@
-// docs/command-line.md and docs/querying.md show commands and what they print. It is true: every `$` line is run, in
+// Some pages of docs/ show commands and what they print. It is true: every `$` line is run, in
 // order, in one folder a page.
 #include <doctest/doctest.h>
 
@@ -50,10 +50,10 @@ bool match(const std::vector<std::string>& pattern, const std::vector<std::strin
 }  // namespace
 
 TEST_CASE("docs: every command prints what its page says") {
-  for (const char* page : {"command-line.md", "querying.md"}) {
+  for (const char* page : {"command-line.md", "querying.md", "checking-a-run.md"}) {
     const Folder folder;
     const std::vector<Example> examples = examples_of(text_of(in_checkout("docs/" + std::string(page))));
-    CHECK(examples.size() >= 15);
+    CHECK(examples.size() >= 3);
     for (const Example& example : examples) {
       CAPTURE(page);
       CAPTURE(example.command);

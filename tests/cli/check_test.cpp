@@ -1,0 +1,67 @@
+// zstep check, as a person runs it.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+#include "tests/where.hpp"
+#include "traces/check/rules.hpp"
+
+using namespace zstep::test;
+
+namespace {
+
+std::string foreign(const std::string& name) {
+  return "'" + in_checkout("tests/data/foreign/" + name + ".jsonl") + "'";
+}
+
+TEST_CASE("check: nothing wrong is exit code 0, something wrong is 1, what cannot be read is 2") {
+  const Folder folder;
+  CHECK(run(folder, "check " + foreign("big")).code == 0);
+  CHECK(run(folder, "check " + foreign("wrongz")).code == 1);
+  CHECK(run(folder, "check nowhere.jsonl").code == 2);
+  CHECK(run(folder, "record pyramid -o run.ztrace").code == 0);
+  const Outcome own = run(folder, "check run.ztrace");
+  CHECK(own.code == 0);
+  CHECK(times(own.out, "Nothing is wrong.") == 1);
+}
+
+TEST_CASE("check: the first wrong step stands with its file's line, its formula and what it should be") {
+  const Folder folder;
+  const Outcome wrong = run(folder, "check " + foreign("wrongz"));
+  CAPTURE(wrong.out);
+  CHECK(times(wrong.out, "wrongz.jsonl:15: interp, pixel (0, 0)\n") == 1);
+  CHECK(times(wrong.out, "z = z_L + (z_R \u2212 z_L)(x \u2212 x_L)/(x_R \u2212 x_L) = ") == 1);
+  CHECK(times(wrong.out, " = 0.5, but the trace has 0.55\n") == 1);
+  CHECK(times(wrong.out, "1 cause: ") == 1);
+  CHECK(times(wrong.out, "zstep view ") == 1);
+}
+
+TEST_CASE("check: JSON has the same, and parses") {
+  const Folder folder;
+  const auto report = nlohmann::json::parse(run(folder, "check --json " + foreign("unsorted")).out);
+  CHECK(report["causes"][0]["rule"] == "edge_sorted");
+  CHECK(report["causes"][0]["step"] == 10);
+  CHECK(report["causes"][0]["line"] == 11);
+  CHECK(report["steps"] == 271);
+}
+
+TEST_CASE("check: a run whose program crashed is judged up to its last whole line, and is incomplete") {
+  const Folder folder;
+  const Outcome torn = run(folder, "check " + foreign("torn"));
+  CHECK(torn.code == 3);
+  CHECK(times(torn.out, "Nothing is wrong.") == 1);
+}
+
+TEST_CASE("check: docs/checking-a-run.md has every rule, as the program has it") {
+  const std::string page = text_of(in_checkout("docs/checking-a-run.md"));
+  for (std::size_t number = 0; number < static_cast<std::size_t>(zstep::formulas::Rule::count); ++number) {
+    const zstep::RuleText rule = zstep::rule_text(static_cast<zstep::formulas::Rule>(number));
+    CHECK(times(page, "| `" + std::string(rule.name) + "` | " + std::string(rule.sentence) + " |\n") == 1);
+  }
+}
+
+}  // namespace
+/root/.pyenv/libexec/pyenv-hooks: line 24: enable: cannot open shared object /root/.pyenv/libexec/pyenv-realpath.dylib: /root/.pyenv/libexec/pyenv-realpath.dylib: cannot open shared object file: No such file or directory
