@@ -1,5 +1,7 @@
 #include "sim/words/derived.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "sim/words/explain.hpp"
@@ -23,8 +25,12 @@ struct Teller {
   std::optional<std::string> text;
 
   Number number(std::string_view name, double value, const formulas::Place&) {
-    if (name == "z") return {depth_symbol(at.scene, at.header.conventions), value};
-    return {std::string(name), value};
+    std::string symbol = name == "z" ? depth_symbol(at.scene, at.header.conventions) : std::string(name);
+    // What lies just beside a whole number must not look like it: which pixel comes next hangs on that.
+    const double whole = std::round(value);
+    if (value != whole && zstep::number(value) == zstep::number(whole))
+      return {std::move(symbol), value, tell_apart(value, whole).first};
+    return {std::move(symbol), value};
   }
   Number named(std::string_view name, const Number& formula) { return {std::string(name), formula.value()}; }
   void reads(const formulas::Place&) {}

@@ -8,12 +8,12 @@ namespace {
 
 using formulas::Rule;
 
-struct Row {
+struct NamedRule {
   Rule rule;
   RuleText text;
 };
 
-constexpr std::array<Row, static_cast<std::size_t>(Rule::count)> rows{{
+constexpr std::array<NamedRule, static_cast<std::size_t>(Rule::count)> named_rules{{
     {Rule::edge_in_bucket,
      {"edge_in_bucket", "An edge enters the active edge list at its first scan line.",
       "The edge enters the active edge list at a scan line that is not its first."}},
@@ -62,11 +62,11 @@ constexpr std::array<Row, static_cast<std::size_t>(Rule::count)> rows{{
 
 }  // namespace
 
-RuleText rule_text(Rule rule) { return rows[static_cast<std::size_t>(rule)].text; }
+RuleText rule_text(Rule rule) { return named_rules[static_cast<std::size_t>(rule)].text; }
 
 static_assert([] {
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (static_cast<std::size_t>(rows[i].rule) != i) return false;
+  for (std::size_t i = 0; i < named_rules.size(); ++i)
+    if (static_cast<std::size_t>(named_rules[i].rule) != i) return false;
   return true;
 }());
 
