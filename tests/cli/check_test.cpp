@@ -64,4 +64,3 @@ TEST_CASE("check: docs/checking-a-run.md has every rule, as the program has it")
 }
 
 }  // namespace
-/root/.pyenv/libexec/pyenv-hooks: line 24: enable: cannot open shared object /root/.pyenv/libexec/pyenv-realpath.dylib: /root/.pyenv/libexec/pyenv-realpath.dylib: cannot open shared object file: No such file or directory
