@@ -26,7 +26,7 @@ namespace zstep {
 
 namespace {
 
-constexpr std::size_t page = 4096, most_logs = 16;
+constexpr std::size_t memory_page = 4096, most_logs = 16;
 constexpr std::array<char, 8> journal_signature{'z', 'j', 'o', 'u', 'r', 'n', '\r', '\n'};
 
 /// How the file begins; the logs follow on the next page. It is read by the zstep that wrote it, on the same machine.
@@ -37,7 +37,7 @@ struct Head {
   std::uint64_t logs = 0, log_size = 0;
   std::array<std::uint64_t, most_logs> block{};  ///< which each log holds
 };
-static_assert(sizeof(Head) <= page);
+static_assert(sizeof(Head) <= memory_page);
 
 /// A number that differs where events stand otherwise in memory.
 std::uint64_t layout_of_events() {
@@ -95,7 +95,7 @@ std::filesystem::path journal_of(const std::filesystem::path& trace) { return tr
 Journal::Journal(const std::filesystem::path& trace, std::size_t logs, std::size_t log_size) : log_size_(log_size) {
 #ifdef ZSTEP_MAPS_FILES
   std::error_code error;
-  mapped_size_ = page + logs * log_size;
+  mapped_size_ = memory_page + logs * log_size;
   const std::filesystem::file_type type =
       trace.empty() ? std::filesystem::file_type::none : std::filesystem::status(trace, error).type();
   if (logs <= most_logs &&
@@ -106,7 +106,7 @@ Journal::Journal(const std::filesystem::path& trace, std::size_t logs, std::size
     mapped_ = map_new(path_, head, mapped_size_);
   }
   if (mapped_ != nullptr) {
-    logs_ = mapped_ + page;
+    logs_ = mapped_ + memory_page;
     return;
   }
 #endif
@@ -142,7 +142,8 @@ std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint
     return found;
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(journal_of(trace), error);
-  if (error || size < page || head->log_size > (size - page) / std::max<std::uint64_t>(head->logs, 1)) return found;
+  if (error || size < memory_page) return found;
+  if (head->log_size > (size - memory_page) / std::max<std::uint64_t>(head->logs, 1)) return found;
   const auto log_size = static_cast<std::size_t>(head->log_size);
   if (log_size != head->log_size) return found;  // more than there is memory to address
   for (std::uint64_t block = first; found.size() < head->logs; ++block) {
@@ -151,7 +152,7 @@ std::vector<Bytes> logs_in_journal(const std::filesystem::path& trace, std::uint
         head->block.begin());
     if (number == head->logs) break;
     Bytes log(log_size);
-    in.seekg(static_cast<std::streamoff>(page + std::uint64_t{number} * log_size));
+    in.seekg(static_cast<std::streamoff>(memory_page + std::uint64_t{number} * log_size));
     in.read(reinterpret_cast<char*>(log.data()), static_cast<std::streamsize>(log.size()));
     if (!in) break;
     // Of a recording that goes on: it may have been another block's meanwhile.
