@@ -1,6 +1,7 @@
 // Rays: the plane of a facet and the point on it (002, "Simple Ray Tracing").
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "traces/formulas/vectors.hpp"
@@ -12,9 +13,11 @@ namespace detail {
 /// The ray at work: X = X_0 + t dX.
 inline const RayBegin* ray_at_work(const Situation& at) {
   const RayWork& rays = at.method().rays;
-  for (const RayRow& row : rays.tree)
-    if (rays.ray == row.entry.ray) return &row.entry;
-  return nullptr;
+  if (!rays.ray) return nullptr;
+  // Rays are numbered in the order of work, and one pixel may have tens of thousands.
+  const auto found = std::lower_bound(rays.tree.begin(), rays.tree.end(), *rays.ray,
+                                      [](const RayRow& row, std::int32_t ray) { return row.entry.ray < ray; });
+  return found != rays.tree.end() && found->entry.ray == *rays.ray ? &found->entry : nullptr;
 }
 
 }  // namespace detail

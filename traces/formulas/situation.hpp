@@ -41,9 +41,6 @@ struct Place {
     piece,         ///< plane, extent and outline of a piece, by its number
     ray,           ///< the ray at work
     horizon,       ///< by column, the upper and the lower one
-    curve,         ///< the curve at work, and its last test
-    line,          ///< a line of the picture, by its number
-    area,          ///< an area, by its number
   };
   In in = In::event;
   std::int64_t number = 0;
