@@ -1,7 +1,5 @@
 // zstep check: does each step of a run follow from its own operands?
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>
@@ -9,12 +7,14 @@
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/file_lines.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/words/derived.hpp"
 #include "sim/words/numbers.hpp"
+#include "sim/words/shell_word.hpp"
 #include "traces/check/check.hpp"
 #include "traces/text.hpp"
 
@@ -35,48 +35,9 @@ struct Told {
   std::string subject, formula;
 };
 
-/// The line of a JSON Lines file that a step stands at; 0 in a file of another kind.
-class FileLines {
- public:
-  explicit FileLines(const std::string& path) {
-    if (std::filesystem::path(path).extension() == ".jsonl") in_.open(path);
-  }
-  /// Steps must be asked for in order.
-  std::int64_t of(std::int64_t step) {
-    std::string text;
-    while (in_ && objects_ < step + 1 && std::getline(in_, text)) {  // the first object is the header
-      ++line_;
-      for (const char c : text) look_at(c);
-    }
-    return objects_ >= step + 1 ? line_ : 0;
-  }
-
- private:
-  /// An object may stand on several lines.
-  void look_at(char c) {
-    if (in_text_) {
-      if (c == '"' && !escaped_) in_text_ = false;
-      escaped_ = c == '\\' && !escaped_;
-    } else if (c == '"') {
-      in_text_ = true;
-    } else if (c == '{') {
-      ++depth_;
-    } else if (c == '}') {
-      objects_ += --depth_ == 0;
-    }
-  }
-
-  std::ifstream in_;
-  std::int64_t line_ = 0, objects_ = 0;
-  int depth_ = 0;
-  bool in_text_ = false, escaped_ = false;
-};
-
-std::string where(const Trace& trace, const CheckOptions& options, const Cause& cause, std::int64_t file_line) {
-  const StepInfo* step = find_step(trace.header().page, cause.first.line);
-  const std::string place = file_line > 0 ? fmt::format("{}:{}", options.trace, file_line)
-                                          : fmt::format("{}, step {}", options.trace, cause.first.step);
-  return fmt::format("{}: {}", place, step ? step->name : "");
+std::string step_name(const Trace& trace, std::uint8_t line) {
+  const StepInfo* step = find_step(trace.header().page, line);
+  return step ? step->name : "";
 }
 
 /// What is wrong, in one line.
@@ -115,10 +76,11 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckRepo
   const std::size_t shown = options.all ? report.causes.size() : std::min(most_causes, report.causes.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const Cause& cause = report.causes[i];
-    fmt::print("{}. {}{}\n   {}\n", i + 1, where(trace, options, cause, lines.of(cause.first.step)),
+    fmt::print("{}. {}: {}{}\n   {}\n", i + 1, place_of_step(options.trace, lines, cause.first.step),
+               step_name(trace, cause.first.line),
                told[i].subject.empty() ? "" : ", " + told[i].subject, what(cause, told[i]));
     if (const std::string more = follow_text(cause); !more.empty()) fmt::print("   {}\n", more);
-    fmt::print("   zstep view {} --at {}\n", options.trace, cause.first.step);
+    fmt::print("   zstep view {} --at {}\n", shell_word(options.trace), cause.first.step);
   }
   if (shown < report.causes.size())
     fmt::print("… and {} more: --all prints them\n", grouped(static_cast<std::int64_t>(report.causes.size() - shown)));
@@ -131,10 +93,9 @@ void print_json(const Trace& trace, const CheckOptions& options, const CheckRepo
   for (std::size_t i = 0; i < report.causes.size(); ++i) {
     const Cause& cause = report.causes[i];
     const Fault& fault = cause.first;
-    const StepInfo* step = find_step(trace.header().page, fault.line);
     Json one{{"step", fault.step}};
     if (const std::int64_t line = lines.of(fault.step); line > 0) one["line"] = line;
-    one["name"] = step ? step->name : "";
+    one["name"] = step_name(trace, fault.line);
     one["subject"] = told[i].subject;
     if (fault.rule) one["rule"] = rule_text(*fault.rule).name;
     if (!fault.field.empty()) {

@@ -29,9 +29,9 @@ std::size_t bytes_of(int width, int height) {
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb) {
+std::vector<std::uint8_t> png_bytes(int width, int height, std::span<const std::uint8_t> rgb) {
   if (width <= 0 || height <= 0 || rgb.size() != bytes_of(width, height))
-    throw std::invalid_argument(fmt::format("write_png: {} bytes do not make {}x{} pixels", rgb.size(), width, height));
+    throw std::invalid_argument(fmt::format("png_bytes: {} bytes do not make {}x{} pixels", rgb.size(), width, height));
   PngImage image;
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
@@ -39,8 +39,13 @@ void write_png(const std::filesystem::path& path, int width, int height, std::sp
   std::vector<std::uint8_t> bytes(PNG_IMAGE_PNG_SIZE_MAX(image));
   png_alloc_size_t size = bytes.size();
   if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr))
-    throw std::runtime_error(fmt::format("{}: libpng: {}", path.string(), image.message));
-  write_file(path, std::span(bytes).first(size));
+    throw std::runtime_error(fmt::format("libpng: {}", image.message));
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb) {
+  write_file(path, png_bytes(width, height, rgb));
 }
 
 Image read_png(const std::filesystem::path& path) {

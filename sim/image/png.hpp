@@ -15,7 +15,9 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-/// Writes `rgb` [height * width * 3] as an 8-bit RGB PNG. The same pixels give the same bytes.
+/// `rgb` [height * width * 3] as an 8-bit RGB PNG. The same pixels give the same bytes.
+std::vector<std::uint8_t> png_bytes(int width, int height, std::span<const std::uint8_t> rgb);
+/// Writes that to a file.
 /// Throws InputError when `path` cannot be written (no such folder, disk full) and leaves nothing half-written.
 void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb);
 

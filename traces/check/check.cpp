@@ -11,6 +11,7 @@
 #include "traces/file/visit.hpp"
 #include "traces/formulas/of_events.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/formulas/situation_of.hpp"
 #include "traces/replay/apply.hpp"
 #include "traces/replay/beginning.hpp"
 
@@ -168,17 +169,14 @@ CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& 
   State state = beginning.state();
   Checker checker{trace, on_cause, {}, {}, {}};
   checker.report.precision = precision_of(trace);
-  Situation at{trace.header(), trace.scene(), state, &trace.scene().camera};
-  for (std::size_t kind = 0; kind < kind_count; ++kind)
-    at.kinds_recorded[kind] = trace.has(static_cast<std::uint8_t>(kind));
+  Situation at = formulas::situation_of(trace, state);
   checker.at = &at;
 
   NoLog log;
   constexpr std::int64_t now_and_then = 1 << 16;
   trace.visit(0, trace.size(), [&]<class E>(std::int64_t position, std::uint8_t line, const E& e) {
     checker.begin(position, line);
-    // What the light sees is drawn by its own camera, which the scene has as a lamp.
-    at.camera = state.machine.pass == Pass::light ? nullptr : &trace.scene().camera;
+    at.look();
     Judge<E> judge{checker, e};
     if constexpr (formulas::Derived<E, Judge<E>>) formulas::derive(e, at, judge);
     if constexpr (std::is_same_v<E, EdgeEnter>) judge.reads({Place::In::edge_table, e.edge});

@@ -75,6 +75,9 @@ struct Situation {
   const Camera* camera = nullptr;  ///< by which the scene is being drawn; nullptr where that is not known
   std::uint8_t kinds_recorded[kind_count] = {};  ///< 1 for each kind of event that the trace has
 
+  /// Takes the camera that is at work now. What the light sees is drawn by its own, which the scene has as a lamp.
+  void look() { camera = before.machine.pass == Pass::light ? nullptr : &scene.camera; }
+
   template <class E>
   bool records() const {
     return kinds_recorded[kind_of<E>] != 0;

@@ -1,0 +1,48 @@
+// zstep diff: what its printed text, its JSON and its page say of two runs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/image/png.hpp"
+#include "traces/diff/buffers.hpp"
+#include "traces/diff/diff.hpp"
+#include "traces/file/trace.hpp"
+
+namespace zstep::cli {
+
+/// One run's side of a cause.
+struct CauseSide {
+  std::int64_t step = 0;            ///< 0: the run has no such step
+  std::string where;                ///< "run.jsonl:12"
+  std::vector<std::string> fields;  ///< of each field that parts: "dx_dy = (x_1 − x_0)/(y_1 − y_0) = … = 1.5"
+  std::string command;              ///< that opens the viewer there
+};
+struct CauseText {
+  std::string step, subject;  ///< "insert_edge", "edge e1 (1–2)"
+  std::string what;           ///< in one line, why it is a cause
+  std::string follows;        ///< what follows from it; may be empty
+  CauseSide a, b;
+};
+
+/// Two pictures, and where they differ.
+struct PicturePair {
+  diff::BufferDifference difference;
+  Image a, b, map;  ///< the top row first; the map: white where nothing differs, the darker the more
+};
+
+struct DiffText {
+  std::string name_a, name_b;
+  std::vector<std::string> notes;  ///< what the runs do not share
+  std::vector<CauseText> causes;
+  std::string pictures;  ///< one sentence
+};
+
+/// The differences of a picture as an image.
+Image map_of(const diff::BufferDifference& difference, std::int32_t width, std::int32_t height, bool y_up);
+
+/// One page with all of it, without anything from elsewhere.
+std::string diff_page(const DiffText& text, const diff::DiffReport& report, const PicturePair& pictures);
+
+}  // namespace zstep::cli

@@ -1,0 +1,28 @@
+// The line of a JSON Lines file that a step stands at.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+namespace zstep::cli {
+
+class FileLines {
+ public:
+  explicit FileLines(const std::string& path);
+  /// 0 in a file of another kind. Steps must be asked for in order.
+  std::int64_t of(std::int64_t step);
+
+ private:
+  void look_at(char c);
+
+  std::ifstream in_;
+  std::int64_t line_ = 0, objects_ = 0;
+  int depth_ = 0;
+  bool in_text_ = false, escaped_ = false;
+};
+
+/// "run.jsonl:12" for step 11, or "run.ztrace, step 11".
+std::string place_of_step(const std::string& path, FileLines& lines, std::int64_t step);
+
+}  // namespace zstep::cli

@@ -1,0 +1,51 @@
+// Which steps of two runs are the same step, and which of those part.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "traces/file/trace.hpp"
+
+namespace zstep::diff {
+
+/// A step of one run that is not, to the last bit, what the other run has for it.
+struct Difference {
+  std::int64_t a = 0, b = 0;  ///< the steps, counted from 1; 0 where the run has no such step
+  std::uint16_t fields = 0;   ///< bit I: the I-th field differs
+  std::uint8_t kind = 0;      ///< of the event
+  std::uint8_t line = 0;      ///< of the pseudo-code of B, or of A where B has no such step: the step's id
+  float off = 0;              ///< of the numbers that differ: how far, as a share of the larger one, at most
+  bool only_a() const { return b == 0; }
+  bool only_b() const { return a == 0; }
+};
+
+/// Steps a + i and b + i are the same step, for i from 0 to below count.
+struct Stretch {
+  std::int64_t a = 0, b = 0, count = 0;
+};
+
+/// How many steps of a kind.
+struct KindCount {
+  std::int64_t pairs = 0, equal = 0, only_a = 0, only_b = 0;
+};
+
+struct Alignment {
+  std::vector<Stretch> by_a, by_b;          ///< the same, ordered by one run's steps and by the other's
+  std::vector<Difference> differences;      ///< by the steps of B; what B does not have stands where it would have been
+  std::array<KindCount, kind_count> kinds;  ///< of the kinds that both runs record
+  bool complete = true;                     ///< false where it ended at a limit, or was told to
+
+  /// The other run's step for one's own; 0 where there is none.
+  std::int64_t in_b(std::int64_t a) const;
+  std::int64_t in_a(std::int64_t b) const;
+  /// The last of the other run's steps that comes before what one's own step would be there; 0 where there is none.
+  std::int64_t before_in_b(std::int64_t a) const;
+  std::int64_t before_in_a(std::int64_t b) const;
+};
+
+/// Matches the steps of two runs by what they are about: steps may be missing, additional or in another order. Kinds
+/// that one of them never records are left out. `on_way` is told now and then which share is done; true ends it.
+Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr);
+
+}  // namespace zstep::diff

@@ -1,0 +1,44 @@
+// Where do two runs of a scene part, and what else follows from it?
+//
+// Steps are matched by what they are about (align.hpp). Where a step's numbers part, it is a cause if its operands did
+// not part before, or if one of the two runs computes wrongly from the operands it has; else it is a symptom of what
+// its operands come from. What rounding explains under the number formats of both is told apart from what it does not.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "traces/check/precision.hpp"
+#include "traces/diff/align.hpp"
+
+namespace zstep::diff {
+
+enum class Part : std::uint8_t { different, rounding };
+
+/// Where the runs part, for a reason of its own.
+struct Cause {
+  Difference first;
+  Part part = Part::different;
+  bool wrong_a = false, wrong_b = false;  ///< the number does not follow from the run's own operands
+  std::int64_t again = 0;                 ///< later differences of the same kind, with a reason of their own
+  std::int64_t symptoms = 0;              ///< differences that follow from it
+  std::int64_t pixels = 0;                ///< of these, pixels that were written otherwise
+};
+
+/// Of a kind of event: steps that are to the bit the same, part by rounding, part otherwise, or are only in one run.
+struct KindDifference {
+  std::int64_t same = 0, rounding = 0, different = 0, only_a = 0, only_b = 0;
+};
+
+struct DiffReport {
+  Alignment alignment;
+  std::array<KindDifference, kind_count> kinds{};
+  std::vector<Cause> causes;  ///< those that are different, then those by rounding, each by the steps of B
+  Precision precision;        ///< the coarser one of the two
+  std::int64_t differences() const;  ///< all that rounding does not explain
+};
+
+/// Compares two runs. `on_way` is told now and then which share is done; true ends it, and the report is not complete.
+DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr);
+
+}  // namespace zstep::diff

@@ -1,0 +1,103 @@
+// The same thing under another number: what a run calls edge 7 is known by the vertices that it joins.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+
+#include "traces/diff/about.hpp"
+#include "traces/file/trace.hpp"
+
+namespace zstep::diff {
+
+/// What a run numbers for itself.
+enum class Thing : std::uint8_t { none, vertex, edge, piece, node, area, box, ray, curve, line, count };
+
+/// The thing that a field of this name refers to; none where the field is a number like any other, or one of the scene's
+/// polygons and facets, which have one number for all.
+constexpr Thing thing_of(std::string_view field) {
+  if (field.starts_with("vertex")) return Thing::vertex;
+  if (field == "edge" || field == "left_edge" || field == "right_edge") return Thing::edge;
+  if (field == "piece" || field == "other" || field == "plane_of") return Thing::piece;
+  if (field == "node") return Thing::node;
+  if (field == "area") return Thing::area;
+  if (field == "box") return Thing::box;
+  if (field == "ray") return Thing::ray;
+  if (field == "curve") return Thing::curve;
+  if (field == "line") return Thing::line;
+  return Thing::none;
+}
+/// The thing that a kind of event makes, with a number of its own.
+template <class E>
+constexpr Thing made_by() {
+  if constexpr (std::is_same_v<E, ClipCross> || std::is_same_v<E, SplitVertex>) return Thing::vertex;
+  else if constexpr (std::is_same_v<E, EdgeTableInsert>) return Thing::edge;
+  else if constexpr (std::is_same_v<E, PieceMake>) return Thing::piece;
+  else if constexpr (std::is_same_v<E, NodeMake>) return Thing::node;
+  else if constexpr (std::is_same_v<E, AreaBegin>) return Thing::area;
+  else if constexpr (std::is_same_v<E, BoxMake>) return Thing::box;
+  else if constexpr (std::is_same_v<E, RayBegin>) return Thing::ray;
+  else if constexpr (std::is_same_v<E, CurveBegin>) return Thing::curve;
+  else if constexpr (std::is_same_v<E, LineBegin>) return Thing::line;
+  else return Thing::none;
+}
+/// `parent` refers to a thing of the kind that the event makes.
+template <class E, std::size_t I>
+constexpr Thing thing_at() {
+  constexpr std::string_view name = field_at<E, I>.name;
+  return name == "parent" ? made_by<E>() : thing_of(name);
+}
+
+/// Is the field a result: neither what the step is about, nor a number that the run gives to something new, nor that of
+/// a facet, which only zstep numbers?
+template <class E, std::size_t I>
+constexpr bool is_result() {
+  constexpr std::string_view name = field_at<E, I>.name;
+  if (about<E>.names(name) || name == "facet") return false;
+  return thing_at<E, I>() == Thing::none || thing_at<E, I>() != made_by<E>();
+}
+
+/// Follows one run and says of each step what it is about.
+class Identity {
+ public:
+  using Key = std::uint64_t;
+  struct Known {
+    Key about = 0;
+    std::array<Key, 2> results{};  ///< the names of the things among the step's results, in the order of its fields
+  };
+
+  explicit Identity(const Trace& trace);
+
+  /// A number for what the step is about: the same for the same in two runs of a scene, whatever they number and in
+  /// whatever order they work. Steps must be asked for one after another.
+  Known of(const Event& event);
+
+  /// The same for a thing, by its number in this run, and back.
+  Key name_of(Thing thing, std::int32_t number) const;
+  std::optional<std::int32_t> number_of(Thing thing, Key name) const;
+ private:
+  struct Edge {
+    std::int32_t next_row = 0;  ///< the scan line that it moves to next
+    std::int32_t beyond = 0;    ///< the scan line after the last one that it was used on
+  };
+  template <class E>
+  Key key(const E& e);
+  template <class E>
+  void take_note(const E& e, Key key);
+  void edge_used(std::int32_t edge, std::int32_t row);
+
+  std::size_t points_;
+  std::array<std::unordered_map<std::int32_t, Key>, static_cast<std::size_t>(Thing::count)> names_;
+  std::array<std::unordered_map<Key, std::int32_t>, static_cast<std::size_t>(Thing::count)> numbers_;
+  std::unordered_map<Key, std::int32_t> made_;  ///< how many things were made that look alike
+  std::unordered_map<std::int32_t, Edge> edges_;
+  std::int32_t polygon_ = no_polygon, scan_line_ = -1;
+  Pass pass_ = Pass::eye;
+  Key area_ = 0, ray_ = 0, curve_ = 0;
+  bool turns_ = true;  ///< polygons are worked on one after another
+  const Trace* trace_;
+};
+
+}  // namespace zstep::diff
