@@ -103,7 +103,7 @@ std::optional<Place> find_place(const Trace& trace, Replay& replay, const Questi
   if (!step || *step < 1) return std::nullopt;
   const Event event = trace.event(*step).event;
   // What cutting made has its coordinates from there.
-  const bool cut = question.vertex && std::holds_alternative<SplitVertex>(event);
+  const bool cut = question.vertex && holds<SplitVertex>(event);
   const std::string field = question.field.empty() ? main_field(event)
                             : cut                  ? std::string(1, question.field[0]) + "_cut"
                                                    : question.field;

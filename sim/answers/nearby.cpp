@@ -39,12 +39,12 @@ std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::in
   State state;
   state.position = step;
   state.machine.polygon = polygon;
-  if (const auto* compare = std::get_if<DepthCompare>(&recorded.event); compare && touch) {
+  if (const auto* compare = get_if<DepthCompare>(&recorded.event); compare && touch) {
     set_fragment(state, *compare, *touch);
     state.machine.fragment->nearer = compare->nearer;
     return state;
   }
-  if (const auto* paint = std::get_if<PixelPaint>(&recorded.event); paint && touch) {
+  if (const auto* paint = get_if<PixelPaint>(&recorded.event); paint && touch) {
     set_fragment(state, *paint, *touch);
     set_span(state, trace, step, *paint);
     return state;

@@ -114,7 +114,7 @@ bool PixelCounts::count_to(std::int64_t position, std::chrono::microseconds time
     if (position - now_.position <= 256) {
       for (std::int64_t step = now_.position + 1; step <= position; ++step)
         if (trace_->impl().readable(step))
-          std::visit([this](const auto& event) { take(event); }, trace_->event(step).event);
+          visit_event([this](const auto& event) { take(event); }, trace_->event(step).event);
       now_.position = position;
       break;
     }

@@ -107,7 +107,7 @@ class History {
   /// What the eye's ray met, until it ends or casts others.
   void add_hits() {
     const auto begin = trace_.next(0, [&](const RecordedEvent& recorded) {
-      const auto* ray = std::get_if<RayBegin>(&recorded.event);
+      const auto* ray = get_if<RayBegin>(&recorded.event);
       return ray && ray->role == RayRole::eye;
     }, pixel_);
     if (!begin) return;
@@ -115,7 +115,7 @@ class History {
     keeper_ = no_polygon;
     trace_.each(*begin, trace_.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
       if (is_one_of<RayEnd, RayBegin>(recorded)) return false;
-      const auto* hit = std::get_if<RayHit>(&recorded.event);
+      const auto* hit = get_if<RayHit>(&recorded.event);
       if (!hit || !hit->inside) return true;
       const std::int32_t polygon = polygon_of_facet(trace_.scene(), hit->facet);
       Visit& visit = add(step, polygon, hit->nearest ? Outcome::won : kept == hit->t ? Outcome::tie : Outcome::lost);
@@ -246,7 +246,7 @@ class History {
   /// Work on this polygon began here with a facet that does not cover the pixel.
   bool is_of_another_facet(std::int64_t begin, std::int32_t polygon) const {
     const Event event = trace_.event(begin).event;
-    const auto* work = std::get_if<PolygonBegin>(&event);
+    const auto* work = get_if<PolygonBegin>(&event);
     return work && polygon_of_facet(trace_.scene(), work->facet) == polygon && !facets_there_.contains(work->facet);
   }
 

@@ -49,22 +49,22 @@ class Reading {
   void close() { open_ = false; }
 
   void take(std::int64_t step, const Event& event) {
-    if (const auto* z = std::get_if<DepthInterpolate>(&event)) {
+    if (const auto* z = get_if<DepthInterpolate>(&event)) {
       open_ = false;  // a new fragment
       interpolated_ = {at_work(trace_, step), z->z};
-    } else if (const auto* compare = std::get_if<DepthCompare>(&event)) {
+    } else if (const auto* compare = get_if<DepthCompare>(&event)) {
       const AtWork work = at_work(trace_, step);
       // A colour that was written before its compare belongs to it.
       const bool belongs = goes_on(work) && all.back().how == Touch::How::written && all.back().kept_at == 0;
       Touch& touch = belongs ? all.back() : add(step, work, Touch::How::compared);
       touch.step = step, touch.how = Touch::How::compared, touch.z = compare->z, touch.nearer = compare->nearer;
-    } else if (const auto* depth = std::get_if<DepthWrite>(&event)) {
+    } else if (const auto* depth = get_if<DepthWrite>(&event)) {
       const AtWork work = at_work(trace_, step);
       Touch& touch = goes_on(work) && all.back().kept_at == 0 ? all.back() : add(step, work, Touch::How::written);
       if (!touch.z) touch.z = depth->z;
       touch.kept = depth->z, touch.kept_at = step;
       depth_ = depth->z, only_cleared_ = false, known_ = true;
-    } else if (const auto* write = std::get_if<PixelWrite>(&event)) {
+    } else if (const auto* write = get_if<PixelWrite>(&event)) {
       const AtWork work = at_work(trace_, step);
       const bool after_blend = goes_on(work) && all.back().how == Touch::How::blended &&
                                all.back().polygon == write->polygon && !all.back().takes;
@@ -75,20 +75,20 @@ class Reading {
       if (touch.how == Touch::How::written) touch.step = step;
       if (!after_blend) touch.written = step;  // a blend has coloured it already
       take_pixel(touch, write->polygon);
-    } else if (const auto* paint = std::get_if<PixelPaint>(&event)) {
+    } else if (const auto* paint = get_if<PixelPaint>(&event)) {
       Touch& touch = add(step, {paint->polygon, 0}, Touch::How::painted);
       touch.z = touch.kept = paint->z, touch.kept_at = touch.written = step;
       take_pixel(touch, paint->polygon);
       depth_ = paint->z, only_cleared_ = false, known_ = true;
       open_ = false;
-    } else if (const auto* blend = std::get_if<ColorBlend>(&event)) {
+    } else if (const auto* blend = get_if<ColorBlend>(&event)) {
       const AtWork work = at_work(trace_, step);
       const bool belongs =
           goes_on(work) && all.back().how == Touch::How::compared && all.back().nearer && !all.back().takes;
       Touch& touch = belongs ? all.back() : add(step, work, Touch::How::blended);
       touch.how = Touch::How::blended, touch.polygon = blend->polygon, touch.opacity = blend->opacity;
       touch.blended = touch.written = step;
-    } else if (std::holds_alternative<ColorWrite>(event)) {
+    } else if (holds<ColorWrite>(event)) {
       add(step, {}, Touch::How::colored).written = step;
       open_ = false;
     }
@@ -154,9 +154,9 @@ std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64
   Reading reading(trace);
   Pass pass = Pass::eye;
   for (const auto& [step, event] : here) {
-    if (const auto* begin = std::get_if<PassBegin>(&event)) pass = begin->pass, reading.close();
+    if (const auto* begin = get_if<PassBegin>(&event)) pass = begin->pass, reading.close();
     else if (pass == Pass::light) continue;  // another picture
-    else if (const auto* clear = std::get_if<BuffersClear>(&event)) reading.clear(clear->z);
+    else if (const auto* clear = get_if<BuffersClear>(&event)) reading.clear(clear->z);
     else reading.take(step, event);
   }
   std::erase_if(reading.all, [after](const Touch& touch) { return touch.step <= after; });

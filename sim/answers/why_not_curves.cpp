@@ -70,7 +70,7 @@ std::vector<There> tests_in_column(const Asked& q, const Segment& segment) {
 
 std::optional<Verdict> drawn(Asked& q, const Segment& segment) {
   const auto here = [&](const RecordedEvent& recorded) {
-    const auto* color = std::get_if<ColorWrite>(&recorded.event);
+    const auto* color = get_if<ColorWrite>(&recorded.event);
     return color && color->x == q.pixel.x && color->y == q.pixel.y;
   };
   const auto step = next_within(q.trace, segment.begin, segment.end, here);
@@ -89,7 +89,7 @@ std::optional<Verdict> drawn(Asked& q, const Segment& segment) {
 
 Verdict hidden(Asked& q, const Segment& segment, const There& there) {
   const auto moved = previous_within(q.trace, there.step, 0, [&](const RecordedEvent& recorded) {
-    const auto* move = std::get_if<HorizonMove>(&recorded.event);
+    const auto* move = get_if<HorizonMove>(&recorded.event);
     return move && move->x == q.pixel.x && std::isfinite(move->y_curve);
   });
   Verdict verdict =
@@ -115,7 +115,7 @@ Verdict hidden(Asked& q, const Segment& segment, const There& there) {
 std::vector<Segment> segments_of(const Asked& q) {
   const std::set<std::int32_t> corners = corners_of(q, q.polygon);
   const auto of_it = [&](const RecordedEvent& recorded) {
-    const auto* segment = std::get_if<CurveSegment>(&recorded.event);
+    const auto* segment = get_if<CurveSegment>(&recorded.event);
     return segment && is_side(q, corners, *segment);
   };
   const std::int64_t end = q.trace.size() + 1;

@@ -179,7 +179,7 @@ Verdict of_cut(Asked& q, const FacetThere& there) {
   if (there.mark > 0) {
     const std::int64_t end = next_mark(q.trace, there.mark);
     const auto cut = next_within(q.trace, there.mark, end, [&](const RecordedEvent& recorded) {
-      const auto* held = std::get_if<ClipVertex>(&recorded.event);
+      const auto* held = get_if<ClipVertex>(&recorded.event);
       return (held && !held->inside && (held->plane == ClipPlane::near) == before) ||
              is_one_of<EdgeTableInsert, PieceMake, PolygonReject>(recorded);
     });

@@ -66,7 +66,7 @@ std::string name_of(const Asked& q, const Line& line) {
 
 std::int64_t step_of_piece(const Asked& q, std::int64_t begin, const LinePiece& wanted) {
   const auto step = next_within(q.trace, begin, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
-    const auto* piece = std::get_if<LinePiece>(&recorded.event);
+    const auto* piece = get_if<LinePiece>(&recorded.event);
     return (piece && piece->t_0 == wanted.t_0 && piece->t_1 == wanted.t_1 && piece->visible == wanted.visible) ||
            is_one_of<LineBegin>(recorded);
   });
@@ -76,7 +76,7 @@ std::int64_t step_of_piece(const Asked& q, std::int64_t begin, const LinePiece& 
 /// One of its edges was drawn through the pixel.
 std::optional<Verdict> drawn(Asked& q) {
   const auto here = [&](const RecordedEvent& recorded) {
-    const auto* color = std::get_if<ColorWrite>(&recorded.event);
+    const auto* color = get_if<ColorWrite>(&recorded.event);
     return color && color->x == q.pixel.x && color->y == q.pixel.y;
   };
   std::optional<Verdict> verdict;
@@ -144,7 +144,7 @@ Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
                                     q.label(other), number(by->t_0), number(by->t_1)));
     verdict.other = other;
     const auto hide = next_within(q.trace, begin, q.trace.size() + 1, [&](const RecordedEvent& recorded) {
-      const auto* found = std::get_if<LineHide>(&recorded.event);
+      const auto* found = get_if<LineHide>(&recorded.event);
       return (found && found->facet == by->facet && found->t_0 == by->t_0) || is_one_of<LineBegin>(recorded);
     });
     if (hide && event_at<LineHide>(q.trace, *hide)) {

@@ -45,7 +45,7 @@ void add_tree(Asked& q, const MethodState& machine, Verdict& verdict, std::int32
     verdict.formulas.push_back(fmt::format("plane of {} at the eye: A x + B y + C z + D w = {}, the eye is {}", wall,
                                            number(parting.eye->value), parting.eye->front ? "in front" : "behind"));
   const auto side = previous_within(q.trace, drawn, last_mark(q.trace), [node](const RecordedEvent& recorded) {
-    const auto* eye = std::get_if<EyeSide>(&recorded.event);
+    const auto* eye = get_if<EyeSide>(&recorded.event);
     return eye && eye->node == node;
   });
   if (side) verdict.chain.push_back({*side, no_polygon, fmt::format("the eye is held against the plane of {}", wall)});

@@ -251,7 +251,7 @@ std::optional<Verdict> why_wiped(Asked& q) {
 
 void add_shadow(const Asked& q, Verdict& verdict) {
   const auto dark = [&](const RecordedEvent& recorded) {
-    const auto* color = std::get_if<ColorWrite>(&recorded.event);
+    const auto* color = get_if<ColorWrite>(&recorded.event);
     return color && color->x == q.pixel.x && color->y == q.pixel.y;
   };
   if (const auto step = q.trace.next(verdict.step, dark, q.pixel)) {

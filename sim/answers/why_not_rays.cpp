@@ -34,7 +34,7 @@ struct Ray {
 
 std::optional<Ray> follow(const Asked& q) {
   const auto through = [&](const RecordedEvent& recorded) {
-    const auto* ray = std::get_if<RayBegin>(&recorded.event);
+    const auto* ray = get_if<RayBegin>(&recorded.event);
     return ray && ray->role == RayRole::eye && ray->x == q.pixel.x && ray->y == q.pixel.y;
   };
   const auto begin = q.trace.next(0, through, q.pixel);
@@ -44,12 +44,12 @@ std::optional<Ray> follow(const Asked& q) {
   for (ray.end = *begin + 1; ray.end <= q.trace.size(); ++ray.end) {
     const std::int64_t step = ray.end;
     const Event& event = q.trace.event(step).event;
-    if (std::holds_alternative<RayEnd>(event) || std::holds_alternative<RayBegin>(event)) break;
-    if (const auto* plane = std::get_if<RayPlane>(&event); plane && q.polygon_of_facet(plane->facet) == q.polygon)
+    if (holds<RayEnd>(event) || holds<RayBegin>(event)) break;
+    if (const auto* plane = get_if<RayPlane>(&event); plane && q.polygon_of_facet(plane->facet) == q.polygon)
       ray.planes.push_back({step, *plane});
-    if (const auto* box = std::get_if<BoxTest>(&event)) ray.boxes.push_back({step, *box});
-    if (const auto* cell = std::get_if<CellVisit>(&event)) ray.cells.push_back({step, *cell});
-    if (const auto* hit = std::get_if<RayHit>(&event)) {
+    if (const auto* box = get_if<BoxTest>(&event)) ray.boxes.push_back({step, *box});
+    if (const auto* cell = get_if<CellVisit>(&event)) ray.cells.push_back({step, *cell});
+    if (const auto* hit = get_if<RayHit>(&event)) {
       if (hit->nearest) ray.kept.push_back({step, *hit});
       else if (hit->inside) ray.passed.push_back({step, *hit});
       if (q.polygon_of_facet(hit->facet) == q.polygon) ray.hits.push_back({step, *hit});
@@ -118,7 +118,7 @@ std::int64_t first_ray(const Asked& q) {
 std::vector<std::int32_t> boxes_around(const Asked& q, std::int32_t facet, std::int64_t rays) {
   std::vector<std::int32_t> boxes;
   const auto hold = next_within(q.trace, 0, rays, [facet](const RecordedEvent& recorded) {
-    const auto* held = std::get_if<BoxHold>(&recorded.event);
+    const auto* held = get_if<BoxHold>(&recorded.event);
     return held && held->facet == facet;
   });
   std::int32_t box = hold ? event_at<BoxHold>(q.trace, *hold)->box : -1;
@@ -132,7 +132,7 @@ std::vector<std::int32_t> boxes_around(const Asked& q, std::int32_t facet, std::
 
 std::vector<CellHold> cells_around(const Asked& q, std::int32_t facet, std::int64_t rays) {
   const auto of_it = [facet](const RecordedEvent& recorded) {
-    const auto* held = std::get_if<CellHold>(&recorded.event);
+    const auto* held = get_if<CellHold>(&recorded.event);
     return held && held->facet == facet;
   };
   std::vector<CellHold> cells;

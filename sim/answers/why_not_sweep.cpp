@@ -50,7 +50,7 @@ Line look_along(Asked& q, const std::vector<Row>& rows) {
   bool on_interval = false;
   for (std::int64_t step = *begin + 1; step < end; ++step) {
     const Event& event = q.trace.event(step).event;
-    if (const auto* flip = std::get_if<FlagFlip>(&event)) {
+    if (const auto* flip = get_if<FlagFlip>(&event)) {
       on_interval = false;
       if (!is_mine(flip->piece)) continue;
       if (line.interval == 0) {
@@ -60,23 +60,23 @@ Line look_along(Asked& q, const std::vector<Row>& rows) {
       } else if (line.flip_after == 0) {
         line.flip_after = step;
       }
-    } else if (const auto* flags = std::get_if<SpanFlags>(&event)) {
+    } else if (const auto* flags = get_if<SpanFlags>(&event)) {
       on_interval = flags->first <= x && x <= flags->last;
       if (on_interval) line.interval = step;
       // Passed without an interval around the pixel: the flags from here on lie to its right.
       if (!on_interval && line.interval == 0 && flags->first > x) line.interval = step, line.in.clear();
-    } else if (const auto* depth = std::get_if<PlaneDepth>(&event); depth && on_interval) {
+    } else if (const auto* depth = get_if<PlaneDepth>(&event); depth && on_interval) {
       if (is_mine(depth->piece))
         line.links.push_back(
             {step, q.polygon, fmt::format("{} at x = {}: {} = {}", q.name, number(depth->x_at), q.z, told(depth->z))});
-    } else if (std::holds_alternative<ImpliedEdge>(event) && on_interval) {
+    } else if (holds<ImpliedEdge>(event) && on_interval) {
       line.links.push_back({step, no_polygon, "two penetrate each other: an implied edge"});
-    } else if (const auto* winner = std::get_if<SpanWinner>(&event);
+    } else if (const auto* winner = get_if<SpanWinner>(&event);
                winner && on_interval && winner->first <= x && x <= winner->last) {
       line.winner = step;
-    } else if (const auto* paint = std::get_if<PixelPaint>(&event); paint && paint->x == x) {
+    } else if (const auto* paint = get_if<PixelPaint>(&event); paint && paint->x == x) {
       line.paint = step, line.owner = paint->polygon, line.z = paint->z;
-    } else if (const auto* cover = std::get_if<CoverageAdd>(&event);
+    } else if (const auto* cover = get_if<CoverageAdd>(&event);
                cover && cover->x == x && cover->owner == q.polygon) {
       line.cover = step, line.share = cover->coverage;
     }

@@ -58,7 +58,7 @@ std::string field_names(std::uint8_t kind) {
 
 std::optional<Quantity> field_value(const Event& event, std::string_view name) {
   std::optional<Quantity> found;
-  std::visit(
+  visit_event(
       [&](const auto& known) {
         using E = std::decay_t<decltype(known)>;
         for_each_field<E>([&](const auto& field) {

@@ -48,8 +48,8 @@ std::optional<std::size_t> coming_pixel(const Moment& moment) {
     if (arrived) return std::nullopt;
     return moment.state().picture.at(coming.x, coming.y);
   };
-  if (const auto* coming = std::get_if<DepthInterpolate>(&moment.event->event)) return pixel_of(*coming);
-  if (const auto* coming = std::get_if<PixelPaint>(&moment.event->event)) return pixel_of(*coming);
+  if (const auto* coming = get_if<DepthInterpolate>(&moment.event->event)) return pixel_of(*coming);
+  if (const auto* coming = get_if<PixelPaint>(&moment.event->event)) return pixel_of(*coming);
   return std::nullopt;
 }
 Quantity stored(const Moment& moment) {

@@ -61,14 +61,15 @@ std::string follow_text(const Cause& cause) {
 }
 
 void print_text(const Trace& trace, const CheckOptions& options, const CheckReport& report,
-                const std::vector<Told>& told) {
+                const std::vector<Told>& told, const std::string& impossible) {
   const Precision& precision = report.precision;
   fmt::print("{}: {} ({}), of which {} have a formula or a rule\n", printable(trace.name()),
              counted(report.steps, "step", "steps"), precision.text, grouped(report.judged));
   fmt::print("{} numbers: {} exact, {} rounded (at most {} units of a float64's last digit)\n\n",
              grouped(report.numbers), grouped(report.exact), grouped(report.rounded),
              number(report.largest_rounding, 1, true));
-  if (report.causes.empty()) return fmt::print("Nothing is wrong.\n");
+  const std::string end = impossible.empty() ? "" : fmt::format("The run is judged up to a step that cannot be:\n{}\n", impossible);
+  if (report.causes.empty()) return fmt::print("{}", end.empty() ? "Nothing is wrong.\n" : end);
   fmt::print("{}: {} wrong, {} more follow from {}\n\n", counted(static_cast<std::int64_t>(report.causes.size()), "cause", "causes"),
              counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
              report.causes.size() == 1 ? "it" : "them");
@@ -84,10 +85,11 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckRepo
   }
   if (shown < report.causes.size())
     fmt::print("… and {} more: --all prints them\n", grouped(static_cast<std::int64_t>(report.causes.size() - shown)));
+  fmt::print("{}", end);
 }
 
 void print_json(const Trace& trace, const CheckOptions& options, const CheckReport& report,
-                const std::vector<Told>& told) {
+                const std::vector<Told>& told, const std::string& impossible) {
   Json causes = Json::array();
   FileLines lines(options.trace);
   for (std::size_t i = 0; i < report.causes.size(); ++i) {
@@ -106,15 +108,17 @@ void print_json(const Trace& trace, const CheckOptions& options, const CheckRepo
     one["again"] = cause.again, one["inherited"] = cause.inherited;
     causes.push_back(one);
   }
-  const Json all{{"trace", trace.name()},       {"steps", report.steps},     {"judged", report.judged},
+  Json all{{"trace", trace.name()},       {"steps", report.steps},     {"judged", report.judged},
                  {"numbers", report.numbers},   {"exact", report.exact},     {"rounded", report.rounded},
                  {"format", report.precision.text}, {"wrong", report.wrong_steps}, {"inherited", report.inherited},
                  {"causes", causes}};
+  if (!impossible.empty()) all["impossible"] = impossible;
   fmt::print("{}\n", all.dump(2));
 }
 
 int run(const CheckOptions& options) {
-  const Trace trace = open_trace(options.trace);
+  std::string impossible;
+  const Trace trace = open_to_judge(options.trace, impossible);
   std::vector<Told> told;
   Watch watch;
   const CheckReport report = check(
@@ -130,9 +134,9 @@ int run(const CheckOptions& options) {
         return false;
       });
   watch.clear_line();
-  if (options.json) print_json(trace, options, report, told);
-  else print_text(trace, options, report, told);
-  return report.causes.empty() ? exit_code::done : exit_code::finding;
+  if (options.json) print_json(trace, options, report, told, impossible);
+  else print_text(trace, options, report, told, impossible);
+  return report.causes.empty() && impossible.empty() ? exit_code::done : exit_code::finding;
 }
 
 }  // namespace

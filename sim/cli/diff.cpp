@@ -68,7 +68,7 @@ CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, F
   const formulas::Situation at = formulas::situation_of(trace, replay.state());
   const Event event = trace.event(step).event;
   subject = subject_of(event, at);
-  std::visit(
+  visit_event(
       [&]<class E>(const E& e) {
         for_each_index<E>([&]<std::size_t I>() {
           if ((fields >> I & 1) == 0) return;
@@ -285,7 +285,8 @@ void write_page(const DiffOptions& options, const DiffText& text, const DiffRepo
 }
 
 int runs(const DiffOptions& options) {
-  const Trace a = open_trace(options.a), b = open_trace(options.b);
+  std::string impossible_a, impossible_b;
+  const Trace a = open_to_judge(options.a, impossible_a), b = open_to_judge(options.b, impossible_b);
   const Raster &one = a.scene().raster, &other = b.scene().raster;
   check_sizes(one.width, one.height, other.width, other.height, options.b);
   Watch watch;
@@ -300,7 +301,9 @@ int runs(const DiffOptions& options) {
   const Picture &picture_a = end_a.state().picture, &picture_b = end_b.state().picture;
   const PicturePair pictures{
       diff::compare_pictures(picture_a, a.scene(), picture_b, b.scene(), report.precision), {}, {}, {}};
-  const DiffText text = text_of(a, b, options, report, pictures.difference);
+  DiffText text = text_of(a, b, options, report, pictures.difference);
+  for (const std::string& impossible : {impossible_a, impossible_b})
+    if (!impossible.empty()) text.notes.push_back("compared up to a step that cannot be: " + impossible);
   if (!options.page.empty()) {
     PicturePair drawn = pictures;
     drawn.a = image_of(picture_a, a.scene(), 1);
@@ -314,7 +317,7 @@ int runs(const DiffOptions& options) {
     complain_incomplete("the runs part too often, or their orders do: what is said is of their beginnings");
     return exit_code::incomplete;
   }
-  const bool same = report.differences() == 0 && pictures.difference.colors == 0 && pictures.difference.depths == 0;
+  const bool same = impossible_a.empty() && impossible_b.empty() && report.differences() == 0 && pictures.difference.colors == 0 && pictures.difference.depths == 0;
   return same ? exit_code::done : exit_code::finding;
 }
 

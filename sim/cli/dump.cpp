@@ -140,7 +140,7 @@ int dump(const DumpOptions& options) {
         std::cout << jsonl_event(page, recorded) << '\n';
       } else {
         const StepInfo* info = find_step(page, recorded.step);
-        const std::string fields = std::visit([](const auto& event) { return fields_text(event); }, recorded.event);
+        const std::string fields = visit_event([](const auto& event) { return fields_text(event); }, recorded.event);
         std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest,
                                  fields);
         if (const std::string doubt = doubts ? doubts->of(position) : ""; !doubt.empty())

@@ -39,7 +39,9 @@ void check_strictly(const Trace& trace) {
 
 bool is_trace(const std::string& path) { return has_extension(path, ".ztrace") || has_extension(path, ".jsonl"); }
 
-Trace open_trace(const std::string& path, Cost cost) {
+namespace {
+
+Trace open(const std::string& path, Cost cost, std::string* impossible) {
   std::error_code ignored;
   if (!fs::exists(path, ignored))
     throw InputError(path, "there is no such file",
@@ -49,7 +51,7 @@ Trace open_trace(const std::string& path, Cost cost) {
   const std::uintmax_t bytes = fs::file_size(path, ignored);
   if (cost == Cost::limited) begin_budget(ignored ? 0 : bytes);
   try {
-    Trace trace = has_extension(path, ".jsonl") ? open_jsonl(path) : Trace::open(path);
+    Trace trace = has_extension(path, ".jsonl") ? open_jsonl(path, impossible) : Trace::open(path);
     if (is_strict()) check_strictly(trace);
     for (const std::string& warning : trace.warnings())
       trace.whole() ? complain(warning) : complain_incomplete(warning);
@@ -62,6 +64,13 @@ Trace open_trace(const std::string& path, Cost cost) {
     throw Exhausted(path, "there is not enough memory to open it",
                     "close other programs, or record with a smaller --size");
   }
+}
+
+}  // namespace
+
+Trace open_trace(const std::string& path, Cost cost) { return open(path, cost, nullptr); }
+Trace open_to_judge(const std::string& path, std::string& impossible) {
+  return open(path, Cost::limited, &impossible);
 }
 
 Trace record_to_memory(const Run& run) {

@@ -12,9 +12,9 @@ namespace {
 
 /// Does the event write a colour or a depth to a pixel?
 bool writes(const Event& event) {
-  return std::holds_alternative<DepthWrite>(event) || std::holds_alternative<PixelWrite>(event) ||
-         std::holds_alternative<PixelPaint>(event) || std::holds_alternative<ColorWrite>(event) ||
-         std::holds_alternative<ColorBlend>(event);
+  return holds<DepthWrite>(event) || holds<PixelWrite>(event) ||
+         holds<PixelPaint>(event) || holds<ColorWrite>(event) ||
+         holds<ColorBlend>(event);
 }
 
 bool names_pixel(const Event& event, double x, double y) {

@@ -10,7 +10,7 @@ namespace {
 
 template <class E, std::size_t I>
 double read(const Event& event) {
-  return static_cast<double>((*std::get_if<E>(&event)).*field_at<E, I>.member);
+  return static_cast<double>((*get_if<E>(&event)).*field_at<E, I>.member);
 }
 
 template <class E>

@@ -11,7 +11,7 @@ namespace {
 
 template <class E, std::size_t I>
 Cell read(const Event& event) {
-  const auto value = std::get<E>(event).*field_at<E, I>.member;
+  const auto value = get<E>(event).*field_at<E, I>.member;
   using Value = std::remove_const_t<decltype(value)>;
   if constexpr (std::is_same_v<Value, double>) return value;
   else if constexpr (std::is_enum_v<Value>) return words_of<Value>[static_cast<std::size_t>(value)];

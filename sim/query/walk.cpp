@@ -89,7 +89,7 @@ void Walk::begin_context() {
   const std::int64_t begins = after == marks.begin() ? 1 : (after - 1)->position;
   const auto line = trace_.previous(
       position_ + 1, [](const RecordedEvent&) { return true; }, Trace::Among({}, kind_of<ScanLineBegin>, begins));
-  if (line) context_.scan_line = std::get<ScanLineBegin>(trace_.event(*line).event).y;
+  if (line) context_.scan_line = get<ScanLineBegin>(trace_.event(*line).event).y;
 }
 
 bool Walk::next() {

@@ -28,8 +28,8 @@ std::int64_t last_write(const Trace& trace, Cell cell) {
     const Event& event = recorded.event;
     const std::optional<Trace::Pixel> at = pixel_of(event);
     if (!at || at->x != cell.x || at->y != cell.y) return false;
-    return std::holds_alternative<PixelWrite>(event) || std::holds_alternative<PixelPaint>(event) ||
-           std::holds_alternative<ColorWrite>(event) || std::holds_alternative<ColorBlend>(event);
+    return holds<PixelWrite>(event) || holds<PixelPaint>(event) ||
+           holds<ColorWrite>(event) || holds<ColorBlend>(event);
   };
   return trace.previous(trace.size() + 1, writes, Trace::Pixel{cell.x, cell.y}).value_or(trace.size());
 }

@@ -95,7 +95,7 @@ std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::i
 
 Explanation explain(const Trace& trace, const State& after, const RecordedEvent event) {
   words::Telling telling(trace, after);
-  std::visit([&](const auto& e) { words::tell(telling, e); }, event.event);
+  visit_event([&](const auto& e) { words::tell(telling, e); }, event.event);
   return std::move(telling.out);
 }
 

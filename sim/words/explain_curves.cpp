@@ -34,10 +34,10 @@ struct Passage {
 /// A horizon of a column as it stood before `position`.
 double horizon_before(const Telling& t, std::int64_t position, std::int32_t x, bool upper) {
   const auto moved = t.trace.previous(position, [&](const RecordedEvent& event) {
-    const auto* move = std::get_if<HorizonMove>(&event.event);
+    const auto* move = get_if<HorizonMove>(&event.event);
     return move && move->x == x && move->upper == upper;
   });
-  if (moved) return std::get<HorizonMove>(t.trace.event(*moved).event).y_curve;
+  if (moved) return get<HorizonMove>(t.trace.event(*moved).event).y_curve;
   return upper ? no_depth : -no_depth;
 }
 
@@ -46,12 +46,12 @@ std::optional<Passage> passage(const Telling& t, int back) {
   std::int64_t position = t.after.position + 1;
   for (int i = 0; i <= back; ++i) {
     const auto found = t.trace.previous(position, [](const RecordedEvent& event) {
-      return std::holds_alternative<HorizonTest>(event.event) || std::holds_alternative<CurveBegin>(event.event);
+      return holds<HorizonTest>(event.event) || holds<CurveBegin>(event.event);
     });
-    if (!found || !std::holds_alternative<HorizonTest>(t.trace.event(*found).event)) return std::nullopt;
+    if (!found || !holds<HorizonTest>(t.trace.event(*found).event)) return std::nullopt;
     position = *found;
   }
-  const auto test = std::get<HorizonTest>(t.trace.event(position).event);
+  const auto test = get<HorizonTest>(t.trace.event(position).event);
   return Passage{test.x, test.y_curve, horizon_before(t, position, test.x, true),
                  horizon_before(t, position, test.x, false), test.verdict};
 }

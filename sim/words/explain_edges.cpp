@@ -43,11 +43,11 @@ std::optional<Before> before_step(const Telling& t, std::int32_t edge) {
   const std::int64_t first = std::max<std::int64_t>(1, t.after.position - far_enough);
   for (std::int64_t p = t.after.position - 1; p >= first; --p) {
     const Event& event = t.trace.event(p).event;
-    if (const auto* step = std::get_if<EdgeStep>(&event); step && step->edge == edge)
+    if (const auto* step = get_if<EdgeStep>(&event); step && step->edge == edge)
       return Before{step->x_edge, step->z_edge};
-    if (const auto* enter = std::get_if<EdgeEnter>(&event); enter && enter->edge == edge)
+    if (const auto* enter = get_if<EdgeEnter>(&event); enter && enter->edge == edge)
       if (const EdgeTableInsert* entry = entry_of(t, edge)) return Before{entry->x_edge, entry->z_edge};
-    if (std::holds_alternative<PolygonBegin>(event)) break;
+    if (holds<PolygonBegin>(event)) break;
   }
   return std::nullopt;
 }

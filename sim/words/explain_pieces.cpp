@@ -11,8 +11,8 @@ std::optional<double> value_found(const Telling& t, std::int32_t vertex) {
   const std::int64_t first = std::max<std::int64_t>(1, t.after.position - 256);
   for (std::int64_t p = t.after.position - 1; p >= first; --p) {
     const Event& event = t.trace.event(p).event;
-    if (const auto* found = std::get_if<VertexSide>(&event); found && found->vertex == vertex) return found->value;
-    if (std::holds_alternative<PieceMake>(event)) break;
+    if (const auto* found = get_if<VertexSide>(&event); found && found->vertex == vertex) return found->value;
+    if (holds<PieceMake>(event)) break;
   }
   return std::nullopt;
 }

@@ -13,11 +13,11 @@ std::string pixel(std::int32_t x, std::int32_t y) { return fmt::format("({}, {})
 std::optional<double> depth_before(const Telling& t, const DepthInterpolate& e) {
   for (std::int64_t p = t.after.position - 1; p >= 1 && p > t.after.position - 16; --p) {
     const Event& event = t.trace.event(p).event;
-    if (const auto* last = std::get_if<DepthInterpolate>(&event)) {
+    if (const auto* last = get_if<DepthInterpolate>(&event)) {
       if (last->y == e.y && last->x == e.x - 1) return last->z;
       return std::nullopt;
     }
-    if (std::holds_alternative<SpanBegin>(event)) return std::nullopt;
+    if (holds<SpanBegin>(event)) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -38,7 +38,7 @@ template <class E>
 std::optional<double> depth_just_before(const Telling& t, std::int32_t x, std::int32_t y) {
   for (std::int64_t p = t.after.position - 1; p >= 1 && p >= t.after.position - 3; --p) {
     const Event& event = t.trace.event(p).event;
-    if (const auto* found = std::get_if<E>(&event))
+    if (const auto* found = get_if<E>(&event))
       return found->x == x && found->y == y ? std::optional(found->z) : std::nullopt;
   }
   return std::nullopt;
@@ -68,7 +68,7 @@ std::optional<double> cleared_to(const Telling& t) {
   const auto clears = t.trace.clears();
   const auto after = std::upper_bound(clears.begin(), clears.end(), t.after.position);
   if (after == clears.begin()) return std::nullopt;
-  return std::get<BuffersClear>(t.trace.event(*std::prev(after)).event).z;
+  return get<BuffersClear>(t.trace.event(*std::prev(after)).event).z;
 }
 
 /// What is stored where a depth is compared, as far as it can be named.
@@ -104,14 +104,14 @@ struct Written {
 };
 template <class E>
 bool is_at(const Event& event, std::int32_t x, std::int32_t y) {
-  const E* found = std::get_if<E>(&event);
+  const E* found = get_if<E>(&event);
   return found && found->x == x && found->y == y;
 }
 Written write_of(const Telling& t, const DepthCompare& e) {
   const auto colour = [&](std::int64_t step) -> std::optional<Written> {
     const Event& event = t.trace.event(step).event;
-    if (is_at<PixelWrite>(event, e.x, e.y)) return Written{step, std::get<PixelWrite>(event).polygon, false};
-    if (is_at<ColorBlend>(event, e.x, e.y)) return Written{step, std::get<ColorBlend>(event).polygon, false};
+    if (is_at<PixelWrite>(event, e.x, e.y)) return Written{step, get<PixelWrite>(event).polygon, false};
+    if (is_at<ColorBlend>(event, e.x, e.y)) return Written{step, get<ColorBlend>(event).polygon, false};
     return std::nullopt;
   };
   for (std::int64_t step = t.after.position + 1; step <= t.trace.size(); ++step) {

@@ -28,9 +28,9 @@ std::optional<double> distance_found(const Telling& t, ClipPlane plane, std::int
   const std::int64_t first = std::max<std::int64_t>(1, t.after.position - 256);
   for (std::int64_t p = t.after.position - 1; p >= first; --p) {
     const Event& event = t.trace.event(p).event;
-    if (const auto* found = std::get_if<ClipVertex>(&event); found && found->plane == plane && found->vertex == vertex)
+    if (const auto* found = get_if<ClipVertex>(&event); found && found->plane == plane && found->vertex == vertex)
       return found->distance;
-    if (std::holds_alternative<PolygonBegin>(event)) break;
+    if (holds<PolygonBegin>(event)) break;
   }
   return std::nullopt;
 }

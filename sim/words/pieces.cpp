@@ -34,8 +34,8 @@ std::int32_t node_of_piece(const MethodState& machine, std::int32_t piece) {
 
 std::int32_t node_at_work(const MethodState& machine, const Event* event) {
   if (event)
-    if (const auto* skip = std::get_if<NodeSkip>(event)) return skip->node;
-  if (machine.piece >= 0 && !(event && std::holds_alternative<EyeSide>(*event))) {
+    if (const auto* skip = get_if<NodeSkip>(event)) return skip->node;
+  if (machine.piece >= 0 && !(event && holds<EyeSide>(*event))) {
     const std::int32_t node = node_of_piece(machine, machine.piece);
     if (node >= 0) return node;
   }

@@ -62,12 +62,12 @@ std::vector<std::pair<std::string, std::string>> measure_answers(const Trace& tr
   const std::string there = time_of([&] {
     const Trace::Pixel at = pixel();
     const auto step = trace.previous(trace.size() + 1, [](const RecordedEvent& recorded) {
-      return std::holds_alternative<PixelWrite>(recorded.event) || std::holds_alternative<PixelPaint>(recorded.event);
+      return holds<PixelWrite>(recorded.event) || holds<PixelPaint>(recorded.event);
     }, at);
     if (!step) return;
     const Event event = trace.event(*step).event;
-    const auto* write = std::get_if<PixelWrite>(&event);
-    const std::int32_t polygon = write != nullptr ? write->polygon : std::get<PixelPaint>(event).polygon;
+    const auto* write = get_if<PixelWrite>(&event);
+    const std::int32_t polygon = write != nullptr ? write->polygon : get<PixelPaint>(event).polygon;
     if (polygon >= 0) links += answers::why_not(trace, polygon, at, &replay).chain.size();
   });
   if (links == 0) fmt::print(" ");

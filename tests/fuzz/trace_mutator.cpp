@@ -171,7 +171,7 @@ Bytes change_events(std::span<const std::uint8_t> bytes, Random& random) {
         events.erase(std::min(at, other), std::min(std::max(at, other), std::min(at, other) + 30));
         break;
       default:
-        std::visit(
+        visit_event(
             [&]<class E>(E& event) {
               E changed = event;
               std::size_t field = pick(random, field_count<E>);

@@ -89,13 +89,13 @@ TEST_SUITE("degenerate input") {
         double edge = 0, length = 0;
         for (std::int64_t position = 1; position <= trace.size(); ++position) {
           const Event event = trace.event(position).event;
-          if (const auto* begin = std::get_if<LineBegin>(&event)) {
+          if (const auto* begin = get_if<LineBegin>(&event)) {
             const auto point = [&](std::int32_t i) { return scene.points[static_cast<std::size_t>(i)]; };
             const glm::dvec3 along = point(begin->vertex_1) - point(begin->vertex_0);
             edge = std::hypot(along.x, along.z);
             ++edges;
           }
-          if (const auto* piece = std::get_if<LinePiece>(&event)) {
+          if (const auto* piece = get_if<LinePiece>(&event)) {
             ++(piece->visible ? visible : hidden);
             if (piece->visible) length += (piece->t_1 - piece->t_0) * edge;
           }

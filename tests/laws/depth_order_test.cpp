@@ -26,8 +26,8 @@ Judged judge(const CollectRecorder& record, const Raster& raster) {
   const auto width = static_cast<std::size_t>(raster.width);
   std::vector<double> nearest(width * static_cast<std::size_t>(raster.height), no_depth);
   for (const CollectedEvent& collected : record.events) {
-    judged.pieces += std::holds_alternative<PieceDraw>(collected.event);
-    const PixelPaint* paint = std::get_if<PixelPaint>(&collected.event);
+    judged.pieces += holds<PieceDraw>(collected.event);
+    const PixelPaint* paint = get_if<PixelPaint>(&collected.event);
     if (paint == nullptr) continue;
     double& before = nearest[static_cast<std::size_t>(paint->y) * width + static_cast<std::size_t>(paint->x)];
     if (before != no_depth) {

@@ -21,7 +21,7 @@ int happens(const std::string& id, Fits&& fits) {
     Replay replay(trace);
     for (std::int64_t position = 1; position <= trace.size(); ++position) {
       replay.go_to(position);
-      if (const E* event = std::get_if<E>(&replay.current()->event)) count += fits(*event, replay.state().machine);
+      if (const E* event = get_if<E>(&replay.current()->event)) count += fits(*event, replay.state().machine);
     }
   }
   return count;

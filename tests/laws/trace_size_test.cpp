@@ -65,5 +65,5 @@ TEST_CASE("codec: a facet without corners is nobody's piece") {
   recorder.finish();
   const Trace trace = Trace::from_bytes(recorder.take_bytes(), "no corners");
   REQUIRE(trace.size() > 0);
-  CHECK(std::get<PlaneDepth>(trace.event(1).event).z == 0.5);
+  CHECK(get<PlaneDepth>(trace.event(1).event).z == 0.5);
 }

@@ -118,7 +118,7 @@ TEST_CASE("G goes to the next place where a scan line begins, and back to the la
   };
   std::vector<std::int64_t> begins;
   for (std::int64_t p = 1; p <= trace.size(); ++p)
-    if (const auto* line = std::get_if<ScanLineBegin>(&trace.event(p).event); line && line->y == 3) begins.push_back(p);
+    if (const auto* line = get_if<ScanLineBegin>(&trace.event(p).event); line && line->y == 3) begins.push_back(p);
   REQUIRE_FALSE(begins.empty());
   for (const std::int64_t position : begins) {
     go("line 3");

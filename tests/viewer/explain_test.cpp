@@ -88,7 +88,7 @@ TEST_CASE(
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
   std::int64_t step = trace.size();  // a depth within a span: of numbers that have steps of their own
-  while (!std::holds_alternative<DepthInterpolate>(trace.event(step).event)) --step;
+  while (!holds<DepthInterpolate>(trace.event(step).event)) --step;
   app.session().go_to(step);
   app.settle();
   std::set<std::int64_t> steps;

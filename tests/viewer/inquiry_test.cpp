@@ -19,7 +19,7 @@ TEST_CASE("a question: rows, where they lead, and a picture of them") {
   REQUIRE(inquiry.rows().size() > 10);
   CHECK(inquiry.note().find(" rows") != std::string::npos);
   REQUIRE(inquiry.step_of(0));
-  const auto* compare = std::get_if<DepthCompare>(&trace.event(*inquiry.step_of(0)).event);
+  const auto* compare = get_if<DepthCompare>(&trace.event(*inquiry.step_of(0)).event);
   REQUIRE(compare);
   CHECK_FALSE(compare->nearer);
   CHECK(inquiry.pixel_of(0) == Cell{compare->x, compare->y});

@@ -82,7 +82,7 @@ TEST_CASE("stepping on and back by any unit returns to the same bytes") {
 TEST_CASE("the pixel at work is framed in both buffers, in the colour of now") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
-  const auto at = trace.next(0, [](const RecordedEvent& e) { return std::holds_alternative<DepthCompare>(e.event); });
+  const auto at = trace.next(0, [](const RecordedEvent& e) { return holds<DepthCompare>(e.event); });
   REQUIRE(at);
   app.session().go_to(*at);
   const test::Bytes shown = test::picture(app);
@@ -94,7 +94,7 @@ TEST_CASE("the pixel at work is framed in both buffers, in the colour of now") {
 TEST_CASE("what a step changed is marked, and holding B shows the buffers without it") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
-  const auto at = trace.next(0, [](const RecordedEvent& e) { return std::holds_alternative<PixelWrite>(e.event); });
+  const auto at = trace.next(0, [](const RecordedEvent& e) { return holds<PixelWrite>(e.event); });
   REQUIRE(at);
   app.session().go_to(*at);
   REQUIRE(app.session().changed().size() == 1);

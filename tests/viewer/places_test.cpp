@@ -42,7 +42,7 @@ TEST_CASE("U takes a condition and runs until it is true, J goes on, Shift goes 
   App app(trace, nullptr, {}, 1280, 720);
   const auto failed = [&] {
     const RecordedEvent* event = app.session().event();
-    const auto* compare = event ? std::get_if<DepthCompare>(&event->event) : nullptr;
+    const auto* compare = event ? get_if<DepthCompare>(&event->event) : nullptr;
     return compare && !compare->nearer;
   };
   test::press(app, SDLK_j);
@@ -84,7 +84,7 @@ TEST_CASE("U takes a condition and runs until it is true, J goes on, Shift goes 
   test::press(app, SDLK_RETURN, KMOD_LSHIFT);
   wait(app);
   CHECK(app.session().position() < first);
-  CHECK(std::holds_alternative<PixelWrite>(app.session().event()->event));
+  CHECK(holds<PixelWrite>(app.session().event()->event));
 }
 
 TEST_CASE("a long search draws on, Esc stops it, and so does going elsewhere") {

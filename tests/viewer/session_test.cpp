@@ -35,7 +35,7 @@ TEST_CASE("what changed is what the last move's unit wrote") {
   s.go_to(polygon, Unit::polygon);
   std::size_t written = 0;
   for (std::int64_t p = s.before() + 1; p <= polygon; ++p)
-    written += std::holds_alternative<PixelWrite>(trace.event(p).event);
+    written += holds<PixelWrite>(trace.event(p).event);
   CHECK(written == 28);  // the first polygon of the worked example
   CHECK(s.changed().size() == written);
   s.go_to(0);

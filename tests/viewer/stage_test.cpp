@@ -44,7 +44,7 @@ TEST_CASE("switching shows the other method at the step that gave the selected p
   CHECK(stage.app().session().selected == cell);
   const Session& s = stage.app().session();
   REQUIRE(s.event() != nullptr);
-  const auto* paint = std::get_if<PixelPaint>(&s.event()->event);
+  const auto* paint = get_if<PixelPaint>(&s.event()->event);
   REQUIRE(paint != nullptr);
   CHECK(Cell{paint->x, paint->y} == cell);
   // Nothing changes the pixel afterwards.
@@ -74,7 +74,7 @@ TEST_CASE("switching keeps the moment: the pixel and the polygon at work, and th
   Session& first = stage.app().session();
   first.go_to(300);
   first.answer(1);
-  while (!first.event() || !std::holds_alternative<DepthCompare>(first.event()->event))
+  while (!first.event() || !holds<DepthCompare>(first.event()->event))
     first.go_to(first.position() + 1);
   const std::int64_t here = first.position();
   const Cell cell = *first.current_cell();

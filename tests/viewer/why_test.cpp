@@ -113,7 +113,7 @@ TEST_CASE("a step decides that compares or writes, not one at which work on a po
       app.open_why();
       app.ask_why(polygon);
       const std::int64_t step = app.why().step;
-      const bool begins = step > 0 && std::holds_alternative<PolygonBegin>(trace.event(step).event);
+      const bool begins = step > 0 && holds<PolygonBegin>(trace.event(step).event);
       CAPTURE(polygon);
       CHECK(app.why_decides() == (step > 0 && !begins));
       (begins ? begun : decided) = true;

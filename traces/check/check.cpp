@@ -108,6 +108,7 @@ struct Judge {
   }
   Number named(std::string_view, const Number& formula) { return formula; }
   void reads(const Place& place) { checker.read(place); }
+  bool trusts(const Place& place) const { return checker.inheritance.of(place) == Inheritance::clean; }
   bool equal(double one, double other) const { return checker.within_rounding(Rounded(one), other); }
 
   void gives(double E::*member, const Number& formula) {

@@ -75,7 +75,7 @@ Precision precision_of(const Trace& trace) {
   Seen seen;
   constexpr std::int64_t enough = 200'000;  // events: what they do not show, later ones hardly do
   trace.each(0, std::min(trace.size(), enough), [&](std::int64_t, const RecordedEvent& recorded) {
-    std::visit(
+    visit_event(
         [&]<class E>(const E& event) {
           for_each_field<E>([&](const auto& field) {
             if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, double>)

@@ -56,7 +56,7 @@ template <> inline constexpr About about<ScanLineBegin>{polygon, {"y"}};
 template <> inline constexpr About about<EdgeEnter>{nothing, {"edge"}};
 template <> inline constexpr About about<EdgeRetire>{nothing, {"edge"}};
 template <> inline constexpr About about<EdgeStep>{nothing, {"edge"}};
-template <> inline constexpr About about<EdgeSwap>{polygon | scan_line, {"place"}};
+template <> inline constexpr About about<EdgeSwap>{polygon | scan_line, {}};
 template <> inline constexpr About about<SpanBegin>{polygon, {"y"}};
 
 template <> inline constexpr About about<DepthInterpolate>{polygon, {"x", "y"}};
@@ -64,7 +64,7 @@ template <> inline constexpr About about<DepthCompare>{polygon, {"x", "y"}};
 template <> inline constexpr About about<DepthWrite>{polygon, {"x", "y"}};
 template <> inline constexpr About about<PixelWrite>{polygon, {"x", "y"}};
 template <> inline constexpr About about<PixelPaint>{polygon, {"x", "y"}};
-template <> inline constexpr About about<ColorWrite>{nothing, {"x", "y"}};
+template <> inline constexpr About about<ColorWrite>{curve, {"x", "y"}};
 template <> inline constexpr About about<ColorBlend>{nothing, {"x", "y", "polygon"}};
 template <> inline constexpr About about<PassBegin>{nothing, {"pass"}};
 template <> inline constexpr About about<ShadowCompare>{nothing, {"x", "y"}};

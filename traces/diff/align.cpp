@@ -1,6 +1,7 @@
 #include "traces/diff/align.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <iterator>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "traces/diff/identity.hpp"
 #include "traces/replay/same.hpp"
@@ -36,7 +38,9 @@ class Reader {
       ahead_.clear(), next_ = 0;
       trace_.each(position_, std::min(position_ + at_once, trace_.size()),
                   [&](std::int64_t position, const RecordedEvent& event) {
-                    if (both_[event.event.index()]) ahead_.push_back({identity_.of(event.event), position, event});
+                    if (!both_[event.event.index()]) return true;
+                    const Identity::Known known = identity_.of(event.event);
+                    if (!taken_up_again(event.event)) ahead_.push_back({known, position, event});
                     return true;
                   });
       position_ = std::min(position_ + at_once, trace_.size());
@@ -47,10 +51,18 @@ class Reader {
   std::int64_t position() const { return position_; }
 
  private:
+  /// Who works scan line by scan line comes back to a polygon.
+  bool taken_up_again(const Event& event) {
+    if (holds<BuffersClear>(event) || holds<PassBegin>(event)) begun_.clear();
+    const auto* polygon = get_if<PolygonBegin>(&event);
+    return polygon && !begun_.insert(polygon->polygon).second;
+  }
+
   static constexpr std::int64_t at_once = 4096;
   const Trace& trace_;
   const std::array<bool, kind_count>& both_;
   Identity identity_;
+  std::unordered_set<std::int32_t> begun_;  ///< polygons
   std::vector<Keyed> ahead_;
   std::size_t next_ = 0;
   std::int64_t position_ = 0;
@@ -86,6 +98,17 @@ class Waiting {
   std::size_t count_ = 0;
 };
 
+/// Does a run record this kind? What is done to pixels, and that edges leave the list, it does where its pseudo-code has
+/// a line for it, also if it never came to it: that may be the mistake.
+bool may_record(const Trace& trace, std::uint8_t kind) {
+  if (trace.has(kind)) return true;
+  constexpr std::array of_pixels{kind_of<DepthCompare>, kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<PixelPaint>};
+  const Page& page = trace.header().page;
+  const bool of_list = kind == kind_of<EdgeRetire> && trace.has(kind_of<EdgeEnter>);
+  return (of_list || std::find(of_pixels.begin(), of_pixels.end(), kind) != of_pixels.end()) &&
+         std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
+}
+
 void extend(std::vector<Stretch>& stretches, std::int64_t a, std::int64_t b) {
   if (!stretches.empty()) {
     Stretch& last = stretches.back();
@@ -98,7 +121,11 @@ class Aligner {
  public:
   Aligner(const Trace& a, const Trace& b) : a_(a), b_(b), read_a_(a, both_), read_b_(b, both_) {
     for (std::size_t kind = 0; kind < kind_count; ++kind)
-      both_[kind] = a.has(static_cast<std::uint8_t>(kind)) && b.has(static_cast<std::uint8_t>(kind));
+      both_[kind] = may_record(a, static_cast<std::uint8_t>(kind)) && may_record(b, static_cast<std::uint8_t>(kind));
+    // One list of all polygons' edges is another list than that of each polygon.
+    if (a.has(kind_of<TablesBegin>) != b.has(kind_of<TablesBegin>))
+      for (const std::uint8_t kind : {kind_of<ScanLineBegin>, kind_of<EdgeEnter>, kind_of<EdgeSwap>})
+        both_[kind] = false;
   }
 
   Alignment run(const std::function<bool(double)>& on_way) {
@@ -147,9 +174,9 @@ class Aligner {
 
   /// Which results differ; of numbers for things, whether they are the same thing.
   static std::uint16_t differing(const Keyed& one, const Keyed& other, float& off) {
-    return std::visit(
+    return visit_event(
         [&]<class E>(const E& a) -> std::uint16_t {
-          const E* b = std::get_if<E>(&other.event.event);
+          const E* b = get_if<E>(&other.event.event);
           if (!b) return 0;  // two keys that are equal by chance
           std::uint16_t bits = 0;
           std::size_t thing = 0;

@@ -25,6 +25,8 @@ struct Finding {
   std::int32_t comes_from = none;  ///< an earlier difference that its operands, or what it is part of, go back to
   bool wrong = false;              ///< it does not follow from the run's own operands
   bool rounding = false;           ///< it, or what it comes from, is no more than rounding allows
+  bool decides = false;            ///< what it says is no number, so that other steps may follow
+  bool idle = false;               ///< an edge that ends is moved to where it ends, before it is taken out
 };
 
 /// A place that a step of the other run writes, which this run does not have.
@@ -77,6 +79,7 @@ struct Witness {
   }
   Number named(std::string_view, const Number& formula) { return formula; }
   void reads(const Place& place) { reads_from(place); }
+  bool trusts(const Place& place) const { return reads_from.different.of(place) == none; }
   bool equal(double one, double other) const {
     return formulas::gives(Rounded(one), other, precision.relative) || std::abs(one - other) <= precision.absolute;
   }
@@ -163,7 +166,7 @@ class Follow {
     trace_.each(0, trace_.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
       for (; next_elsewhere < elsewhere_.size() && elsewhere_[next_elsewhere].before < position; ++next_elsewhere)
         missing(elsewhere_[next_elsewhere]);
-      std::visit([&](const auto& e) { step(position, e); }, recorded.event);
+      visit_event([&](const auto& e) { step(position, e); }, recorded.event);
       return !(on_way && position % now_and_then == 0 && on_way(position));
     });
     return std::move(alone_);
@@ -227,6 +230,9 @@ class Follow {
     if constexpr (std::is_same_v<E, EdgeEnter>) reads(Place{Place::In::edge_table, e.edge});
     if constexpr (std::is_same_v<E, EdgeRetire>) reads(Place{Place::In::active_edge, e.edge});
     finding.wrong = witness.wrong;
+    if constexpr (std::is_same_v<E, EdgeStep>)
+      if (const EdgeTableInsert* entry = at_.edge(e.edge); entry && (difference.only_a() || difference.only_b()))
+        finding.idle = identity_.next_row(e.edge) >= entry->end_row;
     finding.comes_from = reads.from_different;
     const bool alone = difference.only_a() || difference.only_b();
     if (alone && finding.comes_from == none)
@@ -235,14 +241,19 @@ class Follow {
     if (finding.comes_from != none || (finding.wrong && !alone)) return;
 
     // Neither different operands nor a wrong result: is it rounding, or what rounding decides?
+    // Whether a step is done at all hangs on what was decided, not on digits.
     std::int32_t from = reads.from_rounding;
+    if (alone && from != none && !findings_[static_cast<std::size_t>(from)].decides) from = none;
     if (alone && from == none)
       for (const std::int32_t scope : scopes_)
         if (scope != none) from = scope;
-    const bool numbers_near = difference.off <= std::max(report_.precision.relative, witness.may_be_off) ||
+    bool either_way = false;  // where two edges meet, either may be the left one
+    if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
+    const bool numbers_near = either_way || difference.off <= std::max(report_.precision.relative, witness.may_be_off) ||
                               report_.precision.absolute > 0;
     const bool decided = exact_fields<E>(difference.fields);
-    const bool any_rounding = from != none || (difference.fields & ~exact_bits<E>()) != 0;
+    const bool any_rounding = either_way || from != none || (difference.fields & ~exact_bits<E>()) != 0;
+    finding.decides = alone || decided;
     finding.rounding = alone ? from != none : numbers_near && (!decided || any_rounding);
     if (finding.rounding) finding.comes_from = from;
   }
@@ -305,8 +316,10 @@ class Roots {
       if (next == none) break;
       at = next;
     }
-    // A circle, where the orders of the two runs part, begins where one came into it.
-    const std::int32_t root = root_[index(at)] >= 0 ? root_[index(at)] : at;
+    std::int32_t root = root_[index(at)] >= 0 ? root_[index(at)] : at;
+    // Where the orders of the two runs part, the way may lead round in a circle: then the first of all is the root.
+    if (const auto circle = std::find(way.begin(), way.end(), at); circle != way.end() && from(at) != none)
+      root = *std::min_element(circle, way.end());
     for (const std::int32_t one : way) root_[index(one)] = root;
     return root;
   }
@@ -329,6 +342,14 @@ class Roots {
   std::vector<std::int32_t> root_;
 };
 
+/// Steps that right programs do or leave out: to begin a polygon or a scan line where there is nothing to do, to change
+/// neighbours on the way to a list in order. They count where something follows.
+bool may_be_missing(const Difference& difference) {
+  return (difference.only_a() || difference.only_b()) &&
+         (difference.kind == kind_of<PolygonBegin> || difference.kind == kind_of<ScanLineBegin> ||
+          difference.kind == kind_of<EdgeSwap>);
+}
+
 bool writes_pixel(std::uint8_t kind) {
   return kind == kind_of<PixelWrite> || kind == kind_of<PixelPaint> || kind == kind_of<ColorWrite> ||
          kind == kind_of<ColorBlend>;
@@ -341,12 +362,17 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
   using Sort = std::tuple<std::uint8_t, std::uint16_t, bool, bool, Part>;
   std::map<Sort, std::size_t> known;
   std::vector<std::size_t> cause_of(differences.size());
+  std::vector<bool> followed(differences.size());
+  for (std::size_t i = 0; i < differences.size(); ++i)
+    if (const std::int32_t root = roots.of(static_cast<std::int32_t>(i)); root != static_cast<std::int32_t>(i))
+      followed[static_cast<std::size_t>(root)] = true;
   for (const bool symptoms : {false, true}) {
     for (std::size_t i = 0; i < differences.size(); ++i) {
       const auto d = static_cast<std::int32_t>(i);
       const Difference& difference = differences[i];
       const std::int32_t root = roots.of(d);
       if ((root != d) != symptoms) continue;
+      if (!symptoms && (may_be_missing(difference) || in_a[i].idle || in_b[i].idle) && !followed[i]) continue;
       if (!symptoms) {
         const Part part = roots.by_rounding(d, difference) ? Part::rounding : Part::different;
         const Sort sort{difference.kind, difference.fields, difference.only_a(), difference.only_b(), part};

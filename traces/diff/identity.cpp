@@ -41,10 +41,20 @@ std::optional<std::int32_t> Identity::number_of(Thing thing, Key name) const {
   return found->second;
 }
 
+std::int32_t Identity::next_row(std::int32_t edge) const {
+  const auto found = edges_.find(edge);
+  return found == edges_.end() ? 0 : found->second.next_row;
+}
+
 void Identity::edge_used(std::int32_t edge, std::int32_t row) {
   Edge& known = edges_[edge];
   known.beyond = row + 1;
   known.next_row = std::max(known.next_row, row + 1);
+}
+
+void Identity::edge_enters(std::int32_t edge) {
+  edges_[edge] = Edge{0, 0, false, edges_[edge].polygon};
+  edge_used(edge, scan_line_);
 }
 
 template <class E>
@@ -74,7 +84,8 @@ Key Identity::key(const E& e) {
   if constexpr (it.either_way) key = mix(key, ends);
   // An edge moves once to each of its scan lines, and leaves the list before the first one that it does not meet.
   if constexpr (std::is_same_v<E, EdgeStep>) key = mix(key, whole(edges_[e.edge].next_row));
-  if constexpr (std::is_same_v<E, EdgeRetire>) key = mix(key, whole(edges_[e.edge].beyond));
+  if constexpr (std::is_same_v<E, EdgeRetire>)
+    if (const Edge& edge = edges_[e.edge]; edge.in_span) key = mix(key, whole(std::max(edge.beyond, scan_line_)));
   return key;
 }
 
@@ -95,7 +106,7 @@ void Identity::take_note(const E& e, Key key) {
     const Key name = mix(key, whole(made_[key]++));
     names_[static_cast<std::size_t>(made)][number] = name;
     numbers_[static_cast<std::size_t>(made)][name] = number;
-    if constexpr (made == Thing::edge) edges_.erase(number);
+    if constexpr (made == Thing::edge) edges_[number] = Edge{0, 0, false, e.polygon};
   }
   if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) polygon_ = e.polygon, turns_ = true;
   if constexpr (std::is_same_v<E, SpanWinner>) polygon_ = trace_->polygon_of_piece(e.piece);
@@ -109,15 +120,19 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, RayBegin>) ray_ = name_of(Thing::ray, e.ray);
   if constexpr (std::is_same_v<E, CurveBegin>) curve_ = name_of(Thing::curve, e.curve);
   if constexpr (std::is_same_v<E, CurveSegment>) curve_ = key;
+  if constexpr (std::is_same_v<E, LineBegin>) curve_ = name_of(Thing::line, e.line);
   if constexpr (std::is_same_v<E, AreaDecide>) polygon_ = trace_->polygon_of_piece(e.piece);
-  if constexpr (std::is_same_v<E, EdgeEnter>) edges_.erase(e.edge), edge_used(e.edge, scan_line_);
-  if constexpr (std::is_same_v<E, SpanBegin>) edge_used(e.left_edge, e.y), edge_used(e.right_edge, e.y);
+  if constexpr (std::is_same_v<E, EdgeEnter>) edge_enters(e.edge);
+  if constexpr (std::is_same_v<E, SpanBegin>) edge_used(e.left_edge, e.y), edge_used(e.right_edge, e.y),
+      edges_[e.left_edge].in_span = edges_[e.right_edge].in_span = true;
+  if constexpr (std::is_same_v<E, SpanBegin>)
+    if (!turns_) polygon_ = edges_[e.left_edge].polygon;
   if constexpr (std::is_same_v<E, FlagFlip>) edge_used(e.edge, scan_line_);
   if constexpr (std::is_same_v<E, EdgeStep>) ++edges_[e.edge].next_row;
 }
 
 Identity::Known Identity::of(const Event& event) {
-  return std::visit(
+  return visit_event(
       [&]<class E>(const E& e) {
         Known known{key(e), {}};
         std::size_t results = 0;

@@ -51,11 +51,11 @@ constexpr Thing thing_at() {
 }
 
 /// Is the field a result: neither what the step is about, nor a number that the run gives to something new, nor that of
-/// a facet, which only zstep numbers?
+/// a facet, which only zstep numbers, nor a place in the active edge list, which hangs on what leaves it first?
 template <class E, std::size_t I>
 constexpr bool is_result() {
   constexpr std::string_view name = field_at<E, I>.name;
-  if (about<E>.names(name) || name == "facet") return false;
+  if (about<E>.names(name) || name == "facet" || (std::is_same_v<E, EdgeEnter> && name == "place")) return false;
   return thing_at<E, I>() == Thing::none || thing_at<E, I>() != made_by<E>();
 }
 
@@ -77,16 +77,21 @@ class Identity {
   /// The same for a thing, by its number in this run, and back.
   Key name_of(Thing thing, std::int32_t number) const;
   std::optional<std::int32_t> number_of(Thing thing, Key name) const;
+  /// The scan line that an active edge moves to next.
+  std::int32_t next_row(std::int32_t edge) const;
  private:
   struct Edge {
     std::int32_t next_row = 0;  ///< the scan line that it moves to next
     std::int32_t beyond = 0;    ///< the scan line after the last one that it was used on
+    bool in_span = false;       ///< it was used by a span
+    std::int32_t polygon = no_polygon;
   };
   template <class E>
   Key key(const E& e);
   template <class E>
   void take_note(const E& e, Key key);
   void edge_used(std::int32_t edge, std::int32_t row);
+  void edge_enters(std::int32_t edge);
 
   std::size_t points_;
   std::array<std::unordered_map<std::int32_t, Key>, static_cast<std::size_t>(Thing::count)> names_;

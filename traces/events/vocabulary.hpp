@@ -10,8 +10,12 @@
 // The kinds stand by theme in the headers below; here is the list of them all.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <variant>
+#include <initializer_list>
+#include <new>
+#include <type_traits>
 
 #include "traces/events/areas.hpp"
 #include "traces/events/curves.hpp"
@@ -51,14 +55,6 @@ namespace detail {
 enum class KindNumber : std::uint8_t { ZSTEP_EVERY_KIND(ZSTEP_NAME_KIND) count };
 #undef ZSTEP_NAME_KIND
 
-#define ZSTEP_LIST_KIND(E) , E
-template <class, class... Kinds>
-struct AnyOf {
-  using type = std::variant<Kinds...>;
-};
-using AnyKind = AnyOf<void ZSTEP_EVERY_KIND(ZSTEP_LIST_KIND)>::type;
-#undef ZSTEP_LIST_KIND
-
 template <std::size_t number>
 struct KindAt;
 #define ZSTEP_NUMBER_KIND(E)                               \
@@ -71,9 +67,6 @@ ZSTEP_EVERY_KIND(ZSTEP_NUMBER_KIND)
 
 }  // namespace detail
 
-/// Any one event. The index of the alternative is the kind's number inside this program; files know kinds by name.
-using Event = detail::AnyKind;
-
 inline constexpr std::size_t kind_count = static_cast<std::size_t>(detail::KindNumber::count);
 
 /// The kind of a number.
@@ -82,7 +75,7 @@ using KindAt = typename detail::KindAt<number>::type;
 
 /// The number of an event's kind: its index in Event.
 template <class E>
-inline constexpr std::uint8_t kind_of = E::is_no_event;
+inline constexpr std::uint8_t kind_of = 255;
 #define ZSTEP_NUMBER_KIND(E) \
   template <>                \
   inline constexpr std::uint8_t kind_of<E> = static_cast<std::uint8_t>(detail::KindNumber::E);
@@ -94,6 +87,81 @@ template <class Function>
 constexpr void for_each_kind(Function&& function) {
   [&]<std::size_t... I>(std::index_sequence<I...>) { (function.template operator()<KindAt<I>>(), ...); }
   (std::make_index_sequence<kind_count>{});
+}
+
+namespace detail {
+#define ZSTEP_SIZE(E) , sizeof(E)
+[[noreturn]] void wrong_kind();
+inline constexpr std::size_t largest_kind = std::max({std::size_t{0} ZSTEP_EVERY_KIND(ZSTEP_SIZE)});
+#undef ZSTEP_SIZE
+}  // namespace detail
+
+/// Any one event: what a std::variant of all kinds is, but compiled in no time, and copied as bytes. The index is the
+/// kind's number inside this program; files know kinds by name.
+class Event {
+ public:
+  Event() : Event(BuffersClear{}) {}
+  template <class E>
+  requires(kind_of<E> < kind_count)
+  Event(const E& event) : kind_(kind_of<E>) {  // NOLINT: an event is any event
+    static_assert(std::is_trivially_copyable_v<E> && alignof(E) <= alignof(double));
+    ::new (static_cast<void*>(bytes_)) E(event);
+  }
+  std::size_t index() const { return kind_; }
+
+  /// As an event of the kind that it is.
+  template <class E>
+  const E& as() const {
+    return *std::launder(reinterpret_cast<const E*>(bytes_));
+  }
+  template <class E>
+  E& as() {
+    return *std::launder(reinterpret_cast<E*>(bytes_));
+  }
+
+ private:
+  alignas(double) std::byte bytes_[detail::largest_kind];
+  std::uint8_t kind_;
+};
+
+/// Is it one of this kind?
+template <class E>
+bool holds(const Event& event) {
+  return event.index() == kind_of<E>;
+}
+/// Where it is, the event itself; else nullptr.
+template <class E>
+const E* get_if(const Event* event) {
+  return holds<E>(*event) ? &event->as<E>() : nullptr;
+}
+template <class E>
+E* get_if(Event* event) {
+  return holds<E>(*event) ? &event->as<E>() : nullptr;
+}
+/// The event itself. Throws std::bad_cast where it is of another kind.
+template <class E>
+const E& get(const Event& event) {
+  if (!holds<E>(event)) detail::wrong_kind();
+  return event.as<E>();
+}
+template <class E>
+E& get(Event& event) {
+  if (!holds<E>(event)) detail::wrong_kind();
+  return event.as<E>();
+}
+
+/// function(const E&), by what the event is.
+template <class Function, class AnyEvent>
+requires std::is_same_v<std::remove_const_t<AnyEvent>, Event>
+decltype(auto) visit_event(Function&& function, AnyEvent& event) {
+  switch (static_cast<detail::KindNumber>(event.index())) {
+#define ZSTEP_CASE(E) \
+  case detail::KindNumber::E: return function(event.template as<E>());
+    ZSTEP_EVERY_KIND(ZSTEP_CASE)
+#undef ZSTEP_CASE
+    case detail::KindNumber::count: break;
+  }
+  detail::wrong_kind();
 }
 
 }  // namespace zstep

@@ -63,7 +63,7 @@ std::string jsonl_header(const Header& header, const Scene& scene) {
 }
 
 std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
-  return std::visit([&](const auto& event) { return event_line(page, recorded.step, event); }, recorded.event);
+  return visit_event([&](const auto& event) { return event_line(page, recorded.step, event); }, recorded.event);
 }
 
 void write_jsonl(const Trace& trace, std::ostream& out) {
@@ -112,14 +112,14 @@ std::optional<std::string> import_jsonl(const std::filesystem::path& from, const
   return cut;
 }
 
-Trace open_jsonl(const std::filesystem::path& path) {
+Trace open_jsonl(const std::filesystem::path& path, std::string* impossible) {
   std::ifstream in = opened(path);
   Scene kept;
   std::optional<TraceRecorder> recorder;
   const auto cut = read_jsonl(in, path.string(), [&](const Header& header, Scene scene) -> TraceRecorder& {
     kept = std::move(scene);
     return recorder.emplace(header, kept);
-  });
+  }, impossible);
   recorder->finish(!cut);
   return Trace::from_bytes(recorder->take_bytes(), path.string(), cut.value_or(""));
 }

@@ -27,13 +27,16 @@ void write_jsonl(const Trace& trace, std::ostream& out);
 /// What the file of a program that crashed ends with, a line that was torn off or a message, is quoted in what is
 /// returned, or that its last line is the mark of a recording that was cut off; nothing where the file is whole. Throws
 /// InputError for what is wrong elsewhere, the first ten mistakes, each as NAME:LINE:COLUMN.
+/// `impossible`: for who judges a run. Then a step that no run on this scene can have, at a pixel outside the raster or
+/// of a polygon that there is not, ends the reading without an error and is told there, as NAME:LINE:COLUMN.
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
-                                      const std::function<TraceRecorder&(const Header&, Scene)>& begin);
+                                      const std::function<TraceRecorder&(const Header&, Scene)>& begin,
+                                      std::string* impossible = nullptr);
 
 /// JSONL file to trace file. Nothing is left behind when it fails. Returns what read_jsonl() does; such a trace has no
 /// end, as that of a recording that was killed.
 std::optional<std::string> import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to);
-/// JSONL file to a trace in memory. Of a file that was cut off the trace warns.
-Trace open_jsonl(const std::filesystem::path& path);
+/// JSONL file to a trace in memory. Of a file that was cut off the trace warns. `impossible`: as in read_jsonl().
+Trace open_jsonl(const std::filesystem::path& path, std::string* impossible = nullptr);
 
 }  // namespace zstep

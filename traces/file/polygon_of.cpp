@@ -42,7 +42,7 @@ const Trace::Impl::Turns& Trace::Impl::turns(const Trace& trace) const {
   auto after_last = polygons.end();
   if (recorded[kind_of<PieceDraw>])
     after_last = std::partition_point(polygons.begin(), polygons.end(), [&](const PolygonMark& mark) {
-      return std::holds_alternative<PolygonBegin>(trace.event(mark.position).event);
+      return holds<PolygonBegin>(trace.event(mark.position).event);
     });
   if (after_last == polygons.begin()) return turns;
   turns.last = static_cast<std::size_t>(after_last - polygons.begin()) - 1;
@@ -72,7 +72,7 @@ std::int32_t Trace::polygon_of_piece(std::int32_t piece) const {
   if (!impl_->polygon_by_piece) {
     std::vector<std::int32_t>& made = impl_->polygon_by_piece.emplace();
     scan(Among({}, kind_of<PieceMake>), [&](std::int64_t, const RecordedEvent& recorded) {
-      const auto& event = std::get<PieceMake>(recorded.event);
+      const auto& event = get<PieceMake>(recorded.event);
       if (static_cast<std::size_t>(event.piece) == made.size()) made.push_back(event.polygon);
       return true;
     });
@@ -83,7 +83,7 @@ std::int32_t Trace::polygon_of_piece(std::int32_t piece) const {
 }
 
 std::optional<std::int32_t> Trace::polygon_named(const Event& event) const {
-  return std::visit([&]<class E>(const E& known) -> std::optional<std::int32_t> {
+  return visit_event([&]<class E>(const E& known) -> std::optional<std::int32_t> {
     if constexpr (names_polygon<E> == Names::polygon) return known.polygon;
     else if constexpr (names_polygon<E> == Names::facet) {
       const std::vector<Facet>& facets = scene().facets;

@@ -144,10 +144,16 @@ class Tail {
   std::string last_;
 };
 
+/// A step that is well written, but no run on this scene can have.
+struct ImpossibleStep : MalformedJson {
+  using MalformedJson::MalformedJson;
+};
+
 class Reader {
  public:
   using Begin = std::function<TraceRecorder&(const Header&, Scene)>;
-  Reader(std::istream& in, const std::string& name, const Begin& begin) : in_(in), name_(name), begin_(begin) {}
+  Reader(std::istream& in, const std::string& name, const Begin& begin, std::string* impossible)
+      : in_(in), name_(name), begin_(begin), impossible_(impossible) {}
 
   std::optional<std::string> read() {
     std::string line;
@@ -159,7 +165,7 @@ class Reader {
         break;  // what follows is the rest of it
       }
       if (line.find_first_not_of(" \t\r") != std::string::npos) take(line);
-      if (faults_.size() >= most_faults || (recorder_ == nullptr && !faults_.empty())) break;
+      if (ended_ || faults_.size() >= most_faults || (recorder_ == nullptr && !faults_.empty())) break;
     }
     if (recorder_ == nullptr && faults_.empty()) add(1, {0, false, "there is no header line", mend_header}, "");
     if (events_ == 0) give_up_tail();
@@ -239,6 +245,12 @@ class Reader {
       else record(document);
     } catch (const MalformedParts& parts) {
       for (const MalformedJson& part : parts.all) add_in(first, text, document, part);
+    } catch (const ImpossibleStep& error) {
+      add_in(first, text, document, error);
+      if (impossible_ == nullptr || faults_.size() != 1) return;
+      *impossible_ = std::move(faults_.back());
+      faults_.clear();
+      ended_ = true;
     } catch (const MalformedJson& error) {
       add_in(first, text, document, error);
     }
@@ -336,7 +348,7 @@ class Reader {
       const E event = event_from<E>(document);
       EventCheck of_one = *check_;  // how often buffers are cleared is held against a block, once it is read
       if (const std::string fault = of_one(event); !fault.empty())
-        throw MalformedJson(document, std::string(of_one.field()), fault, "it must be one of the scene's");
+        throw ImpossibleStep(document, std::string(of_one.field()), fault, "it must be one of the scene's");
       ++events_;
       if (faults_.empty()) record_any(*recorder_, step->id, event);
     });
@@ -353,6 +365,8 @@ class Reader {
   TraceRecorder* recorder_ = nullptr;
   std::optional<std::int64_t> cut_off_;  ///< the line that says so
   std::int64_t events_ = 0;
+  std::string* impossible_;
+  bool ended_ = false;  ///< at a step that cannot be
   Tail tail_;
   std::vector<std::string> faults_;
 };
@@ -360,8 +374,9 @@ class Reader {
 }  // namespace
 
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
-                                      const std::function<TraceRecorder&(const Header&, Scene)>& begin) {
-  return Reader(in, name, begin).read();
+                                      const std::function<TraceRecorder&(const Header&, Scene)>& begin,
+                                      std::string* impossible) {
+  return Reader(in, name, begin, impossible).read();
 }
 
 }  // namespace zstep

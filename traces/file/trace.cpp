@@ -35,7 +35,7 @@ std::span<const RejectMark> Trace::rejects() const {
   if (!impl_->rejects) {
     std::vector<RejectMark> found;
     scan(Among({}, kind_of<PolygonReject>), [&](std::int64_t position, const RecordedEvent& recorded) {
-      const auto& event = std::get<PolygonReject>(recorded.event);
+      const auto& event = get<PolygonReject>(recorded.event);
       found.push_back({position, event.polygon, event.reason});
       return true;
     });
@@ -240,7 +240,7 @@ std::int64_t Trace::begin_of_block(std::int64_t position) const {
 }
 
 std::optional<Trace::Pixel> pixel_of(const Event& event) {
-  return std::visit(
+  return visit_event(
       []<class E>(const E& known) -> std::optional<Trace::Pixel> {
         if constexpr (requires {
                         known.x;

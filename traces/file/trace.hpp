@@ -131,14 +131,14 @@ class Trace {
   template <class E, class Condition>
   std::optional<std::int64_t> next(std::int64_t from, Condition&& condition, std::optional<Pixel> pixel = {}) const {
     return next(
-        from, [&](const RecordedEvent& recorded) { return condition(std::get<E>(recorded.event)); },
+        from, [&](const RecordedEvent& recorded) { return condition(get<E>(recorded.event)); },
         Among(pixel, kind_of<E>));
   }
   template <class E, class Condition>
   std::optional<std::int64_t> previous(std::int64_t from, Condition&& condition,
                                        std::optional<Pixel> pixel = {}) const {
     return previous(
-        from, [&](const RecordedEvent& recorded) { return condition(std::get<E>(recorded.event)); },
+        from, [&](const RecordedEvent& recorded) { return condition(get<E>(recorded.event)); },
         Among(pixel, kind_of<E>));
   }
 

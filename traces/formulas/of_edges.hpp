@@ -157,6 +157,18 @@ void derive(const EdgeSwap& e, const Situation& at, Out& out) {
   out.rule(Rule::swap_needed, active[left].x >= active[left + 1].x);
 }
 
+namespace detail {
+
+/// By how many slopes an edge's x is away from where it entered: one for each scan line since. Of an edge that is nearly
+/// upright, x does not tell.
+inline bool moved_once_a_line(const EdgeTableInsert& entry, const ActiveEdge& active, std::int32_t y) {
+  constexpr double upright = 0.01;
+  if (std::abs(entry.dx_dy) < upright || entry.first_row > y) return true;
+  return std::abs((active.x - entry.x_edge) / entry.dx_dy - (y - entry.first_row)) < 0.5;
+}
+
+}  // namespace detail
+
 template <class Out>
 void derive(const SpanBegin& e, const Situation& at, Out& out) {
   const ActiveEdge *left = at.active(e.left_edge), *right = at.active(e.right_edge);
@@ -168,14 +180,26 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
     out.rule(Rule::list_in_order, sorted);
     if (sorted && !at.method().keeps_all) out.rule(Rule::span_pairs, detail::pair_of_list(active, *left, *right));
     const Place l{Place::In::active_edge, e.left_edge}, r{Place::In::active_edge, e.right_edge};
+    for (const ActiveEdge* one : {left, right}) {
+      const EdgeTableInsert* entry = at.edge(one->edge);
+      if (entry && detail::increments(at) && out.trusts(Place{Place::In::active_edge, one->edge}) &&
+          out.trusts(Place{Place::In::edge_table, one->edge}))
+        out.rule(Rule::edge_moves_once, detail::moved_once_a_line(*entry, *one, e.y));
+    }
     out.gives(&SpanBegin::x_left, out.number("x of the left edge", left->x, l));
     out.gives(&SpanBegin::z_left, out.number("z of the left edge", left->z, l));
     out.gives(&SpanBegin::x_right, out.number("x of the right edge", right->x, r));
     out.gives(&SpanBegin::z_right, out.number("z of the right edge", right->z, r));
   }
   if (at.method().scan_line) out.rule(Rule::span_line, *at.method().scan_line == e.y);
-  if (const EdgeTableInsert *l = at.edge(e.left_edge), *r = at.edge(e.right_edge); l && r)
-    out.rule(Rule::edge_left_behind, l->end_row > e.y && r->end_row > e.y);
+  const auto ended = [&](std::int32_t edge) {
+    const EdgeTableInsert* entry = at.edge(edge);
+    return entry && entry->end_row <= e.y;
+  };
+  bool none_ended = !ended(e.left_edge) && !ended(e.right_edge);
+  if (!at.method().keeps_all)
+    for (const ActiveEdge& active : at.method().active) none_ended = none_ended && !ended(active.edge);
+  out.rule(Rule::edge_left_behind, none_ended);
   const std::int32_t width = at.scene.raster.width;
   const auto x_left = out.number("x_L", e.x_left, Place{}), x_right = out.number("x_R", e.x_right, Place{});
   const auto last_within = [&](Conventions::Coverage coverage) {

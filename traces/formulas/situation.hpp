@@ -9,6 +9,7 @@
 //   out.is(&E::polygon, value);                         a field must be this
 //   out.verdict(&E::nearer, z, stored);                 a field says whether z wins over what is stored
 //   out.rule(Rule::sorted, holds);                      what must hold besides
+//   if (out.trusts(place)) …                            where a rule says nothing once the operands are wrong
 //
 // With doubles that reproduces a run to the bit, with numbers that know how far they may be off it judges one, with
 // numbers that remember how they were made it prints the formula. What cannot be derived, as the trace does not have
@@ -54,6 +55,7 @@ enum class Rule : std::uint8_t {
   edge_retires,      ///< an edge leaves the list at the scan line where it ends
   edge_left_behind,  ///< no edge stays in the list beyond its end
   edge_missing,      ///< no edge whose scan line has come is left out of the list
+  edge_moves_once,   ///< an active edge has moved once for each scan line since it entered
   swap_needed,       ///< only neighbours that are out of order change places
   list_in_order,     ///< when a span begins the list is in order
   span_pairs,        ///< a span goes from an edge to the next one in the list

@@ -27,7 +27,7 @@ struct CollectRecorder {
   std::vector<E> all() const {
     std::vector<E> found;
     for (const CollectedEvent& collected : events) {
-      if (const E* event = std::get_if<E>(&collected.event)) found.push_back(*event);
+      if (const E* event = get_if<E>(&collected.event)) found.push_back(*event);
     }
     return found;
   }

@@ -184,7 +184,7 @@ void TraceRecorder::finish(bool whole) {
 std::vector<std::uint8_t> TraceRecorder::take_bytes() { return std::move(sink_->memory); }
 
 void record_any(TraceRecorder& recorder, std::uint8_t step, const Event& event) {
-  std::visit([&]<class E>(const E& known) { recorder(Step<E>{step}, known); }, event);
+  visit_event([&]<class E>(const E& known) { recorder(Step<E>{step}, known); }, event);
 }
 
 }  // namespace zstep

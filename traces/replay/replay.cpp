@@ -68,7 +68,7 @@ struct Replay::Impl {
     while (state.position < target) {
       const std::int64_t next = state.position + 1;
       if (!trace->impl().readable(next)) pass(next);
-      else std::visit([&](const auto& event) { step(next, event); }, trace->event(next).event);
+      else visit_event([&](const auto& event) { step(next, event); }, trace->event(next).event);
     }
   }
   template <class E>
@@ -150,7 +150,7 @@ struct Replay::Impl {
     state.machine = check_points.back().second;
     for (std::int64_t position = check_points.back().first + 1; position <= target; ++position) {
       if (!trace->impl().readable(position)) continue;
-      std::visit([&](const auto& event) { apply_method_state(event, state.machine, position); },
+      visit_event([&](const auto& event) { apply_method_state(event, state.machine, position); },
                  trace->event(position).event);
     }
     state.machine.fragment = fragment;

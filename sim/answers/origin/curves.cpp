@@ -34,7 +34,7 @@ Step horizon_before(const Work& work, std::int64_t step, std::int32_t x, bool up
 
 Number horizon_at(Work& work, std::int64_t step, std::int32_t x, bool upper) {
   const Step moved = horizon_before(work, step, x, upper);
-  const double value = moved   ? std::get<HorizonMove>(work.trace.event(*moved).event).y_curve
+  const double value = moved   ? get<HorizonMove>(work.trace.event(*moved).event).y_curve
                        : upper ? no_depth
                                : -no_depth;
   return work.derived(step, fmt::format("horizon {} {}", x, upper),
@@ -77,8 +77,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, st
   const Step from =
       to ? find_last<HorizonTest>(work.trace, *to - 1, [](const HorizonTest&) { return true; }) : std::nullopt;
   if (!from) return;
-  const HorizonTest a = std::get<HorizonTest>(work.trace.event(*from).event),
-                    b = std::get<HorizonTest>(work.trace.event(*to).event);
+  const HorizonTest a = get<HorizonTest>(work.trace.event(*from).event),
+                    b = get<HorizonTest>(work.trace.event(*to).event);
   // Where the curve was on the column before, its own piece may have been another.
   const Number y_0 = work.derived(*from, "column before", fmt::format("the curve at x = {}", a.x), "y", a.y_curve,
                                   [&](Datum& datum_before) {
@@ -191,7 +191,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::s
   const Step cross = find_last<LineCross>(
       work.trace, step,
       [&](const LineCross& other) { return other.line == e.line && other.facet == e.facet && other.t == t; },
-      [](const Event& event) { return std::holds_alternative<LineAgainst>(event); });
+      [](const Event& event) { return holds<LineAgainst>(event); });
   if (cross) return datum.same_as("t", work.field(*cross, "t"));
   datum.note(field == "t_0" ? "where the edge begins" : field == "t_1" ? "where the edge ends" : "");
 }
@@ -203,9 +203,9 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::
   const Step hide = find_last<LineHide>(
       work.trace, step,
       [&](const LineHide& other) { return other.line == e.line && (other.t_0 == t || other.t_1 == t); },
-      [](const Event& event) { return std::holds_alternative<LineBegin>(event); });
+      [](const Event& event) { return holds<LineBegin>(event); });
   if (!hide) return;
-  const bool begins = std::get<LineHide>(work.trace.event(*hide).event).t_0 == t;
+  const bool begins = get<LineHide>(work.trace.event(*hide).event).t_0 == t;
   datum.same_as(begins ? "t_0h" : "t_1h", work.field(*hide, begins ? "t_0" : "t_1"));
   datum.note(begins ? "a hidden interval begins there" : "a hidden interval ends there");
 }

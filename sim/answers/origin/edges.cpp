@@ -88,7 +88,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const EdgeStep& e, std::s
   const Step entered = step_of_edge(work.trace, work.machine(), step, e.edge);
   const Step line = find_last<ScanLineBegin>(work.trace, step, [](const ScanLineBegin&) { return true; });
   if (!line) return;
-  const std::int32_t y = std::get<ScanLineBegin>(work.trace.event(*line).event).y;
+  const std::int32_t y = get<ScanLineBegin>(work.trace.event(*line).event).y;
   if (work.conventions.interpolation == Conventions::Interpolation::direct)
     return tell_on_edge(datum, work, e.edge, axis, y);
   // By increments: the last of the many additions is explained, and the entry that they began from.
@@ -99,12 +99,12 @@ void tell(Datum& datum, Work& work, std::int64_t step, const EdgeStep& e, std::s
   const auto before = find_last<EdgeStep>(
       work.trace, step - 1, [&](const EdgeStep& other) { return other.edge == e.edge; },
       [&](const Event& event) {
-        return std::holds_alternative<EdgeEnter>(event) && std::get<EdgeEnter>(event).edge == e.edge;
+        return holds<EdgeEnter>(event) && get<EdgeEnter>(event).edge == e.edge;
       });
   const Number first = work.field(entered, axis == Axis3::x ? "x_edge" : "z_edge", start),
                per_line = work.field(entered, slope, gain);
   if (!before) return datum.is(p + "_0 + " + m, {{p + "_0", first}, {m, per_line}});
-  const EdgeStep last = std::get<EdgeStep>(work.trace.event(*before).event);
+  const EdgeStep last = get<EdgeStep>(work.trace.event(*before).event);
   const double was = axis == Axis3::x ? last.x_edge : last.z_edge;
   const Number one_before =
       work.derived(*before, "line before", "the same edge on the line before", p + "_b", was, [&](Datum& inner) {

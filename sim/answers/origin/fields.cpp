@@ -40,7 +40,7 @@ void add(AllFields& all, const Described& field) { all.push_back(field); }
 AllFields described_fields(const Event& event) {
   AllFields all;
   void (*const keep)(AllFields&, const Described&) = add;  // one call a field
-  std::visit(
+  visit_event(
       [&](const auto& known) {
         for_each_field<std::decay_t<decltype(known)>>([&](const auto& field) {
           keep(all, described(field.name, field.unit, field.meaning, known.*(field.member)));
@@ -102,8 +102,8 @@ std::string shown_name(const Event& event, std::string_view name, const std::str
        {"x_cut", "x"},     {"y_cut", "y"},     {"z_cut", "z"},    {"dir_x", "dX_x"},  {"dir_y", "dX_y"},
        {"dir_z", "dX_z"},  {"r8", "red"},      {"g8", "green"},   {"b8", "blue"}}};
   if (name == "z" || name == "z_edge") return depth;
-  if (name == "z_cut" && std::holds_alternative<SplitVertex>(event) &&
-      std::get<SplitVertex>(event).space == Space::raster)
+  if (name == "z_cut" && holds<SplitVertex>(event) &&
+      get<SplitVertex>(event).space == Space::raster)
     return depth;
   for (const auto& [field, shown] : names)
     if (field == name) return std::string(shown);
@@ -117,7 +117,7 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
   if (!field->word.empty()) datum.word(std::string(field->word));
   if (field->whole && field->unit == "index")
     return tell_name(datum, work, name, static_cast<std::int32_t>(field->number), field->meaning);
-  std::visit(
+  visit_event(
       [&](const auto& known) {
         if constexpr (Told<std::decay_t<decltype(known)>>) tell(datum, work, step, known, name);
       },

@@ -21,7 +21,7 @@ std::int64_t begin_of_eye_pass(const Trace& trace) {
   const std::size_t facets = trace.scene().facets.size();
   const std::int64_t from = facets > 0 && marks.size() >= facets ? marks[facets - 1].position : 0;
   const auto step = trace.next(from, [](const RecordedEvent& recorded) {
-    const auto* pass = std::get_if<PassBegin>(&recorded.event);
+    const auto* pass = get_if<PassBegin>(&recorded.event);
     return pass && pass->pass == Pass::eye;
   });
   return step.value_or(trace.size());

@@ -20,7 +20,7 @@ std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t fro
 
 template <class... E>
 bool is_one_of(const RecordedEvent& recorded) {
-  return (std::holds_alternative<E>(recorded.event) || ...);
+  return (holds<E>(recorded.event) || ...);
 }
 /// The kind, if one alone is wanted: then only blocks that hold it are read.
 template <class E, class... More>
@@ -40,7 +40,7 @@ std::optional<std::int64_t> previous_of(const Trace& trace, std::int64_t from, s
 template <class E>
 std::optional<E> event_at(const Trace& trace, std::int64_t step) {
   if (step < 1 || step > trace.size()) return std::nullopt;
-  const auto* event = std::get_if<E>(&trace.event(step).event);
+  const auto* event = get_if<E>(&trace.event(step).event);
   return event ? std::optional<E>(*event) : std::nullopt;
 }
 
@@ -63,7 +63,7 @@ template <class E, class Meant>
 std::optional<Found<E>> next_that(const Trace& trace, std::int64_t from, std::int64_t end, const Meant& is_meant) {
   Found<E> found;
   const auto step = trace.next(from, [&](const RecordedEvent& recorded) {
-    const E& event = std::get<E>(recorded.event);
+    const E& event = get<E>(recorded.event);
     if (!is_meant(event)) return false;
     found.event = event;
     return true;

@@ -13,7 +13,7 @@ constexpr std::int64_t near = 4096;  // events: what is looked through before an
 
 template <class E>
 bool is(const Event& event) {
-  return std::holds_alternative<E>(event);
+  return holds<E>(event);
 }
 
 bool begins_work(const Event& event) { return is<PolygonBegin>(event) || is<PieceDraw>(event); }
@@ -42,11 +42,11 @@ Step viewed_in(const Trace& trace, const Interval& interval, std::int32_t vertex
 /// The vertex is projected right after it was viewed, or soon after clipping made it.
 void find_projection(const Trace& trace, std::int64_t from, std::int64_t at, std::int32_t vertex, VertexSteps& steps) {
   trace.each(from - 1, at, [&](std::int64_t step, const RecordedEvent& recorded) {
-    if (const auto* projection = std::get_if<Projection>(&recorded.event)) {
+    if (const auto* projection = get_if<Projection>(&recorded.event)) {
       if (projection->vertex == vertex) steps.projected = step;
-    } else if (const auto* viewport = std::get_if<ViewportTransform>(&recorded.event)) {
+    } else if (const auto* viewport = get_if<ViewportTransform>(&recorded.event)) {
       if (viewport->vertex == vertex) steps.on_raster = step;
-    } else if (const auto* view = std::get_if<ViewTransform>(&recorded.event)) {
+    } else if (const auto* view = get_if<ViewTransform>(&recorded.event)) {
       if (view->vertex != vertex) return false;
     }
     return !steps.on_raster && !is_one_of<PolygonBegin, PieceDraw>(recorded);
@@ -67,7 +67,7 @@ std::int64_t begin_of_work(const Trace& trace, const MethodState& machine, std::
   const auto last = mark == marks.begin() ? 1 : std::prev(mark)->position;
   if (machine.piece >= 0) {
     // Work on a piece begins at a mark, too.
-    if (const auto* draw = std::get_if<PieceDraw>(&trace.event(last).event); draw && draw->piece == machine.piece)
+    if (const auto* draw = get_if<PieceDraw>(&trace.event(last).event); draw && draw->piece == machine.piece)
       return last;
     const auto drawn = find_last<PieceDraw>(trace, at, [&](const PieceDraw& e) { return e.piece == machine.piece; });
     if (drawn) return *drawn;
@@ -81,8 +81,8 @@ VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std:
   const auto viewing = [&](const ViewTransform& e) { return e.vertex == vertex; };
   if (!of_scene) {
     const auto made = [&](const RecordedEvent& recorded) {
-      if (const auto* clipped = std::get_if<ClipCross>(&recorded.event)) return clipped->vertex == vertex;
-      if (const auto* cut = std::get_if<SplitVertex>(&recorded.event)) return cut->vertex == vertex;
+      if (const auto* clipped = get_if<ClipCross>(&recorded.event)) return clipped->vertex == vertex;
+      if (const auto* cut = get_if<SplitVertex>(&recorded.event)) return cut->vertex == vertex;
       return false;
     };
     // Of a polygon at work, clipping made it after the work began.
@@ -97,7 +97,7 @@ VertexSteps steps_of_vertex(const Trace& trace, const MethodState& machine, std:
       find_projection(trace, *steps.made + 1, at, vertex, steps);
       return steps;
     }
-    const SplitVertex cut = std::get<SplitVertex>(trace.event(*steps.made).event);
+    const SplitVertex cut = get<SplitVertex>(trace.event(*steps.made).event);
     if (cut.space == Space::world) {
       steps.viewed = viewed_in(trace, viewing_interval(trace, machine), vertex);
       if (!steps.viewed) steps.viewed = find_first<ViewTransform>(trace, *steps.made, viewing);
@@ -129,7 +129,7 @@ Step step_of_active_edge(const Trace& trace, const MethodState& machine, std::in
   const auto moved = find_last<EdgeStep>(
       trace, at, [&](const EdgeStep& e) { return e.edge == edge; },
       [&](const Event& event) {
-        if (const auto* enters = std::get_if<EdgeEnter>(&event)) return enters->edge == edge;
+        if (const auto* enters = get_if<EdgeEnter>(&event)) return enters->edge == edge;
         return is<ScanLineBegin>(event) || begins_work(event);
       });
   return moved ? moved : step_of_edge(trace, machine, at, edge);
@@ -146,8 +146,8 @@ Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool
       trace.scene().light && std::any_of(trace.header().page.begin(), trace.header().page.end(),
                                          [](const StepInfo& s) { return s.kind == kind_of<PassBegin>; });
   const auto writes = [&](const RecordedEvent& recorded) {
-    if (const auto* depth = std::get_if<DepthWrite>(&recorded.event)) return depth->x == pixel.x && depth->y == pixel.y;
-    if (const auto* paint = std::get_if<PixelPaint>(&recorded.event)) return paint->x == pixel.x && paint->y == pixel.y;
+    if (const auto* depth = get_if<DepthWrite>(&recorded.event)) return depth->x == pixel.x && depth->y == pixel.y;
+    if (const auto* paint = get_if<PixelPaint>(&recorded.event)) return paint->x == pixel.x && paint->y == pixel.y;
     return false;
   };
   const auto marks = trace.polygons();

@@ -19,7 +19,7 @@ using Step = std::optional<std::int64_t>;
 template <class E, class Wanted, class Stop>
 Step find_last(const Trace& trace, std::int64_t at, Wanted&& wanted, Stop&& stop, std::int64_t least = 1) {
   const auto is_wanted = [&](const Event& event) {
-    const auto* known = std::get_if<E>(&event);
+    const auto* known = get_if<E>(&event);
     return known && wanted(*known);
   };
   const auto found = trace.previous(

@@ -100,7 +100,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::s
   const Step vertex_side = find_last<VertexSide>(
       work.trace, step, [&](const VertexSide& other) { return other.plane_of == e.plane_of && other.value == value; },
       [&](const Event& event) {
-        return !std::holds_alternative<VertexSide>(event) && !std::holds_alternative<SideTest>(event);
+        return !holds<VertexSide>(event) && !holds<SideTest>(event);
       });
   if (vertex_side) return datum.same_as("value", work.field(*vertex_side, "value"));
   const Piece *piece = piece_at(work, e.piece), *of = piece_at(work, e.plane_of);
@@ -131,7 +131,7 @@ namespace {
 Number cut_distance(Work& work, std::int64_t step, std::int32_t vertex, bool first) {
   const Step test = find_last<SideTest>(work.trace, step, [](const SideTest&) { return true; });
   if (!test) return 0;
-  const std::int32_t plane_of = std::get<SideTest>(work.trace.event(*test).event).plane_of;
+  const std::int32_t plane_of = get<SideTest>(work.trace.event(*test).event).plane_of;
   const auto given = plane_at([&](char letter) { return work.plane(plane_of, letter); },
                               [&](Axis3 axis) { return work.cutting(vertex, axis); });
   ChainValue value;
@@ -233,7 +233,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::st
   // Between the edge that was crossed last and the next of the active ones.
   const Step flipped = find_last<FlagFlip>(work.trace, step, [](const FlagFlip&) { return true; });
   if (!flipped) return;
-  const std::int32_t crossed = std::get<FlagFlip>(work.trace.event(*flipped).event).edge;
+  const std::int32_t crossed = get<FlagFlip>(work.trace.event(*flipped).event).edge;
   for (std::size_t i = 0; i < m.active.size(); ++i) {
     if (m.active[i].edge != crossed) continue;
     const std::size_t wanted = left ? i : i + 1;

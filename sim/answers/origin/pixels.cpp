@@ -33,7 +33,7 @@ void tell_by_increments(Datum& datum, Work& work, std::int64_t step, const SpanB
   if (!before || !first) return tell_on_span(datum, work, step, s, e.x);
   const Number gain = work.field(span, "dz_dx", s.dz_dx);
   if (before == first) return datum.is("z_0 + dz_dx", {{"z_0", work.field(*first, "z")}, {"dz_dx", gain}});
-  const double z = std::get<DepthInterpolate>(work.trace.event(*before).event).z;
+  const double z = get<DepthInterpolate>(work.trace.event(*before).event).z;
   const Number last = work.derived(
       *before, "pixel before", fmt::format("depth at x = {}, one pixel before", e.x - 1), "z_b", z, [&](Datum& inner) {
         inner.is("z_f + pixels*dz_dx",
@@ -77,7 +77,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const DepthCompare& e, st
   const auto here = [&](const DepthInterpolate& other) { return other.x == e.x && other.y == e.y; };
   if (field == "z") {
     const Step made = find_last<DepthInterpolate>(
-        work.trace, step, here, [](const Event& event) { return std::holds_alternative<SpanBegin>(event); });
+        work.trace, step, here, [](const Event& event) { return holds<SpanBegin>(event); });
     if (made) datum.same_as("z", work.field(*made, "z"));
     return;
   }

@@ -32,19 +32,19 @@ Step ray_at_work(const Work& work, std::int64_t step) {
   return find_last<RayBegin>(work.trace, step, [](const RayBegin&) { return true; });
 }
 
-RayBegin begin_at(const Work& work, std::int64_t step) { return std::get<RayBegin>(work.trace.event(step).event); }
+RayBegin begin_at(const Work& work, std::int64_t step) { return get<RayBegin>(work.trace.event(step).event); }
 
 double component(const glm::dvec3& v, int axis) { return v[axis]; }
 
 /// The hit that a ray kept: what it meets first.
 Step kept_hit(const Work& work, std::int64_t at, std::int64_t begin) {
-  const auto stop = [](const Event& event) { return std::holds_alternative<RayBegin>(event); };
+  const auto stop = [](const Event& event) { return holds<RayBegin>(event); };
   // Rays that this one cast lie between its end and its hits, so look on from its beginning.
   Step kept;
   for (std::int64_t step = begin + 1; step <= at; ++step) {
     const Event event = work.trace.event(step).event;
-    if (std::holds_alternative<RayEnd>(event) || stop(event)) break;
-    if (const auto* hit = std::get_if<RayHit>(&event); hit && hit->nearest) kept = step;
+    if (holds<RayEnd>(event) || stop(event)) break;
+    if (const auto* hit = get_if<RayHit>(&event); hit && hit->nearest) kept = step;
   }
   return kept;
 }
@@ -103,7 +103,7 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
                     {{"light_" + name, work.scene.light ? component(work.scene.light->position, axis) : 0},
                      {"point_" + name, point}});
   }
-  const std::int32_t facet = std::get<RayHit>(work.trace.event(hit).event).facet;
+  const std::int32_t facet = get<RayHit>(work.trace.event(hit).event).facet;
   std::vector<Given> given;
   glm::dvec3 along(0), normal(0);
   for (int k = 0; k < 3; ++k) {
@@ -174,7 +174,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::str
     double kept = std::numeric_limits<double>::infinity();
     Step keeper;
     for (std::int64_t before = *begin + 1; before < step; ++before)
-      if (const auto* hit = std::get_if<RayHit>(&work.trace.event(before).event); hit && hit->nearest)
+      if (const auto* hit = get_if<RayHit>(&work.trace.event(before).event); hit && hit->nearest)
         kept = hit->t, keeper = before;
     const std::vector<Number> numbers{work.field(step, "t"), work.field(keeper, "t", kept)};
     if (!e.inside || !keeper)
@@ -182,7 +182,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::str
     const bool tie = e.t == kept;
     datum.holds_if(tie && e.nearest ? "t <= kept" : "t < kept", {{"t", numbers[0]}, {"kept", numbers[1]}});
     if (!tie) return;
-    const std::int32_t other = std::get<RayHit>(work.trace.event(*keeper).event).facet;
+    const std::int32_t other = get<RayHit>(work.trace.event(*keeper).event).facet;
     return datum.note(e.nearest == (e.facet < other) ? "a tie: of two as near the first in the file is kept" : "a tie");
   }
   if (field == "inside")
@@ -215,13 +215,13 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
   // The rays that it cast ended between its beginning and its end.
   for (std::int64_t at = begin.value_or(step); at < step; ++at) {
     const Event event = work.trace.event(at).event;
-    const auto* cast = std::get_if<RayBegin>(&event);
+    const auto* cast = get_if<RayBegin>(&event);
     if (!cast || cast->parent != e.ray) continue;
     const std::int32_t ray = cast->ray;
     const RayRole role = cast->role;
     const Step end = find_first<RayEnd>(work.trace, at, [&](const RayEnd& other) { return other.ray == ray; });
     if (!end) continue;
-    if (role == RayRole::shadow) shadow = end, dark = std::get<RayEnd>(work.trace.event(*end).event).nearest_facet >= 0;
+    if (role == RayRole::shadow) shadow = end, dark = get<RayEnd>(work.trace.event(*end).event).nearest_facet >= 0;
     else (role == RayRole::reflected ? mirrored : through) = end;
   }
   const std::string own_part = dark ? "colour/255*in_shadow" : "colour/255";

@@ -71,7 +71,7 @@ void tell_placement(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
 }
 
 bool is_split(const Work& work, const Step& made) {
-  return made && std::holds_alternative<SplitVertex>(work.trace.event(*made).event);
+  return made && holds<SplitVertex>(work.trace.event(*made).event);
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ Number Work::on_raster(std::int32_t vertex, Axis3 axis) {
   if (scene.camera.kind == Camera::Kind::screen && static_cast<std::size_t>(vertex) < scene.points.size())
     return world(vertex, axis);
   const VertexSteps& steps = steps_of(vertex);
-  if (is_split(*this, steps.made) && std::get<SplitVertex>(trace.event(*steps.made).event).space == Space::raster)
+  if (is_split(*this, steps.made) && get<SplitVertex>(trace.event(*steps.made).event).space == Space::raster)
     return field(*steps.made, cut_names[place(axis)]);
   if (axis == Axis3::z) return projected(vertex, "z");
   const VertexStages* way = way_of(*this, vertex);

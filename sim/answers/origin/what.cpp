@@ -103,6 +103,6 @@ struct Name {
 
 }  // namespace
 
-std::string what_happens(const Work& work, const Event& event) { return std::visit(Name{work}, event); }
+std::string what_happens(const Work& work, const Event& event) { return visit_event(Name{work}, event); }
 
 }  // namespace zstep::answers

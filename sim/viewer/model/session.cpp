@@ -178,7 +178,7 @@ std::vector<Cell> cells_written(const Trace& trace, std::int64_t before, std::in
       if (const Cell cell{event.x, event.y}; cells.empty() || cells.back() != cell) cells.push_back(cell);
   };
   if (position - before == 1) {
-    std::visit(look, trace.event(position).event);
+    visit_event(look, trace.event(position).event);
   } else {
     trace.visit(before, position, [&](std::int64_t, std::uint8_t, const auto& event) {
       look(event);

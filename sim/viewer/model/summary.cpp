@@ -57,7 +57,7 @@ std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
   if (!sweeps) return std::nullopt;
   const std::int64_t gathered = trace.polygons().empty() ? 0 : trace.polygons().back().position;
   const auto line =
-      trace.next(gathered, [](const RecordedEvent& e) { return std::holds_alternative<ScanLineBegin>(e.event); });
+      trace.next(gathered, [](const RecordedEvent& e) { return holds<ScanLineBegin>(e.event); });
   if (line) sweep_from_ = *line - 1;
   return sweep_from_;
 }

@@ -16,13 +16,13 @@ struct Mark { std::string word; bool now = false; };
 Mark mark_of(const MethodState& machine, const RecordedEvent* event, std::size_t place) {
   const std::int32_t edge = machine.active[place].edge;
   if (event) {
-    if (const auto* e = std::get_if<EdgeEnter>(&event->event); e && e->edge == edge) return {"\u2192 enters", true};
-    if (const auto* e = std::get_if<EdgeStep>(&event->event); e && e->edge == edge) return {"\u2193 steps", true};
-    if (const auto* e = std::get_if<EdgeSwap>(&event->event);
+    if (const auto* e = get_if<EdgeEnter>(&event->event); e && e->edge == edge) return {"\u2192 enters", true};
+    if (const auto* e = get_if<EdgeStep>(&event->event); e && e->edge == edge) return {"\u2193 steps", true};
+    if (const auto* e = get_if<EdgeSwap>(&event->event);
         e && (place == static_cast<std::size_t>(e->place) || place == static_cast<std::size_t>(e->place) + 1))
       return {"\u2195 swapped", true};
   }
-  const bool on_event = event && std::holds_alternative<SpanBegin>(event->event);
+  const bool on_event = event && holds<SpanBegin>(event->event);
   if (machine.span && machine.scan_line == machine.span->y) {
     if (machine.span->left_edge == edge) return {"left", on_event};
     if (machine.span->right_edge == edge) return {"right", on_event};
@@ -60,7 +60,7 @@ std::vector<TableRow> waiting_rows(const Session& s) {
   const std::size_t count = std::min(enough, waiting.size());
   std::partial_sort(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count), waiting.end(), sooner);
   std::vector<TableRow> rows;
-  const auto insert = s.event() ? std::get_if<EdgeTableInsert>(&s.event()->event) : nullptr;
+  const auto insert = s.event() ? get_if<EdgeTableInsert>(&s.event()->event) : nullptr;
   for (std::size_t k = 0; k < count; ++k) {
     const EdgeTableInsert& e = *waiting[k];
     TableRow row;
@@ -109,7 +109,7 @@ void draw(Ui& ui) {
   for (std::size_t place = 0; place < machine.active.size(); ++place)
     rows.push_back(row_of(s, machine.active[place], mark_of(machine, s.event(), place)));
   if (s.event())
-    if (const auto* left = std::get_if<EdgeRetire>(&s.event()->event)) {
+    if (const auto* left = get_if<EdgeRetire>(&s.event()->event)) {
       // Gone from the list already; shown once more so that one sees it go.
       TableRow row;
       row.cells = {name_of(s, left->edge), std::string(), std::string(), std::string(), std::string("\u2717 leaves")};

@@ -94,7 +94,7 @@ void draw_bin(Ui& ui, Bin bin) {
   const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
   const RecordedEvent* event = s.event();
-  const AreaBin* now = event ? std::get_if<AreaBin>(&event->event) : nullptr;
+  const AreaBin* now = event ? get_if<AreaBin>(&event->event) : nullptr;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x, height = std::round(ui.em * 1.35f);
   ImDrawList* list = ImGui::GetWindowDrawList();

@@ -61,9 +61,9 @@ Rows lay_out_rows(Ui& ui) {
   rows.axis = axis_of(machine);
   if (machine.pair) rows.p = machine.pair->piece, rows.q = machine.pair->other;
   if (const RecordedEvent* event = s.event()) {
-    if (const auto* e = std::get_if<ListInsert>(&event->event)) rows.touched = e->piece;
-    if (const auto* e = std::get_if<ListMark>(&event->event)) rows.touched = e->piece;
-    if (const auto* e = std::get_if<PieceDraw>(&event->event)) rows.touched = e->piece;
+    if (const auto* e = get_if<ListInsert>(&event->event)) rows.touched = e->piece;
+    if (const auto* e = get_if<ListMark>(&event->event)) rows.touched = e->piece;
+    if (const auto* e = get_if<PieceDraw>(&event->event)) rows.touched = e->piece;
   }
   if (rows.touched < 0) rows.touched = machine.piece;  // while it is painted
   rows.height = std::round(ui.fonts.mono->FontSize * 1.35f);

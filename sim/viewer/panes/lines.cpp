@@ -100,8 +100,8 @@ void draw_table(Ui& ui) {
   flow(ui, fmt::format("Edge {}: {}\u2013{}, {}", m.line, row.entry.vertex_0, row.entry.vertex_1,
                        words_of<LineKind>[static_cast<std::size_t>(row.entry.kind)]), heading);
   const RecordedEvent* event = s.event();
-  const bool hides_now = event && std::holds_alternative<LineHide>(event->event),
-             cuts_now = event && std::holds_alternative<LinePiece>(event->event);
+  const bool hides_now = event && holds<LineHide>(event->event),
+             cuts_now = event && holds<LinePiece>(event->event);
   std::vector<TableRow> rows;
   for (std::size_t i = 0; i < row.hidden.size(); ++i) {
     const LineHide& hidden = row.hidden[i];

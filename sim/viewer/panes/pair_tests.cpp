@@ -18,14 +18,14 @@ std::string range(double low, double high) {
 TestLine line_of(std::int64_t at, const Event& event, bool wants_behind) {
   TestLine line;
   line.made = true;
-  if (const auto* extents = std::get_if<ExtentTest>(&event)) {
+  if (const auto* extents = get_if<ExtentTest>(&event)) {
     line.numbers = range(extents->low, extents->high) + " | " + range(extents->other_low, extents->other_high);
     line.passed = !extents->overlap;
     line.outcome = extents->overlap ? "overlap" : "apart";
     line.question = answers::made_by<ExtentTest>(
         at, "overlap",
         {{"piece", extents->piece}, {"other", extents->other}, {"axis", static_cast<std::int32_t>(extents->axis)}});
-  } else if (const auto* sides = std::get_if<SideTest>(&event)) {
+  } else if (const auto* sides = get_if<SideTest>(&event)) {
     line.numbers = range(sides->least, sides->greatest);
     line.outcome =
         sides->side == Side::front ? "before" : std::string(words_of<Side>[static_cast<std::size_t>(sides->side)]);
@@ -33,7 +33,7 @@ TestLine line_of(std::int64_t at, const Event& event, bool wants_behind) {
     if (sides->side == Side::crossing) line.outcome = "both sides";
     if (sides->side == Side::on) line.outcome = "in it";
     line.question = answers::made_by<SideTest>(at, "side", {{"piece", sides->piece}, {"plane_of", sides->plane_of}});
-  } else if (const auto* projections = std::get_if<OverlapTest>(&event)) {
+  } else if (const auto* projections = get_if<OverlapTest>(&event)) {
     line.passed = !projections->overlap;
     if (projections->overlap)
       line.numbers = fmt::format("at ({}, {})", number(projections->x_at, 2, true), number(projections->y_at, 2, true));
@@ -90,11 +90,11 @@ std::optional<std::vector<RecordedEvent>> since_pair(const Session& s) {
   const std::int64_t first = std::max<std::int64_t>(1, s.position() - 200);  // a split makes events, too
   for (std::int64_t position = s.position(); position >= first; --position) {
     const RecordedEvent recorded = s.trace().event(position);
-    if (std::holds_alternative<PairBegin>(recorded.event)) {
+    if (holds<PairBegin>(recorded.event)) {
       std::reverse(made.begin(), made.end());
       return made;
     }
-    if (std::holds_alternative<ListInsert>(recorded.event) || std::holds_alternative<PieceDraw>(recorded.event))
+    if (holds<ListInsert>(recorded.event) || holds<PieceDraw>(recorded.event))
       return std::nullopt;
     made.push_back(recorded);
   }

@@ -123,10 +123,10 @@ struct View {
 std::int32_t piece_now(const Session& s) {
   if (!s.event()) return -1;
   const Event& e = s.event()->event;
-  if (const auto* side = std::get_if<SideTest>(&e)) return side->piece;
-  if (const auto* add = std::get_if<NodeAdd>(&e)) return add->piece;
-  if (const auto* candidate = std::get_if<RootCandidate>(&e)) return candidate->piece;
-  if (const auto* made = std::get_if<PieceMake>(&e)) return made->piece;
+  if (const auto* side = get_if<SideTest>(&e)) return side->piece;
+  if (const auto* add = get_if<NodeAdd>(&e)) return add->piece;
+  if (const auto* candidate = get_if<RootCandidate>(&e)) return candidate->piece;
+  if (const auto* made = get_if<PieceMake>(&e)) return made->piece;
   return s.state().machine.piece;
 }
 

@@ -221,7 +221,7 @@ void draw(Ui& ui) {
   draw_cells(ui, plan);
   draw_boxes(ui, plan);
   draw_facets(ui, plan);
-  if (machine.rays.plane_test && s.event() && std::holds_alternative<RayPlane>(s.event()->event)) {
+  if (machine.rays.plane_test && s.event() && holds<RayPlane>(s.event()->event)) {
     mark_facet(ui, plan, machine.rays.plane_test->facet, ui.colors().now, 5);
   }
   draw_rays(ui, plan);

@@ -18,7 +18,7 @@ std::string facet_label(const Scene& scene, std::int32_t facet) {
 }
 
 template <class E>
-bool just(const Session& s) { return s.event() && std::holds_alternative<E>(s.event()->event); }
+bool just(const Session& s) { return s.event() && holds<E>(s.event()->event); }
 
 void draw_tests(Ui& ui) {
   const Session& s = ui.session;

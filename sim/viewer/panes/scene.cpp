@@ -70,11 +70,11 @@ void paint_wireframe(Canvas& canvas, const RasterMap& map, const Scene& scene, c
 std::int32_t piece_shown(const Moment& s) {
   if (s.event()) {
     const Event& e = s.event()->event;
-    if (const auto* side = std::get_if<SideTest>(&e)) return side->piece;
-    if (const auto* made = std::get_if<PieceMake>(&e)) return made->piece;
-    if (const auto* node = std::get_if<NodeMake>(&e)) return node->piece;
-    if (const auto* add = std::get_if<NodeAdd>(&e)) return add->piece;
-    if (const auto* candidate = std::get_if<RootCandidate>(&e)) return candidate->piece;
+    if (const auto* side = get_if<SideTest>(&e)) return side->piece;
+    if (const auto* made = get_if<PieceMake>(&e)) return made->piece;
+    if (const auto* node = get_if<NodeMake>(&e)) return node->piece;
+    if (const auto* add = get_if<NodeAdd>(&e)) return add->piece;
+    if (const auto* candidate = get_if<RootCandidate>(&e)) return candidate->piece;
   }
   return s.state().machine.piece;
 }

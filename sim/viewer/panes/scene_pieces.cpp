@@ -48,7 +48,7 @@ void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
     ImGui::GetWindowDrawList()->AddRectFilled({at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}, c.pane);
     draw_text(ui, at, ui.fonts.bold, c.text, letter);
   }
-  const auto* overlap = s.event() ? std::get_if<OverlapTest>(&s.event()->event) : nullptr;
+  const auto* overlap = s.event() ? get_if<OverlapTest>(&s.event()->event) : nullptr;
   if (!overlap || !overlap->overlap) return;
   const ImVec2 at{origin.x + static_cast<float>(map.px(overlap->x_at)),
                   origin.y + static_cast<float>(map.py(overlap->y_at))};

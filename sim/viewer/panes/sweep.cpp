@@ -22,12 +22,12 @@ ImU32 color_of(const Scene& scene, std::int32_t polygon, ImU32 otherwise) {
 /// The rows of the polygon table that the event is about.
 std::vector<std::int32_t> pieces_now(const RecordedEvent* event) {
   if (!event) return {};
-  if (const auto* e = std::get_if<PlaneEquation>(&event->event)) return {e->piece};
-  if (const auto* e = std::get_if<FlagFlip>(&event->event)) return {e->piece};
-  if (const auto* e = std::get_if<PlaneDepth>(&event->event)) return {e->piece};
-  if (const auto* e = std::get_if<SpanWinner>(&event->event)) return {e->piece};
-  if (const auto* e = std::get_if<ImpliedEdge>(&event->event)) return {e->piece, e->other};
-  if (const auto* e = std::get_if<SideTest>(&event->event)) return {e->piece, e->plane_of};
+  if (const auto* e = get_if<PlaneEquation>(&event->event)) return {e->piece};
+  if (const auto* e = get_if<FlagFlip>(&event->event)) return {e->piece};
+  if (const auto* e = get_if<PlaneDepth>(&event->event)) return {e->piece};
+  if (const auto* e = get_if<SpanWinner>(&event->event)) return {e->piece};
+  if (const auto* e = get_if<ImpliedEdge>(&event->event)) return {e->piece, e->other};
+  if (const auto* e = get_if<SideTest>(&event->event)) return {e->piece, e->plane_of};
   return {};
 }
 
@@ -42,7 +42,7 @@ std::string names_inside(const Session& s) {
 /// What the strip says below itself.
 std::string caption(const Session& s) {
   const MethodState& m = s.state().machine;
-  if (s.event() && std::holds_alternative<FlagFlip>(s.event()->event)) return "in: " + names_inside(s);
+  if (s.event() && holds<FlagFlip>(s.event()->event)) return "in: " + names_inside(s);
   if (!m.sweep.interval) return "";
   const SpanFlags& interval = *m.sweep.interval;
   return fmt::format("x = {} to {}, in: {}", number(interval.x_left), number(interval.x_right), names_inside(s));
@@ -93,7 +93,7 @@ void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
     draw_text(ui, {left, strip.at.y - ui.fonts.small->FontSize - 5}, ui.fonts.small, color, name);
     free_from = left + width + 4;
   };
-  const auto flip = s.event() ? std::get_if<FlagFlip>(&s.event()->event) : nullptr;
+  const auto flip = s.event() ? get_if<FlagFlip>(&s.event()->event) : nullptr;
   for (const ActiveEdge& edge : m.active) {
     const auto at = static_cast<std::size_t>(edge.edge);
     if (at >= m.edge_table.size()) continue;

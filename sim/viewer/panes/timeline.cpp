@@ -112,7 +112,7 @@ std::int64_t end_of_gathering(const Session& s) {
   const bool gathers = has_step_of<AreaBegin>(s.header()) || has_step_of<LineBegin>(s.header());
   if (!gathers || marks.empty()) return s.size();
   return s.trace().next(marks.back().position, [](const RecordedEvent& e) {
-    return std::holds_alternative<AreaBegin>(e.event) || std::holds_alternative<LineBegin>(e.event);
+    return holds<AreaBegin>(e.event) || holds<LineBegin>(e.event);
   }).value_or(s.size());
 }
 

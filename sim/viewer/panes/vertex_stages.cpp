@@ -14,14 +14,14 @@ namespace zstep::viewer {
 std::int32_t vertex_at_work(const Session& s) {
   if (s.event()) {
     const Event& e = s.event()->event;
-    if (const auto* v = std::get_if<ViewTransform>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<Projection>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<ViewportTransform>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<ClipVertex>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<ClipCross>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<OutlineVertex>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<VertexSide>(&e)) return v->vertex;
-    if (const auto* v = std::get_if<SplitVertex>(&e)) return v->vertex;
+    if (const auto* v = get_if<ViewTransform>(&e)) return v->vertex;
+    if (const auto* v = get_if<Projection>(&e)) return v->vertex;
+    if (const auto* v = get_if<ViewportTransform>(&e)) return v->vertex;
+    if (const auto* v = get_if<ClipVertex>(&e)) return v->vertex;
+    if (const auto* v = get_if<ClipCross>(&e)) return v->vertex;
+    if (const auto* v = get_if<OutlineVertex>(&e)) return v->vertex;
+    if (const auto* v = get_if<VertexSide>(&e)) return v->vertex;
+    if (const auto* v = get_if<SplitVertex>(&e)) return v->vertex;
   }
   return -1;
 }

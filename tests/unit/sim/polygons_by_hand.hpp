@@ -14,12 +14,12 @@ inline std::vector<std::int32_t> polygons_by_hand(const Trace& trace) {
   std::int64_t last_begin = 0;
   bool one_table = false;
   for (std::int64_t p = 1; p <= trace.size(); ++p)
-    if (std::holds_alternative<PolygonBegin>(trace.event(p).event)) last_begin = p;
+    if (holds<PolygonBegin>(trace.event(p).event)) last_begin = p;
   std::vector<std::int32_t> all{no_polygon}, of_piece;
   std::int32_t at_work = no_polygon;
   bool drawn = false;
   for (std::int64_t p = 1; p <= trace.size(); ++p) {
-    all.push_back(std::visit([&]<class E>(const E& event) -> std::int32_t {
+    all.push_back(visit_event([&]<class E>(const E& event) -> std::int32_t {
       if constexpr (std::is_same_v<E, TablesBegin>) one_table = true;
       if constexpr (std::is_same_v<E, PieceMake>) of_piece.push_back(event.polygon);
       if constexpr (std::is_same_v<E, PieceDraw>) drawn = true;

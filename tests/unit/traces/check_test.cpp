@@ -93,10 +93,10 @@ TEST_CASE("check: an error is counted where it is made, and what follows from it
   const Trace right = open_jsonl(test::in_checkout("tests/golden/pyramid-view.jsonl"));
   const auto won = right.next<DepthCompare>(0, [](const DepthCompare& e) { return e.nearer; });
   REQUIRE(won);
-  const auto [x, y, z, nearer] = std::get<DepthCompare>(right.event(*won).event);
+  const auto [x, y, z, nearer] = get<DepthCompare>(right.event(*won).event);
   // One depth is interpolated wrongly, and all goes on from there.
   const Trace wrong = test::changed(right, [&, x = x, y = y](std::int64_t step, Event& event) {
-    std::visit(
+    visit_event(
         [&]<class E>(E& e) {
           if constexpr (requires { e.x; e.y; e.z; })
             if (step >= *won - 1 && step <= *won + 1 && e.x == x && e.y == y) e.z -= 0.001;
@@ -127,7 +127,7 @@ TEST_CASE("check: numbers that a program writes with few digits are not doubted,
       TraceRecorder recorder(header, right.scene());
       for (std::int64_t step = 1; step <= right.size(); ++step) {
         RecordedEvent recorded = right.event(step);
-        std::visit(
+        visit_event(
             [&]<class E>(E& event) {
               for_each_field<E>([&](const auto& field) {
                 if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, double>)
@@ -136,7 +136,7 @@ TEST_CASE("check: numbers that a program writes with few digits are not doubted,
               });
             },
             recorded.event);
-        if (auto* edge = std::get_if<EdgeStep>(&recorded.event); edge && step == at) edge->x_edge += off;
+        if (auto* edge = get_if<EdgeStep>(&recorded.event); edge && step == at) edge->x_edge += off;
         record_any(recorder, recorded.step, recorded.event);
       }
       recorder.finish();
@@ -180,7 +180,7 @@ TEST_CASE("check: a number that is changed anywhere is the first cause") {
       bool must = false;
       const Trace wrong = test::changed(right, [&](std::int64_t step, Event& event) {
         if (step != at) return true;
-        std::visit(
+        visit_event(
             [&]<class E>(E& e) {
               std::vector<std::pair<double E::*, std::string>> numbers;
               for_each_field<E>([&](const auto& field) {

@@ -63,7 +63,7 @@ TEST_CASE("codec: next and previous find what a plain loop finds, with and witho
   const auto events = random_events(140000, 5);
   const Trace trace = record_events(events);
   const auto failed = [](const RecordedEvent& e) {
-    return std::holds_alternative<DepthCompare>(e.event) && !std::get<DepthCompare>(e.event).nearer;
+    return holds<DepthCompare>(e.event) && !get<DepthCompare>(e.event).nearer;
   };
   const auto touches = [](const RecordedEvent& e) {
     const auto pixel = pixel_of(e.event);

@@ -41,7 +41,7 @@ TEST_CASE("damage: a trace opens with the blocks it has wherever it is cut off, 
   auto events = random_events(block_events + 300, 1);
   for (auto& event : events) {
     // Only what a replay accepts in any order.
-    if (!std::holds_alternative<DepthWrite>(event.event)) event = {step_of(kind_of<PixelWrite>), PixelWrite{1, 2, 1}};
+    if (!holds<DepthWrite>(event.event)) event = {step_of(kind_of<PixelWrite>), PixelWrite{1, 2, 1}};
   }
   const Bytes whole = recorded_bytes(events);
   std::int64_t count = 0;

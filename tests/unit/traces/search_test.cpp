@@ -26,7 +26,7 @@ TEST_CASE("search: a pixel is found in whichever block it was touched") {
     for (std::int32_t x = 0; x < 16; ++x) {
       std::vector<std::int64_t> wanted, found, backwards;
       for (std::size_t i = 0; i < events.size(); ++i) {
-        const auto* write = std::get_if<PixelWrite>(&events[i].event);
+        const auto* write = get_if<PixelWrite>(&events[i].event);
         if (write != nullptr && write->x == x && write->y == y) wanted.push_back(static_cast<std::int64_t>(i) + 1);
       }
       trace.scan(Trace::Pixel{x, y},

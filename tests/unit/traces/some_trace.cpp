@@ -38,9 +38,9 @@ Scene some_scene() {
 
 bool same_bits(const Event& a, const Event& b) {
   if (a.index() != b.index()) return false;
-  return std::visit(
+  return visit_event(
       [&]<class E>(const E& left) {
-        const E& right = std::get<E>(b);
+        const E& right = get<E>(b);
         bool same = true;
         for_each_field<E>([&](const auto& field) {
           if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, double>)

@@ -32,7 +32,7 @@ Explanation told_at(const Trace& trace, const std::string& step, Condition&& con
   for (const StepInfo& info : trace.header().page)
     if (info.name == step) id = info.id;
   const auto position = trace.next(0, [&](const RecordedEvent& e) {
-    const E* event = std::get_if<E>(&e.event);
+    const E* event = get_if<E>(&e.event);
     return e.step == id && event && condition(*event);
   });
   REQUIRE(position.has_value());

@@ -34,7 +34,7 @@ Trace horizon_run(const std::map<std::string, std::string>& options = {}) {
 template <class E, class Condition>
 Explanation told(const Trace& trace, Condition&& condition) {
   const auto position = trace.next(0, [&](const RecordedEvent& recorded) {
-    const E* event = std::get_if<E>(&recorded.event);
+    const E* event = get_if<E>(&recorded.event);
     return event && condition(*event);
   });
   REQUIRE(position.has_value());
@@ -101,7 +101,7 @@ TEST_CASE("floating horizon: a curve on the lower horizon alone is visible, and 
   int lower = 0;
   Replay replay(trace);
   for (std::int64_t position = 1; position <= trace.size(); ++position) {
-    const auto* test = std::get_if<HorizonTest>(&trace.event(position).event);
+    const auto* test = get_if<HorizonTest>(&trace.event(position).event);
     if (!test || test->verdict != Horizon::below) continue;
     replay.go_to(position);
     const Explanation explanation = explain(trace, replay.state(), *replay.current());

@@ -26,7 +26,7 @@ Trace lines_run(const std::string& id) {
 template <class E, class Condition>
 Explanation told_at(const Trace& trace, Condition&& condition) {
   const auto position = trace.next(0, [&](const RecordedEvent& recorded) {
-    const E* event = std::get_if<E>(&recorded.event);
+    const E* event = get_if<E>(&recorded.event);
     return event && condition(*event);
   });
   REQUIRE(position.has_value());

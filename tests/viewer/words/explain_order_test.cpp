@@ -118,6 +118,6 @@ TEST_CASE("depth sort: a number that is not what the plane gives is pointed out"
   Replay replay(trace);
   replay.go_to(*found);
   RecordedEvent wrong = *replay.current();
-  std::get<SideTest>(wrong.event).least -= 1;
+  get<SideTest>(wrong.event).least -= 1;
   CHECK(explain(trace, replay.state(), wrong).doubt.has_value());
 }

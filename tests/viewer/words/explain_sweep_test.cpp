@@ -30,7 +30,7 @@ Trace swept(const std::string& scene_name, const std::map<std::string, std::stri
 template <class E, class Condition>
 Explanation first_of(const Trace& trace, Condition&& condition) {
   const auto position = trace.next(0, [&](const RecordedEvent& recorded) {
-    const E* event = std::get_if<E>(&recorded.event);
+    const E* event = get_if<E>(&recorded.event);
     return event && condition(*event);
   });
   REQUIRE(position.has_value());
@@ -84,11 +84,11 @@ TEST_CASE("the plane's depth and the implied edge are told with their numbers") 
 TEST_CASE("a depth that its plane does not give is doubted") {
   const Trace trace = swept("lessons/scenes/abc-def.toml", {});
   const auto position =
-      trace.next(0, [](const RecordedEvent& e) { return std::holds_alternative<PlaneDepth>(e.event); });
+      trace.next(0, [](const RecordedEvent& e) { return holds<PlaneDepth>(e.event); });
   REQUIRE(position);
   Replay replay(trace);
   replay.go_to(*position);
   RecordedEvent wrong = *replay.current();
-  std::get<PlaneDepth>(wrong.event).z += 0.5;
+  get<PlaneDepth>(wrong.event).z += 0.5;
   CHECK(explain(trace, replay.state(), wrong).doubt.has_value());
 }

@@ -17,7 +17,7 @@ namespace {
 template <class E, class Condition>
 Explanation first_of(const Trace& trace, Condition&& condition) {
   const auto position = trace.next(0, [&](const RecordedEvent& recorded) {
-    const E* event = std::get_if<E>(&recorded.event);
+    const E* event = get_if<E>(&recorded.event);
     return event && condition(*event);
   });
   REQUIRE(position.has_value());
@@ -101,14 +101,14 @@ TEST_CASE("the tie of the 8x8 example says that the first polygon stays") {
 TEST_CASE("a recorded number that its formula does not give is doubted") {
   const Trace trace = test::record_run("delhi");
   const auto position = trace.next(0, [](const RecordedEvent& e) {
-    const auto* z = std::get_if<DepthInterpolate>(&e.event);
+    const auto* z = get_if<DepthInterpolate>(&e.event);
     return z && z->x == 1;
   });
   REQUIRE(position);
   Replay replay(trace);
   replay.go_to(*position);
   RecordedEvent wrong = *replay.current();
-  std::get<DepthInterpolate>(wrong.event).z += 0.25;
+  get<DepthInterpolate>(wrong.event).z += 0.25;
   const Explanation told = explain(trace, replay.state(), wrong);
   REQUIRE(told.doubt);
   CHECK(told.doubt->find("5.25") != std::string::npos);
@@ -119,14 +119,14 @@ TEST_CASE("a compare that its numbers contradict is told as such") {
   const Trace trace = test::record_run("delhi");
   const auto told_wrong = [&](auto&& fits) {
     const auto position = trace.next(0, [&](const RecordedEvent& e) {
-      const auto* compare = std::get_if<DepthCompare>(&e.event);
+      const auto* compare = get_if<DepthCompare>(&e.event);
       return compare && fits(*compare);
     });
     REQUIRE(position);
     Replay replay(trace);
     replay.go_to(*position);
     RecordedEvent wrong = *replay.current();
-    std::get<DepthCompare>(wrong.event).nearer = !std::get<DepthCompare>(wrong.event).nearer;
+    get<DepthCompare>(wrong.event).nearer = !get<DepthCompare>(wrong.event).nearer;
     return explain(trace, replay.state(), wrong);
   };
   const Explanation empty = told_wrong([](const DepthCompare& e) { return e.nearer; });

@@ -29,7 +29,7 @@ Trace run_of(const std::string& name, std::map<std::string, std::string> options
 template <class E, class Condition>
 Explanation told_of(const Trace& trace, Condition&& condition) {
   const auto position = trace.next(0, [&](const RecordedEvent& recorded) {
-    const E* event = std::get_if<E>(&recorded.event);
+    const E* event = get_if<E>(&recorded.event);
     return event && condition(*event);
   });
   REQUIRE(position.has_value());

@@ -144,7 +144,7 @@ std::optional<Read> read(const std::string& text) {
 /// The event's fields by name.
 std::map<std::string, double> fields_by_name(const Event& event) {
   std::map<std::string, double> fields;
-  std::visit(
+  visit_event(
       [&](const auto& known) {
         for_each_field<std::decay_t<decltype(known)>>(
             [&](const auto& field) { fields[std::string(field.name)] = static_cast<double>(known.*(field.member)); });
@@ -188,7 +188,7 @@ TEST_CASE(
       const Explanation told = explain(trace, replay.state(), *replay.current());
       const auto step = replay.position();
       const std::string kind(
-          std::visit([](const auto& known) { return kind_text<std::decay_t<decltype(known)>>.name; }, event));
+          visit_event([](const auto& known) { return kind_text<std::decay_t<decltype(known)>>.name; }, event));
       CAPTURE(step);
       for (const std::string& line : told.formulas) {
         CAPTURE(line);

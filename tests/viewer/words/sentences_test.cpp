@@ -48,7 +48,7 @@ std::map<std::string, std::vector<Approved>> approved_sentences() {
 }
 
 std::string kind_of_event(const Event& event) {
-  return std::visit([](const auto& known) { return std::string(kind_text<std::decay_t<decltype(known)>>.name); },
+  return visit_event([](const auto& known) { return std::string(kind_text<std::decay_t<decltype(known)>>.name); },
                     event);
 }
 

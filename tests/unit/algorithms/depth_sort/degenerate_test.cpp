@@ -114,9 +114,9 @@ TEST_SUITE("depth_sort/degenerate") {
       CHECK(sorted.wrong == 0);
       PairBegin pair{};
       for (const CollectedEvent& event : sorted.record.events) {
-        if (event.step == step::pair.id) pair = std::get<PairBegin>(event.event);
+        if (event.step == step::pair.id) pair = get<PairBegin>(event.event);
         if (event.step != step::split.id) continue;
-        const auto& split = std::get<SideTest>(event.event);
+        const auto& split = get<SideTest>(event.event);
         const std::set<std::int32_t> asked{pair.piece, pair.other}, cut{split.piece, split.plane_of};
         others += asked != cut;
       }

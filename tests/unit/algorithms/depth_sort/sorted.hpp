@@ -26,7 +26,7 @@ struct Sorted {
     REQUIRE(count(of.id) == 1);
     const auto found = std::find_if(record.events.begin(), record.events.end(),
                                     [&](const CollectedEvent& event) { return event.step == of.id; });
-    return std::get<E>(found->event);
+    return get<E>(found->event);
   }
   std::vector<std::int32_t> order() const {
     std::vector<std::int32_t> polygons;

@@ -19,8 +19,8 @@ std::string verdicts(const CollectRecorder& record, std::int32_t curve) {
   std::string said;
   std::int32_t at = -1;
   for (const CollectedEvent& collected : record.events) {
-    if (const auto* begin = std::get_if<CurveBegin>(&collected.event)) at = begin->curve;
-    if (const auto* test = std::get_if<HorizonTest>(&collected.event); test && at == curve)
+    if (const auto* begin = get_if<CurveBegin>(&collected.event)) at = begin->curve;
+    if (const auto* test = get_if<HorizonTest>(&collected.event); test && at == curve)
       said += "abh"[static_cast<std::size_t>(test->verdict)];
   }
   return said;
@@ -106,8 +106,8 @@ TEST_SUITE("floating horizon by hand") {
       std::size_t moves = 0;
       std::int32_t at = -1;
       for (const CollectedEvent& collected : run.record.events) {
-        if (const auto* begin = std::get_if<CurveBegin>(&collected.event)) at = begin->curve;
-        moves += std::holds_alternative<HorizonMove>(collected.event) && at == curve;
+        if (const auto* begin = get_if<CurveBegin>(&collected.event)) at = begin->curve;
+        moves += holds<HorizonMove>(collected.event) && at == curve;
       }
       return moves;
     };

@@ -41,10 +41,10 @@ Judgement judge(const Scene& scene, const std::map<std::string, std::string>& op
   Judgement judgement;
   CurveSegment segment{};
   for (const CollectedEvent& collected : run.record.events) {
-    if (const auto* next = std::get_if<CurveSegment>(&collected.event)) segment = *next;
-    if (const auto* move = std::get_if<HorizonMove>(&collected.event))
+    if (const auto* next = get_if<CurveSegment>(&collected.event)) segment = *next;
+    if (const auto* move = get_if<HorizonMove>(&collected.event))
       (move->upper ? upper : lower)[static_cast<std::size_t>(move->x)] = move->y_curve;
-    const auto* test = std::get_if<HorizonTest>(&collected.event);
+    const auto* test = get_if<HorizonTest>(&collected.event);
     if (test == nullptr) continue;
     const double row = std::floor(test->y_curve + 0.5);
     if (!(row >= 0 && row < scene.raster.height)) continue;

@@ -38,8 +38,8 @@ std::vector<E> of_ray(const CollectRecorder& record, std::int32_t number) {
   std::vector<E> found;
   bool here = false;
   for (const auto& recorded : record.events) {
-    if (const auto* begin = std::get_if<RayBegin>(&recorded.event)) here = begin->ray == number;
-    if (const auto* event = std::get_if<E>(&recorded.event); event && here) found.push_back(*event);
+    if (const auto* begin = get_if<RayBegin>(&recorded.event)) here = begin->ray == number;
+    if (const auto* event = get_if<E>(&recorded.event); event && here) found.push_back(*event);
   }
   return found;
 }

@@ -51,24 +51,24 @@ std::map<std::int32_t, std::vector<Row>> active_edge_tables(const CollectRecorde
   };
   for (const CollectedEvent& collected : record.events) {
     const Event& event = collected.event;
-    if (const auto* insert = std::get_if<EdgeTableInsert>(&event)) {
+    if (const auto* insert = get_if<EdgeTableInsert>(&event)) {
       edges.push_back(*insert);
       x[insert->edge] = insert->x_edge;
-    } else if (const auto* line = std::get_if<ScanLineBegin>(&event)) {
+    } else if (const auto* line = get_if<ScanLineBegin>(&event)) {
       y = line->y;
       read = false;
-    } else if (const auto* step = std::get_if<EdgeStep>(&event)) {
+    } else if (const auto* step = get_if<EdgeStep>(&event)) {
       x[step->edge] = step->x_edge;
-    } else if (const auto* enter = std::get_if<EdgeEnter>(&event)) {
+    } else if (const auto* enter = get_if<EdgeEnter>(&event)) {
       active.insert(active.begin() + enter->place, enter->edge);
-    } else if (const auto* retire = std::get_if<EdgeRetire>(&event)) {
+    } else if (const auto* retire = get_if<EdgeRetire>(&event)) {
       read_table();
       std::erase(active, retire->edge);
-    } else if (const auto* swap = std::get_if<EdgeSwap>(&event)) {
+    } else if (const auto* swap = get_if<EdgeSwap>(&event)) {
       const auto place = static_cast<std::size_t>(swap->place);
       read_table();
       std::swap(active.at(place), active.at(place + 1));
-    } else if (std::holds_alternative<SpanBegin>(event)) {
+    } else if (holds<SpanBegin>(event)) {
       read_table();
     }
   }

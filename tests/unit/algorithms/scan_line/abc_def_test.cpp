@@ -34,15 +34,15 @@ std::map<std::int32_t, Line> lines_of(const Trace& trace) {
     const Event& event = trace.event(replay.position()).event;
     if (!machine.scan_line) continue;
     Line& line = lines[*machine.scan_line];
-    if (std::holds_alternative<FlagFlip>(event) && last != *machine.scan_line) {
+    if (holds<FlagFlip>(event) && last != *machine.scan_line) {
       last = *machine.scan_line;
       for (const ActiveEdge& active : machine.active) {
         if (!line.active.empty()) line.active += ' ';
         line.active += name_of(machine.edge_table[static_cast<std::size_t>(active.edge)]);
       }
     }
-    if (const auto* interval = std::get_if<SpanFlags>(&event)) line.intervals += std::to_string(interval->flags);
-    if (const auto* seen = std::get_if<SpanWinner>(&event)) line.intervals += seen->piece == 0 ? "a" : "d";
+    if (const auto* interval = get_if<SpanFlags>(&event)) line.intervals += std::to_string(interval->flags);
+    if (const auto* seen = get_if<SpanWinner>(&event)) line.intervals += seen->piece == 0 ? "a" : "d";
   }
   return lines;
 }

@@ -28,7 +28,7 @@ struct Run {
   std::int64_t tests() const {
     std::int64_t count = 0;
     for (const CollectedEvent& e : record.events) {
-      count += std::holds_alternative<AreaBin>(e.event) && e.step != warnock::step::still_surrounding.id;
+      count += holds<AreaBin>(e.event) && e.step != warnock::step::still_surrounding.id;
     }
     return count;
   }

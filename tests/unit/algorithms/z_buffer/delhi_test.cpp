@@ -59,12 +59,12 @@ TEST_SUITE("z_buffer/delhi") {
     std::vector<std::pair<std::int32_t, std::int32_t>> ties;
     std::vector<double> depth(64, no_depth);
     for (const CollectedEvent& collected : record.events) {
-      if (const auto* compare = std::get_if<DepthCompare>(&collected.event)) {
+      if (const auto* compare = get_if<DepthCompare>(&collected.event)) {
         const double stored = depth[picture.at(compare->x, compare->y)];
         CHECK(compare->nearer == (compare->z < stored));
         if (compare->z == stored) ties.push_back({compare->x, compare->y});
       }
-      if (const auto* write = std::get_if<DepthWrite>(&collected.event))
+      if (const auto* write = get_if<DepthWrite>(&collected.event))
         depth[picture.at(write->x, write->y)] = write->z;
     }
     CHECK(ties == std::vector<std::pair<std::int32_t, std::int32_t>>{{1, 3}, {0, 4}});

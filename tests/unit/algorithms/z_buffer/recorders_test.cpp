@@ -94,8 +94,8 @@ TEST_SUITE("z_buffer/recorders") {
     SpanBegin span{};
     std::int64_t pixels = 0;
     for (const CollectedEvent& collected : record.events) {
-      if (const auto* begin = std::get_if<SpanBegin>(&collected.event)) span = *begin;
-      const auto* pixel = std::get_if<DepthInterpolate>(&collected.event);
+      if (const auto* begin = get_if<SpanBegin>(&collected.event)) span = *begin;
+      const auto* pixel = get_if<DepthInterpolate>(&collected.event);
       if (!pixel) continue;
       const double z =
           span.x_right == span.x_left
@@ -112,12 +112,12 @@ TEST_SUITE("z_buffer/recorders") {
     const Scene scene = crowd(Camera::Kind::perspective);
     CollectRecorder record;
     z_buffer::run(scene, {}, record);
-    REQUIRE(std::holds_alternative<BuffersClear>(record.events.at(0).event));
+    REQUIRE(holds<BuffersClear>(record.events.at(0).event));
     for (std::size_t i = 1; i < record.events.size(); ++i) {
       const Event &event = record.events[i].event, &before = record.events[i - 1].event;
-      if (std::holds_alternative<DepthCompare>(event)) REQUIRE(std::holds_alternative<DepthInterpolate>(before));
-      if (std::holds_alternative<DepthWrite>(event)) REQUIRE(std::get<DepthCompare>(before).nearer);
-      if (std::holds_alternative<PixelWrite>(event)) REQUIRE(std::holds_alternative<DepthWrite>(before));
+      if (holds<DepthCompare>(event)) REQUIRE(holds<DepthInterpolate>(before));
+      if (holds<DepthWrite>(event)) REQUIRE(get<DepthCompare>(before).nearer);
+      if (holds<PixelWrite>(event)) REQUIRE(holds<DepthWrite>(before));
     }
   }
 }

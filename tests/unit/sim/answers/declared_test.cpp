@@ -42,7 +42,7 @@ std::vector<Explanation> compares(const Trace& trace, std::int32_t x, std::int32
   std::vector<Explanation> all;
   Replay replay(trace);
   trace.each(0, trace.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
-    const auto* compare = std::get_if<DepthCompare>(&recorded.event);
+    const auto* compare = get_if<DepthCompare>(&recorded.event);
     if (!compare || compare->x != x || compare->y != y) return true;
     const RecordedEvent event = recorded;
     replay.go_to(step);

@@ -196,13 +196,13 @@ TEST_SUITE("explain a value") {
   TEST_CASE("the stored depth that a fragment lost to has a chain of its own") {
     const Trace trace = open_jsonl(test::in_checkout("tests/golden/pyramid-behind.jsonl"));
     const auto lost = trace.next(0, [](const RecordedEvent& event) {
-      const auto* compare = std::get_if<DepthCompare>(&event.event);
+      const auto* compare = get_if<DepthCompare>(&event.event);
       return compare && !compare->nearer;
     });
     REQUIRE(lost);
-    const DepthCompare compare = std::get<DepthCompare>(trace.event(*lost).event);
+    const DepthCompare compare = get<DepthCompare>(trace.event(*lost).event);
     const auto wrote = trace.previous(*lost, [&](const RecordedEvent& event) {
-      const auto* write = std::get_if<DepthWrite>(&event.event);
+      const auto* write = get_if<DepthWrite>(&event.event);
       return write && write->x == compare.x && write->y == compare.y;
     });
     REQUIRE(wrote);
@@ -230,7 +230,7 @@ TEST_SUITE("explain a value") {
       std::array<int, 2> conditions{};
       int asked = 0;
       for (std::int64_t step = 1; step <= trace.size(); ++step) {
-        const auto* compare = std::get_if<ShadowCompare>(&trace.event(step).event);
+        const auto* compare = get_if<ShadowCompare>(&trace.event(step).event);
         if (!compare || ++asked % 31 != 0) continue;
         const bool lit = compare->lit;
         const Chain chain = explain_value(trace, Question{step, "lit"});

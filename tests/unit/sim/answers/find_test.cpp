@@ -80,8 +80,8 @@ TEST_SUITE("searches by leaps") {
       REQUIRE(trace.size() > 50000);
       std::map<std::int32_t, std::int64_t> viewed, made;
       trace.each(0, trace.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
-        if (const auto* seen = std::get_if<ViewTransform>(&recorded.event)) viewed[seen->vertex] = step;
-        if (const auto* split = std::get_if<SplitVertex>(&recorded.event)) made[split->vertex] = step;
+        if (const auto* seen = get_if<ViewTransform>(&recorded.event)) viewed[seen->vertex] = step;
+        if (const auto* split = get_if<SplitVertex>(&recorded.event)) made[split->vertex] = step;
         return true;
       });
       REQUIRE(viewed.size() >= trace.scene().points.size());
@@ -95,8 +95,8 @@ TEST_SUITE("searches by leaps") {
         const answers::VertexSteps steps =
             answers::steps_of_vertex(trace, replay.state().machine, trace.size(), vertex);
         CHECK(steps.viewed == seen.second);
-        CHECK(std::holds_alternative<Projection>(trace.event(steps.projected.value()).event));
-        CHECK(std::holds_alternative<ViewportTransform>(trace.event(steps.on_raster.value()).event));
+        CHECK(holds<Projection>(trace.event(steps.projected.value()).event));
+        CHECK(holds<ViewportTransform>(trace.event(steps.on_raster.value()).event));
         CHECK(steps.made.has_value() == made.contains(vertex));
         if (steps.made) CHECK(*steps.made == made[vertex]);
       }
@@ -106,7 +106,7 @@ TEST_SUITE("searches by leaps") {
         const auto step = answers::step_of_edge(trace, machine, trace.size(), static_cast<std::int32_t>(edge));
         REQUIRE(step);
         const Event event = trace.event(*step).event;
-        const auto* entry = std::get_if<EdgeTableInsert>(&event);
+        const auto* entry = get_if<EdgeTableInsert>(&event);
         REQUIRE(entry);
         CHECK(entry->edge == static_cast<std::int32_t>(edge));
         CHECK(entry->vertex_0 == machine.edge_table[edge].vertex_0);

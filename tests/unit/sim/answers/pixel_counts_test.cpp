@@ -34,24 +34,24 @@ std::map<Count, Table> by_hand(const Trace& trace, std::int64_t position) {
     if (machine.pass == Pass::light) continue;
     const Event& event = trace.event(step).event;
     const auto at = pixel_of(event);
-    if (const auto* hit = std::get_if<RayHit>(&event); hit && ray && hit->inside)
+    if (const auto* hit = get_if<RayHit>(&event); hit && ray && hit->inside)
       there[*ray].insert(trace.scene().facets[static_cast<std::size_t>(hit->facet)].polygon);
     if (!at) continue;
     const std::size_t pixel =
         static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x);
     ++all[Count::work][pixel];
-    if (const auto* begin = std::get_if<RayBegin>(&event))
+    if (const auto* begin = get_if<RayBegin>(&event))
       ray = begin->role == RayRole::eye ? std::optional(pixel) : std::nullopt;
     std::optional<std::int32_t> colour;
-    if (const auto* compare = std::get_if<DepthCompare>(&event)) {
+    if (const auto* compare = get_if<DepthCompare>(&event)) {
       all[Count::failed][pixel] += !compare->nearer;
       there[pixel].insert(machine.span ? machine.edge_table[static_cast<std::size_t>(machine.span->left_edge)].polygon
                                        : machine.polygon);
     }
-    if (const auto* write = std::get_if<PixelWrite>(&event)) colour = write->polygon;
-    if (const auto* paint = std::get_if<PixelPaint>(&event)) colour = paint->polygon;
-    if (const auto* blend = std::get_if<ColorBlend>(&event)) colour = blend->polygon;
-    all[Count::writes][pixel] += colour.has_value() || std::holds_alternative<ColorWrite>(event);
+    if (const auto* write = get_if<PixelWrite>(&event)) colour = write->polygon;
+    if (const auto* paint = get_if<PixelPaint>(&event)) colour = paint->polygon;
+    if (const auto* blend = get_if<ColorBlend>(&event)) colour = blend->polygon;
+    all[Count::writes][pixel] += colour.has_value() || holds<ColorWrite>(event);
     if (!colour || *colour == no_polygon) continue;
     if (!trace.header().algorithm.starts_with("ray-")) there[pixel].insert(*colour);
     all[Count::last][pixel] = *colour;

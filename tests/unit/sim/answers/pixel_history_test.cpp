@@ -35,11 +35,11 @@ std::vector<std::vector<std::int64_t>> fragments_of(const Trace& trace) {
   Pass pass = Pass::eye;
   for (std::int64_t step = 1; step <= trace.size(); ++step) {
     const Event& event = trace.event(step).event;
-    if (const auto* begin = std::get_if<PassBegin>(&event)) pass = begin->pass;
+    if (const auto* begin = get_if<PassBegin>(&event)) pass = begin->pass;
     const auto at = pixel_of(event);
     if (!at || pass == Pass::light) continue;
-    const bool decides = std::holds_alternative<DepthCompare>(event) || std::holds_alternative<PixelPaint>(event) ||
-                         std::holds_alternative<ColorBlend>(event) || std::holds_alternative<ColorWrite>(event);
+    const bool decides = holds<DepthCompare>(event) || holds<PixelPaint>(event) ||
+                         holds<ColorBlend>(event) || holds<ColorWrite>(event);
     if (decides)
       all[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x)]
           .push_back(step);
@@ -85,13 +85,13 @@ TEST_SUITE("pixel history") {
             CHECK_FALSE(visit.sentence.empty());
             const auto& fragment = replay.state().machine.fragment;
             if (fragment && fragment->x == x && fragment->y == y &&
-                std::holds_alternative<DepthCompare>(replay.current()->event)) {
+                holds<DepthCompare>(replay.current()->event)) {
               CHECK(visit.stored == fragment->stored);
               CHECK(visit.stored_polygon == fragment->stored_polygon);
               const auto write = trace.next(
                   visit.step, [](const RecordedEvent&) { return true; },
                   Trace::Among(Trace::Pixel{x, y}, kind_of<PixelWrite>, visit.step + 2));
-              if (write) CHECK(visit.polygon == std::get<PixelWrite>(trace.event(*write).event).polygon);
+              if (write) CHECK(visit.polygon == get<PixelWrite>(trace.event(*write).event).polygon);
             }
             if (visit.takes) seen = visit.polygon;
             if (visit.outcome != Outcome::rejected && visit.outcome != Outcome::behind && !casts_rays(trace))
@@ -152,7 +152,7 @@ TEST_SUITE("pixel history") {
             if (visit.outcome != Outcome::behind) continue;
             ++behind;
             const Event& decided = trace.event(visit.step).event;
-            CHECK((std::holds_alternative<SpanWinner>(decided) || std::holds_alternative<AreaDecide>(decided)));
+            CHECK((holds<SpanWinner>(decided) || holds<AreaDecide>(decided)));
             CHECK_FALSE(visit.takes);
             const double gap = *visit.z - *visit.stored;  // 0 where the triangle runs through a face
             const std::string wanted =
@@ -183,9 +183,9 @@ TEST_SUITE("pixel history") {
     std::int64_t second = 0;
     for (std::int64_t step = 1; step <= once.size(); ++step) {
       const RecordedEvent recorded = once.event(step), clear = once.event(1);
-      const auto* begin = std::get_if<PolygonBegin>(&recorded.event);
+      const auto* begin = get_if<PolygonBegin>(&recorded.event);
       if (begin && begin->polygon == 1) {
-        REQUIRE(std::holds_alternative<BuffersClear>(clear.event));
+        REQUIRE(holds<BuffersClear>(clear.event));
         record_any(recorder, clear.step, clear.event);
         second = step;
       }
@@ -230,7 +230,7 @@ TEST_SUITE("pixel history") {
           told.insert(visit.polygon);
           culled += visit.outcome == Outcome::rejected;
           if (visit.outcome == Outcome::rejected)
-            CHECK(std::get<PolygonReject>(trace.event(visit.step).event).polygon == visit.polygon);
+            CHECK(get<PolygonReject>(trace.event(visit.step).event).polygon == visit.polygon);
         }
         if (there) CHECK(told == *there);
       }
@@ -241,7 +241,7 @@ TEST_SUITE("pixel history") {
     const std::vector<glm::dvec3> all{{-1, -1, 7}, {5, -1, 7}, {5, 5, 7}, {-1, 5, 7}};
     const Trace honest = test::recorded_by("z-buffer", test::screen_scene(4, 4, {all, all}));
     const Trace trace = test::changed(honest, [](std::int64_t, Event& event) {
-      if (auto* compare = std::get_if<DepthCompare>(&event)) compare->nearer = true;
+      if (auto* compare = get_if<DepthCompare>(&event)) compare->nearer = true;
       return true;
     });
     const std::vector<Visit> history = pixel_history(trace, {1, 1});

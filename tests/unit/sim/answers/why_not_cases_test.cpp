@@ -71,7 +71,7 @@ TEST_SUITE("why not") {
       for (const Verdict& verdict : {why_not(trace, polygon), why_not(trace, polygon, {15, 12})}) {
         CHECK_FALSE(contains(verdict.sentence, "rays"));
         if (verdict.kind != Why::culled) continue;
-        const auto* reject = std::get_if<PolygonReject>(&trace.event(verdict.step).event);
+        const auto* reject = get_if<PolygonReject>(&trace.event(verdict.step).event);
         REQUIRE(reject);
         CHECK(reject->polygon == polygon);
         CHECK(verdict.chain.back().step == verdict.step);
@@ -98,12 +98,12 @@ TEST_SUITE("why not") {
       std::int32_t seen = 0;
       bool gone = false;
       return test::changed(honest, [&](std::int64_t, Event& event) {
-        if (auto* compare = std::get_if<DepthCompare>(&event)) {
+        if (auto* compare = get_if<DepthCompare>(&event)) {
           const bool meant = compare->x == 2 && compare->y == 1 && seen++ == which;
           if (meant) compare->nearer = nearer;
           gone = meant && !nearer;
         }
-        return !gone || !(std::holds_alternative<DepthWrite>(event) || std::holds_alternative<PixelWrite>(event));
+        return !gone || !(holds<DepthWrite>(event) || holds<PixelWrite>(event));
       });
     };
     const Verdict tie = why_not(flipped(test::recorded_by("z-buffer", scene), 1, true), 1, {2, 1});

@@ -23,7 +23,7 @@ namespace {
 
 template <class E>
 const E* at(const Trace& trace, std::int64_t step) {
-  return step < 1 || step > trace.size() ? nullptr : std::get_if<E>(&trace.event(step).event);
+  return step < 1 || step > trace.size() ? nullptr : get_if<E>(&trace.event(step).event);
 }
 
 template <class E>

@@ -84,7 +84,7 @@ TEST_CASE("a lesson is a head and stops") {
   const Trace trace = run_lesson(lesson);
   CHECK(lesson.stops[0].position == 0);
   CHECK(lesson.stops[1].heading == "A tie at 1");  // pixel (1, 3), the first tie of the Delhi example
-  CHECK(std::get<DepthCompare>(trace.event(lesson.stops[1].position + 1).event).y == 3);
+  CHECK(get<DepthCompare>(trace.event(lesson.stops[1].position + 1).event).y == 3);
   CHECK(lesson.stops[1].question->answers[1].text == "5");
 }
 

@@ -25,11 +25,11 @@ struct Case {
 };
 
 template <class E>
-const E* as(const Event& event) { return std::get_if<E>(&event); }
+const E* as(const Event& event) { return get_if<E>(&event); }
 
 template <class Test>
 auto of_fields(const Event& event, Test&& test) {
-  return std::visit([&](const auto& known) { return test(known); }, event);
+  return visit_event([&](const auto& known) { return test(known); }, event);
 }
 
 bool at(const Event& event, std::int32_t x, std::int32_t y) {
@@ -216,7 +216,7 @@ TEST_SUITE("places") {
     // Depths are not where the scene's vertices are.
     const Condition depth(trace, "z* < 1000");
     for (const std::int64_t step : found(trace, depth, 0, Way::forwards))
-      CHECK_FALSE(std::holds_alternative<ViewTransform>(trace.event(step).event));
+      CHECK_FALSE(holds<ViewTransform>(trace.event(step).event));
   }
 
   TEST_CASE("what is no condition is one line that says what may be typed") {

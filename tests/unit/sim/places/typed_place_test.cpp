@@ -86,7 +86,7 @@ TEST_SUITE("places") {
     CHECK(step("9,170") == 9170);  // there is no such pixel
     CHECK(step("line 5", 0) == step("y = 5", 0));
     CHECK(step("scan line 5", 0) == step("line 5", 0));
-    CHECK(std::get<ScanLineBegin>(trace.event(step("line 5", 0)).event).y == 5);
+    CHECK(get<ScanLineBegin>(trace.event(step("line 5", 0)).event).y == 5);
     CHECK(at("line 5", trace.size()).note.find("No later work on scan line 5") == 0);
 
     for (const char* const text : {"", " ", "1e5", "12.5", "line", "line -3", "3 line", "9,", "9, 17, 3", "-9, 17",

@@ -1,0 +1,49 @@
+// Law: a mistake that a program makes once, and goes on from, is the first cause of what parts from the run without it.
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include <fmt/format.h>
+
+#include "tests/zoo/runs.hpp"
+#include "tests/zoo/programs.hpp"
+#include "traces/diff/diff.hpp"
+
+using namespace zstep;
+
+namespace {
+
+TEST_CASE("diff: of mistakes that are made once, a hundred of each sort, each is named as the first cause") {
+  for (const char* mistake :
+       {"slope_ulp", "swapped_vertex", "dropped_increment", "wrong_rounding", "missing_retirement"}) {
+    int made = 0, named = 0;
+    std::string missed;
+    for (std::uint64_t seed = 1; made < 100 && seed < 400; ++seed) {
+      zoo::Task task = test::triangles(seed, 4, 20);
+      const std::string right = zoo::edge_table(task);
+      task.mistake = mistake;
+      task.nth = static_cast<int>(seed % 7);
+      const std::string wrong = zoo::edge_table(task);
+      const std::int64_t first = test::first_difference(right, wrong);
+      if (first == 0) continue;
+      ++made;
+      const std::string head = test::head(task, "float64", "increments");
+      const Trace without = test::trace_of(head + right);
+      const Trace with = test::trace_of(head + wrong);
+      const diff::DiffReport report = diff::compare(without, with);
+      const bool here = !report.causes.empty() && test::is_at(report.causes.front(), without, report.alignment, without,
+                                                              first, test::shown_at(with, first));
+      named += here;
+      if (!here && !report.causes.empty())
+        missed += fmt::format(" [seed {} step {}: a {} b {}]", seed, first, report.causes[0].first.a,
+                              report.causes[0].first.b);
+    }
+    CAPTURE(mistake);
+    CAPTURE(missed);
+    CHECK(made == 100);
+    CHECK(named == made);
+    MESSAGE(mistake, ": ", named, " of ", made);
+  }
+}
+
+}  // namespace

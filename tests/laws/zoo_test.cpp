@@ -1,0 +1,206 @@
+// Law: of runs that zstep did not make, check and diff name the first wrong step, and doubt none that is right.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "tests/where.hpp"
+#include "tests/zoo/programs.hpp"
+#include "tests/zoo/runs.hpp"
+#include "traces/check/check.hpp"
+#include "traces/diff/diff.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+using namespace zstep;
+using namespace zstep::test;
+
+namespace {
+
+// ---- Scenes in screen coordinates --------------------------------------------------------------------------------
+
+struct Named {
+  std::string name;
+  zoo::Task task;
+};
+
+std::vector<Named> scenes() {
+  std::vector<Named> all;
+  zoo::Task one;
+  one.width = 14, one.height = 12;
+  one.points = {{1, 1, 0.25}, {12.5, 4, 0.75}, {4, 10.5, 0.5}};
+  one.polygons = {{0, {0, 1, 2}}};
+  all.push_back({"one triangle", one});
+  zoo::Task ties = one;  // two in one plane, and one that shares a border
+  ties.points = {{1, 1, 0.5}, {12, 1, 0.5}, {1, 10, 0.5}, {3, 2, 0.5}, {12, 9, 0.5}, {2, 9, 0.5}, {12, 10, 0.5}};
+  ties.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}, {2, {1, 6, 2}}};
+  all.push_back({"ties", ties});
+  zoo::Task through = one;
+  through.points = {{1, 1, 0.125}, {12, 2, 0.875}, {6, 10, 0.5}, {2, 9, 0.25}, {12.5, 8, 0.375}, {7, 1, 0.75}};
+  through.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}};
+  all.push_back({"through each other", through});
+  all.push_back({"three triangles", triangles(3, 3, 18)});
+  all.push_back({"six triangles", triangles(6, 6, 22)});
+  all.push_back({"ten triangles", triangles(11, 10, 26)});
+  return all;
+}
+/// One that is concave, and one whose edges cross.
+zoo::Task concave() {
+  zoo::Task task;
+  task.width = 20, task.height = 16;
+  task.points = {{2, 3, 0.25}, {7, 1, 0.5},  {13, 5, 0.25}, {13, 11, 0.75}, {7, 7, 0.5},
+                 {2, 9, 0.25}, {1, 2, 0.75}, {18, 4, 0.25}, {10, 14, 0.5},  {9, 5, 0.5}};
+  task.polygons = {{0, {0, 1, 2, 3, 4, 5}}, {1, {6, 9, 7, 8}}, {2, {0, 2, 3, 4}}, {3, {1, 8, 2, 5}}};
+  return task;
+}
+
+/// What zstep itself does with the scene.
+Trace reference(const Scene& scene) {
+  Conventions conventions;
+  conventions.cull = false;
+  const Method& by = method("z-buffer");
+  TraceRecorder recorder(header_for(by, conventions), scene);
+  by.record(scene, conventions, recorder);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "reference");
+}
+
+// ---- Programs ----------------------------------------------------------------------------------------------------
+
+std::string python_of(const zoo::Task& task) {
+  const auto folder = std::filesystem::temp_directory_path();
+  const std::string path = (folder / fmt::format("zstep_zoo_{}", static_cast<const void*>(&task))).string();
+  std::ofstream file(path);
+  file << task.width << ' ' << task.height << ' ' << task.points.size() << ' ' << task.polygons.size() << '\n';
+  for (const zoo::Point& p : task.points) file << fmt::format("{} {} {}\n", p.x, p.y, p.z);
+  for (const zoo::Polygon& polygon : task.polygons) file << fmt::format("{}\n", fmt::join(polygon.corners, " "));
+  file.close();
+  const std::string out = path + ".out";
+  const int code = std::system(fmt::format("python3 '{}' '{}' '{}' > '{}'", test::in_checkout("tests/zoo/by_line.py"),
+                                           path, task.mistake, out).c_str());
+  std::stringstream text;
+  text << std::ifstream(out).rdbuf();
+  std::filesystem::remove(path);
+  std::filesystem::remove(out);
+  REQUIRE(code == 0);
+  return text.str();
+}
+
+struct Program {
+  const char* name;
+  std::string (*run)(const zoo::Task&);
+  const char* number_format;
+  const char* interpolation;
+  std::vector<const char*> mistakes;
+};
+const std::vector<Program>& programs() {
+  static const std::vector<Program> all{
+      {"edge table", zoo::edge_table, "float64", "increments",
+       {"z_not_swapped", "slope_inverted", "integer_slope", "z_slope_of_x", "x_at_vertex", "ends_one_late",
+        "compare_reversed", "compare_or_equal", "written_before_test", "colour_always", "depth_not_written",
+        "colour_not_written", "right_end_included", "ends_rounded", "z_not_to_centre", "z_by_slope_of_x",
+        "never_retired", "rounded_then_stepped", "z_not_carried", "stepped_twice", "not_sorted", "entered_in_front",
+        "buffer_begins_at_0", "buffer_reset", "buffer_index_swapped"}},
+      {"crossings", zoo::crossings, "float32", "direct",
+       {"both_ends_met", "z_along_x", "z_from_the_right", "z_of_the_line", "one_depth_off", "farther_wins",
+        "depth_kept", "colour_of_the_next"}},
+      {"half-planes", zoo::half_planes, "float64", "direct",
+       {"border_for_nobody", "border_for_all", "weights_turned", "or_equal", "half_the_depth"}},
+      {"by line (Python)", python_of, "float64", "increments",
+       {"last_line_in", "unsorted", "truncated", "begins_at_edge", "buffer_of_line_before"}},
+  };
+  return all;
+}
+bool there_is_python() {
+  static const bool found = std::system("python3 -c '' >/dev/null 2>&1") == 0;
+  return found;
+}
+
+TEST_CASE("zoo: runs of right programs are not doubted, and are the same as zstep's own but for rounding") {
+  int runs = 0;
+  for (const Program& program : programs()) {
+    if (program.run == python_of && !there_is_python()) continue;
+    std::vector<Named> all = scenes();
+    if (program.run != zoo::half_planes) all.push_back({"concave", concave()});
+    for (const Named& scene : all) {
+      CAPTURE(program.name);
+      CAPTURE(scene.name);
+      const Trace run = trace_of(head(scene.task, program.number_format, program.interpolation) +
+                                 program.run(scene.task));
+      const CheckReport report = check(run);
+      for (const Cause& cause : report.causes)
+        FAIL_CHECK("step " << cause.first.step << ": " << cause.first.field << " " << cause.first.impossible
+                           << (cause.first.rule ? rule_text(*cause.first.rule).name : ""));
+      const Trace own = reference(run.scene());
+      const diff::DiffReport against = diff::compare(own, run);
+      CHECK(against.alignment.complete);
+      for (const diff::Cause& cause : against.causes)
+        if (cause.part == diff::Part::different)
+          FAIL_CHECK("kind " << int{cause.first.kind} << " a " << cause.first.a << " b " << cause.first.b << " fields "
+                             << cause.first.fields);
+      ++runs;
+    }
+  }
+  CHECK(runs >= 18);
+}
+
+TEST_CASE("zoo: of wrong programs the first wrong step is named, by check or by diff") {
+  std::string table;
+  int wrong = 0, named = 0;
+  for (const Program& program : programs()) {
+    if (program.run == python_of && !there_is_python()) continue;
+    for (const char* mistake : program.mistakes) {
+      int seen = 0, by_check = 0, by_diff = 0, by_either = 0, unnoticed = 0;
+      std::string missed;
+      std::vector<Named> all = scenes();
+      if (program.run != zoo::half_planes) all.push_back({"concave", concave()});
+      for (Named& scene : all) {
+        const std::string right = program.run(scene.task);
+        scene.task.mistake = mistake;
+        const std::string text = program.run(scene.task);
+        const std::int64_t first = first_difference(right, text);
+        if (first == 0) continue;
+        ++seen;
+        std::string impossible;
+        const Trace run =
+            trace_of(head(scene.task, program.number_format, program.interpolation) + text, &impossible);
+        const CheckReport report = check(run);
+        const Trace own = reference(run.scene());
+        const diff::DiffReport against = diff::compare(own, run);
+        // What is missing, or comes too often, is noticed by the first span or pixel that comes after it, at the latest.
+        const std::int64_t shows = shown_at(run, first);
+        const bool checked = !report.causes.empty() && first <= report.causes[0].first.step &&
+                             report.causes[0].first.step <= shows;
+        const auto cause = std::find_if(against.causes.begin(), against.causes.end(), [](const diff::Cause& one) {
+          return one.part == diff::Part::different;
+        });
+        const Trace without = trace_of(head(scene.task, program.number_format, program.interpolation) + right);
+        const bool differed =
+            cause != against.causes.end() && is_at(*cause, own, against.alignment, without, first, shows);
+        by_check += checked, by_diff += differed, by_either += checked || differed;
+        unnoticed += report.causes.empty() && cause == against.causes.end() && impossible.empty();
+        if (!checked && !differed)
+          missed += fmt::format(" [{}: step {}, check {}, diff {}/{}]", scene.name, first,
+                                report.causes.empty() ? 0 : report.causes[0].first.step,
+                                cause == against.causes.end() ? 0 : cause->first.a,
+                                cause == against.causes.end() ? 0 : cause->first.b);
+      }
+      table += fmt::format("{:<18}{:<24}{:>4}{:>8}{:>8}{:>8}{}\n", program.name, mistake, seen, by_check, by_diff,
+                           by_either, missed);
+      CAPTURE(mistake);
+      CHECK(seen > 0);
+      CHECK(unnoticed == 0);
+      CHECK(by_either == seen);
+      wrong += seen, named += by_either;
+    }
+  }
+  MESSAGE("program, mistake, scenes in which it shows; named at its first step by check, by diff, by either\n", table);
+  MESSAGE(named, " of ", wrong, " wrong runs named at the first wrong step");
+}
+
+}  // namespace

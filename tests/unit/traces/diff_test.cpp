@@ -1,0 +1,129 @@
+// zstep diff: equal runs are equal, one change is one cause at its step, and what cannot be noticed is known.
+#include "traces/diff/diff.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "tests/golden/golden.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
+#include "traces/diff/buffers.hpp"
+#include "traces/events/slots.hpp"
+
+using namespace zstep;
+
+namespace {
+
+TEST_CASE("diff: every golden trace is the same as itself") {
+  test::for_each_golden([&](const std::string& name, const Trace& trace) {
+    CAPTURE(name);
+    const diff::DiffReport report = diff::compare(trace, trace);
+    CHECK(report.causes.empty());
+    CHECK(report.differences() == 0);
+    std::int64_t same = 0;
+    for (const diff::KindDifference& kind : report.kinds) {
+      same += kind.same;
+      CHECK(kind.only_a + kind.only_b + kind.different + kind.rounding == 0);
+    }
+    for (std::int64_t step = 1; step <= trace.size(); ++step)
+      if (report.alignment.in_b(step) != 0) CHECK(report.alignment.in_b(step) == step);
+  });
+}
+
+/// What is changed of a step, and how.
+enum class Change { last_digit, ninth_digit, sign, integer, verdict, left_out };
+
+/// Changes a field of an event; returns its name, "" where it has none of the sort.
+std::string change(Event& event, Change how, std::mt19937_64& random) {
+  std::vector<std::pair<std::string, std::function<void()>>> ways;
+  visit_event(
+      [&]<class E>(E& e) {
+        for_each_field<E>([&](const auto& field) {
+          using Value = typename std::remove_cvref_t<decltype(field)>::value_type;
+          Value& value = e.*field.member;
+          const std::string name = fmt::format("{}.{}", kind_text<E>.name, field.name);
+          if constexpr (std::is_same_v<Value, double>) {
+            if (!std::isfinite(value)) return;
+            if (how == Change::last_digit)
+              ways.emplace_back(name, [&] { value = std::nextafter(value, random() % 2 ? 1e30 : -1e30); });
+            if (how == Change::ninth_digit)
+              ways.emplace_back(name, [&] { value += (random() % 2 ? 1 : -1) * std::max(std::abs(value), 1e-3) * 1e-8; });
+            if (how == Change::sign && value != 0) ways.emplace_back(name, [&] { value = -value; });
+          }
+          if constexpr (std::is_same_v<Value, bool>)
+            if (how == Change::verdict) ways.emplace_back(name, [&] { value = !value; });
+          // Beside the number that it was, so that such a thing exists.
+          if constexpr (std::is_same_v<Value, std::int32_t>)
+            if (how == Change::integer) ways.emplace_back(name, [&] { value += value > 0 ? -1 : 1; });
+        });
+      },
+      event);
+  if (ways.empty()) return "";
+  const auto& [name, apply] = ways[random() % ways.size()];
+  apply();
+  return name;
+}
+
+TEST_CASE("diff: one field that is changed anywhere in a golden trace is the one cause, at its step") {
+  std::mt19937_64 random(61);
+  std::map<std::string, int> missed;  // field: how often
+  int changes = 0, named = 0;
+  test::for_each_golden([&](const std::string& golden, const Trace& right) {
+    for (int trial = 0; trial < 60; ++trial) {
+      const auto how = static_cast<Change>(random() % 6);
+      const std::int64_t at = 1 + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(right.size()));
+      std::string what;
+      diff::DiffReport report;
+      try {
+        const Trace wrong = test::changed(right, [&](std::int64_t step, Event& event) {
+          if (step != at) return true;
+          if (how == Change::left_out) return what = visit_event(
+              []<class E>(const E&) { return fmt::format("{} left out", kind_text<E>.name); }, event), false;
+          what = change(event, how, random);
+          return true;
+        });
+        if (!what.empty()) report = diff::compare(right, wrong);
+      } catch (const std::exception&) {
+        continue;  // a trace that cannot be, which import refuses
+      }
+      if (what.empty()) continue;
+      const diff::Cause* cause = report.causes.empty() ? nullptr : &report.causes.front();
+      const bool here = cause && (cause->first.b == at || cause->first.a == at);
+      ++changes, named += here;
+      if (!here) ++missed[fmt::format("{} in {}", what, golden)];
+    }
+  });
+  std::string text;
+  for (const auto& [what, times] : missed) text += fmt::format("  {} x {}\n", times, what);
+  MESSAGE("of ", changes, " changes ", named, " are named as the first cause; the others:\n", text);
+  CHECK(named >= 0.97 * changes);
+}
+
+TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is told apart") {
+  Scene scene;
+  scene.polygons.resize(2);
+  scene.polygons[0].color = {10, 20, 30};
+  scene.polygons[1].color = {10, 20, 31};
+  Picture a(3, 2), b(3, 2);
+  const Precision precision{1e-9, 0, true, ""};
+  a.depth = {1, 1, 2, no_depth, no_depth, 3};
+  b.depth = {1, 1 + 1e-12, 2.5, no_depth, 4, 3};
+  a.polygon = {0, 0, 0, no_polygon, no_polygon, 1};
+  b.polygon = {0, 0, 1, no_polygon, 0, 1};
+  const diff::BufferDifference found = diff::compare_pictures(a, scene, b, scene, precision);
+  CHECK(found.pixels == 6);
+  CHECK(found.colors == 2);
+  CHECK(found.depths == 2);
+  CHECK(found.depths_rounded == 1);
+  CHECK(found.farthest == 0.5);
+  CHECK(found.first == 2);
+  CHECK(found.apart[0] == 0);
+  CHECK(found.apart[2] == 1);
+  CHECK(found.apart[4] == 1);
+}
+
+}  // namespace

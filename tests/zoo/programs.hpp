@@ -1,0 +1,32 @@
+// Programs as students write them: each draws a scene with a depth buffer in its own way and prints what it does, a JSON
+// object a line. They share nothing with the engine, and each can be told to make a mistake.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace zoo {
+
+struct Point {
+  double x = 0, y = 0, z = 0;
+};
+struct Polygon {
+  int number = 0;
+  std::vector<int> corners;  ///< indices of points
+};
+struct Task {
+  int width = 0, height = 0;
+  std::vector<Point> points;
+  std::vector<Polygon> polygons;
+  std::string mistake;  ///< "" for none
+  int nth = 0;          ///< where it can be made once: at which place, from 0
+};
+
+/// Edge table with buckets, active edges in a list, everything by increments; in float64.
+std::string edge_table(const Task& task);
+/// A span from the two crossings of each scan line, found anew each time; in float32.
+std::string crossings(const Task& task);
+/// Inside the three half-planes, depth from the plane, column by column; triangles only.
+std::string half_planes(const Task& task);
+
+}  // namespace zoo

@@ -1,0 +1,108 @@
+#include "tests/zoo/runs.hpp"
+
+#include <memory>
+#include <random>
+#include <sstream>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "traces/file/jsonl.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+namespace zstep::test {
+
+zoo::Task triangles(std::uint64_t seed, int count, int size) {
+  std::mt19937_64 random(seed);
+  zoo::Task task;
+  task.width = size, task.height = size - 4;
+  const auto eighths = [&](int whole) {
+    return static_cast<double>(random() % static_cast<std::uint64_t>(8 * whole)) / 8;
+  };
+  for (int i = 0; i < count; ++i) {
+    for (int corner = 0; corner < 3; ++corner)
+      task.points.push_back({eighths(size - 1), eighths(size - 5), 0.25 + eighths(4) / 8});
+    task.polygons.push_back({i, {3 * i, 3 * i + 1, 3 * i + 2}});
+  }
+  return task;
+}
+
+std::string head(const zoo::Task& task, const char* number_format, const char* interpolation) {
+  using nlohmann::ordered_json;
+  ordered_json steps = ordered_json::array(), points = ordered_json::array(), polygons = ordered_json::array(),
+               facets = ordered_json::array();
+  int id = 0;
+  for (const auto& [name, event] : std::vector<std::pair<const char*, const char*>>{
+           {"clear", "buffers_clear"}, {"polygon", "polygon_begin"}, {"insert", "edge_table_insert"},
+           {"skip", "edge_table_skip"}, {"line", "scan_line_begin"}, {"retire", "edge_retire"}, {"step", "edge_step"},
+           {"swap", "edge_swap"}, {"enter", "edge_enter"}, {"span", "span_begin"}, {"z", "depth_interpolate"},
+           {"compare", "depth_compare"}, {"wz", "depth_write"}, {"wp", "pixel_write"}})
+    steps.push_back({{"id", ++id}, {"name", name}, {"event", event}});
+  for (const zoo::Point& p : task.points) points.push_back({p.x, p.y, p.z});
+  for (const zoo::Polygon& polygon : task.polygons) {
+    polygons.push_back({{"name", std::string(1, static_cast<char>('A' + polygon.number))},
+                        {"color", fmt::format("#{:02x}72b2", 20 * polygon.number)}});
+    facets.push_back({{"polygon", polygon.number}, {"points", polygon.corners}});
+  }
+  const ordered_json header{
+      {"ztrace", 1},
+      {"writer", "a program"},
+      {"algorithm", "z-buffer"},
+      {"conventions",
+       {{"number_format", number_format}, {"interpolation", interpolation}, {"coverage", "top_left"},
+        {"nearer", "smaller"}, {"ties", "first"}, {"cull", false}}},
+      {"steps", steps},
+      {"scene",
+       {{"raster", {{"width", task.width}, {"height", task.height}}},
+        {"camera", {{"kind", "screen"}}},
+        {"points", points},
+        {"polygons", polygons},
+        {"facets", facets}}}};
+  return header.dump() + "\n";
+}
+
+Trace trace_of(const std::string& text, std::string* impossible) {
+  std::istringstream in(text);
+  std::unique_ptr<Scene> kept;
+  std::unique_ptr<TraceRecorder> recorder;
+  const auto left = read_jsonl(in, "run.jsonl", [&](const Header& header, Scene scene) -> TraceRecorder& {
+    kept = std::make_unique<Scene>(std::move(scene));
+    recorder = std::make_unique<TraceRecorder>(header, *kept);
+    return *recorder;
+  }, impossible);
+  CHECK(!left);
+  recorder->finish();
+  return Trace::from_bytes(recorder->take_bytes(), "run.jsonl");
+}
+
+std::int64_t first_difference(const std::string& right, const std::string& wrong) {
+  std::istringstream a(right), b(wrong);
+  std::string one, other;
+  for (std::int64_t line = 1;; ++line) {
+    const bool more_a = static_cast<bool>(std::getline(a, one)), more_b = static_cast<bool>(std::getline(b, other));
+    if (!more_a && !more_b) return 0;
+    if (more_a != more_b || one != other) return line;
+  }
+}
+
+std::int64_t shown_at(const Trace& run, std::int64_t step) {
+  for (++step; step <= run.size(); ++step) {
+    const Event event = run.event(step).event;
+    if (holds<SpanBegin>(event) || holds<DepthInterpolate>(event) || holds<DepthCompare>(event)) return step;
+  }
+  return run.size();
+}
+
+bool is_at(const diff::Cause& cause, const Trace& reference, const diff::Alignment& alignment, const Trace& right,
+           std::int64_t step, std::int64_t shows) {
+  if (!cause.first.only_a()) return step <= cause.first.b && cause.first.b <= shows;
+  const std::int64_t before = alignment.before_in_b(cause.first.a);
+  if (step - 1 <= before && before <= shows) return true;
+  if (step > right.size()) return false;
+  const Event missing = reference.event(cause.first.a).event, instead = right.event(step).event;
+  const auto here = pixel_of(missing), there = pixel_of(instead);
+  return here && there && here->x == there->x && here->y == there->y;
+}
+
+}  // namespace zstep::test
