@@ -63,6 +63,7 @@ TEST_CASE("hostile files: info and query") {
   check_every_trace("query", "'select count(*) from buffers_clear'");
 }
 TEST_CASE("hostile files: dump") { check_every_trace("dump", "--jsonl"); }
+TEST_CASE("hostile files: check") { check_every_trace("check", ""); }
 TEST_CASE("hostile files: find") { check_every_trace("find", "'step > 0' --all"); }
 TEST_CASE("hostile files: history") {
   for (const char* pixel : {"0 0", "1 1", "3 3 --why"}) check_every_trace("history", pixel);

@@ -82,9 +82,7 @@ struct Program {
 
   void pixel(const Polygon& polygon, int x, int y, double z) {
     say("{\"step\":\"z\",\"x\":%d,\"y\":%d,\"z\":%.17g}", x, y, z);
-    double& stored = depth[static_cast<std::size_t>(is("buffer_index_swapped") && x < task.height
-                                                        ? x * task.width + y
-                                                        : y * task.width + x)];
+    double& stored = depth[static_cast<std::size_t>((is("buffer_of_one_line") ? 0 : y * task.width) + x)];
     bool nearer = z < stored;
     if (is("compare_reversed")) nearer = z > stored || std::isinf(stored);
     if (is("compare_or_equal")) nearer = z <= stored;

@@ -246,7 +246,7 @@ class Follow {
     if (alone && from != none && !findings_[static_cast<std::size_t>(from)].decides) from = none;
     if (alone && from == none)
       for (const std::int32_t scope : scopes_)
-        if (scope != none) from = scope;
+        if (scope != none && findings_[static_cast<std::size_t>(scope)].decides) from = scope;
     bool either_way = false;  // where two edges meet, either may be the left one
     if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
     const bool numbers_near = either_way || difference.off <= std::max(report_.precision.relative, witness.may_be_off) ||

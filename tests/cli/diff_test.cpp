@@ -1,0 +1,106 @@
+// zstep diff, as a person runs it.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+#include "tests/where.hpp"
+
+using namespace zstep::test;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_CASE("diff: the same is exit code 0, rounding too, a difference is 1, what cannot be compared is 2") {
+  const Folder folder;
+  REQUIRE(run(folder, "record pyramid -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "dump a.ztrace --jsonl > a.jsonl").code == 0);
+  REQUIRE(run(folder, "record pyramid --interpolation increments -o b.ztrace").code == 0);
+  REQUIRE(run(folder, "record cube -o c.ztrace").code == 0);
+  const Outcome same = run(folder, "diff a.ztrace a.jsonl");
+  CHECK(same.code == 0);
+  CHECK(has(same.out, "All steps that both have are the same, to the last bit."));
+  const Outcome rounding = run(folder, "diff a.ztrace b.ztrace");
+  CHECK(rounding.code == 0);
+  CHECK(has(rounding.out, "The runs part by rounding alone"));
+  const Outcome other = run(folder, "diff a.ztrace c.ztrace");
+  CHECK(other.code == 1);
+  CHECK(has(other.out, "the vertices of the two scenes differ"));
+  CHECK(run(folder, "diff a.ztrace nowhere.ztrace").code == 2);
+  CHECK(run(folder, "record pyramid --size 16x16 -o small.ztrace").code == 0);
+  const Outcome sizes = run(folder, "diff a.ztrace small.ztrace");
+  CHECK(sizes.code == 2);
+  CHECK(has(sizes.err, "small.ztrace: is 16x16 pixels, but A is 32x32"));
+  CHECK(run(folder, "diff a.ztrace a.jsonl --html a.jsonl").code == 2);  // never over what is read
+}
+
+TEST_CASE("diff: a cause stands with both runs' lines, numbers and formulas; what follows is counted") {
+  const Folder folder;
+  REQUIRE(run(folder, "record delhi -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "dump a.ztrace --jsonl > a.jsonl").code == 0);
+  // The second span of the run begins farther away, and its pixels go on from there.
+  const std::string text = text_of(folder / "a.jsonl");
+  const std::size_t span = text.find("\"step\":\"span\"", text.find("\"step\":\"span\"", text.find("\n")) + 1);
+  const std::size_t z = text.find("\"z_left\":", span) + 9;
+  std::string wrong = text;
+  wrong.insert(z, "1");
+  write_text(folder / "b.jsonl", wrong);
+  const Outcome outcome = run(folder, "diff a.jsonl b.jsonl --json");
+  CHECK(outcome.code == 1);
+  const auto report = nlohmann::json::parse(outcome.out);
+  REQUIRE(report["causes"].size() >= 1);
+  const auto& cause = report["causes"][0];
+  CHECK(cause["kind"] == "span_begin");
+  CHECK(cause["part"] == "different");
+  CHECK(cause["what"] == "B computes it wrongly from its own operands");
+  CHECK(has(cause["b"]["where"], "b.jsonl:"));
+  CHECK(has(cause["b"]["fields"][0], "z_left = 1"));
+  CHECK(report["kinds"]["depth_compare"]["different"] == 0);  // its depths were not changed
+  const Outcome page = run(folder, "diff a.jsonl b.jsonl --html page.html");
+  CHECK(page.code == 1);
+  const std::string html = text_of(folder / "page.html");
+  CHECK(times(html, "<img src=\"data:image/png;base64,iVBORw0KGgo") == 3);
+  CHECK(times(html, "<script") == 0);
+  CHECK(times(html, "http") == 0);
+}
+
+TEST_CASE("diff: against depths and pictures of other programs") {
+  const Folder folder;
+  REQUIRE(run(folder, "record pyramid -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "render pyramid --save-depth-raw same.npy --save same.png").code == 0);
+  REQUIRE(run(folder, "render pyramid --phi 50 --save-depth-raw other.npy --save other.png").code == 0);
+  CHECK(run(folder, "diff a.ztrace same.npy").code == 0);
+  CHECK(run(folder, "diff a.ztrace same.png").code == 0);
+  const Outcome depths = run(folder, "diff a.ztrace other.npy");
+  CHECK(depths.code == 1);
+  CHECK(has(depths.out, "The first from the top is ("));
+  CHECK(run(folder, "diff a.ztrace other.png").code == 1);
+  // A portable float map: text, then rows from the bottom up, the lowest byte first.
+  std::string pfm = "Pf\n32 32\n-1.0\n";
+  pfm.append(32 * 32 * 4, '\0');
+  write_text(folder / "zero.pfm", pfm);
+  CHECK(run(folder, "diff a.ztrace zero.pfm").code == 1);
+  write_text(folder / "short.pfm", pfm.substr(0, 100));
+  const Outcome damaged = run(folder, "diff a.ztrace short.pfm");
+  CHECK(damaged.code == 2);
+  CHECK(has(damaged.err, "short.pfm: has not the 4096 bytes of 32x32 numbers"));
+}
+
+TEST_CASE("check and diff go up to a step that cannot be, and name it") {
+  const Folder folder;
+  REQUIRE(run(folder, "record delhi -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '40s/\"y\":[0-9]*/\"y\":99/' > b.jsonl").code == 0);
+  const Outcome check = run(folder, "check b.jsonl");
+  CHECK(check.code == 1);
+  CHECK(has(check.out, "The run is judged up to a step that cannot be:\nb.jsonl:40:"));
+  CHECK(has(check.out, "row 99 lies outside the raster"));
+  const Outcome diff = run(folder, "diff a.ztrace b.jsonl");
+  CHECK(diff.code == 1);
+  CHECK(has(diff.out, "compared up to a step that cannot be: b.jsonl:40:"));
+  CHECK(run(folder, "info b.jsonl").code == 2);
+}
+
+}  // namespace
