@@ -61,7 +61,7 @@ std::string follow_text(const Cause& cause) {
 }
 
 void print_text(const Trace& trace, const CheckOptions& options, const CheckReport& report,
-                const std::vector<Told>& told, const std::string& impossible) {
+                const std::vector<Told>& told, const std::string& impossible, const std::string& hint) {
   const Precision& precision = report.precision;
   fmt::print("{}: {} ({}), of which {} have a formula or a rule\n", printable(trace.name()),
              counted(report.steps, "step", "steps"), precision.text, grouped(report.judged));
@@ -73,6 +73,7 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckRepo
   fmt::print("{}: {} wrong, {} more follow from {}\n\n", counted(static_cast<std::int64_t>(report.causes.size()), "cause", "causes"),
              counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
              report.causes.size() == 1 ? "it" : "them");
+  if (!hint.empty()) fmt::print("{}\n\n", hint);
   FileLines lines(options.trace);
   const std::size_t shown = options.all ? report.causes.size() : std::min(most_causes, report.causes.size());
   for (std::size_t i = 0; i < shown; ++i) {
@@ -89,7 +90,7 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckRepo
 }
 
 void print_json(const Trace& trace, const CheckOptions& options, const CheckReport& report,
-                const std::vector<Told>& told, const std::string& impossible) {
+                const std::vector<Told>& told, const std::string& impossible, const std::string& hint) {
   Json causes = Json::array();
   FileLines lines(options.trace);
   for (std::size_t i = 0; i < report.causes.size(); ++i) {
@@ -113,7 +114,19 @@ void print_json(const Trace& trace, const CheckOptions& options, const CheckRepo
                  {"format", report.precision.text}, {"wrong", report.wrong_steps}, {"inherited", report.inherited},
                  {"causes", causes}};
   if (!impossible.empty()) all["impossible"] = impossible;
+  if (!hint.empty()) all["hint"] = hint;
   fmt::print("{}\n", all.dump(2));
+}
+
+/// "With "nearer": "greater" in its header nothing would be wrong."
+std::string other_convention(const Trace& trace, const CheckReport& report) {
+  constexpr std::int64_t most_steps = 5'000'000;  // each convention takes as long as the check
+  if (report.causes.empty() || trace.size() > most_steps) return "";
+  const auto other = convention_it_follows(trace, report);
+  if (!other) return "";
+  return fmt::format("With \"{}\": \"{}\" in its header {} would be wrong: the program's mistake, or the header's.",
+                     other->key, other->word,
+                     other->wrong_steps == 0 ? "nothing" : "only " + counted(other->wrong_steps, "step", "steps"));
 }
 
 int run(const CheckOptions& options) {
@@ -133,9 +146,10 @@ int run(const CheckOptions& options) {
         watch.show(fmt::format("checking: step {} of {} (Ctrl-C stops)", grouped(done), grouped(trace.size())));
         return false;
       });
+  const std::string hint = other_convention(trace, report);
   watch.clear_line();
-  if (options.json) print_json(trace, options, report, told, impossible);
-  else print_text(trace, options, report, told, impossible);
+  if (options.json) print_json(trace, options, report, told, impossible, hint);
+  else print_text(trace, options, report, told, impossible, hint);
   return report.causes.empty() && impossible.empty() ? exit_code::done : exit_code::finding;
 }
 

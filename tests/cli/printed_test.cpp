@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 const std::set<std::string> commands{
     "list",    "lesson",  "view",  "render", "record",          "info",      "dump", "import", "find", "history",
     "why-not", "explain", "query", "export", "compare-methods", "completion", "check",
-    "diff"};
+    "diff",    "header"};
 /// Those of the launcher, which tests/launcher tries.
 const std::set<std::string> of_launcher{"test", "bench", "build", "clean", "packages", "help"};
 

@@ -34,6 +34,7 @@ std::size_t field_number(Value E::*member) {
 
 struct Checker {
   const Trace& trace;
+  const Header& header;  ///< by which it is judged
   const OnCause& on_cause;
   CheckReport report;
   Inheritance inheritance;
@@ -132,7 +133,7 @@ struct Judge {
     wrong(member, static_cast<double>(e.*member), static_cast<double>(value));
   }
   void verdict(bool E::*member, const Number& z, const Number& stored) {
-    const Header& header = checker.trace.header();
+    const Header& header = checker.header;
     const bool tie = z.value == stored.value;
     if (!header.declares(tie ? Convention::ties : Convention::nearer)) return;
     if (!checker.report.precision.every_digit && checker.within_rounding(z, stored.value)) return;
@@ -163,14 +164,12 @@ struct Judge {
   }
 };
 
-}  // namespace
-
-CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked) {
+CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked) {
   const Beginning beginning(trace);
   State state = beginning.state();
-  Checker checker{trace, on_cause, {}, {}, {}};
+  Checker checker{trace, header, on_cause, {}, {}, {}};
   checker.report.precision = precision_of(trace);
-  Situation at = formulas::situation_of(trace, state);
+  Situation at = formulas::situation_of(trace, state, header);
   checker.at = &at;
 
   NoLog log;
@@ -205,6 +204,45 @@ CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& 
     return !(on_checked && position % now_and_then == 0 && on_checked(position));
   });
   return std::move(checker.report);
+}
+
+/// The header with one convention declared otherwise, as a header writes it.
+struct Otherwise {
+  const char *key, *word;
+  void (*change)(Header&);
+};
+constexpr Otherwise otherwise[] = {
+    {"nearer", "smaller", [](Header& h) { h.comparison.nearer = Comparison::Nearer::smaller; }},
+    {"nearer", "greater", [](Header& h) { h.comparison.nearer = Comparison::Nearer::greater; }},
+    {"ties", "first", [](Header& h) { h.comparison.ties = Comparison::Ties::first; }},
+    {"ties", "last", [](Header& h) { h.comparison.ties = Comparison::Ties::last; }},
+    {"interpolation", "direct",
+     [](Header& h) { h.conventions.interpolation = Conventions::Interpolation::direct; }},
+    {"interpolation", "increments",
+     [](Header& h) { h.conventions.interpolation = Conventions::Interpolation::increments; }},
+    {"coverage", "top_left", [](Header& h) { h.conventions.coverage = Conventions::Coverage::top_left; }},
+    {"coverage", "inclusive", [](Header& h) { h.conventions.coverage = Conventions::Coverage::inclusive; }},
+    {"depth", "pseudodepth", [](Header& h) { h.conventions.depth = Conventions::Depth::pseudodepth; }},
+    {"depth", "view", [](Header& h) { h.conventions.depth = Conventions::Depth::view; }},
+};
+
+}  // namespace
+
+CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked) {
+  return check_by(trace.header(), trace, on_cause, on_checked);
+}
+
+std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report) {
+  std::optional<OtherConvention> best;
+  for (const Otherwise& other : otherwise) {
+    Header header = trace.header();
+    other.change(header);
+    if (header.conventions == trace.header().conventions && header.comparison == trace.header().comparison) continue;
+    const std::int64_t wrong = check_by(header, trace, nullptr, nullptr).wrong_steps;
+    if (10 * wrong < report.wrong_steps && (!best || wrong < best->wrong_steps))
+      best = OtherConvention{other.key, other.word, wrong};
+  }
+  return best;
 }
 
 }  // namespace zstep

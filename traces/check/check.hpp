@@ -58,4 +58,13 @@ using OnChecked = std::function<bool(std::int64_t)>;
 /// Goes through the whole trace. Throws InputError where it cannot be read.
 CheckReport check(const Trace& trace, const OnCause& on_cause = nullptr, const OnChecked& on_checked = nullptr);
 
+/// A convention that a trace's steps follow, other than its header says or leaves to be assumed.
+struct OtherConvention {
+  std::string key, word;         ///< "nearer", "greater", as the header writes them
+  std::int64_t wrong_steps = 0;  ///< that would be wrong under it
+};
+/// Of a trace with something wrong: the convention under which the least would be, where that is less than a tenth of what
+/// is wrong under its own. Goes through the trace once for each.
+std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report);
+
 }  // namespace zstep

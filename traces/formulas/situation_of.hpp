@@ -6,13 +6,17 @@
 
 namespace zstep::formulas {
 
-/// Before the step that follows `before`, which is looked at, not copied.
-inline Situation situation_of(const Trace& trace, const State& before) {
-  Situation at{trace.header(), trace.scene(), before, nullptr, {}};
+/// Before the step that follows `before`, under the conventions of `header`. Both are looked at, not copied.
+inline Situation situation_of(const Trace& trace, const State& before, const Header& header) {
+  Situation at{header, trace.scene(), before, nullptr, {}};
   for (std::size_t kind = 0; kind < kind_count; ++kind)
     at.kinds_recorded[kind] = trace.has(static_cast<std::uint8_t>(kind));
   at.look();
   return at;
+}
+
+inline Situation situation_of(const Trace& trace, const State& before) {
+  return situation_of(trace, before, trace.header());
 }
 
 }  // namespace zstep::formulas
