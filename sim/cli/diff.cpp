@@ -295,8 +295,10 @@ int runs(const DiffOptions& options) {
     return false;
   });
   Replay end_a(a), end_b(b);
-  end_a.go_to(a.size());
-  end_b.go_to(b.size());
+  if (!report.alignment.identical || !options.page.empty()) {
+    end_a.go_to(a.size());
+    end_b.go_to(b.size());
+  }
   watch.clear_line();
   const Picture &picture_a = end_a.state().picture, &picture_b = end_b.state().picture;
   const PicturePair pictures{

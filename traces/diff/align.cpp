@@ -302,6 +302,7 @@ bool same_bytes(const Trace& a, const Trace& b) {
 
 Alignment all_the_same(const Trace& trace) {
   Alignment found{};
+  found.identical = true;
   if (trace.size() > 0) found.by_a = found.by_b = {{1, 1, trace.size()}};
   trace.visit(0, trace.size(), [&]<class E>(std::int64_t, std::uint8_t, const E&) {
     ++found.kinds[kind_of<E>].pairs;

@@ -34,6 +34,7 @@ struct Alignment {
   std::vector<Stretch> by_a, by_b;          ///< the same, ordered by one run's steps and by the other's
   std::vector<Difference> differences;      ///< by the steps of B; what B does not have stands where it would have been
   std::array<KindCount, kind_count> kinds;  ///< of the kinds that both runs record
+  bool identical = false;                   ///< byte for byte
   bool complete = true;                     ///< false where it ended at a limit, or was told to
 
   /// The other run's step for one's own; 0 where there is none.
