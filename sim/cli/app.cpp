@@ -42,6 +42,7 @@ void declare(CLI::App& app, Action& action) {
   add_explain(app, action);
   add_check(app, action);
   add_diff(app, action);
+  add_error(app, action);
   add_header(app, action);
   add_query(app, action);
   add_export(app, action);

@@ -33,7 +33,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   std::string out;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t left = bytes.size() - i;
-    const unsigned three = static_cast<unsigned>(bytes[i]) << 16 | (left > 1 ? bytes[i + 1] << 8 : 0u) |
+    const unsigned three = static_cast<unsigned>(bytes[i]) << 16 | (left > 1 ? static_cast<unsigned>(bytes[i + 1]) << 8 : 0u) |
                            (left > 2 ? static_cast<unsigned>(bytes[i + 2]) : 0u);
     for (unsigned digit = 0; digit < 4; ++digit)
       out += digit <= left ? digits[three >> (18 - 6 * digit) & 63] : '=';

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 const std::set<std::string> commands{
     "list",    "lesson",  "view",  "render", "record",          "info",      "dump", "import", "find", "history",
     "why-not", "explain", "query", "export", "compare-methods", "completion", "check",
-    "diff",    "header"};
+    "diff",    "header", "error"};
 /// Those of the launcher, which tests/launcher tries.
 const std::set<std::string> of_launcher{"test", "bench", "build", "clean", "packages", "help"};
 
@@ -42,6 +42,8 @@ void furnish(const Folder& clone) {
   REQUIRE(run(clone, "record pyramid-behind -o run.ztrace").code == 0);
   REQUIRE(run(clone, "dump run.ztrace --jsonl > run.jsonl").code == 0);
   fs::copy_file(clone / "run.jsonl", clone / "homework.jsonl");
+  fs::copy_file(clone / "run.ztrace", clone / "right.ztrace");
+  REQUIRE(run(clone, "render pyramid-behind --save picture.png --save-depth-raw depths.npy").code == 0);
   fs::copy_file(in_checkout("lessons/scenes/wall.toml"), clone / "my.toml");
   write_text(clone / "my-lesson.md", all_matches_replaced(text_of(in_checkout("lessons/5-worked-example.md")),
                                                           "scene = .*", "scene = \"delhi\""));
@@ -80,7 +82,8 @@ void check_runs(const Folder& clone, std::string line) {
   const bool no_films_here = outcome.err.find("ffmpeg, which is not installed") != std::string::npos;
   // 1: it found pixels that are wrong, as the painter's algorithm has some on most scenes; or a run that is made wrong.
   const bool looks_for_faults =
-      line.find("compare-methods") != std::string::npos || line.find("zstep check run.jsonl") != std::string::npos;
+      line.find("compare-methods") != std::string::npos || line.find("zstep check run.jsonl") != std::string::npos ||
+      line.find("zstep diff right.ztrace run.jsonl") != std::string::npos;
   const bool found = outcome.code == 1 && looks_for_faults;
   CHECK_MESSAGE((outcome.code == 0 || found || no_films_here), line);
 }

@@ -26,7 +26,7 @@ std::string crossings(const Task& task) {
   const auto is = [&](const char* mistake) { return task.mistake == mistake; };
   std::vector<float> depth(static_cast<std::size_t>(task.width) * static_cast<std::size_t>(task.height), INFINITY);
   int pixels = 0;
-  say("{\"step\":\"clear\",\"z\":\"inf\"}");
+  say("{\"step\":\"clear\",\"z\":\"%s\"}", "inf");
   for (const Polygon& polygon : task.polygons) {
     say("{\"step\":\"polygon\",\"polygon\":%d,\"facet\":%d}", polygon.number, polygon.number);
     for (int y = task.height - 1; y >= 0; --y) {

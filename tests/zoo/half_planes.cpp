@@ -18,7 +18,7 @@ std::string half_planes(const Task& task) {
   };
   const auto is = [&](const char* mistake) { return task.mistake == mistake; };
   std::vector<double> depth(static_cast<std::size_t>(task.width) * static_cast<std::size_t>(task.height), INFINITY);
-  say("{\"step\":\"clear\",\"z\":\"inf\"}");
+  say("{\"step\":\"clear\",\"z\":\"%s\"}", "inf");
   for (const Polygon& polygon : task.polygons) {
     std::array<Point, 3> p;
     for (std::size_t i = 0; i < 3; ++i) p[i] = task.points[static_cast<std::size_t>(polygon.corners[i])];

@@ -29,6 +29,7 @@ TEST_CASE("diff: every golden trace is the same as itself") {
       same += kind.same;
       CHECK(kind.only_a + kind.only_b + kind.different + kind.rounding == 0);
     }
+    CHECK(same > 0);
     for (std::int64_t step = 1; step <= trace.size(); ++step)
       if (report.alignment.in_b(step) != 0) CHECK(report.alignment.in_b(step) == step);
   });

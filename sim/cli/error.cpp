@@ -1,0 +1,178 @@
+// zstep error: how far the depths of a run are from the exact ones.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/cli/budget.hpp"
+#include "sim/cli/commands.hpp"
+#include "sim/cli/outputs.hpp"
+#include "sim/cli/rows.hpp"
+#include "sim/cli/traces.hpp"
+#include "sim/cli/watch.hpp"
+#include "sim/cli/words.hpp"
+#include "sim/image/npy.hpp"
+#include "sim/image/png.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/shell_word.hpp"
+#include "traces/error.hpp"
+#include "traces/oracle/errors.hpp"
+#include "traces/text.hpp"
+
+namespace zstep::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using oracle::ErrorOf, oracle::Errors;
+
+struct ErrorOptions {
+  std::string trace, picture, table;
+  bool all = false, json = false;
+};
+
+constexpr std::size_t most_polygons = 10;
+
+/// "0.5", "12", "3.4e6": errors in last digits range from less than one to many.
+std::string digits(double value) { return value < 1e5 ? number(value, 2, true) : fmt::format("{:.1e}", value); }
+
+void print_text(const Trace& trace, const ErrorOptions& options, const Errors& errors) {
+  const Header& header = trace.header();
+  const std::string format =
+      std::string(header.number_format == NumberFormat::float32 ? "float32" : "float64") +
+      (header.declares(Convention::number_format) ? "" : ", which its header does not declare");
+  fmt::print("{}: {} held against the exact ones, in last digits of {}\n", printable(trace.name()),
+             counted(errors.all.depths, "depth", "depths"), format);
+  if (errors.not_judged > 0)
+    fmt::print("{} have no span and edges in the trace and are left out\n", grouped(errors.not_judged));
+  fmt::print("largest error {}, root mean square {}; at most {:.3g} in depth, at step {}\n", digits(errors.all.largest),
+             digits(errors.all.root_mean_square()), errors.all.largest_depth, errors.steepest_step);
+  fmt::print("{} decided otherwise than the exact depths; {} another polygon than the exactly nearest\n\n",
+             counted(errors.all.decided_wrong, "compare is", "compares are"),
+             counted(errors.wrong_pixels, "pixel shows", "pixels show"));
+  for (const oracle::WrongDecision& wrong : errors.decisions) {
+    if (&wrong - errors.decisions.data() >= 3 && !options.all) break;
+    fmt::print("pixel ({}, {}), {}: {} against {}; exactly {} against {}\n  zstep view {} --at {}\n", wrong.x, wrong.y,
+               polygon_label(trace.scene(), wrong.polygon), fmt::format("{}", wrong.z), fmt::format("{}", wrong.stored),
+               fmt::format("{}", wrong.z_exact), fmt::format("{}", wrong.stored_exact), shell_word(options.trace),
+               wrong.step);
+  }
+  if (!errors.decisions.empty()) fmt::print("\n");
+  std::vector<ErrorOf> rows = errors.polygons;
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const ErrorOf& one, const ErrorOf& other) { return one.largest > other.largest; });
+  if (!options.all && rows.size() > most_polygons) rows.resize(most_polygons);
+  fmt::print("{:<16} {:>10} {:>12} {:>12} {:>14} {:>8}\n", "polygon", "depths", "largest", "rms", "in depth", "wrong");
+  for (const ErrorOf& row : rows)
+    fmt::print("{:<16} {:>10} {:>12} {:>12} {:>14.3g} {:>8}\n", polygon_label(trace.scene(), row.polygon), row.depths,
+               digits(row.largest), digits(row.root_mean_square()), row.largest_depth, row.decided_wrong);
+  if (rows.size() < errors.polygons.size())
+    fmt::print("… and {} more: --all prints them\n", grouped(static_cast<std::int64_t>(errors.polygons.size() - rows.size())));
+}
+
+Json json_of(const ErrorOf& of) {
+  return Json{{"depths", of.depths},
+              {"largest_digits", of.largest},
+              {"rms_digits", of.root_mean_square()},
+              {"largest_depth", of.largest_depth},
+              {"decided_wrong", of.decided_wrong}};
+}
+
+void print_json(const Trace& trace, const Errors& errors) {
+  Json all = json_of(errors.all);
+  all["trace"] = trace.name();
+  all["not_judged"] = errors.not_judged;
+  all["largest_at_step"] = errors.steepest_step;
+  all["wrong_pixels"] = errors.wrong_pixels;
+  Json polygons = Json::array(), decisions = Json::array();
+  for (const ErrorOf& of : errors.polygons) {
+    Json one = json_of(of);
+    one["polygon"] = of.polygon;
+    polygons.push_back(one);
+  }
+  for (const oracle::WrongDecision& wrong : errors.decisions)
+    decisions.push_back(Json{{"step", wrong.step}, {"x", wrong.x}, {"y", wrong.y}, {"polygon", wrong.polygon},
+                             {"z", wrong.z}, {"stored", wrong.stored}, {"z_exact", wrong.z_exact},
+                             {"stored_exact", wrong.stored_exact}});
+  all["polygons"] = polygons;
+  all["decisions"] = decisions;
+  fmt::print("{}\n", all.dump(2));
+}
+
+/// White: no error; half grey: one last digit; black: a thousand and more. Hatched where no depth was judged.
+Image picture_of(const std::vector<double>& errors, const Raster& raster) {
+  Image image{raster.width, raster.height, {}};
+  const auto same = [](double value) { return value; };
+  const auto rows = top_row_first<double>(errors, raster.width, raster.height, raster.y_up, same);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto x = i % static_cast<std::size_t>(raster.width), y = i / static_cast<std::size_t>(raster.width);
+    double dark = 0;
+    if (std::isnan(rows[i])) dark = (x + y) % 4 == 0 ? 0.25 : 0;
+    else if (rows[i] != 0) dark = std::clamp(0.5 + std::log10(std::abs(rows[i])) / 6, 0.1, 1.0);
+    const auto light = static_cast<std::uint8_t>(std::lround(255 * (1 - dark)));
+    image.rgb.insert(image.rgb.end(), {light, light, light});
+  }
+  return image;
+}
+
+int run(const ErrorOptions& options) {
+  std::vector<std::string> outputs;
+  for (const std::string& path : {options.picture, options.table})
+    if (!path.empty()) outputs.push_back(path);
+  check_outputs({}, {options.trace}, outputs);
+  const Trace trace = open_trace(options.trace);
+  Watch watch;
+  const Errors errors = oracle::errors_of(trace, [&](std::int64_t step) {
+    watch.show(fmt::format("comparing with exact depths: step {} of {} (Ctrl-C stops)", grouped(step),
+                           grouped(trace.size())));
+    return false;
+  });
+  watch.clear_line();
+  if (errors.all.depths == 0)
+    throw InputError(options.trace, "has no depths that are interpolated along spans between edges",
+                     "record a method that has spans, as the Z-buffer");
+  const Raster& raster = trace.scene().raster;
+  if (options.json) print_json(trace, errors);
+  else print_text(trace, options, errors);
+  if (!options.picture.empty()) {
+    const Image image = picture_of(errors.of_pixel, raster);
+    write_png(options.picture, image.width, image.height, image.rgb);
+    if (!options.json) say_written(options.picture, "errors of the stored depths: the darker, the larger");
+  }
+  if (!options.table.empty()) {
+    const auto same = [](double value) { return value; };
+    write_npy(options.table,
+              std::span<const double>(
+                  top_row_first<double>(errors.of_pixel, raster.width, raster.height, raster.y_up, same)),
+              raster.height, raster.width);
+    if (!options.json)
+      say_written(options.table, fmt::format("errors in last digits, float64 [{},{}]", raster.height, raster.width));
+  }
+  return errors.all.decided_wrong + errors.wrong_pixels == 0 ? exit_code::done : exit_code::finding;
+}
+
+}  // namespace
+
+void add_error(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ErrorOptions>();
+  CLI::App* command = app.add_subcommand("error", "How far are the depths of a run from the exact ones?");
+  command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
+  add_budget_options(*command);
+  command->add_flag("--all", options->all, "Print all polygons, not ten, and a hundred wrong compares, not three");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->add_option("--save", options->picture, "Write a picture of the errors")->type_name("FILE.png");
+  command->add_option("--save-errors", options->table, "Write them as a table: float64 [H,W], NaN where there is none")
+      ->type_name("FILE.npy");
+  command->footer(
+      "From the vertices that the trace has on the raster each span's depth follows without rounding, in whole numbers\n"
+      "of any size; every depth and every compare is held against it. Exit code 1: a compare was decided otherwise.\n"
+      "\n"
+      "Examples:\n"
+      "  zstep error run.ztrace\n"
+      "  zstep error run.ztrace --save error.png");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace zstep::cli

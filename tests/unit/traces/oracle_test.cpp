@@ -1,0 +1,144 @@
+// The exact oracle, against depths that were found in another way: by the plane through three points, in fractions.
+#include "traces/oracle/exact_depth.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <doctest/doctest.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
+#include "tests/golden/golden.hpp"
+#include "tests/zoo/runs.hpp"
+#include "traces/oracle/errors.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+using namespace zstep;
+using Fraction = boost::multiprecision::cpp_rational;
+
+namespace {
+
+/// z of the plane through a, b, c at (x, y), by Cramer's rule.
+Fraction depth_of_plane(const oracle::Vertex& a, const oracle::Vertex& b, const oracle::Vertex& c, int x, int y) {
+  const Fraction ax(a.x), ay(a.y), az(a.z), ux = Fraction(b.x) - ax, uy = Fraction(b.y) - ay, uz = Fraction(b.z) - az,
+                 vx = Fraction(c.x) - ax, vy = Fraction(c.y) - ay, vz = Fraction(c.z) - az;
+  const Fraction normal_x = uy * vz - uz * vy, normal_y = uz * vx - ux * vz, normal_z = ux * vy - uy * vx;
+  return az - (normal_x * (Fraction(x) - ax) + normal_y * (Fraction(y) - ay)) / normal_z;
+}
+
+TEST_CASE("exact: on 10 000 random triangles the depth between two edges is that of the plane, as a fraction") {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> place(-40, 60), deep(-1, 1);
+  int points = 0;
+  for (int trial = 0; trial < 10'000; ++trial) {
+    oracle::Vertex corner[3];
+    const int scale = static_cast<int>(random() % 30) - 20;  // also very small depths
+    for (oracle::Vertex& vertex : corner) vertex = {place(random), place(random), std::ldexp(deep(random), scale)};
+    const int x = static_cast<int>(random() % 20), y = static_cast<int>(random() % 20);
+    const oracle::Edge left{corner[0], corner[1]}, right{corner[2], corner[0]};
+    const auto depth = oracle::ExactDepth::between(left, right, y);
+    REQUIRE(depth);
+    const Fraction plane = depth_of_plane(corner[0], corner[1], corner[2], x, y);
+    const double rounded = static_cast<double>(plane);
+    // The rational's own conversion rounds, too, but not always to the nearest.
+    CHECK(std::abs(depth->at(x) - rounded) <= std::nextafter(std::abs(rounded), 1e300) - std::abs(rounded));
+    const Fraction above = abs(Fraction(depth->at(x)) - plane);
+    CHECK(above <= abs(Fraction(std::nextafter(depth->at(x), 1e300)) - plane));
+    CHECK(above <= abs(Fraction(std::nextafter(depth->at(x), -1e300)) - plane));
+    const double z = std::nextafter(rounded, 1e300) + 3e-12;
+    const double off = static_cast<double>(Fraction(z) - plane);
+    CHECK(depth->error_of(z, x) == doctest::Approx(off).epsilon(1e-15));
+    points += off != 0;
+  }
+  CHECK(points > 9'900);
+}
+
+TEST_CASE("exact: two depths are told apart where doubles are not, and an upright crossing has one depth") {
+  // Two planes that differ by 2⁻⁸⁰ at x = 5.
+  const double tiny = std::ldexp(1.0, -80);
+  const oracle::Edge left{{0, 0, 1}, {0, 10, 1}}, right{{10, 0, 2}, {10, 10, 2}},
+      raised{{10, 0, 2}, {10, 10, 2}};
+  const oracle::Edge lifted{{0, 0, tiny}, {0, 10, tiny}}, flat{{10, 0, -tiny}, {10, 10, -tiny}};
+  const auto one = oracle::ExactDepth::between(left, right, 3), same = oracle::ExactDepth::between(left, raised, 3),
+             a = oracle::ExactDepth::between(lifted, flat, 3);
+  REQUIRE(one);
+  REQUIRE(a);
+  CHECK(one->compare(*same, 5) == 0);
+  CHECK(one->at(5) == 1.5);
+  CHECK(a->at(5) == 0);
+  CHECK(a->at(4) == tiny / 5);
+  CHECK(a->compare(*one, 5) == -1);
+  CHECK(one->compare(*a, 5) == 1);
+  const auto upright = oracle::ExactDepth::between(left, left, 3);
+  REQUIRE(upright);
+  CHECK(upright->at(7) == 1);
+  CHECK(!oracle::ExactDepth::between({{0, 1, 0}, {4, 1, 0}}, right, 1));
+  CHECK(!oracle::ExactDepth::between({{0, 0, std::nan("")}, {4, 1, 0}}, right, 1));
+}
+
+oracle::Errors errors_of_run(const char* scene_name, Conventions::Interpolation interpolation) {
+  ViewOptions view;
+  view.width = 64, view.height = 48;
+  const Scene scene = look_at_scene(load_scene(scene_name).scene, view);
+  Conventions conventions;
+  conventions.interpolation = interpolation;
+  const Method& by = method("z-buffer");
+  TraceRecorder recorder(header_for(by, conventions), scene);
+  by.record(scene, conventions, recorder);
+  recorder.finish();
+  return oracle::errors_of(Trace::from_bytes(recorder.take_bytes(), scene_name));
+}
+
+TEST_CASE("error: direct interpolation is off by few last digits, increments by more, and neither decides wrongly here") {
+  for (const char* scene : {"pyramid-behind", "teapot:3", "intersecting", "dodecahedron"}) {
+    CAPTURE(scene);
+    const oracle::Errors direct = errors_of_run(scene, Conventions::Interpolation::direct),
+                        steps = errors_of_run(scene, Conventions::Interpolation::increments);
+    CHECK(direct.all.depths > 100);
+    CHECK(direct.not_judged == 0);
+    CHECK(direct.all.depths == steps.all.depths);
+    CHECK(direct.all.largest_depth < 1e-13);
+    CHECK(steps.all.largest_depth < 1e-12);
+    CHECK(steps.all.root_mean_square() > direct.all.root_mean_square());
+    CHECK(direct.all.decided_wrong == 0);
+    CHECK(direct.wrong_pixels == 0);
+    std::int64_t depths = 0;
+    for (const oracle::ErrorOf& polygon : direct.polygons) depths += polygon.depths;
+    CHECK(depths == direct.all.depths);
+  }
+}
+
+TEST_CASE("error: a decision that rounding turned is found, and a depth that is exact has no error") {
+  // Two triangles, the second nearer by less than a float64 of this size can hold after interpolating.
+  zoo::Task task;
+  task.width = 24, task.height = 20;
+  task.points = {{1.125, 1.375, 0.3}, {22.625, 2.25, 0.7}, {9.5, 18.875, 0.9}};
+  for (const zoo::Point& p : std::vector<zoo::Point>(task.points))
+    task.points.push_back({p.x, p.y, std::nextafter(p.z, 0.0)});
+  task.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}};
+  const Trace run = test::trace_of(test::head(task, "float64", "increments") + zoo::edge_table(task));
+  const oracle::Errors errors = oracle::errors_of(run);
+  CHECK(errors.all.depths > 300);
+  // The exact depths of the second are nearer at every pixel.
+  std::int64_t lost = 0;
+  run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    const auto* compare = get_if<DepthCompare>(&recorded.event);
+    lost += compare && !compare->nearer;
+    return true;
+  });
+  CHECK(errors.all.decided_wrong == lost);
+  CHECK(errors.wrong_pixels == lost);
+  if (lost > 0) {
+    REQUIRE(!errors.decisions.empty());
+    CHECK(errors.decisions[0].polygon == 1);
+    CHECK(errors.decisions[0].z_exact <= errors.decisions[0].stored_exact);
+  }
+
+  for (zoo::Point& point : task.points) point.z = 0.5;
+  const oracle::Errors flat =
+      oracle::errors_of(test::trace_of(test::head(task, "float64", "increments") + zoo::edge_table(task)));
+  CHECK(flat.all.largest == 0);
+}
+
+}  // namespace

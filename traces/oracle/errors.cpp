@@ -1,0 +1,177 @@
+#include "traces/oracle/errors.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "traces/oracle/exact_depth.hpp"
+#include "traces/formulas/walk.hpp"
+
+namespace zstep::oracle {
+
+namespace {
+
+using formulas::Situation;
+
+/// The distance to the next number of the format.
+double last_digit(double value, NumberFormat format) {
+  const double size = std::abs(value);
+  if (format == NumberFormat::float32) {
+    const auto narrow = static_cast<float>(size);
+    return static_cast<double>(std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow);
+  }
+  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+}
+
+/// A depth at a pixel: as the run has it, and what it is exactly.
+struct Known {
+  std::shared_ptr<const ExactDepth> exact;  ///< null where it is not known
+  double z = 0;
+  std::int32_t polygon = no_polygon;
+};
+
+class Judge {
+ public:
+  explicit Judge(const Trace& trace) : trace_(trace), format_(trace.header().number_format) {
+    const Raster& raster = trace.scene().raster;
+    const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+    stored_.resize(pixels), nearest_.resize(pixels);
+    found_.of_pixel.assign(pixels, std::numeric_limits<double>::quiet_NaN());
+  }
+
+  template <class E>
+  void step(std::int64_t position, const E& e, const Situation& at) {
+    if (at.method().pass == Pass::light) return;
+    if constexpr (std::is_same_v<E, SpanBegin>) span_.reset(), tried_ = false;
+    if constexpr (std::is_same_v<E, BuffersClear>) clear();
+    if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, PixelPaint>) compute(position, e, at);
+    if constexpr (std::is_same_v<E, DepthCompare>) {
+      if (!at.records<DepthInterpolate>()) compute(position, e, at);
+      compare(position, e, at);
+    }
+    if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>)
+      store(static_cast<std::size_t>(at.pixel(e.x, e.y)), e.x);
+  }
+
+  Errors finish() {
+    for (std::size_t pixel = 0; pixel < stored_.size(); ++pixel)
+      found_.wrong_pixels += stored_[pixel].polygon != nearest_[pixel].polygon && stored_[pixel].exact != nullptr;
+    for (const auto& [polygon, errors] : polygons_) found_.polygons.push_back(errors);
+    return std::move(found_);
+  }
+
+ private:
+  void clear() {
+    std::fill(stored_.begin(), stored_.end(), Known{});
+    std::fill(nearest_.begin(), nearest_.end(), Known{});
+    std::fill(found_.of_pixel.begin(), found_.of_pixel.end(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// The span at work, exactly; null where the trace does not have what it needs.
+  const std::shared_ptr<const ExactDepth>& exact_span(const Situation& at, std::int32_t y) {
+    const auto& span = at.method().span;
+    if (!span || span->y != y) return none_;
+    if (!tried_) {
+      tried_ = true;
+      const auto left = edge(at, span->left_edge), right = edge(at, span->right_edge);
+      if (left && right)
+        if (auto exact = ExactDepth::between(*left, *right, y))
+          span_ = std::make_shared<const ExactDepth>(std::move(*exact));
+    }
+    return span_;
+  }
+  static std::optional<Edge> edge(const Situation& at, std::int32_t number) {
+    const EdgeTableInsert* entry = at.edge(number);
+    if (!entry) return std::nullopt;
+    const auto from = at.on_raster(entry->vertex_0), to = at.on_raster(entry->vertex_1);
+    if (!from || !to) return std::nullopt;
+    return Edge{{from->x, from->y, from->z}, {to->x, to->y, to->z}};
+  }
+
+  template <class E>
+  void compute(std::int64_t position, const E& e, const Situation& at) {
+    const auto& exact = exact_span(at, e.y);
+    const std::int32_t polygon = polygon_of(at);
+    fragment_ = {exact, e.z, polygon};
+    if (!exact) {
+      ++found_.not_judged;
+      return;
+    }
+    const double off = exact->error_of(e.z, e.x), unit = last_digit(e.z, format_);
+    error_ = off / unit;
+    for (ErrorOf* of : {&found_.all, &polygons_.try_emplace(polygon, ErrorOf{polygon}).first->second}) {
+      ++of->depths;
+      of->sum_of_squares += error_ * error_;
+      if (std::abs(error_) > of->largest) {
+        of->largest = std::abs(error_);
+        if (of == &found_.all) found_.steepest_step = position;
+      }
+      of->largest_depth = std::max(of->largest_depth, std::abs(off));
+    }
+  }
+  std::int32_t polygon_of(const Situation& at) const {
+    if (at.method().polygon != no_polygon && !at.method().keeps_all) return at.method().polygon;
+    const EdgeTableInsert* entry = at.method().span ? at.edge(at.method().span->left_edge) : nullptr;
+    return entry ? entry->polygon : at.method().polygon;
+  }
+
+  void compare(std::int64_t position, const DepthCompare& e, const Situation& at) {
+    if (!fragment_.exact) return;
+    const auto pixel = static_cast<std::size_t>(at.pixel(e.x, e.y));
+    const Comparison& comparison = trace_.header().comparison;
+    const Known& stored = stored_[pixel];
+    if (stored.exact && e.nearer != wins(comparison, fragment_, stored, e.x)) {
+      ++found_.all.decided_wrong;
+      ++polygons_.at(fragment_.polygon).decided_wrong;
+      constexpr std::size_t most = 100;
+      if (found_.decisions.size() < most)
+        found_.decisions.push_back({position, e.x, e.y, fragment_.polygon, e.z, stored.z, fragment_.exact->at(e.x),
+                                    stored.exact->at(e.x)});
+    }
+    Known& nearest = nearest_[pixel];
+    if (!nearest.exact || wins(comparison, fragment_, nearest, e.x)) nearest = fragment_;
+  }
+  static bool wins(const Comparison& comparison, const Known& one, const Known& other, std::int32_t x) {
+    return comparison.wins(one.exact->compare(*other.exact, x), 0);
+  }
+
+  void store(std::size_t pixel, std::int32_t) {
+    stored_[pixel] = fragment_;
+    if (!trace_.has(kind_of<DepthCompare>)) nearest_[pixel] = fragment_;  // what is painted is not compared
+    found_.of_pixel[pixel] = fragment_.exact ? error_ : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  const Trace& trace_;
+  NumberFormat format_;
+  Errors found_;
+  std::map<std::int32_t, ErrorOf> polygons_;
+  std::vector<Known> stored_, nearest_;  ///< by pixel: what the run keeps, and what is nearest of all that came
+  Known fragment_;                       ///< the pixel at work
+  double error_ = 0;
+  std::shared_ptr<const ExactDepth> span_;
+  const std::shared_ptr<const ExactDepth> none_;
+  bool tried_ = false;
+};
+
+}  // namespace
+
+double ErrorOf::root_mean_square() const {
+  return depths == 0 ? 0 : std::sqrt(sum_of_squares / static_cast<double>(depths));
+}
+
+Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way) {
+  constexpr std::int64_t now_and_then = 1 << 14;
+  Judge judge(trace);
+  formulas::walk(
+      trace,
+      [&](std::int64_t position, const auto& e, const Situation& at) {
+        judge.step(position, e, at);
+        return !(on_way && position % now_and_then == 0 && on_way(position));
+      },
+      [](std::int64_t, const Impossible&) {});
+  return judge.finish();
+}
+
+}  // namespace zstep::oracle
