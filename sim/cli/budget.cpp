@@ -82,7 +82,8 @@ void begin_budget(std::optional<std::uintmax_t> file_bytes) {
     if (value && !(*value > 0)) throw InputError(name, "is not more than 0", "leave it out, or give a larger number");
   const auto bytes = static_cast<double>(file_bytes.value_or(0));
   if (budget().memory || file_bytes) {
-    const double most = budget().memory.value_or(least_memory) * 1048576 + (budget().memory ? 0 : bytes * memory_a_byte);
+    const double most =
+        budget().memory.value_or(least_memory) * 1048576 + (budget().memory ? 0 : bytes * memory_a_byte);
     compare::limit_heap(static_cast<std::int64_t>(std::fmin(most, 9e18)));
     std::set_terminate(end_without_memory);
   }

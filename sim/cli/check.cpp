@@ -68,9 +68,11 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckRepo
   fmt::print("{} numbers: {} exact, {} rounded (at most {} units of a float64's last digit)\n\n",
              grouped(report.numbers), grouped(report.exact), grouped(report.rounded),
              number(report.largest_rounding, 1, true));
-  const std::string end = impossible.empty() ? "" : fmt::format("The run is judged up to a step that cannot be:\n{}\n", impossible);
+  const std::string end =
+      impossible.empty() ? "" : fmt::format("The run is judged up to a step that cannot be:\n{}\n", impossible);
   if (report.causes.empty()) return fmt::print("{}", end.empty() ? "Nothing is wrong.\n" : end);
-  fmt::print("{}: {} wrong, {} more follow from {}\n\n", counted(static_cast<std::int64_t>(report.causes.size()), "cause", "causes"),
+  fmt::print("{}: {} wrong, {} more follow from {}\n\n",
+             counted(static_cast<std::int64_t>(report.causes.size()), "cause", "causes"),
              counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
              report.causes.size() == 1 ? "it" : "them");
   if (!hint.empty()) fmt::print("{}\n\n", hint);

@@ -319,7 +319,8 @@ int runs(const DiffOptions& options) {
     complain_incomplete("the runs part too often, or their orders do: what is said is of their beginnings");
     return exit_code::incomplete;
   }
-  const bool same = impossible_a.empty() && impossible_b.empty() && report.differences() == 0 && pictures.difference.colors == 0 && pictures.difference.depths == 0;
+  const bool same = impossible_a.empty() && impossible_b.empty() && report.differences() == 0 &&
+                    pictures.difference.colors == 0 && pictures.difference.depths == 0;
   return same ? exit_code::done : exit_code::finding;
 }
 

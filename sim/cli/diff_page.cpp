@@ -33,7 +33,8 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   std::string out;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t left = bytes.size() - i;
-    const unsigned three = static_cast<unsigned>(bytes[i]) << 16 | (left > 1 ? static_cast<unsigned>(bytes[i + 1]) << 8 : 0u) |
+    const unsigned three = static_cast<unsigned>(bytes[i]) << 16 |
+                           (left > 1 ? static_cast<unsigned>(bytes[i + 1]) << 8 : 0u) |
                            (left > 2 ? static_cast<unsigned>(bytes[i + 2]) : 0u);
     for (unsigned digit = 0; digit < 4; ++digit)
       out += digit <= left ? digits[three >> (18 - 6 * digit) & 63] : '=';
@@ -61,7 +62,8 @@ std::string side(std::string_view name, const CauseSide& of) {
 }
 
 constexpr std::string_view style =
-    "body{font:16px/1.5 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 1rem;color:#111;background:#fff}"
+    "body{font:16px/1.5 system-ui,sans-serif;max-width:76rem;margin:2rem auto;padding:0 "
+    "1rem;color:#111;background:#fff}"
     "code,td.n{font-family:ui-monospace,monospace}table{border-collapse:collapse}"
     "td,th{border-bottom:1px solid #999;padding:.2rem .7rem;text-align:left;vertical-align:top}td.n{text-align:right}"
     "figure{display:inline-block;margin:0 1rem 1rem 0}img{image-rendering:pixelated;border:1px solid #999}";
@@ -71,7 +73,8 @@ constexpr std::string_view style =
 std::string diff_page(const DiffText& text, const diff::DiffReport& report, const PicturePair& pictures) {
   std::string page = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width\"><title>{0} and {1}</title><style>{2}</style></head><body>\n"
+      "<meta name=\"viewport\" content=\"width=device-width\"><title>{0} and "
+      "{1}</title><style>{2}</style></head><body>\n"
       "<h1>Where two runs part</h1>\n<p>A: <code>{0}</code><br>B: <code>{1}</code></p>\n",
       html(text.name_a), html(text.name_b), style);
   for (const std::string& note : text.notes) page += fmt::format("<p>{}</p>\n", html(note));

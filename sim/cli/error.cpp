@@ -69,7 +69,8 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
     fmt::print("{:<16} {:>10} {:>12} {:>12} {:>14.3g} {:>8}\n", polygon_label(trace.scene(), row.polygon), row.depths,
                digits(row.largest), digits(row.root_mean_square()), row.largest_depth, row.decided_wrong);
   if (rows.size() < errors.polygons.size())
-    fmt::print("… and {} more: --all prints them\n", grouped(static_cast<std::int64_t>(errors.polygons.size() - rows.size())));
+    fmt::print("… and {} more: --all prints them\n",
+               grouped(static_cast<std::int64_t>(errors.polygons.size() - rows.size())));
 }
 
 Json json_of(const ErrorOf& of) {
@@ -166,7 +167,8 @@ void add_error(CLI::App& app, Action& action) {
   command->add_option("--save-errors", options->table, "Write them as a table: float64 [H,W], NaN where there is none")
       ->type_name("FILE.npy");
   command->footer(
-      "From the vertices that the trace has on the raster each span's depth follows without rounding, in whole numbers\n"
+      "From the vertices that the trace has on the raster each span's depth follows without rounding, in whole "
+      "numbers\n"
       "of any size; every depth and every compare is held against it. Exit code 1: a compare was decided otherwise.\n"
       "\n"
       "Examples:\n"

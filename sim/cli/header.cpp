@@ -68,7 +68,8 @@ void add_header(CLI::App& app, Action& action) {
   add_number(*command, "--initial-depth", options->initial_depth, "What its depth buffer holds at first");
   command->add_option("-o,--output", options->out, "The file to write (default: print it)")->type_name("FILE.jsonl");
   command->footer(
-      "Scene, conventions and pseudo-code as one line of JSON. Write it as the first line of your program's output, then\n"
+      "Scene, conventions and pseudo-code as one line of JSON. Write it as the first line of your program's output, "
+      "then\n"
       "a line a step, each with the name of a line of the pseudo-code: docs/trace-format.md.\n"
       "\n"
       "Examples:\n"

@@ -42,8 +42,8 @@ struct Run {
 /// Loads the scene, prints what there is to note about it on stderr, and applies the options. Throws InputError.
 Run prepare(const RunOptions& options);
 
-/// The same, where the command has a budget: what a scene file or a mesh may cost follows from its size and from --size,
-/// a byte a pixel. Built-in scenes and formulas cost what they cost.
+/// The same, where the command has a budget: what a scene file or a mesh may cost follows from its size and from
+/// --size, a byte a pixel. Built-in scenes and formulas cost what they cost.
 Run prepare_within_budget(const RunOptions& options);
 
 /// What to call a file made from this scene, without extension: "teapot", "bunny" for meshes/bunny.obj.

@@ -61,7 +61,8 @@ Pfm read_pfm(const std::filesystem::path& path) {
   table.height = head.number<int>("height");
   const auto scale = head.number<float>("scale");
   if (table.width < 1 || table.height < 1 || !(scale != 0)) head.fail("has no size, or no scale");
-  const std::size_t width = static_cast<std::size_t>(table.width), count = width * static_cast<std::size_t>(table.height);
+  const std::size_t width = static_cast<std::size_t>(table.width),
+                    count = width * static_cast<std::size_t>(table.height);
   if (count > most_values) head.fail(fmt::format("has {}x{} numbers", table.width, table.height));
   if (head.end() > bytes.size() || bytes.size() - head.end() != count * sizeof(float))
     head.fail(fmt::format("has not the {} bytes of {}x{} numbers", count * sizeof(float), table.width, table.height));

@@ -144,7 +144,8 @@ Bytes put_together(const Parts& parts, const Raster* raster, bool lie, Random& r
   return out;
 }
 
-/// Steps with other numbers, dropped, doubled, moved: what a program with a mistake writes, and no check of bytes finds.
+/// Steps with other numbers, dropped, doubled, moved: what a program with a mistake writes, and no check of bytes
+/// finds.
 Bytes change_events(std::span<const std::uint8_t> bytes, Random& random) {
   const Trace trace = Trace::from_bytes({bytes.begin(), bytes.end()}, "fuzz");
   std::vector<RecordedEvent> events;

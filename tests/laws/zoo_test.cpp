@@ -172,7 +172,8 @@ TEST_CASE("zoo: of wrong programs the first wrong step is named, by check or by 
         const CheckReport report = check(run);
         const Trace own = reference(run.scene());
         const diff::DiffReport against = diff::compare(own, run);
-        // What is missing, or comes too often, is noticed by the first span or pixel that comes after it, at the latest.
+        // What is missing, or comes too often, is noticed by the first span or pixel that comes after it, at the
+        // latest.
         const std::int64_t shows = shown_at(run, first);
         const bool checked = !report.causes.empty() && first <= report.causes[0].first.step &&
                              report.causes[0].first.step <= shows;

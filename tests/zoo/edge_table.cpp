@@ -102,7 +102,8 @@ struct Program {
     int first = std::max(0, static_cast<int>(std::ceil(left.x)));
     int last = std::min(task.width, static_cast<int>(std::ceil(right.x))) - 1;
     if (is("right_end_included")) last = std::min(task.width - 1, static_cast<int>(std::floor(right.x) + 1));
-    if (is("ends_rounded")) first = std::max(0, static_cast<int>(std::lround(left.x))), last = static_cast<int>(std::lround(right.x));
+    if (is("ends_rounded"))
+      first = std::max(0, static_cast<int>(std::lround(left.x))), last = static_cast<int>(std::lround(right.x));
     if (once("wrong_rounding", roundings)) first = std::max(0, static_cast<int>(std::floor(left.x)) - 1);
     say("{\"step\":\"span\",\"left_edge\":%d,\"right_edge\":%d,\"y\":%d,\"first\":%d,\"last\":%d,\"x_left\":%.17g,"
         "\"z_left\":%.17g,\"x_right\":%.17g,\"z_right\":%.17g,\"dz_dx\":%.17g}",

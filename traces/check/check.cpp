@@ -55,7 +55,8 @@ struct Checker {
   }
   void read(const Place& place) {
     if (inheritance.empty()) return;
-    if (const std::int32_t cause = inheritance.of(place); cause != Inheritance::clean && inherited == Inheritance::clean)
+    if (const std::int32_t cause = inheritance.of(place);
+        cause != Inheritance::clean && inherited == Inheritance::clean)
       inherited = cause;
   }
 

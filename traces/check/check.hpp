@@ -63,8 +63,8 @@ struct OtherConvention {
   std::string key, word;         ///< "nearer", "greater", as the header writes them
   std::int64_t wrong_steps = 0;  ///< that would be wrong under it
 };
-/// Of a trace with something wrong: the convention under which the least would be, where that is less than a tenth of what
-/// is wrong under its own. Goes through the trace once for each.
+/// Of a trace with something wrong: the convention under which the least would be, where that is less than a tenth of
+/// what is wrong under its own. Goes through the trace once for each.
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report);
 
 }  // namespace zstep

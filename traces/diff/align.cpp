@@ -99,8 +99,8 @@ class Waiting {
   std::size_t count_ = 0;
 };
 
-/// Does a run record this kind? What is done to pixels, and that edges leave the list, it does where its pseudo-code has
-/// a line for it, also if it never came to it: that may be the mistake.
+/// Does a run record this kind? What is done to pixels, and that edges leave the list, it does where its pseudo-code
+/// has a line for it, also if it never came to it: that may be the mistake.
 bool may_record(const Trace& trace, std::uint8_t kind) {
   if (trace.has(kind)) return true;
   constexpr std::array of_pixels{kind_of<DepthCompare>, kind_of<DepthWrite>, kind_of<PixelWrite>, kind_of<PixelPaint>};
@@ -138,8 +138,10 @@ class Aligner {
       if (more_a && more_b && a.known.about == b.known.about && wait_a_.empty() && wait_b_.empty()) {
         pair(a, b);
       } else {
-        if (more_a) meet(std::move(a), wait_b_, wait_a_, [&](const Keyed& one, const Keyed& other) { pair(one, other); });
-        if (more_b) meet(std::move(b), wait_a_, wait_b_, [&](const Keyed& one, const Keyed& other) { pair(other, one); });
+        if (more_a)
+          meet(std::move(a), wait_b_, wait_a_, [&](const Keyed& one, const Keyed& other) { pair(one, other); });
+        if (more_b)
+          meet(std::move(b), wait_a_, wait_b_, [&](const Keyed& one, const Keyed& other) { pair(other, one); });
       }
       if (wait_a_.size() + wait_b_.size() > most_waiting || found_.differences.size() > most_differences) {
         found_.complete = false;
@@ -225,11 +227,13 @@ class Aligner {
     found_.by_b.clear();
     for (const Stretch& stretch : sorted) {
       Stretch* last = found_.by_b.empty() ? nullptr : &found_.by_b.back();
-      if (last && last->a + last->count == stretch.a && last->b + last->count == stretch.b) last->count += stretch.count;
+      if (last && last->a + last->count == stretch.a && last->b + last->count == stretch.b)
+        last->count += stretch.count;
       else found_.by_b.push_back(stretch);
     }
     found_.by_a = found_.by_b;
-    std::sort(found_.by_a.begin(), found_.by_a.end(), [](const auto& one, const auto& other) { return one.a < other.a; });
+    std::sort(found_.by_a.begin(), found_.by_a.end(),
+              [](const auto& one, const auto& other) { return one.a < other.a; });
     std::vector<std::pair<std::int64_t, Difference>> placed;
     placed.reserve(found_.differences.size());
     for (const Difference& difference : found_.differences)

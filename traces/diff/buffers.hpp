@@ -18,7 +18,7 @@ struct BufferDifference {
   std::int64_t depths_rounded = 0; ///< with another depth, within rounding
   double farthest = 0;             ///< the largest difference of two depths
   std::optional<std::int64_t> first;  ///< index of the first pixel with another colour or depth, as Picture::at counts
-  std::vector<float> apart;        ///< by pixel: 0 where nothing differs; else a colour's or a depth's difference, in 0..1
+  std::vector<float> apart;  ///< by pixel: 0 where nothing differs; else a colour's or a depth's difference, in 0..1
 };
 
 /// Colours and depths of two pictures of the same size.

@@ -249,7 +249,8 @@ class Follow {
         if (scope != none && findings_[static_cast<std::size_t>(scope)].decides) from = scope;
     bool either_way = false;  // where two edges meet, either may be the left one
     if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
-    const bool numbers_near = either_way || difference.off <= std::max(report_.precision.relative, witness.may_be_off) ||
+    const bool numbers_near = either_way ||
+                              difference.off <= std::max(report_.precision.relative, witness.may_be_off) ||
                               report_.precision.absolute > 0;
     const bool decided = exact_fields<E>(difference.fields);
     const bool any_rounding = either_way || from != none || (difference.fields & ~exact_bits<E>()) != 0;
@@ -258,7 +259,8 @@ class Follow {
     if (finding.rounding) finding.comes_from = from;
   }
 
-  /// The fields that are no numbers: what is decided by a number must part by more than rounding, or hang on one that does.
+  /// The fields that are no numbers: what is decided by a number must part by more than rounding, or hang on one that
+  /// does.
   template <class E>
   static constexpr std::uint16_t exact_bits() {
     std::uint16_t bits = 0;

@@ -15,8 +15,8 @@ namespace zstep::diff {
 /// What a run numbers for itself.
 enum class Thing : std::uint8_t { none, vertex, edge, piece, node, area, box, ray, curve, line, count };
 
-/// The thing that a field of this name refers to; none where the field is a number like any other, or one of the scene's
-/// polygons and facets, which have one number for all.
+/// The thing that a field of this name refers to; none where the field is a number like any other, or one of the
+/// scene's polygons and facets, which have one number for all.
 constexpr Thing thing_of(std::string_view field) {
   if (field.starts_with("vertex")) return Thing::vertex;
   if (field == "edge" || field == "left_edge" || field == "right_edge") return Thing::edge;

@@ -159,8 +159,8 @@ void derive(const EdgeSwap& e, const Situation& at, Out& out) {
 
 namespace detail {
 
-/// By how many slopes an edge's x is away from where it entered: one for each scan line since. Of an edge that is nearly
-/// upright, x does not tell.
+/// By how many slopes an edge's x is away from where it entered: one for each scan line since. Of an edge that is
+/// nearly upright, x does not tell.
 inline bool moved_once_a_line(const EdgeTableInsert& entry, const ActiveEdge& active, std::int32_t y) {
   constexpr double upright = 0.01;
   if (std::abs(entry.dx_dy) < upright || entry.first_row > y) return true;

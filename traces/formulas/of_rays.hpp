@@ -30,7 +30,8 @@ void derive(const BoxTest& e, const Situation&, Out& out) {
 template <class Out>
 void derive(const RayPlane& e, const Situation&, Out& out) {
   if (std::isnan(e.t)) return;  // it runs along the plane, within a tolerance of the program's own
-  out.gives(&RayPlane::t, out.number("numerator", e.numerator, Place{}) / out.number("denominator", e.denominator, Place{}));
+  out.gives(&RayPlane::t,
+            out.number("numerator", e.numerator, Place{}) / out.number("denominator", e.denominator, Place{}));
 }
 
 template <class Out>
@@ -55,7 +56,9 @@ void derive(const RayEnd& e, const Situation& at, Out& out) {
   // Of a shadow ray any hit will do; of others the nearest that was kept is the end. Only the hits of the ray that was
   // cast last are at hand.
   const RayBegin* ray = detail::ray_at_work(at);
-  if (!ray || ray->ray != e.ray || at.method().rays.tree.back().entry.ray != e.ray || ray->role == RayRole::shadow || !at.records<RayHit>()) return;
+  if (!ray || ray->ray != e.ray || at.method().rays.tree.back().entry.ray != e.ray || ray->role == RayRole::shadow ||
+      !at.records<RayHit>())
+    return;
   const RayHit* kept = nullptr;
   for (const RayHit& hit : at.method().rays.hits)
     if (hit.nearest) kept = &hit;

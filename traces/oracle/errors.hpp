@@ -35,11 +35,11 @@ struct Errors {
   std::int64_t steepest_step = 0;       ///< with the largest error
   std::vector<WrongDecision> decisions; ///< the first ones, at most 100
   std::int64_t wrong_pixels = 0;        ///< that show another polygon than the one that is exactly the nearest
-  std::vector<double> of_pixel;         ///< [height*width], Picture::at: error of the stored depth in last digits; NaN: none
+  std::vector<double> of_pixel;  ///< [height*width], Picture::at: error of the stored depth in last digits; NaN: none
 };
 
-/// Goes through a run that interpolates along spans. `on_way` is told the steps that are done now and then; true ends it.
-/// The light's pass is left out. Throws InputError where the trace cannot be read.
+/// Goes through a run that interpolates along spans. `on_way` is told the steps that are done now and then; true ends
+/// it. The light's pass is left out. Throws InputError where the trace cannot be read.
 Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way = nullptr);
 
 }  // namespace zstep::oracle

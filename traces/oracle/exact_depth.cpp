@@ -47,7 +47,8 @@ Crossing crossing(const Edge& edge, const Whole& y, int digits_xy, int digits_z)
 
 double quotient(const Whole& numerator, const Whole& denominator) {
   if (numerator == 0) return 0;
-  // 64 bits of the quotient, the last of which also stands for all that is left: rounding these to a double rounds once.
+  // 64 bits of the quotient, the last of which also stands for all that is left: rounding these to a double rounds
+  // once.
   Whole above = abs(numerator), below = denominator, whole, left;
   const int shift = 63 - static_cast<int>(msb(above)) + static_cast<int>(msb(below));
   if (shift > 0) above <<= shift;

@@ -1,7 +1,8 @@
-// The depth of a span without any rounding: from its edges' vertices as the trace has them, in whole numbers of any size.
+// The depth of a span without any rounding: from its edges' vertices as the trace has them, in whole numbers of any
+// size.
 //
-// All that interpolation does is + − × ÷, so from doubles, which are fractions, the exact depth is a fraction, too. Along
-// one scan line it is linear in x: (c_0 + c_1 x)/d with whole c_0, c_1, d, found once a span.
+// All that interpolation does is + − × ÷, so from doubles, which are fractions, the exact depth is a fraction, too.
+// Along one scan line it is linear in x: (c_0 + c_1 x)/d with whole c_0, c_1, d, found once a span.
 #pragma once
 
 #include <cstdint>

@@ -52,7 +52,8 @@ std::string change(Event& event, Change how, std::mt19937_64& random) {
             if (how == Change::last_digit)
               ways.emplace_back(name, [&] { value = std::nextafter(value, random() % 2 ? 1e30 : -1e30); });
             if (how == Change::ninth_digit)
-              ways.emplace_back(name, [&] { value += (random() % 2 ? 1 : -1) * std::max(std::abs(value), 1e-3) * 1e-8; });
+              ways.emplace_back(name,
+                                [&] { value += (random() % 2 ? 1 : -1) * std::max(std::abs(value), 1e-3) * 1e-8; });
             if (how == Change::sign && value != 0) ways.emplace_back(name, [&] { value = -value; });
           }
           if constexpr (std::is_same_v<Value, bool>)

@@ -90,7 +90,8 @@ oracle::Errors errors_of_run(const char* scene_name, Conventions::Interpolation 
   return oracle::errors_of(Trace::from_bytes(recorder.take_bytes(), scene_name));
 }
 
-TEST_CASE("error: direct interpolation is off by few last digits, increments by more, and neither decides wrongly here") {
+TEST_CASE(
+    "error: direct interpolation is off by few last digits, increments by more, and neither decides wrongly here") {
   for (const char* scene : {"pyramid-behind", "teapot:3", "intersecting", "dodecahedron"}) {
     CAPTURE(scene);
     const oracle::Errors direct = errors_of_run(scene, Conventions::Interpolation::direct),
