@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -20,7 +19,7 @@ namespace zstep::diff {
 namespace {
 
 /// Steps whose partner has not come yet, and differences that were found: beyond so many the comparison ends.
-constexpr std::size_t most_waiting = 8'000'000, most_differences = 20'000'000;
+constexpr std::size_t most_waiting = 3'000'000, most_differences = 20'000'000;
 
 struct Keyed {
   Identity::Known known;
@@ -69,34 +68,53 @@ class Reader {
   std::int64_t position_ = 0;
 };
 
-/// Steps that wait for their partner, first come, first served.
+/// Steps that wait for their partner, first come, first served: a chain of places for each thing that they are about.
 class Waiting {
  public:
-  bool empty() const { return count_ == 0; }
-  std::size_t size() const { return count_; }
+  bool empty() const { return chains_.empty(); }
+  std::size_t size() const { return steps_.size() - free_.size(); }
   void put(Keyed&& step) {
-    const Identity::Key key = step.known.about;
-    steps_[key].push_back(std::move(step));
-    ++count_;
+    std::uint32_t place = 0;
+    if (free_.empty()) {
+      place = static_cast<std::uint32_t>(steps_.size());
+      steps_.push_back({std::move(step), end});
+    } else {
+      place = free_.back();
+      free_.pop_back();
+      steps_[place] = {std::move(step), end};
+    }
+    const auto [chain, fresh] = chains_.try_emplace(steps_[place].step.known.about, Chain{place, place});
+    if (fresh) return;
+    steps_[chain->second.last].next = place;
+    chain->second.last = place;
   }
   std::optional<Keyed> take(Identity::Key key) {
-    const auto found = steps_.find(key);
-    if (found == steps_.end()) return std::nullopt;
-    Keyed step = std::move(found->second.front());
-    found->second.pop_front();
-    if (found->second.empty()) steps_.erase(found);
-    --count_;
-    return step;
+    const auto chain = chains_.find(key);
+    if (chain == chains_.end()) return std::nullopt;
+    const std::uint32_t place = chain->second.first;
+    free_.push_back(place);
+    if (place == chain->second.last) chains_.erase(chain);
+    else chain->second.first = steps_[place].next;
+    return steps_[place].step;
   }
   template <class Visit>
   void each(Visit&& visit) const {
-    for (const auto& [key, steps] : steps_)
-      for (const Keyed& step : steps) visit(step);
+    for (const auto& [key, chain] : chains_)
+      for (std::uint32_t place = chain.first; place != end; place = steps_[place].next) visit(steps_[place].step);
   }
 
  private:
-  std::unordered_map<Identity::Key, std::deque<Keyed>> steps_;
-  std::size_t count_ = 0;
+  static constexpr std::uint32_t end = 0xffffffff;
+  struct Place {
+    Keyed step;
+    std::uint32_t next = end;
+  };
+  struct Chain {
+    std::uint32_t first = 0, last = 0;
+  };
+  std::vector<Place> steps_;
+  std::vector<std::uint32_t> free_;
+  std::unordered_map<Identity::Key, Chain> chains_;
 };
 
 /// Does a run record this kind? What is done to pixels, and that edges leave the list, it does where its pseudo-code
