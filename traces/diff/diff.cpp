@@ -1,6 +1,7 @@
 #include "traces/diff/diff.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -249,14 +250,26 @@ class Follow {
         if (scope != none && findings_[static_cast<std::size_t>(scope)].decides) from = scope;
     bool either_way = false;  // where two edges meet, either may be the left one
     if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
-    const bool numbers_near = either_way ||
-                              difference.off <= std::max(report_.precision.relative, witness.may_be_off) ||
-                              report_.precision.absolute > 0;
+    const bool numbers_near =
+        either_way || difference.off <= std::max(written_off(e, difference.fields), witness.may_be_off);
     const bool decided = exact_fields<E>(difference.fields);
     const bool any_rounding = either_way || from != none || (difference.fields & ~exact_bits<E>()) != 0;
     finding.decides = alone || decided;
     finding.rounding = alone ? from != none : numbers_near && (!decided || any_rounding);
     if (finding.rounding) finding.comes_from = from;
+  }
+
+  /// By what share the format alone lets the numbers of these fields be off, of the least of them.
+  template <class E>
+  double written_off(const E& e, std::uint16_t fields) const {
+    const Precision& precision = report_.precision;
+    double share = precision.relative;
+    for_each_index<E>([&]<std::size_t I>() {
+      if constexpr (std::is_same_v<FieldValue<E, I>, double>)
+        if ((fields >> I & 1) != 0 && precision.absolute > 0)
+          share = std::max(share, precision.relative + 2 * precision.absolute / std::abs(e.*field_at<E, I>.member));
+    });
+    return share;
   }
 
   /// The fields that are no numbers: what is decided by a number must part by more than rounding, or hang on one that

@@ -11,8 +11,10 @@
 
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
+#include "tests/where.hpp"
 #include "traces/diff/buffers.hpp"
 #include "traces/events/slots.hpp"
+#include "traces/file/jsonl.hpp"
 
 using namespace zstep;
 
@@ -103,6 +105,39 @@ TEST_CASE("diff: one field that is changed anywhere in a golden trace is the one
   for (const auto& [what, times] : missed) text += fmt::format("  {} x {}\n", times, what);
   MESSAGE("of ", changes, " changes ", named, " are named as the first cause; the others:\n", text);
   CHECK(named >= 0.97 * changes);
+}
+
+TEST_CASE("diff: numbers written with few decimals part by rounding, and what is wrong beyond them does not") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/pyramid-view.jsonl"));
+  const auto written = [&](std::int64_t wrong_step) {
+    Header header = right.header();
+    header.undeclared |= std::uint8_t{1} << static_cast<unsigned>(Convention::number_format);
+    TraceRecorder recorder(header, right.scene());
+    for (std::int64_t step = 1; step <= right.size(); ++step) {
+      RecordedEvent recorded = right.event(step);
+      if (auto* vertex = get_if<ViewportTransform>(&recorded.event); vertex && step >= wrong_step) vertex->x_s += 0.01;
+      visit_event(
+          []<class E>(E& event) {
+            for_each_field<E>([&](const auto& field) {
+              if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, double>)
+                if (double& value = event.*field.member; std::isfinite(value)) value = std::round(value * 1e5) / 1e5;
+            });
+          },
+          recorded.event);
+      record_any(recorder, recorded.step, recorded.event);
+    }
+    recorder.finish();
+    return Trace::from_bytes(recorder.take_bytes(), "written");
+  };
+  const diff::DiffReport rounded = diff::compare(right, written(right.size() + 1));
+  CHECK(!rounded.causes.empty());
+  CHECK(rounded.differences() == 0);
+  const auto vertex = right.next<ViewportTransform>(0, [](const ViewportTransform&) { return true; });
+  REQUIRE(vertex);
+  const diff::DiffReport wrong = diff::compare(right, written(*vertex));
+  REQUIRE(!wrong.causes.empty());
+  CHECK(wrong.causes[0].part == diff::Part::different);
+  CHECK(wrong.causes[0].first.b == *vertex);
 }
 
 TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is told apart") {
