@@ -330,7 +330,7 @@ case_the_program_is_where_the_launcher_looks() {
 case_vcpkg_and_homebrew_have_the_same_libraries() {
   local plain='s/.*/\L&/; s/[^a-z0-9\n]//g; s/^lib//' need how name
   local vcpkg brew
-  vcpkg=$(tr ',{}[]' '\n' <"$source_dir/vcpkg.json" | grep -oE '"[a-z0-9-]+" *$' | sed -E "$plain")
+  vcpkg=$(tr ',{}[]' '\n' <"$source_dir/vcpkg.json" | grep -oE '"[a-z0-9-]+" *$' | sed -E "$plain; s|^boost.*|boost|")
   brew=$(sed -nE 's/^brew "(.*)"/\1/p' "$source_dir/Brewfile" | sed -E "$plain")
   while read -r need how _; do
     case $need/$how in *\?/* | *program:* | *font:* | *runtime:*) continue ;; esac
