@@ -9,13 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/catalog/catalog.hpp"
+#include "tests/golden/golden.hpp"
 #include "tests/where.hpp"
 #include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
 #include "traces/check/check.hpp"
 #include "traces/diff/diff.hpp"
-#include "traces/record/trace_recorder.hpp"
 
 using namespace zstep;
 using namespace zstep::test;
@@ -63,11 +62,7 @@ zoo::Task concave() {
 Trace reference(const Scene& scene) {
   Conventions conventions;
   conventions.cull = false;
-  const Method& by = method("z-buffer");
-  TraceRecorder recorder(header_for(by, conventions), scene);
-  by.record(scene, conventions, recorder);
-  recorder.finish();
-  return Trace::from_bytes(recorder.take_bytes(), "reference");
+  return test::recorded_by("z-buffer", scene, conventions);
 }
 
 // ---- Programs ----------------------------------------------------------------------------------------------------
