@@ -128,12 +128,12 @@ bool may_record(const Trace& trace, std::uint8_t kind) {
          std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
 }
 
-void extend(std::vector<Stretch>& stretches, std::int64_t a, std::int64_t b) {
-  if (!stretches.empty()) {
-    Stretch& last = stretches.back();
+void extend(std::vector<Match>& matches, std::int64_t a, std::int64_t b) {
+  if (!matches.empty()) {
+    Match& last = matches.back();
     if (last.a + last.count == a && last.b + last.count == b) return void(++last.count);
   }
-  stretches.push_back({a, b, 1});
+  matches.push_back({a, b, 1});
 }
 
 class Aligner {
@@ -240,14 +240,14 @@ class Aligner {
   Alignment finish() {
     // Pairs are found in the order in which the later of their two steps comes.
     const auto of_b = [](const auto& one, const auto& other) { return one.b < other.b; };
-    std::vector<Stretch> sorted = std::move(found_.by_b);
+    std::vector<Match> sorted = std::move(found_.by_b);
     std::sort(sorted.begin(), sorted.end(), of_b);
     found_.by_b.clear();
-    for (const Stretch& stretch : sorted) {
-      Stretch* last = found_.by_b.empty() ? nullptr : &found_.by_b.back();
-      if (last && last->a + last->count == stretch.a && last->b + last->count == stretch.b)
-        last->count += stretch.count;
-      else found_.by_b.push_back(stretch);
+    for (const Match& match : sorted) {
+      Match* last = found_.by_b.empty() ? nullptr : &found_.by_b.back();
+      if (last && last->a + last->count == match.a && last->b + last->count == match.b)
+        last->count += match.count;
+      else found_.by_b.push_back(match);
     }
     found_.by_a = found_.by_b;
     std::sort(found_.by_a.begin(), found_.by_a.end(),
@@ -277,34 +277,34 @@ class Aligner {
 
 namespace {
 
-/// The last stretch that begins at or before a step.
-template <std::int64_t Stretch::*own>
-const Stretch* stretch_at(const std::vector<Stretch>& stretches, std::int64_t step) {
-  const auto next = std::upper_bound(stretches.begin(), stretches.end(), step,
-                                     [](std::int64_t at, const Stretch& stretch) { return at < stretch.*own; });
-  return next == stretches.begin() ? nullptr : &*std::prev(next);
+/// The last match that begins at or before a step.
+template <std::int64_t Match::*own>
+const Match* match_at(const std::vector<Match>& matches, std::int64_t step) {
+  const auto next = std::upper_bound(matches.begin(), matches.end(), step,
+                                     [](std::int64_t at, const Match& match) { return at < match.*own; });
+  return next == matches.begin() ? nullptr : &*std::prev(next);
 }
 
-template <std::int64_t Stretch::*own, std::int64_t Stretch::*other>
-std::int64_t partner(const std::vector<Stretch>& stretches, std::int64_t step) {
-  const Stretch* stretch = stretch_at<own>(stretches, step);
-  return stretch && step < stretch->*own + stretch->count ? stretch->*other + (step - stretch->*own) : 0;
+template <std::int64_t Match::*own, std::int64_t Match::*other>
+std::int64_t partner(const std::vector<Match>& matches, std::int64_t step) {
+  const Match* match = match_at<own>(matches, step);
+  return match && step < match->*own + match->count ? match->*other + (step - match->*own) : 0;
 }
-template <std::int64_t Stretch::*own, std::int64_t Stretch::*other>
-std::int64_t partner_before(const std::vector<Stretch>& stretches, std::int64_t step) {
-  const Stretch* stretch = stretch_at<own>(stretches, step);
-  return stretch ? stretch->*other + std::min(step - stretch->*own, stretch->count - 1) : 0;
+template <std::int64_t Match::*own, std::int64_t Match::*other>
+std::int64_t partner_before(const std::vector<Match>& matches, std::int64_t step) {
+  const Match* match = match_at<own>(matches, step);
+  return match ? match->*other + std::min(step - match->*own, match->count - 1) : 0;
 }
 
 }  // namespace
 
-std::int64_t Alignment::in_b(std::int64_t step) const { return partner<&Stretch::a, &Stretch::b>(by_a, step); }
-std::int64_t Alignment::in_a(std::int64_t step) const { return partner<&Stretch::b, &Stretch::a>(by_b, step); }
+std::int64_t Alignment::in_b(std::int64_t step) const { return partner<&Match::a, &Match::b>(by_a, step); }
+std::int64_t Alignment::in_a(std::int64_t step) const { return partner<&Match::b, &Match::a>(by_b, step); }
 std::int64_t Alignment::before_in_b(std::int64_t step) const {
-  return partner_before<&Stretch::a, &Stretch::b>(by_a, step);
+  return partner_before<&Match::a, &Match::b>(by_a, step);
 }
 std::int64_t Alignment::before_in_a(std::int64_t step) const {
-  return partner_before<&Stretch::b, &Stretch::a>(by_b, step);
+  return partner_before<&Match::b, &Match::a>(by_b, step);
 }
 
 namespace {

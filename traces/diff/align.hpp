@@ -21,7 +21,7 @@ struct Difference {
 };
 
 /// Steps a + i and b + i are the same step, for i from 0 to below count.
-struct Stretch {
+struct Match {
   std::int64_t a = 0, b = 0, count = 0;
 };
 
@@ -31,7 +31,7 @@ struct KindCount {
 };
 
 struct Alignment {
-  std::vector<Stretch> by_a, by_b;          ///< the same, ordered by one run's steps and by the other's
+  std::vector<Match> by_a, by_b;            ///< the same, ordered by one run's steps and by the other's
   std::vector<Difference> differences;      ///< by the steps of B; what B does not have stands where it would have been
   std::array<KindCount, kind_count> kinds;  ///< of the kinds that both runs record
   bool identical = false;                   ///< byte for byte
