@@ -51,12 +51,7 @@ void add_header(CLI::App& app, Action& action) {
   const auto options = std::make_shared<HeaderOptions>();
   CLI::App* command = app.add_subcommand("header", "The first line of your own program's trace");
   add_run_options(*command, options->run);
-  command
-      ->add_option(
-          "scene", options->run.scene,
-          "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")
-      ->type_name("SCENE|MESH")
-      ->required();
+  add_scene(*command, options->run);
   add_limit_options(*command);
   command->add_option("--writer", options->writer, "The name of the program")->type_name("NAME");
   command->add_option("--number-format", options->number_format, "What it computes in (default float64)")

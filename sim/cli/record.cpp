@@ -79,12 +79,7 @@ void add_record(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RecordOptions>();
   CLI::App* command =
       app.add_subcommand("record", "Run a method on a scene or a mesh and record every step as a trace");
-  command
-      ->add_option(
-          "scene", options->run.scene,
-          "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")
-      ->type_name("SCENE|MESH")
-      ->required();
+  add_scene(*command, options->run);
   command->add_option("-o,--output", options->trace, "The trace to write (default: NAME.ztrace in the current folder)")
       ->type_name("FILE.ztrace")
       ->group("Output");

@@ -55,12 +55,7 @@ int render(const RenderOptions& options) {
 void add_render(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw a scene or a mesh and write the picture");
-  command
-      ->add_option(
-          "scene", options->run.scene,
-          "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")
-      ->type_name("SCENE|MESH")
-      ->required();
+  add_scene(*command, options->run);
   add_outputs(*command, options->outputs);
   add_run_options(*command, options->run);
   add_limit_options(*command);

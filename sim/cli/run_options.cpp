@@ -107,6 +107,15 @@ std::string RunOptions::given() const {
   return "";
 }
 
+void add_scene(CLI::App& command, RunOptions& options) {
+  command
+      .add_option(
+          "scene", options.scene,
+          "A built-in scene's name, a .toml scene, a .obj, .off, .ply or .stl mesh, or a formula as \"y = sin(x)\"")
+      ->type_name("SCENE|MESH")
+      ->required();
+}
+
 void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method) {
   std::vector<CLI::Option*>& all = options.declared;
   const auto in = [&](const std::string& group, CLI::Option* option) { all.push_back(option->group(group)); };

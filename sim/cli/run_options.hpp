@@ -33,6 +33,9 @@ struct RunOptions {
 /// parsed. Without `of_one_method` the first two are left out.
 void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method = true);
 
+/// The scene itself, as a positional argument that must be given.
+void add_scene(CLI::App& command, RunOptions& options);
+
 /// A scene that a method may run on.
 struct Run {
   Scene scene;
