@@ -6,20 +6,79 @@
 namespace zstep {
 
 double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth) {
-  const bool holds_z_v = camera.kind == Camera::Kind::screen || conventions.depth == Conventions::Depth::view;
-  if (holds_z_v || std::isinf(buffer_depth)) return buffer_depth;
-  const double f = camera.near, F = camera.far;
-  if (camera.kind == Camera::Kind::orthographic) return f + (buffer_depth + 1) * (F - f) / 2;
-  // z* = f (a z + b) / z with a = -(f + F) / (f (f - F)) and b = 2 F / (f - F) (003), solved for z
-  return 2 * f * F / (F + f - buffer_depth * (F - f));
+  using enum Conventions::Depth;
+  if (camera.kind == Camera::Kind::screen || std::isinf(buffer_depth)) return buffer_depth;
+  const double f = camera.near, F = camera.far, q = buffer_depth;
+  const bool parallel = camera.kind == Camera::Kind::orthographic;
+  switch (conventions.depth) {
+    case pseudodepth:
+      // z* = f (a z + b) / z with a = -(f + F) / (f (f - F)) and b = 2 F / (f - F) (003), solved for z
+      return parallel ? f + (q + 1) * (F - f) / 2 : 2 * f * F / (F + f - q * (F - f));
+    case reciprocal:
+      return 1 / q;
+    case reversed:
+      return parallel ? F - q * (F - f) : f * F / (f + q * (F - f));
+    case foley:
+      return parallel ? f - q * (F - f) : f * F / (F + q * (F - f));
+    case view:
+    case corrected:
+      break;
+  }
+  return q;
 }
 
 double buffer_depth(const Camera& camera, const Conventions& conventions, double view_depth) {
-  const bool holds_z_v = camera.kind == Camera::Kind::screen || conventions.depth == Conventions::Depth::view;
-  if (holds_z_v || std::isinf(view_depth)) return view_depth;
+  using enum Conventions::Depth;
+  if (camera.kind == Camera::Kind::screen || std::isinf(view_depth)) return view_depth;
+  const double f = camera.near, F = camera.far, z = view_depth;
+  const bool parallel = camera.kind == Camera::Kind::orthographic;
+  switch (conventions.depth) {
+    case pseudodepth:
+      return parallel ? 2 * (z - f) / (F - f) - 1 : ((f + F) * z - 2 * f * F) / ((F - f) * z);
+    case reciprocal:
+      return 1 / z;
+    case reversed:
+      return parallel ? (F - z) / (F - f) : f * (F - z) / (z * (F - f));
+    case foley:
+      return parallel ? (f - z) / (F - f) : F * (f - z) / (z * (F - f));
+    case view:
+    case corrected:
+      break;
+  }
+  return z;
+}
+
+double view_depth_error(const Camera& camera, const Conventions& conventions, double buffer_depth, double off) {
+  using enum Conventions::Depth;
+  if (camera.kind == Camera::Kind::screen || conventions.depth == view || conventions.depth == corrected) return off;
   const double f = camera.near, F = camera.far;
-  if (camera.kind == Camera::Kind::orthographic) return 2 * (view_depth - f) / (F - f) - 1;
-  return ((f + F) * view_depth - 2 * f * F) / ((F - f) * view_depth);
+  const double range = zstep::buffer_depth(camera, conventions, F) - zstep::buffer_depth(camera, conventions, f);
+  if (camera.kind == Camera::Kind::orthographic) return off * (F - f) / range;
+  // 1/z_v is linear in the number of the buffer, and 1/z - 1/z' = (z' - z)/(z z').
+  const double z = view_depth(camera, conventions, buffer_depth),
+               exact = view_depth(camera, conventions, buffer_depth - off);
+  return -off * (1 / F - 1 / f) / range * z * exact;
+}
+
+double depth_range(const Scene& scene, Conventions::Depth depth) {
+  Conventions conventions;
+  conventions.depth = depth;
+  double from = 0, to = 0;
+  if (scene.camera.kind == Camera::Kind::screen) {
+    const auto by_z = [](const glm::dvec3& a, const glm::dvec3& b) { return a.z < b.z; };
+    const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end(), by_z);
+    if (least != scene.points.end()) from = least->z, to = greatest->z;
+  } else {
+    from = buffer_depth(scene.camera, conventions, scene.camera.near);
+    to = buffer_depth(scene.camera, conventions, scene.camera.far);
+  }
+  const double range = std::abs(to - from);
+  return std::isfinite(range) && range > 0 ? range : 1;
+}
+
+double depth_unit(const Scene& scene, const Conventions& conventions) {
+  const int bits = bits_of(conventions.number_format);
+  return bits == 0 ? 0 : std::ldexp(depth_range(scene, conventions.depth), -bits);
 }
 
 const Placement* placement_of(const Scene& scene, std::int32_t point) {

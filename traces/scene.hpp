@@ -14,6 +14,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "traces/conventions.hpp"
 #include "traces/rare.hpp"
 
 namespace zstep {
@@ -133,23 +134,6 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// What was interpolated and how. Every trace states them; see docs/trace-format.md.
-struct Conventions {
-  enum class Depth : std::uint8_t {
-    pseudodepth,
-    view
-  };  ///< what the buffer holds: z* of the notes (003), or z_v (000)
-  enum class Interpolation : std::uint8_t { direct, increments };
-  enum class Coverage : std::uint8_t { top_left, inclusive };  ///< inclusive: the textbook's `for x = x_L to x_R`
-  Depth depth = Depth::pseudodepth;
-  Interpolation interpolation = Interpolation::direct;
-  Coverage coverage = Coverage::top_left;
-  bool cull = true;  ///< back faces are dropped
-  /// The method's own options that were given, by name ("root" -> "random"); what is not here has its standard value.
-  std::map<std::string, std::string> options;
-  bool operator==(const Conventions&) const = default;
-};
-
 /// The placement a point comes from; none if it is the scene's own.
 const Placement* placement_of(const Scene& scene, std::int32_t point);
 
@@ -191,10 +175,20 @@ struct Picture {
 /// The colour of a pixel: its ink where it has one, else its polygon's, else the background.
 Color color_at(const Picture& picture, const Scene& scene, std::size_t pixel);
 
-/// z_v at a pixel from the number in the buffer (equation z* = f(a z + b)/z of 003, inverted; linear when
-/// orthographic). Infinity stays infinity; a screen scene's z is returned as it is.
+/// z_v at a pixel from the number in the buffer. Infinity stays infinity; a screen scene's z is returned as it is.
 double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth);
 /// And back.
 double buffer_depth(const Camera& camera, const Conventions& conventions, double view_depth);
+
+/// By how much z_v is off where the number in the buffer is off by so much.
+double view_depth_error(const Camera& camera, const Conventions& conventions, double buffer_depth, double off);
+
+/// How far apart the depths of a run can lie: from the near plane to the far one; in a screen scene, from the least z of
+/// its points to the greatest. 1 where that is nothing.
+double depth_range(const Scene& scene, Conventions::Depth depth);
+/// By how much two fixed-point depths differ at least; 0 where the format is floating point.
+double depth_unit(const Scene& scene, const Conventions& conventions);
+/// The same of positions on the raster.
+inline constexpr double fixed_positions_a_pixel = 65536;
 
 }  // namespace zstep

@@ -9,6 +9,7 @@
 #include "algorithms/floating_horizon/floating_horizon.hpp"
 #include "algorithms/hidden_line/hidden_line.hpp"
 #include "algorithms/hidden_line/wireframe.hpp"
+#include "algorithms/interpolation/interpolation.hpp"
 #include "algorithms/ray_casting/fast.hpp"
 #include "algorithms/ray_casting/ray_casting.hpp"
 #include "algorithms/ray_tracing/ray_tracing.hpp"
@@ -34,8 +35,20 @@ namespace {
   }
 #define METHOD(module, ...) METHOD_DRAWN_BY(module::run<NullRecorder>, module, __VA_ARGS__)
 
-Picture draw_z_buffer(const Scene& scene, const Conventions& conventions, NullRecorder&) {
-  return z_buffer::run_fast(scene, conventions);
+// The Z-buffer draws under any conventions: as it is taught, or in the laboratory.
+namespace z_buffer_of_any_kind {
+using z_buffer::page;
+template <Recorder R>
+Picture run(const Scene& scene, const Conventions& conventions, R& record) {
+  return interpolation::run(scene, conventions, record);
+}
+}  // namespace z_buffer_of_any_kind
+
+Picture draw_z_buffer(const Scene& scene, const Conventions& conventions, NullRecorder& nothing) {
+  using enum Conventions::Coverage;
+  const bool fast = interpolation::is_taught(conventions) &&
+                    (conventions.coverage == top_left || conventions.coverage == inclusive);
+  return fast ? z_buffer::run_fast(scene, conventions) : interpolation::run(scene, conventions, nothing);
 }
 
 Picture draw_ray_casting(const Scene& scene, const Conventions& conventions, NullRecorder&) {
@@ -44,10 +57,10 @@ Picture draw_ray_casting(const Scene& scene, const Conventions& conventions, Nul
 
 constexpr std::array catalog{
     METHOD_DRAWN_BY(
-        draw_z_buffer, z_buffer, .id = "z-buffer", .title = "Z-buffer",
+        draw_z_buffer, z_buffer_of_any_kind, .id = "z-buffer", .title = "Z-buffer",
         .paper = "E. Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, PhD thesis, University "
                  "of Utah, 1974",
-        .interpolates = true),
+        .interpolates = true, .in_any_way = true),
     METHOD(scan_line, .id = "scan-line", .title = "Scan line",
            .paper = "W. J. Bouknight, A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics "
                     "Presentations, Communications of the ACM 13(9), 1970",
@@ -124,6 +137,10 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
     throw InputError("--algorithm " + id,
                      "works with planes: its depths are pseudodepths, directly computed at pixel centres",
                      "give " + wanted + ", or use z-buffer or scan-line");
+  if (method.interpolates && !method.in_any_way && !interpolation::is_taught(conventions))
+    throw InputError("--algorithm " + id, "interpolates z_v or pseudodepth, directly or by increments, in float64",
+                     "leave out the other conventions, or use z-buffer");
+  interpolation::check(scene, conventions);
   const std::string name = scene.source.empty() || scene.source == "built-in" ? scene.name : scene.source;
   if (method.needs == Needs::surface && !scene.surface)
     throw InputError(name, id + " draws a surface y = f(x, z), and this scene has none",
@@ -138,7 +155,8 @@ Header header_for(const Method& method, const Conventions& conventions) {
   header.algorithm = method.id;
   header.title = method.title;
   header.conventions = conventions;
-  header.page = method.page();
+  header.page = method.in_any_way ? interpolation::page_for(conventions) : method.page();
+  if (greater_is_nearer(conventions.depth)) header.comparison.nearer = Comparison::Nearer::greater;
   return header;
 }
 

@@ -35,6 +35,8 @@ struct Method {
   /// It interpolates along edges and spans, so that --depth view, --interpolation increments and --coverage inclusive
   /// mean something. The others work with planes, which only pseudodepth leaves plane.
   bool interpolates = false;
+  /// And it interpolates in any way that Conventions have: what, how, in which numbers.
+  bool in_any_way = false;
   std::span<const Option> options = {};
   /// Throws InputError where conventions and options, each possible by itself, do not go together.
   void (*check)(const Conventions&, const std::string& who) = nullptr;

@@ -93,6 +93,8 @@ std::string options_for_planes(const Conventions& conventions) {
   want(conventions.depth != standard.depth, "--depth pseudodepth");
   want(conventions.interpolation != standard.interpolation, "--interpolation direct");
   want(conventions.coverage != standard.coverage, "--coverage top-left");
+  want(conventions.number_format != standard.number_format, "--number-format float64");
+  want(conventions.positions != standard.positions, "--positions exact");
   return options;
 }
 

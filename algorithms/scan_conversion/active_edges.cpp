@@ -2,22 +2,28 @@
 
 #include <algorithm>
 
+#include "algorithms/scan_conversion/numbers.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::scan_conversion {
 
 namespace {
 
-Edge& edge_at(EdgeTable& table, std::int32_t number) { return table.edges[static_cast<std::size_t>(number)]; }
-
-bool left_of(const Edge& one, const Edge& other) {
-  return one.x != other.x ? one.x < other.x : one.dx_dy < other.dx_dy;
+template <class T>
+EdgeOf<T>& edge_at(EdgeTableOf<T>& table, std::int32_t number) {
+  return table.edges[static_cast<std::size_t>(number)];
 }
 
-template <Recorder R>
-void step_edges(const ActiveEdges& active, EdgeTable& table, std::int32_t y, bool direct, R& record) {
+template <class T>
+bool left_of(const EdgeOf<T>& one, const EdgeOf<T>& other) {
+  const double x = one.x, x_other = other.x, slope = one.dx_dy, slope_other = other.dx_dy;
+  return x != x_other ? x < x_other : slope < slope_other;
+}
+
+template <class T, Recorder R>
+void step_edges(const ActiveEdges& active, EdgeTableOf<T>& table, std::int32_t y, bool direct, R& record) {
   for (const std::int32_t number : active.edges) {
-    Edge& edge = edge_at(table, number);
+    EdgeOf<T>& edge = edge_at(table, number);
     if (direct) {
       edge.x = edge.x_at(y);
       edge.z = edge.z_at(y);
@@ -29,11 +35,11 @@ void step_edges(const ActiveEdges& active, EdgeTable& table, std::int32_t y, boo
   }
 }
 
-template <Recorder R>
-void enter_edges(ActiveEdges& active, EdgeTable& table, std::int32_t y, R& record) {
+template <class T, Recorder R>
+void enter_edges(ActiveEdges& active, EdgeTableOf<T>& table, std::int32_t y, R& record) {
   for (; active.waiting < table.buckets.size(); ++active.waiting) {
     const std::int32_t number = table.buckets[active.waiting];
-    const Edge& edge = edge_at(table, number);
+    const EdgeOf<T>& edge = edge_at(table, number);
     if (edge.first_row != y) break;
 
     auto place = active.edges.begin();
@@ -43,8 +49,8 @@ void enter_edges(ActiveEdges& active, EdgeTable& table, std::int32_t y, R& recor
   }
 }
 
-template <Recorder R>
-void retire_edges(ActiveEdges& active, EdgeTable& table, std::int32_t y, R& record) {
+template <class T, Recorder R>
+void retire_edges(ActiveEdges& active, EdgeTableOf<T>& table, std::int32_t y, R& record) {
   auto kept = active.edges.begin();
   for (const std::int32_t number : active.edges) {
     if (edge_at(table, number).end_row == y) {
@@ -57,8 +63,8 @@ void retire_edges(ActiveEdges& active, EdgeTable& table, std::int32_t y, R& reco
 }
 
 // Insertion sort: from one scan line to the next few edges change places, and those that do are neighbours.
-template <Recorder R>
-void sort_edges(ActiveEdges& active, EdgeTable& table, R& record) {
+template <class T, Recorder R>
+void sort_edges(ActiveEdges& active, EdgeTableOf<T>& table, R& record) {
   for (std::size_t i = 1; i < active.edges.size(); ++i) {
     for (std::size_t right = i; right > 0; --right) {
       std::int32_t &one = active.edges[right - 1], &other = active.edges[right];
@@ -71,8 +77,8 @@ void sort_edges(ActiveEdges& active, EdgeTable& table, R& record) {
 
 }  // namespace
 
-template <Recorder R>
-void begin_scan_line(ActiveEdges& active, EdgeTable& table, std::int32_t y, bool direct, R& record) {
+template <class T, Recorder R>
+void begin_scan_line(ActiveEdges& active, EdgeTableOf<T>& table, std::int32_t y, bool direct, R& record) {
   record(step::scan_line, ScanLineBegin{y});
   step_edges(active, table, y, direct, record);
   enter_edges(active, table, y, record);
@@ -88,9 +94,10 @@ void end_polygon(ActiveEdges& active, R& record) {
   active.clear();
 }
 
-#define INSTANTIATE(R)                                                                \
-  template void begin_scan_line<R>(ActiveEdges&, EdgeTable&, std::int32_t, bool, R&); \
-  template void end_polygon<R>(ActiveEdges&, R&);
-ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#define INSTANTIATE(R, T) \
+  template void begin_scan_line<T, R>(ActiveEdges&, EdgeTableOf<T>&, std::int32_t, bool, R&);
+ZSTEP_FOR_EACH_NUMBER(INSTANTIATE)
+#define INSTANTIATE_END(R) template void end_polygon<R>(ActiveEdges&, R&);
+ZSTEP_FOR_EACH_RECORDER(INSTANTIATE_END)
 
 }  // namespace zstep::scan_conversion

@@ -23,8 +23,8 @@ struct ActiveEdges {
 ///
 /// Stepping comes before leaving, so that the list can be read as the book prints it; an edge may thus be stepped to
 /// the scan line just beyond its end, once, before it leaves.
-template <Recorder R>
-void begin_scan_line(ActiveEdges& active, EdgeTable& table, std::int32_t y, bool direct, R& record);
+template <class T, Recorder R>
+void begin_scan_line(ActiveEdges& active, EdgeTableOf<T>& table, std::int32_t y, bool direct, R& record);
 
 /// After the last scan line: the edges that are still active leave.
 template <Recorder R>

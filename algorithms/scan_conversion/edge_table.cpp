@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/scan_conversion/numbers.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/record/all_recorders.hpp"
 
@@ -27,19 +28,35 @@ bool local_maximum(Outline outline, const viewing::Vertices& vertices, std::size
 
 }  // namespace
 
-template <Recorder R>
-void add_edges(EdgeTable& table, std::int32_t polygon, Outline outline, const viewing::Vertices& vertices,
+template <class T, Recorder R>
+void add_edges(EdgeTableOf<T>& table, std::int32_t polygon, Outline outline, const viewing::Vertices& vertices,
                const Raster& raster, Conventions::Coverage coverage, R& record) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     std::size_t from = i, to = i + 1 < outline.size() ? i + 1 : 0;
     const auto point = [&](std::size_t n) { return vertices[static_cast<std::size_t>(outline[n])].raster; };
     if (point(from).y > point(to).y) std::swap(from, to);
 
-    Edge edge{outline[from], outline[to], point(from), point(to), 0, 0, 0, 0, 0, 0};
-    edge.first_row = formulas::row_from(edge.start.y, raster.height);
-    edge.end_row = formulas::row_from(edge.end.y, raster.height);
-    const bool horizontal = edge.start.y == edge.end.y;
-    const bool ends_on_row = edge.end_row == edge.end.y && edge.end_row < raster.height;
+    const glm::dvec3 start = point(from), end = point(to);
+    const NumbersOf<T>& numbers = table.numbers;
+    EdgeOf<T> edge{outline[from],
+                   outline[to],
+                   numbers.position(start.x),
+                   numbers.position(start.y),
+                   numbers.depth(start.z),
+                   numbers.position(end.x),
+                   numbers.position(end.y),
+                   numbers.depth(end.z),
+                   0,
+                   0,
+                   T(0),
+                   T(0),
+                   T(0),
+                   T(0)};
+    const double y_0 = edge.y_0, y_1 = edge.y_1;
+    edge.first_row = formulas::row_from(y_0, raster.height);
+    edge.end_row = formulas::row_from(y_1, raster.height);
+    const bool horizontal = y_0 == y_1;
+    const bool ends_on_row = edge.end_row == y_1 && edge.end_row < raster.height;
     if (coverage == Conventions::Coverage::inclusive && !horizontal && ends_on_row &&
         local_maximum(outline, vertices, to)) {
       ++edge.end_row;
@@ -52,8 +69,8 @@ void add_edges(EdgeTable& table, std::int32_t polygon, Outline outline, const vi
 
     edge.x = edge.x_at(edge.first_row);
     edge.z = edge.z_at(edge.first_row);
-    edge.dx_dy = formulas::slope(edge.start.x, edge.end.x, edge.start.y, edge.end.y);
-    edge.dz_dy = formulas::slope(edge.start.z, edge.end.z, edge.start.y, edge.end.y);
+    edge.dx_dy = formulas::slope(edge.x_0, edge.x_1, edge.y_0, edge.y_1);
+    edge.dz_dy = formulas::slope(edge.z_0, edge.z_1, edge.y_0, edge.y_1);
     const auto number = static_cast<std::int32_t>(table.edges.size());
     const EdgeTableInsert row{number,       polygon, edge.vertex_0, edge.vertex_1, edge.first_row,
                               edge.end_row, edge.x,  edge.dx_dy,    edge.z,        edge.dz_dy};
@@ -66,7 +83,8 @@ void add_edges(EdgeTable& table, std::int32_t polygon, Outline outline, const vi
   }
 }
 
-void fill_buckets(EdgeTable& table) {
+template <class T>
+void fill_buckets(EdgeTableOf<T>& table) {
   table.buckets.resize(table.edges.size());
   for (std::size_t i = 0; i < table.buckets.size(); ++i) table.buckets[i] = static_cast<std::int32_t>(i);
   const auto row = [&](std::int32_t number) { return table.edges[static_cast<std::size_t>(number)].first_row; };
@@ -75,8 +93,8 @@ void fill_buckets(EdgeTable& table) {
   });
 }
 
-template <Recorder R>
-void build_edge_table(EdgeTable& table, std::int32_t polygon, Outline outline, const viewing::Vertices& vertices,
+template <class T, Recorder R>
+void build_edge_table(EdgeTableOf<T>& table, std::int32_t polygon, Outline outline, const viewing::Vertices& vertices,
                       const Raster& raster, Conventions::Coverage coverage, R& record) {
   table.edges.clear();
   table.first_row = table.end_row = 0;
@@ -84,11 +102,12 @@ void build_edge_table(EdgeTable& table, std::int32_t polygon, Outline outline, c
   fill_buckets(table);
 }
 
-#define INSTANTIATE(R)                                                                                          \
-  template void add_edges<R>(EdgeTable&, std::int32_t, Outline, const viewing::Vertices&, const Raster&,        \
-                             Conventions::Coverage, R&);                                                        \
-  template void build_edge_table<R>(EdgeTable&, std::int32_t, Outline, const viewing::Vertices&, const Raster&, \
-                                    Conventions::Coverage, R&);
-ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#define INSTANTIATE(R, T)                                                                                           \
+  template void add_edges<T, R>(EdgeTableOf<T>&, std::int32_t, Outline, const viewing::Vertices&, const Raster&,    \
+                                Conventions::Coverage, R&);                                                         \
+  template void build_edge_table<T, R>(EdgeTableOf<T>&, std::int32_t, Outline, const viewing::Vertices&,            \
+                                       const Raster&, Conventions::Coverage, R&);
+ZSTEP_FOR_EACH_NUMBER(INSTANTIATE)
+template void fill_buckets<double>(EdgeTable&);
 
 }  // namespace zstep::scan_conversion

@@ -13,9 +13,10 @@ using Span = SpanBegin;
 
 /// The pixels of scan line y between two active edges. top_left: ceil(x_left) … ceil(x_right) - 1, so a centre on the
 /// left edge counts and one on the right edge does not. inclusive: ceil(x_left) … floor(x_right), the `for x = x_L to
-/// x_R` of 000, which draws the pixels on a shared edge twice. Limited to the raster's width.
-template <Recorder R>
-Span begin_span(const EdgeTable& table, std::int32_t left, std::int32_t right, std::int32_t y, const Raster& raster,
+/// x_R` of 000, which draws the pixels on a shared edge twice. The others: formulas::first_pixel, formulas::last_pixel.
+/// Limited to the raster's width.
+template <class T, Recorder R>
+Span begin_span(const EdgeTableOf<T>& table, std::int32_t left, std::int32_t right, std::int32_t y, const Raster& raster,
                 Conventions::Coverage coverage, R& record);
 
 /// z–x interpolation (000): z = z_L + (z_R - z_L)(x - x_L)/(x_R - x_L), by which the trace's codec predicts it.

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::viewing {
@@ -112,14 +113,18 @@ glm::dvec4 Lens::clip_coordinates(glm::dvec3 view) const {
 glm::dvec3 Lens::project(glm::dvec3 view) const {
   // z as in 000 where it is asked for; else z* as in 003, which is linear on the raster, so that interpolating it is
   // exact.
-  const bool view_z = depth == Conventions::Depth::view;
-  if (orthographic) return {view.x, view.y, view_z ? view.z : formulas::parallel_pseudodepth(near, far, view.z)};
-  return {formulas::projected(d, view.x, view.z), formulas::projected(d, view.y, view.z),
-          view_z ? view.z : formulas::pseudodepth(near, a, b, view.z)};
+  const bool other = depth != Conventions::Depth::pseudodepth;
+  const double z = other          ? formulas::other_depth(depth, orthographic, near, far, view.z)
+                   : orthographic ? formulas::parallel_pseudodepth(near, far, view.z)
+                                  : formulas::pseudodepth(near, a, b, view.z);
+  if (orthographic) return {view.x, view.y, z};
+  return {formulas::projected(d, view.x, view.z), formulas::projected(d, view.y, view.z), z};
 }
 
 glm::dvec2 Lens::to_viewport(double x_p, double y_p) const {
-  return {formulas::screen_x<double>(x_p, window_x, width), formulas::screen_y<double>(y_p, window_y, height)};
+  const glm::dvec2 at{formulas::screen_x<double>(x_p, window_x, width),
+                      formulas::screen_y<double>(y_p, window_y, height)};
+  return whole_pixels ? glm::dvec2(formulas::to_nearest(at.x), formulas::to_nearest(at.y)) : at;
 }
 
 }  // namespace zstep::viewing

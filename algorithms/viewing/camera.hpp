@@ -60,6 +60,7 @@ struct Lens {
   double near, far;           ///< z_v of the clipping planes
   double a, b;                ///< of pseudodepth
   double width, height;       ///< of the raster, in pixels
+  bool whole_pixels = false;  ///< to_viewport() gives the nearest pixel, as the int x_s, y_s of 000
 };
 
 }  // namespace zstep::viewing

@@ -42,9 +42,7 @@ struct Stop {
 
 /// What a lesson may change about its scene's conventions. Unset: as the scene has them.
 struct ConventionOptions {
-  std::optional<Conventions::Depth> depth;
-  std::optional<Conventions::Interpolation> interpolation;
-  std::optional<Conventions::Coverage> coverage;
+  ConventionChoices choices;
   std::optional<bool> cull;
   std::map<std::string, std::string> options;  ///< of the method
 };

@@ -73,17 +73,17 @@ struct Head {
                        fmt::format("write {} = true or false", key));
     return node->as_boolean()->get();
   }
-  template <class E, std::size_t N>
-  void word(const toml::table& table, std::string_view key, const std::array<std::pair<std::string_view, E>, N>& words,
-            std::optional<E>& into) const {
+  template <std::size_t N>
+  void word(const toml::table& table, std::string_view key, const std::array<std::string_view, N>& words,
+            ConventionChoices& into) const {
     const toml::node* node = table.get(key);
     if (!node) return;
     std::string list;
-    for (const auto& [name, value] : words) {
-      if (node->is_string() && node->as_string()->get() == name) into = value;
-      list += fmt::format("{}\"{}\"", list.empty() ? "" : " or ", name);
+    for (const std::string_view word : words) {
+      if (node->is_string() && node->as_string()->get() == word) into.words[std::string(key)] = word;
+      list += fmt::format("{}\"{}\"", list.empty() ? "" : " or ", word);
     }
-    if (!into)
+    if (!into.words.contains(key))
       throw InputError(at(node->source()), fmt::format("`{}` has a value it does not know", key),
                        fmt::format("write {} = {}", key, list));
   }
@@ -135,21 +135,12 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
   read.size(raster, "width", view.width);
   read.size(raster, "height", view.height);
 
-  using C = Conventions;
   const toml::table& conventions = read.table(all, "conventions");
-  read.known_keys(conventions, "[conventions]", {"depth", "interpolation", "coverage", "cull"});
-  read.word(conventions, "depth",
-            std::array<std::pair<std::string_view, C::Depth>, 2>{
-                {{"pseudodepth", C::Depth::pseudodepth}, {"view", C::Depth::view}}},
-            lesson.conventions.depth);
-  read.word(conventions, "interpolation",
-            std::array<std::pair<std::string_view, C::Interpolation>, 2>{
-                {{"direct", C::Interpolation::direct}, {"increments", C::Interpolation::increments}}},
-            lesson.conventions.interpolation);
-  read.word(conventions, "coverage",
-            std::array<std::pair<std::string_view, C::Coverage>, 2>{
-                {{"top_left", C::Coverage::top_left}, {"inclusive", C::Coverage::inclusive}}},
-            lesson.conventions.coverage);
+  read.known_keys(conventions, "[conventions]",
+                  {"depth", "interpolation", "coverage", "number_format", "rounding", "positions", "cull"});
+  for_each_convention([&]<class E>(std::string_view key, E Conventions::*) {
+    read.word(conventions, key, words_of<E>, lesson.conventions.choices);
+  });
   lesson.conventions.cull = read.truth(conventions, "cull");
 
   for (const auto& [name, value] : read.table(all, "options")) {

@@ -24,9 +24,7 @@ std::string scene_path(const Lesson& lesson) {
 }
 
 Conventions with_options(Conventions conventions, const ConventionOptions& options) {
-  if (options.depth) conventions.depth = *options.depth;
-  if (options.interpolation) conventions.interpolation = *options.interpolation;
-  if (options.coverage) conventions.coverage = *options.coverage;
+  options.choices.apply(conventions);
   if (options.cull) conventions.cull = *options.cull;
   for (const auto& [name, value] : options.options) conventions.options[name] = value;
   return conventions;

@@ -13,7 +13,8 @@ namespace zstep::cli {
 
 struct CompareOptions {
   RunOptions run;
-  std::string methods, csv, plot;  ///< empty: not given
+  std::string methods, sweep, csv, plot;  ///< empty: not given
+  std::vector<std::string> modes;
   double limit = 60;               ///< seconds a method
   bool steps = false, table = false, quick = false;
 };
@@ -25,6 +26,9 @@ void write_comparison(const CompareOptions& options, const std::string& csv, con
 
 /// The methods' numbers as a chart. Throws InputError where the viewer, which draws it, was not built.
 Image chart_of(const Scene& scene, const std::vector<compare::Compared>& methods, double limit);
+
+/// --modes and --sweep: ways of interpolating.
+int compare_modes(const CompareOptions& options);
 
 /// --table: the lecture's table and today's numbers beside it.
 int compare_table(const CompareOptions& options);

@@ -223,6 +223,15 @@ void add_compare_methods(CLI::App& app, Action& action) {
   const auto file = [&](const char* name, std::string& path, const char* type, const char* help) {
     command->add_option(name, path, help)->type_name(type)->group("Output");
   };
+  in(command
+         ->add_option("--modes", options->modes,
+                      "Compare ways of interpolating with exact depths: all combinations of the words given for some "
+                      "conventions, as depth=view,reciprocal; 'all' for all words; may be given more than once")
+         ->type_name("CONVENTION=WORD,…")
+         ->allow_extra_args(false)
+         ->take_all());
+  in(command->add_option("--sweep", options->sweep, "The same while the near or the far plane moves")
+         ->type_name("near=FROM..TO"));
   file("--csv", options->csv, "FILE.csv", "Write the numbers, one a line: scene,method,measure,step,value");
   file("--plot", options->plot, "FILE.png", "Write a chart");
   add_run_options(*command, options->run, false);
@@ -232,14 +241,20 @@ void add_compare_methods(CLI::App& app, Action& action) {
       "Examples:\n"
       "  zstep compare-methods intersecting --steps\n"
       "  zstep compare-methods teapot --size 160x120 --methods z-buffer,scan-line --csv teapot.csv --plot teapot.png\n"
+      "  zstep compare-methods lessons/scenes/poster.toml --modes depth=all --modes number-format=float32,fixed16\n"
       "  zstep compare-methods --table --plot table.png");
   command->callback([options, &action] {
     action = [options] {
       if (options->table) return compare_table(*options);
       if (options->quick) throw InputError("--quick", "goes with --table", "leave it out, or give --table");
+      const bool of_modes = !options->modes.empty() || !options->sweep.empty();
       if (options->run.scene.empty())
         throw InputError("zstep compare-methods", "there is no scene", "name one, or give --table");
-      return compare_scene(*options);
+      if (of_modes && (!options->methods.empty() || options->steps))
+        throw InputError(options->steps ? "--steps" : "--methods", "does not go with --modes and --sweep",
+                         "they compare ways of interpolating, by the Z-buffer");
+      if (of_modes) check_outputs({}, {options->run.scene}, compare_outputs(*options));
+      return of_modes ? compare_modes(*options) : compare_scene(*options);
     };
   });
 }

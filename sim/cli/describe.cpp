@@ -1,5 +1,7 @@
 #include "sim/cli/describe.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 namespace zstep::cli {
@@ -19,15 +21,32 @@ std::string raster_text(const Raster& raster) {
 
 std::string depth_text(const Camera& camera, Conventions::Depth depth) {
   if (camera.kind == Camera::Kind::screen) return "the points' own z";
-  return depth == Conventions::Depth::pseudodepth ? "pseudodepth (linear on the picture)" : "view (z_v)";
+  constexpr std::array texts{"pseudodepth (linear on the picture)",
+                             "view (z_v)",
+                             "corrected (z_v, by way of 1/z_v)",
+                             "reciprocal (1/z_v)",
+                             "reversed (1 at the near plane, 0 at the far one)",
+                             "foley (0 at the near plane, -1 at the far one)"};
+  return texts[static_cast<std::size_t>(depth)];
 }
 
 std::string interpolation_text(Conventions::Interpolation interpolation) {
-  return interpolation == Conventions::Interpolation::direct ? "direct formula" : "increments";
+  constexpr std::array texts{"direct formula", "increments", "the plane's slopes -A/C and -B/C",
+                             "the plane's slopes -A/C and -B/C, added"};
+  return texts[static_cast<std::size_t>(interpolation)];
 }
 
 std::string coverage_text(Conventions::Coverage coverage, const Raster& raster) {
-  if (coverage == Conventions::Coverage::inclusive) return "inclusive (every x from x_L to x_R)";
+  switch (coverage) {
+    case Conventions::Coverage::inclusive:
+      return "inclusive (every x from x_L to x_R)";
+    case Conventions::Coverage::round:
+      return "round(x_L) to round(x_R)";
+    case Conventions::Coverage::ceil_floor:
+      return "ceil(x_L) to floor(x_R)";
+    case Conventions::Coverage::top_left:
+      break;
+  }
   return fmt::format("top-left (centres inside, ties to the left edge and to that of the smaller y, the {} one)",
                      raster.y_up ? "bottom" : "top");
 }
@@ -40,7 +59,13 @@ std::string ties_text(Comparison::Ties ties) {
   return ties == Comparison::Ties::first ? "of equal depths the first stays" : "of equal depths the last wins";
 }
 
-std::string number_format_text(NumberFormat format) { return format == NumberFormat::float64 ? "float64" : "float32"; }
+std::string numbers_text(const Conventions& conventions) {
+  std::string text(word_of(conventions.number_format));
+  if (bits_of(conventions.number_format) > 0)
+    text += conventions.rounding == Conventions::Rounding::nearest ? ", rounded" : ", cut off";
+  if (conventions.positions == Conventions::Positions::integer) text += ", vertices at whole pixels";
+  return text;
+}
 
 std::string value_text(double value) { return fmt::format("{}", value); }
 

@@ -16,7 +16,7 @@ std::string interpolation_text(Conventions::Interpolation interpolation);
 std::string coverage_text(Conventions::Coverage coverage, const Raster& raster);
 std::string nearer_text(Comparison::Nearer nearer);
 std::string ties_text(Comparison::Ties ties);
-std::string number_format_text(NumberFormat format);
+std::string numbers_text(const Conventions& conventions);
 
 /// A field's value as a dump shows it; numbers with as many digits as distinguish them.
 std::string value_text(double value);

@@ -134,7 +134,7 @@ std::vector<std::string> notes_of(const Trace& a, const Trace& b) {
         "directly, or by increments");
   parts(Convention::coverage, h.conventions.coverage != k.conventions.coverage, "which pixels a span covers");
   parts(Convention::cull, h.conventions.cull != k.conventions.cull, "back faces are culled, or not");
-  parts(Convention::number_format, h.number_format != k.number_format, "the number format");
+  parts(Convention::number_format, h.conventions.number_format != k.conventions.number_format, "the number format");
   parts(Convention::nearer, h.comparison != k.comparison, "which depth is nearer, or what wins a tie");
   return notes;
 }

@@ -41,7 +41,7 @@ std::string digits(double value) { return value < 1e5 ? number(value, 2, true) :
 void print_text(const Trace& trace, const ErrorOptions& options, const Errors& errors) {
   const Header& header = trace.header();
   const std::string format =
-      std::string(header.number_format == NumberFormat::float32 ? "float32" : "float64") +
+      std::string(word_of(header.conventions.number_format)) +
       (header.declares(Convention::number_format) ? "" : ", which its header does not declare");
   fmt::print("{}: {} held against the exact ones, in last digits of {}\n", printable(trace.name()),
              counted(errors.all.depths, "depth", "depths"), format);

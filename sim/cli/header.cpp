@@ -17,7 +17,7 @@ namespace {
 
 struct HeaderOptions {
   RunOptions run;
-  std::string writer = "a program", number_format, nearer, ties, out;
+  std::string writer = "a program", nearer, ties, out;
   std::optional<double> initial_depth;
 };
 
@@ -29,10 +29,9 @@ int write(const HeaderOptions& options) {
   const auto choice = [](const char* name, const std::string& given, const std::vector<std::string>& words) {
     return given.empty() ? std::size_t{0} : parse_choice(name, given, words);
   };
-  header.number_format =
-      static_cast<NumberFormat>(choice("--number-format", options.number_format, {"float64", "float32"}));
-  header.comparison.nearer =
-      static_cast<Comparison::Nearer>(choice("--nearer", options.nearer, {"smaller", "greater"}));
+  if (!options.nearer.empty())
+    header.comparison.nearer =
+        static_cast<Comparison::Nearer>(choice("--nearer", options.nearer, {"smaller", "greater"}));
   header.comparison.ties = static_cast<Comparison::Ties>(choice("--ties", options.ties, {"first", "last"}));
   header.initial_depth = options.initial_depth;
   const std::string line = jsonl_header(header, run.scene) + "\n";
@@ -54,9 +53,7 @@ void add_header(CLI::App& app, Action& action) {
   add_scene(*command, options->run);
   add_limit_options(*command);
   command->add_option("--writer", options->writer, "The name of the program")->type_name("NAME");
-  command->add_option("--number-format", options->number_format, "What it computes in (default float64)")
-      ->type_name("float64|float32");
-  command->add_option("--nearer", options->nearer, "Which of two depths wins a pixel (default smaller)")
+  command->add_option("--nearer", options->nearer, "Which of two depths wins a pixel (default: as --depth has it, mostly smaller)")
       ->type_name("smaller|greater");
   command->add_option("--ties", options->ties, "Which of two equal depths does (default first)")
       ->type_name("first|last");

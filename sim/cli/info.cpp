@@ -48,7 +48,7 @@ std::string head_text(const Trace& trace, const std::string& path) {
   table.row({"nearer", declared(Convention::nearer, nearer_text(header.comparison.nearer))});
   table.row({"ties", declared(Convention::ties, ties_text(header.comparison.ties))});
   if (header.initial_depth) table.row({"initial depth", value_text(*header.initial_depth)});
-  table.row({"numbers", declared(Convention::number_format, number_format_text(header.number_format))});
+  table.row({"numbers", declared(Convention::number_format, numbers_text(header.conventions))});
   table.row(
       {"interpolation", declared(Convention::interpolation, interpolation_text(header.conventions.interpolation))});
   table.row({"coverage", declared(Convention::coverage, coverage_text(header.conventions.coverage, scene.raster))});

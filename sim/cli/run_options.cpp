@@ -1,8 +1,10 @@
 #include "sim/cli/run_options.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -17,16 +19,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A word of a trace's header as the command line has it, and back: "top_left", "top-left".
+std::string with_hyphens(std::string_view word) {
+  std::string text(word);
+  std::replace(text.begin(), text.end(), '_', '-');
+  return text;
+}
+
+/// What each convention means, by its key.
+const std::map<std::string_view, const char*> convention_help{
+    {"depth",
+     "What the depth buffer holds: pseudodepth, linear on the picture (default); z_v, interpolated as it stands (view) "
+     "or by way of 1/z_v (corrected); 1/z_v; or what is 1 at the near plane (reversed), or 0 there and -1 at the far "
+     "one (foley)"},
+    {"interpolation",
+     "How x and z go along edges and spans: by the formula each time (default), by adding slopes, or z by the slopes "
+     "of the polygon's plane, each time or added"},
+    {"coverage", "Which pixels a polygon owns: centres inside, top-left rule (default), the textbook's x_L to x_R, or "
+                 "round(x_L) to round(x_R), or ceil(x_L) to floor(x_R)"},
+    {"number_format", "What is computed in (default float64); of fixed-point numbers, the bits of a depth"},
+    {"rounding", "How fixed-point quotients become whole (default nearest)"},
+    {"positions", "Where vertices are on the raster: as they come (default), or at whole pixels"},
+};
+
 /// One of some words; the words are the help's type name too, and what a shell offers to complete.
 template <class Enumeration>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, std::optional<Enumeration>& value,
-                        const std::vector<std::string>& words, const std::string& help) {
-  std::string type;
-  for (const std::string& word : words) type += (type.empty() ? "" : "|") + word;
-  const auto take = [name, words, &value](const std::string& text) {
-    value = static_cast<Enumeration>(parse_choice(name, text, words));
+CLI::Option* add_convention(CLI::App& command, ConventionChoices& choices, const std::string& key,
+                            Enumeration Conventions::*) {
+  std::vector<std::string> words;
+  for (const std::string_view word : words_of<Enumeration>) words.push_back(with_hyphens(word));
+  const std::string name = "--" + with_hyphens(key);
+  const auto take = [name, key, words, &choices](const std::string& text) {
+    choices.words[key] = words_of<Enumeration>[parse_choice(name, text, words)];
   };
-  return command.add_option_function<std::string>(name, take, help)->type_name(type);
+  return command.add_option_function<std::string>(name, take, convention_help.at(key))
+      ->type_name(fmt::format("{}", fmt::join(words, "|")));
 }
 
 std::vector<std::string> method_ids() {
@@ -132,15 +159,9 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
                                                      "Pixels of the raster, as 640x480 (default: the scene's)")
                    ->type_name("WxH"));
   in("Method", command.add_flag("--no-cull", options.no_cull, "Draw back faces too"));
-  in("Method",
-     add_choice(command, "--depth", options.depth, {"pseudodepth", "view"},
-                "What the depth buffer holds: pseudodepth, linear on the picture (default), or z_v, as it stands"));
-  in("Method",
-     add_choice(command, "--interpolation", options.interpolation, {"direct", "increments"},
-                "How x and z go along edges and spans: by the formula each time (default), or by adding slopes"));
-  in("Method",
-     add_choice(command, "--coverage", options.coverage, {"top-left", "inclusive"},
-                "Which pixels a polygon owns: centres inside, top-left rule (default), or the textbook's x_L to x_R"));
+  for_each_convention([&](const char* key, auto member) {
+    in("Method", add_convention(command, options.conventions, key, member));
+  });
 
   in("Camera", add_number(command, "--rho", view.rho, "Distance of the eye from the origin"));
   in("Camera",
@@ -159,19 +180,24 @@ void add_run_options(CLI::App& command, RunOptions& options, bool of_one_method)
                                 "Move the scene's centre to the origin and scale its farthest vertex to distance 1"));
 }
 
-Run prepare(const RunOptions& options) {
+namespace {
+Run prepare_with(const RunOptions& options, bool notes) {
   check_scene_exists(options.scene);
   SceneFile file = load_scene(options.scene);
-  for (const std::string& note : file.notes) complain("note: " + note);
+  if (notes)
+    for (const std::string& note : file.notes) complain("note: " + note);
   Run run{look_at_scene(std::move(file.scene), options.view), file.conventions, &method(options.algorithm)};
-  if (options.depth) run.conventions.depth = *options.depth;
-  if (options.interpolation) run.conventions.interpolation = *options.interpolation;
-  if (options.coverage) run.conventions.coverage = *options.coverage;
+  options.conventions.apply(run.conventions);
   if (options.no_cull) run.conventions.cull = false;
   run.conventions.options = options.options;
   check_run(*run.method, run.scene, run.conventions);
   return run;
 }
+
+}  // namespace
+
+Run prepare(const RunOptions& options) { return prepare_with(options, true); }
+Run prepare_again(const RunOptions& options) { return prepare_with(options, false); }
 
 Run prepare_within_budget(const RunOptions& options) {
   const auto size_of = [](const std::string& path) -> std::uintmax_t {

@@ -18,9 +18,7 @@ struct RunOptions {
   std::string scene;  ///< a built-in scene's name, a scene file or a mesh
   std::string algorithm = "z-buffer";
   ViewOptions view;
-  std::optional<Conventions::Depth> depth;
-  std::optional<Conventions::Interpolation> interpolation;
-  std::optional<Conventions::Coverage> coverage;
+  ConventionChoices conventions;
   bool no_cull = false;
   std::map<std::string, std::string> options;  ///< of the method
   std::vector<CLI::Option*> declared;  ///< all of the options below
@@ -44,6 +42,9 @@ struct Run {
 };
 /// Loads the scene, prints what there is to note about it on stderr, and applies the options. Throws InputError.
 Run prepare(const RunOptions& options);
+
+/// The same once more, without the notes.
+Run prepare_again(const RunOptions& options);
 
 /// The same, where the command has a budget: what a scene file or a mesh may cost follows from its size and from
 /// --size, a byte a pixel. Built-in scenes and formulas cost what they cost.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/interpolation/interpolation.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/watch.hpp"
@@ -93,7 +94,7 @@ struct TooLong {};
 /// What stays of a run's conventions for another method: its options are not the other's.
 Conventions for_method(const Method& other, Conventions conventions) {
   conventions.options.clear();
-  if (other.interpolates) return conventions;
+  if (other.in_any_way || (other.interpolates && interpolation::is_taught(conventions))) return conventions;
   Conventions plain;
   plain.cull = conventions.cull;
   return plain;

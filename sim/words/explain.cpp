@@ -1,6 +1,7 @@
 #include "sim/words/explain.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "algorithms/viewing/camera.hpp"
 #include "sim/words/explain_parts.hpp"
@@ -80,7 +81,8 @@ std::string undeclared_text(const Header& header, bool tie) {
 
 std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
   if (scene.camera.kind == Camera::Kind::screen) return "z";
-  return conventions.depth == Conventions::Depth::view ? "z_v" : "z*";
+  constexpr std::array symbols{"z*", "z_v", "z_v", "1/z_v", "z_r", "z_F"};
+  return symbols[static_cast<std::size_t>(conventions.depth)];
 }
 
 std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::int32_t vertex) {

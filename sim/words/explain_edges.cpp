@@ -205,7 +205,7 @@ void tell(Telling& t, const EdgeStep& e) {
   const std::int32_t y = t.machine.scan_line.value_or(0);
   t.say(with_capital(fmt::format("{} moves to scan line {}.", named(t, e.edge), y)));
   const EdgeTableInsert* entry = entry_of(t, e.edge);
-  if (entry && t.conventions.interpolation == Conventions::Interpolation::increments) {
+  if (entry && adds_slopes(t.conventions)) {
     if (const auto before = before_step(t, e.edge)) {
       t.gives("x", Shown("x", before->x) + Shown("1/m", entry->dx_dy), e.x_edge);
       t.gives(t.z, Shown(t.z, before->z) + Shown("dz/dy", entry->dz_dy), e.z_edge);
@@ -235,6 +235,21 @@ void tell(Telling& t, const EdgeSwap& e) {
                   e.place, e.place + 1, brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x)));
 }
 
+void tell(Telling& t, const PlaneSlopes& e) {
+  t.say(fmt::format("On the plane of {} depth gains {} from pixel to pixel and {} from line to line.",
+                    polygon_label(t.scene, e.polygon), number(e.dz_dx), number(e.dz_dy)));
+  t.value("dz/dx", e.dz_dx);
+  t.value("dz/dy", e.dz_dy);
+  const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1),
+             c = on_raster(t.scene, t.after, e.vertex_2);
+  if (!a || !b || !c) return;
+  const Shown x_0("x_0", a->x), y_0("y_0", a->y), z_0("z_0", a->z);
+  const Shown x_1 = Shown("x_1", b->x) - x_0, y_1 = Shown("y_1", b->y) - y_0, z_1 = Shown("z_1", b->z) - z_0;
+  const Shown x_2 = Shown("x_2", c->x) - x_0, y_2 = Shown("y_2", c->y) - y_0, z_2 = Shown("z_2", c->z) - z_0;
+  t.gives("-A/C", formulas::plane_slope(y_1, z_1, y_2, z_2, x_1, x_2), e.dz_dx);
+  t.gives("-B/C", formulas::plane_slope(x_1, z_1, x_2, z_2, y_1, y_2), e.dz_dy);
+}
+
 void tell(Telling& t, const SpanBegin& e) {
   const std::int32_t count = std::max(0, e.last - e.first + 1);
   const std::string left = brief(t, e.left_edge), right = brief(t, e.right_edge);
@@ -251,8 +266,8 @@ void tell(Telling& t, const SpanBegin& e) {
   const auto last_by = [&](Conventions::Coverage coverage) { return formulas::last_pixel(x_right, coverage); };
   const auto within = [&](const Shown& last) { return formulas::limited_column(last.value() + 1, width) - 1; };
   const auto ends_there = [&](Conventions::Coverage coverage) { return within(last_by(coverage)) == e.last; };
-  const Shown first = formulas::first_pixel(x_left),
-              last = last_by(formulas::coverage_of(t.trace.header(), ends_there));
+  const Conventions::Coverage coverage = formulas::coverage_of(t.trace.header(), ends_there);
+  const Shown first = formulas::first_pixel(x_left, coverage), last = last_by(coverage);
   const std::int32_t first_within = std::max(0, formulas::limited_column(first.value(), width));
   const bool first_agrees = t.whole("first", first, e.first, first_within),
              last_agrees = t.whole("last", last, e.last, within(last));

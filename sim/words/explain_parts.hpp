@@ -79,11 +79,20 @@ struct Telling {
   void depth_on(const SpanBegin& s, std::int32_t x, double recorded) {
     const Shown z_left("z_L", s.z_left);
     if (s.x_right != s.x_left)
-      return gives(z,
-                   formulas::on_line(z_left, Shown("z_R", s.z_right), Shown("x", x), Shown("x_L", s.x_left),
-                                     Shown("x_R", s.x_right)),
-                   recorded);
-    gives("x_L = x_R: " + z, z_left, recorded);
+      return gives_depth(z,
+                         formulas::on_line(z_left, Shown("z_R", s.z_right), Shown("x", x), Shown("x_L", s.x_left),
+                                           Shown("x_R", s.x_right)),
+                         recorded);
+    gives_depth("x_L = x_R: " + z, z_left, recorded);
+  }
+  /// A depth from what is interpolated: itself, or its reciprocal where that is 1/z_v and the depth is z_v.
+  void gives_depth(const std::string& name, const Shown& along, double recorded) {
+    gives(name, corrected() ? Shown(1) / along : along, recorded);
+  }
+  bool corrected() const { return conventions.depth == Conventions::Depth::corrected; }
+  /// What was interpolated where this depth came of it.
+  Shown along_of(const std::string& name, double depth) const {
+    return corrected() ? Shown(1) / Shown(name, depth) : Shown(name, depth);
   }
   /// A depth that was taken over from the step before: "The trace writes z = 0.35, but had compared z = 0.3."
   bool taken_over(const char* does, double recorded, const char* had, double before) {
@@ -142,6 +151,7 @@ void tell(Telling& t, const EdgeEnter& e);
 void tell(Telling& t, const EdgeRetire& e);
 void tell(Telling& t, const EdgeStep& e);
 void tell(Telling& t, const EdgeSwap& e);
+void tell(Telling& t, const PlaneSlopes& e);
 void tell(Telling& t, const SpanBegin& e);
 void tell(Telling& t, const DepthInterpolate& e);
 void tell(Telling& t, const DepthCompare& e);

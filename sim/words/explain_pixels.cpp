@@ -147,9 +147,25 @@ void tell(Telling& t, const DepthInterpolate& e) {
   t.value(t.z, e.z);
   if (!t.machine.span) return;
   const SpanBegin& s = *t.machine.span;
-  if (t.conventions.interpolation == Conventions::Interpolation::increments) {
-    if (const auto before = depth_before(t, e)) return t.gives(t.z, Shown(t.z, *before) + Shown("dz/dx", s.dz_dx), e.z);
-    // The first pixel of a span has nothing to add to: its depth is computed directly.
+  using enum Conventions::Interpolation;
+  const auto how = t.conventions.interpolation;
+  const auto& slopes = t.machine.slopes;
+  if (how == increments || (how == plane_increments && slopes)) {
+    const double slope = how == increments ? s.dz_dx : slopes->dz_dx;
+    if (const auto before = depth_before(t, e))
+      return t.gives_depth(t.z, t.along_of(t.z, *before) + Shown("dz/dx", slope), e.z);
+    // The first pixel of a span has nothing to add to: its depth is computed directly, or from the line before.
+  }
+  if (how == plane_increments) return;
+  if (how == plane) {
+    if (!slopes) return;
+    const auto from = on_raster(t.scene, t.after, slopes->vertex_0);
+    if (!from) return;
+    return t.gives_depth(t.z,
+                         formulas::along_plane(Shown("z_0", from->z), Shown("dz/dx", slopes->dz_dx), Shown("x", e.x),
+                                               Shown("x_0", from->x), Shown("dz/dy", slopes->dz_dy), Shown("y", e.y),
+                                               Shown("y_0", from->y)),
+                         e.z);
   }
   t.depth_on(s, e.x, e.z);
 }

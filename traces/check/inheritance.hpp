@@ -50,6 +50,7 @@ void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set
   if constexpr (std::is_same_v<E, PlaneEquation> || std::is_same_v<E, Extent>) set(Place{In::piece, e.piece});
   if constexpr (std::is_same_v<E, RayBegin> || std::is_same_v<E, RayPlane>) set(Place{In::ray, 0});
   if constexpr (std::is_same_v<E, HorizonMove>) set(Place{In::horizon, e.x});
+  if constexpr (std::is_same_v<E, PlaneSlopes>) set(Place{In::plane, 0});
   if constexpr (std::is_same_v<E, SpanBegin>) set(Place{In::span, 0});
   if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare>) set(Place{In::fragment, 0});
   if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>) set(at.depth_place(e.x, e.y));

@@ -70,8 +70,13 @@ struct Seen {
 Precision precision_of(const Trace& trace) {
   const Header& header = trace.header();
   const bool declared = header.declares(Convention::number_format);
-  if (declared && header.number_format == NumberFormat::float32)
+  if (declared && header.conventions.number_format == NumberFormat::float32)
     return {formulas::rounding_of_float32, 0, true, "float32, as the header declares"};
+  if (declared && bits_of(header.conventions.number_format) > 0) {
+    const double unit = std::max(depth_unit(trace.scene(), header.conventions), 1 / fixed_positions_a_pixel);
+    return {formulas::rounding_of_float64, 2 * unit, true,
+            fmt::format("{}, as the header declares", word_of(header.conventions.number_format))};
+  }
   Seen seen;
   constexpr std::int64_t enough = 200'000;  // events: what they do not show, later ones hardly do
   trace.each(0, std::min(trace.size(), enough), [&](std::int64_t, const RecordedEvent& recorded) {

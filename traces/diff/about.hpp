@@ -57,6 +57,7 @@ template <> inline constexpr About about<EdgeEnter>{nothing, {"edge"}};
 template <> inline constexpr About about<EdgeRetire>{nothing, {"edge"}};
 template <> inline constexpr About about<EdgeStep>{nothing, {"edge"}};
 template <> inline constexpr About about<EdgeSwap>{polygon | scan_line, {}};
+template <> inline constexpr About about<PlaneSlopes>{nothing, {"polygon"}};
 template <> inline constexpr About about<SpanBegin>{polygon, {"y"}};
 
 template <> inline constexpr About about<DepthInterpolate>{polygon, {"x", "y"}};

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "traces/words_of.hpp"
+
 namespace zstep {
 
 /// How the codec guesses a value before it looks. A right guess costs no bits in the file (docs/trace-format.md,
@@ -67,10 +69,6 @@ struct KindText {
 };
 template <class Event>
 inline constexpr KindText kind_text{};
-
-/// The words of an enumeration, in value order from 0. Specialised for every enumeration that an event carries.
-template <class Enumeration>
-inline constexpr auto words_of = nullptr;
 
 template <class Event>
 inline constexpr std::size_t field_count = std::remove_const_t<decltype(fields_of<Event>)>::count;

@@ -26,6 +26,7 @@ struct EdgeEnter { std::int32_t edge, place; };
 struct EdgeRetire { std::int32_t edge; };
 struct EdgeStep { std::int32_t edge; double x_edge, z_edge; };
 struct EdgeSwap { std::int32_t place; };
+struct PlaneSlopes { std::int32_t polygon, vertex_0, vertex_1, vertex_2; double dz_dx, dz_dy; };
 struct SpanBegin {
   std::int32_t left_edge, right_edge, y, first, last;
   double x_left, z_left, x_right, z_right, dz_dx;
@@ -91,6 +92,18 @@ inline constexpr KindText kind_text<EdgeSwap>{"edge_swap", "two neighbours in th
 template <>
 inline constexpr auto fields_of<EdgeSwap> =
     Fields{Field{"place", &EdgeSwap::place, "index", "the left one of the two places"}};
+
+template <>
+inline constexpr KindText kind_text<PlaneSlopes>{"plane_slopes",
+                                                 "how depth changes on a polygon's plane, from three of its vertices"};
+template <>
+inline constexpr auto fields_of<PlaneSlopes> = Fields{
+    Field{"polygon", &PlaneSlopes::polygon, "index", "the polygon"},
+    Field{"vertex_0", &PlaneSlopes::vertex_0, "index", "the vertex from which depths are counted"},
+    Field{"vertex_1", &PlaneSlopes::vertex_1, "index", "another one"},
+    Field{"vertex_2", &PlaneSlopes::vertex_2, "index", "and a third"},
+    Field{"dz_dx", &PlaneSlopes::dz_dx, "depth", "-A/C: what depth gains from pixel to pixel"},
+    Field{"dz_dy", &PlaneSlopes::dz_dy, "depth", "-B/C: what it gains from line to line"}};
 
 template <>
 inline constexpr KindText kind_text<SpanBegin>{"span_begin", "the pixels between two active edges"};

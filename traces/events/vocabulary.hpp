@@ -37,7 +37,7 @@ namespace zstep {
 #define ZSTEP_EVERY_KIND(X) \
   X(BuffersClear) X(ViewTransform) X(Projection) X(ViewportTransform) X(PolygonBegin) X(FacingTest) \
   X(PolygonReject) X(ClipTest) X(ClipVertex) X(ClipCross) X(OutlineVertex) X(EdgeTableInsert) X(EdgeTableSkip) \
-  X(ScanLineBegin) X(EdgeEnter) X(EdgeRetire) X(EdgeStep) X(EdgeSwap) X(SpanBegin) X(DepthInterpolate) \
+  X(ScanLineBegin) X(EdgeEnter) X(EdgeRetire) X(EdgeStep) X(EdgeSwap) X(PlaneSlopes) X(SpanBegin) X(DepthInterpolate) \
   X(DepthCompare) X(DepthWrite) X(PixelWrite) X(PixelPaint) X(ColorWrite) X(ColorBlend) X(PassBegin) \
   X(ShadowCompare) X(TablesBegin) X(PieceMake) X(PlaneEquation) X(Extent) X(PlaneDepth) X(VertexSide) \
   X(SideTest) X(ExtentTest) X(OverlapTest) X(SplitVertex) X(PieceDraw) X(Saved) X(ListInsert) X(ListRemove) \

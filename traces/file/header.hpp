@@ -28,9 +28,6 @@ struct Comparison {
   bool operator==(const Comparison&) const = default;
 };
 
-/// What the numbers of a run were computed in. They stand in a trace as doubles.
-enum class NumberFormat : std::uint8_t { float64, float32 };
-
 /// What a header may leave undeclared; then it is as in a trace of zstep's own, and nobody may state it as a fact.
 enum class Convention : std::uint8_t {
   depth,
@@ -50,7 +47,6 @@ struct Header {
   Conventions conventions;
   Page page;  ///< the step table, in the order in which the pseudo-code is read
   Comparison comparison;
-  NumberFormat number_format = NumberFormat::float64;
   std::optional<double> initial_depth;  ///< in the depth buffer before the first step, where the header declares it
   std::uint8_t undeclared = 0;          ///< bit k: the k-th Convention
 

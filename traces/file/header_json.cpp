@@ -13,10 +13,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::array<std::string_view, 2> depth_words{"pseudodepth", "view"};
-constexpr std::array<std::string_view, 2> interpolation_words{"direct", "increments"};
-constexpr std::array<std::string_view, 2> coverage_words{"top_left", "inclusive"};
-constexpr std::array<std::string_view, 2> format_words{"float64", "float32"};
 constexpr std::array<std::string_view, 1> centre_words{"integer"};
 constexpr std::array<std::string_view, 2> nearer_words{"smaller", "greater"};
 constexpr std::array<std::string_view, 2> tie_words{"first", "last"};
@@ -34,11 +30,14 @@ ordered_json conventions_to_json(const Header& header) {
   const auto put = [&](Convention which, ordered_json value) {
     if (header.declares(which)) out[std::string(key_of(which))] = std::move(value);
   };
-  put(Convention::depth, word(c.depth, depth_words));
-  put(Convention::interpolation, word(c.interpolation, interpolation_words));
-  put(Convention::coverage, word(c.coverage, coverage_words));
+  put(Convention::depth, word_of(c.depth));
+  put(Convention::interpolation, word_of(c.interpolation));
+  put(Convention::coverage, word_of(c.coverage));
   put(Convention::cull, c.cull);
-  put(Convention::number_format, word(header.number_format, format_words));
+  put(Convention::number_format, word_of(c.number_format));
+  // These two are stated where they differ from what every program does that does not think of them.
+  if (c.rounding != Conventions{}.rounding) out["rounding"] = word_of(c.rounding);
+  if (c.positions != Conventions{}.positions) out["positions"] = word_of(c.positions);
   put(Convention::pixel_centre, centre_words[0]);
   put(Convention::nearer, word(header.comparison.nearer, nearer_words));
   put(Convention::ties, word(header.comparison.ties, tie_words));
@@ -61,14 +60,13 @@ void read_conventions(const json& in, Header& header) {
   Conventions& c = header.conventions;
   Parts parts;
   parts.read([&] {
-    known_keys(in, "\"conventions\"", {"depth", "interpolation", "coverage", "cull", "number_format", "pixel_centre",
-                                       "nearer", "ties", "initial_depth", "options"});
+    known_keys(in, "\"conventions\"", {"depth", "interpolation", "coverage", "cull", "number_format", "rounding",
+                                       "positions", "pixel_centre", "nearer", "ties", "initial_depth", "options"});
   });
-  parts.read([&] { c.depth = word_or(in, "depth", depth_words, c.depth); });
-  parts.read([&] { c.interpolation = word_or(in, "interpolation", interpolation_words, c.interpolation); });
-  parts.read([&] { c.coverage = word_or(in, "coverage", coverage_words, c.coverage); });
+  for_each_convention([&]<class E>(const char* key, E Conventions::*member) {
+    parts.read([&] { c.*member = word_or(in, key, words_of<E>, c.*member); });
+  });
   parts.read([&] { c.cull = truth_or(in, "cull", c.cull); });
-  parts.read([&] { header.number_format = word_or(in, "number_format", format_words, header.number_format); });
   parts.read([&] { word_or(in, "pixel_centre", centre_words, 0); });
   parts.read([&] { header.comparison.nearer = word_or(in, "nearer", nearer_words, header.comparison.nearer); });
   parts.read([&] { header.comparison.ties = word_or(in, "ties", tie_words, header.comparison.ties); });

@@ -9,27 +9,46 @@
 
 namespace zstep::formulas {
 
-/// The first pixel at or right of x_L.
+/// x to the nearest whole number, halves upwards: the textbook's floor(x + 0.5).
 template <class T>
-T first_pixel(const T& x_left) {
-  using std::ceil;
-  return ceil(x_left);
+T to_nearest(const T& x) {
+  using std::floor;
+  return floor(x + T(0.5));
 }
 
-/// The last one before x_R; with inclusive coverage, at or before it.
+/// The first pixel at or right of x_L; with coverage `round`, the nearest.
+template <class T>
+T first_pixel(const T& x_left, Conventions::Coverage coverage) {
+  using std::ceil;
+  return coverage == Conventions::Coverage::round ? to_nearest(x_left) : ceil(x_left);
+}
+
+/// The last one before x_R; with inclusive coverage and ceil–floor, at or before it; with `round`, the nearest.
 template <class T>
 T last_pixel(const T& x_right, Conventions::Coverage coverage) {
   using std::ceil, std::floor;
-  return coverage == Conventions::Coverage::inclusive ? floor(x_right) : ceil(x_right) - T(1);
+  switch (coverage) {
+    case Conventions::Coverage::top_left:
+      break;
+    case Conventions::Coverage::round:
+      return to_nearest(x_right);
+    case Conventions::Coverage::inclusive:
+    case Conventions::Coverage::ceil_floor:
+      return floor(x_right);
+  }
+  return ceil(x_right) - T(1);
 }
 
-/// The coverage that gives a recorded whole number: the one that is declared, unless none is and only the other one
-/// gives it.
+/// The coverage that gives recorded whole numbers: the one that is declared, unless none is and only another one gives
+/// them.
 template <class Gives>
 Conventions::Coverage coverage_of(const Header& header, const Gives& gives) {
+  const Conventions::Coverage usual = header.conventions.coverage;
+  if (header.declares(Convention::coverage) || gives(usual)) return usual;
   using enum Conventions::Coverage;
-  const Conventions::Coverage usual = header.conventions.coverage, other = usual == inclusive ? top_left : inclusive;
-  return !header.declares(Convention::coverage) && !gives(usual) && gives(other) ? other : usual;
+  for (const Conventions::Coverage other : {top_left, inclusive, round})
+    if (gives(other)) return other;
+  return usual;
 }
 
 /// The first scan line that an edge meets whose upper end is at y_0.

@@ -7,6 +7,7 @@
 
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/planes.hpp"
 #include "traces/formulas/situation.hpp"
 
 namespace zstep::formulas {
@@ -27,11 +28,6 @@ auto ends_of(Out& out, const Situation& at, std::int32_t vertex_0, std::int32_t 
   return Ends<typename Out::Number>{out.number("x_0", a->x, from), out.number("y_0", a->y, from),
                                     out.number("z_0", a->z, from), out.number("x_1", b->x, to),
                                     out.number("y_1", b->y, to),   out.number("z_1", b->z, to)};
-}
-
-/// Do scan lines come one after the other, so that "the next one" means something?
-inline bool increments(const Situation& at) {
-  return at.header.conventions.interpolation == Conventions::Interpolation::increments;
 }
 
 /// Is the list out of order between these two places?
@@ -136,7 +132,7 @@ void derive(const EdgeStep& e, const Situation& at, Out& out) {
   const ActiveEdge* active = at.active(e.edge);
   if (!entry || !active || !at.method().scan_line) return;
   const Place table{Place::In::edge_table, e.edge}, here{Place::In::active_edge, e.edge};
-  if (detail::increments(at)) {
+  if (at.adds_slopes()) {
     out.gives(&EdgeStep::x_edge, out.number("x", active->x, here) + out.number("1/m", entry->dx_dy, table));
     out.gives(&EdgeStep::z_edge, out.number("z", active->z, here) + out.number("dz/dy", entry->dz_dy, table));
     return;
@@ -169,6 +165,22 @@ inline bool moved_once_a_line(const EdgeTableInsert& entry, const ActiveEdge& ac
 
 }  // namespace detail
 
+/// The slopes of the plane through three vertices (004).
+template <class Out>
+void derive(const PlaneSlopes& e, const Situation& at, Out& out) {
+  const auto from = at.on_raster(e.vertex_0), one = at.on_raster(e.vertex_1), other = at.on_raster(e.vertex_2);
+  if (!from || !one || !other) return;
+  const Place p{Place::In::vertex, e.vertex_0}, q{Place::In::vertex, e.vertex_1}, r{Place::In::vertex, e.vertex_2};
+  const auto x_0 = out.number("x_0", from->x, p), y_0 = out.number("y_0", from->y, p),
+             z_0 = out.number("z_0", from->z, p);
+  const auto x_1 = out.number("x_1", one->x, q) - x_0, y_1 = out.number("y_1", one->y, q) - y_0,
+             z_1 = out.number("z_1", one->z, q) - z_0;
+  const auto x_2 = out.number("x_2", other->x, r) - x_0, y_2 = out.number("y_2", other->y, r) - y_0,
+             z_2 = out.number("z_2", other->z, r) - z_0;
+  out.gives(&PlaneSlopes::dz_dx, plane_slope(y_1, z_1, y_2, z_2, x_1, x_2));
+  out.gives(&PlaneSlopes::dz_dy, plane_slope(x_1, z_1, x_2, z_2, y_1, y_2));
+}
+
 template <class Out>
 void derive(const SpanBegin& e, const Situation& at, Out& out) {
   const ActiveEdge *left = at.active(e.left_edge), *right = at.active(e.right_edge);
@@ -182,7 +194,7 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
     const Place l{Place::In::active_edge, e.left_edge}, r{Place::In::active_edge, e.right_edge};
     for (const ActiveEdge* one : {left, right}) {
       const EdgeTableInsert* entry = at.edge(one->edge);
-      if (entry && detail::increments(at) && out.trusts(Place{Place::In::active_edge, one->edge}) &&
+      if (entry && at.adds_slopes() && out.trusts(Place{Place::In::active_edge, one->edge}) &&
           out.trusts(Place{Place::In::edge_table, one->edge}))
         out.rule(Rule::edge_moves_once, detail::moved_once_a_line(*entry, *one, e.y));
     }
@@ -202,12 +214,16 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
   out.rule(Rule::edge_left_behind, none_ended);
   const std::int32_t width = at.scene.raster.width;
   const auto x_left = out.number("x_L", e.x_left, Place{}), x_right = out.number("x_R", e.x_right, Place{});
+  const auto first_within = [&](Conventions::Coverage coverage) {
+    return std::max(0, limited_column(first_pixel(e.x_left, coverage), width));
+  };
   const auto last_within = [&](Conventions::Coverage coverage) {
     return limited_column(last_pixel(e.x_right, coverage) + 1, width) - 1;
   };
-  const Conventions::Coverage coverage =
-      coverage_of(at.header, [&](Conventions::Coverage which) { return last_within(which) == e.last; });
-  out.whole(&SpanBegin::first, first_pixel(x_left), std::max(0, limited_column(first_pixel(e.x_left), width)));
+  const Conventions::Coverage coverage = coverage_of(at.header, [&](Conventions::Coverage which) {
+    return first_within(which) == e.first && last_within(which) == e.last;
+  });
+  out.whole(&SpanBegin::first, first_pixel(x_left, coverage), first_within(coverage));
   out.whole(&SpanBegin::last, last_pixel(x_right, coverage), last_within(coverage));
   if (e.x_right == e.x_left) return;
   out.gives(&SpanBegin::dz_dx, slope(out.number("z_L", e.z_left, Place{}), out.number("z_R", e.z_right, Place{}),

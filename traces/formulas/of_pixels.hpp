@@ -2,11 +2,40 @@
 #pragma once
 
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/planes.hpp"
 #include "traces/formulas/situation.hpp"
 
 namespace zstep::formulas {
 
 namespace detail {
+
+/// What is interpolated to a depth on the raster, and back: itself, but where 1/z_v is interpolated to get z_v.
+template <class T>
+T interpolated(const Situation& at, const T& z) {
+  return at.header.conventions.depth == Conventions::Depth::corrected ? T(1) / z : z;
+}
+
+/// The depth of a pixel from the slopes of its polygon's plane: from its left neighbour's, or from a vertex. Where
+/// slopes are added from line to line, the first one of a span follows from a line that is gone: then nothing is said.
+template <class E, class Out>
+void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
+  const auto& slopes = at.method().slopes;
+  if (!slopes) return;
+  const Place plane{Place::In::plane, 0}, from{Place::In::vertex, slopes->vertex_0};
+  const auto dz_dx = out.number("dz/dx", slopes->dz_dx, plane);
+  if (at.adds_slopes()) {
+    const Fragment* left = at.fragment(e.x - 1, e.y);
+    if (!left) return;
+    const auto z = interpolated(at, out.number("z", left->z, Place{Place::In::fragment, 0}));
+    return out.gives(&E::z, interpolated(at, z + dz_dx));
+  }
+  const auto vertex = at.on_raster(slopes->vertex_0);
+  if (!vertex) return;
+  const auto z = along_plane(out.number("z_0", vertex->z, from), dz_dx, out.number("x", e.x, Place{}),
+                             out.number("x_0", vertex->x, from), out.number("dz/dy", slopes->dz_dy, plane),
+                             out.number("y", e.y, Place{}), out.number("y_0", vertex->y, from));
+  out.gives(&E::z, interpolated(at, z));
+}
 
 /// The depth that the span at work has at a pixel.
 template <class E, class Out>
@@ -15,16 +44,21 @@ void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
   if (!span || span->y != e.y) return;
   const Place place{Place::In::span, 0};
   out.rule(Rule::pixel_in_span, e.x >= span->first && e.x <= span->last);
+  using enum Conventions::Interpolation;
+  const auto how = at.header.conventions.interpolation;
+  if (how == plane || how == plane_increments) return derive_depth_on_plane(e, at, out);
   const auto z_left = out.number("z_L", span->z_left, place);
-  if (at.header.conventions.interpolation == Conventions::Interpolation::increments) {
+  if (how == increments) {
     // The first pixel of a span has nothing to be added to: its depth is computed directly.
-    if (const Fragment* left = at.fragment(e.x - 1, e.y))
-      return out.gives(&E::z, out.number("z", left->z, Place{Place::In::fragment, 0}) +
-                                  out.number("dz/dx", span->dz_dx, place));
+    if (const Fragment* left = at.fragment(e.x - 1, e.y)) {
+      const auto z = interpolated(at, out.number("z", left->z, Place{Place::In::fragment, 0}));
+      return out.gives(&E::z, interpolated(at, z + out.number("dz/dx", span->dz_dx, place)));
+    }
   }
-  if (span->x_right == span->x_left) return out.gives(&E::z, z_left);
-  out.gives(&E::z, on_line(z_left, out.number("z_R", span->z_right, place), out.number("x", e.x, Place{}),
-                           out.number("x_L", span->x_left, place), out.number("x_R", span->x_right, place)));
+  if (span->x_right == span->x_left) return out.gives(&E::z, interpolated(at, z_left));
+  const auto z = on_line(z_left, out.number("z_R", span->z_right, place), out.number("x", e.x, Place{}),
+                         out.number("x_L", span->x_left, place), out.number("x_R", span->x_right, place));
+  out.gives(&E::z, interpolated(at, z));
 }
 
 /// Before another pixel's turn comes: the one that was nearer has been written. Glass is mixed in and writes no depth.

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "traces/formulas/situation.hpp"
+#include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::formulas {
@@ -57,9 +58,12 @@ void derive(const Projection& e, const Situation& at, Out& out) {
     out.gives(&Projection::y_p, projected(d, y_v, z_v));
   }
   if (!at.header.declares(Convention::depth)) return;
-  if (at.header.conventions.depth == Conventions::Depth::view) return out.gives(&Projection::z, z_v);
+  const Conventions::Depth depth = at.header.conventions.depth;
+  if (depth == Conventions::Depth::view) return out.gives(&Projection::z, z_v);
   if (!(camera.near < camera.far)) return;
   const auto near = detail::of_scene(out, "f", camera.near), far = detail::of_scene(out, "F", camera.far);
+  if (depth != Conventions::Depth::pseudodepth)
+    return out.gives(&Projection::z, other_depth(depth, parallel, near, far, z_v));
   out.gives(&Projection::z,
             parallel ? parallel_pseudodepth(near, far, z_v)
                      : pseudodepth(near, out.named("a", pseudodepth_a(near, far)),
@@ -74,12 +78,13 @@ void derive(const ViewportTransform& e, const Situation& at, Out& out) {
   if (!(at.camera->window > 0) || raster.height <= 0) return;
   const Place place{Place::In::vertex, e.vertex};
   const double half_width = at.camera->window * raster.width / raster.height;
-  out.gives(&ViewportTransform::x_s, screen_x(out.number("x_p", vertex->plane.x, place),
-                                              detail::of_scene(out, "w_x", half_width),
-                                              detail::of_scene(out, "W", raster.width)));
-  out.gives(&ViewportTransform::y_s, screen_y(out.number("y_p", vertex->plane.y, place),
-                                              detail::of_scene(out, "w_y", at.camera->window),
-                                              detail::of_scene(out, "H", raster.height)));
+  const auto x = screen_x(out.number("x_p", vertex->plane.x, place), detail::of_scene(out, "w_x", half_width),
+                          detail::of_scene(out, "W", raster.width));
+  const auto y = screen_y(out.number("y_p", vertex->plane.y, place), detail::of_scene(out, "w_y", at.camera->window),
+                          detail::of_scene(out, "H", raster.height));
+  const bool whole = at.header.conventions.positions == Conventions::Positions::integer;
+  out.gives(&ViewportTransform::x_s, whole ? to_nearest(x) : x);
+  out.gives(&ViewportTransform::y_s, whole ? to_nearest(y) : y);
 }
 
 }  // namespace zstep::formulas

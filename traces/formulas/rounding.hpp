@@ -16,9 +16,11 @@ namespace zstep::formulas {
 /// By what share of itself a number may be off. Of the 15.9 digits of float64 nine are asked for, as many as "%.10g"
 /// keeps, and of the 7.2 of float32 six.
 inline constexpr double rounding_of_float64 = 1e-9, rounding_of_float32 = 1e-6;
-/// For the numbers of a trace.
+/// For the numbers of a trace. Fixed-point depths have so many bits; positions, 16 behind the point.
 inline double rounding_of(const Header& header) {
-  return header.number_format == NumberFormat::float32 ? rounding_of_float32 : rounding_of_float64;
+  const NumberFormat format = header.conventions.number_format;
+  if (const int bits = bits_of(format); bits > 0) return std::ldexp(8.0, -std::min(bits, 17));
+  return format == NumberFormat::float32 ? rounding_of_float32 : rounding_of_float64;
 }
 
 /// A number, and how far what it was made of lets it be off, as a multiple of the rounding.

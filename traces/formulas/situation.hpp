@@ -34,6 +34,7 @@ struct Place {
     vertex,        ///< a vertex's stages, by its number
     edge_table,    ///< an entry of the edge table, by its number
     active_edge,   ///< where an active edge has got to, by the edge's number
+    plane,         ///< the slopes of the plane of the polygon at work
     span,          ///< the span at work
     fragment,      ///< the pixel at work
     depth_buffer,  ///< by pixel, as Picture::at counts
@@ -91,6 +92,8 @@ struct Situation {
                        [](const StepInfo& step) { return step.kind == kind_of<E>; });
   }
   const MethodState& method() const { return before.machine; }
+  /// Are x and z computed by adding to what they were, so that scan lines come one after the other?
+  bool adds_slopes() const { return zstep::adds_slopes(header.conventions); }
   bool on_screen() const { return scene.camera.kind == Camera::Kind::screen; }
   bool is_point(std::int32_t vertex) const {
     return vertex >= 0 && static_cast<std::size_t>(vertex) < scene.points.size();

@@ -1,5 +1,8 @@
-// From viewing coordinates to the raster (000, "Viewing"; 003 for pseudodepth). Templates for the reason in lines.hpp.
+// From viewing coordinates to the raster (000, "Viewing"; 003 for pseudodepth; 001, "Scaling Z"). Templates for the
+// reason in lines.hpp.
 #pragma once
+
+#include "traces/conventions.hpp"
 
 namespace zstep::formulas {
 
@@ -32,6 +35,23 @@ T pseudodepth_b(const T& near, const T& far) {
 template <class T>
 T parallel_pseudodepth(const T& near, const T& far, const T& z_v) {
   return T(2) * (z_v - near) / (far - near) - T(1);
+}
+
+/// The depth that a vertex takes along, where it is not the pseudodepth: z_v; 1/z_v; what is 1 at the near plane and 0
+/// at the far one; or the (z - z_min)/((1 + z_min)(-z)) of 001 with z = -z_v/F and z_min = -f/F.
+template <class T>
+T other_depth(Conventions::Depth depth, bool parallel, const T& near, const T& far, const T& z_v) {
+  switch (depth) {
+    case Conventions::Depth::corrected:
+    case Conventions::Depth::reciprocal:
+      return T(1) / z_v;
+    case Conventions::Depth::reversed:
+      return parallel ? (far - z_v) / (far - near) : near * (far - z_v) / (z_v * (far - near));
+    case Conventions::Depth::foley:
+      return parallel ? (near - z_v) / (far - near) : far * (near - z_v) / (z_v * (far - near));
+    default:
+      return z_v;
+  }
 }
 
 /// The window of half width w_x and half height w_y becomes the raster; pixel centres are at whole numbers.

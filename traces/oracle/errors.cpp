@@ -1,5 +1,6 @@
 #include "traces/oracle/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,8 +16,9 @@ namespace {
 
 using formulas::Situation;
 
-/// The distance to the next number of the format.
-double last_digit(double value, NumberFormat format) {
+/// The distance to the next number of the format: the unit where it is fixed point.
+double last_digit(double value, NumberFormat format, double unit) {
+  if (unit > 0) return unit;
   const double size = std::abs(value);
   if (format == NumberFormat::float32) {
     const auto narrow = static_cast<float>(size);
@@ -34,11 +36,17 @@ struct Known {
 
 class Judge {
  public:
-  explicit Judge(const Trace& trace) : trace_(trace), format_(trace.header().number_format) {
+  Judge(const Trace& trace, Truth truth)
+      : trace_(trace),
+        truth_(truth),
+        along_(along_of(trace, truth)),
+        format_(trace.header().conventions.number_format),
+        unit_(depth_unit(trace.scene(), trace.header().conventions)) {
     const Raster& raster = trace.scene().raster;
     const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
-    stored_.resize(pixels), nearest_.resize(pixels);
+    stored_.resize(pixels), nearest_.resize(pixels), fighting_.resize(pixels);
     found_.of_pixel.assign(pixels, std::numeric_limits<double>::quiet_NaN());
+    found_.depth_error_of_pixel = found_.of_pixel;
   }
 
   template <class E>
@@ -58,6 +66,7 @@ class Judge {
   Errors finish() {
     for (std::size_t pixel = 0; pixel < stored_.size(); ++pixel)
       found_.wrong_pixels += stored_[pixel].polygon != nearest_[pixel].polygon && stored_[pixel].exact != nullptr;
+    found_.fighting_pixels = std::count(fighting_.begin(), fighting_.end(), true);
     for (const auto& [polygon, errors] : polygons_) found_.polygons.push_back(errors);
     return std::move(found_);
   }
@@ -67,6 +76,7 @@ class Judge {
     std::fill(stored_.begin(), stored_.end(), Known{});
     std::fill(nearest_.begin(), nearest_.end(), Known{});
     std::fill(found_.of_pixel.begin(), found_.of_pixel.end(), std::numeric_limits<double>::quiet_NaN());
+    found_.depth_error_of_pixel = found_.of_pixel;
   }
 
   /// The span at work, exactly; null where the trace does not have what it needs.
@@ -75,12 +85,29 @@ class Judge {
     if (!span || span->y != y) return none_;
     if (!tried_) {
       tried_ = true;
-      const auto left = edge(at, span->left_edge), right = edge(at, span->right_edge);
-      if (left && right)
-        if (auto exact = ExactDepth::between(*left, *right, y))
-          span_ = std::make_shared<const ExactDepth>(std::move(*exact));
+      auto exact = truth_ == Truth::formula && at.method().slopes ? on_plane(at, *at.method().slopes, y)
+                                                                   : between_edges(at, *span);
+      if (exact) span_ = std::make_shared<const ExactDepth>(std::move(*exact));
     }
     return span_;
+  }
+  static Along along_of(const Trace& trace, Truth truth) {
+    const Conventions::Depth depth = trace.header().conventions.depth;
+    if (trace.scene().camera.kind != Camera::Kind::perspective) return Along::depth;
+    if (depth == Conventions::Depth::corrected) return Along::reciprocal;
+    const bool bent = depth == Conventions::Depth::view && truth == Truth::surface;
+    return bent ? Along::through_inverses : Along::depth;
+  }
+  std::optional<ExactDepth> between_edges(const Situation& at, const SpanBegin& span) const {
+    const auto left = edge(at, span.left_edge), right = edge(at, span.right_edge);
+    return left && right ? ExactDepth::between(*left, *right, span.y, along_) : std::nullopt;
+  }
+  /// Where depths go by the plane of three vertices, that is what they are without rounding: the others need not lie in
+  /// it to the last digit.
+  std::optional<ExactDepth> on_plane(const Situation& at, const PlaneSlopes& slopes, std::int32_t y) const {
+    const auto a = at.on_raster(slopes.vertex_0), b = at.on_raster(slopes.vertex_1), c = at.on_raster(slopes.vertex_2);
+    if (!a || !b || !c) return std::nullopt;
+    return ExactDepth::on_plane({a->x, a->y, a->z}, {b->x, b->y, b->z}, {c->x, c->y, c->z}, y, along_);
   }
   static std::optional<Edge> edge(const Situation& at, std::int32_t number) {
     const EdgeTableInsert* entry = at.edge(number);
@@ -99,8 +126,9 @@ class Judge {
       ++found_.not_judged;
       return;
     }
-    const double off = exact->error_of(e.z, e.x), unit = last_digit(e.z, format_);
-    error_ = off / unit;
+    const double off = exact->error_of(e.z, e.x), unit = last_digit(e.z, format_, unit_);
+    const double off_view = view_depth_error(trace_.scene().camera, trace_.header().conventions, e.z, off);
+    error_ = off / unit, off_ = off;
     for (ErrorOf* of : {&found_.all, &polygons_.try_emplace(polygon, ErrorOf{polygon}).first->second}) {
       ++of->depths;
       of->sum_of_squares += error_ * error_;
@@ -109,6 +137,8 @@ class Judge {
         if (of == &found_.all) found_.steepest_step = position;
       }
       of->largest_depth = std::max(of->largest_depth, std::abs(off));
+      of->largest_view = std::max(of->largest_view, std::abs(off_view));
+      of->sum_of_squares_view += off_view * off_view;
     }
   }
   std::int32_t polygon_of(const Situation& at) const {
@@ -122,8 +152,10 @@ class Judge {
     const auto pixel = static_cast<std::size_t>(at.pixel(e.x, e.y));
     const Comparison& comparison = trace_.header().comparison;
     const Known& stored = stored_[pixel];
+    if (stored.exact && stored.polygon != fragment_.polygon) note_gap(stored, e.x);
     if (stored.exact && e.nearer != wins(comparison, fragment_, stored, e.x)) {
       ++found_.all.decided_wrong;
+      fighting_[pixel] = true;
       ++polygons_.at(fragment_.polygon).decided_wrong;
       constexpr std::size_t most = 100;
       if (found_.decisions.size() < most)
@@ -133,6 +165,14 @@ class Judge {
     Known& nearest = nearest_[pixel];
     if (!nearest.exact || wins(comparison, fragment_, nearest, e.x)) nearest = fragment_;
   }
+  void note_gap(const Known& stored, std::int32_t x) {
+    const auto view = [&](const Known& of) {
+      return view_depth(trace_.scene().camera, trace_.header().conventions, of.exact->at(x));
+    };
+    const double z = view(fragment_), other = view(stored), gap = std::abs(z - other);
+    if (gap > 0 && (!found_.least_gap || gap < *found_.least_gap))
+      found_.least_gap = gap, found_.gap_at = std::min(z, other);
+  }
   static bool wins(const Comparison& comparison, const Known& one, const Known& other, std::int32_t x) {
     return comparison.wins(one.exact->compare(*other.exact, x), 0);
   }
@@ -141,15 +181,20 @@ class Judge {
     stored_[pixel] = fragment_;
     if (!trace_.has(kind_of<DepthCompare>)) nearest_[pixel] = fragment_;  // what is painted is not compared
     found_.of_pixel[pixel] = fragment_.exact ? error_ : std::numeric_limits<double>::quiet_NaN();
+    found_.depth_error_of_pixel[pixel] = fragment_.exact ? off_ : std::numeric_limits<double>::quiet_NaN();
   }
 
   const Trace& trace_;
+  Truth truth_;
+  Along along_;
   NumberFormat format_;
+  double unit_;  ///< of fixed-point depths, else 0
   Errors found_;
   std::map<std::int32_t, ErrorOf> polygons_;
+  std::vector<bool> fighting_;
   std::vector<Known> stored_, nearest_;  ///< by pixel: what the run keeps, and what is nearest of all that came
   Known fragment_;                       ///< the pixel at work
-  double error_ = 0;
+  double error_ = 0, off_ = 0;
   std::shared_ptr<const ExactDepth> span_;
   const std::shared_ptr<const ExactDepth> none_;
   bool tried_ = false;
@@ -161,9 +206,13 @@ double ErrorOf::root_mean_square() const {
   return depths == 0 ? 0 : std::sqrt(sum_of_squares / static_cast<double>(depths));
 }
 
-Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way) {
+double ErrorOf::root_mean_square_view() const {
+  return depths == 0 ? 0 : std::sqrt(sum_of_squares_view / static_cast<double>(depths));
+}
+
+Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way, Truth truth) {
   constexpr std::int64_t now_and_then = 1 << 14;
-  Judge judge(trace);
+  Judge judge(trace, truth);
   formulas::walk(
       trace,
       [&](std::int64_t position, const auto& e, const Situation& at) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "traces/file/trace.hpp"
@@ -16,8 +17,11 @@ struct ErrorOf {
   double largest = 0;             ///< error in units of the last digit of the number format
   double largest_depth = 0;       ///< the same in units of depth
   double sum_of_squares = 0;      ///< of the errors in last digits
+  double largest_view = 0;        ///< in units of z_v
+  double sum_of_squares_view = 0;
   std::int64_t decided_wrong = 0; ///< compares that the exact depths decide otherwise
   double root_mean_square() const;
+  double root_mean_square_view() const;
 };
 
 /// A compare that the exact depths decide otherwise.
@@ -35,11 +39,22 @@ struct Errors {
   std::int64_t steepest_step = 0;       ///< with the largest error
   std::vector<WrongDecision> decisions; ///< the first ones, at most 100
   std::int64_t wrong_pixels = 0;        ///< that show another polygon than the one that is exactly the nearest
+  std::int64_t fighting_pixels = 0;     ///< in which a compare was decided otherwise
+  std::optional<double> least_gap;      ///< the smallest z_v by which two polygons that met in a pixel differ
+  double gap_at = 0;                    ///< and the z_v of the nearer of them
+  std::vector<double> depth_error_of_pixel;  ///< the same in units of depth
   std::vector<double> of_pixel;  ///< [height*width], Picture::at: error of the stored depth in last digits; NaN: none
+};
+
+/// What a depth is held against. The two differ where z_v is interpolated as if it were linear on the picture.
+enum class Truth : std::uint8_t {
+  formula,  ///< what the run's own formulas give without rounding
+  surface,  ///< the depth of the polygon itself
 };
 
 /// Goes through a run that interpolates along spans. `on_way` is told the steps that are done now and then; true ends
 /// it. The light's pass is left out. Throws InputError where the trace cannot be read.
-Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way = nullptr);
+Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way = nullptr,
+                 Truth truth = Truth::formula);
 
 }  // namespace zstep::oracle

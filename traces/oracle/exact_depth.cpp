@@ -1,7 +1,11 @@
 #include "traces/oracle/exact_depth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <utility>
 
 namespace zstep::oracle {
 
@@ -28,17 +32,16 @@ Whole scaled(double value, int digits) {
   return parts.mantissa == 0 ? whole : whole << (digits - parts.digits);
 }
 
-/// An edge on one scan line, in the scaled numbers: x = x/d, z = z/d.
+/// An edge on one scan line, in the scaled numbers: x = x/d, z = z/d. z_0 and z_1: what its ends have.
 struct Crossing {
   Whole x, z, d;
 };
-Crossing crossing(const Edge& edge, const Whole& y, int digits_xy, int digits_z) {
-  const Whole x_0 = scaled(edge.from.x, digits_xy), y_0 = scaled(edge.from.y, digits_xy),
-              z_0 = scaled(edge.from.z, digits_z), down = y - y_0;
+Crossing crossing(const Edge& edge, const Whole& y, int digits_xy, const Whole& z_0, const Whole& z_1) {
+  const Whole x_0 = scaled(edge.from.x, digits_xy), y_0 = scaled(edge.from.y, digits_xy), down = y - y_0;
   Crossing at;
   at.d = scaled(edge.to.y, digits_xy) - y_0;
   at.x = x_0 * at.d + down * (scaled(edge.to.x, digits_xy) - x_0);
-  at.z = z_0 * at.d + down * (scaled(edge.to.z, digits_z) - z_0);
+  at.z = z_0 * at.d + down * (z_1 - z_0);
   if (at.d < 0) at.d = -at.d, at.x = -at.x, at.z = -at.z;
   return at;
 }
@@ -49,55 +52,114 @@ double quotient(const Whole& numerator, const Whole& denominator) {
   if (numerator == 0) return 0;
   // 64 bits of the quotient, the last of which also stands for all that is left: rounding these to a double rounds
   // once.
-  Whole above = abs(numerator), below = denominator, whole, left;
+  Whole above = abs(numerator), below = abs(denominator), whole, left;
   const int shift = 63 - static_cast<int>(msb(above)) + static_cast<int>(msb(below));
   if (shift > 0) above <<= shift;
   else below <<= -shift;
   divide_qr(above, below, whole, left);
   const std::uint64_t bits = static_cast<std::uint64_t>(whole) | static_cast<std::uint64_t>(left != 0);
   const double value = std::ldexp(static_cast<double>(bits), -shift);
-  return numerator < 0 ? -value : value;
+  return (numerator < 0) != (denominator < 0) ? -value : value;
 }
 
-std::optional<ExactDepth> ExactDepth::between(const Edge& left, const Edge& right, std::int32_t y) {
-  int digits_xy = 0, digits_z = 0;
-  for (const Edge* edge : {&left, &right}) {
-    if (edge->from.y == edge->to.y) return std::nullopt;
-    for (const Vertex* vertex : {&edge->from, &edge->to}) {
-      if (!std::isfinite(vertex->x) || !std::isfinite(vertex->y) || !std::isfinite(vertex->z)) return std::nullopt;
-      digits_xy = std::max({digits_xy, dyadic(vertex->x).digits, dyadic(vertex->y).digits});
-      digits_z = std::max(digits_z, dyadic(vertex->z).digits);
+namespace {
+
+/// The digits behind the point that these vertices need; nothing where one is not finite.
+struct DigitsOf {
+  int xy = 0, z = 0;
+};
+std::optional<DigitsOf> digits_of(std::initializer_list<Vertex> vertices) {
+  DigitsOf digits;
+  for (const Vertex& vertex : vertices) {
+    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z)) return std::nullopt;
+    digits.xy = std::max({digits.xy, dyadic(vertex.x).digits, dyadic(vertex.y).digits});
+    digits.z = std::max(digits.z, dyadic(vertex.z).digits);
+  }
+  return digits;
+}
+
+}  // namespace
+
+std::optional<ExactDepth> ExactDepth::on_plane(const Vertex& a, const Vertex& b, const Vertex& c, std::int32_t y,
+                                               Along along) {
+  const auto digits = digits_of({a, b, c});
+  if (!digits) return std::nullopt;
+  const Whole x_0 = scaled(a.x, digits->xy), y_0 = scaled(a.y, digits->xy), z_0 = scaled(a.z, digits->z);
+  const Whole p_1 = scaled(b.x, digits->xy) - x_0, q_1 = scaled(b.y, digits->xy) - y_0,
+              r_1 = scaled(b.z, digits->z) - z_0;
+  const Whole p_2 = scaled(c.x, digits->xy) - x_0, q_2 = scaled(c.y, digits->xy) - y_0,
+              r_2 = scaled(c.z, digits->z) - z_0;
+  ExactDepth depth;
+  depth.b_0_ = p_1 * q_2 - p_2 * q_1;
+  if (depth.b_0_ == 0) return std::nullopt;
+  const Whole slope_x = r_1 * q_2 - r_2 * q_1, slope_y = r_2 * p_1 - r_1 * p_2;  // over b_0
+  depth.a_0_ = z_0 * depth.b_0_ - slope_x * x_0 + slope_y * ((Whole(y) << digits->xy) - y_0);
+  depth.a_1_ = slope_x << digits->xy;
+  depth.finish(along, digits->z, 1);
+  return depth;
+}
+
+/// Of what is linear, scaled by 2^digits_z, makes the depth.
+void ExactDepth::finish(Along along, int digits_z, const Whole& product) {
+  if (along == Along::depth) {
+    b_0_ <<= digits_z;
+    return;
+  }
+  // The reciprocal, of what was scaled by 2^digits_z; through inverses, of 1/z times the product, which was scaled by
+  // a third power and divides into a fourth.
+  std::swap(a_0_, b_0_), std::swap(a_1_, b_1_);
+  if (along == Along::reciprocal) a_0_ <<= digits_z;
+  else a_0_ *= product, b_0_ <<= digits_z, b_1_ <<= digits_z;
+}
+
+std::optional<ExactDepth> ExactDepth::between(const Edge& left, const Edge& right, std::int32_t y, Along along) {
+  const auto digits = digits_of({left.from, left.to, right.from, right.to});
+  if (!digits || left.from.y == left.to.y || right.from.y == right.to.y) return std::nullopt;
+  const int digits_xy = digits->xy, digits_z = digits->z;
+  std::array<Whole, 4> z{scaled(left.from.z, digits_z), scaled(left.to.z, digits_z), scaled(right.from.z, digits_z),
+                         scaled(right.to.z, digits_z)};
+  Whole product = 1;
+  if (along == Along::through_inverses) {  // 1/z is the product of the other three over that of all
+    const std::array<Whole, 4> depths = z;
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      product *= depths[i];
+      z[i] = depths[(i + 1) % 4] * depths[(i + 2) % 4] * depths[(i + 3) % 4];
     }
+    if (product == 0) return std::nullopt;
   }
   const Whole line = Whole(y) << digits_xy;
-  const Crossing l = crossing(left, line, digits_xy, digits_z), r = crossing(right, line, digits_xy, digits_z);
+  const Crossing l = crossing(left, line, digits_xy, z[0], z[1]), r = crossing(right, line, digits_xy, z[2], z[3]);
   // z = z_L + (z_R − z_L)(x − x_L)/(x_R − x_L), over one denominator.
   const Whole width = r.x * l.d - l.x * r.d, rise = r.z * l.d - l.z * r.d;
   ExactDepth depth;
   if (width == 0) {
-    depth.c_0_ = l.z, depth.c_1_ = 0, depth.d_ = l.d;
+    depth.a_0_ = l.z, depth.b_0_ = l.d;
   } else {
-    depth.c_0_ = l.z * width - rise * l.x, depth.c_1_ = rise * l.d << digits_xy, depth.d_ = l.d * width;
-    if (depth.d_ < 0) depth.c_0_ = -depth.c_0_, depth.c_1_ = -depth.c_1_, depth.d_ = -depth.d_;
+    depth.a_0_ = l.z * width - rise * l.x, depth.a_1_ = rise * l.d << digits_xy, depth.b_0_ = l.d * width;
   }
-  depth.d_ <<= digits_z;
+  depth.finish(along, digits_z, product);
   return depth;
 }
 
-double ExactDepth::at(std::int32_t x) const { return quotient(numerator(x), d_); }
+double ExactDepth::at(std::int32_t x) const {
+  const Whole under = below(x);
+  return under == 0 ? std::numeric_limits<double>::infinity() : quotient(above(x), under);
+}
 
 double ExactDepth::error_of(double z, std::int32_t x) const {
-  if (!std::isfinite(z)) return z;
+  Whole under = below(x);
+  if (!std::isfinite(z) || under == 0) return z;
   const Dyadic parts = dyadic(z);
-  Whole theirs = d_ * parts.mantissa, exact = numerator(x), below = d_;
-  if (parts.digits > 0) exact <<= parts.digits, below <<= parts.digits;
+  Whole theirs = under * parts.mantissa, exact = above(x);
+  if (parts.digits > 0) exact <<= parts.digits, under <<= parts.digits;
   else theirs <<= -parts.digits;
-  return quotient(theirs - exact, below);
+  return quotient(theirs - exact, under);
 }
 
 int ExactDepth::compare(const ExactDepth& other, std::int32_t x) const {
-  const Whole difference = numerator(x) * other.d_ - other.numerator(x) * d_;
-  return difference.sign();
+  const Whole under = below(x), other_under = other.below(x);
+  const Whole difference = above(x) * other_under - other.above(x) * under;
+  return difference.sign() * under.sign() * other_under.sign();
 }
 
 }  // namespace zstep::oracle

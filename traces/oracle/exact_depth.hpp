@@ -2,7 +2,8 @@
 // size.
 //
 // All that interpolation does is + − × ÷, so from doubles, which are fractions, the exact depth is a fraction, too.
-// Along one scan line it is linear in x: (c_0 + c_1 x)/d with whole c_0, c_1, d, found once a span.
+// Along one scan line it is a quotient of two linear functions of x with whole coefficients, found once a span; where
+// the depth itself is linear, the one below is a constant.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +23,27 @@ struct Edge {
   Vertex from, to;
 };
 
-/// numerator/denominator, rounded once to a double; the denominator is positive.
+/// What is linear on the raster, and what the depth is then.
+enum class Along : std::uint8_t {
+  depth,             ///< the depth of the vertices, and the depth is that
+  reciprocal,        ///< what the vertices have, and the depth is its reciprocal: 1/z_v gives z_v
+  through_inverses,  ///< the reciprocals of the vertices' depths: z_v as it is on the surface, in perspective
+};
+
+/// numerator/denominator, rounded once to a double; the denominator is not 0.
 double quotient(const Whole& numerator, const Whole& denominator);
 
 class ExactDepth {
  public:
-  /// Between two edges on scan line y. Nothing where an edge is horizontal or a number is not finite.
-  static std::optional<ExactDepth> between(const Edge& left, const Edge& right, std::int32_t y);
+  /// Between two edges on scan line y. Nothing where an edge is horizontal or a number is not finite; or where a
+  /// depth is 0 of which the reciprocal would be needed.
+  static std::optional<ExactDepth> between(const Edge& left, const Edge& right, std::int32_t y,
+                                           Along along = Along::depth);
+
+  /// On scan line y of the plane through three vertices; nothing where they lie in a line on the raster. Of `along`, only
+  /// depth and reciprocal.
+  static std::optional<ExactDepth> on_plane(const Vertex& a, const Vertex& b, const Vertex& c, std::int32_t y,
+                                            Along along = Along::depth);
 
   /// The exact depth at column x, rounded once.
   double at(std::int32_t x) const;
@@ -38,8 +53,10 @@ class ExactDepth {
   int compare(const ExactDepth& other, std::int32_t x) const;
 
  private:
-  Whole numerator(std::int32_t x) const { return c_0_ + c_1_ * x; }
-  Whole c_0_, c_1_, d_;  ///< d_ > 0
+  void finish(Along along, int digits_z, const Whole& product);
+  Whole above(std::int32_t x) const { return a_0_ + a_1_ * x; }
+  Whole below(std::int32_t x) const { return b_0_ + b_1_ * x; }
+  Whole a_0_, a_1_ = 0, b_0_, b_1_ = 0;  ///< (a_0 + a_1 x)/(b_0 + b_1 x)
 };
 
 }  // namespace zstep::oracle

@@ -59,6 +59,7 @@ inline void begin_polygon(MethodState& machine, std::int32_t polygon) {
   machine.rejected.reset();
   machine.outline.clear();
   machine.scan_line.reset();
+  machine.slopes.reset();
   machine.span.reset();
   if (machine.keeps_all) return;
   machine.edge_table.clear();
@@ -125,6 +126,7 @@ inline void apply_method_state(const EdgeSwap& event, MethodState& machine) {
   std::swap(machine.active[static_cast<std::size_t>(event.place)],
             machine.active[static_cast<std::size_t>(event.place) + 1]);
 }
+inline void apply_method_state(const PlaneSlopes& event, MethodState& machine) { machine.slopes = event; }
 inline void apply_method_state(const SpanBegin& event, MethodState& machine) {
   detail::must_be_in_table(machine, event.left_edge);
   detail::must_be_in_table(machine, event.right_edge);

@@ -91,6 +91,7 @@ struct MethodState {
   std::vector<ActiveEdge> active;     ///< left to right
   std::size_t looked_up = 0;          ///< a place in it, from which the next edge is looked for: no part of the state
   std::optional<std::int32_t> scan_line;
+  std::optional<PlaneSlopes> slopes;  ///< of the polygon's plane, where depths go by it
   std::optional<SpanBegin> span;
   std::optional<Fragment> fragment;
 
@@ -120,7 +121,7 @@ struct MethodState {
 
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
-                    scan_line, span, fragment, keeps_all, pass, pieces, drawn, list, pair, tree, node, sweep, areas,
+                    scan_line, slopes, span, fragment, keeps_all, pass, pieces, drawn, list, pair, tree, node, sweep, areas,
                     area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
   }
 };

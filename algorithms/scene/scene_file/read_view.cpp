@@ -85,12 +85,10 @@ void read_options(Keys& top, const std::string& file, bool two_sided, Convention
   const toml::table* table = top.table("options");
   if (table == nullptr) return;
   Keys keys(*table, file, "[options]");
-  if (const auto k = keys.choice("depth", {"pseudodepth", "view"}))
-    conventions.depth = static_cast<Conventions::Depth>(*k);
-  if (const auto k = keys.choice("interpolation", {"direct", "increments"}))
-    conventions.interpolation = static_cast<Conventions::Interpolation>(*k);
-  if (const auto k = keys.choice("coverage", {"top_left", "inclusive"}))
-    conventions.coverage = static_cast<Conventions::Coverage>(*k);
+  for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
+    const std::vector<std::string_view> words(words_of<E>.begin(), words_of<E>.end());
+    if (const auto k = keys.choice(key, words)) conventions.*member = static_cast<E>(*k);
+  });
   conventions.cull = keys.boolean("cull").value_or(conventions.cull);
   keys.finish();
 }

@@ -124,17 +124,19 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SpanBegin& e, std::
                      {"x_L", work.field(step, "x_left")}});
   }
   const std::int32_t width = work.scene.raster.width;
+  const Conventions::Coverage coverage = formulas::coverage_of(work.trace.header(), [&](Conventions::Coverage by) {
+    return formulas::limited_column(formulas::last_pixel(e.x_right, by) + 1, width) - 1 == e.last;
+  });
   if (field == "first")
-    return tell_whole(datum, formulas::first_pixel(symbol("x_L")), {"x_L", work.field(step, "x_left")}, 0, width, "W");
+    return tell_whole(datum, formulas::first_pixel(symbol("x_L"), coverage), {"x_L", work.field(step, "x_left")}, 0,
+                      width, "W");
   if (field == "last") {
-    const Conventions::Coverage coverage = formulas::coverage_of(work.trace.header(), [&](Conventions::Coverage by) {
-      return formulas::limited_column(formulas::last_pixel(e.x_right, by) + 1, width) - 1 == e.last;
-    });
     tell_whole(datum, formulas::last_pixel(symbol("x_R"), coverage), {"x_R", work.field(step, "x_right")}, -2,
                width - 1, "W - 1");
-    return datum.note(coverage == Conventions::Coverage::inclusive
-                          ? "coverage is inclusive: a pixel on x_R belongs to the span"
-                          : "a pixel on x_R belongs to what lies to the right");
+    return datum.note(coverage == Conventions::Coverage::top_left ? "a pixel on x_R belongs to what lies to the right"
+                      : coverage == Conventions::Coverage::round
+                          ? "coverage goes to round(x_R)"
+                          : "coverage is inclusive: a pixel on x_R belongs to the span");
   }
   if (!field.ends_with("left") && !field.ends_with("right")) return;
   const Step active = step_of_active_edge(work.trace, work.machine(), step, left ? e.left_edge : e.right_edge);

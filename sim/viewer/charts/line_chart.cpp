@@ -19,6 +19,7 @@ constexpr int wide = 1280, high = 720;
 constexpr float text_pixels = 19, margin = 28, mark_size = 7;
 
 std::string tick_text(double value) {
+  if (value < 1) return fmt::format("{:g}", value);
   const auto whole = static_cast<std::int64_t>(std::llround(value));
   if (whole < 1000) return std::to_string(whole);
   return fmt::format("{} {:03}", whole / 1000, whole % 1000);

@@ -1,0 +1,248 @@
+#include "algorithms/interpolation/interpolation.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "algorithms/scan_conversion/spans.hpp"
+#include "algorithms/viewing/clip.hpp"
+#include "algorithms/z_buffer/z_buffer.hpp"
+#include "traces/error.hpp"
+#include "traces/formulas/planes.hpp"
+#include "traces/record/all_recorders.hpp"
+
+namespace zstep::interpolation {
+
+namespace {
+
+using scan_conversion::ActiveEdges;
+using scan_conversion::EdgeOf;
+using scan_conversion::EdgeTableOf;
+using scan_conversion::NumbersOf;
+using scan_conversion::Span;
+
+/// What is to be known of the conventions at each pixel.
+struct Ways {
+  bool adds, by_plane, corrected, greater;
+
+  explicit Ways(const Conventions& c)
+      : adds(adds_slopes(c)),
+        by_plane(c.interpolation == Conventions::Interpolation::plane ||
+                 c.interpolation == Conventions::Interpolation::plane_increments),
+        corrected(c.depth == Conventions::Depth::corrected),
+        greater(greater_is_nearer(c.depth)) {}
+  double farthest() const { return greater ? -no_depth : no_depth; }
+  bool wins(double z, double stored) const { return greater ? z > stored : z < stored; }
+};
+
+/// The plane of a polygon, as the depth of one of its vertices and two slopes.
+template <class T>
+struct Plane {
+  T x_0{0}, y_0{0}, z_0{0}, dz_dx{0}, dz_dy{0};
+  T at(std::int32_t x, std::int32_t y) const {
+    return formulas::along_plane(z_0, dz_dx, T(x), x_0, dz_dy, T(y), y_0);
+  }
+};
+
+/// Two vertices that make with the first one the largest triangle on the raster: what the slopes are divided by.
+std::array<std::int32_t, 2> far_from_first(const clipping::Outline& outline, const viewing::Vertices& vertices) {
+  const auto at = [&](std::size_t i) { return vertices[static_cast<std::size_t>(outline[i])].raster; };
+  std::array<std::int32_t, 2> best{outline[0], outline[0]};
+  double largest = -1;
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+    const glm::dvec3 p = at(i) - at(0), q = at(i + 1) - at(0);
+    const double area = std::abs(p.x * q.y - p.y * q.x);
+    if (area > largest) largest = area, best = {outline[i], outline[i + 1]};
+  }
+  return best;
+}
+
+template <class T, Recorder R>
+Plane<T> find_plane(std::int32_t polygon, const clipping::Outline& outline, const viewing::Vertices& vertices,
+                    const NumbersOf<T>& numbers, R& record) {
+  const auto [second, third] = far_from_first(outline, vertices);
+  const auto raster = [&](std::int32_t vertex) { return vertices[static_cast<std::size_t>(vertex)].raster; };
+  const glm::dvec3 p = raster(outline[0]), q = raster(second), r = raster(third);
+  Plane<T> plane{numbers.position(p.x), numbers.position(p.y), numbers.depth(p.z), T(0), T(0)};
+  const T x_1 = numbers.position(q.x) - plane.x_0, y_1 = numbers.position(q.y) - plane.y_0,
+          z_1 = numbers.depth(q.z) - plane.z_0;
+  const T x_2 = numbers.position(r.x) - plane.x_0, y_2 = numbers.position(r.y) - plane.y_0,
+          z_2 = numbers.depth(r.z) - plane.z_0;
+  plane.dz_dx = formulas::plane_slope(y_1, z_1, y_2, z_2, x_1, x_2);
+  plane.dz_dy = formulas::plane_slope(x_1, z_1, x_2, z_2, y_1, y_2);
+  record(step::slopes, PlaneSlopes{polygon, outline[0], second, third, plane.dz_dx, plane.dz_dy});
+  return plane;
+}
+
+/// Draws one polygon's spans. `each(pixel, z)` is told what is written.
+template <class T, Recorder R, class Each>
+class Drawing {
+ public:
+  Drawing(const Ways& ways, const NumbersOf<T>& numbers, Picture& picture, R& record, Each& each)
+      : ways_(ways), numbers_(numbers), picture_(picture), record_(record), each_(each) {}
+
+  void begin(std::int32_t polygon, const Plane<T>& plane) { polygon_ = polygon, plane_ = plane, started_ = false; }
+
+  void fill(const Span& span, const EdgeOf<T>& left, const EdgeOf<T>& right) {
+    T along{0};  // what is interpolated
+    const T slope = ways_.by_plane                    ? plane_.dz_dx
+                    : !ways_.adds || span.dz_dx == 0 ? T(0)
+                                                      : formulas::slope(left.z, right.z, left.x, right.x);
+    for (std::int32_t x = span.first; x <= span.last; ++x) {
+      if (ways_.adds && x != span.first) along = along + slope;  // 000, "Speeding up the Algorithm"
+      else if (ways_.by_plane) along = ways_.adds ? line_start(x, span.y) : plane_.at(x, span.y);
+      else along = depth_on(left.x, left.z, right.x, right.z, x);
+      draw(x, span.y, ways_.corrected ? numbers_.reciprocal(along) : along);
+    }
+  }
+
+ private:
+  /// The plane's depth where a span begins: from line to line the slope along y is added, and from where the line before
+  /// began the slope along x times so many pixels.
+  T line_start(std::int32_t x, std::int32_t y) {
+    if (!started_) started_ = true, x_ = x, y_ = y, along_ = plane_.at(x, y);
+    for (; y_ < y; ++y_) along_ = along_ + plane_.dz_dy;
+    along_ = along_ + plane_.dz_dx * T(x - x_);
+    x_ = x;
+    return along_;
+  }
+
+  void draw(std::int32_t x, std::int32_t y, const T& depth) {
+    const double z = depth;
+    record_(z_buffer::step::interpolate_z, DepthInterpolate{x, y, z});
+
+    const std::size_t pixel = picture_.at(x, y);
+    const bool nearer = ways_.wins(z, picture_.depth[pixel]);
+    record_(z_buffer::step::compare, DepthCompare{x, y, z, nearer});
+    if (!nearer) return;
+
+    picture_.depth[pixel] = z;
+    record_(z_buffer::step::write_depth, DepthWrite{x, y, z});
+
+    picture_.polygon[pixel] = polygon_;
+    record_(z_buffer::step::write_pixel, PixelWrite{x, y, polygon_});
+    each_(pixel, depth);
+  }
+
+  const Ways& ways_;
+  const NumbersOf<T>& numbers_;
+  Picture& picture_;
+  R& record_;
+  Each& each_;
+  std::int32_t polygon_ = no_polygon;
+  Plane<T> plane_;
+  bool started_ = false;
+  std::int32_t x_ = 0, y_ = 0;
+  T along_{0};
+};
+
+template <class T, Recorder R, class Each>
+Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf<T>& numbers, R& record, Each&& each) {
+  const Raster& raster = scene.raster;
+  const Ways ways(conventions);
+
+  Picture picture(raster.width, raster.height);
+  for (double& depth : picture.depth) depth = ways.farthest();
+  record(z_buffer::step::clear, BuffersClear{ways.farthest()});
+
+  viewing::Lens lens(scene.camera, raster, conventions.depth);
+  lens.whole_pixels = conventions.positions == Conventions::Positions::integer;
+  viewing::Vertices vertices = viewing::view_vertices(scene, lens, record);
+
+  clipping::Outline outline;
+  EdgeTableOf<T> edges;
+  edges.numbers = numbers;
+  ActiveEdges active;
+  Drawing<T, R, Each> drawing(ways, numbers, picture, record, each);
+  std::int32_t number = 0;
+  for (const Facet& facet : scene.facets) {
+    record(z_buffer::step::polygon, PolygonBegin{facet.polygon, number});
+    ++number;
+
+    vertices.resize(scene.points.size());  // without those that clipping made for the facet before
+    if (!clipping::find_outline(scene, facet, conventions.cull, lens, vertices, outline, record)) continue;
+
+    Plane<T> plane;
+    if (ways.by_plane) plane = find_plane(facet.polygon, outline, vertices, numbers, record);
+    drawing.begin(facet.polygon, plane);
+    build_edge_table(edges, facet.polygon, outline, vertices, raster, conventions.coverage, record);
+    for (std::int32_t y = edges.first_row; y < edges.end_row; ++y) {
+      begin_scan_line(active, edges, y, !ways.adds, record);
+
+      for (std::size_t i = 0; i + 1 < active.edges.size(); i += 2) {  // even-odd: inside between each pair
+        const std::int32_t left = active.edges[i], right = active.edges[i + 1];
+        const Span span = begin_span(edges, left, right, y, raster, conventions.coverage, record);
+        drawing.fill(span, edges.edges[static_cast<std::size_t>(left)], edges.edges[static_cast<std::size_t>(right)]);
+      }
+    }
+    end_polygon(active, record);
+  }
+  return picture;
+}
+
+/// Calls use(numbers) with what makes the run's numbers.
+template <class Use>
+auto in_numbers(const Scene& scene, const Conventions& conventions, Use&& use) {
+  if (conventions.number_format == NumberFormat::float64) return use(NumbersOf<double>{});
+  if (conventions.number_format == NumberFormat::float32) return use(NumbersOf<float>{});
+  const double unit = depth_unit(scene, conventions);
+  Conventions interpolated = conventions;  // of `corrected`: 1/z_v
+  if (conventions.depth == Conventions::Depth::corrected) interpolated.depth = Conventions::Depth::reciprocal;
+  const double unit_along = depth_unit(scene, interpolated);
+  if (conventions.rounding == Conventions::Rounding::nearest) return use(NumbersOf<FixedNearest>{unit_along, unit});
+  return use(NumbersOf<FixedDown>{unit_along, unit});
+}
+
+}  // namespace
+
+bool is_taught(const Conventions& c) {
+  using enum Conventions::Depth;
+  using enum Conventions::Interpolation;
+  return (c.depth == pseudodepth || c.depth == view) && (c.interpolation == direct || c.interpolation == increments) &&
+         c.number_format == NumberFormat::float64 && c.positions == Conventions::Positions::exact;
+}
+
+template <Recorder R>
+Picture run(const Scene& scene, const Conventions& conventions, R& record) {
+  if (is_taught(conventions)) return z_buffer::run(scene, conventions, record);
+  return in_numbers(scene, conventions, [&]<class T>(const NumbersOf<T>& numbers) {
+    const auto forget = [](std::size_t, const T&) {};
+    return draw<T>(scene, conventions, numbers, record, forget);
+  });
+}
+
+Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
+  return in_numbers(scene, conventions, [&]<class T>(const NumbersOf<T>& numbers) {
+    Bounds bounds;
+    bounds.of_pixel.assign(Picture(scene.raster.width, scene.raster.height).depth.size(), 0);
+    NullRecorder nothing;
+    const auto keep = [&](std::size_t pixel, const Bounded<T>& z) { bounds.of_pixel[pixel] = z.error; };
+    bounds.picture = draw<Bounded<T>>(scene, conventions, NumbersOf<Bounded<T>>{numbers}, nothing, keep);
+    return bounds;
+  });
+}
+
+Page page_for(const Conventions& conventions) {
+  return Ways(conventions).by_plane ? interpolation::page() : z_buffer::page();
+}
+
+void check(const Scene& scene, const Conventions& c) {
+  using enum Conventions::Depth;
+  const Camera::Kind kind = scene.camera.kind;
+  const std::string depth = "--depth " + std::string(word_of(c.depth));
+  if ((c.depth == corrected || c.depth == reciprocal) && kind == Camera::Kind::orthographic)
+    throw InputError(depth, "divides by z_v, which parallel projection does not do", "leave out --ortho");
+  if (c.depth != pseudodepth && c.depth != view && kind == Camera::Kind::screen)
+    throw InputError(depth, "needs a camera, and this scene's points are on the screen already",
+                     "take a scene with a camera; 'zstep list scenes' says which have one");
+  if (c.positions == Conventions::Positions::integer && kind == Camera::Kind::screen)
+    throw InputError("--positions integer", "needs a camera, and this scene's points are on the screen already",
+                     "take a scene with a camera; 'zstep list scenes' says which have one");
+  if (c.rounding == Conventions::Rounding::down && bits_of(c.number_format) == 0)
+    throw InputError("--rounding down", "is of fixed-point numbers", "give --number-format fixed16, or fixed32");
+}
+
+#define INSTANTIATE(R) template Picture run<R>(const Scene&, const Conventions&, R&);
+ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+
+}  // namespace zstep::interpolation

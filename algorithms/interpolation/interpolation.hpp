@@ -1,0 +1,47 @@
+// The Z-buffer with any way of interpolating: what is interpolated, how, in which numbers, and which pixels it covers
+// (Conventions; docs/interpolation.md). Where z_buffer.cpp is the page as it is taught, this is the laboratory in which
+// its choices are held against each other.
+//
+// Plane slopes: 004, "z at the next pixel is z - A/C". The bounds are running error bounds (numbers.hpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/interpolation/steps.hpp"
+#include "algorithms/scan_conversion/numbers.hpp"
+#include "traces/record/recorder.hpp"
+#include "traces/scene.hpp"
+
+namespace zstep::interpolation {
+
+/// Does the page as it is taught draw under these conventions?
+bool is_taught(const Conventions& conventions);
+
+/// Draws the scene's facets in their order; where the page as it is taught can, by that. The depths of the picture and
+/// of the trace are the run's numbers, exactly.
+template <Recorder R>
+Picture run(const Scene& scene, const Conventions& conventions, R& record);
+
+/// How far each depth of a run's picture can be from what exact arithmetic gives from the same vertices, by the same
+/// formulas.
+struct Bounds {
+  Picture picture;               ///< that of run()
+  std::vector<double> of_pixel;  ///< [height*width], Picture::at, in units of depth; 0 where nothing was drawn
+};
+Bounds bounds_of(const Scene& scene, const Conventions& conventions);
+
+/// The depth at column x between the two ends of a span.
+template <class T>
+T depth_on(const T& x_left, const T& z_left, const T& x_right, const T& z_right, std::int32_t x) {
+  if (static_cast<double>(x_left) == static_cast<double>(x_right)) return z_left;
+  return formulas::on_line(z_left, z_right, T(x), x_left, x_right);
+}
+
+/// The page of steps that a run under these conventions has.
+Page page_for(const Conventions& conventions);
+
+/// Throws InputError where these conventions do not go together, or not with the scene's camera.
+void check(const Scene& scene, const Conventions& conventions);
+
+}  // namespace zstep::interpolation

@@ -1,0 +1,276 @@
+// zstep compare-methods --modes: ways of interpolating beside each other on one scene; --sweep: the same while near or
+// far goes through a range.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "sim/cli/commands.hpp"
+#include "sim/cli/compare.hpp"
+#include "sim/cli/messages.hpp"
+#include "sim/cli/table.hpp"
+#include "sim/cli/watch.hpp"
+#include "sim/cli/words.hpp"
+#include "sim/cost/measure.hpp"
+#include "sim/cost/modes.hpp"
+#include "sim/words/numbers.hpp"
+#include "traces/error.hpp"
+#if ZSTEP_HAS_VIEWER
+#include "sim/viewer/charts/chart.hpp"
+#endif
+
+namespace zstep::cli {
+namespace {
+
+using compare::Mode;
+using compare::ModeErrors;
+using Words = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+std::vector<std::string> split(const std::string& text, char between) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == between) parts.emplace_back();
+    else parts.back() += c;
+  }
+  return parts;
+}
+
+/// "depth=view,reciprocal": the convention and its words, as headers have them.
+Words words_of_modes(const std::vector<std::string>& given) {
+  Words words;
+  for (const std::string& text : given) {
+    const std::size_t equals = text.find('=');
+    std::string key = text.substr(0, equals);
+    std::replace(key.begin(), key.end(), '-', '_');
+    std::string keys;
+    bool known = false;
+    for_each_convention([&]<class E>(std::string_view name, E Conventions::*) {
+      std::string shown(name);
+      std::replace(shown.begin(), shown.end(), '_', '-');
+      keys += (keys.empty() ? "" : ", ") + shown;
+      if (name != key || equals == text.npos) return;
+      known = true;
+      std::vector<std::string> all, chosen;
+      for (const std::string_view word : words_of<E>) all.emplace_back(word);
+      for (std::string& word : all) std::replace(word.begin(), word.end(), '_', '-');
+      for (const std::string& word : split(text.substr(equals + 1), ','))
+        if (word == "all") chosen.insert(chosen.end(), words_of<E>.begin(), words_of<E>.end());
+        else chosen.emplace_back(words_of<E>[parse_choice("--modes " + key, word, all)]);
+      words.emplace_back(key, std::move(chosen));
+    });
+    if (!known)
+      throw InputError("--modes " + text, "is not CONVENTION=WORD,WORD",
+                       fmt::format("the conventions are {}; as in --modes depth=view,reciprocal", keys));
+  }
+  return words;
+}
+
+std::string error_text(double value) { return value == 0 ? "0" : fmt::format("{:.2g}", value); }
+std::string count_text(double value) { return fmt::format("{:.2f}", value); }
+
+struct Row {
+  Mode mode;
+  ModeErrors errors;
+  double seconds = std::numeric_limits<double>::quiet_NaN();
+};
+
+void print_rows(const Scene& scene, const std::vector<Row>& rows) {
+  using enum Table::Align;
+  fmt::print("{}, {}x{} pixels; {} depths. Errors are of z_v, off the polygons themselves.\n\n", scene.name,
+             scene.raster.width, scene.raster.height, grouped(rows.front().errors.depths));
+  Table table({left, right, right, right, right, right, right, right, right, right, right});
+  table.row({"MODE", "LARGEST", "RMS", "ROUNDING", "BOUND", "WRONG", "TURNED", "+", "\u00d7", "\u00f7", "TIME"});
+  for (const Row& row : rows) {
+    const ModeErrors& e = row.errors;
+    const compare::Operations& o = e.operations;
+    table.row({row.mode.text, error_text(e.largest), error_text(e.rms), error_text(e.rounding_depth),
+               error_text(e.bound) + (e.within_bounds ? "" : " passed"), grouped(e.wrong_pixels),
+               grouped(e.fighting_pixels), count_text(o.each(o.additions)), count_text(o.each(o.multiplications)),
+               count_text(o.each(o.divisions)), seconds_text(row.seconds)});
+  }
+  fmt::print("{}\n", table.text(0));
+  fmt::print(
+      "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error that rounding alone makes, in\n"
+      "units of what the depth buffer holds; BOUND: what theory allows it. WRONG: pixels that show another polygon\n"
+      "than the nearest; TURNED: pixels in which a compare went the other way. +, \u00d7, \u00f7: additions,\n"
+      "multiplications and divisions a pixel. TIME: of the processor, a run without recording.\n");
+}
+
+std::string csv_of(const std::string& scene, const std::string& swept, const std::vector<double>& values,
+                   const std::vector<std::vector<Row>>& runs) {
+  std::string text = fmt::format("scene,mode,{}depths,largest,rms,rounding,bound,wrong_pixels,turned_pixels,additions,"
+                                 "multiplications,divisions,time_s\n",
+                                 swept.empty() ? "" : swept + ",");
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (const Row& row : runs[k]) {
+      const ModeErrors& e = row.errors;
+      const compare::Operations& o = e.operations;
+      text += fmt::format("{},{},{}{},{},{},{},{},{},{},{},{},{},{}\n", compare::csv_cell(scene),
+                          compare::csv_cell(row.mode.text), swept.empty() ? "" : fmt::format("{},", values[k]),
+                          e.depths, e.largest, e.rms, e.rounding_depth, e.bound, e.wrong_pixels, e.fighting_pixels,
+                          o.additions, o.multiplications, o.divisions,
+                          std::isnan(row.seconds) ? std::string() : fmt::format("{}", row.seconds));
+    }
+  return text;
+}
+
+std::vector<Row> rows_of(const Scene& scene, const Conventions& conventions, const Words& words, bool timed,
+                         double limit, Watch& watch, const std::string& where, bool first) {
+  std::vector<std::string> left_out;
+  std::vector<Row> rows;
+  for (Mode& mode : compare::modes_of(scene, conventions, words, left_out)) rows.push_back({std::move(mode), {}});
+  if (first)
+    for (const std::string& why : left_out) complain("note: without " + why);
+  std::size_t done = 0;
+  for (Row& row : rows) {
+    const auto show = [&] {
+      watch.show(fmt::format("{}{} of {} modes: {} (Ctrl-C stops)", where, ++done, rows.size(), row.mode.text));
+    };
+    show();
+    row.errors = compare::errors_of_mode(scene, row.mode);
+    if (!timed) continue;
+    compare::MeasureOptions measuring;
+    measuring.limit = limit, measuring.count = false;
+    const compare::Measured m =
+        compare::measure(method("z-buffer"), scene, row.mode.conventions, measuring, [](double) {});
+    if (m.done()) row.seconds = m.median_seconds();
+  }
+  return rows;
+}
+
+/// "near=0.01..10"
+struct Sweep {
+  std::string name;
+  double from = 0, to = 0;
+};
+Sweep sweep_of(const std::string& text) {
+  const std::size_t equals = text.find('='), dots = text.find("..");
+  const bool shaped = equals != text.npos && dots != text.npos && dots > equals;
+  Sweep sweep{shaped ? text.substr(0, equals) : "", 0, 0};
+  if (!shaped || (sweep.name != "near" && sweep.name != "far"))
+    throw InputError("--sweep " + text, "is not near=FROM..TO or far=FROM..TO", "as in --sweep near=0.01..1");
+  sweep.from = parse_number("--sweep", text.substr(equals + 1, dots - equals - 1));
+  sweep.to = parse_number("--sweep", text.substr(dots + 2));
+  if (!(sweep.from > 0) || !(sweep.to > sweep.from) || !std::isfinite(sweep.to))
+    throw InputError("--sweep " + text, "does not go from a distance above 0 to a greater one",
+                     "as in --sweep near=0.01..1");
+  return sweep;
+}
+
+/// Where the wrong pixels begin: by formula, where the depth buffer cannot tell the nearest two polygons apart.
+void print_beginnings(const Sweep& sweep, const std::vector<double>& values, const std::vector<std::vector<Row>>& runs) {
+  const bool near = sweep.name == "near";  // a smaller near plane makes it worse, a larger far plane does
+  for (std::size_t mode = 0; mode < runs.front().size(); ++mode) {
+    std::optional<double> measured, predicted;
+    for (std::size_t step = 0; step < values.size(); ++step) {
+      const std::size_t k = near ? values.size() - 1 - step : step;
+      const ModeErrors& e = runs[k][mode].errors;
+      if (!measured && e.wrong_pixels > 0) measured = values[k];
+      if (!predicted && e.least_gap && e.unit_at_gap > *e.least_gap) predicted = values[k];
+    }
+    const auto text = [&](const std::optional<double>& at) {
+      return at ? fmt::format("at {} = {:.3g}", sweep.name, *at) : std::string("nowhere");
+    };
+    fmt::print("{}: wrong pixels begin {}; a unit of the depth buffer exceeds the smallest gap {}\n",
+               runs.front()[mode].mode.text, text(measured), text(predicted));
+  }
+}
+
+#if ZSTEP_HAS_VIEWER
+Image chart_of(const Sweep& sweep, const Scene& scene, const std::vector<double>& values,
+               const std::vector<std::vector<Row>>& runs) {
+  LineChart chart;
+  chart.title = fmt::format("{}: errors of z_v while the {} plane moves", scene.name, sweep.name);
+  chart.subtitle = "Solid: the largest error measured. Dashed: one unit of the depth buffer, in z_v, by formula.";
+  chart.x_title = fmt::format("distance of the {} plane", sweep.name);
+  chart.y_title = "z_v";
+  for (double decade = std::pow(10, std::ceil(std::log10(sweep.from) - 1e-9)); decade <= sweep.to * 1.0001;
+       decade *= 10)
+    chart.x_ticks.push_back(decade);
+  const auto add = [&](const std::string& name, int look, bool dashed, const auto& value_of) {
+    LineChart::Line line{name, {}, dashed, look};
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (const double value = value_of(k); value > 0) line.points.emplace_back(values[k], value);
+    if (!line.points.empty()) chart.lines.push_back(std::move(line));
+  };
+  for (std::size_t mode = 0; mode < runs.front().size(); ++mode) {
+    const std::string& name = runs.front()[mode].mode.text;
+    const int look = static_cast<int>(mode);
+    add(name, look, false, [&](std::size_t k) { return runs[k][mode].errors.largest; });
+    add("", look, true, [&](std::size_t k) { return runs[k][mode].errors.unit_at_gap; });
+  }
+  add("smallest gap", 3, true, [&](std::size_t k) { return runs[k].front().errors.least_gap.value_or(0); });
+  return draw_chart(chart);
+}
+#else
+Image chart_of(const Sweep&, const Scene&, const std::vector<double>&, const std::vector<std::vector<Row>>&) {
+  return {};
+}
+#endif
+
+int sweep_modes(const CompareOptions& options, const Words& words) {
+  const Sweep sweep = sweep_of(options.sweep);
+  constexpr std::size_t most_modes = 3, points = 17;
+  Watch watch;
+  std::vector<double> values;
+  std::vector<std::vector<Row>> runs;
+  RunOptions run_options = options.run;
+  Scene scene;
+  for (std::size_t k = 0; k < points; ++k) {
+    const double share = static_cast<double>(k) / (points - 1);
+    const double value = sweep.from * std::pow(sweep.to / sweep.from, share);
+    (sweep.name == "near" ? run_options.view.near : run_options.view.far) = value;
+    const Run run = k == 0 ? prepare(run_options) : prepare_again(run_options);
+    scene = run.scene;
+    runs.push_back(rows_of(run.scene, run.conventions, words, false, options.limit, watch,
+                           fmt::format("{} = {:.3g}: ", sweep.name, value), k == 0));
+    values.push_back(value);
+    if (runs.back().empty()) throw InputError("--modes", "none of these can be drawn", "give others");
+    if (runs.back().size() > most_modes)
+      throw InputError("--sweep", fmt::format("{} modes are too many for one chart", runs.back().size()),
+                       "give at most 3 with --modes");
+  }
+  watch.clear_line();
+  using enum Table::Align;
+  std::vector<Table::Align> columns{right};
+  std::vector<std::string> head{sweep.name};
+  for (const Row& row : runs.front()) {
+    columns.insert(columns.end(), {right, right});
+    head.insert(head.end(), {row.mode.text, "WRONG"});
+  }
+  Table table(columns);
+  table.row(head);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    std::vector<std::string> cells{fmt::format("{:.3g}", values[k])};
+    for (const Row& row : runs[k])
+      cells.insert(cells.end(), {error_text(row.errors.largest), grouped(row.errors.wrong_pixels)});
+    table.row(cells);
+  }
+  fmt::print("{}, {}x{} pixels: the largest error of z_v, and pixels that show another polygon than the nearest\n\n{}\n",
+             scene.name, scene.raster.width, scene.raster.height, table.text(0));
+  print_beginnings(sweep, values, runs);
+  write_comparison(options, csv_of(scene.name, sweep.name, values, runs),
+                   [&] { return chart_of(sweep, scene, values, runs); });
+  return exit_code::done;
+}
+
+}  // namespace
+
+int compare_modes(const CompareOptions& options) {
+  const Words words = words_of_modes(options.modes);
+  if (!options.sweep.empty()) return sweep_modes(options, words);
+  if (!options.plot.empty())
+    throw InputError("--plot", "draws no modes, but a sweep of them", "add --sweep near=0.01..1, or leave it out");
+  Watch watch;
+  const Run run = prepare(options.run);
+  std::vector<Row> rows =
+      rows_of(run.scene, run.conventions, words, true, options.limit, watch, "", true);
+  watch.clear_line();
+  if (rows.empty()) throw InputError("--modes", "none of these can be drawn", "give others");
+  print_rows(run.scene, rows);
+  write_comparison(options, csv_of(run.scene.name, "", {}, {rows}), [] { return Image{}; });
+  return exit_code::done;
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,93 @@
+#include "sim/cost/modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/interpolation/interpolation.hpp"
+#include "traces/error.hpp"
+#include "traces/oracle/errors.hpp"
+
+namespace zstep::compare {
+
+namespace {
+
+const Method& z_buffer_method() { return method("z-buffer"); }
+
+Trace trace_of(const Scene& scene, const Conventions& conventions) {
+  TraceRecorder recorder(header_for(z_buffer_method(), conventions), scene);
+  z_buffer_method().record(scene, conventions, recorder);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), scene.name);
+}
+
+}  // namespace
+
+std::vector<Mode> modes_of(const Scene& scene, const Conventions& conventions,
+                           const std::vector<std::pair<std::string, std::vector<std::string>>>& words,
+                           std::vector<std::string>& left_out) {
+  std::vector<Mode> modes{{"", conventions}};
+  for (const auto& [key, values] : words) {
+    std::vector<Mode> finer;
+    for (const Mode& mode : modes)
+      for (const std::string& value : values) {
+        Mode one = mode;
+        ConventionChoices{{{key, value}}}.apply(one.conventions);
+        std::string word = value;
+        std::replace(word.begin(), word.end(), '_', '-');
+        one.text += (one.text.empty() ? "" : ", ") + word;
+        finer.push_back(std::move(one));
+      }
+    modes = std::move(finer);
+  }
+  std::erase_if(modes, [&](const Mode& mode) {
+    try {
+      check_run(z_buffer_method(), scene, mode.conventions);
+      return false;
+    } catch (const InputError& error) {
+      left_out.push_back(mode.text + ": " + error.what());
+      return true;
+    }
+  });
+  return modes;
+}
+
+double resolution(const Scene& scene, const Conventions& conventions, double z_v) {
+  const double depth = buffer_depth(scene.camera, conventions, z_v);
+  double unit = depth_unit(scene, conventions);
+  if (conventions.number_format == NumberFormat::float32) {
+    const auto size = static_cast<float>(std::abs(depth));
+    unit = static_cast<double>(std::nextafter(size, std::numeric_limits<float>::infinity()) - size);
+  } else if (unit == 0) {
+    unit = std::nextafter(std::abs(depth), std::numeric_limits<double>::infinity()) - std::abs(depth);
+  }
+  return std::abs(view_depth_error(scene.camera, conventions, depth, unit));
+}
+
+ModeErrors errors_of_mode(const Scene& scene, const Mode& mode) {
+  const Trace trace = trace_of(scene, mode.conventions);
+  const oracle::Errors from_formula = oracle::errors_of(trace),
+                       from_surface = oracle::errors_of(trace, nullptr, oracle::Truth::surface);
+  ModeErrors errors;
+  errors.depths = from_surface.all.depths;
+  errors.largest = from_surface.all.largest_view;
+  errors.rms = from_surface.all.root_mean_square_view();
+  errors.rounding = from_formula.all.largest;
+  errors.rounding_depth = from_formula.all.largest_depth;
+  errors.wrong_pixels = from_surface.wrong_pixels;
+  errors.fighting_pixels = from_surface.fighting_pixels;
+  errors.least_gap = from_surface.least_gap;
+  errors.gap_at = from_surface.gap_at;
+  if (errors.least_gap) errors.unit_at_gap = resolution(scene, mode.conventions, errors.gap_at);
+  errors.operations = operations_of(trace);
+  const interpolation::Bounds bounds = interpolation::bounds_of(scene, mode.conventions);
+  for (std::size_t pixel = 0; pixel < bounds.of_pixel.size(); ++pixel) {
+    errors.bound = std::max(errors.bound, bounds.of_pixel[pixel]);
+    const double off = from_formula.depth_error_of_pixel[pixel];
+    if (!std::isnan(off) && std::abs(off) > bounds.of_pixel[pixel]) errors.within_bounds = false;
+  }
+  return errors;
+}
+
+}  // namespace zstep::compare

@@ -1,0 +1,99 @@
+#include "sim/cost/operations.hpp"
+
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include "traces/formulas/of_edges.hpp"
+#include "traces/formulas/of_pixels.hpp"
+#include "traces/formulas/walk.hpp"
+
+namespace zstep::compare {
+
+namespace {
+
+using formulas::Place;
+using formulas::Situation;
+
+/// A number, and what it took to make it.
+struct Counted {
+  double value = 0;
+  Operations cost{};
+  Counted() = default;
+  Counted(double known) : value(known) {}  // NOLINT: an operand costs nothing
+};
+Counted made(double value, const Counted& a, const Counted& b, std::int64_t Operations::*what) {
+  Counted result(value);
+  result.cost = {a.cost.additions + b.cost.additions, a.cost.multiplications + b.cost.multiplications,
+                 a.cost.divisions + b.cost.divisions, 0};
+  ++(result.cost.*what);
+  return result;
+}
+Counted operator+(const Counted& a, const Counted& b) { return made(a.value + b.value, a, b, &Operations::additions); }
+Counted operator-(const Counted& a, const Counted& b) { return made(a.value - b.value, a, b, &Operations::additions); }
+Counted operator*(const Counted& a, const Counted& b) {
+  return made(a.value * b.value, a, b, &Operations::multiplications);
+}
+Counted operator/(const Counted& a, const Counted& b) { return made(a.value / b.value, a, b, &Operations::divisions); }
+Counted floor(const Counted& a) { return {std::floor(a.value)}; }  // rounding is no arithmetic
+Counted ceil(const Counted& a) { return {std::ceil(a.value)}; }
+
+/// Takes what the formulas of one event give.
+template <class E>
+struct Counter {
+  using Number = Counted;
+  Operations& all;
+  bool adds;
+
+  Number number(std::string_view, double value, const Place&) { return value; }
+  Number named(std::string_view, const Number& formula) { return formula; }
+  void reads(const Place&) {}
+  bool trusts(const Place&) const { return false; }
+  bool equal(double one, double other) const { return one == other; }
+  void gives(double E::*member, const Number& formula) {
+    if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, EdgeTableInsert>)
+      if (!adds && is_slope(member)) return;
+    all.additions += formula.cost.additions;
+    all.multiplications += formula.cost.multiplications;
+    all.divisions += formula.cost.divisions;
+  }
+  void whole(std::int32_t E::*, const Number&, std::int32_t) {}
+  template <class Value>
+  void is(Value E::*, Value) {}
+  void verdict(bool E::*, const Number&, const Number&) {}
+  void rule(formulas::Rule, bool) {}
+
+ private:
+  static bool is_slope(double E::*member) {
+    if constexpr (std::is_same_v<E, SpanBegin>) return member == &SpanBegin::dz_dx;
+    if constexpr (std::is_same_v<E, EdgeTableInsert>)
+      return member == &EdgeTableInsert::dx_dy || member == &EdgeTableInsert::dz_dy;
+    return false;
+  }
+};
+
+template <class E>
+constexpr bool interpolates = std::is_same_v<E, EdgeTableInsert> || std::is_same_v<E, EdgeStep> ||
+                              std::is_same_v<E, SpanBegin> || std::is_same_v<E, PlaneSlopes> ||
+                              std::is_same_v<E, DepthInterpolate>;
+
+}  // namespace
+
+Operations operations_of(const Trace& trace) {
+  Operations all;
+  const bool adds = adds_slopes(trace.header().conventions);
+  formulas::walk(
+      trace,
+      [&]<class E>(std::int64_t, const E& e, const Situation& at) {
+        if constexpr (interpolates<E>) {
+          all.pixels += std::is_same_v<E, DepthInterpolate>;
+          Counter<E> counter{all, adds};
+          derive(e, at, counter);
+        }
+        return true;
+      },
+      [](std::int64_t, const Impossible&) {});
+  return all;
+}
+
+}  // namespace zstep::compare

@@ -1,0 +1,96 @@
+// The number types of the laboratory: their rounding, and the bounds that go with it.
+#include "algorithms/interpolation/interpolation.hpp"
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include <doctest/doctest.h>
+
+using namespace zstep;
+
+namespace {
+
+TEST_CASE("fixed point: a quotient is the nearest unit, or the one below, whatever the signs") {
+  using detail::quotient;
+  using enum Conventions::Rounding;
+  CHECK(static_cast<int>(quotient(7, 2, nearest)) == 4);   // halves upwards
+  CHECK(static_cast<int>(quotient(-7, 2, nearest)) == -3);
+  CHECK(static_cast<int>(quotient(7, -2, nearest)) == -3);
+  CHECK(static_cast<int>(quotient(7, 2, down)) == 3);
+  CHECK(static_cast<int>(quotient(-7, 2, down)) == -4);
+  CHECK(static_cast<int>(quotient(8, 3, nearest)) == 3);
+  CHECK(static_cast<int>(quotient(-8, 3, nearest)) == -3);
+  CHECK(static_cast<int>(quotient(-6, 3, down)) == -2);
+}
+
+TEST_CASE("fixed point: a line rounds once, at its end") {
+  // 1 + (2 - 1)(1 - 0)/(3 - 0) in depths of 1/16: 21.33 sixteenths.
+  const auto z = [](double value) { return FixedNearest::of(value, 1.0 / 16); };
+  const FixedNearest third = formulas::on_line(z(1), z(2), FixedNearest(1), FixedNearest(0), FixedNearest(3));
+  CHECK(static_cast<double>(third) == 21.0 / 16);
+  CHECK(static_cast<double>(formulas::slope(z(1), z(2), FixedNearest(0), FixedNearest(3))) == 5.0 / 16);
+  // Three slopes added are 15 sixteenths, not 16: what increments lose.
+  FixedNearest along = z(1);
+  for (int k = 0; k < 3; ++k) along += formulas::slope(z(1), z(2), FixedNearest(0), FixedNearest(3));
+  CHECK(static_cast<double>(along) == 31.0 / 16);
+}
+
+TEST_CASE("fixed point: numbers out of range stay at its end") {
+  CHECK(static_cast<double>(FixedNearest::of(1e300, 1)) == detail::most_units);
+  CHECK(static_cast<double>(FixedNearest::of(-1e300, 1)) == -detail::most_units);
+  CHECK(static_cast<double>(FixedNearest::divided(1, 0, 1)) == 0);
+}
+
+/// The largest error, as a share of its bound, of many random spans; `adds`: by increments.
+template <class T>
+double worst_share(bool adds, int spans, const scan_conversion::NumbersOf<T>& numbers) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(0, 8), width(0.5, 40), depth(-1, 1);
+  double worst = 0;
+  for (int k = 0; k < spans; ++k) {
+    const double from = place(random), wide = width(random), near = depth(random);
+    // Of every tenth span the depths are next to each other: then the last digit is all there is.
+    const double far = k % 10 == 0 ? near + 1e-5 * depth(random) : depth(random);
+    const Bounded<T> x_left(numbers.position(from), 0), x_right(numbers.position(from + wide), 0),
+        z_left(numbers.depth(near), 0), z_right(numbers.depth(far), 0);
+    const double x_0 = x_left, x_1 = x_right, z_0 = z_left, z_1 = z_right;
+    const int first = static_cast<int>(std::ceil(x_0)), last = static_cast<int>(std::ceil(x_1)) - 1;
+    if (x_0 == x_1 || first > last) continue;
+    Bounded<T> z = interpolation::depth_on(x_left, z_left, x_right, z_right, adds ? first : last);
+    if (adds) {
+      const Bounded<T> slope = formulas::slope(z_left, z_right, x_left, x_right);
+      for (int x = first; x < last; ++x) z += slope;
+    }
+    // What long double, of 64 bits, has of it is exact for what a bound of 53 bits or fewer can tell.
+    const long double exact = static_cast<long double>(z_0) + (static_cast<long double>(z_1) - z_0) *
+                                                                  (static_cast<long double>(last) - x_0) /
+                                                                  (static_cast<long double>(x_1) - x_0);
+    const double off = static_cast<double>(std::abs(static_cast<long double>(static_cast<double>(z)) - exact));
+    worst = std::max(worst, z.error > 0 ? off / z.error : off);
+  }
+  return worst;
+}
+
+TEST_CASE("bounds: of 1 000 000 random spans in each format none is farther off than its bound, and some are half as far") {
+  constexpr int spans = 250'000;  // for each format and each way
+  const auto hold = [&](const std::string& format, double share) {
+    CAPTURE(format);
+    MESSAGE(format, ": ", share, " of the bound");
+    CHECK(share <= 1.001);
+    CHECK(share >= 0.25);
+  };
+  const scan_conversion::NumbersOf<FixedNearest> fixed16{std::ldexp(2.0, -16), 1}, fixed32{std::ldexp(2.0, -32), 1};
+  const scan_conversion::NumbersOf<FixedDown> cut16{std::ldexp(2.0, -16), 1};
+  for (const bool adds : {false, true}) {
+    CAPTURE(adds);
+    hold("float64", worst_share<double>(adds, spans, {}));
+    hold("float32", worst_share<float>(adds, spans, {}));
+    hold("fixed16", worst_share<FixedNearest>(adds, spans, fixed16));
+    hold("fixed32", worst_share<FixedNearest>(adds, spans, fixed32));
+    hold("fixed16, cut off", worst_share<FixedDown>(adds, spans, cut16));
+  }
+}
+
+}  // namespace
