@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
+#include <string_view>
 #include <tuple>
+#include <vector>
 
 #include "traces/check/inheritance.hpp"
 #include "traces/events/slots.hpp"
@@ -209,23 +212,26 @@ CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on
 
 /// The header with one convention declared otherwise, as a header writes it.
 struct Otherwise {
-  const char *key, *word;
-  void (*change)(Header&);
+  std::string_view key, word;
+  std::function<void(Header&)> change;
 };
-constexpr Otherwise otherwise[] = {
-    {"nearer", "smaller", [](Header& h) { h.comparison.nearer = Comparison::Nearer::smaller; }},
-    {"nearer", "greater", [](Header& h) { h.comparison.nearer = Comparison::Nearer::greater; }},
-    {"ties", "first", [](Header& h) { h.comparison.ties = Comparison::Ties::first; }},
-    {"ties", "last", [](Header& h) { h.comparison.ties = Comparison::Ties::last; }},
-    {"interpolation", "direct",
-     [](Header& h) { h.conventions.interpolation = Conventions::Interpolation::direct; }},
-    {"interpolation", "increments",
-     [](Header& h) { h.conventions.interpolation = Conventions::Interpolation::increments; }},
-    {"coverage", "top_left", [](Header& h) { h.conventions.coverage = Conventions::Coverage::top_left; }},
-    {"coverage", "inclusive", [](Header& h) { h.conventions.coverage = Conventions::Coverage::inclusive; }},
-    {"depth", "pseudodepth", [](Header& h) { h.conventions.depth = Conventions::Depth::pseudodepth; }},
-    {"depth", "view", [](Header& h) { h.conventions.depth = Conventions::Depth::view; }},
-};
+std::vector<Otherwise> all_others() {
+  using Nearer = Comparison::Nearer;
+  using Ties = Comparison::Ties;
+  std::vector<Otherwise> others{
+      {"nearer", "smaller", [](Header& h) { h.comparison.nearer = Nearer::smaller; }},
+      {"nearer", "greater", [](Header& h) { h.comparison.nearer = Nearer::greater; }},
+      {"ties", "first", [](Header& h) { h.comparison.ties = Ties::first; }},
+      {"ties", "last", [](Header& h) { h.comparison.ties = Ties::last; }},
+  };
+  for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
+    for (std::size_t k = 0; k < words_of<E>.size(); ++k)
+      others.push_back({key, words_of<E>[k], [=](Header& h) { h.conventions.*member = static_cast<E>(k); }});
+  });
+  // Which numbers a program computes in shows in their digits, and is found out from them.
+  std::erase_if(others, [](const Otherwise& one) { return one.key == "number_format" || one.key == "rounding"; });
+  return others;
+}
 
 }  // namespace
 
@@ -235,13 +241,13 @@ CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& 
 
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report) {
   std::optional<OtherConvention> best;
-  for (const Otherwise& other : otherwise) {
+  for (const Otherwise& other : all_others()) {
     Header header = trace.header();
     other.change(header);
     if (header.conventions == trace.header().conventions && header.comparison == trace.header().comparison) continue;
     const std::int64_t wrong = check_by(header, trace, nullptr, nullptr).wrong_steps;
     if (10 * wrong < report.wrong_steps && (!best || wrong < best->wrong_steps))
-      best = OtherConvention{other.key, other.word, wrong};
+      best = OtherConvention{std::string(other.key), std::string(other.word), wrong};
   }
   return best;
 }
