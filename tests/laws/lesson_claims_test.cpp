@@ -198,6 +198,10 @@ TEST_CASE("what lessons say about other runs than their own is so") {
        "[options]\norder = \"opaque-first\"", "{depth(13, 5) = 8}"},
       {"comparison: depth sort paints what the Z-buffer compares", "hundred.toml", "depth-sort", "",
        "{count(paint) = 2950}"},
+      {"which-z: with pseudodepth R is in front of C in the middle", "receding.toml", "z-buffer", "",
+       "{frame(10, 8) = R} {depth(10, 8) = 0.125} {frame(12, 8) = R} {frame(13, 8) = C}"},
+      {"which-z: and with z_v by way of its reciprocal", "receding.toml", "z-buffer",
+       "[conventions]\ndepth = \"corrected\"", "{frame(10, 8) = R} {depth(10, 8) = 16} {frame(13, 8) = C}"},
   };
   for (const Run& run : runs) check(run);
 }
