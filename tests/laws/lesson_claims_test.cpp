@@ -202,6 +202,16 @@ TEST_CASE("what lessons say about other runs than their own is so") {
        "{frame(10, 8) = R} {depth(10, 8) = 0.125} {frame(12, 8) = R} {frame(13, 8) = C}"},
       {"which-z: and with z_v by way of its reciprocal", "receding.toml", "z-buffer",
        "[conventions]\ndepth = \"corrected\"", "{frame(10, 8) = R} {depth(10, 8) = 16} {frame(13, 8) = C}"},
+      {"how-many-bits: rounding down, S is lost and R is seen", "pairs.toml", "z-buffer",
+       "[conventions]\nnumber_format = \"fixed16\"\nrounding = \"down\"", "{frame(18, 5) = R} {frame(25, 5) = D}"},
+      {"how-many-bits: C last, and R stays", "pairs.toml", "z-buffer", "[conventions]\nnumber_format = \"fixed16\"",
+       "{frame(18, 5) = R}", drawn_last("pairs.toml", "C")},
+      {"how-many-bits: with 18 bits, or with z_v, all four are seen", "pairs.toml", "z-buffer",
+       "[conventions]\nnumber_format = \"fixed18\"",
+       "{frame(3, 5) = P} {frame(10, 5) = Q} {frame(18, 5) = R} {frame(25, 5) = S}"},
+      {"how-many-bits: with 18 bits, or with z_v, all four are seen", "pairs.toml", "z-buffer",
+       "[conventions]\nnumber_format = \"fixed16\"\ndepth = \"view\"",
+       "{frame(3, 5) = P} {frame(10, 5) = Q} {frame(18, 5) = R} {frame(25, 5) = S}"},
   };
   for (const Run& run : runs) check(run);
 }
