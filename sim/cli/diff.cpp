@@ -23,6 +23,7 @@
 #include "sim/image/npy.hpp"
 #include "sim/image/pfm.hpp"
 #include "sim/words/derived.hpp"
+#include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
@@ -40,21 +41,13 @@ using diff::Cause, diff::DiffReport, diff::Part;
 
 struct DiffOptions {
   std::string a, b, page;
-  bool all = false, json = false;
+  bool all = false, json = false, view = false;
+  ShowOptions show;
 };
 
 constexpr std::size_t most_causes = 10;
 
 // ---- One cause ---------------------------------------------------------------------------------------------------
-
-/// The value of a field, in the words of traces.
-template <class Value>
-std::string value_text(const Value& value) {
-  if constexpr (std::is_same_v<Value, double>) return fmt::format("{}", value);
-  else if constexpr (std::is_same_v<Value, bool>) return value ? "true" : "false";
-  else if constexpr (std::is_enum_v<Value>) return std::string(words_of<Value>[static_cast<std::size_t>(value)]);
-  else return fmt::format("{}", value);
-}
 
 /// One side of a cause: the state before the step is what its formulas are of.
 CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, FileLines& lines, std::int64_t step,
@@ -68,36 +61,8 @@ CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, F
   const formulas::Situation at = formulas::situation_of(trace, replay.state());
   const Event event = trace.event(step).event;
   subject = subject_of(event, at);
-  visit_event(
-      [&]<class E>(const E& e) {
-        for_each_index<E>([&]<std::size_t I>() {
-          if ((fields >> I & 1) == 0) return;
-          const std::string name(field_at<E, I>.name), value = value_text(e.*field_at<E, I>.member);
-          const auto formula = derived_formula(event, at, name);
-          side.fields.push_back(formula ? fmt::format("{} = {}   from {}", name, value, *formula)
-                                        : fmt::format("{} = {}", name, value));
-        });
-      },
-      event);
+  side.fields = field_texts(event, at, fields);
   return side;
-}
-
-std::string why(const Cause& cause) {
-  if (cause.first.only_a()) return "A has this step, B does not";
-  if (cause.first.only_b()) return "B has this step, A does not";
-  if (cause.part == Part::rounding) return "no more than rounding, and its operands are the same or part by no more";
-  if (cause.wrong_b && !cause.wrong_a) return "B computes it wrongly from its own operands";
-  if (cause.wrong_a && !cause.wrong_b) return "A computes it wrongly from its own operands";
-  return "its operands are the same in both";
-}
-
-std::string follows(const Cause& cause) {
-  std::string text;
-  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
-  if (cause.again > 0) add(counted(cause.again, "later step parts", "later steps part") + " in the same way");
-  if (cause.symptoms > 0) add(counted(cause.symptoms, "difference follows", "differences follow") + " from it");
-  if (cause.pixels > 0) add(counted(cause.pixels, "write to a pixel", "writes to pixels") + " among them");
-  return text;
 }
 
 // ---- The whole ---------------------------------------------------------------------------------------------------
@@ -176,8 +141,8 @@ DiffText text_of(const Trace& a, const Trace& b, const DiffOptions& options, con
     const Trace& of = cause.first.only_a() ? a : b;
     const StepInfo* step = find_step(of.header().page, cause.first.line);
     text.causes[i].step = step ? step->name : kind_name(cause.first.kind);
-    text.causes[i].what = why(cause);
-    text.causes[i].follows = follows(cause);
+    text.causes[i].what = why_cause(cause);
+    text.causes[i].follows = what_follows(cause);
   }
   return text;
 }
@@ -284,22 +249,36 @@ void write_page(const DiffOptions& options, const DiffText& text, const DiffRepo
   if (!options.json) say_written(options.page, "one page");
 }
 
+/// Two runs of one size, compared with progress on the terminal.
+struct BothRuns {
+  std::string impossible_a, impossible_b;  ///< as open_to_judge() tells
+  Trace a, b;
+  DiffReport report;
+
+  BothRuns(const std::string& path_a, const std::string& path_b, Cost cost)
+      : a(open_to_judge(path_a, impossible_a, cost)), b(open_to_judge(path_b, impossible_b, cost)) {
+    const Raster &one = a.scene().raster, &other = b.scene().raster;
+    check_sizes(one.width, one.height, other.width, other.height, path_b);
+    Watch watch;
+    report = diff::compare(a, b, [&](double share) {
+      watch.show(fmt::format("comparing: {} % (Ctrl-C stops)", static_cast<int>(100 * share)));
+      return false;
+    });
+    watch.clear_line();
+  }
+};
+
 int runs(const DiffOptions& options) {
-  std::string impossible_a, impossible_b;
-  const Trace a = open_to_judge(options.a, impossible_a), b = open_to_judge(options.b, impossible_b);
-  const Raster &one = a.scene().raster, &other = b.scene().raster;
-  check_sizes(one.width, one.height, other.width, other.height, options.b);
-  Watch watch;
-  const DiffReport report = diff::compare(a, b, [&](double share) {
-    watch.show(fmt::format("comparing: {} % (Ctrl-C stops)", static_cast<int>(100 * share)));
-    return false;
-  });
+  const BothRuns both(options.a, options.b, cost_of(options.view, options.show));
+  const Trace &a = both.a, &b = both.b;
+  const DiffReport& report = both.report;
+  const std::string &impossible_a = both.impossible_a, &impossible_b = both.impossible_b;
+  const Raster& one = a.scene().raster;
   Replay end_a(a), end_b(b);
   if (!report.alignment.identical || !options.page.empty()) {
     end_a.go_to(a.size());
     end_b.go_to(b.size());
   }
-  watch.clear_line();
   const Picture &picture_a = end_a.state().picture, &picture_b = end_b.state().picture;
   const PicturePair pictures{
       diff::compare_pictures(picture_a, a.scene(), picture_b, b.scene(), report.precision), {}, {}, {}};
@@ -315,6 +294,10 @@ int runs(const DiffOptions& options) {
   }
   if (options.json) print_json(text, report, pictures.difference);
   else print_text(text, report, options.all);
+  if (options.view) {
+    const AgainstRun with{&b, &report, options.show.at.empty()};
+    if (const int code = show(a, options.show, {.against = &with}); code != exit_code::done) return code;
+  }
   if (!report.alignment.complete) {
     complain_incomplete("the runs part too often, or their orders do: what is said is of their beginnings");
     return exit_code::incomplete;
@@ -386,10 +369,20 @@ int run(const DiffOptions& options) {
                                                                  : std::vector<std::string>{options.page});
   const std::string extension = std::filesystem::path(options.b).extension().string();
   const bool picture = extension == ".png" || extension == ".npy" || extension == ".pfm";
+  if (picture && options.view)
+    throw InputError("--view", "shows two runs, and a picture is none",
+                     "leave it out; --html FILE.html shows pictures");
+  check_view(options.view, options.show, {options.a, options.b});
   return picture ? against_picture(options) : runs(options);
 }
 
 }  // namespace
+
+int view_against(const std::string& a, const std::string& b, const ShowOptions& show_options) {
+  const BothRuns both(a, b, cost_of(true, show_options));
+  const AgainstRun with{&both.b, &both.report, false};
+  return show(both.a, show_options, {.against = &with});
+}
 
 Image map_of(const diff::BufferDifference& difference, std::int32_t width, std::int32_t height, bool y_up) {
   Image image{width, height, {}};
@@ -409,9 +402,11 @@ void add_diff(CLI::App& app, Action& action) {
   command->add_option("b", options->b, "Another; or a picture (.png), or depths (.npy, .pfm), of any program")
       ->type_name("B")
       ->required();
-  add_budget_options(*command);
   command->add_flag("--all", options->all, "Print all causes, not ten");
-  command->add_flag("--json", options->json, "Print JSON");
+  CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--view", options->view, "Then open the viewer where the runs first part, with both in it")
+      ->excludes(json);
+  add_show_options(*command, options->show);
   command->add_option("--html", options->page, "Write one page with the pictures")->type_name("FILE.html");
   command->footer(
       "Steps are matched by what they are about (the same edge, pixel, polygon, ray), not by their order or number.\n"
@@ -420,6 +415,7 @@ void add_diff(CLI::App& app, Action& action) {
       "\n"
       "Examples:\n"
       "  zstep diff right.ztrace run.jsonl\n"
+      "  zstep diff right.ztrace run.jsonl --view\n"
       "  zstep diff run.ztrace depths.npy --html page.html");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

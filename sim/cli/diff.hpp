@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/cli/show.hpp"
 #include "sim/image/png.hpp"
 #include "traces/diff/buffers.hpp"
 #include "traces/diff/diff.hpp"
@@ -38,6 +39,9 @@ struct DiffText {
   std::vector<CauseText> causes;
   std::string pictures;  ///< one sentence
 };
+
+/// Two runs in one window: matched first, with progress on the terminal.
+int view_against(const std::string& a, const std::string& b, const ShowOptions& show);
 
 /// The differences of a picture as an image.
 Image map_of(const diff::BufferDifference& difference, std::int32_t width, std::int32_t height, bool y_up);

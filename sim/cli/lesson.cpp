@@ -49,7 +49,7 @@ Lesson lesson_named(const std::string& name) {
 int open(Lesson lesson, const ShowOptions& options) {
   check_can_show(options);
   const Trace trace = run_lesson(lesson);
-  return show(trace, options, &lesson);
+  return show(trace, options, {.lesson = &lesson});
 }
 
 [[maybe_unused]] std::string first_steps_without_display(const std::string& lesson) {

@@ -12,6 +12,7 @@
 #include "sim/places/typed_place.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
+#include "traces/file/output.hpp"
 
 namespace zstep::cli {
 
@@ -92,9 +93,19 @@ std::int64_t step_of(const Trace& trace, const std::string& at, const std::strin
   return place.step;
 }
 
-int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
+void check_view(bool view, const ShowOptions& options, const std::vector<std::string>& inputs) {
+  if (view) {
+    for (const std::string& input : inputs) note_input(input);
+    return check_can_show(options);
+  }
+  for (const CLI::Option* option : options.command->get_options())
+    if (option->count() > 0 && option->get_group() == "Viewer")
+      throw InputError(option->get_name(), "is of the viewer", "add --view");
+}
+
+int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) {
   check_can_show(options);
-  [[maybe_unused]] const std::int64_t at = options.at.empty() ? -1 : step_of(trace, options.at, "--at", lesson);
+  [[maybe_unused]] const std::int64_t at = options.at.empty() ? -1 : step_of(trace, options.at, "--at", with.lesson);
 #if ZSTEP_HAS_VIEWER
   ViewerOptions viewer;
   if (at >= 0) viewer.at = at;
@@ -106,7 +117,9 @@ int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
   if (sized || viewer.screenshot) viewer.size = WindowSize{options.width, options.height};
   if (options.dark || options.light) viewer.dark = options.dark;
   viewer.presenter = options.presenter;
-  viewer.lesson = lesson;
+  viewer.lesson = with.lesson;
+  viewer.checked = with.checked;
+  viewer.against = with.against;
   viewer.other_method = record_other_method;
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
   const int code = run_viewer(trace, viewer);
@@ -114,7 +127,7 @@ int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson) {
     say_written(options.screenshot, fmt::format("the viewer, {}x{} pixels", options.width, options.height));
   return code;
 #else
-  (void)lesson;
+  (void)with;
   return exit_code::mistake;
 #endif
 }

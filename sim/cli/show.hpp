@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "sim/cli/traces.hpp"
 #include "sim/viewer/viewer.hpp"
 #include "traces/file/trace.hpp"
 
@@ -26,9 +27,16 @@ void add_show_options(CLI::App& command, ShowOptions& options);
 /// The command line that a parsed command was called by, quoted for a shell, without --at.
 std::string words_of(const CLI::App& command);
 
+/// What is shown beside a trace.
+struct ShownWith {
+  const Lesson* lesson = nullptr;
+  const CheckedRun* checked = nullptr;  ///< what check found in it
+  const AgainstRun* against = nullptr;  ///< a second run
+};
+
 /// Opens the viewer, or writes the screenshot and says so. Throws InputError when a window is wanted and there is no
 /// display, when the step is not in the trace, and when this zstep was built without the viewer.
-int show(const Trace& trace, const ShowOptions& options, const Lesson* lesson);
+int show(const Trace& trace, const ShowOptions& options, const ShownWith& with = {});
 
 /// The step of a place, as G in the viewer takes it (sim/places/typed_place.hpp). Throws InputError where the trace has
 /// none such.
@@ -37,6 +45,14 @@ std::int64_t step_of(const Trace& trace, const std::string& at, const std::strin
 
 /// Before any work: throws what show() would throw for want of a display or a folder.
 void check_can_show(const ShowOptions& options);
+
+/// The same for a command that opens the viewer only with --view, and reads these files: without it, throws for options
+/// of the viewer.
+void check_view(bool view, const ShowOptions& options, const std::vector<std::string>& inputs);
+/// A person before a window ends what takes too long.
+inline Cost cost_of(bool view, const ShowOptions& options) {
+  return view && options.screenshot.empty() ? Cost::free : Cost::limited;
+}
 
 /// The commands that need no display, for those who have none.
 std::string without_display();

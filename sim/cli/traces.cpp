@@ -70,8 +70,8 @@ Trace open(const std::string& path, Cost cost, std::string* impossible) {
 }  // namespace
 
 Trace open_trace(const std::string& path, Cost cost) { return open(path, cost, nullptr); }
-Trace open_to_judge(const std::string& path, std::string& impossible) {
-  return open(path, Cost::limited, &impossible);
+Trace open_to_judge(const std::string& path, std::string& impossible, Cost cost) {
+  return open(path, cost, &impossible);
 }
 
 Trace record_to_memory(const Run& run) {

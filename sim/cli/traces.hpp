@@ -19,7 +19,7 @@ enum class Cost : std::uint8_t { limited, free };
 /// Opens a .ztrace or .jsonl file and prints its warnings on stderr, and later what is found to be lost in it.
 Trace open_trace(const std::string& path, Cost cost = Cost::limited);
 /// The same for who judges a run: JSON Lines are read up to a step that cannot be, of which `impossible` then tells.
-Trace open_to_judge(const std::string& path, std::string& impossible);
+Trace open_to_judge(const std::string& path, std::string& impossible, Cost cost = Cost::limited);
 
 /// Records the run to memory. Throws Interrupted after Ctrl-C.
 Trace record_to_memory(const Run& run);

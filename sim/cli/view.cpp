@@ -5,10 +5,12 @@
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/diff.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
 #include "traces/error.hpp"
+#include "traces/file/output.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -16,18 +18,28 @@ namespace {
 struct ViewOptionsOfCommand {
   RunOptions run;
   ShowOptions show;
+  std::string against;
 };
 
 int view(const ViewOptionsOfCommand& options) {
   check_can_show(options.show);
   const std::string& what = options.run.scene;
+  if (!options.against.empty())
+    for (const std::string& path : {what, options.against})
+      if (!is_trace(path))
+        throw InputError(path, "is no trace, and --against holds two runs against each other",
+                         "record both first: zstep record SCENE -o FILE.ztrace");
   if (!is_trace(what)) extend_budget(53);  // recording it is asked for
-  if (!is_trace(what)) return show(record_to_memory(prepare(options.run)), options.show, nullptr);
+  if (!is_trace(what)) return show(record_to_memory(prepare(options.run)), options.show);
   const std::string given = options.run.given();
   if (!given.empty())
     throw InputError(given, fmt::format("{} was recorded already, with options of its own", what),
                      "record the scene again with other ones");
-  return show(open_trace(what, options.show.screenshot.empty() ? Cost::free : Cost::limited), options.show, nullptr);
+  if (!options.against.empty()) {
+    note_input(what), note_input(options.against);
+    return view_against(what, options.against, options.show);
+  }
+  return show(open_trace(what, options.show.screenshot.empty() ? Cost::free : Cost::limited), options.show);
 }
 
 }  // namespace
@@ -39,12 +51,15 @@ void add_view(CLI::App& app, Action& action) {
   command->add_option("what", options->run.scene, "A .ztrace or .jsonl file, or a scene or mesh as record takes them")
       ->type_name("FILE.ztrace|SCENE|MESH")
       ->required();
+  command->add_option("--against", options->against, "A second run beside it, stepped through together by meaning")
+      ->type_name("FILE.ztrace");
   add_show_options(*command, options->show);
   add_run_options(*command, options->run);
   command->footer(
       "Examples:\n"
       "  zstep view run.ztrace\n"
       "  zstep view run.ztrace --at 1056\n"
+      "  zstep view right.ztrace --against homework.jsonl\n"
       "  zstep view teapot --size 64x48\n"
       "  zstep view pyramid --at 300 --screenshot pyramid.png --size-window 1920x1080");
   command->callback([options, &action] { action = [options] { return view(*options); }; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/model/against.hpp"
 #include "sim/viewer/model/pixel_overlay.hpp"
 #include "sim/viewer/field.hpp"
 #include "sim/viewer/model/places.hpp"
@@ -49,6 +51,18 @@ class App {
   static std::vector<Pane> all_panes(const Header& header, bool with_lesson);
   /// From now on draws this pane and nothing else. False where there is none of this name.
   bool show_only(const std::string& pane);
+
+  /// Marks what check found. `checked` must live as long.
+  void show_findings(const CheckedRun& checked);
+  /// Shows a second run beside this one. What it points to must live as long.
+  void show_against(const AgainstRun& with);
+  /// To the next (1) or previous (-1) cause of what is wrong, or of why two runs part.
+  void to_cause(int direction);
+  void to_first_cause();
+  bool opens_at_cause() const { return opens_at_cause_; }
+  /// To the next or previous step that is marked, and to the first pixel in which two runs part.
+  void to_marked(int direction);
+  void to_pixel_apart();
 
   /// Frames after a change until nothing moves any more.
   static constexpr int frames_to_settle = 4;
@@ -130,7 +144,11 @@ class App {
   void draw_title(ImVec2 at, ImVec2 size);
   void draw_panes(ImVec2 at, ImVec2 size);
   ImVec2 presented_frame() const;
-  void draw_pane(const Pane& pane, ImVec2 at, ImVec2 size);
+  void draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) { draw_pane(ui_, pane, pane.title, at, size); }
+  void draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size);
+  void draw_panes_of_both(ImVec2 at, ImVec2 size);
+  void draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size);
+  void follow_marks();
   void draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id);
   void draw_structures(ImVec2 at, ImVec2 size);
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
@@ -163,6 +181,9 @@ class App {
   Inquiry inquiry_;
   int asking_ = 0;  ///< frames until the question that is typed is asked, so that one sees that it is
   Places places_;
+  std::optional<Findings> findings_;
+  std::optional<Against> against_;
+  bool opens_at_cause_ = false;
   PixelOverlay pixel_overlay_;
   std::vector<answers::Visit> history_;
   Cell history_of_;
@@ -175,6 +196,7 @@ class App {
   bool why_anywhere_ = false;
   answers::Chain chain_;
   Ui ui_;
+  std::unique_ptr<Ui> other_ui_;  ///< of the second run
   std::vector<Pane> structures_;
   std::optional<Pane> only_;
   Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by

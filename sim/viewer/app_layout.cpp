@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -67,8 +68,16 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   const Scene& scene = session_.scene();
   std::vector<std::string> names{"zstep"};
   if (session_.lesson()) names.push_back(session_.lesson()->title);
-  names.push_back(session_.header().title.empty() ? session_.header().algorithm : session_.header().title);
-  names.push_back(scene.name.empty() ? session_.trace().name() : scene.name);
+  if (against_) {
+    const Session& b = against_->session();
+    parts.insert(parts.begin() + 1,
+                 fmt::format("run B: step {} of {}", grouped(b.position()), grouped(b.size())));
+    for (const Session* run : {static_cast<const Session*>(&session_), &b})
+      names.push_back((run == &b ? "B: " : "A: ") + std::filesystem::path(run->trace().name()).filename().string());
+  } else {
+    names.push_back(session_.header().title.empty() ? session_.header().algorithm : session_.header().title);
+    names.push_back(scene.name.empty() ? session_.trace().name() : scene.name);
+  }
   const auto joined = [](const std::vector<std::string>& all) {
     std::string text;
     for (const std::string& part : all) text += (text.empty() ? "" : " \u00b7 ") + part;
@@ -85,7 +94,7 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
     draw_text(ui_, {at.x, y}, ui_.fonts.bold, c.text, name);
 }
 
-void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
+void App::draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size) {
   const Theme& c = ui_.colors();
   size = {std::floor(size.x), std::floor(size.y)};
   at = {std::floor(at.x), std::floor(at.y)};
@@ -96,10 +105,10 @@ void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
   const float pad = std::round(ui_.em * 0.5f);
   const ImFont* font = ui_.fonts.small;
   const float y = at.y + std::round((head - font->FontSize) / 2) - 1;
-  const float title_width = text_size(ui_, font, pane.title).x;
-  if (title_width + 2 * pad <= size.x) draw_text(ui_, {at.x + pad, y}, font, c.text, pane.title);
+  const float title_width = text_size(ui_, font, title).x;
+  if (title_width + 2 * pad <= size.x) draw_text(ui_, {at.x + pad, y}, font, c.text, title);
   const std::string note =
-      pane.note && (!ui_.presenter || session_.looking_back || pane.id == lesson_pane.id) ? pane.note(ui_) : "";
+      pane.note && (!ui_.presenter || session_.looking_back || pane.id == lesson_pane.id) ? pane.note(ui) : "";
   const float note_width = text_size(ui_, font, note).x;
   if (!note.empty() && title_width + note_width + 3 * pad + ui_.em <= size.x)
     draw_text(ui_, {at.x + size.x - pad - note_width, y}, font, session_.looking_back ? c.now : c.muted, note);
@@ -111,11 +120,11 @@ void App::draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) {
                                    (pane.scrolls ? ImGuiWindowFlags_HorizontalScrollbar
                                                  : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const bool wraps = pane.id == lesson_pane.id || pane.id == happened_pane.id || pane.id == pseudo_code_pane.id;
-    if (wraps ? begin_wrapped(ui_, pane.id, {size.x, body}, flags)
+    if (wraps ? begin_wrapped(ui, pane.id, {size.x, body}, flags)
               : ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) {
       // Where a pane is scrolled to follows from what it shows, not from what it showed before.
       if (pane.id == lesson_pane.id ? ui_.speaks_now : ui_.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
-      pane.draw(ui_);
+      pane.draw(ui);
     }
     ImGui::EndChild();
   }
@@ -151,6 +160,14 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
   // A pane that would be too narrow to read is left out until there is room. The last pane, the scene, always stays,
   // unless a plan of the scene does.
   std::vector<Pane> shown = structures_;
+  if (ui_.slice && slice_pane.serves(session_.header())) {
+    // The slice is wide: of the others one stays, the active edges where there are such.
+    const auto beside = std::find_if(shown.begin(), shown.end(),
+                                     [](const Pane& pane) { return pane.id == active_edges_pane.id; });
+    const Pane kept = beside == shown.end() ? shown.front() : *beside;
+    shown = {slice_pane};
+    if (kept.id != scene_pane.id) shown.insert(shown.begin(), kept);
+  }
   const auto narrowest = [&] { return ui_.em * 11; };
   if (ui_.presenter) {
     // A class needs one of the two: the table while it fills, the active edges once scan lines are drawn.
@@ -218,6 +235,7 @@ ImVec2 App::presented_frame() const {
 }
 
 void App::draw_panes(ImVec2 at, ImVec2 size) {
+  if (against_) return draw_panes_of_both(at, size);
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
   // Presenter mode has larger letters and fewer words.
@@ -265,6 +283,8 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
     const ImVec2 needed = presented_frame();
     frame = std::clamp(needed.x, frame, std::max(frame, middle - gap - ui_.em * 9));
     if (!structures_.empty()) upper = std::clamp(needed.y, upper, std::max(upper, size.y - gap - ui_.em * 5));
+    // A slice needs some height.
+    if (ui_.slice && !structures_.empty()) upper = std::clamp(size.y - gap - ui_.em * 10, size.y / 3, upper);
   }
   if (!asks) {
     // Room for a class to read all of what happened: a sentence of two lines and a formula of five.
@@ -294,6 +314,7 @@ std::vector<Pane> App::all_panes(const Header& header, bool with_lesson) {
   std::vector<Pane> all{frame_pane, pseudo_code_pane, happened_pane};
   if (depth_pane.serves(header)) all.insert(all.begin() + 1, depth_pane);
   for (const Pane& pane : structure_panes(header)) all.push_back(pane);
+  if (slice_pane.serves(header)) all.push_back(slice_pane);
   if (with_lesson) all.push_back(lesson_pane);
   return all;
 }
@@ -353,6 +374,7 @@ void App::begin_scrolling() {
   for (const auto& [pane, share] : l.structures) take(layout, share);
   take(layout, ui_.presenter);
   take(layout, ui_.vertices_always);
+  take(layout, ui_.slice);
   Fingerprint moment = layout, stop = layout;
   take(moment, session_.position());
   take(stop, session_.stop());
@@ -377,6 +399,7 @@ void App::draw() {
   ui_.clicked = nullptr;
   ui_.pointed_next.reset();
   ui_.hovered_edge_next.reset();
+  follow_marks();
   ImGui::NewFrame();
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size);

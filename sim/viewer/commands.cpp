@@ -112,6 +112,13 @@ void fit_range(App& app) {
               : "The colours span all depths of the trace.");
 }
 
+void show_slice(App& app) {
+  if (!slice_pane.serves(app.session().header()))
+    return app.say("This method compares no depths along scan lines, so there is no slice.");
+  app.ui().slice = !app.ui().slice;
+  app.session().touch();
+}
+
 /// Sets one end of what playing repeats; the other is the trace's, or where it was set.
 template <bool first>
 void set_loop(App& app) {
@@ -170,6 +177,15 @@ const std::vector<Command>& table() {
        "Last step where it was true",
        {{SDLK_j, S}},
        [](App& a) { a.places().again(Places::Way::backwards); }},
+      {"next-cause", "Move", "Next cause of what is wrong or differs", {{0, 0, '.'}}, [](App& a) { a.to_cause(1); }},
+      {"previous-cause", "Move", "Previous cause", {{0, 0, ','}}, [](App& a) { a.to_cause(-1); }},
+      {"next-marked", "Move", "Next step that is marked", {{0, 0, '>'}}, [](App& a) { a.to_marked(1); }},
+      {"previous-marked", "Move", "Previous step that is marked", {{0, 0, '<'}}, [](App& a) { a.to_marked(-1); }},
+      {"pixel-apart",
+       "Move",
+       "First pixel in which two runs differ",
+       {{0, 0, '#'}},
+       [](App& a) { a.to_pixel_apart(); }},
       {"bookmark", "Move", "Set a bookmark here", {{SDLK_b, C}}, name_bookmark},
       {"bookmarks", "Move", "Bookmarks", {{SDLK_l}}, [](App& a) { a.open(Overlay::bookmarks); }},
       {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Overlay::query); }},
@@ -251,6 +267,7 @@ const std::vector<Command>& table() {
          a.ui().histogram = !a.ui().histogram;
          a.session().touch();
        }},
+      {"slice", "Look", "Slice: depth over x along a line of pixels", {{SDLK_s, S}}, show_slice},
       {"vertices",
        "Look",
        "The way of the vertices, always or where it fits",

@@ -42,7 +42,10 @@ std::vector<std::string> wrapped(const Sheet& sheet, const std::string& text, fl
 
 struct Pictures::Impl {
   Impl(const Trace& trace_, const PictureOptions& options, const Settings& settings)
-      : trace(trace_), app(trace_, options.lesson, settings, options.width, options.height) {}
+      : trace(trace_), app(trace_, options.lesson, settings, options.width, options.height) {
+    if (options.checked) app.show_findings(*options.checked);
+    if (options.against) app.show_against(*options.against);
+  }
   const Trace& trace;
   App app;
 };
@@ -71,6 +74,7 @@ Pictures::~Pictures() = default;
 Image Pictures::at(std::int64_t position) {
   Session& session = impl_->app.session();
   if (position >= 0) session.go_to(position);
+  else if (impl_->app.opens_at_cause()) impl_->app.to_first_cause();
   else if (session.lesson() && !session.lesson()->stops.empty()) session.to_stop(0);
   impl_->app.settle();
   return {impl_->app.renderer().width(), impl_->app.renderer().height(), impl_->app.renderer().rgb()};

@@ -8,6 +8,8 @@
 
 #include "sim/classroom/lesson.hpp"
 #include "sim/image/png.hpp"
+#include "sim/viewer/viewer.hpp"
+#include "sim/words/judged.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep {
@@ -17,6 +19,8 @@ struct PictureOptions {
   bool dark = false, presenter = false;
   std::string pane;                ///< "frame", "depth", …; empty: the window with all of them
   const Lesson* lesson = nullptr;  ///< already resolved
+  const CheckedRun* checked = nullptr;  ///< as in ViewerOptions
+  const AgainstRun* against = nullptr;  ///< likewise
 };
 
 /// The panes that a trace has, by the names that PictureOptions takes.

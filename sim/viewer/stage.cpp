@@ -21,6 +21,8 @@ Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& s
       dpi_scale_(dpi_scale),
       first_app_(trace, options.lesson, settings, width, height, dpi_scale) {
   first_app_.opened_by = options.opened_by;
+  if (options.checked) first_app_.show_findings(*options.checked);
+  if (options.against) first_app_.show_against(*options.against);
 }
 
 std::int64_t last_write(const Trace& trace, Cell cell) {

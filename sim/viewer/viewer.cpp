@@ -26,6 +26,7 @@ std::string place_key(const Trace& trace) {
 void go_to_start(App& app, const Trace& trace, const ViewerOptions& options) {
   Session& s = app.session();
   if (options.at >= 0) return s.go_to(options.at);
+  if (app.opens_at_cause()) return app.to_first_cause();
   if (const auto place = app.settings().place(place_key(trace))) return s.go_to(*place);
   if (options.lesson && !options.lesson->stops.empty()) s.to_stop(0);
 }
@@ -35,7 +36,8 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   const WindowSize size = options.size.value_or(WindowSize());
   how.width = size.width, how.height = size.height;
   how.dark = options.dark.value_or(false), how.presenter = options.presenter;
-  how.pane = options.pane, how.lesson = options.lesson;
+  how.pane = options.pane, how.lesson = options.lesson, how.checked = options.checked;
+  how.against = options.against;
   const Image image = Pictures(trace, how).at(options.at);
   write_png(*options.screenshot, image.width, image.height, image.rgb);
   return 0;

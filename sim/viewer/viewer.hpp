@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sim/classroom/lesson.hpp"
+#include "sim/words/judged.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep {
@@ -16,6 +17,13 @@ namespace zstep {
 struct OtherRun {
   Trace trace;
   bool whole = true;  ///< false: it was cut off, as it would take too long
+};
+
+/// A second run beside the trace, and how the two were matched. The trace is run A of the report.
+struct AgainstRun {
+  const Trace* trace = nullptr;
+  const diff::DiffReport* report = nullptr;
+  bool at_first_cause = false;  ///< opens where the runs first part
 };
 
 struct WindowSize {
@@ -31,6 +39,8 @@ struct ViewerOptions {
   std::optional<bool> dark;                          ///< for this run; unset: as it was left, light at first
   bool presenter = false;                            ///< for this run
   const Lesson* lesson = nullptr;                    ///< narration beside the trace, already resolved
+  const CheckedRun* checked = nullptr;               ///< what check found in the trace: it is marked
+  const AgainstRun* against = nullptr;
   /// Runs the next (1) or previous (-1) method that can draw this trace's scene; nullopt when there is none. Empty
   /// where no method can be run. May throw InputError.
   std::function<std::optional<OtherRun>(const Trace&, int direction)> other_method;

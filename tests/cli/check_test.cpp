@@ -55,6 +55,29 @@ TEST_CASE("check: a run whose program crashed is judged up to its last whole lin
   CHECK(times(torn.out, "Nothing is wrong.") == 1);
 }
 
+TEST_CASE("check --view: the report, then the window at the first cause, with the exit code of the report") {
+  const Folder folder;
+  const Outcome wrong = run(folder, "check " + foreign("wrongz") + " --view --screenshot window.png");
+  CHECK(wrong.code == 1);
+  CHECK(times(wrong.out, "1 cause: ") == 1);
+  CHECK(times(wrong.out, "wrote window.png: the viewer, 1280x720 pixels") == 1);
+  // The step of the first cause, marked; so not the picture that view draws.
+  CHECK(run(folder, "check " + foreign("wrongz") + " --view --at 14 --screenshot there.png").code == 1);
+  CHECK(run(folder, "view " + foreign("wrongz") + " --at 14 --screenshot plain.png").code == 0);
+  const std::string window = text_of(folder / "window.png");
+  CHECK(window == text_of(folder / "there.png"));
+  CHECK(window != text_of(folder / "plain.png"));
+  CHECK(run(folder, "record pyramid -o run.ztrace").code == 0);
+  CHECK(run(folder, "check run.ztrace --view --screenshot right.png").code == 0);
+
+  const Outcome without = run(folder, "check run.ztrace --screenshot x.png");
+  CHECK(without.code == 2);
+  CHECK(times(without.err, "--screenshot: is of the viewer; add --view") == 1);
+  CHECK(run(folder, "check run.ztrace --view --json").code == 2);
+  CHECK(run(folder, "check run.ztrace --view --screenshot run.ztrace").code == 2);
+  CHECK(run(folder, "info run.ztrace").code == 0);
+}
+
 TEST_CASE("check: docs/checking-a-run.md has every rule, as the program has it") {
   const std::string page = text_of(in_checkout("docs/checking-a-run.md"));
   for (std::size_t number = 0; number < static_cast<std::size_t>(zstep::formulas::Rule::count); ++number) {

@@ -89,6 +89,26 @@ TEST_CASE("diff: against depths and pictures of other programs") {
   CHECK(has(damaged.err, "short.pfm: has not the 4096 bytes of 32x32 numbers"));
 }
 
+TEST_CASE("two runs in one window: view --against, and diff --view where they first part") {
+  const Folder folder;
+  REQUIRE(run(folder, "record foley -o a.ztrace").code == 0);
+  REQUIRE(run(folder, "dump a.ztrace --jsonl | sed 's/\"dx_dy\":1.5/\"dx_dy\":1.25/' > b.jsonl").code == 0);
+  const Outcome diff = run(folder, "diff a.ztrace b.jsonl --view --screenshot diff.png");
+  CHECK(diff.code == 1);
+  CHECK(has(diff.out, "wrote diff.png: the viewer, 1280x720 pixels"));
+  CHECK(run(folder, "diff a.ztrace a.ztrace --view --screenshot same.png").code == 0);
+  CHECK(run(folder, "view a.ztrace --against b.jsonl --at 60 --screenshot both.png").code == 0);
+  CHECK(run(folder, "view a.ztrace --at 60 --screenshot one.png").code == 0);
+  CHECK(text_of(folder / "both.png") != text_of(folder / "one.png"));
+  // Wrong input: a scene, another size, a picture, the run itself as the output.
+  CHECK(has(run(folder, "view foley --against b.jsonl --screenshot x.png").err, "foley: is no trace"));
+  CHECK(run(folder, "record pyramid -o c.ztrace").code == 0);
+  CHECK(run(folder, "view a.ztrace --against c.ztrace --screenshot x.png").code == 2);
+  CHECK(run(folder, "diff a.ztrace both.png --view --screenshot x.png").code == 2);
+  CHECK(run(folder, "diff a.ztrace b.jsonl --screenshot x.png").code == 2);
+  CHECK(run(folder, "view a.ztrace --against b.jsonl --screenshot b.jsonl").code == 2);
+}
+
 TEST_CASE("check and diff go up to a step that cannot be, and name it") {
   const Folder folder;
   REQUIRE(run(folder, "record delhi -o a.ztrace").code == 0);

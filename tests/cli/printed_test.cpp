@@ -70,7 +70,8 @@ void check_runs(const Folder& clone, std::string line) {
   if (line.find("compare-methods") != std::string::npos &&
       !slow_ones_done.insert(line.substr(line.find("zstep"))).second)
     return;
-  const bool opens = zstep && !words.empty() && (words[0] == "view" || words[0] == "lesson");
+  const bool opens = zstep && !words.empty() &&
+                     (words[0] == "view" || words[0] == "lesson" || line.find(" --view") != std::string::npos);
   if (opens && line.find("--screenshot") == std::string::npos && line.find("--help") == std::string::npos)
     line += " --screenshot window.png";
   write_text(

@@ -42,6 +42,7 @@ struct Checker {
   CheckReport report;
   Inheritance inheritance;
   std::map<std::tuple<int, std::uint8_t, std::size_t>, std::size_t> known;  ///< causes by what is wrong, kind, field
+  CheckMarks* marks = nullptr;  ///< for who wants them, until there are too many
 
   // Of the step at work.
   std::int64_t step = 0;
@@ -68,6 +69,7 @@ struct Checker {
     fault.step = step, fault.line = line;
     report.wrong_steps += !any_fault;
     any_fault = true;
+    if (marks) marks->faults.push_back(fault);
     const auto [found, fresh] = known.try_emplace({what, fault.kind, number}, report.causes.size());
     if (!fresh) {
       Cause& cause = report.causes[found->second];
@@ -77,6 +79,25 @@ struct Checker {
       if (on_cause) on_cause(report.causes.back(), *at, RecordedEvent{line, held});
     }
     inherited = static_cast<std::int32_t>(found->second);
+  }
+
+  /// What is written to a place follows from the same as the step does.
+  void written(const Place& place) {
+    if (marks && inheritance.of(place) != inherited) marks->changes.push_back({step, place, inherited});
+    inheritance.set(place, inherited);
+  }
+  void cleared(Place::In in) {
+    if (marks)
+      inheritance.for_each(in, [&](const Place& place) {
+        marks->changes.push_back({step, place, CheckMarks::none});
+      });
+    inheritance.clear(in);
+  }
+  void mark_step() {
+    if (!marks || inherited == Inheritance::clean) return;
+    marks->steps.push_back({step, inherited, any_fault});
+    if (marks->steps.size() + marks->changes.size() + marks->faults.size() > CheckMarks::most)
+      marks->complete = false, marks = nullptr;
   }
 
   bool within_rounding(const Rounded& formula, double recorded) const {
@@ -168,10 +189,12 @@ struct Judge {
   }
 };
 
-CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked) {
+CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked,
+                     CheckMarks* marks = nullptr) {
   const Beginning beginning(trace);
   State state = beginning.state();
   Checker checker{trace, header, on_cause, {}, {}, {}};
+  checker.marks = marks;
   checker.report.precision = precision_of(trace);
   Situation at = formulas::situation_of(trace, state, header);
   checker.at = &at;
@@ -185,7 +208,7 @@ CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on
     if constexpr (formulas::Derived<E, Judge<E>>) formulas::derive(e, at, judge);
     if constexpr (std::is_same_v<E, EdgeEnter>) judge.reads({Place::In::edge_table, e.edge});
     if constexpr (std::is_same_v<E, BuffersClear>)
-      for (const Place::In in : {Place::In::depth_buffer, Place::In::frame}) checker.inheritance.clear(in);
+      for (const Place::In in : {Place::In::depth_buffer, Place::In::frame}) checker.cleared(in);
 
     checker.report.judged += checker.any_judged;
     if (checker.inherited != Inheritance::clean && !checker.any_fault) {
@@ -193,7 +216,7 @@ CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on
       ++checker.report.causes[static_cast<std::size_t>(checker.inherited)].inherited;
     }
     if (!checker.inheritance.empty() || checker.any_fault)
-      for_each_place_written(e, at, [&](const Place& place) { checker.inheritance.set(place, checker.inherited); });
+      for_each_place_written(e, at, [&](const Place& place) { checker.written(place); });
     try {
       apply_stores(e, state, trace.scene().points.size(), log);
       apply_method_state(e, state.machine, position);
@@ -203,6 +226,7 @@ CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on
       checker.held = e;
       checker.fault(2, 0, std::move(fault));
     }
+    checker.mark_step();
     state.position = position;
     ++checker.report.steps;
     return !(on_checked && position % now_and_then == 0 && on_checked(position));
@@ -235,8 +259,8 @@ std::vector<Otherwise> all_others() {
 
 }  // namespace
 
-CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked) {
-  return check_by(trace.header(), trace, on_cause, on_checked);
+CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked, CheckMarks* marks) {
+  return check_by(trace.header(), trace, on_cause, on_checked, marks);
 }
 
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report) {

@@ -50,13 +50,37 @@ struct CheckReport {
   std::vector<Cause> causes;       ///< by their first step
 };
 
+/// Which steps are wrong or follow from what is wrong, and where that is: for who marks them. The steps and the faults
+/// are in the order of the run.
+struct CheckMarks {
+  struct Step {
+    std::int64_t step = 0;
+    std::int32_t cause = 0;  ///< its place among the causes
+    bool wrong = false;      ///< it has a fault of its own; else it follows from the cause
+  };
+  /// From this step on a place holds what follows from a cause; or, with none, no longer does.
+  struct Change {
+    std::int64_t step = 0;
+    formulas::Place place;
+    std::int32_t cause = none;
+  };
+  static constexpr std::int32_t none = -1;
+  static constexpr std::size_t most = 4'000'000;  ///< steps and changes; what comes later is not marked
+
+  std::vector<Step> steps;
+  std::vector<Fault> faults;  ///< all of them, a step's one after another
+  std::vector<Change> changes;
+  bool complete = true;
+};
+
 /// What a caller may look at where a cause is found: the state before it, and the event.
 using OnCause = std::function<void(const Cause&, const formulas::Situation&, const RecordedEvent&)>;
 /// Called now and then with the steps that are done; true ends the check there.
 using OnChecked = std::function<bool(std::int64_t)>;
 
 /// Goes through the whole trace. Throws InputError where it cannot be read.
-CheckReport check(const Trace& trace, const OnCause& on_cause = nullptr, const OnChecked& on_checked = nullptr);
+CheckReport check(const Trace& trace, const OnCause& on_cause = nullptr, const OnChecked& on_checked = nullptr,
+                  CheckMarks* marks = nullptr);
 
 /// A convention that a trace's steps follow, other than its header says or leaves to be assumed.
 struct OtherConvention {

@@ -23,6 +23,13 @@ class Inheritance {
     if (cause != clean) wrong_[key(place)] = cause;
     else if (!wrong_.empty()) wrong_.erase(key(place));
   }
+  /// Each place of this sort that holds what follows from a cause.
+  template <class Visit>
+  void for_each(formulas::Place::In in, Visit&& visit) const {
+    for (const auto& [key, cause] : wrong_)
+      if (key >> shift == static_cast<std::uint64_t>(in))
+        visit(formulas::Place{in, static_cast<std::int64_t>(key & ((std::uint64_t{1} << shift) - 1))});
+  }
   /// A buffer that is cleared holds nothing that is wrong.
   void clear(formulas::Place::In in) {
     std::erase_if(wrong_, [&](const auto& entry) { return entry.first >> shift == static_cast<std::uint64_t>(in); });

@@ -76,39 +76,11 @@ void Sheet::image(int x, int y, const Image& image) {
     }
 }
 
-namespace {
-
-// How far (x, y) lies inside a mark around the origin, in pixels; negative outside.
-float inside_mark(int shape, float x, float y, float r) {
-  switch (shape % 4) {
-    case 0:
-      return r - std::hypot(x, y);
-    case 1:
-      return 0.9f * r - std::max(std::abs(x), std::abs(y));
-    case 2:
-      return std::min(0.75f * r - y, 0.45f * (y + 1.35f * r) - 0.9f * std::abs(x));
-    default:
-      return (1.35f * r - std::abs(x) - std::abs(y)) * 0.707f;
-  }
-}
-
-}  // namespace
-
 void Sheet::mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled) {
-  constexpr float rim = 2.5f;
-  const int reach = static_cast<int>(radius * 1.5f) + 2;
-  const int middle_x = static_cast<int>(std::lround(at.x)), middle_y = static_cast<int>(std::lround(at.y));
-  for (int y = std::max(0, middle_y - reach); y <= std::min(canvas_.height() - 1, middle_y + reach); ++y) {
-    for (int x = std::max(0, middle_x - reach); x <= std::min(canvas_.width() - 1, middle_x + reach); ++x) {
-      const float depth = inside_mark(shape, static_cast<float>(x) - at.x, static_cast<float>(y) - at.y, radius);
-      const auto share = [](float inside) {
-        return static_cast<unsigned>(std::lround(255 * std::clamp(inside + 0.5f, 0.0f, 1.0f)));
-      };
-      Pixel32& pixel = canvas_.row(y)[x];
-      pixel = mixed(pixel, to_pixel(color), share(depth));
-      if (!filled) pixel = mixed(pixel, to_pixel(theme().pane), share(depth - rim));
-    }
-  }
+  constexpr double rim = 2.5;
+  const auto x = static_cast<double>(at.x), y = static_cast<double>(at.y), size = static_cast<double>(radius);
+  canvas_.mark(x, y, size, shape, to_pixel(color));
+  if (!filled) canvas_.mark(x, y, size - rim, shape, to_pixel(theme().pane));
 }
 
 void Sheet::cross(ImVec2 at, float radius, ImU32 color) {

@@ -75,4 +75,36 @@ void Canvas::line(double x0, double y0, double x1, double y1, double thickness, 
   }
 }
 
+namespace {
+
+// How far (x, y) lies inside a mark around the origin, in pixels; negative outside.
+double inside_mark(int shape, double x, double y, double r) {
+  switch (shape % 4) {
+    case 0:
+      return r - std::hypot(x, y);
+    case 1:
+      return 0.9 * r - std::max(std::abs(x), std::abs(y));
+    case 2:
+      return std::min(0.75 * r - y, 0.45 * (y + 1.35 * r) - 0.9 * std::abs(x));
+    default:
+      return (1.35 * r - std::abs(x) - std::abs(y)) * 0.707;
+  }
+}
+
+}  // namespace
+
+void Canvas::mark(double x, double y, double radius, int shape, Pixel32 color) {
+  // What is far outside is not looked at; neither are coordinates that no int can hold.
+  const double reach = radius * 1.5 + 2;
+  if (!(x > -reach && x < width_ + reach && y > -reach && y < height_ + reach)) return;
+  const int left = std::max(0, static_cast<int>(x - reach)), right = std::min(width_ - 1, static_cast<int>(x + reach));
+  const int top = std::max(0, static_cast<int>(y - reach)), bottom = std::min(height_ - 1, static_cast<int>(y + reach));
+  for (int py = top; py <= bottom; ++py)
+    for (int px = left; px <= right; ++px) {
+      const double covered = std::clamp(inside_mark(shape, px - x, py - y, radius) + 0.5, 0.0, 1.0);
+      Pixel32& pixel = row(py)[px];
+      pixel = mixed(pixel, color, static_cast<unsigned>(std::lround(255 * covered)));
+    }
+}
+
 }  // namespace zstep::viewer

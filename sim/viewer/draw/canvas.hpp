@@ -40,6 +40,8 @@ class Canvas {
   /// An antialiased line, one to a few pixels wide, by distance to the segment; coverage is mixed over what is there,
   /// at most `share` of 255.
   void line(double x0, double y0, double x1, double y1, double thickness, Pixel32 color, unsigned share = 255);
+  /// A mark around a point, antialiased: 0 disc, 1 square, 2 triangle, 3 diamond.
+  void mark(double x, double y, double radius, int shape, Pixel32 color);
 
  private:
   int width_ = 0, height_ = 0;

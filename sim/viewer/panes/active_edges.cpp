@@ -106,8 +106,12 @@ void draw(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   std::vector<TableRow> rows;
-  for (std::size_t place = 0; place < machine.active.size(); ++place)
-    rows.push_back(row_of(s, machine.active[place], mark_of(machine, s.event(), place)));
+  for (std::size_t place = 0; place < machine.active.size(); ++place) {
+    TableRow row = row_of(s, machine.active[place], mark_of(machine, s.event(), place));
+    row.trust = trust_of(ui, formulas::Place::In::active_edge, machine.active[place].edge);
+    row.cells.front().text = with_sign(row.trust, row.cells.front().text);
+    rows.push_back(std::move(row));
+  }
   if (s.event())
     if (const auto* left = get_if<EdgeRetire>(&s.event()->event)) {
       // Gone from the list already; shown once more so that one sees it go.

@@ -68,7 +68,7 @@ void draw(Ui& ui) {
       return answers::made_by<EdgeTableInsert>(s.position(), field, {{"edge", e.edge}});
     };
     out.cells = {bucket == e.first_row ? std::string() : fmt::format("{}", e.first_row),
-                 edge_label(s.scene(), e),
+                 with_sign(trust_of(ui, formulas::Place::In::edge_table, e.edge), edge_label(s.scene(), e)),
                  TableCell(static_cast<double>(e.end_row), asks("end_row")),
                  TableCell(e.x_edge, asks("x_edge")),
                  TableCell(e.dx_dy, asks("dx_dy")),
@@ -84,6 +84,7 @@ void draw(Ui& ui) {
     out.look = is_now                        ? TableRow::Look::now
                : stage == EdgeStage::retired ? TableRow::Look::gone
                                              : TableRow::Look::plain;
+    out.trust = trust_of(ui, formulas::Place::In::edge_table, e.edge);
     out.lit = s.lit_edge() == e.edge;
     out.key = e.edge;
     rows.push_back(std::move(out));

@@ -58,8 +58,21 @@ void tell_formula(Ui& ui, const std::string& formula, Flow how) {
   if (!on_number) ask(top, {right, ImGui::GetCursorScreenPos().y});
 }
 
+/// What check or diff says of the step, in its own words.
+void draw_told(Ui& ui, const StepMarks::Told& told) {
+  Flow wrong;
+  wrong.color = ui.colors().bad;
+  wrong.font = ui.fonts.bold;
+  for (const std::string& what : told.lines) flow(ui, "! " + told.head + what, wrong);
+  Flow note;
+  note.color = ui.colors().bad;
+  if (!told.note.empty()) flow(ui, (told.lines.empty() ? "\u2190 " : "") + told.note, note);
+  if (!told.lines.empty() || !told.note.empty()) ImGui::Dummy({1, ui.em * 0.25f});
+}
+
 void draw(Ui& ui) {
   const Theme& c = ui.colors();
+  const StepMarks::Told found = ui.marks ? ui.marks->told(ui.session) : StepMarks::Told{};  // moves the replay
   const RecordedEvent* event = ui.session.event();
   if (!ui.session.message.empty()) {
     Flow how;
@@ -79,6 +92,7 @@ void draw(Ui& ui) {
     }
     return;
   }
+  draw_told(ui, found);
   const Explanation told = explain(ui.session.trace(), ui.session.state(), *event);
   tell(ui, told.sentence);
   ImGui::Dummy({1, ui.em * 0.25f});
@@ -88,7 +102,7 @@ void draw(Ui& ui) {
   const ImVec2 top = ImGui::GetCursorScreenPos();
   for (const std::string& formula : told.formulas) tell_formula(ui, formula, how);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
-  if (told.doubt) {
+  if (told.doubt && found.lines.empty()) {
     Flow doubt;
     doubt.color = c.bad;
     doubt.font = ui.fonts.bold;

@@ -112,7 +112,9 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     if (row.lit) frame_box(ui, at, end, c.selected);
     if (hovered && row.key >= 0) result.hovered = row.key;
     bool on_number = false;
-    const ImU32 color = row.look == TableRow::Look::gone ? c.muted : c.text;
+    const ImU32 color = row.trust != Findings::Trust::right ? c.bad
+                        : row.look == TableRow::Look::gone  ? c.muted
+                                                            : c.text;
     x = at.x + gap / 2;
     std::vector<std::string> exact_values;
     for (std::size_t k = 0; k < columns.size(); ++k) {

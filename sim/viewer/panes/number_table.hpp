@@ -25,6 +25,7 @@ struct TableRow {
   enum class Look { plain, now, gone, waiting };
   std::vector<TableCell> cells;
   Look look = Look::plain;
+  Findings::Trust trust = Findings::Trust::right;  ///< of what is wrong the text is red, and a sign says which it is
   bool lit = false;       ///< selected or pointed at, here or in another pane
   int key = -1;           ///< what click and hover report; −1: nothing
 };

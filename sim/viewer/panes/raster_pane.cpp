@@ -231,9 +231,48 @@ std::optional<int> decimals_that_fit(int most, double room, const std::function<
   return std::nullopt;
 }
 
+namespace {
+
+/// Pixels that are wrong, or part from the other run's: in the lower left corner a triangle, filled or hollow; around a
+/// small pixel a box, or a dot on it.
+void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  if (!ui.pixel_marks) return;
+  const Theme& c = ui.colors();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const Picture& picture = ui.session.picture();
+  if (picture.width < 1) return;
+  for (const PixelMark& mark : *ui.pixel_marks) {
+    const Cell cell{static_cast<std::int32_t>(mark.pixel % picture.width),
+                    static_cast<std::int32_t>(mark.pixel / picture.width)};
+    const float left = origin.x + static_cast<float>(map.column_begin(cell.x)),
+                foot = origin.y + static_cast<float>(map.row_end(cell.y)) - 1;
+    if (left < origin.x - 20 || left > origin.x + static_cast<float>(map.box_width) || foot < origin.y ||
+        foot > origin.y + static_cast<float>(map.box_height) + 20)
+      continue;
+    if (map.cell < 8) {
+      const float right = std::max(left + 2, origin.x + static_cast<float>(map.column_begin(cell.x + 1))),
+                  top = std::min(foot - 1, origin.y + static_cast<float>(map.row_begin(cell.y)));
+      if (!mark.filled)
+        list->AddRectFilled({left, foot - (foot - top) / 2}, {left + (right - left) / 2, foot + 1}, c.bad);
+      if (mark.filled) frame_box(ui, {left - 3, top - 3}, {right + 3, foot + 4}, c.bad, 2);
+      continue;
+    }
+    const float size = std::max(5.0f, std::round(static_cast<float>(map.cell) * 0.36f));
+    list->AddTriangleFilled({left, foot - size - 2}, {left, foot}, {left + size + 2, foot}, c.pane);
+    list->AddTriangleFilled({left, foot - size}, {left, foot}, {left + size, foot}, c.bad);
+    const float inner = size * 0.42f, in = std::max(1.0f, size * 0.17f);
+    if (!mark.filled)
+      list->AddTriangleFilled({left + in, foot - in - inner}, {left + in, foot - in}, {left + in + inner, foot - in},
+                              c.pane);
+  }
+}
+
+}  // namespace
+
 void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
+  draw_pixel_marks(ui, map, origin);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const auto& changed = s.looking_back ? s.changed() : s.changed_here();
   if (map.cell >= 6) {
@@ -310,9 +349,10 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     const char* moves = ui.view.zoom > 1 ? "Wheel: zoom. Drag: pan." : "Wheel: zoom.";
     const float moved = std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).x) +
                         std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).y);
-    const auto asks = talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
+    const auto asks = ui.asks && talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
     ui.mouse_help =
-        asks ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
+        !ui.asks ? fmt::format("Click: select this pixel in both runs. {}", moves)
+        : asks ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
              : fmt::format(
                    "Click: select this pixel; F goes to the next step that touches it. Right click: its history. {}",
                    moves);
@@ -320,7 +360,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
       if (asks) ui.asked = asks;
       else s.select(s.selected == under ? std::nullopt : under);
     }
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.asked_history = under;
+    if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.asked_history = under;
   }
   ImGui::PushClipRect(origin, end, true);
   if (!draw_numbers(ui, map, origin, cells.made, cell_text) && talk.polygons) draw_labels(ui, map, origin);

@@ -20,7 +20,7 @@ struct Sign {
   std::string help;
 };
 
-/// The one under the mouse; of several the nearest, of those a bookmark.
+/// The one under the mouse; of several the nearest, of those a cause, then a bookmark.
 std::optional<Sign> sign_under(const Ui& ui, const Strip& strip, bool with_stops) {
   std::optional<Sign> found;
   float nearest = std::round(4 * ui.thin) + 0.5f;
@@ -30,6 +30,11 @@ std::optional<Sign> sign_under(const Ui& ui, const Strip& strip, bool with_stops
     nearest = away;
     found = {step, stop, help()};
   };
+  if (ui.marks)
+    for (std::size_t i = 0; i < ui.marks->causes().size(); ++i) {
+      const std::int64_t step = ui.marks->causes()[i];
+      look(step, -1, [&] { return fmt::format("Click: to step {}. {}.", grouped(step), ui.marks->name_of(i)); });
+    }
   if (ui.places)
     for (const places::Bookmark& mark : ui.places->bookmarks())
       look(mark.step, -1,
@@ -66,6 +71,25 @@ void draw_places(Ui& ui, const Strip& strip) {
     const float x = std::floor(strip.x(mark.step));
     list->AddRectFilled({x, top - flag}, {x + 1, foot}, c.text);
     list->AddTriangleFilled({x + 1, top - flag}, {x + 1 + flag * 1.3f, top - flag / 2}, {x + 1, top}, c.text);
+  }
+}
+
+/// Steps that follow from a cause, or that part from the other run's, as a dotted line along the top, and each cause
+/// as a triangle on a staff above it.
+void draw_step_marks(Ui& ui, const Strip& strip) {
+  if (!ui.marks) return;
+  const ImU32 color = ui.colors().bad;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float dot = std::max(2.0f, std::round(2 * ui.thin)), right = strip.at.x + strip.width;
+  for (float x = strip.at.x; x < right; x += 2 * dot)
+    if (ui.marks->any_follows(strip.position(x), strip.position(std::min(right, x + 2 * dot))))
+      list->AddRectFilled({x, strip.at.y + 1}, {x + dot, strip.at.y + 1 + dot}, color);
+  const float half = std::round(ui.em * 0.3f), top = strip.at.y - std::round(ui.em * 0.42f);
+  for (const std::int64_t step : ui.marks->causes()) {
+    if (!strip.holds(step)) continue;
+    const float x = std::floor(strip.x(step));
+    list->AddRectFilled({x, top}, {x + ui.thin, strip.at.y + strip.height}, color);
+    list->AddTriangleFilled({x - half, top}, {x + 0.5f, strip.at.y + 2}, {x + 1 + half, top}, color);
   }
 }
 
@@ -201,6 +225,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
                           stop.question ? c.selected : c.changed);
     }
   frame_box(ui, strip.at, end, c.rule);
+  draw_step_marks(ui, strip);
   draw_places(ui, strip);
   draw_place(ui, strip);
 }
@@ -247,6 +272,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
     draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted,
               fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), interval.polygon)));
   frame_box(ui, strip.at, end, c.rule);
+  draw_step_marks(ui, strip);
   draw_places(ui, strip);
   draw_place(ui, strip);
 }

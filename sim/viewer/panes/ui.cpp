@@ -257,6 +257,7 @@ void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
 }
 
 bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question) {
+  if (!ui.asks) return false;
   // What it lies on, a row of a table, may have taken the press already.
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) || !ImGui::IsMouseHoveringRect(a, b))
     return false;
@@ -265,6 +266,14 @@ bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question) {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right))
     ui.asked = question;
   return true;
+}
+
+std::string with_sign(Findings::Trust trust, const std::string& name) {
+  return trust == Findings::Trust::wrong ? "! " + name : trust == Findings::Trust::follows ? "\u2190 " + name : name;
+}
+
+Findings::Trust trust_of(const Ui& ui, formulas::Place::In in, std::int64_t number) {
+  return ui.findings ? ui.findings->trust({in, number}, ui.session.position()) : Findings::Trust::right;
 }
 
 bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {

@@ -17,11 +17,13 @@
 #include "sim/viewer/draw/renderer.hpp"
 #include "sim/viewer/draw/theme.hpp"
 #include "sim/viewer/kept.hpp"
+#include "sim/viewer/model/findings.hpp"
 #include "sim/viewer/model/inquiry.hpp"
 #include "sim/viewer/model/label_spots.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/model/raster_view.hpp"
 #include "sim/viewer/model/session.hpp"
+#include "sim/viewer/model/slice.hpp"
 #include "sim/viewer/model/summary.hpp"
 
 namespace zstep::viewer {
@@ -40,6 +42,11 @@ struct Ui {
   Session& session;
   Renderer& renderer;
   const Places* places = nullptr;
+  const Findings* findings = nullptr;  ///< what check found, where it was asked
+  StepMarks* marks = nullptr;          ///< the same, or where two runs part: on the timeline, and said of the step
+  const std::vector<PixelMark>* pixel_marks = nullptr;
+  Ui* other = nullptr;                 ///< the second run's, where there is one
+  bool asks = true;                    ///< a click on a number asks where it comes from; not in the second run
   Fonts fonts;
   const Theme* theme = &light_theme();
   DepthScale depth_scale;
@@ -48,6 +55,7 @@ struct Ui {
   ScanLineMarks lines;
   CurveMarks curves;
   RowMarks rows;
+  SliceLines slices;
   RasterView view;
   std::optional<HeatMap> heat;                   ///< painted over the frame
   std::string heat_behind;                       ///< how far it is from being counted, or nothing
@@ -55,6 +63,7 @@ struct Ui {
   RangeMode range_mode = RangeMode::whole;       ///< of the depth buffer's colours
   DepthRange hand_range;
   bool histogram = false;                        ///< of depths, below the depth buffer
+  bool slice = false;                            ///< depths along a scan line, in place of the scene
   KeptThings<Cells> cells;                       ///< by pane
   KeptThings<Canvas> canvases;                   ///< by what is painted there
   KeptThings<std::vector<LabelSpot>> spots;
@@ -129,6 +138,11 @@ void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 
 /// What stands between these corners is a number that can be asked about: under the mouse it is underlined, a click
 /// puts the question into `asked`. True under the mouse: whatever else a click does there must then give way.
 bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question);
+
+/// The sign of what is wrong in front of a name: "!" where it is wrong itself, "\u2190" where it follows from that.
+std::string with_sign(Findings::Trust trust, const std::string& name);
+/// How far what a place holds now can be trusted.
+Findings::Trust trust_of(const Ui& ui, formulas::Place::In in, std::int64_t number);
 
 /// A button with a label that fits; true when clicked.
 bool button(Ui& ui, const std::string& label, bool lit = false, bool enabled = true);

@@ -1,0 +1,83 @@
+// A second run beside the one that a reader steps through: it goes to the same moment, as `zstep diff` matches the
+// steps of the two, and what differs between them is marked in both.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/viewer/model/step_marks.hpp"
+#include "sim/viewer/viewer.hpp"
+
+namespace zstep::viewer {
+
+class Against {
+ public:
+  /// All of it must outlive this.
+  Against(Session& a, const AgainstRun& with);
+
+  /// The second run, which is shown and not stepped through.
+  Session& session() { return b_; }
+  /// Brings it to where the first one is, unless both were brought here together.
+  void follow();
+
+  /// A step of each run.
+  struct Place {
+    std::int64_t a = 0, b = 0;
+    auto operator<=>(const Place&) const = default;
+  };
+  /// The next (1) or previous (-1) cause, or step that is not the same in both.
+  std::optional<Place> next_cause(int direction) const;
+  std::optional<Place> next_difference(int direction) const;
+  void go_to(const Place& place);
+  /// The first pixel from the top in which the pictures differ at the end, and the first step that is not the same in
+  /// both and touches it.
+  struct PixelApart {
+    Cell cell;
+    std::optional<Place> place;
+  };
+  const std::optional<PixelApart>& first_pixel_apart();
+
+  /// Pixels that differ at this moment; by their depth alone where the mark is hollow.
+  const std::vector<PixelMark>& pixels();
+
+  StepMarks& marks_of_a() { return marks_a_; }
+  StepMarks& marks_of_b() { return marks_b_; }
+
+ private:
+  struct Parted {
+    Place place;
+    std::size_t number = 0;  ///< among the differences
+  };
+  class Marks : public StepMarks {
+   public:
+    Marks(Against& of, bool first);
+    std::string name_of(std::size_t cause) const override;
+    bool any_follows(std::int64_t first, std::int64_t last) const override;
+    const Told& told(Session& session) override;
+
+   private:
+    Against& of_;
+    bool first_;  ///< of the first run
+    std::vector<std::int64_t> steps_;
+    Told told_;
+    std::optional<Place> told_at_;
+  };
+  Place here() const { return {a_.position(), b_.position()}; }
+  Place place_of(const diff::Difference& difference) const;
+  const Parted* parted_here() const;
+
+  Session& a_;
+  const diff::DiffReport& report_;
+  Session b_;
+  std::optional<std::int64_t> followed_;  ///< where the first run was then
+  std::vector<Parted> parted_;            ///< by place
+  std::vector<Place> causes_;             ///< as the report has them
+  std::vector<PixelMark> pixels_;
+  std::optional<Place> pixels_at_;
+  bool looked_for_pixel_ = false;
+  std::optional<PixelApart> pixel_apart_;
+  Marks marks_a_, marks_b_;
+};
+
+}  // namespace zstep::viewer

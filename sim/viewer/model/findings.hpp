@@ -1,0 +1,58 @@
+// What `zstep check` found in a run, by step and by place: which steps are wrong or follow from what is, and at each
+// position which numbers of the tables and which pixels are.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "sim/viewer/model/step_marks.hpp"
+#include "sim/words/judged.hpp"
+
+namespace zstep::viewer {
+
+class Findings : public StepMarks {
+ public:
+  /// How far a number can be trusted: it is right, follows from what is wrong, or is wrong itself.
+  enum class Trust : std::uint8_t { right, follows, wrong };
+
+  /// Both must outlive it.
+  Findings(const Trace& trace, const CheckedRun& checked);
+
+  Trust trust(const formulas::Place& place, std::int64_t position) const;
+  /// The pixels of frame and depth buffer, or of the light's, that are not right at a position.
+  const std::vector<PixelMark>& pixels(std::int64_t position, bool light);
+
+  /// The next (1) or previous (-1) step that is wrong or follows from what is.
+  std::optional<std::int64_t> next_marked(std::int64_t from, int direction) const;
+
+  std::string name_of(std::size_t cause) const override;
+  bool any_follows(std::int64_t first, std::int64_t last) const override;
+  const Told& told(Session& session) override;
+
+ private:
+  struct Since {
+    std::int64_t step;
+    Trust trust;
+  };
+  static std::uint64_t key(const formulas::Place& place) {
+    constexpr unsigned shift = 56;
+    return static_cast<std::uint64_t>(place.in) << shift |
+           (static_cast<std::uint64_t>(place.number) & ((std::uint64_t{1} << shift) - 1));
+  }
+  const CheckMarks::Step* mark_of(std::int64_t step) const;
+
+  const Trace& trace_;
+  const CheckedRun& checked_;
+  std::unordered_map<std::uint64_t, std::vector<Since>> places_;
+  std::vector<formulas::Place> pixels_ever_;
+  std::vector<PixelMark> pixels_;
+  std::int64_t pixels_at_ = -1;
+  bool pixels_light_ = false;
+  Told told_;
+  std::int64_t told_at_ = -1;
+};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,246 @@
+// The slice: depth z over x along one scan line. Spans are lines, depths found at pixels are dots, what the depth
+// buffer holds are steps, and of two depths that are held against each other the one that wins is filled.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/slice_plot.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+double nice_step(double range, int most) {
+  const double raw = range / std::max(1, most), decade = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (decade * factor >= raw * (1 - 1e-9)) return decade * factor;
+  return decade * 10;
+}
+
+struct Room {
+  float margin, line;  ///< left of the plot; a line of letters
+};
+
+/// What the depths are called, and which way is far, where the trace says so.
+std::string upwards(const Ui& ui) {
+  const Header& header = ui.session.header();
+  const std::string z = depth_symbol(ui.session.scene(), header.conventions);
+  if (!header.declares(Convention::nearer)) return z;
+  return z + (header.comparison.nearer == Comparison::Nearer::greater ? "  \u2191 nearer" : "  \u2191 farther");
+}
+
+/// Numbers along both axes, and which way is near.
+void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, const Slice& slice) {
+  const Theme& c = ui.colors();
+  const ImFont* font = ui.fonts.mono;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const Header& header = ui.session.header();
+  const float half = font->FontSize / 2, right = origin.x + static_cast<float>(plot.width);
+  list->AddRectFilled({origin.x - 1, origin.y}, {origin.x, origin.y + static_cast<float>(plot.height)}, c.muted);
+  list->AddRectFilled({origin.x, origin.y + static_cast<float>(plot.height) - 1},
+                      {right, origin.y + static_cast<float>(plot.height)}, c.muted);
+  const auto beside = [&](float y, const std::string& text) {
+    list->AddRectFilled({origin.x - 5, origin.y + y}, {origin.x, origin.y + y + 1}, c.muted);
+    draw_text(ui, {origin.x - 8 - text_size(ui, font, text).x, origin.y + y - half}, font, c.muted, text);
+  };
+  const int most = std::max(1, static_cast<int>((plot.bottom - plot.top) / (font->FontSize * 1.7f)));
+  const double step = nice_step(plot.high - plot.low, most);
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 8);
+  for (double z = std::ceil(plot.low / step) * step; z <= plot.high; z += step) {
+    const double shown = std::abs(z) < step * 1e-6 ? 0 : z;
+    beside(plot.y(shown), number(shown, decimals));
+  }
+  beside(plot.band, number(slice.empty));
+  // Columns.
+  const float below = origin.y + static_cast<float>(plot.height) + 2;
+  const double widest = static_cast<double>(text_size(ui, font, fmt::format("{:.0f}", plot.x_last)).x) + 8;
+  const double columns = std::max(1.0, nice_step(widest / plot.column(), 1));
+  const std::string title = "x";
+  const float title_left = right - text_size(ui, font, title).x;
+  for (double x = std::ceil(plot.x_first / columns) * columns; x <= plot.x_last; x += columns) {
+    const std::string text = fmt::format("{:.0f}", x + 0.0);
+    const float left = origin.x + plot.x(x) - text_size(ui, font, text).x / 2;
+    if (left < origin.x - 2 || left + text_size(ui, font, text).x > title_left - 4) continue;
+    draw_text(ui, {left, below}, font, c.muted, text);
+  }
+  draw_text(ui, {title_left, below}, font, c.text, title);
+  // Which way is which, where the trace says so.
+  const bool named = header.declares(Convention::nearer);
+  const char* down = header.comparison.nearer == Comparison::Nearer::greater ? "farther" : "nearer";
+  draw_text(ui, {origin.x - room.margin, origin.y - room.line}, font, c.text, upwards(ui));
+  if (named) draw_text(ui, {origin.x - room.margin, below}, font, c.text, std::string("\u2193 ") + down);
+}
+
+/// What line, dot and steps mean.
+void draw_key(Ui& ui, ImVec2 at, float width, bool two) {
+  const Theme& c = ui.colors();
+  const ImFont* font = ui.fonts.mono;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  struct Entry {
+    int sign;
+    std::string text;
+  };
+  std::vector<Entry> entries{{0, "span"}, {1, "depth at a pixel"}, {2, "depth buffer"}};
+  if (two) entries = {{0, "A"}, {3, "B"}, {2, "depth buffer"}};
+  const float sign = 1.6f * ui.em, gap = ui.em, middle = at.y + font->FontSize * 0.55f;
+  float needed = -gap;
+  for (const Entry& entry : entries) needed += sign + text_size(ui, font, entry.text).x + gap + 4;
+  if (needed > width) return;
+  float x = at.x + width - needed;
+  const float line = 3 * ui.thin;
+  for (const Entry& entry : entries) {
+    const float end = x + sign - 4;
+    if (entry.sign == 0) list->AddRectFilled({x, middle - line / 2}, {end, middle + line / 2}, c.text);
+    if (entry.sign == 3)
+      for (const float from : {x, x + (end - x) * 0.6f})
+        list->AddRectFilled({from, middle - line / 2}, {from + (end - x) * 0.35f, middle + line / 2}, c.text);
+    if (entry.sign == 1) {
+      const float r = 4 * ui.thin;
+      list->AddRectFilled({end - 2 * r, middle - r}, {end, middle + r}, c.text);
+    }
+    if (entry.sign == 2) {
+      const float half = (end - x) / 2;
+      list->AddRectFilled({x, middle + 1}, {x + half, middle + 1 + line}, c.muted);
+      list->AddRectFilled({x + half, middle - 4}, {end, middle - 4 + line}, c.muted);
+      list->AddRectFilled({x + half, middle - 4}, {x + half + 1, middle + 1 + line}, c.muted);
+    }
+    draw_text(ui, {x + sign, at.y}, font, c.muted, entry.text);
+    x += sign + text_size(ui, font, entry.text).x + gap + 4;
+  }
+}
+
+/// What is under the mouse: the polygons at that column.
+void point(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Slice& slice) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const float inside_x = mouse.x - origin.x, inside_y = mouse.y - origin.y;
+  if (!ImGui::IsWindowHovered() || inside_x < 0 || inside_y < 0 || inside_x >= static_cast<float>(plot.width) ||
+      inside_y >= static_cast<float>(plot.height))
+    return;
+  const double x = std::round(plot.x_first + static_cast<double>(inside_x) / plot.column());
+  if (x < 0 || x >= static_cast<double>(slice.stored.size())) return;
+  const auto column = static_cast<std::int32_t>(x);
+  ui.pointed_next = Cell{column, slice.at.y};
+  const std::string z = depth_symbol(ui.session.scene(), ui.session.header().conventions);
+  std::vector<std::string> lines{fmt::format("pixel ({}, {})", column, slice.at.y)};
+  constexpr std::size_t most = 12;
+  for (const SliceSample& sample : slice.samples)
+    if (std::round(sample.x) == x && lines.size() < most)
+      lines.push_back(
+          fmt::format("{}: {} = {}", polygon_label(ui.session.scene(), sample.polygon), z, exact(sample.z)));
+  lines.push_back(fmt::format("stored: {}", exact(slice.stored[static_cast<std::size_t>(column)])));
+  ui.mouse_help = "The depths at this column. Click a pixel of the frame to keep its scan line here.";
+  tooltip(ui, lines);
+}
+
+bool same_compare(const Slice& a, const Slice& b) {
+  if (a.compare.has_value() != b.compare.has_value() || a.rivals.size() != b.rivals.size()) return false;
+  for (std::size_t i = 0; i < a.rivals.size(); ++i)
+    if (a.rivals[i].z != b.rivals[i].z || a.rivals[i].polygon != b.rivals[i].polygon) return false;
+  if (!a.compare) return a.winner == b.winner;
+  return a.compare->x == b.compare->x && a.compare->z == b.compare->z && a.compare->stored == b.compare->stored &&
+         a.compare->nearer == b.compare->nearer;
+}
+
+std::optional<SliceAt> line_of(const Ui& ui, const Moment& now) {
+  return slice_line(now, ui.pointed ? ui.pointed : ui.session.selected);
+}
+
+/// The columns that are seen: those that the line reaches, or what the frame is zoomed to.
+void see_columns(const Ui& ui, SlicePlot& plot) {
+  if (ui.view.zoom <= 1) return;
+  const double width = ui.session.scene().raster.width, half = width / ui.view.zoom / 2,
+               middle = width / 2 + ui.view.center_x - 0.5;
+  plot.x_first = std::max(-0.5, middle - half), plot.x_last = std::min(width - 0.5, middle + half);
+  if (plot.x_last - plot.x_first < 1) plot.x_last = plot.x_first + 1;
+}
+
+void draw(Ui& ui) {
+  const Moment now = ui.moment();
+  const auto at = line_of(ui, now);
+  if (!at) return say_empty(ui, "Empty: no scan line is at work. Point at a pixel of the frame to see its depths.");
+  SlicePicture lines;
+  lines.runs.push_back(slice_of(now, ui.slices, *at));
+  const Slice slice = lines.runs[0];
+  if (ui.other) lines.runs.push_back(slice_of(ui.other->moment(), ui.other->slices, *at));
+  SlicePlot& plot = lines.plot;
+  plot.x_first = slice.x_first, plot.x_last = slice.x_last, plot.low = slice.low, plot.high = slice.high;
+  for (const Slice& run : lines.runs) {
+    plot.x_first = std::min(plot.x_first, run.x_first), plot.x_last = std::max(plot.x_last, run.x_last);
+    plot.low = std::min(plot.low, run.low), plot.high = std::max(plot.high, run.high);
+  }
+  see_columns(ui, plot);
+
+  const ImFont* font = ui.fonts.mono;
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), avail = ImGui::GetContentRegionAvail();
+  const float line = std::round(font->FontSize * 1.25f);
+  float numbers = text_size(ui, font, "\u2193 farther").x;
+  for (const double z : {plot.low, plot.high}) numbers = std::max(numbers, text_size(ui, font, number(z)).x + 10);
+  const Room room{numbers + 4, line};
+  const ImVec2 origin{corner.x + room.margin, corner.y + line};
+  plot.width = static_cast<int>(avail.x - room.margin);
+  const bool keyed = avail.y > 8 * line;  // else the plot has the room
+  plot.height = static_cast<int>(avail.y - (keyed ? 3 : 2) * line);
+  if (plot.width < 60 || plot.height < 40)
+    return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  // Of the height the empty band has a line, and letters above the highest line and below the lowest have room.
+  const float inner = std::min(0.9f * line, static_cast<float>(plot.height) * 0.1f);
+  const bool empty_above = ui.session.header().comparison.farthest() > 0;
+  plot.top = inner + (empty_above ? line : 0), plot.bottom = static_cast<float>(plot.height) - inner;
+  plot.band = line * 0.6f;
+  if (!empty_above) {
+    plot.band = static_cast<float>(plot.height) - line * 0.6f;
+    plot.bottom -= line;
+  }
+
+  // Of the second run what is not the same.
+  const bool two = lines.runs.size() > 1;
+  const bool parts = two && !same_compare(lines.runs[0], lines.runs[1]);
+  std::vector<SliceMarker> markers = markers_of(ui, plot, slice, parts ? "A: " : "");
+  if (parts)
+    for (SliceMarker& marker : markers_of(ui, plot, lines.runs[1], "B: ")) markers.push_back(std::move(marker));
+  const Kept<Canvas>& base = keep_canvas(ui.canvases, "slice lines", plot.width, plot.height, paint_slice, lines,
+                                         ui.session.scene(), ui.colors(), ui.thin);
+  Canvas& canvas = ui.canvases["slice"].made;
+  canvas = base.made;
+  paint_markers(ui, canvas, markers);
+  ImGui::GetWindowDrawList()->AddImage(
+      Renderer::image(canvas), origin,
+      {origin.x + static_cast<float>(plot.width), origin.y + static_cast<float>(plot.height)});
+
+  write_names(ui, plot, origin, slice, markers);
+  draw_axes(ui, plot, origin, room, slice);
+  const float below = origin.y + static_cast<float>(plot.height) + line;
+  std::string sentence = slice_sentence(now, slice);
+  if (parts) {
+    const std::string other = slice_sentence(ui.other->moment(), lines.runs[1]);
+    if (!sentence.empty()) sentence = "A: " + sentence;
+    if (!other.empty() && keyed) draw_text(ui, {corner.x, below - 1}, ui.fonts.bold, ui.colors().text, "B: " + other);
+  }
+  const float sentence_at = corner.x + text_size(ui, font, upwards(ui)).x + 1.5f * ui.em;
+  if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
+    draw_text(ui, {sentence_at, corner.y - 1}, ui.fonts.bold, ui.colors().text, sentence);
+  if (keyed) draw_key(ui, {corner.x, below}, avail.x, two);
+  point(ui, plot, origin, slice);
+}
+
+std::string note(Ui& ui) {
+  const auto at = line_of(ui, ui.moment());
+  if (!at) return "";
+  const char* of_light = at->pass == Pass::light ? ", what the light sees" : "";
+  const char* why = ui.pointed ? ", pointed at" : ui.session.selected ? ", of the selected pixel" : "";
+  const char* lacks = ui.slices.complete(ui.session.trace()) ? "" : "; a long run: only the span at work is drawn";
+  return fmt::format("scan line y = {}{}{}{}", at->y, of_light, why, lacks);
+}
+
+bool serves(const Header& header) {
+  return has_step_of<SpanBegin>(header) || has_step_of<SpanFlags>(header) || has_step_of<DepthCompare>(header);
+}
+
+}  // namespace
+
+const Pane slice_pane{"slice", "SLICE", draw, note, serves, 0.7f, false};
+
+}  // namespace zstep::viewer

@@ -1,0 +1,101 @@
+#include "sim/words/judged.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/words/derived.hpp"
+#include "sim/words/numbers.hpp"
+#include "traces/events/slots.hpp"
+#include "traces/file/visit.hpp"
+
+namespace zstep {
+namespace {
+
+std::string how_many(std::int64_t number, std::string_view singular, std::string_view plural) {
+  return fmt::format("{} {}", grouped(number), number == 1 ? singular : plural);
+}
+void add(std::string& text, const std::string& more) { text += (text.empty() ? "" : "; ") + more; }
+
+/// The value of a field, in the words of traces.
+template <class Value>
+std::string value_text(const Value& value) {
+  if constexpr (std::is_same_v<Value, double>) return fmt::format("{}", value);
+  else if constexpr (std::is_same_v<Value, bool>) return value ? "true" : "false";
+  else if constexpr (std::is_enum_v<Value>) return std::string(words_of<Value>[static_cast<std::size_t>(value)]);
+  else return fmt::format("{}", value);
+}
+
+}  // namespace
+
+FaultText fault_text(const Fault& fault, const Event& event, const formulas::Situation& before) {
+  return {subject_of(event, before),
+          fault.field.empty() ? "" : derived_formula(event, before, fault.field).value_or("")};
+}
+
+std::string what_is_wrong(const Fault& fault, const FaultText& text) {
+  if (!fault.impossible.empty()) return fmt::format("this step cannot be: {}", fault.impossible);
+  if (fault.rule) return std::string(rule_text(*fault.rule).broken);
+  const auto [is, ought] = tell_apart(fault.recorded, fault.expected);
+  if (text.formula.empty()) return fmt::format("{} = {}, but the trace has {}", fault.field, ought, is);
+  if (text.formula.find(":  ") != std::string::npos)  // a compare
+    return fmt::format("{}, but the trace says {}", text.formula, fault.recorded != 0 ? "nearer" : "not nearer");
+  return fmt::format("{} = {}, but the trace has {}", fault.field, text.formula, is);
+}
+
+std::string what_follows(const Cause& cause) {
+  std::string text;
+  if (cause.again > 0) add(text, how_many(cause.again, "later step has", "later steps have") + " the same fault");
+  if (cause.inherited > 0) add(text, how_many(cause.inherited, "step follows", "steps follow") + " from it");
+  return text;
+}
+
+std::string step_and_subject(const Trace& trace, std::uint8_t line, const std::string& subject) {
+  const StepInfo* step = find_step(trace.header().page, line);
+  return (step ? step->name : "") + (subject.empty() ? "" : ", " + subject);
+}
+
+CheckedRun judge_run(const Trace& trace, const OnChecked& on_checked, bool with_marks) {
+  CheckedRun run;
+  run.report = check(
+      trace,
+      [&](const Cause& cause, const formulas::Situation& before, const RecordedEvent& event) {
+        run.texts.push_back(fault_text(cause.first, event.event, before));
+      },
+      on_checked, with_marks ? &run.marks : nullptr);
+  return run;
+}
+
+std::string why_cause(const diff::Cause& cause) {
+  if (cause.first.only_a()) return "A has this step, B does not";
+  if (cause.first.only_b()) return "B has this step, A does not";
+  if (cause.part == diff::Part::rounding)
+    return "no more than rounding, and its operands are the same or part by no more";
+  if (cause.wrong_b && !cause.wrong_a) return "B computes it wrongly from its own operands";
+  if (cause.wrong_a && !cause.wrong_b) return "A computes it wrongly from its own operands";
+  return "its operands are the same in both";
+}
+
+std::string what_follows(const diff::Cause& cause) {
+  std::string text;
+  if (cause.again > 0) add(text, how_many(cause.again, "later step parts", "later steps part") + " in the same way");
+  if (cause.symptoms > 0) add(text, how_many(cause.symptoms, "difference follows", "differences follow") + " from it");
+  if (cause.pixels > 0) add(text, how_many(cause.pixels, "write to a pixel", "writes to pixels") + " among them");
+  return text;
+}
+
+std::vector<std::string> field_texts(const Event& event, const formulas::Situation& before, std::uint16_t fields) {
+  std::vector<std::string> texts;
+  visit_event(
+      [&]<class E>(const E& e) {
+        for_each_index<E>([&]<std::size_t I>() {
+          if ((fields >> I & 1) == 0) return;
+          const std::string name(field_at<E, I>.name), value = value_text(e.*field_at<E, I>.member);
+          const auto formula = derived_formula(event, before, name);
+          texts.push_back(formula ? fmt::format("{} = {}   from {}", name, value, *formula)
+                                  : fmt::format("{} = {}", name, value));
+        });
+      },
+      event);
+  return texts;
+}
+
+}  // namespace zstep

@@ -1,0 +1,44 @@
+// What `zstep check` and `zstep diff` say of a step, on the command line and in the window.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "traces/check/check.hpp"
+#include "traces/diff/diff.hpp"
+#include "traces/file/trace.hpp"
+
+namespace zstep {
+
+/// What is said of a fault beside its numbers.
+struct FaultText {
+  std::string subject;  ///< "edge e1 (1–2)"
+  std::string formula;  ///< that the wrong field should follow from; may be empty
+};
+/// Made from the state before the step, which is gone later.
+FaultText fault_text(const Fault& fault, const Event& event, const formulas::Situation& before);
+/// What is wrong, in one line: "dx_dy = (x_1 − x_0)/(y_1 − y_0) = … = 1.5, but the trace has 1.25".
+std::string what_is_wrong(const Fault& fault, const FaultText& text);
+/// "1 later step has the same fault; 30 steps follow from it"; may be empty.
+std::string what_follows(const Cause& cause);
+/// "insert_edge, edge e1 (1–2)".
+std::string step_and_subject(const Trace& trace, std::uint8_t line, const std::string& subject);
+
+/// A run that was checked, with its words and what a window marks.
+struct CheckedRun {
+  CheckReport report;
+  std::vector<FaultText> texts;  ///< by cause
+  std::string impossible;        ///< why the step that would come next cannot be; the run is judged up to it
+  CheckMarks marks;
+};
+CheckedRun judge_run(const Trace& trace, const OnChecked& on_checked, bool with_marks);
+
+/// Why a step at which two runs part is a cause.
+std::string why_cause(const diff::Cause& cause);
+/// "28 later steps part in the same way; 3 differences follow from it"; may be empty.
+std::string what_follows(const diff::Cause& cause);
+/// Of each of these fields: "dx_dy = 1.5   from (x_1 − x_0)/(y_1 − y_0) = … = 1.5".
+std::vector<std::string> field_texts(const Event& event, const formulas::Situation& before, std::uint16_t fields);
+
+}  // namespace zstep
