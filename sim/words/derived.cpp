@@ -7,14 +7,14 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shown.hpp"
-#include "traces/events/slots.hpp"
+#include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
 
 namespace zstep {
 
 namespace {
 
-using words::Shown;
+using formulas::Follows, words::Shown;
 
 /// Keeps the formula of one field.
 template <class E>
@@ -37,33 +37,29 @@ struct Teller {
   bool trusts(const formulas::Place&) const { return true; }
   bool equal(double one, double other) const { return one == other; }
 
-  void gives(double E::*member, const Number& formula) {
-    keep(member, formula.is_operand() ? formula.equation()
-                                      : fmt::format("{} = {}", formula.equation(), zstep::number(formula.value())));
+  void gives(Follows<E, double> given, const Number& formula) {
+    keep(given.name, formula.is_operand() ? formula.equation()
+                                          : fmt::format("{} = {}", formula.equation(), zstep::number(formula.value())));
   }
-  void whole(std::int32_t E::*member, const Number& formula, std::int32_t within) {
+  void whole(Follows<E, std::int32_t> given, const Number& formula, std::int32_t within) {
     const bool limited = formula.value() != within;
-    keep(member, limited ? fmt::format("{} = {}, within the raster {}", formula.equation(),
-                                       zstep::number(formula.value()), within)
-                         : fmt::format("{} = {}", formula.equation(), within));
+    keep(given.name, limited ? fmt::format("{} = {}, within the raster {}", formula.equation(),
+                                           zstep::number(formula.value()), within)
+                             : fmt::format("{} = {}", formula.equation(), within));
   }
   template <class Value>
-  void is(Value E::*, Value) {}
-  void verdict(bool E::*member, const Number& z, const Number& stored) {
+  void is(std::type_identity_t<Follows<E, Value>>, Value) {}
+  void verdict(Follows<E, bool> given, const Number& z, const Number& stored) {
     const Comparison& comparison = at.header.comparison;
     const auto [one, other] = tell_apart(z.value(), stored.value());
-    keep(member, fmt::format("{0} {1} {2}:  {3} {1} {4} is {5}", z.symbols(), comparison.sign(), stored.symbols(), one,
-                             other, comparison.wins(z.value(), stored.value()) ? "true" : "false"));
+    keep(given.name, fmt::format("{0} {1} {2}:  {3} {1} {4} is {5}", z.symbols(), comparison.sign(), stored.symbols(),
+                                 one, other, comparison.wins(z.value(), stored.value()) ? "true" : "false"));
   }
   void rule(formulas::Rule, bool) {}
 
  private:
-  template <class Value>
-  void keep(Value E::*member, std::string formula) {
-    for_each_index<E>([&]<std::size_t I>() {
-      if constexpr (std::is_same_v<FieldValue<E, I>, Value>)
-        if (field_at<E, I>.member == member && field_at<E, I>.name == field) text = std::move(formula);
-    });
+  void keep(std::string_view given, std::string formula) {
+    if (given == field) text = std::move(formula);
   }
 };
 
@@ -93,8 +89,15 @@ std::string subject_of(const Event& event, const formulas::Situation& at) {
         else if constexpr (requires { e.left_edge; })
           return fmt::format("scan line {}, from {} to {}", e.y, edge(e.left_edge), edge(e.right_edge));
         else if constexpr (requires { e.edge; }) return edge(e.edge);
-        else if constexpr (requires { e.x; e.y; }) return fmt::format("pixel ({}, {})", e.x, e.y);
-        else if constexpr (requires { e.vertex_0; e.vertex_1; })
+        else if constexpr (requires {
+                             e.x;
+                             e.y;
+                           })
+          return fmt::format("pixel ({}, {})", e.x, e.y);
+        else if constexpr (requires {
+                             e.vertex_0;
+                             e.vertex_1;
+                           })
           return fmt::format("the edge from vertex {} to vertex {}", e.vertex_0, e.vertex_1);
         else if constexpr (requires { e.vertex; }) return fmt::format("vertex {}", e.vertex);
         else if constexpr (requires { e.y; }) return fmt::format("scan line {}", e.y);

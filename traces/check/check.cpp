@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "traces/check/inheritance.hpp"
-#include "traces/events/slots.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation_of.hpp"
@@ -22,18 +22,7 @@ namespace zstep {
 
 namespace {
 
-using formulas::Place, formulas::Rounded, formulas::Rule, formulas::Situation;
-
-/// The number of an event's field.
-template <class E, class Value>
-std::size_t field_number(Value E::*member) {
-  std::size_t number = 0;
-  for_each_index<E>([&]<std::size_t I>() {
-    if constexpr (std::is_same_v<FieldValue<E, I>, Value>)
-      if (field_at<E, I>.member == member) number = I;
-  });
-  return number;
-}
+using formulas::Follows, formulas::Place, formulas::Rounded, formulas::Rule, formulas::Situation;
 
 struct Checker {
   const Trace& trace;
@@ -137,34 +126,36 @@ struct Judge {
   bool trusts(const Place& place) const { return checker.inheritance.of(place) == Inheritance::clean; }
   bool equal(double one, double other) const { return checker.within_rounding(Rounded(one), other); }
 
-  void gives(double E::*member, const Number& formula) {
-    if (!checker.holds(formula, e.*member)) wrong(member, e.*member, formula.value);
+  void gives(Follows<E, double> field, const Number& formula) {
+    if (!checker.holds(formula, e.*field.member)) wrong(field, e.*field.member, formula.value);
   }
-  void whole(std::int32_t E::*member, const Number& formula, std::int32_t within) {
+  void whole(Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
     checker.any_judged = true;
-    if (e.*member == within) return;
+    const std::int32_t recorded = e.*field.member;
+    if (recorded == within) return;
     // Just beside a pixel's centre rounding may decide either way.
-    const double off = std::abs(static_cast<double>(e.*member) - within);
+    const double off = std::abs(static_cast<double>(recorded) - within);
     const double nearest = std::round(formula.value);
     if (off <= 1 && !checker.report.precision.every_digit && std::abs(formula.value - nearest) <= 1) return;
-    wrong(member, e.*member, within);
+    wrong(field, recorded, within);
   }
   template <class Value>
-  void is(Value E::*member, Value value) {
+  void is(std::type_identity_t<Follows<E, Value>> field, Value value) {
     checker.any_judged = true;
-    if (e.*member == value || (value != value && e.*member != e.*member)) return;
+    const Value recorded = e.*field.member;
+    if (recorded == value || (value != value && recorded != recorded)) return;
     if constexpr (std::is_same_v<Value, double>)
-      if (equal(e.*member, value)) return;
-    wrong(member, static_cast<double>(e.*member), static_cast<double>(value));
+      if (equal(recorded, value)) return;
+    wrong(field, static_cast<double>(recorded), static_cast<double>(value));
   }
-  void verdict(bool E::*member, const Number& z, const Number& stored) {
+  void verdict(Follows<E, bool> field, const Number& z, const Number& stored) {
     const Header& header = checker.header;
     const bool tie = z.value == stored.value;
     if (!header.declares(tie ? Convention::ties : Convention::nearer)) return;
     if (!checker.report.precision.every_digit && checker.within_rounding(z, stored.value)) return;
     const bool wins = header.comparison.wins(z.value, stored.value);
     checker.any_judged = true;
-    if (e.*member != wins) wrong(member, e.*member, wins);
+    if (e.*field.member != wins) wrong(field, e.*field.member, wins);
   }
   void rule(Rule rule, bool holds) {
     checker.any_judged = true;
@@ -177,15 +168,12 @@ struct Judge {
 
  private:
   template <class Value>
-  void wrong(Value E::*member, double recorded, double expected) {
-    const std::size_t number = field_number(member);
+  void wrong(const Follows<E, Value>& field, double recorded, double expected) {
     Fault fault;
     fault.kind = kind_of<E>, fault.recorded = recorded, fault.expected = expected;
-    for_each_index<E>([&]<std::size_t I>() {
-      if (I == number) fault.field = field_at<E, I>.name;
-    });
+    fault.field = field.name;
     checker.held = e;
-    checker.fault(0, number, std::move(fault));
+    checker.fault(0, field.number, std::move(fault));
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "traces/check/inheritance.hpp"
 #include "traces/diff/identity.hpp"
+#include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation_of.hpp"
@@ -17,7 +18,7 @@ namespace zstep::diff {
 
 namespace {
 
-using formulas::Place, formulas::Rounded, formulas::Rule, formulas::Situation;
+using formulas::Follows, formulas::Place, formulas::Rounded, formulas::Rule, formulas::Situation;
 
 constexpr std::int32_t none = Inheritance::clean;
 
@@ -40,11 +41,15 @@ struct Elsewhere {
 
 Thing thing_in(Place::In in) {
   switch (in) {
-    case Place::In::vertex: return Thing::vertex;
+    case Place::In::vertex:
+      return Thing::vertex;
     case Place::In::edge_table:
-    case Place::In::active_edge: return Thing::edge;
-    case Place::In::piece: return Thing::piece;
-    default: return Thing::none;
+    case Place::In::active_edge:
+      return Thing::edge;
+    case Place::In::piece:
+      return Thing::piece;
+    default:
+      return Thing::none;
   }
 }
 
@@ -85,43 +90,39 @@ struct Witness {
     return formulas::gives(Rounded(one), other, precision.relative) || std::abs(one - other) <= precision.absolute;
   }
 
-  void gives(double E::*member, const Number& formula) {
-    if (!in_question(member)) return;
-    const double value = e.*member;
+  void gives(Follows<E, double> field, const Number& formula) {
+    if (!in_question(field)) return;
+    const double value = e.*field.member;
     wrong = wrong || !(formulas::gives(formula, value, precision.relative) ||
                        std::abs(value - formula.value) <= precision.absolute);
     const double size = std::max(std::abs(value), std::abs(formula.value));
     if (size > 0)
       may_be_off = std::max(may_be_off, (2 * precision.relative * formula.spread + precision.absolute) / size);
   }
-  void whole(std::int32_t E::*member, const Number&, std::int32_t within) {
-    if (in_question(member)) wrong = wrong || e.*member != within;
+  void whole(Follows<E, std::int32_t> field, const Number&, std::int32_t within) {
+    if (in_question(field)) wrong = wrong || e.*field.member != within;
   }
   template <class Value>
-  void is(Value E::*member, Value value) {
-    if (!in_question(member)) return;
-    bool equal = e.*member == value;
-    if constexpr (std::is_same_v<Value, double>) equal = equal || this->equal(e.*member, value) || value != value;
+  void is(std::type_identity_t<Follows<E, Value>> field, Value value) {
+    if (!in_question(field)) return;
+    const Value recorded = e.*field.member;
+    bool equal = recorded == value;
+    if constexpr (std::is_same_v<Value, double>) equal = equal || this->equal(recorded, value) || value != value;
     wrong = wrong || !equal;
   }
-  void verdict(bool E::*member, const Number& z, const Number& stored) {
-    if (!in_question(member)) return;
+  void verdict(Follows<E, bool> field, const Number& z, const Number& stored) {
+    if (!in_question(field)) return;
     near_tie = equal(z.value, stored.value);
     const bool tie = z.value == stored.value;
     if (header.declares(tie ? Convention::ties : Convention::nearer))
-      wrong = wrong || e.*member != header.comparison.wins(z.value, stored.value);
+      wrong = wrong || e.*field.member != header.comparison.wins(z.value, stored.value);
   }
   void rule(Rule, bool holds) { wrong = wrong || !holds; }
 
  private:
   template <class Value>
-  bool in_question(Value E::*member) const {
-    bool asked = false;
-    for_each_index<E>([&]<std::size_t I>() {
-      if constexpr (std::is_same_v<FieldValue<E, I>, Value>)
-        asked = asked || (field_at<E, I>.member == member && (differing >> I & 1) != 0);
-    });
-    return asked;
+  bool in_question(const Follows<E, Value>& field) const {
+    return (differing >> field.number & 1) != 0;
   }
 };
 
@@ -290,8 +291,8 @@ class Follow {
   void note_alone(std::int32_t number, const Place& place) {
     const Difference& difference = report_.alignment.differences[static_cast<std::size_t>(number)];
     if (!difference.only_a() && !difference.only_b()) return;
-    const std::int64_t before = of_a_ ? report_.alignment.before_in_b(difference.a)
-                                      : report_.alignment.before_in_a(difference.b);
+    const std::int64_t before =
+        of_a_ ? report_.alignment.before_in_b(difference.a) : report_.alignment.before_in_a(difference.b);
     Identity::Key name = 0;
     if (const Thing thing = thing_in(place.in); thing != Thing::none)
       name = identity_.name_of(thing, static_cast<std::int32_t>(place.number));
@@ -392,8 +393,7 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
         const Part part = roots.by_rounding(d, difference) ? Part::rounding : Part::different;
         const Sort sort{difference.kind, difference.fields, difference.only_a(), difference.only_b(), part};
         const auto [found, fresh] = known.try_emplace(sort, report.causes.size());
-        if (fresh)
-          report.causes.push_back({difference, part, roots.wrong_a(d), roots.wrong_b(d), 0, 0, 0});
+        if (fresh) report.causes.push_back({difference, part, roots.wrong_a(d), roots.wrong_b(d), 0, 0, 0});
         else ++report.causes[found->second].again;
         cause_of[i] = found->second;
       } else {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "traces/events/slots.hpp"
+#include "traces/formulas/follows.hpp"
 
 namespace zstep {
 
@@ -23,6 +23,10 @@ std::string_view guess_text(Guess guess) {
   }
 }
 
+std::string_view origin_text(formulas::Origin origin) {
+  return origin == formulas::Origin::formula ? "formula" : origin == formulas::Origin::input ? "input" : "recorded";
+}
+
 template <class Value>
 std::string type_text() {
   if constexpr (std::is_same_v<Value, double>) return "float64";
@@ -36,12 +40,14 @@ std::string type_text() {
 std::string vocabulary_markdown() {
   std::string out;
   for_each_kind([&]<class E>() {
-    out += fmt::format("\n### {}\n{}.\n\n| field | type | unit | guess | meaning |\n|---|---|---|---|---|\n",
-                       kind_text<E>.name, kind_text<E>.meaning);
+    out += fmt::format(
+        "\n### {}\n{}.\n\n| field | type | unit | guess | follows from | meaning |\n|---|---|---|---|---|---|\n",
+        kind_text<E>.name, kind_text<E>.meaning);
     for_each_index<E>([&]<std::size_t I>() {
       constexpr auto field = field_at<E, I>;
-      out += fmt::format("| {} | {} | {} | {} | {} |\n", field.name, type_text<FieldValue<E, I>>(), field.unit,
-                         guess_text(field.guess), field.meaning);
+      out +=
+          fmt::format("| {} | {} | {} | {} | {} | {} |\n", field.name, type_text<FieldValue<E, I>>(), field.unit,
+                      guess_text(field.guess), origin_text(formulas::origin_of(kind_of<E>, field.name)), field.meaning);
     });
   });
   return out;

@@ -17,9 +17,9 @@ void derive(const HorizonTest& e, const Situation& at, Out& out) {
     // A curve that is seen edge-on between two columns stands on the nearest one.
     if (a && b && a->x != b->x && e.x >= std::min(a->x, b->x) && e.x <= std::max(a->x, b->x)) {
       const Place from{Place::In::vertex, work.segment->vertex_0}, to{Place::In::vertex, work.segment->vertex_1};
-      out.gives(&HorizonTest::y_curve,
-                on_line(out.number("y_0", a->y, from), out.number("y_1", b->y, to), out.number("x", e.x, Place{}),
-                        out.number("x_0", a->x, from), out.number("x_1", b->x, to)));
+      out.gives(&HorizonTest::y_curve, on_line(out.number("y_0", a->y, from["y_s"]), out.number("y_1", b->y, to["y_s"]),
+                                               out.number("x", e.x, Place{}), out.number("x_0", a->x, from["x_s"]),
+                                               out.number("x_1", b->x, to["x_s"])));
     }
   }
   const auto column = static_cast<std::size_t>(e.x);
@@ -42,8 +42,8 @@ void derive(const LineCross& e, const Situation& at, Out& out) {
   if (!a || !b) return;
   const Place from{Place::In::vertex, entry.vertex_0}, to{Place::In::vertex, entry.vertex_1};
   const auto t = out.number("t", e.t, Place{});
-  out.gives(&LineCross::x_at, part_of_way(out.number("x_0", a->x, from), out.number("x_1", b->x, to), t));
-  out.gives(&LineCross::y_at, part_of_way(out.number("y_0", a->y, from), out.number("y_1", b->y, to), t));
+  out.gives(&LineCross::x_at, part_of_way(out.number("x_0", a->x, from["x_s"]), out.number("x_1", b->x, to["x_s"]), t));
+  out.gives(&LineCross::y_at, part_of_way(out.number("y_0", a->y, from["y_s"]), out.number("y_1", b->y, to["y_s"]), t));
 }
 
 }  // namespace zstep::formulas

@@ -25,9 +25,9 @@ auto ends_of(Out& out, const Situation& at, std::int32_t vertex_0, std::int32_t 
   const auto a = at.on_raster(vertex_0), b = at.on_raster(vertex_1);
   if (!a || !b) return std::nullopt;
   const Place from{Place::In::vertex, vertex_0}, to{Place::In::vertex, vertex_1};
-  return Ends<typename Out::Number>{out.number("x_0", a->x, from), out.number("y_0", a->y, from),
-                                    out.number("z_0", a->z, from), out.number("x_1", b->x, to),
-                                    out.number("y_1", b->y, to),   out.number("z_1", b->z, to)};
+  return Ends<typename Out::Number>{out.number("x_0", a->x, from["x_s"]), out.number("y_0", a->y, from["y_s"]),
+                                    out.number("z_0", a->z, from["z"]),   out.number("x_1", b->x, to["x_s"]),
+                                    out.number("y_1", b->y, to["y_s"]),   out.number("z_1", b->z, to["z"])};
 }
 
 /// Is the list out of order between these two places?
@@ -133,8 +133,10 @@ void derive(const EdgeStep& e, const Situation& at, Out& out) {
   if (!entry || !active || !at.method().scan_line) return;
   const Place table{Place::In::edge_table, e.edge}, here{Place::In::active_edge, e.edge};
   if (at.adds_slopes()) {
-    out.gives(&EdgeStep::x_edge, out.number("x", active->x, here) + out.number("1/m", entry->dx_dy, table));
-    out.gives(&EdgeStep::z_edge, out.number("z", active->z, here) + out.number("dz/dy", entry->dz_dy, table));
+    out.gives(&EdgeStep::x_edge,
+              out.number("x", active->x, here["x_edge"]) + out.number("1/m", entry->dx_dy, table["dx_dy"]));
+    out.gives(&EdgeStep::z_edge,
+              out.number("z", active->z, here["z_edge"]) + out.number("dz/dy", entry->dz_dy, table["dz_dy"]));
     return;
   }
   const auto ends = detail::ends_of(out, at, entry->vertex_0, entry->vertex_1);
@@ -171,12 +173,12 @@ void derive(const PlaneSlopes& e, const Situation& at, Out& out) {
   const auto from = at.on_raster(e.vertex_0), one = at.on_raster(e.vertex_1), other = at.on_raster(e.vertex_2);
   if (!from || !one || !other) return;
   const Place p{Place::In::vertex, e.vertex_0}, q{Place::In::vertex, e.vertex_1}, r{Place::In::vertex, e.vertex_2};
-  const auto x_0 = out.number("x_0", from->x, p), y_0 = out.number("y_0", from->y, p),
-             z_0 = out.number("z_0", from->z, p);
-  const auto x_1 = out.number("x_1", one->x, q) - x_0, y_1 = out.number("y_1", one->y, q) - y_0,
-             z_1 = out.number("z_1", one->z, q) - z_0;
-  const auto x_2 = out.number("x_2", other->x, r) - x_0, y_2 = out.number("y_2", other->y, r) - y_0,
-             z_2 = out.number("z_2", other->z, r) - z_0;
+  const auto x_0 = out.number("x_0", from->x, p["x_s"]), y_0 = out.number("y_0", from->y, p["y_s"]),
+             z_0 = out.number("z_0", from->z, p["z"]);
+  const auto x_1 = out.number("x_1", one->x, q["x_s"]) - x_0, y_1 = out.number("y_1", one->y, q["y_s"]) - y_0,
+             z_1 = out.number("z_1", one->z, q["z"]) - z_0;
+  const auto x_2 = out.number("x_2", other->x, r["x_s"]) - x_0, y_2 = out.number("y_2", other->y, r["y_s"]) - y_0,
+             z_2 = out.number("z_2", other->z, r["z"]) - z_0;
   out.gives(&PlaneSlopes::dz_dx, plane_slope(y_1, z_1, y_2, z_2, x_1, x_2));
   out.gives(&PlaneSlopes::dz_dy, plane_slope(x_1, z_1, x_2, z_2, y_1, y_2));
 }
@@ -198,10 +200,10 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
           out.trusts(Place{Place::In::edge_table, one->edge}))
         out.rule(Rule::edge_moves_once, detail::moved_once_a_line(*entry, *one, e.y));
     }
-    out.gives(&SpanBegin::x_left, out.number("x of the left edge", left->x, l));
-    out.gives(&SpanBegin::z_left, out.number("z of the left edge", left->z, l));
-    out.gives(&SpanBegin::x_right, out.number("x of the right edge", right->x, r));
-    out.gives(&SpanBegin::z_right, out.number("z of the right edge", right->z, r));
+    out.gives(&SpanBegin::x_left, out.number("x of the left edge", left->x, l["x_edge"]));
+    out.gives(&SpanBegin::z_left, out.number("z of the left edge", left->z, l["z_edge"]));
+    out.gives(&SpanBegin::x_right, out.number("x of the right edge", right->x, r["x_edge"]));
+    out.gives(&SpanBegin::z_right, out.number("z of the right edge", right->z, r["z_edge"]));
   }
   if (at.method().scan_line) out.rule(Rule::span_line, *at.method().scan_line == e.y);
   const auto ended = [&](std::int32_t edge) {
@@ -226,8 +228,8 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
   out.whole(&SpanBegin::first, first_pixel(x_left, coverage), first_within(coverage));
   out.whole(&SpanBegin::last, last_pixel(x_right, coverage), last_within(coverage));
   if (e.x_right == e.x_left) return;
-  out.gives(&SpanBegin::dz_dx, slope(out.number("z_L", e.z_left, Place{}), out.number("z_R", e.z_right, Place{}),
-                                     x_left, x_right));
+  out.gives(&SpanBegin::dz_dx,
+            slope(out.number("z_L", e.z_left, Place{}), out.number("z_R", e.z_right, Place{}), x_left, x_right));
 }
 
 }  // namespace zstep::formulas

@@ -12,9 +12,13 @@ namespace zstep::formulas {
 
 namespace detail {
 
-/// Where a vertex lies in the space in which pieces are cut: the world for a tree, else the raster with its depth.
+/// Are pieces cut in the world, as those of a tree are, and not on the raster with its depth?
+inline bool cuts_in_world(const Situation& at) { return !at.method().tree.empty() && !at.on_screen(); }
+inline const Stage& cutting_stage(const Situation& at) { return cuts_in_world(at) ? world_stage : raster_stage; }
+
+/// Where a vertex lies in the space in which pieces are cut.
 inline std::optional<glm::dvec3> cutting_point(const Situation& at, std::int32_t vertex) {
-  if (!at.method().tree.empty() && !at.on_screen()) {
+  if (cuts_in_world(at)) {
     if (at.is_point(vertex)) return at.scene.points[static_cast<std::size_t>(vertex)];
     const VertexStages* found = at.vertex(vertex);
     return found ? std::optional(found->world) : std::nullopt;
@@ -34,8 +38,9 @@ std::optional<Plane<typename Out::Number>> plane_of(Out& out, const Situation& a
   if (!found || !found->plane) return std::nullopt;
   const Place place{Place::In::piece, piece};
   const PlaneEquation& plane = *found->plane;
-  return Plane<typename Out::Number>{out.number("A", plane.plane_a, place), out.number("B", plane.plane_b, place),
-                                     out.number("C", plane.plane_c, place), out.number("D", plane.plane_d, place)};
+  return Plane<typename Out::Number>{
+      out.number("A", plane.plane_a, place["plane_a"]), out.number("B", plane.plane_b, place["plane_b"]),
+      out.number("C", plane.plane_c, place["plane_c"]), out.number("D", plane.plane_d, place["plane_d"])};
 }
 
 }  // namespace detail
@@ -71,7 +76,7 @@ void derive(const VertexSide& e, const Situation& at, Out& out) {
   const auto plane = detail::plane_of(out, at, e.plane_of);
   const auto point = detail::cutting_point(at, e.vertex);
   if (!plane || !point) return;
-  const auto p = vector_of(out, "", *point, Place{Place::In::vertex, e.vertex});
+  const auto p = vector_of(out, "", *point, Place{Place::In::vertex, e.vertex}, detail::cutting_stage(at));
   out.gives(&VertexSide::value, plane_value(plane->a, plane->b, plane->c, plane->d, p.x, p.y, p.z));
 }
 
@@ -86,8 +91,9 @@ template <class Out>
 void derive(const SplitVertex& e, const Situation& at, Out& out) {
   const auto from = detail::cutting_point(at, e.vertex_0), to = detail::cutting_point(at, e.vertex_1);
   if (!from || !to) return;
-  const auto a = vector_of(out, "_0", *from, Place{Place::In::vertex, e.vertex_0}),
-             b = vector_of(out, "_1", *to, Place{Place::In::vertex, e.vertex_1});
+  const Stage& stage = detail::cutting_stage(at);
+  const auto a = vector_of(out, "_0", *from, Place{Place::In::vertex, e.vertex_0}, stage),
+             b = vector_of(out, "_1", *to, Place{Place::In::vertex, e.vertex_1}, stage);
   const auto t = out.number("t", e.t, Place{});
   out.gives(&SplitVertex::x_cut, part_of_way(a.x, b.x, t));
   out.gives(&SplitVertex::y_cut, part_of_way(a.y, b.y, t));

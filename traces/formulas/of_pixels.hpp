@@ -22,18 +22,19 @@ void derive_depth_on_plane(const E& e, const Situation& at, Out& out) {
   const auto& slopes = at.method().slopes;
   if (!slopes) return;
   const Place plane{Place::In::plane, 0}, from{Place::In::vertex, slopes->vertex_0};
-  const auto dz_dx = out.number("dz/dx", slopes->dz_dx, plane);
+  const auto dz_dx = out.number("dz/dx", slopes->dz_dx, plane["dz_dx"]);
   if (at.adds_slopes()) {
     const Fragment* left = at.fragment(e.x - 1, e.y);
     if (!left) return;
-    const auto z = interpolated(at, out.number("z", left->z, Place{Place::In::fragment, 0}));
+    const auto z = interpolated(at, out.number("z", left->z, Place{Place::In::fragment, 0, "z"}));
     return out.gives(&E::z, interpolated(at, z + dz_dx));
   }
   const auto vertex = at.on_raster(slopes->vertex_0);
   if (!vertex) return;
-  const auto z = along_plane(out.number("z_0", vertex->z, from), dz_dx, out.number("x", e.x, Place{}),
-                             out.number("x_0", vertex->x, from), out.number("dz/dy", slopes->dz_dy, plane),
-                             out.number("y", e.y, Place{}), out.number("y_0", vertex->y, from));
+  const auto z =
+      along_plane(out.number("z_0", vertex->z, from["z"]), dz_dx, out.number("x", e.x, Place{}),
+                  out.number("x_0", vertex->x, from["x_s"]), out.number("dz/dy", slopes->dz_dy, plane["dz_dy"]),
+                  out.number("y", e.y, Place{}), out.number("y_0", vertex->y, from["y_s"]));
   out.gives(&E::z, interpolated(at, z));
 }
 
@@ -47,17 +48,18 @@ void derive_depth_on_span(const E& e, const Situation& at, Out& out) {
   using enum Conventions::Interpolation;
   const auto how = at.header.conventions.interpolation;
   if (how == plane || how == plane_increments) return derive_depth_on_plane(e, at, out);
-  const auto z_left = out.number("z_L", span->z_left, place);
+  const auto z_left = out.number("z_L", span->z_left, place["z_left"]);
   if (how == increments) {
     // The first pixel of a span has nothing to be added to: its depth is computed directly.
     if (const Fragment* left = at.fragment(e.x - 1, e.y)) {
-      const auto z = interpolated(at, out.number("z", left->z, Place{Place::In::fragment, 0}));
-      return out.gives(&E::z, interpolated(at, z + out.number("dz/dx", span->dz_dx, place)));
+      const auto z = interpolated(at, out.number("z", left->z, Place{Place::In::fragment, 0, "z"}));
+      return out.gives(&E::z, interpolated(at, z + out.number("dz/dx", span->dz_dx, place["dz_dx"])));
     }
   }
   if (span->x_right == span->x_left) return out.gives(&E::z, interpolated(at, z_left));
-  const auto z = on_line(z_left, out.number("z_R", span->z_right, place), out.number("x", e.x, Place{}),
-                         out.number("x_L", span->x_left, place), out.number("x_R", span->x_right, place));
+  const auto z =
+      on_line(z_left, out.number("z_R", span->z_right, place["z_right"]), out.number("x", e.x, Place{}),
+              out.number("x_L", span->x_left, place["x_left"]), out.number("x_R", span->x_right, place["x_right"]));
   out.gives(&E::z, interpolated(at, z));
 }
 
@@ -87,12 +89,12 @@ template <class Out>
 void derive(const DepthCompare& e, const Situation& at, Out& out) {
   const Place buffer = at.depth_place(e.x, e.y);
   if (const Fragment* fragment = at.fragment(e.x, e.y); fragment && !fragment->nearer) {
-    out.gives(&DepthCompare::z, out.number("z", fragment->z, Place{Place::In::fragment, 0}));
+    out.gives(&DepthCompare::z, out.number("z", fragment->z, Place{Place::In::fragment, 0, "z"}));
   } else if (!at.records<DepthInterpolate>()) {
     detail::derive_last_win(at, out);
     detail::derive_depth_on_span(e, at, out);
   }
-  const auto z = out.number("z", e.z, Place{}), stored = out.number("zbuffer[x,y]", at.stored(e.x, e.y), buffer);
+  const auto z = out.number("z", e.z, Place{}), stored = out.number("zbuffer[x,y]", at.stored(e.x, e.y), buffer["z"]);
   out.verdict(&DepthCompare::nearer, z, stored);
 }
 
@@ -101,7 +103,7 @@ void derive(const DepthWrite& e, const Situation& at, Out& out) {
   const Fragment* fragment = at.fragment(e.x, e.y);
   if (!fragment || !fragment->nearer) return;
   out.rule(Rule::write_after_win, *fragment->nearer);
-  out.gives(&DepthWrite::z, out.number("z", fragment->z, Place{Place::In::fragment, 0}));
+  out.gives(&DepthWrite::z, out.number("z", fragment->z, Place{Place::In::fragment, 0, "z"}));
 }
 
 template <class Out>
@@ -111,8 +113,7 @@ void derive(const PixelWrite& e, const Situation& at, Out& out) {
     out.reads(Place{Place::In::fragment, 0});
     out.rule(Rule::write_after_win, *fragment->nearer);
   }
-  if (at.method().polygon != no_polygon && !at.method().keeps_all)
-    out.is(&PixelWrite::polygon, at.method().polygon);
+  if (at.method().polygon != no_polygon && !at.method().keeps_all) out.is(&PixelWrite::polygon, at.method().polygon);
 }
 
 }  // namespace zstep::formulas

@@ -44,7 +44,7 @@ auto distance_of_vertex(Out& out, const Situation& at, ClipPlane plane, std::int
   const VertexStages* found = at.viewed(vertex);
   if (!found || !at.camera || at.on_screen()) return std::nullopt;
   const Place place{Place::In::vertex, vertex};
-  return distance_inside(out, at, plane, vector_of(out, suffix, found->view, place));
+  return distance_inside(out, at, plane, vector_of(out, suffix, found->view, place, view_stage));
 }
 
 }  // namespace detail
@@ -56,23 +56,23 @@ void derive(const FacingTest& e, const Situation& at, Out& out) {
   if (e.facing != Facing::edge_on && e.view_dot_normal != 0)
     out.is(&FacingTest::facing, e.view_dot_normal > 0 ? Facing::back : Facing::front);
   const std::span<const std::int32_t> corners = detail::corners_of(at, at.method().facet);
-  if (corners.size() < 3 || !at.camera || at.on_screen() || at.method().pass == Pass::light) return;
+  if (corners.size() < 3 || !at.camera || at.on_screen()) return;
   const bool parallel = at.camera->kind == Camera::Kind::orthographic;
   const Place scene{Place::In::scene, 0};
   const auto point = [&](std::size_t i) {
-    return vector_of(out, "_" + std::to_string(i), at.scene.points[static_cast<std::size_t>(corners[i])], scene);
+    return vector_of(out, "_" + std::to_string(i), at.scene.points[static_cast<std::size_t>(corners[i])],
+                     Place{Place::In::point, corners[i]}, world_stage);
   };
   const auto vertex = [&](std::size_t i) { return at.vertex(corners[i < corners.size() ? i : 0]); };
   const auto view = [&](std::size_t i) {
     const std::size_t n = i < corners.size() ? i : 0;
-    return vector_of(out, "_v" + std::to_string(n), vertex(n)->view, Place{Place::In::vertex, corners[n]});
+    return vector_of(out, "_v" + std::to_string(n), vertex(n)->view, Place{Place::In::vertex, corners[n]}, view_stage);
   };
   const T zero = out.number("0", 0, scene);
   const Vector<T> first = point(0);
   Vector<T> normal{zero, zero, zero};
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    normal = normal + cross(point(i) - first, point(i + 1) - first);
-  const Vector<T> eye = vector_of(out, "_eye", at.camera->eye, scene);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) normal = normal + cross(point(i) - first, point(i + 1) - first);
+  const Vector<T> eye = vector_of(out, "_eye", at.camera->eye, scene, world_stage);
   const Vector<T> sight = parallel ? Vector<T>{-eye.x, -eye.y, -eye.z} : first - eye;
   out.gives(&FacingTest::view_dot_normal, dot(sight, normal));
   const T d = parallel ? zero : -dot(normal, first);
@@ -97,10 +97,10 @@ void derive(const FacingTest& e, const Situation& at, Out& out) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const std::size_t n = i + 1 < corners.size() ? i + 1 : 0;
       const auto x = [&](std::size_t k) {
-        return out.number("x_s" + std::to_string(k), vertex(k)->raster.x, Place{Place::In::vertex, corners[k]});
+        return out.number("x_s" + std::to_string(k), vertex(k)->raster.x, Place{Place::In::vertex, corners[k], "x_s"});
       };
       const auto y = [&](std::size_t k) {
-        return out.number("y_s" + std::to_string(k), vertex(k)->raster.y, Place{Place::In::vertex, corners[k]});
+        return out.number("y_s" + std::to_string(k), vertex(k)->raster.y, Place{Place::In::vertex, corners[k], "y_s"});
       };
       normal_z = normal_z + (x(i) * y(n) - x(n) * y(i));
     }
@@ -121,8 +121,10 @@ void derive(const ClipCross& e, const Situation& at, Out& out) {
              outside = detail::distance_of_vertex(out, at, e.plane, e.vertex_outside, "_out");
   if (!in || !outside) return;
   out.gives(&ClipCross::t, where_zero(out.named("d_in", *in), out.named("d_out", *outside)));
-  const auto from = vector_of(out, "_in", at.vertex(e.vertex_inside)->view, Place{Place::In::vertex, e.vertex_inside}),
-             to = vector_of(out, "_out", at.vertex(e.vertex_outside)->view, Place{Place::In::vertex, e.vertex_outside});
+  const auto from = vector_of(out, "_in", at.vertex(e.vertex_inside)->view, Place{Place::In::vertex, e.vertex_inside},
+                              view_stage),
+             to = vector_of(out, "_out", at.vertex(e.vertex_outside)->view, Place{Place::In::vertex, e.vertex_outside},
+                            view_stage);
   const auto t = out.number("t", e.t, Place{});
   out.gives(&ClipCross::x_v, part_of_way(from.x, to.x, t));
   out.gives(&ClipCross::y_v, part_of_way(from.y, to.y, t));

@@ -37,17 +37,17 @@ void derive(const RayPlane& e, const Situation&, Out& out) {
 template <class Out>
 void derive(const RayHit& e, const Situation& at, Out& out) {
   if (const auto& plane = at.method().rays.plane_test; plane && plane->facet == e.facet)
-    out.gives(&RayHit::t, out.number("t of the plane", plane->t, Place{Place::In::ray, 0}));
+    out.gives(&RayHit::t, out.number("t of the plane", plane->t, Place{Place::In::ray, 0, "t"}));
   const RayBegin* ray = detail::ray_at_work(at);
   if (!ray) return;
   const Place place{Place::In::ray, 0};
   const auto t = out.number("t", e.t, Place{});
   const auto along = [&](std::string_view start, double from, std::string_view direction, double step) {
-    return out.number(start, from, place) + t * out.number(direction, step, place);
+    return out.number(start, from, place[start]) + t * out.number(direction, step, place[direction]);
   };
-  out.gives(&RayHit::x_hit, along("x_0", ray->x_0, "dx", ray->dir_x));
-  out.gives(&RayHit::y_hit, along("y_0", ray->y_0, "dy", ray->dir_y));
-  out.gives(&RayHit::z_hit, along("z_0", ray->z_0, "dz", ray->dir_z));
+  out.gives(&RayHit::x_hit, along("x_0", ray->x_0, "dir_x", ray->dir_x));
+  out.gives(&RayHit::y_hit, along("y_0", ray->y_0, "dir_y", ray->dir_y));
+  out.gives(&RayHit::z_hit, along("z_0", ray->z_0, "dir_z", ray->dir_z));
   out.rule(Rule::kept_inside, e.inside || !e.nearest);
 }
 

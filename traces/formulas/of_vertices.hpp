@@ -1,10 +1,8 @@
 // What the numbers of a vertex follow from, from the world to the raster (000, "Viewing"; 003 for pseudodepth).
 #pragma once
 
-#include <glm/vec3.hpp>
-
-#include "traces/formulas/situation.hpp"
 #include "traces/formulas/coverage.hpp"
+#include "traces/formulas/vectors.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::formulas {
@@ -27,13 +25,12 @@ void derive(const BuffersClear&, const Situation& at, Out& out) {
 template <class Out>
 void derive(const ViewTransform& e, const Situation& at, Out& out) {
   if (!at.camera || at.on_screen() || !at.is_point(e.vertex)) return;
-  const glm::dvec3& p = at.scene.points[static_cast<std::size_t>(e.vertex)];
+  const auto w = vector_of(out, "", at.scene.points[static_cast<std::size_t>(e.vertex)],
+                           Place{Place::In::point, e.vertex}, world_stage);
   const glm::dmat4& t_v = at.camera->view;
-  const auto x = detail::of_scene(out, "x", p.x), y = detail::of_scene(out, "y", p.y),
-             z = detail::of_scene(out, "z", p.z);
   const auto row = [&](int i, std::string_view a, std::string_view b, std::string_view c, std::string_view d) {
     return matrix_row(detail::of_scene(out, a, t_v[0][i]), detail::of_scene(out, b, t_v[1][i]),
-                      detail::of_scene(out, c, t_v[2][i]), detail::of_scene(out, d, t_v[3][i]), x, y, z);
+                      detail::of_scene(out, c, t_v[2][i]), detail::of_scene(out, d, t_v[3][i]), w.x, w.y, w.z);
   };
   out.gives(&ViewTransform::x_v, row(0, "t_11", "t_12", "t_13", "t_14"));
   out.gives(&ViewTransform::y_v, row(1, "t_21", "t_22", "t_23", "t_24"));
@@ -46,8 +43,9 @@ void derive(const Projection& e, const Situation& at, Out& out) {
   if (!at.camera || !vertex) return;
   const Camera& camera = *at.camera;
   const Place place{Place::In::vertex, e.vertex};
-  const auto x_v = out.number("x_v", vertex->view.x, place), y_v = out.number("y_v", vertex->view.y, place),
-             z_v = out.number("z_v", vertex->view.z, place);
+  const auto x_v = out.number("x_v", vertex->view.x, place["x_v"]),
+             y_v = out.number("y_v", vertex->view.y, place["y_v"]),
+             z_v = out.number("z_v", vertex->view.z, place["z_v"]);
   const bool parallel = camera.kind == Camera::Kind::orthographic;
   if (parallel) {
     out.gives(&Projection::x_p, x_v);
@@ -64,10 +62,9 @@ void derive(const Projection& e, const Situation& at, Out& out) {
   const auto near = detail::of_scene(out, "f", camera.near), far = detail::of_scene(out, "F", camera.far);
   if (depth != Conventions::Depth::pseudodepth)
     return out.gives(&Projection::z, other_depth(depth, parallel, near, far, z_v));
-  out.gives(&Projection::z,
-            parallel ? parallel_pseudodepth(near, far, z_v)
-                     : pseudodepth(near, out.named("a", pseudodepth_a(near, far)),
-                                   out.named("b", pseudodepth_b(near, far)), z_v));
+  out.gives(&Projection::z, parallel ? parallel_pseudodepth(near, far, z_v)
+                                     : pseudodepth(near, out.named("a", pseudodepth_a(near, far)),
+                                                   out.named("b", pseudodepth_b(near, far)), z_v));
 }
 
 template <class Out>
@@ -78,10 +75,10 @@ void derive(const ViewportTransform& e, const Situation& at, Out& out) {
   if (!(at.camera->window > 0) || raster.height <= 0) return;
   const Place place{Place::In::vertex, e.vertex};
   const double half_width = at.camera->window * raster.width / raster.height;
-  const auto x = screen_x(out.number("x_p", vertex->plane.x, place), detail::of_scene(out, "w_x", half_width),
+  const auto x = screen_x(out.number("x_p", vertex->plane.x, place["x_p"]), detail::of_scene(out, "w_x", half_width),
                           detail::of_scene(out, "W", raster.width));
-  const auto y = screen_y(out.number("y_p", vertex->plane.y, place), detail::of_scene(out, "w_y", at.camera->window),
-                          detail::of_scene(out, "H", raster.height));
+  const auto y = screen_y(out.number("y_p", vertex->plane.y, place["y_p"]),
+                          detail::of_scene(out, "w_y", at.camera->window), detail::of_scene(out, "H", raster.height));
   const bool whole = at.header.conventions.positions == Conventions::Positions::integer;
   out.gives(&ViewportTransform::x_s, whole ? to_nearest(x) : x);
   out.gives(&ViewportTransform::y_s, whole ? to_nearest(y) : y);

@@ -26,7 +26,8 @@
 
 namespace zstep::formulas {
 
-/// Where an operand stands: what has to be right for what follows from it to be right.
+/// Where an operand stands: what has to be right for what follows from it to be right, and from where it can be
+/// followed further back.
 struct Place {
   enum class In : std::uint8_t {
     event,         ///< the event itself
@@ -43,10 +44,13 @@ struct Place {
     piece,         ///< plane, extent and outline of a piece, by its number
     ray,           ///< the ray at work
     horizon,       ///< by column, the upper and the lower one
+    point,         ///< a point of the scene, by its number
   };
   In in = In::event;
   std::int64_t number = 0;
-  bool operator==(const Place&) const = default;
+  std::string_view field = {};  ///< which of the numbers there, as the event that gave it calls it; x_w … in the world
+
+  Place operator[](std::string_view which) const { return {in, number, which}; }
 };
 
 /// What must hold besides formulas. Each has a name and a sentence (traces/check/rules.hpp).
@@ -75,7 +79,7 @@ struct Situation {
   const Header& header;
   const Scene& scene;
   const State& before;
-  const Camera* camera = nullptr;  ///< by which the scene is being drawn; nullptr where that is not known
+  const Camera* camera = nullptr;                ///< by which the scene is being drawn; nullptr where that is not known
   std::uint8_t kinds_recorded[kind_count] = {};  ///< 1 for each kind of event that the trace has
 
   /// Takes the camera that is at work now. What the light sees is drawn by its own, which the scene has as a lamp.

@@ -1,0 +1,79 @@
+// Law: in every golden trace each field that a formula gives has the bits that the formula gives, and each field that
+// the table has as given is given by one.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "tests/golden/golden.hpp"
+#include "traces/formulas/follows.hpp"
+#include "traces/formulas/of_events.hpp"
+#include "traces/formulas/walk.hpp"
+
+namespace zstep {
+namespace {
+
+using formulas::Follows, formulas::Place;
+
+/// How often each field of each kind was given.
+using Given = std::array<std::array<std::int64_t, 16>, kind_count>;
+
+/// Holds the fields of one event against formulas in plain float64.
+template <class E>
+struct Bits {
+  using Number = double;
+  const E& e;
+  const Header& header;
+  std::array<std::int64_t, 16>& given;
+  std::string wrong = {};
+
+  double number(const auto&, double value, const Place&) { return value; }
+  double named(std::string_view, double formula) { return formula; }
+  void reads(const Place&) {}
+  bool trusts(const Place&) const { return true; }
+  bool equal(double one, double other) const { return one == other; }
+  void rule(formulas::Rule, bool) {}
+
+  void gives(Follows<E, double> field, double formula) { is(field, formula); }
+  void whole(Follows<E, std::int32_t> field, double, std::int32_t within) { is(field, within); }
+  template <class Value>
+  void is(std::type_identity_t<Follows<E, Value>> field, Value value) {
+    ++given[field.number];
+    const Value recorded = e.*field.member;
+    bool same = recorded == value;
+    if constexpr (std::is_same_v<Value, double>)
+      same = bits_of(recorded) == bits_of(value) || (std::isnan(recorded) && std::isnan(value)) ||
+             (recorded == 0 && value == 0);  // -0, which JSON Lines may write as 0
+    if (!same) wrong += std::string(field.name) + " ";
+  }
+  void verdict(Follows<E, bool> field, double z, double stored) { is(field, header.comparison.wins(z, stored)); }
+};
+
+TEST_CASE("law: of every golden trace the formulas give every bit, and every field that is given") {
+  Given given{};
+  test::for_each_golden([&](const std::string& name, const Trace& trace) {
+    CAPTURE(name);
+    formulas::walk(
+        trace,
+        [&]<class E>(std::int64_t step, const E& e, const formulas::Situation& at) {
+          Bits<E> bits{e, trace.header(), given[kind_of<E>]};
+          if constexpr (formulas::Derived<E, Bits<E>>) formulas::derive(e, at, bits);
+          if (!bits.wrong.empty()) FAIL_CHECK(kind_text<E>.name << " at step " << step << ": " << bits.wrong);
+          return true;
+        },
+        [](std::int64_t step, const Impossible& why) { FAIL_CHECK("step " << step << ": " << why.what()); });
+  });
+  // Only a header of another program declares to what depths are cleared.
+  given[kind_of<BuffersClear>][0] = 1;
+  for_each_kind([&]<class E>() {
+    for_each_index<E>([&]<std::size_t I>() {
+      const std::string_view field = field_at<E, I>.name;
+      if (formulas::origin_of(kind_of<E>, field) == formulas::Origin::formula && given[kind_of<E>][I] == 0)
+        FAIL_CHECK("no golden trace has a " << kind_text<E>.name << " whose " << field << " a formula gives");
+    });
+  });
+}
+
+}  // namespace
+}  // namespace zstep
