@@ -125,9 +125,9 @@ Chain explain_value(const Trace& trace, const Question& question) {
 Chain explain_value(const Trace& trace, Replay& replay, const Question& question) {
   const auto place = find_place(trace, replay, question);
   if (!place) return {};
+  if (place->step > 0) replay.go_to(place->step);
   Work work(trace, replay);
   if (place->step > 0) {
-    replay.go_to(place->step);
     work.field(place->step, place->field);
   } else {
     work.world(*question.vertex, place->field[0] == 'x' ? Axis3::x : place->field[0] == 'y' ? Axis3::y : Axis3::z);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/answers/explain_value.hpp"
+#include "sim/answers/origin/exact.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/answers/touches.hpp"
 #include "sim/cli/commands.hpp"
@@ -26,7 +27,7 @@ struct ExplainOptions {
   std::string trace;
   std::vector<std::string> what;  ///< X Y, or FIELD, or nothing
   std::string at;
-  bool json = false;
+  bool json = false, exact = false;
 };
 
 answers::Question question_of(const Trace& trace, const ExplainOptions& options) {
@@ -60,24 +61,67 @@ answers::Question question_of(const Trace& trace, const ExplainOptions& options)
   return question;
 }
 
-std::string text_of(const answers::Chain& chain) {
+using Exactness = std::optional<answers::Exactness>;
+
+/// A number that was computed here, and not taken over from another step.
+bool is_computed(const answers::ChainLink& link, const answers::ChainValue& value) {
+  const bool taken_over = value.operands.size() == 1 && value.operands[0].symbol == value.formula;
+  return !link.given && !taken_over && !(value.formula.empty() && value.operands.empty());
+}
+
+/// Two digits, with signs as they are printed.
+std::string roughly(double value) {
+  std::string text = fmt::format("{:.2g}", value);
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
+  return text;
+}
+
+/// "exactly 1/3 = 0.3333…; error −1.9e−17, −0.33 ulp"
+std::string exact_text(const answers::ChainValue& value, const answers::Exact& exact) {
+  if (!exact.known) return "not exact here: " + exact.why;
+  if (value.condition)
+    return exact.error == 0 ? "so without rounding, too" : "without rounding it is the other way round";
+  if (exact.error == 0) return "exact";
+  return fmt::format("exactly {}; error {}, {} ulp", exact.digits, roughly(exact.error), roughly(exact.ulps));
+}
+
+/// Where most of the error of the number that was asked for came in.
+std::string most_text(const answers::Chain& chain, const answers::Exactness& exactness) {
+  const answers::ChainValue& asked = chain.links[0].values[0];
+  const answers::Exact& whole = exactness.of[0][0];
+  if (!whole.known || asked.condition || !asked.word.empty()) return "";
+  if (whole.error == 0) return fmt::format("{} has no error.\n", asked.name);
+  if (!exactness.most) return "";
+  const auto [at, value] = *exactness.most;
+  return fmt::format("The error of {}, {}, is the sum of what each rounding brings. The largest part, {}, comes from {} "
+                     "at step {} ({}).\n",
+                     asked.name, roughly(whole.error), roughly(exactness.of[at][value].brought),
+                     chain.links[at].values[value].name, grouped(chain.links[at].step), chain.links[at].what);
+}
+
+std::string text_of(const answers::Chain& chain, const Exactness& exactness) {
   std::size_t width = 5;
   for (const answers::ChainLink& link : chain.links) width = std::max(width, grouped(link.step).size());
   std::string text = fmt::format("{:>{}}\n", "STEP", width);
-  for (const answers::ChainLink& link : chain.links) {
+  for (std::size_t at = 0; at < chain.links.size(); ++at) {
+    const answers::ChainLink& link = chain.links[at];
     const std::string indent(static_cast<std::size_t>(2 * link.depth), ' '),
         step = link.step == 0 ? "scene" : grouped(link.step);
     text +=
         fmt::format("{:>{}}  {}{}{}\n", step, width, indent, link.what, link.source.empty() ? "" : "   " + link.source);
-    for (const answers::ChainValue& value : link.values) {
-      const bool asked = &value == &chain.links.front().values.front();
+    for (std::size_t i = 0; i < link.values.size(); ++i) {
+      const answers::ChainValue& value = link.values[i];
+      const bool asked = at == 0 && i == 0;
       const std::string hex =
           asked && !value.condition && value.word.empty() ? fmt::format("   ({:a})", value.value) : "";
       text += fmt::format("{:>{}}    {}{}{}\n", "", width, indent, answers::line_text(value), hex);
       if (const std::string doubt = answers::doubt_text(value); !doubt.empty())
         text += fmt::format("{:>{}}    {}{}\n", "", width, indent, doubt);
+      if (exactness && value.word.empty() && (asked || is_computed(link, value)))
+        text += fmt::format("{:>{}}      {}{}\n", "", width, indent, exact_text(value, exactness->of[at][i]));
     }
   }
+  if (exactness) text += most_text(chain, *exactness);
   if (chain.cut) text += "… and what is behind that: ask about one of these numbers\n";
   return text;
 }
@@ -87,11 +131,21 @@ nlohmann::ordered_json json_number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(fmt::format("{}", value));
 }
 
-nlohmann::ordered_json json_of(const answers::Chain& chain) {
+nlohmann::ordered_json json_of(const answers::Exact& exact) {
+  if (!exact.known) return {{"not_exact", exact.why}};
+  return {{"digits", exact.digits},
+          {"error", json_number(exact.error)},
+          {"ulps", json_number(exact.ulps)},
+          {"brought", json_number(exact.brought)}};
+}
+
+nlohmann::ordered_json json_of(const answers::Chain& chain, const Exactness& exactness) {
   nlohmann::ordered_json links = nlohmann::ordered_json::array();
-  for (const answers::ChainLink& link : chain.links) {
+  for (std::size_t at = 0; at < chain.links.size(); ++at) {
+    const answers::ChainLink& link = chain.links[at];
     nlohmann::ordered_json values = nlohmann::ordered_json::array();
-    for (const answers::ChainValue& value : link.values) {
+    for (std::size_t i = 0; i < link.values.size(); ++i) {
+      const answers::ChainValue& value = link.values[i];
       nlohmann::ordered_json operands = nlohmann::ordered_json::array();
       for (const answers::Operand& operand : value.operands)
         operands.push_back({{"symbol", operand.symbol}, {"value", json_number(operand.value)}, {"link", operand.link}});
@@ -104,6 +158,7 @@ nlohmann::ordered_json json_of(const answers::Chain& chain) {
                         {"operands", operands}});
       if (!value.word.empty()) values.back()["word"] = value.word;
       if (const std::string doubt = answers::doubt_text(value); !doubt.empty()) values.back()["doubt"] = doubt;
+      if (exactness) values.back()["exact"] = json_of(exactness->of[at][i]);
     }
     links.push_back({{"step", link.step},
                      {"parent", link.parent},
@@ -111,7 +166,12 @@ nlohmann::ordered_json json_of(const answers::Chain& chain) {
                      {"source", link.source},
                      {"values", values}});
   }
-  return {{"links", links}, {"cut", chain.cut}};
+  nlohmann::ordered_json all{{"links", links}, {"cut", chain.cut}};
+  if (exactness && exactness->most)
+    all["most"] = {{"link", exactness->most->link},
+                   {"step", chain.links[exactness->most->link].step},
+                   {"name", chain.links[exactness->most->link].values[exactness->most->value].name}};
+  return all;
 }
 
 /// Why a pixel has no depth: nothing came there, or its colour alone was written.
@@ -130,8 +190,11 @@ int explain(const ExplainOptions& options) {
   const answers::Chain chain = answers::explain_value(trace, question);
   if (chain.links.empty() && question.pixel) fmt::print("{}\n", no_depth_text(trace, *question.pixel, question.at));
   else if (chain.links.empty()) fmt::print("step {} has no number to explain\n", question.at);
-  else if (options.json) fmt::print("{}\n", printable_json(json_of(chain).dump(2)));
-  else fmt::print("{}", text_of(chain));
+  if (chain.links.empty()) return exit_code::done;
+  Exactness exactness;
+  if (options.exact) exactness = answers::exactness_of(chain, trace);
+  if (options.json) fmt::print("{}\n", printable_json(json_of(chain, exactness).dump(2)));
+  else fmt::print("{}", text_of(chain, exactness));
   return exit_code::done;
 }
 
@@ -152,6 +215,9 @@ void add_explain(CLI::App& app, Action& action) {
       ->add_option("--at", options->at,
                    "The step, part of the trace or bookmark; for a pixel, the moment (default: the end)")
       ->type_name("STEP|PERCENT%|BOOKMARK");
+  command->add_flag("--exact", options->exact,
+                    "Beside each number that is computed what it is without rounding, its error in ulps (units of the "
+                    "last digit), and where most of the error came in");
   command->add_flag("--json", options->json, "As JSON, with each value's hex float");
   command->footer(
       "Each number stands with its formula, the same with numbers, and its result; what it was made of is indented "

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/golden/golden.hpp"
+#include "tests/where.hpp"
 #include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
 #include "traces/formulas/walk.hpp"
@@ -50,20 +51,33 @@ struct Bits {
   void verdict(Follows<E, bool> field, double z, double stored) { is(field, header.comparison.wins(z, stored)); }
 };
 
+void walk(const Trace& trace, Given& given) {
+  formulas::walk(
+      trace,
+      [&]<class E>(std::int64_t step, const E& e, const formulas::Situation& at) {
+        Bits<E> bits{e, trace.header(), given[kind_of<E>]};
+        if constexpr (formulas::Derived<E, Bits<E>>) formulas::derive(e, at, bits);
+        if (!bits.wrong.empty()) FAIL_CHECK(kind_text<E>.name << " at step " << step << ": " << bits.wrong);
+        return true;
+      },
+      [](std::int64_t step, const Impossible& why) { FAIL_CHECK("step " << step << ": " << why.what()); });
+}
+
 TEST_CASE("law: of every golden trace the formulas give every bit, and every field that is given") {
   Given given{};
   test::for_each_golden([&](const std::string& name, const Trace& trace) {
     CAPTURE(name);
-    formulas::walk(
-        trace,
-        [&]<class E>(std::int64_t step, const E& e, const formulas::Situation& at) {
-          Bits<E> bits{e, trace.header(), given[kind_of<E>]};
-          if constexpr (formulas::Derived<E, Bits<E>>) formulas::derive(e, at, bits);
-          if (!bits.wrong.empty()) FAIL_CHECK(kind_text<E>.name << " at step " << step << ": " << bits.wrong);
-          return true;
-        },
-        [](std::int64_t step, const Impossible& why) { FAIL_CHECK("step " << step << ": " << why.what()); });
+    walk(trace, given);
   });
+  // No golden trace has the ways of interpolating that only some runs ask for.
+  const Trace golden = open_jsonl(test::in_checkout("tests/golden/pyramid.jsonl"));
+  for (const auto how : {Conventions::Interpolation::plane, Conventions::Interpolation::plane_increments})
+    for (std::size_t depth = 0; depth < words_of<Conventions::Depth>.size(); ++depth) {
+      CAPTURE(depth);
+      Conventions conventions;
+      conventions.interpolation = how, conventions.depth = static_cast<Conventions::Depth>(depth);
+      walk(test::recorded_by("z-buffer", golden.scene(), conventions), given);
+    }
   // Only a header of another program declares to what depths are cleared.
   given[kind_of<BuffersClear>][0] = 1;
   for_each_kind([&]<class E>() {

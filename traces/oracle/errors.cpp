@@ -12,11 +12,6 @@
 
 namespace zstep::oracle {
 
-namespace {
-
-using formulas::Situation;
-
-/// The distance to the next number of the format: the unit where it is fixed point.
 double last_digit(double value, NumberFormat format, double unit) {
   if (unit > 0) return unit;
   const double size = std::abs(value);
@@ -26,6 +21,10 @@ double last_digit(double value, NumberFormat format, double unit) {
   }
   return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
 }
+
+namespace {
+
+using formulas::Situation;
 
 /// A depth at a pixel: as the run has it, and what it is exactly.
 struct Known {

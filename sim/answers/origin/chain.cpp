@@ -8,28 +8,21 @@
 
 #include <fmt/format.h>
 
+#include "sim/answers/origin/evaluate.hpp"
+
 namespace zstep::answers {
 
 using formulas::Rounded;
 
 namespace {
 
+using detail::begins_name, detail::name_at, detail::operand_of;
+
+Rounded evaluated(const ChainValue& value) {
+  return Evaluation<Rounded>(value, [](const Operand& operand) { return Rounded(operand.value); }).run();
+}
+
 constexpr const char* minus = "\u2212";
-
-bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-std::string name_at(const std::string& formula, std::size_t from) {
-  std::size_t end = from;
-  while (end < formula.size() && in_name(formula[end])) ++end;
-  return formula.substr(from, end - from);
-}
-
-const Operand* operand_of(const ChainValue& value, const std::string& symbol) {
-  for (const Operand& operand : value.operands)
-    if (operand.symbol == symbol) return &operand;
-  return nullptr;
-}
 
 /// The formula with printed signs; names are replaced by what `shown` makes of them.
 template <class Shown>
@@ -54,100 +47,6 @@ std::string printed(const ChainValue& value, Shown&& shown) {
   }
   return text;
 }
-
-/// Recursive descent over a formula; the order of evaluation is that of the text.
-class Evaluation {
- public:
-  explicit Evaluation(const ChainValue& value) : value_(value), text_(value.formula) {}
-  Rounded run() {
-    const Rounded result = comparison();
-    skip();
-    if (at_ != text_.size()) wrong();
-    return result;
-  }
-
- private:
-  [[noreturn]] void wrong() const {
-    throw std::logic_error(fmt::format("'{}' is no formula at character {}", text_, at_));
-  }
-  void skip() {
-    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
-  }
-  bool take(const char* sign) {
-    skip();
-    const std::string wanted = sign;
-    if (text_.compare(at_, wanted.size(), wanted) != 0) return false;
-    at_ += wanted.size();
-    return true;
-  }
-  Rounded comparison() {
-    const Rounded left = sum();
-    if (take("<=")) return left.value <= sum().value ? 1 : 0;
-    if (take("<")) return left.value < sum().value ? 1 : 0;
-    if (take(">=")) return left.value >= sum().value ? 1 : 0;
-    if (take(">")) return left.value > sum().value ? 1 : 0;
-    return left;
-  }
-  Rounded sum() {
-    Rounded result = product();
-    while (true) {
-      if (take("+")) result = result + product();
-      else if (take("-")) result = result - product();
-      else return result;
-    }
-  }
-  Rounded product() {
-    Rounded result = factor();
-    while (true) {
-      if (take("*")) result = result * factor();
-      else if (take("/")) result = result / factor();
-      else return result;
-    }
-  }
-  Rounded factor() {
-    if (take("-")) return -factor();
-    if (take("(")) {
-      const Rounded inner = sum();
-      if (!take(")")) wrong();
-      return inner;
-    }
-    if (take("\u230a")) return closed(floor(sum()), "\u230b");
-    if (take("\u2308")) return closed(ceil(sum()), "\u2309");
-    skip();
-    if (at_ >= text_.size()) wrong();
-    if (begins_name(text_[at_])) return named();
-    const char* from = text_.c_str() + at_;
-    char* end = nullptr;
-    const double number = std::strtod(from, &end);
-    if (end == from) wrong();
-    at_ += static_cast<std::size_t>(end - from);
-    return number;
-  }
-  Rounded closed(const Rounded& inner, const char* sign) {
-    if (!take(sign)) wrong();
-    return inner;
-  }
-  Rounded named() {
-    const std::string name = name_at(text_, at_);
-    at_ += name.size();
-    if (const Operand* operand = operand_of(value_, name)) return operand->value;
-    if (!take("(")) wrong();
-    std::vector<Rounded> arguments{sum()};
-    while (take(",")) arguments.push_back(sum());
-    if (!take(")")) wrong();
-    const auto smaller = [](const Rounded& a, const Rounded& b) { return a.value < b.value; };
-    if (name == "sqrt") return sqrt(arguments[0]);
-    if (name == "abs") return abs(arguments[0]);
-    if (name == "round") return round(arguments[0]);
-    if (name == "min") return *std::min_element(arguments.begin(), arguments.end(), smaller);
-    if (name == "max") return *std::max_element(arguments.begin(), arguments.end(), smaller);
-    wrong();
-  }
-
-  const ChainValue& value_;
-  const std::string& text_;
-  std::size_t at_ = 0;
-};
 
 }  // namespace
 
@@ -199,10 +98,10 @@ std::string line_text(const ChainValue& value) {
   return text;
 }
 
-double evaluate(const ChainValue& value) { return Evaluation(value).run().value; }
+double evaluate(const ChainValue& value) { return evaluated(value).value; }
 
 bool holds(const ChainValue& value) {
-  return value.formula.empty() || formulas::gives(Evaluation(value).run(), value.value, value.rounding);
+  return value.formula.empty() || formulas::gives(evaluated(value), value.value, value.rounding);
 }
 
 std::string doubt_text(const ChainValue& value) {

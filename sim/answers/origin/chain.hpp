@@ -40,6 +40,7 @@ struct ChainLink {
   std::string what;          ///< "depth at x = 9 on the span"
   std::vector<ChainValue> values;
   std::string source;        ///< "pyramid.obj:12", where the scene has lines
+  bool given = false;        ///< a datum of the scene: its numbers are exact as they stand
 };
 
 /// The links in the order in which they are read: each right behind the one that asked for it, or behind what that one

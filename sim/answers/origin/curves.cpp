@@ -34,9 +34,7 @@ Step horizon_before(const Work& work, std::int64_t step, std::int32_t x, bool up
 
 Number horizon_at(Work& work, std::int64_t step, std::int32_t x, bool upper) {
   const Step moved = horizon_before(work, step, x, upper);
-  const double value = moved   ? get<HorizonMove>(work.trace.event(*moved).event).y_curve
-                       : upper ? no_depth
-                               : -no_depth;
+  const double value = moved ? get<HorizonMove>(work.trace.event(*moved).event).y_curve : upper ? no_depth : -no_depth;
   return work.derived(step, fmt::format("horizon {} {}", x, upper),
                       fmt::format("{} horizon of column {}", upper ? "upper" : "lower", x), "y", value,
                       [&](Datum& datum) {
@@ -171,19 +169,12 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::
   if (!row || field == "in_space") return;
   const LineBegin line = row->entry;
   if (field == "t" && !e.in_space) return tell_edge_crossing(datum, work, e, line);
-  if (field == "t") {
-    const std::int32_t piece = piece_of_facet(work, e.facet, line, e.t);
-    if (piece < 0) return;
-    return datum.is("d_0/(d_0 - d_1)",
-                    {{"d_0", behind(work, step, piece, line.vertex_0, true)},
-                     {"d_1", behind(work, step, piece, line.vertex_1, false)}},
-                    false);
-  }
-  const Axis3 axis = field == "x_at" ? Axis3::x : Axis3::y;
-  const std::string p = field == "x_at" ? "x" : "y";
-  datum.is(fmt::format("{0}_0 + t*({0}_1 - {0}_0)", p), {{p + "_0", work.on_raster(line.vertex_0, axis)},
-                                                         {"t", work.field(step, "t")},
-                                                         {p + "_1", work.on_raster(line.vertex_1, axis)}});
+  const std::int32_t piece = field == "t" ? piece_of_facet(work, e.facet, line, e.t) : -1;
+  if (piece < 0) return;
+  datum.is("d_0/(d_0 - d_1)",
+           {{"d_0", behind(work, step, piece, line.vertex_0, true)},
+            {"d_1", behind(work, step, piece, line.vertex_1, false)}},
+           false);
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {

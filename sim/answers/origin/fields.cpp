@@ -102,9 +102,7 @@ std::string shown_name(const Event& event, std::string_view name, const std::str
        {"x_cut", "x"},     {"y_cut", "y"},     {"z_cut", "z"},    {"dir_x", "dX_x"},  {"dir_y", "dX_y"},
        {"dir_z", "dX_z"},  {"r8", "red"},      {"g8", "green"},   {"b8", "blue"}}};
   if (name == "z" || name == "z_edge") return depth;
-  if (name == "z_cut" && holds<SplitVertex>(event) &&
-      get<SplitVertex>(event).space == Space::raster)
-    return depth;
+  if (name == "z_cut" && holds<SplitVertex>(event) && get<SplitVertex>(event).space == Space::raster) return depth;
   for (const auto& [field, shown] : names)
     if (field == name) return std::string(shown);
   return std::string(name);
@@ -117,6 +115,7 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
   if (!field->word.empty()) datum.word(std::string(field->word));
   if (field->whole && field->unit == "index")
     return tell_name(datum, work, name, static_cast<std::int32_t>(field->number), field->meaning);
+  if (work.tell_derived(datum, step, event, name)) return;
   visit_event(
       [&](const auto& known) {
         if constexpr (Told<std::decay_t<decltype(known)>>) tell(datum, work, step, known, name);
@@ -128,6 +127,13 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
 std::vector<std::string> fields_in(const Event& event) {
   std::vector<std::string> names;
   for (const Described& field : described_fields(event)) names.emplace_back(field.name);
+  return names;
+}
+
+std::vector<std::string> real_fields_in(const Event& event) {
+  std::vector<std::string> names;
+  for (const Described& field : described_fields(event))
+    if (field.real) names.emplace_back(field.name);
   return names;
 }
 

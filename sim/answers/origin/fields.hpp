@@ -20,6 +20,8 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
 
 /// All of an event's fields, by name.
 std::vector<std::string> fields_in(const Event& event);
+/// Those that are numbers with a point.
+std::vector<std::string> real_fields_in(const Event& event);
 /// The one that is asked about where none is named; "" where the event has none.
 std::string main_field(const Event& event);
 

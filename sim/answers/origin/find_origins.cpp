@@ -130,7 +130,7 @@ Step step_of_active_edge(const Trace& trace, const MethodState& machine, std::in
       trace, at, [&](const EdgeStep& e) { return e.edge == edge; },
       [&](const Event& event) {
         if (const auto* enters = get_if<EdgeEnter>(&event)) return enters->edge == edge;
-        return is<ScanLineBegin>(event) || begins_work(event);
+        return begins_work(event);
       });
   return moved ? moved : step_of_edge(trace, machine, at, edge);
 }

@@ -85,11 +85,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std:
   if (e.overlap) datum.note("and other_low < high");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const VertexSide& e, std::string_view field) {
-  const auto value = [&](char letter) { return work.plane(e.plane_of, letter); };
+void tell(Datum& datum, Work& work, std::int64_t step, const VertexSide&, std::string_view field) {
   if (field == "side") datum.comes_of("by the sign of the value", {work.field(step, "value")});
-  if (field == "value")
-    datum.is("A*x + B*y + C*z + D", plane_at(value, [&](Axis3 axis) { return work.cutting(e.vertex, axis); }), false);
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::string_view field) {
@@ -99,9 +96,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::s
   const double value = datum.number();
   const Step vertex_side = find_last<VertexSide>(
       work.trace, step, [&](const VertexSide& other) { return other.plane_of == e.plane_of && other.value == value; },
-      [&](const Event& event) {
-        return !holds<VertexSide>(event) && !holds<SideTest>(event);
-      });
+      [&](const Event& event) { return !holds<VertexSide>(event) && !holds<SideTest>(event); });
   if (vertex_side) return datum.same_as("value", work.field(*vertex_side, "value"));
   const Piece *piece = piece_at(work, e.piece), *of = piece_at(work, e.plane_of);
   if (!piece || !of || !of->plane) return;
@@ -144,15 +139,9 @@ Number cut_distance(Work& work, std::int64_t step, std::int32_t vertex, bool fir
 }  // namespace
 
 void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex& e, std::string_view field) {
-  if (field == "space") return;
-  if (field == "t") {
-    const Number d_0 = cut_distance(work, step, e.vertex_0, true), d_1 = cut_distance(work, step, e.vertex_1, false);
-    return datum.is("d_0/(d_0 - d_1)", {{"d_0", d_0}, {"d_1", d_1}}, false);
-  }
-  const Axis3 axis = axis_of(field);
-  datum.is(
-      "V_0 + t*(V_1 - V_0)",
-      {{"V_0", work.cutting(e.vertex_0, axis)}, {"t", work.field(step, "t")}, {"V_1", work.cutting(e.vertex_1, axis)}});
+  if (field != "t") return;
+  const Number d_0 = cut_distance(work, step, e.vertex_0, true), d_1 = cut_distance(work, step, e.vertex_1, false);
+  datum.is("d_0/(d_0 - d_1)", {{"d_0", d_0}, {"d_1", d_1}}, false);
 }
 
 namespace {

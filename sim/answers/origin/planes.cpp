@@ -137,11 +137,6 @@ void tell(Datum& datum, Work& work, std::int64_t step, const PlaneEquation& e, s
 }
 
 void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
-  const auto plane = [&](char letter) { return work.plane(e.piece, letter); };
-  if (field == "z")
-    return datum.is(
-        "-(A*x + B*y + D)/C",
-        {{"A", plane('A')}, {"x", e.x_at}, {"B", plane('B')}, {"y", e.y_at}, {"D", plane('D')}, {"C", plane('C')}});
   // An end of the interval of the line that is at work, or a corner or the centre of an area.
   const auto& interval = work.machine().sweep.interval;
   if (!interval || field != "x_at") return;
@@ -150,16 +145,9 @@ void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::stri
   else if (e.x_at == interval->x_right) datum.same_as("x_right", work.field(flags, "x_right", interval->x_right));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ImpliedEdge& e, std::string_view field) {
+void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, std::string_view) {
   const double y = work.machine().scan_line.value_or(0);
   const auto one = [&](char letter) { return work.plane(e.piece, letter); };
-  if (field == "z")
-    return datum.is("-(A*x + B*y + D)/C", {{"A", one('A')},
-                                           {"x", work.field(step, "x_at")},
-                                           {"B", one('B')},
-                                           {"y", y},
-                                           {"D", one('D')},
-                                           {"C", one('C')}});
   const auto other = [&](char letter) { return work.plane(e.other, letter); };
   std::vector<Given> given{{"A_1", one('A')},   {"B_1", one('B')},   {"C_1", one('C')},
                            {"D_1", one('D')},   {"A_2", other('A')}, {"B_2", other('B')},

@@ -143,11 +143,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::s
 void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::string_view field) {
   const Step begin = ray_at_work(work, step);
   if (!begin || field == "facet") return;
-  if (field == "t") {
-    const Number top = work.field(step, "numerator"), bottom = work.field(step, "denominator");
-    if (std::isnan(e.t)) return datum.comes_of("the ray runs along the plane", {bottom});
-    return datum.is("numerator/denominator", {{"numerator", top}, {"denominator", bottom}});
-  }
+  if (field == "t") return datum.comes_of("the ray runs along the plane", {work.field(step, "denominator")});
   const auto plane = [&](char letter) { return work.facet_plane(e.facet, letter); };
   const auto* fields = field == "numerator" ? from_fields : along_fields;
   std::vector<Given> given;
@@ -163,13 +159,6 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::s
 void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::string_view field) {
   const Step begin = ray_at_work(work, step);
   if (!begin || field == "facet") return;
-  if (field == "t") {
-    const Step plane =
-        find_last<RayPlane>(work.trace, step, [&](const RayPlane& other) { return other.facet == e.facet; });
-    const Number t = work.field(plane, "t", e.t);
-    if (t.value == e.t) return datum.same_as("t", t);
-    return datum.comes_of("0: the ray begins in this plane", {t});  // layers that touch
-  }
   if (field == "nearest") {
     double kept = std::numeric_limits<double>::infinity();
     Step keeper;
@@ -186,13 +175,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::str
     return datum.note(e.nearest == (e.facet < other) ? "a tie: of two as near the first in the file is kept" : "a tie");
   }
   if (field == "inside")
-    return datum.comes_of("by the even-odd rule along the ray",
-                          {work.field(step, "x_hit"), work.field(step, "y_hit"), work.field(step, "z_hit")});
-  const int axis = axis_in(field);
-  datum.is(fmt::format("{0} + t*{1}", from_fields[axis], along_fields[axis]),
-           {{from_fields[axis], work.field(*begin, from_fields[axis])},
-            {"t", work.field(step, "t")},
-            {along_fields[axis], work.field(*begin, along_fields[axis])}});
+    datum.comes_of("by the even-odd rule along the ray",
+                   {work.field(step, "x_hit"), work.field(step, "y_hit"), work.field(step, "z_hit")});
 }
 
 namespace {

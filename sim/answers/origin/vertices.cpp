@@ -1,9 +1,6 @@
-// The way of a vertex, backwards: raster, projection plane, viewing coordinates, the world, the file's line; and
-// clipping.
+// The way of a vertex, backwards: raster, projection plane, viewing coordinates, the world, the file's line.
 #include <array>
 
-#include "algorithms/viewing/camera.hpp"
-#include "algorithms/viewing/vertices.hpp"
 #include "sim/answers/origin/planes.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
@@ -15,10 +12,6 @@ constexpr std::array<const char*, 3> world_names{"x", "y", "z"}, view_names{"x_v
     cut_names{"x_cut", "y_cut", "z_cut"}, scene_names{"x_m", "y_m", "z_m"}, file_names{"x_f", "y_f", "z_f"};
 
 std::size_t place(Axis3 axis) { return static_cast<std::size_t>(axis); }
-
-viewing::Lens lens_of(const Work& work) {
-  return {camera_at_work(work.scene, work.machine()), work.scene.raster, work.conventions.depth};
-}
 
 const VertexStages* way_of(const Work& work, std::int32_t vertex) {
   const auto at = static_cast<std::size_t>(vertex);
@@ -70,9 +63,7 @@ void tell_placement(Datum& datum, Work& work, std::int32_t vertex, Axis3 axis) {
   datum.at_source(work.source_line(placement.line));
 }
 
-bool is_split(const Work& work, const Step& made) {
-  return made && holds<SplitVertex>(work.trace.event(*made).event);
-}
+bool is_split(const Work& work, const Step& made) { return made && holds<SplitVertex>(work.trace.event(*made).event); }
 
 }  // namespace
 
@@ -92,6 +83,7 @@ Number Work::world(std::int32_t vertex, Axis3 axis) {
                               : ", in the world");
   return derived(0, fmt::format("point {}", vertex), what, world_names[place(axis)],
                  component(scene.points[number], axis), [&](Datum& datum) {
+                   datum.given();
                    if (scene.fit) return tell_fit(datum, *this, vertex, axis);
                    if (is_moved(scene, vertex)) return tell_placement(datum, *this, vertex, axis);
                    datum.at_source(source_of_point(vertex));
@@ -106,13 +98,13 @@ Number Work::in_scene(std::int32_t vertex, Axis3 axis) {
   const double value = component((*placement_of(scene, vertex))(scene.file_points[number]), axis);
   return derived(0, fmt::format("placed {}", vertex),
                  fmt::format("vertex {} where the scene places it", vertex_name(vertex)), scene_names[place(axis)],
-                 value, [&](Datum& datum) { tell_placement(datum, *this, vertex, axis); });
+                 value, [&](Datum& datum) { datum.given(), tell_placement(datum, *this, vertex, axis); });
 }
 
 Number Work::in_file(std::int32_t vertex, Axis3 axis) {
   const double value = component(scene.file_points[static_cast<std::size_t>(vertex)], axis);
   return derived(0, fmt::format("file {}", vertex), fmt::format("vertex {} in its file", vertex_name(vertex)),
-                 file_names[place(axis)], value, [&](Datum& datum) { datum.at_source(source_of_point(vertex)); });
+                 file_names[place(axis)], value, [&](Datum& datum) { datum.given(), datum.at_source(source_of_point(vertex)); });
 }
 
 Number Work::viewed(std::int32_t vertex, Axis3 axis) {
@@ -152,91 +144,8 @@ Number Work::cutting(std::int32_t vertex, Axis3 axis) {
   return cuts_in_world(*this) ? world(vertex, axis) : on_raster(vertex, axis);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const ViewTransform& e, std::string_view field) {
-  const std::size_t row = field == "x_v" ? 0 : field == "y_v" ? 1 : 2;
-  if (field == "vertex") return;
-  const glm::dmat4 view = camera_at_work(work.scene, work.machine()).view;
-  std::vector<Given> given;
-  for (std::size_t column = 0; column < 4; ++column) {
-    const double entry = view[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)];
-    given.push_back({fmt::format("T_{}{}", row + 1, column + 1), entry});
-    if (column < 3)
-      given.push_back({fmt::format("{}_w", world_names[column]), work.world(e.vertex, static_cast<Axis3>(column))});
-  }
-  // Two sums of two products: the order in which the product of matrix and vector is computed.
-  datum.is(fmt::format("(T_{0}1*x_w + T_{0}2*y_w) + (T_{0}3*z_w + T_{0}4)", row + 1), std::move(given));
-}
-
-void tell(Datum& datum, Work& work, std::int64_t, const Projection& e, std::string_view field) {
-  const viewing::Lens lens = lens_of(work);
-  if (field == "z") {
-    const Number z_v = work.viewed(e.vertex, Axis3::z);
-    if (lens.depth == Conventions::Depth::view) return datum.same_as("z_v", z_v);
-    if (lens.orthographic)
-      return datum.is("2*(z_v - n)/(f - n) - 1", {{"z_v", z_v}, {"n", lens.near}, {"f", lens.far}});
-    return datum.is("n*(a*z_v + b)/z_v", {{"n", lens.near}, {"a", lens.a}, {"z_v", z_v}, {"b", lens.b}});
-  }
-  const bool x = field == "x_p";
-  const Number across = work.viewed(e.vertex, x ? Axis3::x : Axis3::y);
-  const std::string symbol = x ? "x_v" : "y_v";
-  if (lens.orthographic) return datum.same_as(symbol, across);
-  datum.is("d*" + symbol + "/z_v", {{"d", lens.d}, {symbol, across}, {"z_v", work.viewed(e.vertex, Axis3::z)}});
-}
-
-void tell(Datum& datum, Work& work, std::int64_t, const ViewportTransform& e, std::string_view field) {
-  const viewing::Lens lens = lens_of(work);
-  if (field == "x_s")
-    return datum.is("(x_p + w_x)/(2*w_x)*W - 0.5",
-                    {{"x_p", work.projected(e.vertex, "x_p")}, {"w_x", lens.window_x}, {"W", lens.width}});
-  datum.is("(w_y - y_p)/(2*w_y)*H - 0.5",
-           {{"w_y", lens.window_y}, {"y_p", work.projected(e.vertex, "y_p")}, {"H", lens.height}});
-}
-
-namespace {
-
-/// How far inside a plane of the view volume a vertex lies: the formula over x_v, y_v, z_v, told of `datum`.
-void tell_distance(Datum& datum, Work& work, ClipPlane plane, std::int32_t vertex) {
-  const viewing::Lens lens = lens_of(work);
-  const Number z_v = work.viewed(vertex, Axis3::z);
-  if (plane == ClipPlane::near) return datum.is("z_v - n", {{"z_v", z_v}, {"n", lens.near}});
-  if (plane == ClipPlane::far) return datum.is("f - z_v", {{"f", lens.far}, {"z_v", z_v}});
-  const bool x = plane == ClipPlane::left || plane == ClipPlane::right;
-  const char* sign = plane == ClipPlane::left || plane == ClipPlane::bottom ? "+" : "-";
-  const std::string symbol = x ? "x_v" : "y_v", window = x ? "w_x" : "w_y";
-  const Given across{symbol, work.viewed(vertex, x ? Axis3::x : Axis3::y)},
-      half{window, x ? lens.window_x : lens.window_y};
-  if (lens.orthographic) return datum.is(fmt::format("1 {} {}/{}", sign, symbol, window), {across, half});
-  datum.is(fmt::format("z_v {} d*{}/{}", sign, symbol, window), {{"z_v", z_v}, {"d", lens.d}, across, half});
-}
-
-/// The distance as a value of its own beside what was computed from it.
-Number distance(Work& work, std::int64_t step, const ClipCross& e, bool inside) {
-  const std::int32_t vertex = inside ? e.vertex_inside : e.vertex_outside;
-  glm::dvec3 view(0);
-  for (const Axis3 axis : {Axis3::x, Axis3::y, Axis3::z})
-    view[static_cast<glm::length_t>(axis)] = work.viewed(vertex, axis).value;
-  const double value = viewing::distance_inside(lens_of(work), view, e.plane);
-  return work.derived(step, "", "", inside ? "d_in" : "d_out", value,
-                      [&](Datum& datum) { tell_distance(datum, work, e.plane, vertex); });
-}
-
-}  // namespace
-
-void tell(Datum& datum, Work& work, std::int64_t step, const ClipVertex& e, std::string_view field) {
-  if (field == "distance") return tell_distance(datum, work, e.plane, e.vertex);
+void tell(Datum& datum, Work& work, std::int64_t step, const ClipVertex&, std::string_view field) {
   if (field == "inside") datum.holds_if("distance >= 0", {{"distance", work.field(step, "distance")}});
-}
-
-void tell(Datum& datum, Work& work, std::int64_t step, const ClipCross& e, std::string_view field) {
-  if (field == "plane") return;
-  if (field == "t") {
-    const Number in = distance(work, step, e, true), out = distance(work, step, e, false);
-    return datum.is("d_in/(d_in - d_out)", {{"d_in", in}, {"d_out", out}});
-  }
-  const Axis3 axis = field == "x_v" ? Axis3::x : field == "y_v" ? Axis3::y : Axis3::z;
-  datum.is("V_in + t*(V_out - V_in)", {{"V_in", work.viewed(e.vertex_inside, axis)},
-                                       {"t", work.field(step, "t")},
-                                       {"V_out", work.viewed(e.vertex_outside, axis)}});
 }
 
 }  // namespace zstep::answers

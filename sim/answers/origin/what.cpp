@@ -39,6 +39,9 @@ struct Name {
     const auto line = work.machine().scan_line;
     return line ? fmt::format("active {} on scan line {}", edge(e.edge), *line) : "active " + edge(e.edge);
   }
+  std::string operator()(const PlaneSlopes& e) const {
+    return fmt::format("slopes of the plane of {}", work.label(e.polygon));
+  }
   std::string operator()(const SpanBegin& e) const {
     return fmt::format("span of scan line {} from {} to {}", e.y, edge(e.left_edge), edge(e.right_edge));
   }

@@ -26,9 +26,7 @@ void Datum::is(std::string formula, std::vector<Given> operands, bool exact) {
         {std::move(given.symbol), given.number.value, given.number.link, std::move(given.number.name)});
 }
 
-void Datum::same_as(const std::string& symbol, const Number& number) {
-  is(symbol, {{symbol, number}});
-}
+void Datum::same_as(const std::string& symbol, const Number& number) { is(symbol, {{symbol, number}}); }
 
 void Datum::comes_of(std::string note, const std::vector<Number>& numbers) {
   ChainValue& told = value();
@@ -50,17 +48,9 @@ bool Datum::told() const {
   return !is.formula.empty() || !is.note.empty() || !is.operands.empty();
 }
 
-void Datum::at_source(std::string source) { work_.chain.links[link_].source = std::move(source); }
+void Datum::given() { work_.chain.links[link_].given = true; }
 
-std::string formula_of(const words::Shown& formula) {
-  static constexpr std::pair<std::string_view, std::string_view> signs[] = {
-      {"\u2212", "-"}, {"\u00b7", "*"}, {")(", ")*("}};
-  std::string text = formula.symbols();
-  for (const auto& [printed, plain] : signs)
-    for (std::size_t at = text.find(printed); at != std::string::npos; at = text.find(printed, at + plain.size()))
-      text.replace(at, printed.size(), plain);
-  return text;
-}
+void Datum::at_source(std::string source) { work_.chain.links[link_].source = std::move(source); }
 
 std::string Work::depth_name() const { return depth_symbol(scene, conventions); }
 std::string Work::label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
@@ -150,7 +140,7 @@ void Work::run_later() {
   while (!later_.empty()) {
     const Later next = std::move(later_.front());
     later_.pop_front();
-    replay_.go_to(next.step);
+    at_ = next.step;
     vertices_.clear(), pieces_.clear();
     current_ = next.parent;
     const Number number = field(next.step, next.name);

@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 
 #include "sim/answers/origin/chain.hpp"
+#include "sim/answers/origin/derivations.hpp"
 #include "sim/answers/origin/find_origins.hpp"
-#include "sim/words/shown.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -60,6 +60,8 @@ class Datum {
   void word(std::string one);
   /// Was anything said of it?
   bool told() const;
+  /// The link's numbers are the scene's own: without rounding all follows from them.
+  void given();
   /// The step's own line of the mesh file.
   void at_source(std::string source);
 
@@ -72,7 +74,11 @@ class Datum {
 class Work {
  public:
   Work(const Trace& trace_, Replay& replay)
-      : trace(trace_), scene(trace_.scene()), conventions(trace_.header().conventions), replay_(replay) {}
+      : trace(trace_),
+        scene(trace_.scene()),
+        conventions(trace_.header().conventions),
+        replay_(replay),
+        at_(replay.position()) {}
 
   const Trace& trace;
   const Scene& scene;
@@ -80,10 +86,13 @@ class Work {
   Chain chain;
 
   /// The state in which numbers are looked for: that of the step that was asked about, or of a later question of the
-  /// chain.
-  const State& state() const { return replay_.state(); }
-  const MethodState& machine() const { return replay_.state().machine; }
-  std::int64_t at() const { return replay_.position(); }
+  /// chain. It moves while a number is followed back, so what is needed of it afterwards is to be copied.
+  const State& state() const {
+    if (replay_.position() != at_) replay_.go_to(at_);
+    return replay_.state();
+  }
+  const MethodState& machine() const { return state().machine; }
+  std::int64_t at() const { return at_; }
   std::string depth_name() const;
   std::string label(std::int32_t polygon) const;
   const std::string& piece(std::int32_t number) const;
@@ -93,6 +102,10 @@ class Work {
   Number field(std::int64_t step, std::string_view name);
   /// The same, plain where the step is not known.
   Number field(const Step& step, std::string_view name, double otherwise);
+  /// Tells of a field what a formula of traces/formulas says; false where none gives it.
+  bool tell_derived(Datum& datum, std::int64_t step, const Event& event, std::string_view field);
+  void tell_formula(Datum& datum, std::int64_t step, const Event& event, std::string_view field,
+                    const Formula& formula);
   /// A number with a name of its own at a step's link (what an event does not carry), told by `tell(datum)`.
   template <class Tell>
   Number derived(std::int64_t step, const std::string& subject, const std::string& what, const std::string& name,
@@ -112,18 +125,18 @@ class Work {
   void later(std::int64_t step, std::string_view name, const std::string& symbol = "");
   void run_later();
 
-  // --- What many numbers come from (vertices.cpp, edges.cpp, planes.cpp)
+  // --- What many numbers come from (vertices.cpp, operands.cpp, planes.cpp)
 
   enum class Axis3 { x, y, z };
-  Number world(std::int32_t vertex, Axis3 axis);     ///< as the scene, or cutting in the world, has it
-  Number in_scene(std::int32_t vertex, Axis3 axis);  ///< before the scene was fitted
-  Number in_file(std::int32_t vertex, Axis3 axis);   ///< before the scene's file placed it
-  Number viewed(std::int32_t vertex, Axis3 axis);    ///< x_v, y_v, z_v
-  Number on_raster(std::int32_t vertex, Axis3 axis); ///< x_s, y_s and the depth that is interpolated
+  Number world(std::int32_t vertex, Axis3 axis);               ///< as the scene, or cutting in the world, has it
+  Number in_scene(std::int32_t vertex, Axis3 axis);            ///< before the scene was fitted
+  Number in_file(std::int32_t vertex, Axis3 axis);             ///< before the scene's file placed it
+  Number viewed(std::int32_t vertex, Axis3 axis);              ///< x_v, y_v, z_v
+  Number on_raster(std::int32_t vertex, Axis3 axis);           ///< x_s, y_s and the depth that is interpolated
   double raster_value(std::int32_t vertex, Axis3 axis) const;  ///< the number alone
-  Number cutting(std::int32_t vertex, Axis3 axis);   ///< where pieces are cut: in the world, or on the raster
+  Number cutting(std::int32_t vertex, Axis3 axis);             ///< where pieces are cut: in the world, or on the raster
   Number projected(std::int32_t vertex, std::string_view field);
-  Number edge_end(std::int32_t edge, bool upper, Axis3 axis);  ///< x_0, y_0, z_0 of a row of the edge table, or x_1 …
+  Number edge_end(std::int32_t edge, bool lower, Axis3 axis);  ///< x_0, y_0, z_0 of a row of the edge table, or x_1 …
   Number plane(std::int32_t piece, char letter);               ///< 'A' … 'D' of a piece's plane
   Number facet_plane(std::int32_t facet, char letter);         ///< of a facet in the world, as rays meet it
   Number extent(std::int32_t piece, std::string_view field);
@@ -140,8 +153,16 @@ class Work {
   /// Where a new value stands; nothing if it is there already.
   std::optional<std::size_t> place_of(std::int32_t link, const std::string& name, double value);
 
-  struct Later { std::int64_t step; std::string name, symbol; std::int32_t parent; };
+  struct Later {
+    std::int64_t step;
+    std::string name, symbol;
+    std::int32_t parent;
+  };
+  const std::vector<Derivation>& derivations(std::int64_t step, const Event& event);
+
   Replay& replay_;
+  std::int64_t at_;
+  std::map<std::int64_t, std::vector<Derivation>> derivations_;
   std::map<std::pair<std::int64_t, std::string>, std::int32_t> links_;
   std::map<std::int32_t, VertexSteps> vertices_;  ///< as far as the state has them, and so the names of pieces
   mutable std::map<std::int32_t, std::string> pieces_;
@@ -152,30 +173,23 @@ class Work {
 
 using Axis3 = Work::Axis3;
 
-/// A name in a formula of traces/formulas, and what the formula looks like over such names: "z_L + (z_R - z_L)*(x -
-/// x_L)/(x_R - x_L)".
-inline words::Shown symbol(std::string name) { return {std::move(name), 0, ""}; }
-std::string formula_of(const words::Shown& formula);
-
 /// What the link of a step is called: "depth at x = 9 on the span".
 std::string what_happens(const Work& work, const Event& event);
 
-// --- Where each field of each kind of event comes from. What is not listed names something, or counts.
+// --- Where the fields come from that no formula of traces/formulas gives. What is not listed names something, or
+// counts.
 
+// clang-format off
 #define ZSTEP_TOLD(E) void tell(Datum& datum, Work& work, std::int64_t step, const E& event, std::string_view field);
-ZSTEP_TOLD(ViewTransform)
-ZSTEP_TOLD(Projection) ZSTEP_TOLD(ViewportTransform) ZSTEP_TOLD(FacingTest) ZSTEP_TOLD(ClipTest) ZSTEP_TOLD(ClipVertex)
-    ZSTEP_TOLD(ClipCross) ZSTEP_TOLD(EdgeTableInsert) ZSTEP_TOLD(EdgeStep) ZSTEP_TOLD(SpanBegin)
-        ZSTEP_TOLD(DepthInterpolate) ZSTEP_TOLD(DepthCompare) ZSTEP_TOLD(DepthWrite) ZSTEP_TOLD(PixelPaint)
-            ZSTEP_TOLD(ColorBlend) ZSTEP_TOLD(ColorWrite) ZSTEP_TOLD(ShadowCompare) ZSTEP_TOLD(PlaneEquation)
-                ZSTEP_TOLD(Extent) ZSTEP_TOLD(PlaneDepth) ZSTEP_TOLD(ImpliedEdge) ZSTEP_TOLD(SpanFlags)
-                    ZSTEP_TOLD(ExtentTest) ZSTEP_TOLD(SideTest) ZSTEP_TOLD(VertexSide) ZSTEP_TOLD(OverlapTest)
-                        ZSTEP_TOLD(SplitVertex) ZSTEP_TOLD(EyeSide) ZSTEP_TOLD(NodeSkip) ZSTEP_TOLD(AreaBegin)
-                            ZSTEP_TOLD(AreaBin) ZSTEP_TOLD(BoxMake) ZSTEP_TOLD(GridMake) ZSTEP_TOLD(RayBegin)
-                                ZSTEP_TOLD(CellVisit) ZSTEP_TOLD(BoxTest) ZSTEP_TOLD(RayPlane) ZSTEP_TOLD(RayHit)
-                                    ZSTEP_TOLD(RayEnd) ZSTEP_TOLD(CurveBegin) ZSTEP_TOLD(HorizonTest)
-                                        ZSTEP_TOLD(HorizonMove) ZSTEP_TOLD(HorizonCross) ZSTEP_TOLD(LineCross)
-                                            ZSTEP_TOLD(LineHide) ZSTEP_TOLD(LinePiece)
+ZSTEP_TOLD(FacingTest) ZSTEP_TOLD(ClipTest) ZSTEP_TOLD(ClipVertex) ZSTEP_TOLD(PixelPaint) ZSTEP_TOLD(ColorBlend)
+ZSTEP_TOLD(ColorWrite) ZSTEP_TOLD(ShadowCompare) ZSTEP_TOLD(PlaneEquation) ZSTEP_TOLD(Extent) ZSTEP_TOLD(PlaneDepth)
+ZSTEP_TOLD(ImpliedEdge) ZSTEP_TOLD(SpanFlags) ZSTEP_TOLD(ExtentTest) ZSTEP_TOLD(SideTest)
+ZSTEP_TOLD(VertexSide) ZSTEP_TOLD(OverlapTest) ZSTEP_TOLD(SplitVertex) ZSTEP_TOLD(EyeSide) ZSTEP_TOLD(NodeSkip)
+ZSTEP_TOLD(AreaBegin) ZSTEP_TOLD(AreaBin) ZSTEP_TOLD(BoxMake) ZSTEP_TOLD(GridMake) ZSTEP_TOLD(RayBegin)
+ZSTEP_TOLD(CellVisit) ZSTEP_TOLD(BoxTest) ZSTEP_TOLD(RayPlane) ZSTEP_TOLD(RayHit) ZSTEP_TOLD(RayEnd)
+ZSTEP_TOLD(CurveBegin) ZSTEP_TOLD(HorizonTest) ZSTEP_TOLD(HorizonMove) ZSTEP_TOLD(HorizonCross) ZSTEP_TOLD(LineCross)
+ZSTEP_TOLD(LineHide) ZSTEP_TOLD(LinePiece)
+// clang-format on
 #undef ZSTEP_TOLD
 
 }  // namespace zstep::answers

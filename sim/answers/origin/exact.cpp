@@ -1,0 +1,238 @@
+#include "sim/answers/origin/exact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "sim/answers/origin/evaluate.hpp"
+#include "traces/oracle/errors.hpp"
+#include "traces/oracle/exact_depth.hpp"
+
+namespace zstep::answers {
+
+namespace {
+
+using Whole = boost::multiprecision::cpp_int;
+using Rational = boost::multiprecision::cpp_rational;
+
+/// Why a number has no exact value here.
+struct NotExact {
+  std::string why;
+};
+
+/// A number and how much it gains where one operand gains 1.
+struct Slope {
+  double value = 0, gain = 0;
+  explicit Slope(double v) : value(v) {}
+  Slope(double v, double g) : value(v), gain(g) {}
+};
+Slope operator+(Slope a, Slope b) { return {a.value + b.value, a.gain + b.gain}; }
+Slope operator-(Slope a, Slope b) { return {a.value - b.value, a.gain - b.gain}; }
+Slope operator-(Slope a) { return {-a.value, -a.gain}; }
+Slope operator*(Slope a, Slope b) { return {a.value * b.value, a.gain * b.value + a.value * b.gain}; }
+Slope operator/(Slope a, Slope b) { return {a.value / b.value, (a.gain - a.value / b.value * b.gain) / b.value}; }
+
+double rounded(const Rational& exact) { return oracle::quotient(numerator(exact), denominator(exact)); }
+
+Rational exact_of(double value) {
+  if (!std::isfinite(value)) throw NotExact{"a number that is not finite"};
+  return Rational(value);
+}
+
+}  // namespace
+
+template <>
+struct Functions<Rational> {
+  static bool less(const Rational& a, const Rational& b) { return a < b; }
+  static bool equal(const Rational& a, const Rational& b) { return a == b; }
+  static Rational floor(const Rational& a) {
+    const Whole below = numerator(a) / denominator(a);  // towards 0
+    return Rational(a < Rational(below) ? Whole(below - 1) : below);
+  }
+  static Rational ceil(const Rational& a) { return -floor(-a); }
+  static Rational round(const Rational& a) {
+    return a < 0 ? Rational(-floor(-a + Rational(1, 2))) : floor(a + Rational(1, 2));
+  }
+  static Rational sqrt(const Rational&) { throw NotExact{"a square root"}; }
+};
+
+template <>
+struct Functions<Slope> {
+  static bool less(const Slope& a, const Slope& b) { return a.value < b.value; }
+  static bool equal(const Slope& a, const Slope& b) { return a.value == b.value; }
+  static Slope floor(const Slope& a) { return Slope(std::floor(a.value)); }
+  static Slope ceil(const Slope& a) { return Slope(std::ceil(a.value)); }
+  static Slope round(const Slope& a) { return Slope(std::round(a.value)); }
+  static Slope sqrt(const Slope& a) {
+    const double root = std::sqrt(a.value);
+    return {root, a.gain / (2 * root)};
+  }
+};
+
+namespace {
+
+/// 25 digits, rounded: more than float64 has, so that its error shows.
+std::string decimals_of(const Rational& exact) {
+  constexpr int count = 25;
+  if (exact == 0) return "0";
+  int exponent = static_cast<int>(std::floor(std::log10(std::abs(rounded(exact)))));
+  const auto scaled = [&] {
+    Whole above = abs(numerator(exact)), below = denominator(exact);
+    const int places = count - 1 - exponent;
+    (places > 0 ? above : below) *= pow(Whole(10), static_cast<unsigned>(std::abs(places)));
+    return Whole((2 * above + below) / (2 * below)).str();
+  };
+  std::string digits = scaled();
+  if (digits.size() != count) exponent += digits.size() > count ? 1 : -1, digits = scaled();
+  const std::string sign = exact < 0 ? "\u2212" : "";
+  if (exponent < -6 || exponent >= count - 1)
+    return fmt::format("{}{}.{}e{}", sign, digits.substr(0, 1), digits.substr(1), exponent);
+  if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+  const auto whole = static_cast<std::size_t>(exponent + 1);
+  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
+}
+
+/// A short fraction as it is, and digits; of a number that float64 holds, its own.
+std::string digits_of(const Rational& exact) {
+  if (exact == Rational(rounded(exact))) return full_digits(rounded(exact));
+  constexpr std::size_t short_enough = 9;
+  const std::string above = Whole(abs(numerator(exact))).str(), below = Whole(denominator(exact)).str();
+  const std::string digits = decimals_of(exact);
+  if (above.size() > short_enough || below.size() > short_enough) return digits;
+  return fmt::format("{}{}/{} = {}", exact < 0 ? "\u2212" : "", above, below, digits);
+}
+
+/// Goes through a chain, each number once, after what it was made of.
+class Exactly {
+ public:
+  Exactly(const Chain& chain, const Trace& trace)
+      : chain_(chain),
+        format_(trace.header().conventions.number_format),
+        depth_unit_(depth_unit(trace.scene(), trace.header().conventions)) {
+    for (const ChainLink& link : chain.links) {
+      result_.of.emplace_back(link.values.size());
+      exact_.emplace_back(link.values.size());
+      states_.emplace_back(link.values.size(), State::unknown);
+    }
+  }
+
+  Exactness run() {
+    for (std::size_t link = 0; link < chain_.links.size(); ++link)
+      for (std::size_t value = 0; value < chain_.links[link].values.size(); ++value) find({link, value});
+    if (!chain_.links.empty() && !chain_.links[0].values.empty() && result_.of[0][0].known) share_out();
+    return std::move(result_);
+  }
+
+ private:
+  using Where = Exactness::Where;
+  enum class State : std::uint8_t { unknown, at_work, done };
+
+  const ChainValue& value_at(Where at) const { return chain_.links[at.link].values[at.value]; }
+  std::optional<Where> source_of(const Operand& operand) const {
+    if (operand.link < 0) return std::nullopt;
+    const auto link = static_cast<std::size_t>(operand.link);
+    const std::vector<ChainValue>& values = chain_.links[link].values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i].name == operand.name) return Where{link, i};
+    return std::nullopt;
+  }
+
+  /// Of a fixed-point number: x and y count parts of a pixel, other numbers those of a depth.
+  double unit_of(const ChainValue& value) const {
+    const bool position = value.name.starts_with('x') || value.name.starts_with('y');
+    return depth_unit_ > 0 && position ? 1 / fixed_positions_a_pixel : depth_unit_;
+  }
+
+  void find(Where at) {
+    State& state = states_[at.link][at.value];
+    if (state != State::unknown) return;
+    state = State::at_work;
+    const ChainValue& value = value_at(at);
+    Exact& found = result_.of[at.link][at.value];
+    try {
+      exact_[at.link][at.value] = computed(at, value);
+      const Rational& exact = exact_[at.link][at.value];
+      const Rational error = exact_of(value.value) - exact;
+      found.known = true;
+      found.digits = digits_of(exact);
+      found.error = rounded(error);
+      found.ulps = found.error / oracle::last_digit(rounded(exact), format_, unit_of(value));
+    } catch (const NotExact& reason) {
+      found.why = reason.why;
+    } catch (const std::overflow_error&) {
+      found.why = "a division by 0";
+    }
+    order_.push_back(at);
+    state = State::done;
+  }
+
+  Rational computed(Where at, const ChainValue& value) {
+    if (chain_.links[at.link].given) return exact_of(value.value);
+    if (value.formula.empty()) throw NotExact{value.name + ", which is taken as recorded"};
+    return Evaluation<Rational>(value,
+                                [&](const Operand& operand) {
+                                  const auto from = source_of(operand);
+                                  if (!from) return exact_of(operand.value);
+                                  find(*from);
+                                  const Exact& exact = result_.of[from->link][from->value];
+                                  if (!exact.known) throw NotExact{exact.why.empty() ? operand.name : exact.why};
+                                  return exact_[from->link][from->value];
+                                })
+        .run();
+  }
+
+  /// By how much a number is off what its formula gives of its own operands.
+  static double added_at(const ChainValue& value) {
+    try {
+      return rounded(exact_of(value.value) -
+                     Evaluation<Rational>(value, [](const Operand& operand) { return exact_of(operand.value); }).run());
+    } catch (const std::overflow_error&) {
+      return 0;  // its operands are 0 where the exact ones are not
+    }
+  }
+
+  /// How much of the first number's error comes in at each step: what rounding adds there, times how much the first
+  /// number gains from it.
+  void share_out() {
+    std::vector<std::vector<double>> gains;
+    for (const ChainLink& link : chain_.links) gains.emplace_back(link.values.size());
+    gains[0][0] = 1;
+    for (auto at = order_.rbegin(); at != order_.rend(); ++at) {
+      const double gain = gains[at->link][at->value];
+      const ChainValue& value = value_at(*at);
+      Exact& found = result_.of[at->link][at->value];
+      if (gain == 0 || !found.known || chain_.links[at->link].given || value.formula.empty()) continue;
+      found.brought = added_at(value) * gain;
+      for (const Operand& operand : value.operands) {
+        const auto from = source_of(operand);
+        if (!from) continue;
+        const Slope slope = Evaluation<Slope>(value, [&](const Operand& other) {
+                              return Slope(other.value, other.symbol == operand.symbol ? 1 : 0);
+                            }).run();
+        gains[from->link][from->value] += gain * slope.gain;
+      }
+      if (found.brought != 0 &&
+          (!result_.most ||
+           std::abs(found.brought) > std::abs(result_.of[result_.most->link][result_.most->value].brought)))
+        result_.most = *at;
+    }
+  }
+
+  const Chain& chain_;
+  NumberFormat format_;
+  double depth_unit_;  ///< of fixed-point depths, else 0
+  Exactness result_;
+  std::vector<std::vector<Rational>> exact_;
+  std::vector<std::vector<State>> states_;
+  std::vector<Where> order_;  ///< each after what it was made of
+};
+
+}  // namespace
+
+Exactness exactness_of(const Chain& chain, const Trace& trace) { return Exactly(chain, trace).run(); }
+
+}  // namespace zstep::answers
