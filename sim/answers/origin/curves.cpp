@@ -118,16 +118,6 @@ std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegi
   return best;
 }
 
-Number behind(Work& work, std::int64_t step, std::int32_t piece, std::int32_t vertex, bool first) {
-  const auto given = plane_at([&](char letter) { return work.plane(piece, letter); },
-                              [&](Axis3 axis) { return work.on_raster(vertex, axis); });
-  ChainValue value;
-  value.formula = "A*x + B*y + C*z + D";
-  for (const Given& one : given) value.operands.push_back({one.symbol, one.number.value, -1, {}});
-  return work.derived(step, "", "", first ? "d_0" : "d_1", evaluate(value),
-                      [&](Datum& datum) { datum.is(value.formula, given); });
-}
-
 /// Where, on the picture, the line crosses an edge of the face: the edge that gives this t.
 void tell_edge_crossing(Datum& datum, Work& work, const LineCross& e, const LineBegin& line) {
   const std::int32_t number = piece_of_facet(work, e.facet, line, e.t);
@@ -171,10 +161,10 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::
   if (field == "t" && !e.in_space) return tell_edge_crossing(datum, work, e, line);
   const std::int32_t piece = field == "t" ? piece_of_facet(work, e.facet, line, e.t) : -1;
   if (piece < 0) return;
-  datum.is("d_0/(d_0 - d_1)",
-           {{"d_0", behind(work, step, piece, line.vertex_0, true)},
-            {"d_1", behind(work, step, piece, line.vertex_1, false)}},
-           false);
+  const auto value = [&](const char* name, std::int32_t vertex) {
+    return plane_value(work, step, name, piece, [&](Axis3 axis) { return work.on_raster(vertex, axis); });
+  };
+  datum.is("d_0/(d_0 - d_1)", {{"d_0", value("d_0", line.vertex_0)}, {"d_1", value("d_1", line.vertex_1)}}, false);
 }
 
 void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {

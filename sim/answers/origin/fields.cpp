@@ -94,6 +94,11 @@ std::optional<double> field_number(const Event& event, std::string_view name) {
   return field ? std::optional(field->number) : std::nullopt;
 }
 
+std::string field_word(const Event& event, std::string_view name) {
+  const auto field = field_of(event, name);
+  return field ? std::string(field->word) : "";
+}
+
 std::string shown_name(const Event& event, std::string_view name, const std::string& depth) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 24> names{
       {{"x_left", "x_L"},  {"x_right", "x_R"}, {"z_left", "z_L"}, {"z_right", "z_R"}, {"dx_dy", "1/m"},

@@ -13,6 +13,8 @@ namespace zstep::answers {
 /// Its value as a number: that of a word is its place among the words, true is 1. Nothing where the event has no such
 /// field.
 std::optional<double> field_number(const Event& event, std::string_view name);
+/// Of a field that is one of several words, the word; else "".
+std::string field_word(const Event& event, std::string_view name);
 /// What it is called in a chain: "x_L" for x_left, "1/m" for dx_dy. `depth` is what depths are called.
 std::string shown_name(const Event& event, std::string_view name, const std::string& depth);
 /// Tells where it comes from.

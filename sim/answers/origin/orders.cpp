@@ -122,25 +122,19 @@ void tell(Datum& datum, Work& work, std::int64_t, const OverlapTest& e, std::str
 
 namespace {
 
-/// The value of the cutting plane at one end of an edge, as a value of the cut's own link.
-Number cut_distance(Work& work, std::int64_t step, std::int32_t vertex, bool first) {
+/// The value of the cutting plane at one end of an edge.
+Number cut_distance(Work& work, std::int64_t step, std::int32_t vertex, const char* name) {
   const Step test = find_last<SideTest>(work.trace, step, [](const SideTest&) { return true; });
   if (!test) return 0;
   const std::int32_t plane_of = get<SideTest>(work.trace.event(*test).event).plane_of;
-  const auto given = plane_at([&](char letter) { return work.plane(plane_of, letter); },
-                              [&](Axis3 axis) { return work.cutting(vertex, axis); });
-  ChainValue value;
-  value.formula = "A*x + B*y + C*z + D";
-  for (const Given& one : given) value.operands.push_back({one.symbol, one.number.value, -1, {}});
-  return work.derived(step, "", "", first ? "d_0" : "d_1", evaluate(value),
-                      [&](Datum& datum) { datum.is(value.formula, given); });
+  return plane_value(work, step, name, plane_of, [&](Axis3 axis) { return work.cutting(vertex, axis); });
 }
 
 }  // namespace
 
 void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex& e, std::string_view field) {
   if (field != "t") return;
-  const Number d_0 = cut_distance(work, step, e.vertex_0, true), d_1 = cut_distance(work, step, e.vertex_1, false);
+  const Number d_0 = cut_distance(work, step, e.vertex_0, "d_0"), d_1 = cut_distance(work, step, e.vertex_1, "d_1");
   datum.is("d_0/(d_0 - d_1)", {{"d_0", d_0}, {"d_1", d_1}}, false);
 }
 

@@ -47,17 +47,16 @@ int channel_of(std::string_view field) {
 }
 bool names_channel(std::string_view field) { return field == "r8" || field == "g8" || field == "b8"; }
 
-Number color_of_polygon(Work& work, std::int32_t polygon, int which) {
+}  // namespace
+
+Number Work::color_of(std::int32_t polygon, int which) {
   static constexpr const char* names[] = {"red", "green", "blue"};
   const auto at = static_cast<std::size_t>(polygon);
-  const bool known = polygon >= 0 && at < work.scene.polygons.size();
-  const double value = channel(known ? work.scene.polygons[at].color : work.scene.background, which);
-  return work.derived(
-      0, fmt::format("colour of {}", polygon), "colour of " + work.label(polygon), names[which], value,
-      [&](Datum& datum) { datum.at_source(known ? work.source_of_polygon(polygon) : work.source_line(0)); });
+  const bool known = polygon >= 0 && at < scene.polygons.size();
+  const double value = channel(known ? scene.polygons[at].color : scene.background, which);
+  return derived(0, fmt::format("colour of {}", polygon), "colour of " + label(polygon), names[which], value,
+                 [&](Datum& datum) { datum.at_source(known ? source_of_polygon(polygon) : source_line(0)); });
 }
-
-}  // namespace
 
 void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::string_view field) {
   const auto at = static_cast<std::size_t>(e.polygon);
@@ -68,10 +67,10 @@ void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::stri
   if (!names_channel(field)) return;
   const int which = channel_of(field);
   const auto fragment = work.machine().fragment;
-  const Number top = color_of_polygon(work, e.polygon, which);
+  const Number top = work.color_of(e.polygon, which);
   if (!fragment || fragment->x != e.x || fragment->y != e.y) return datum.comes_of("mixed with what was there", {top});
   const Number bottom = fragment->stored_ink != no_ink ? Number(channel(zstep::color_of(fragment->stored_ink), which))
-                                                       : color_of_polygon(work, fragment->stored_polygon, which);
+                                                       : work.color_of(fragment->stored_polygon, which);
   datum.is("round(alpha*over + (1 - alpha)*under)", {{"alpha", e.opacity}, {"over", top}, {"under", bottom}});
 }
 
@@ -90,7 +89,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std:
     const Step compare = find_last<ShadowCompare>(work.trace, step, [](const ShadowCompare&) { return true; });
     if (compare) work.later(*compare, "lit");
     return datum.is("round(colour*in_shadow)",
-                    {{"colour", color_of_polygon(work, polygon, which)}, {"in_shadow", shadow_buffer::in_shadow}});
+                    {{"colour", work.color_of(polygon, which)}, {"in_shadow", shadow_buffer::in_shadow}});
   }
   if (!m.sweep.covered.empty() && m.sweep.covered.back().x == e.x && m.sweep.covered.back().y == e.y) {
     std::vector<Given> given;
@@ -102,7 +101,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std:
       });
       text += (text.empty() ? "" : " + ") + ("share_" + n) + "*colour_" + n;
       given.push_back({"share_" + n, work.field(added, "coverage", share.coverage)});
-      given.push_back({"colour_" + n, color_of_polygon(work, share.owner, which)});
+      given.push_back({"colour_" + n, work.color_of(share.owner, which)});
     }
     return datum.is("round(" + text + ")", std::move(given));
   }

@@ -101,6 +101,16 @@ std::vector<Given> plane_at(const std::function<Number(char)>& plane, const std:
           {"C", plane('C')}, {"z", point(Axis3::z)}, {"D", plane('D')}};
 }
 
+Number plane_value(Work& work, std::int64_t step, const char* name, std::int32_t piece,
+                   const std::function<Number(Axis3)>& point) {
+  std::vector<Given> given = plane_at([&](char letter) { return work.plane(piece, letter); }, point);
+  ChainValue value;
+  value.formula = "A*x + B*y + C*z + D";
+  for (const Given& one : given) value.operands.push_back({one.symbol, one.number.value, -1, {}});
+  return work.derived(step, "", "", name, evaluate(value),
+                      [&](Datum& datum) { datum.is(value.formula, std::move(given)); });
+}
+
 Number Work::plane(std::int32_t number, char letter) {
   const Piece* piece = piece_at(*this, number);
   if (!piece || !piece->plane) return 0;

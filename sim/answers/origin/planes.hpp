@@ -21,5 +21,8 @@ void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& 
 
 /// A x + B y + C z + D at a point.
 std::vector<Given> plane_at(const std::function<Number(char)>& plane, const std::function<Number(Axis3)>& point);
+/// The same of a piece's plane, as a number with a name of its own at a step's link.
+Number plane_value(Work& work, std::int64_t step, const char* name, std::int32_t piece,
+                   const std::function<Number(Axis3)>& point);
 
 }  // namespace zstep::answers

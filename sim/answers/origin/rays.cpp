@@ -188,11 +188,7 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
   const auto facet = static_cast<std::size_t>(e.nearest_facet);
   const bool met = e.nearest_facet >= 0 && facet < work.scene.facets.size();
   const std::int32_t polygon = met ? work.scene.facets[facet].polygon : no_polygon;
-  const Color color = met ? work.scene.polygons[static_cast<std::size_t>(polygon)].color : work.scene.background;
-  const Number own = work.derived(0, fmt::format("colour of {}", polygon), "colour of " + work.label(polygon),
-                                  light_names[which], channel(color, which), [&](Datum& inner) {
-                                    inner.at_source(met ? work.source_of_polygon(polygon) : work.source_line(0));
-                                  });
+  const Number own = work.color_of(polygon, which);
   const Step begin = begin_of_ray(work, step, e.ray);
   Step mirrored, through, shadow;
   bool dark = false;

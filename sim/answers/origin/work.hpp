@@ -140,6 +140,7 @@ class Work {
   Number plane(std::int32_t piece, char letter);               ///< 'A' … 'D' of a piece's plane
   Number facet_plane(std::int32_t facet, char letter);         ///< of a facet in the world, as rays meet it
   Number extent(std::int32_t piece, std::string_view field);
+  Number color_of(std::int32_t polygon, int which);  ///< 0 to 255, red, green or blue; of no polygon the background's
 
   const VertexSteps& steps_of(std::int32_t vertex);
   std::string vertex_name(std::int32_t vertex) const;
