@@ -223,7 +223,15 @@ Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
 }
 
 Page page_for(const Conventions& conventions) {
-  return Ways(conventions).by_plane ? interpolation::page() : z_buffer::page();
+  const Ways ways(conventions);
+  Page page = ways.by_plane ? interpolation::page() : z_buffer::page();
+  if (!ways.greater) return page;
+  for (StepInfo& line : page) {
+    if (line.id == z_buffer::step::clear.id)
+      line.text = "frame[x,y] = background, zbuffer[x,y] = \u2212\u221e for all x, y";
+    if (line.id == z_buffer::step::compare.id) line.text = "if z > zbuffer[x,y]";
+  }
+  return page;
 }
 
 void check(const Scene& scene, const Conventions& c) {

@@ -36,9 +36,10 @@ void print_text(const Trace& trace, const CheckOptions& options, const CheckedRu
   const Precision& precision = report.precision;
   fmt::print("{}: {} ({}), of which {} have a formula or a rule\n", printable(trace.name()),
              counted(report.steps, "step", "steps"), precision.text, grouped(report.judged));
-  fmt::print("{} numbers: {} exact, {} rounded (at most {} units of a float64's last digit)\n\n",
+  fmt::print("{} numbers: {} exact, {} rounded (at most {} last digits of {})\n\n",
              grouped(report.numbers), grouped(report.exact), grouped(report.rounded),
-             number(report.largest_rounding, 1, true));
+             number(report.largest_rounding, 1, true),
+             precision.every_digit ? std::string(word_of(precision.format)) : "what is written");
   const std::string end =
       checked.impossible.empty()
           ? ""

@@ -100,9 +100,10 @@ struct Checker {
     if (recorded == formula.value || (std::isnan(recorded) && std::isnan(formula.value))) return ++report.exact, true;
     if (!within_rounding(formula, recorded)) return false;
     ++report.rounded;
-    const double last_digit = std::nextafter(std::abs(recorded), std::numeric_limits<double>::infinity()) -
-                              std::abs(recorded);
-    report.largest_rounding = std::max(report.largest_rounding, std::abs(recorded - formula.value) / last_digit);
+    // Of a small difference of large numbers, the last digit of these: it has none of its own.
+    const double size = std::max(std::abs(recorded), formula.spread);
+    const double digit = formulas::last_digit(size, report.precision.format, report.precision.unit);
+    report.largest_rounding = std::max(report.largest_rounding, std::abs(recorded - formula.value) / digit);
     return true;
   }
 };

@@ -43,7 +43,7 @@ struct CheckReport {
   std::int64_t numbers = 0;        ///< that were held against a formula
   std::int64_t exact = 0;          ///< of these, to the last bit
   std::int64_t rounded = 0;        ///< within what rounding allows
-  double largest_rounding = 0;     ///< as a multiple of the float64's last digit, of those
+  double largest_rounding = 0;     ///< in last digits of the number format, of the largest number in the formula
   std::int64_t wrong_steps = 0;    ///< with a fault of their own
   std::int64_t inherited = 0;      ///< without one, but following from one
   Precision precision;

@@ -71,11 +71,12 @@ Precision precision_of(const Trace& trace) {
   const Header& header = trace.header();
   const bool declared = header.declares(Convention::number_format);
   if (declared && header.conventions.number_format == NumberFormat::float32)
-    return {formulas::rounding_of_float32, 0, true, "float32, as the header declares"};
+    return {formulas::rounding_of_float32, 0, true, "float32, as the header declares", NumberFormat::float32};
   if (declared && bits_of(header.conventions.number_format) > 0) {
     const double unit = std::max(depth_unit(trace.scene(), header.conventions), 1 / fixed_positions_a_pixel);
     return {formulas::rounding_of_float64, 2 * unit, true,
-            fmt::format("{}, as the header declares", word_of(header.conventions.number_format))};
+            fmt::format("{}, as the header declares", word_of(header.conventions.number_format)),
+            header.conventions.number_format, unit};
   }
   Seen seen;
   constexpr std::int64_t enough = 200'000;  // events: what they do not show, later ones hardly do
@@ -92,14 +93,14 @@ Precision precision_of(const Trace& trace) {
   });
   if (const auto decimals = Seen::cut_at(seen.by_decimals, seen.numbers))
     return {formulas::rounding_of_float64, std::pow(10.0, -*decimals), false,
-            fmt::format("written with {} decimals", *decimals)};
+            fmt::format("written with {} decimals", *decimals), NumberFormat::float64, std::pow(10.0, -*decimals)};
   if (const auto digits = Seen::cut_at(seen.by_digits, seen.numbers))
     return {2 * std::pow(10.0, 1 - *digits), 0, false, fmt::format("written with {} digits", *digits)};
   constexpr int digits_of_float32 = 6;
   const bool many_digits = std::any_of(seen.by_digits.begin() + digits_of_float32 + 1, seen.by_digits.end(),
                                        [](std::int64_t count) { return count > 0; });
   if (!declared && seen.float32 && many_digits)
-    return {formulas::rounding_of_float32, 0, true, "float32, as the numbers look"};
+    return {formulas::rounding_of_float32, 0, true, "float32, as the numbers look", NumberFormat::float32};
   return {formulas::rounding_of_float64, 0, true,
           declared ? "float64, as the header declares" : "float64, as the numbers look"};
 }

@@ -12,6 +12,8 @@ struct Precision {
   double absolute = 0;        ///< and by how much besides: numbers written with so many decimals
   bool every_digit = true;    ///< all digits that the program computed with are there: equal means equal
   std::string text;           ///< "float64, as the header declares"
+  NumberFormat format = NumberFormat::float64;
+  double unit = 0;            ///< of fixed-point depths, or of the last decimal that is written; else 0
 };
 
 /// Reads the whole trace where the header declares no number format: a program that prints "%f" or "%.6g" writes fewer

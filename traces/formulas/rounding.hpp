@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "traces/file/header.hpp"
 
@@ -21,6 +22,15 @@ inline double rounding_of(const Header& header) {
   const NumberFormat format = header.conventions.number_format;
   if (const int bits = bits_of(format); bits > 0) return std::ldexp(8.0, -std::min(bits, 17));
   return format == NumberFormat::float32 ? rounding_of_float32 : rounding_of_float64;
+}
+
+/// The distance from a number to the next one of the format; `unit` is that of fixed-point depths.
+inline double last_digit(double value, NumberFormat format, double unit) {
+  if (unit > 0) return unit;
+  const double size = std::abs(value);
+  if (format != NumberFormat::float32) return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+  const auto narrow = static_cast<float>(size);
+  return static_cast<double>(std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow);
 }
 
 /// A number, and how far what it was made of lets it be off, as a multiple of the rounding.

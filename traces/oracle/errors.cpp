@@ -8,19 +8,10 @@
 #include <optional>
 
 #include "traces/oracle/exact_depth.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/formulas/walk.hpp"
 
 namespace zstep::oracle {
-
-double last_digit(double value, NumberFormat format, double unit) {
-  if (unit > 0) return unit;
-  const double size = std::abs(value);
-  if (format == NumberFormat::float32) {
-    const auto narrow = static_cast<float>(size);
-    return static_cast<double>(std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow);
-  }
-  return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-}
 
 namespace {
 
@@ -125,7 +116,7 @@ class Judge {
       ++found_.not_judged;
       return;
     }
-    const double off = exact->error_of(e.z, e.x), unit = last_digit(e.z, format_, unit_);
+    const double off = exact->error_of(e.z, e.x), unit = formulas::last_digit(e.z, format_, unit_);
     const double off_view = view_depth_error(trace_.scene().camera, trace_.header().conventions, e.z, off);
     error_ = off / unit, off_ = off;
     for (ErrorOf* of : {&found_.all, &polygons_.try_emplace(polygon, ErrorOf{polygon}).first->second}) {

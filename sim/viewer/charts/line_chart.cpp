@@ -99,7 +99,7 @@ Image draw_chart(const LineChart& chart) {
     }
     for (const glm::dvec2 point : one.points)
       sheet.mark({x_at(point.x), up.at(point.y)}, mark_size, one.look, color, !one.dashed);
-    if (!one.points.empty()) names.push_back({up.at(one.points.back().y), color, one.name});
+    if (!one.points.empty() && !one.name.empty()) names.push_back({up.at(one.points.back().y), color, one.name});
   }
   draw_names(sheet, std::move(names), right + 14, top, bottom);
   return sheet.picture();
