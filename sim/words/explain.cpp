@@ -85,6 +85,11 @@ std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
   return symbols[static_cast<std::size_t>(conventions.depth)];
 }
 
+std::string symbol_along(const Scene& scene, const Conventions& conventions) {
+  const bool inverse = conventions.depth == Conventions::Depth::corrected;
+  return inverse && scene.camera.kind == Camera::Kind::perspective ? "1/z_v" : depth_symbol(scene, conventions);
+}
+
 std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::int32_t vertex) {
   const auto at = static_cast<std::size_t>(vertex);
   if (vertex < 0) return std::nullopt;

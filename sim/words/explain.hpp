@@ -44,6 +44,8 @@ std::string edge_label(const Scene& scene, const EdgeTableInsert& edge);
 std::string undeclared_text(const Header& header, bool tie);
 /// What the buffer's numbers are called: "z*", "z_v" or "z".
 std::string depth_symbol(const Scene& scene, const Conventions& conventions);
+/// And what is interpolated to get it: the same, but 1/z_v where z_v is its reciprocal.
+std::string symbol_along(const Scene& scene, const Conventions& conventions);
 
 /// Where a vertex is on the raster and how deep, whether it came through a camera or was given in screen coordinates.
 struct OnRaster {

@@ -105,7 +105,7 @@ void tell(Telling& t, const EdgeTableInsert& e) {
     t.gives("1/m", slope(ends->x_0, ends->x_1, ends->y_0, ends->y_1), e.dx_dy);
     t.gives("x", on_line(ends->x_0, ends->x_1, y_row, ends->y_0, ends->y_1), e.x_edge);
     t.gives("dz/dy", slope(ends->z_0, ends->z_1, ends->y_0, ends->y_1), e.dz_dy);
-    t.gives(t.z, on_line(ends->z_0, ends->z_1, y_row, ends->y_0, ends->y_1), e.z_edge);
+    t.gives(t.along, on_line(ends->z_0, ends->z_1, y_row, ends->y_0, ends->y_1), e.z_edge);
     const Rows rows = rows_of(t, *ends, e);
     if (!rows.first_agrees || !rows.end_agrees)
       t.say(
@@ -115,7 +115,7 @@ void tell(Telling& t, const EdgeTableInsert& e) {
   }
   t.value("x", e.x_edge);
   t.value("1/m", e.dx_dy);
-  t.value(t.z, e.z_edge);
+  t.value(t.along, e.z_edge);
   t.value("dz/dy", e.dz_dy);
 }
 
@@ -172,10 +172,10 @@ void tell(Telling& t, const EdgeEnter& e) {
         named(t, e.edge), e.place, brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x))));
   }
   if (const EdgeTableInsert* entry = entry_of(t, e.edge)) {
-    t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.z, number(entry->z_edge),
+    t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.along, number(entry->z_edge),
                           entry->end_row));
     t.value("x", entry->x_edge);
-    t.value(t.z, entry->z_edge);
+    t.value(t.along, entry->z_edge);
   }
 }
 
@@ -208,18 +208,18 @@ void tell(Telling& t, const EdgeStep& e) {
   if (entry && adds_slopes(t.conventions)) {
     if (const auto before = before_step(t, e.edge)) {
       t.gives("x", Shown("x", before->x) + Shown("1/m", entry->dx_dy), e.x_edge);
-      t.gives(t.z, Shown(t.z, before->z) + Shown("dz/dy", entry->dz_dy), e.z_edge);
+      t.gives(t.along, Shown(t.along, before->z) + Shown("dz/dy", entry->dz_dy), e.z_edge);
     }
   } else if (entry) {
     if (const auto ends = ends_of(t, *entry)) {
       const Shown row("y", y);
       t.gives("x", on_line(ends->x_0, ends->x_1, row, ends->y_0, ends->y_1), e.x_edge);
-      t.gives(t.z, on_line(ends->z_0, ends->z_1, row, ends->y_0, ends->y_1), e.z_edge);
+      t.gives(t.along, on_line(ends->z_0, ends->z_1, row, ends->y_0, ends->y_1), e.z_edge);
     }
   }
-  if (t.out.formulas.empty()) t.formula(fmt::format("x = {}, {} = {}", number(e.x_edge), t.z, number(e.z_edge)));
+  if (t.out.formulas.empty()) t.formula(fmt::format("x = {}, {} = {}", number(e.x_edge), t.along, number(e.z_edge)));
   t.value("x", e.x_edge);
-  t.value(t.z, e.z_edge);
+  t.value(t.along, e.z_edge);
 }
 
 void tell(Telling& t, const EdgeSwap& e) {
@@ -261,7 +261,7 @@ void tell(Telling& t, const SpanBegin& e) {
   const Shown x_left("x_L", e.x_left), x_right("x_R", e.x_right), z_left("z_L", e.z_left), z_right("z_R", e.z_right);
   const auto [z_l, z_r] = tell_apart(e.z_left, e.z_right);
   t.formula(
-      fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", x_left.numbers(), x_right.numbers(), t.z, z_l, t.z, z_r));
+      fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", x_left.numbers(), x_right.numbers(), t.along, z_l, t.along, z_r));
   const std::int32_t width = t.scene.raster.width;
   const auto last_by = [&](Conventions::Coverage coverage) { return formulas::last_pixel(x_right, coverage); };
   const auto within = [&](const Shown& last) { return formulas::limited_column(last.value() + 1, width) - 1; };

@@ -23,7 +23,8 @@ struct Telling {
   const Conventions& conventions;
   Camera camera;  ///< by which the scene is being drawn: the light's in its pass
   const MethodState& machine;
-  std::string z;  ///< what depths are called
+  std::string z;      ///< what depths are called
+  std::string along;  ///< what is interpolated to get them
   Explanation out;
 
   Telling(const Trace& trace_, const State& after_)
@@ -33,7 +34,8 @@ struct Telling {
         conventions(trace_.header().conventions),
         camera(camera_at_work(trace_.scene(), after_.machine)),
         machine(after_.machine),
-        z(depth_symbol(trace_.scene(), trace_.header().conventions)) {}
+        z(depth_symbol(trace_.scene(), trace_.header().conventions)),
+        along(symbol_along(trace_.scene(), trace_.header().conventions)) {}
 
   void say(std::string sentence) { out.sentence = std::move(sentence); }
   /// What the trace says and its own numbers contradict.
@@ -86,8 +88,8 @@ struct Telling {
     gives_depth("x_L = x_R: " + z, z_left, recorded);
   }
   /// A depth from what is interpolated: itself, or its reciprocal where that is 1/z_v and the depth is z_v.
-  void gives_depth(const std::string& name, const Shown& along, double recorded) {
-    gives(name, corrected() ? Shown(1) / along : along, recorded);
+  void gives_depth(const std::string& name, const Shown& formula_along, double recorded) {
+    gives(name, corrected() ? Shown(1) / formula_along : formula_along, recorded);
   }
   bool corrected() const { return conventions.depth == Conventions::Depth::corrected; }
   /// What was interpolated where this depth came of it.

@@ -1,5 +1,6 @@
 // Clearing the buffers; a vertex on its way through viewing, projection and viewport (000, "Viewing"; 003 for z*).
 #include "sim/words/explain_parts.hpp"
+#include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::words {
@@ -34,8 +35,11 @@ void tell_depth(Telling& t, const Projection& e, const glm::dvec3& v) {
     t.hold_against("z_v", e.z, v.z);
     return;
   }
-  if (!(c.near < c.far)) return t.formula(fmt::format("z* = {}", number(e.z)));
+  if (!(c.near < c.far)) return t.formula(fmt::format("{} = {}", t.along, number(e.z)));
   const Shown f("f", c.near), F("F", c.far), z_v("z_v", v.z);
+  const Conventions::Depth depth = t.conventions.depth;
+  if (depth != Conventions::Depth::pseudodepth)
+    return t.gives(t.along, formulas::other_depth(depth, c.kind == Camera::Kind::orthographic, f, F, z_v), e.z);
   if (c.kind == Camera::Kind::orthographic) return t.gives("z*", formulas::parallel_pseudodepth(f, F, z_v), e.z);
   const Shown a = formulas::pseudodepth_a(f, F), b = formulas::pseudodepth_b(f, F);
   t.gives("z*", formulas::pseudodepth(f, Shown("a", a.value()), Shown("b", b.value()), z_v), e.z);
@@ -95,7 +99,7 @@ void tell(Telling& t, const Projection& e) {
   if (w) tell_depth(t, e, w->view);
   t.value("x_p", e.x_p);
   t.value("y_p", e.y_p);
-  t.value(t.z, e.z);
+  t.value(t.along, e.z);
 }
 
 void tell(Telling& t, const ViewportTransform& e) {
@@ -106,8 +110,11 @@ void tell(Telling& t, const ViewportTransform& e) {
   const VertexStages* w = way(t, e.vertex);
   if (w && c.window > 0 && r.height > 0) {
     const double half = c.window * r.width / r.height;
-    t.gives("x_s", formulas::screen_x(Shown("x_p", w->plane.x), Shown("w_x", half), Shown("W", r.width)), e.x_s);
-    t.gives("y_s", formulas::screen_y(Shown("y_p", w->plane.y), Shown("w_y", c.window), Shown("H", r.height)), e.y_s);
+    const Shown x = formulas::screen_x(Shown("x_p", w->plane.x), Shown("w_x", half), Shown("W", r.width)),
+                y = formulas::screen_y(Shown("y_p", w->plane.y), Shown("w_y", c.window), Shown("H", r.height));
+    const bool whole = t.conventions.positions == Conventions::Positions::integer;
+    t.gives("x_s", whole ? formulas::to_nearest(x) : x, e.x_s);
+    t.gives("y_s", whole ? formulas::to_nearest(y) : y, e.y_s);
   }
   t.value("x_s", e.x_s);
   t.value("y_s", e.y_s);

@@ -131,7 +131,7 @@ void draw(Ui& ui) {
                          : machine.edge_table.empty()
                              ? std::string("Empty: it fills when scan conversion reaches an edge's first scan line.")
                              : std::string("Empty: edges enter when the scan line reaches their bucket."));
-  const std::string z = depth_symbol(s.scene(), s.header().conventions);
+  const std::string z = symbol_along(s.scene(), s.header().conventions);
   const TableResult result = number_table(ui, "active", {"edge", "x", z, "leaves", ""}, rows);
   if (result.hovered) ui.hovered_edge_next = result.hovered;
   if (result.clicked) {

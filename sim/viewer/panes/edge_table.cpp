@@ -89,7 +89,7 @@ void draw(Ui& ui) {
     out.key = e.edge;
     rows.push_back(std::move(out));
   }
-  const std::string z = depth_symbol(s.scene(), s.header().conventions);
+  const std::string z = symbol_along(s.scene(), s.header().conventions);
   const TableResult result = number_table(ui, "edges", {"y", "edge", "leaves", "x", "1/m", z, "dz/dy", "of", ""}, rows);
   if (result.hovered) {
     ui.hovered_edge_next = result.hovered;
