@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/interpolation/interpolation.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/outputs.hpp"
@@ -35,10 +38,36 @@ struct ErrorOptions {
 
 constexpr std::size_t most_polygons = 10;
 
+/// What rounding may do, by theory, under the conventions that the header declares.
+struct Allowed {
+  double largest = 0;       ///< of all pixels, in units of depth
+  std::int64_t beyond = 0;  ///< pixels whose stored depth is farther off than its own bound
+};
+/// Nothing where no Z-buffer draws the scene so, or the header does not say in which numbers.
+std::optional<Allowed> allowed_in(const Trace& trace, const Errors& errors) {
+  const Header& header = trace.header();
+  if (header.algorithm != "z-buffer" || !header.declares(Convention::number_format)) return std::nullopt;
+  try {
+    check_run(method("z-buffer"), trace.scene(), header.conventions);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  const interpolation::Bounds bounds = interpolation::bounds_of(trace.scene(), header.conventions);
+  Allowed allowed;
+  for (std::size_t pixel = 0; pixel < bounds.of_pixel.size(); ++pixel) {
+    const double off = std::abs(errors.depth_error_of_pixel[pixel]);
+    if (std::isnan(off) || errors.polygon_of_pixel[pixel] != bounds.picture.polygon[pixel]) continue;
+    allowed.largest = std::max(allowed.largest, bounds.of_pixel[pixel]);
+    allowed.beyond += off > bounds.of_pixel[pixel];
+  }
+  return allowed;
+}
+
 /// "0.5", "12", "3.4e6": errors in last digits range from less than one to many.
 std::string digits(double value) { return value < 1e5 ? number(value, 2, true) : fmt::format("{:.1e}", value); }
 
-void print_text(const Trace& trace, const ErrorOptions& options, const Errors& errors) {
+void print_text(const Trace& trace, const ErrorOptions& options, const Errors& errors,
+                const std::optional<Allowed>& allowed) {
   const Header& header = trace.header();
   const std::string format =
       std::string(word_of(header.conventions.number_format)) +
@@ -49,6 +78,11 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
     fmt::print("{} have no span and edges in the trace and are left out\n", grouped(errors.not_judged));
   fmt::print("largest error {}, root mean square {}; at most {:.3g} in depth, at step {}\n", digits(errors.all.largest),
              digits(errors.all.root_mean_square()), errors.all.largest_depth, errors.steepest_step);
+  if (allowed)
+    fmt::print("rounding may do at most {:.3g} in depth; {}\n", allowed->largest,
+               allowed->beyond == 0 ? "no stored depth is beyond its own bound"
+                                    : fmt::format("{} beyond their own bound: that is not rounding alone",
+                                                  counted(allowed->beyond, "stored depth is", "stored depths are")));
   fmt::print("{} decided otherwise than the exact depths; {} another polygon than the exactly nearest\n\n",
              counted(errors.all.decided_wrong, "compare is", "compares are"),
              counted(errors.wrong_pixels, "pixel shows", "pixels show"));
@@ -81,8 +115,9 @@ Json json_of(const ErrorOf& of) {
               {"decided_wrong", of.decided_wrong}};
 }
 
-void print_json(const Trace& trace, const Errors& errors) {
+void print_json(const Trace& trace, const Errors& errors, const std::optional<Allowed>& allowed) {
   Json all = json_of(errors.all);
+  if (allowed) all["bound"] = allowed->largest, all["beyond_bound"] = allowed->beyond;
   all["trace"] = trace.name();
   all["not_judged"] = errors.not_judged;
   all["largest_at_step"] = errors.steepest_step;
@@ -135,8 +170,9 @@ int run(const ErrorOptions& options) {
     throw InputError(options.trace, "has no depths that are interpolated along spans between edges",
                      "record a method that has spans, as the Z-buffer");
   const Raster& raster = trace.scene().raster;
-  if (options.json) print_json(trace, errors);
-  else print_text(trace, options, errors);
+  const std::optional<Allowed> allowed = allowed_in(trace, errors);
+  if (options.json) print_json(trace, errors, allowed);
+  else print_text(trace, options, errors, allowed);
   if (!options.picture.empty()) {
     const Image image = picture_of(errors.of_pixel, raster);
     write_png(options.picture, image.width, image.height, image.rgb);

@@ -68,7 +68,45 @@ TEST_CASE("compare-methods: the table, quickly") {
   CHECK_FALSE(has(csv, "z-buffer,100,,"));
 }
 
+TEST_CASE("compare-methods: ways of interpolating, and what cannot be drawn so") {
+  const Folder folder;
+  const Outcome outcome = run(folder, "compare-methods pyramid-behind --size 24x20 --ortho --modes depth=view,reciprocal "
+                                      "--modes number-format=float32,fixed16 --csv m.csv");
+  CAPTURE(outcome.out);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(has(outcome.out, "\nview, float32 "));
+  CHECK(has(outcome.out, "\nview, fixed16 "));
+  CHECK_FALSE(has(outcome.out, "reciprocal"));
+  CHECK(times(outcome.err, "note: without reciprocal, ") == 2);
+  CHECK(has(outcome.err, "leave out --ortho"));
+  const std::string csv = text_of(folder / "m.csv");
+  CHECK(csv.starts_with("scene,mode,depths,largest,"));
+  CHECK(times(csv, "\n") == 3);
+}
+
+TEST_CASE("compare-methods: a clipping plane is moved, and the errors are drawn") {
+  const Folder folder;
+  const Outcome outcome = run(folder, "compare-methods pyramid-behind --size 16x16 --modes number-format=fixed16,float64 "
+                                      "--sweep near=0.5..1.5 --csv s.csv --plot s.png");
+  CAPTURE(outcome.out);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(has(outcome.out, "near  fixed16  WRONG"));
+  CHECK(has(outcome.out, "fixed16: wrong pixels begin "));
+  CHECK(times(text_of(folder / "s.csv"), "\n") == 1 + 2 * 17);
+  if (has(outcome.out, "wrote s.png")) CHECK(zstep::read_png(folder / "s.png").width == 1280);
+}
+
 TEST_CASE("compare-methods: mistakes") {
+  check_refused("cube --modes depth=deep", "'deep' is not");
+  check_refused("cube --modes colour=red", "is not CONVENTION=WORD,WORD");
+  check_refused("cube --modes depth", "is not CONVENTION=WORD,WORD");
+  check_refused("cube --modes depth=view --methods z-buffer", "--methods: does not go with --modes");
+  check_refused("cube --modes depth=view --plot a.png", "add --sweep");
+  check_refused("cube --sweep middle=1..2", "is not near=FROM..TO");
+  check_refused("cube --sweep near=2..1", "does not go from a distance above 0");
+  check_refused("cube --modes number-format=all --sweep near=0.5..1", "are too many for one chart");
   check_refused("", "there is no scene; name one, or give --table");
   check_refused("cube --quick", "--quick: goes with --table");
   check_refused("cube --methods z-bufer", "did you mean z-buffer?");

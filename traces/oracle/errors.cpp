@@ -56,6 +56,7 @@ class Judge {
   Errors finish() {
     for (std::size_t pixel = 0; pixel < stored_.size(); ++pixel)
       found_.wrong_pixels += stored_[pixel].polygon != nearest_[pixel].polygon && stored_[pixel].exact != nullptr;
+    for (const Known& stored : stored_) found_.polygon_of_pixel.push_back(stored.polygon);
     found_.fighting_pixels = std::count(fighting_.begin(), fighting_.end(), true);
     for (const auto& [polygon, errors] : polygons_) found_.polygons.push_back(errors);
     return std::move(found_);
