@@ -1,6 +1,7 @@
 // JSON Lines in: line by line, with what is wrong gathered and the torn end of a crashed program's file set apart.
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <istream>
 #include <span>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "traces/file/json_members.hpp"
 #include "traces/file/json_text.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/file/quick_line.hpp"
 #include "traces/near_word.hpp"
 #include "traces/text.hpp"
 
@@ -34,17 +36,35 @@ constexpr std::size_t most_faults = 10;  ///< that are told of one file
 constexpr const char* mend_header = "the first line must be a trace's header, as docs/trace-format.md shows it";
 constexpr const char* mend_event = "see the fields of each event in docs/trace-format.md";
 
-/// The next line, of at most line_limit + 1 characters: what comes from others may have no line end at all.
-bool next_line(std::istream& in, std::string& line) {
-  line.clear();
-  std::streambuf* buffer = in.rdbuf();
-  for (;;) {
-    const int c = buffer->sbumpc();
-    if (c == std::char_traits<char>::eof()) return !line.empty();
-    if (c == '\n' || line.size() > line_limit) return true;
-    line.push_back(static_cast<char>(c));
+/// A file's lines, of at most line_limit + 1 characters each: what comes from others may have no line end at all.
+class Lines {
+ public:
+  explicit Lines(std::istream& in) : in_(in) {}
+  bool next(std::string& line) {
+    line.clear();
+    for (;;) {
+      if (at_ == end_ && !fill()) return !line.empty();
+      const char* from = block_.data() + at_;
+      const std::size_t room = std::min(end_ - at_, line_limit + 1 - line.size());
+      const void* const found = std::memchr(from, '\n', room);
+      const std::size_t length = found ? static_cast<std::size_t>(static_cast<const char*>(found) - from) : room;
+      line.append(from, length);
+      at_ += length + (found != nullptr);
+      if (found || line.size() > line_limit) return true;
+    }
   }
-}
+
+ private:
+  bool fill() {
+    at_ = 0;
+    end_ = static_cast<std::size_t>(
+        std::max<std::streamsize>(0, in_.rdbuf()->sgetn(block_.data(), static_cast<std::streamsize>(block_.size()))));
+    return end_ > 0;
+  }
+  std::istream& in_;
+  std::vector<char> block_ = std::vector<char>(std::size_t{1} << 18);
+  std::size_t at_ = 0, end_ = 0;
+};
 
 bool truth_from(const json& in, std::string_view name) {
   if (in.is_boolean()) return in.get<bool>();
@@ -153,7 +173,7 @@ class Reader {
  public:
   using Begin = std::function<TraceRecorder&(const Header&, Scene)>;
   Reader(std::istream& in, const std::string& name, const Begin& begin, std::string* impossible)
-      : in_(in), name_(name), begin_(begin), impossible_(impossible) {}
+      : lines_(in), name_(name), begin_(begin), impossible_(impossible) {}
 
   std::optional<std::string> read() {
     std::string line;
@@ -164,6 +184,7 @@ class Reader {
                       "write one event a line; large scenes are recorded straight to a .ztrace"}, "");
         break;  // what follows is the rest of it
       }
+      if (recorder_ != nullptr && read_quickly(line)) continue;
       if (line.find_first_not_of(" \t\r") != std::string::npos) take(line);
       if (ended_ || faults_.size() >= most_faults || (recorder_ == nullptr && !faults_.empty())) break;
     }
@@ -186,7 +207,7 @@ class Reader {
     if (ahead_) {
       line = std::move(*ahead_);
       ahead_.reset();
-    } else if (!next_line(in_, line)) {
+    } else if (!lines_.next(line)) {
       return false;
     }
     ++number_;
@@ -195,7 +216,7 @@ class Reader {
   /// The line after, which stays the next one; nullptr at the end of the file.
   const std::string* peek() {
     std::string line;
-    if (!ahead_ && next_line(in_, line)) ahead_ = std::move(line);
+    if (!ahead_ && lines_.next(line)) ahead_ = std::move(line);
     return ahead_ ? &*ahead_ : nullptr;
   }
 
@@ -219,6 +240,17 @@ class Reader {
       throw InputError(
           fmt::format("{}:1:{}", name_, first + 1), "the file is one list",
           "write each object on a line of its own, without the brackets around all and the commas between");
+  }
+
+  /// Takes a line as nearly all are; false where something about it is to be said.
+  bool read_quickly(std::string& line) {
+    if (!tail_.empty() || cut_off_ || !quick_->read(line, quick_event_)) return false;
+    EventCheck of_one = *check_;
+    if (!visit_event([&](const auto& event) { return of_one(event).empty(); }, quick_event_.event)) return false;
+    ++events_;
+    if (faults_.empty())
+      visit_event([&](const auto& event) { record_any(*recorder_, quick_event_.step, event); }, quick_event_.event);
+    return true;
   }
 
   /// One line, or the several on which a pretty-printed object stands.
@@ -329,6 +361,7 @@ class Reader {
     parts.done();
     check_.emplace(scene);
     for (const StepInfo& step : header_.page) step_names_.push_back(step.name);
+    quick_.emplace(header_.page);
     recorder_ = &begin_(header_, std::move(scene));
   }
 
@@ -354,7 +387,7 @@ class Reader {
     });
   }
 
-  std::istream& in_;
+  Lines lines_;
   const std::string& name_;
   const Begin& begin_;
   std::optional<std::string> ahead_;
@@ -362,6 +395,8 @@ class Reader {
   Header header_;
   std::vector<std::string_view> step_names_;
   std::optional<EventCheck> check_;
+  std::optional<QuickLine> quick_;
+  RecordedEvent quick_event_{};
   TraceRecorder* recorder_ = nullptr;
   std::optional<std::int64_t> cut_off_;  ///< the line that says so
   std::int64_t events_ = 0;
