@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -139,6 +140,15 @@ std::vector<Row> rows_of(const Scene& scene, const Conventions& conventions, con
   return rows;
 }
 
+/// The scene, and what the command line says of conventions: whether these go together is seen once a mode's own words
+/// are added.
+Run prepare_for_modes(RunOptions options, bool notes) {
+  const ConventionChoices conventions = std::exchange(options.conventions, {});
+  Run run = notes ? prepare(options) : prepare_again(options);
+  conventions.apply(run.conventions);
+  return run;
+}
+
 /// "near=0.01..10"
 struct Sweep {
   std::string name;
@@ -221,7 +231,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
     const double share = static_cast<double>(k) / (points - 1);
     const double value = sweep.from * std::pow(sweep.to / sweep.from, share);
     (sweep.name == "near" ? run_options.view.near : run_options.view.far) = value;
-    const Run run = k == 0 ? prepare(run_options) : prepare_again(run_options);
+    const Run run = prepare_for_modes(run_options, k == 0);
     scene = run.scene;
     runs.push_back(rows_of(run.scene, run.conventions, words, false, options.limit, watch,
                            fmt::format("{} = {:.3g}: ", sweep.name, value), k == 0));
@@ -263,7 +273,7 @@ int compare_modes(const CompareOptions& options) {
   if (!options.plot.empty())
     throw InputError("--plot", "draws no modes, but a sweep of them", "add --sweep near=0.01..1, or leave it out");
   Watch watch;
-  const Run run = prepare(options.run);
+  const Run run = prepare_for_modes(options.run, true);
   std::vector<Row> rows =
       rows_of(run.scene, run.conventions, words, true, options.limit, watch, "", true);
   watch.clear_line();

@@ -82,6 +82,7 @@ TEST_CASE("compare-methods: ways of interpolating, and what cannot be drawn so")
   CHECK(has(outcome.err, "leave out --ortho"));
   const std::string csv = text_of(folder / "m.csv");
   CHECK(csv.starts_with("scene,mode,depths,largest,"));
+  CHECK(run(folder, "compare-methods delhi --rounding down --modes number-format=fixed16").code == 0);
   CHECK(times(csv, "\n") == 3);
 }
 
