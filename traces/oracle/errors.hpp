@@ -10,9 +10,6 @@
 
 namespace zstep::oracle {
 
-/// The distance to the next number of the format: the unit where it is fixed point, else `unit` is 0.
-double last_digit(double value, NumberFormat format, double unit);
-
 /// Of the depths of one polygon, or of all.
 struct ErrorOf {
   std::int32_t polygon = no_polygon;

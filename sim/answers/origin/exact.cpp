@@ -9,6 +9,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "sim/answers/origin/evaluate.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/oracle/errors.hpp"
 #include "traces/oracle/exact_depth.hpp"
 
@@ -160,7 +161,7 @@ class Exactly {
       found.known = true;
       found.digits = digits_of(exact);
       found.error = rounded(error);
-      found.ulps = found.error / oracle::last_digit(rounded(exact), format_, unit_of(value));
+      found.ulps = found.error / formulas::last_digit(rounded(exact), format_, unit_of(value));
     } catch (const NotExact& reason) {
       found.why = reason.why;
     } catch (const std::overflow_error&) {
