@@ -68,8 +68,10 @@ Plane<T> find_plane(std::int32_t polygon, const clipping::Outline& outline, cons
           z_1 = numbers.depth(q.z) - plane.z_0;
   const T x_2 = numbers.position(r.x) - plane.x_0, y_2 = numbers.position(r.y) - plane.y_0,
           z_2 = numbers.depth(r.z) - plane.z_0;
-  plane.dz_dx = formulas::plane_slope(y_1, z_1, y_2, z_2, x_1, x_2);
-  plane.dz_dy = formulas::plane_slope(x_1, z_1, x_2, z_2, y_1, y_2);
+  // Vertices in a line on the raster, as an edge-on polygon has them, span no plane there: its depth is its vertex's.
+  const bool seen = static_cast<double>(x_1 * y_2 - x_2 * y_1) != 0;
+  if (seen) plane.dz_dx = formulas::plane_slope(y_1, z_1, y_2, z_2, x_1, x_2);
+  if (seen) plane.dz_dy = formulas::plane_slope(x_1, z_1, x_2, z_2, y_1, y_2);
   record(step::slopes, PlaneSlopes{polygon, outline[0], second, third, plane.dz_dx, plane.dz_dy});
   return plane;
 }

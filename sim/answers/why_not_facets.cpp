@@ -248,8 +248,10 @@ bool never_begun(const Asked& q, const FacetThere& there) {
 std::string beside_text(const Asked& q, const FacetThere& there) {
   if (!there.at) return fmt::format("no part of it is in view {}", q.where);
   const std::string far = number(there.at->candidate.edge);
-  const double rounding =
-      formulas::rounding_of(q.trace.header()) * std::max(q.scene.raster.width, q.scene.raster.height);
+  const bool fixed = bits_of(q.trace.header().conventions.number_format) > 0;
+  const double rounding = fixed ? 2 / fixed_positions_a_pixel
+                                : formulas::rounding_of(q.trace.header()) *
+                                      std::max(q.scene.raster.width, q.scene.raster.height);
   if (there.at->candidate.edge <= rounding && half_open(q))
     return "the pixel's centre lies on a right or last edge of it, and by the half-open rule such a centre is outside";
   if (there.at->candidate.edge <= rounding || there.covers())

@@ -247,7 +247,9 @@ std::vector<Line> split_lines(std::string_view text, const std::string& file) {
 
 /// Names in anchors and braces against the method's page, before anything runs.
 void check_stops(const Lesson& lesson, const std::string& file) {
-  const Page page = method(lesson.method).page();
+  Conventions conventions;
+  lesson.conventions.choices.apply(conventions);
+  const Page page = header_for(method(lesson.method), conventions).page;
   std::uint8_t kind = no_kind;
   for (const Stop& stop : lesson.stops) {
     const Place place{file, stop.line};

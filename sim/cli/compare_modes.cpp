@@ -92,8 +92,8 @@ void print_rows(const Scene& scene, const std::vector<Row>& rows) {
   }
   fmt::print("{}\n", table.text(0));
   fmt::print(
-      "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error that rounding alone makes, in\n"
-      "units of what the depth buffer holds; BOUND: what theory allows it. WRONG: pixels that show another polygon\n"
+      "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error that rounding alone makes of\n"
+      "a depth that stays in the buffer, in its own units; BOUND: what theory allows it. WRONG: pixels that show another polygon\n"
       "than the nearest; TURNED: pixels in which a compare went the other way. +, \u00d7, \u00f7: additions,\n"
       "multiplications and divisions a pixel. TIME: of the processor, a run without recording.\n");
 }

@@ -74,7 +74,6 @@ ModeErrors errors_of_mode(const Scene& scene, const Mode& mode) {
   errors.largest = from_surface.all.largest_view;
   errors.rms = from_surface.all.root_mean_square_view();
   errors.rounding = from_formula.all.largest;
-  errors.rounding_depth = from_formula.all.largest_depth;
   errors.wrong_pixels = from_surface.wrong_pixels;
   errors.fighting_pixels = from_surface.fighting_pixels;
   errors.least_gap = from_surface.least_gap;
@@ -83,9 +82,11 @@ ModeErrors errors_of_mode(const Scene& scene, const Mode& mode) {
   errors.operations = operations_of(trace);
   const interpolation::Bounds bounds = interpolation::bounds_of(scene, mode.conventions);
   for (std::size_t pixel = 0; pixel < bounds.of_pixel.size(); ++pixel) {
+    const double off = std::abs(from_formula.depth_error_of_pixel[pixel]);
+    if (std::isnan(off)) continue;
     errors.bound = std::max(errors.bound, bounds.of_pixel[pixel]);
-    const double off = from_formula.depth_error_of_pixel[pixel];
-    if (!std::isnan(off) && std::abs(off) > bounds.of_pixel[pixel]) errors.within_bounds = false;
+    errors.rounding_depth = std::max(errors.rounding_depth, off);
+    if (off > bounds.of_pixel[pixel]) errors.within_bounds = false;
   }
   return errors;
 }

@@ -28,8 +28,8 @@ struct ModeErrors {
   std::int64_t depths = 0;        ///< that were computed and have an exact one
   double largest = 0, rms = 0;    ///< off the polygon itself, in units of z_v
   double rounding = 0;            ///< the largest error of rounding alone, in last digits of the number format
-  double bound = 0;               ///< and in units of the buffer: what theory bounds it by, largest of all pixels;
-  double rounding_depth = 0;      ///< the largest there is
+  double rounding_depth = 0;      ///< of the depths that stay in the buffer, in its own units;
+  double bound = 0;               ///< and what theory bounds it by: the largest of all pixels
   bool within_bounds = true;      ///< every stored depth is as near to its exact one as its own bound says
   std::int64_t wrong_pixels = 0, fighting_pixels = 0;
   std::optional<double> least_gap;  ///< the smallest z_v between polygons that met in a pixel

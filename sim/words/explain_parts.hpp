@@ -61,11 +61,11 @@ struct Telling {
   }
 
   /// What the trace's numbers may be off by.
-  double rounding() const { return formulas::rounding_of(trace.header()); }
+  formulas::Tolerance tolerance() const { return formulas::tolerance_of(scene, trace.header()); }
   void doubt(const std::string& text) { out.doubt = out.doubt ? *out.doubt + " " + text : text; }
   /// Holds the recorded number against what the shown formula gives; rounding of an honest computation passes.
   bool hold_against(const std::string& name, double recorded, const formulas::Rounded& computed) {
-    if (formulas::gives(computed, recorded, rounding())) return true;
+    if (tolerance().allows(computed, recorded)) return true;
     const auto [is, ought] = tell_apart(recorded, computed.value);
     doubt(fmt::format("The trace records {} = {}, but this formula gives {}.", name, is, ought));
     return false;
@@ -98,7 +98,7 @@ struct Telling {
   }
   /// A depth that was taken over from the step before: "The trace writes z = 0.35, but had compared z = 0.3."
   bool taken_over(const char* does, double recorded, const char* had, double before) {
-    if (formulas::gives(before, recorded, rounding())) return true;
+    if (tolerance().allows(before, recorded)) return true;
     const auto [is, was] = tell_apart(recorded, before);
     doubt(fmt::format("The trace {} {} = {}, but had {} {} = {}.", does, z, is, had, z, was));
     return false;

@@ -8,6 +8,7 @@
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
 #include "traces/formulas/planes.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
 
 namespace zstep::formulas {
@@ -172,6 +173,9 @@ template <class Out>
 void derive(const PlaneSlopes& e, const Situation& at, Out& out) {
   const auto from = at.on_raster(e.vertex_0), one = at.on_raster(e.vertex_1), other = at.on_raster(e.vertex_2);
   if (!from || !one || !other) return;
+  // Seen edge-on they span no plane on the raster, to the digits of the number format.
+  const double right = (one->x - from->x) * (other->y - from->y), left = (other->x - from->x) * (one->y - from->y);
+  if (std::abs(right - left) <= rounding_of_float32 * (std::abs(right) + std::abs(left))) return;
   const Place p{Place::In::vertex, e.vertex_0}, q{Place::In::vertex, e.vertex_1}, r{Place::In::vertex, e.vertex_2};
   const auto x_0 = out.number("x_0", from->x, p["x_s"]), y_0 = out.number("y_0", from->y, p["y_s"]),
              z_0 = out.number("z_0", from->z, p["z"]);

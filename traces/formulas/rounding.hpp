@@ -17,10 +17,10 @@ namespace zstep::formulas {
 /// By what share of itself a number may be off. Of the 15.9 digits of float64 nine are asked for, as many as "%.10g"
 /// keeps, and of the 7.2 of float32 six.
 inline constexpr double rounding_of_float64 = 1e-9, rounding_of_float32 = 1e-6;
-/// For the numbers of a trace. Fixed-point depths have so many bits; positions, 16 behind the point.
+/// For the numbers of a trace. A fixed-point number is off by units, whatever its size: see Tolerance.
 inline double rounding_of(const Header& header) {
   const NumberFormat format = header.conventions.number_format;
-  if (const int bits = bits_of(format); bits > 0) return std::ldexp(8.0, -std::min(bits, 17));
+  if (bits_of(format) > 0) return 0.01;
   return format == NumberFormat::float32 ? rounding_of_float32 : rounding_of_float64;
 }
 
@@ -68,6 +68,19 @@ inline bool gives(const Rounded& formula, double recorded, double rounding) {
   if (!std::isfinite(recorded) || !std::isfinite(formula.value)) return false;
   const double scale = std::max({formula.spread, std::abs(formula.value), std::abs(recorded)});
   return std::abs(recorded - formula.value) <= rounding * scale;
+}
+
+/// What a number that was recorded may be off by, where its formula stands beside it. (`zstep check` knows more of each
+/// operand, and is held to less.)
+struct Tolerance {
+  double relative = 0, absolute = 0;
+  bool allows(const Rounded& formula, double recorded) const {
+    return gives(formula, recorded, relative) || std::abs(recorded - formula.value) <= absolute;
+  }
+};
+inline Tolerance tolerance_of(const Scene& scene, const Header& header) {
+  const double unit = depth_unit(scene, header.conventions);
+  return {rounding_of(header), unit > 0 ? 16 * std::max(unit, 1 / fixed_positions_a_pixel) : 0};
 }
 
 }  // namespace zstep::formulas

@@ -101,7 +101,7 @@ std::string line_text(const ChainValue& value) {
 double evaluate(const ChainValue& value) { return evaluated(value).value; }
 
 bool holds(const ChainValue& value) {
-  return value.formula.empty() || formulas::gives(evaluated(value), value.value, value.rounding);
+  return value.formula.empty() || value.tolerance.allows(evaluated(value), value.value);
 }
 
 std::string doubt_text(const ChainValue& value) {

@@ -29,7 +29,7 @@ struct ChainValue {
   bool condition = false;
   std::string word;      ///< of a choice between words, the one: "front"
   std::string note;      ///< what no formula says, in a few words
-  double rounding = formulas::rounding_of_float64;  ///< that the trace's numbers are allowed
+  formulas::Tolerance tolerance{formulas::rounding_of_float64};  ///< that the trace's numbers are allowed
 };
 
 /// A step of the run, or a datum of the scene, and the numbers of it that matter here.

@@ -20,7 +20,7 @@ void Datum::is(std::string formula, std::vector<Given> operands, bool exact) {
   ChainValue& told = value();
   told.formula = std::move(formula);
   told.exact = exact;
-  told.rounding = formulas::rounding_of(work_.trace.header());
+  told.tolerance = formulas::tolerance_of(work_.scene, work_.trace.header());
   for (Given& given : operands)
     told.operands.push_back(
         {std::move(given.symbol), given.number.value, given.number.link, std::move(given.number.name)});
