@@ -16,16 +16,18 @@ namespace {
 
 using formulas::Follows, words::Shown;
 
-/// Keeps the formula of one field.
+/// Keeps the formulas.
 template <class E>
 struct Teller {
   using Number = Shown;
-  const std::string& field;
   const formulas::Situation& at;
-  std::optional<std::string> text;
+  std::vector<DerivedField> found = {};
+  std::optional<std::pair<std::string_view, std::string>> condition = {};  ///< a field, and what is asked
 
-  Number number(std::string_view name, double value, const formulas::Place&) {
+  Number number(std::string_view name, double value, const formulas::Place& place) {
     std::string symbol = name == "z" ? depth_symbol(at.scene, at.header.conventions) : std::string(name);
+    // What is multiplied needs the digits that count, not those behind the point.
+    if (place.in == formulas::Place::In::piece && name != "D") return {std::move(symbol), value, factor(value)};
     // What lies just beside a whole number must not look like it: which pixel comes next hangs on that.
     const double whole = std::round(value);
     if (value != whole && zstep::number(value) == zstep::number(whole))
@@ -36,44 +38,59 @@ struct Teller {
   void reads(const formulas::Place&) {}
   bool trusts(const formulas::Place&) const { return true; }
   bool equal(double one, double other) const { return one == other; }
+  void rule(formulas::Rule, bool) {}
 
-  void gives(Follows<E, double> given, const Number& formula) {
-    keep(given.name, formula.is_operand() ? formula.equation()
-                                          : fmt::format("{} = {}", formula.equation(), zstep::number(formula.value())));
-  }
-  void whole(Follows<E, std::int32_t> given, const Number& formula, std::int32_t within) {
-    const bool limited = formula.value() != within;
-    keep(given.name, limited ? fmt::format("{} = {}, within the raster {}", formula.equation(),
-                                           zstep::number(formula.value()), within)
-                             : fmt::format("{} = {}", formula.equation(), within));
+  void gives(Follows<E, double> field, const Number& formula) { found.push_back({field.name, formula}); }
+  void whole(Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
+    found.push_back({field.name, formula, within});
   }
   template <class Value>
   void is(std::type_identity_t<Follows<E, Value>>, Value) {}
-  void verdict(Follows<E, bool> given, const Number& z, const Number& stored) {
+  void verdict(Follows<E, bool> field, const Number& z, const Number& stored) {
     const Comparison& comparison = at.header.comparison;
     const auto [one, other] = tell_apart(z.value(), stored.value());
-    keep(given.name, fmt::format("{0} {1} {2}:  {3} {1} {4} is {5}", z.symbols(), comparison.sign(), stored.symbols(),
-                                 one, other, comparison.wins(z.value(), stored.value()) ? "true" : "false"));
-  }
-  void rule(formulas::Rule, bool) {}
-
- private:
-  void keep(std::string_view given, std::string formula) {
-    if (given == field) text = std::move(formula);
+    condition = {field.name,
+                 fmt::format("{0} {1} {2}:  {3} {1} {4} is {5}", z.symbols(), comparison.sign(), stored.symbols(), one,
+                             other, comparison.wins(z.value(), stored.value()) ? "true" : "false")};
   }
 };
 
+template <class Use>
+auto with_teller(const Event& event, const formulas::Situation& at, Use&& use) {
+  return visit_event(
+      [&]<class E>(const E& e) {
+        Teller<E> teller{at};
+        if constexpr (formulas::Derived<E, Teller<E>>) formulas::derive(e, at, teller);
+        return use(teller.found, teller.condition);
+      },
+      event);
+}
+
+/// "symbols = numbers = result".
+std::string line_of(const DerivedField& derived) {
+  const Shown& formula = derived.formula;
+  const std::string equation = formula.equation();
+  if (!derived.within)
+    return formula.is_operand() ? equation : fmt::format("{} = {}", equation, zstep::number(formula.value()));
+  if (formula.value() == *derived.within) return fmt::format("{} = {}", equation, *derived.within);
+  return fmt::format("{} = {}, within the raster {}", equation, zstep::number(formula.value()), *derived.within);
+}
+
 }  // namespace
+
+std::vector<DerivedField> derived_fields(const Event& event, const formulas::Situation& at) {
+  return with_teller(event, at, [](auto& found, auto&) { return std::move(found); });
+}
 
 std::optional<std::string> derived_formula(const Event& event, const formulas::Situation& at,
                                            const std::string& field) {
-  return visit_event(
-      [&]<class E>(const E& e) -> std::optional<std::string> {
-        Teller<E> teller{field, at, {}};
-        if constexpr (formulas::Derived<E, Teller<E>>) formulas::derive(e, at, teller);
-        return teller.text;
-      },
-      event);
+  return with_teller(event, at, [&](auto& found, auto& condition) -> std::optional<std::string> {
+    if (condition && condition->first == field) return condition->second;
+    // Of what may follow in two ways the last one said is meant.
+    for (auto derived = found.rbegin(); derived != found.rend(); ++derived)
+      if (derived->field == field) return line_of(*derived);
+    return std::nullopt;
+  });
 }
 
 std::string subject_of(const Event& event, const formulas::Situation& at) {

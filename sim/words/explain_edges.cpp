@@ -5,8 +5,6 @@
 
 namespace zstep::words {
 
-using formulas::on_line, formulas::slope;
-
 namespace {
 
 const EdgeTableInsert* entry_of(const Telling& t, std::int32_t edge) {
@@ -37,7 +35,9 @@ std::string with_capital(std::string text) {
 }
 
 /// x and depth of the edge before this step: from the last event that set them. Looks back over a scan line or two.
-struct Before { double x, z; };
+struct Before {
+  double x, z;
+};
 std::optional<Before> before_step(const Telling& t, std::int32_t edge) {
   constexpr std::int64_t far_enough = 65536;
   const std::int64_t first = std::max<std::int64_t>(1, t.after.position - far_enough);
@@ -50,38 +50,6 @@ std::optional<Before> before_step(const Telling& t, std::int32_t edge) {
     if (holds<PolygonBegin>(event)) break;
   }
   return std::nullopt;
-}
-
-/// Both ends of an edge, by the names that the formulas have for them.
-struct Ends {
-  Shown x_0, y_0, z_0, x_1, y_1, z_1;
-};
-std::optional<Ends> ends_of(const Telling& t, const EdgeTableInsert& entry) {
-  const auto a = on_raster(t.scene, t.after, entry.vertex_0), b = on_raster(t.scene, t.after, entry.vertex_1);
-  if (!a || !b) return std::nullopt;
-  return Ends{{"x_0", a->x}, {"y_0", a->y}, {"z_0", a->z}, {"x_1", b->x}, {"y_1", b->y}, {"z_1", b->z}};
-}
-
-/// The scan lines that an edge meets by its ends, held against those that the trace has.
-struct Rows {
-  std::int32_t first, end;
-  bool first_agrees, end_agrees;
-};
-Rows rows_of(Telling& t, const Ends& ends, const EdgeTableInsert& e) {
-  const bool turned = ends.y_0.value() > ends.y_1.value();
-  const Shown &above = turned ? ends.y_1 : ends.y_0, &below = turned ? ends.y_0 : ends.y_1;
-  const std::int32_t height = t.scene.raster.height;
-  const auto limited = [&](double row) { return formulas::row_from(row, height); };  // a whole number is its own
-  const Shown first = formulas::first_row(above);
-  // An edge that ends on a scan line may go on through it, where coverage is inclusive and the polygon has its lowest
-  // point there.
-  const Shown longer = formulas::end_row(below, true);
-  const bool past_end = formulas::may_include_end(t.trace.header()) && limited(longer.value()) == e.end_row;
-  const Shown end = past_end ? longer : formulas::end_row(below, false);
-  Rows rows{limited(first.value()), limited(end.value()), false, false};
-  rows.first_agrees = t.whole("first scan line", first, e.first_row, rows.first);
-  rows.end_agrees = t.whole("leaves at y", end, e.end_row, rows.end);
-  return rows;
 }
 
 std::string list_of_active(const Telling& t) {
@@ -100,19 +68,20 @@ void tell(Telling& t, const EdgeTableInsert& e) {
                                        vertex_label(t.scene, e.vertex_0), vertex_label(t.scene, e.vertex_1));
   t.say(fmt::format("E{} first meets scan line {}, so it goes into bucket {}; it leaves at {}.", edge, e.first_row,
                     e.first_row, e.end_row));
-  if (const auto ends = ends_of(t, e)) {
-    const Shown y_row("y", e.first_row);
-    t.gives("1/m", slope(ends->x_0, ends->x_1, ends->y_0, ends->y_1), e.dx_dy);
-    t.gives("x", on_line(ends->x_0, ends->x_1, y_row, ends->y_0, ends->y_1), e.x_edge);
-    t.gives("dz/dy", slope(ends->z_0, ends->z_1, ends->y_0, ends->y_1), e.dz_dy);
-    t.gives(t.along, on_line(ends->z_0, ends->z_1, y_row, ends->y_0, ends->y_1), e.z_edge);
-    const Rows rows = rows_of(t, *ends, e);
-    if (!rows.first_agrees || !rows.end_agrees)
-      t.say(
-          fmt::format("The trace lets e{} begin at scan line {} and leave at {}; its ends are at y = {} and {}, so it "
-                      "should begin at {} and leave at {}.",
-                      edge, e.first_row, e.end_row, ends->y_0.numbers(), ends->y_1.numbers(), rows.first, rows.end));
-  }
+  t.derive(e);
+  t.follows("1/m", "dx_dy", e.dx_dy);
+  t.follows("x", "x_edge", e.x_edge);
+  t.follows("dz/dy", "dz_dy", e.dz_dy);
+  t.follows(t.along, "z_edge", e.z_edge);
+  const bool first_agrees = t.whole("first scan line", "first_row", e.first_row),
+             end_agrees = t.whole("leaves at y", "end_row", e.end_row);
+  if (!first_agrees || !end_agrees)
+    t.say(
+        fmt::format("The trace lets e{} begin at scan line {} and leave at {}; its ends are at y = {} and {}, so it "
+                    "should begin at {} and leave at {}.",
+                    edge, e.first_row, e.end_row, number(on_raster(t.scene, t.after, e.vertex_0)->y),
+                    number(on_raster(t.scene, t.after, e.vertex_1)->y), *t.derived_of("first_row")->within,
+                    *t.derived_of("end_row")->within));
   t.value("x", e.x_edge);
   t.value("1/m", e.dx_dy);
   t.value(t.along, e.z_edge);
@@ -210,12 +179,10 @@ void tell(Telling& t, const EdgeStep& e) {
       t.gives("x", Shown("x", before->x) + Shown("1/m", entry->dx_dy), e.x_edge);
       t.gives(t.along, Shown(t.along, before->z) + Shown("dz/dy", entry->dz_dy), e.z_edge);
     }
-  } else if (entry) {
-    if (const auto ends = ends_of(t, *entry)) {
-      const Shown row("y", y);
-      t.gives("x", on_line(ends->x_0, ends->x_1, row, ends->y_0, ends->y_1), e.x_edge);
-      t.gives(t.along, on_line(ends->z_0, ends->z_1, row, ends->y_0, ends->y_1), e.z_edge);
-    }
+  } else {
+    t.derive(e);
+    t.follows("x", "x_edge", e.x_edge);
+    t.follows(t.along, "z_edge", e.z_edge);
   }
   if (t.out.formulas.empty()) t.formula(fmt::format("x = {}, {} = {}", number(e.x_edge), t.along, number(e.z_edge)));
   t.value("x", e.x_edge);
@@ -240,14 +207,9 @@ void tell(Telling& t, const PlaneSlopes& e) {
                     polygon_label(t.scene, e.polygon), number(e.dz_dx), number(e.dz_dy)));
   t.value("dz/dx", e.dz_dx);
   t.value("dz/dy", e.dz_dy);
-  const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1),
-             c = on_raster(t.scene, t.after, e.vertex_2);
-  if (!a || !b || !c) return;
-  const Shown x_0("x_0", a->x), y_0("y_0", a->y), z_0("z_0", a->z);
-  const Shown x_1 = Shown("x_1", b->x) - x_0, y_1 = Shown("y_1", b->y) - y_0, z_1 = Shown("z_1", b->z) - z_0;
-  const Shown x_2 = Shown("x_2", c->x) - x_0, y_2 = Shown("y_2", c->y) - y_0, z_2 = Shown("z_2", c->z) - z_0;
-  t.gives("-A/C", formulas::plane_slope(y_1, z_1, y_2, z_2, x_1, x_2), e.dz_dx);
-  t.gives("-B/C", formulas::plane_slope(x_1, z_1, x_2, z_2, y_1, y_2), e.dz_dy);
+  t.derive(e);
+  t.follows("-A/C", "dz_dx", e.dz_dx);
+  t.follows("-B/C", "dz_dy", e.dz_dy);
 }
 
 void tell(Telling& t, const SpanBegin& e) {
@@ -258,25 +220,19 @@ void tell(Telling& t, const SpanBegin& e) {
         : count == 1 ? fmt::format("Between {} and {} lies 1 pixel of scan line {}: x = {}.", left, right, e.y, e.first)
                      : fmt::format("Between {} and {} lie {} pixels of scan line {}: x = {} to {}.", left, right, count,
                                    e.y, e.first, e.last));
-  const Shown x_left("x_L", e.x_left), x_right("x_R", e.x_right), z_left("z_L", e.z_left), z_right("z_R", e.z_right);
   const auto [z_l, z_r] = tell_apart(e.z_left, e.z_right);
-  t.formula(
-      fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", x_left.numbers(), x_right.numbers(), t.along, z_l, t.along, z_r));
-  const std::int32_t width = t.scene.raster.width;
-  const auto last_by = [&](Conventions::Coverage coverage) { return formulas::last_pixel(x_right, coverage); };
-  const auto within = [&](const Shown& last) { return formulas::limited_column(last.value() + 1, width) - 1; };
-  const auto ends_there = [&](Conventions::Coverage coverage) { return within(last_by(coverage)) == e.last; };
-  const Conventions::Coverage coverage = formulas::coverage_of(t.trace.header(), ends_there);
-  const Shown first = formulas::first_pixel(x_left, coverage), last = last_by(coverage);
-  const std::int32_t first_within = std::max(0, formulas::limited_column(first.value(), width));
-  const bool first_agrees = t.whole("first", first, e.first, first_within),
-             last_agrees = t.whole("last", last, e.last, within(last));
-  if (!first_agrees || !last_agrees)
+  t.formula(fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", number(e.x_left), number(e.x_right), t.along, z_l,
+                        t.along, z_r));
+  t.derive(e);
+  const bool first_agrees = t.whole("first", "first", e.first), last_agrees = t.whole("last", "last", e.last);
+  if (!first_agrees || !last_agrees) {
+    const std::int32_t ought_first = *t.derived_of("first")->within, ought_last = *t.derived_of("last")->within;
     t.say(fmt::format(
         "The trace fills x = {} to {} of scan line {} between {} and {}; by x_L = {} and x_R = {} it should fill {}.",
-        e.first, e.last, e.y, left, right, x_left.numbers(), x_right.numbers(),
-        within(last) < first_within ? "nothing" : fmt::format("{} to {}", first_within, within(last))));
-  if (e.x_right != e.x_left) t.gives("dz/dx", formulas::slope(z_left, z_right, x_left, x_right), e.dz_dx);
+        e.first, e.last, e.y, left, right, number(e.x_left), number(e.x_right),
+        ought_last < ought_first ? "nothing" : fmt::format("{} to {}", ought_first, ought_last)));
+  }
+  t.follows("dz/dx", "dz_dx", e.dz_dx);
   t.value("x_L", e.x_left);
   t.value("x_R", e.x_right);
   t.value("z_L", e.z_left);

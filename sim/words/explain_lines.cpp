@@ -123,10 +123,9 @@ void tell(Telling& t, const LineCross& e) {
       t.gives("t", formulas::where_zero(Shown("d_0", *d_0), Shown("d_1", *d_1)), e.t);
     }
   }
-  const auto a = on_raster(t.scene, t.after, row->entry.vertex_0), b = on_raster(t.scene, t.after, row->entry.vertex_1);
-  if (!a || !b) return;
-  t.gives("x", formulas::part_of_way(Shown("x_0", a->x), Shown("x_1", b->x), Shown("t", e.t)), e.x_at);
-  t.gives("y", formulas::part_of_way(Shown("y_0", a->y), Shown("y_1", b->y), Shown("t", e.t)), e.y_at);
+  t.derive(e);
+  t.follows("x", "x_at", e.x_at);
+  t.follows("y", "y_at", e.y_at);
 }
 
 void tell(Telling& t, const LineHide& e) {

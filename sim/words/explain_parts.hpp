@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/words/derived.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shown.hpp"
@@ -13,6 +14,7 @@
 #include "traces/formulas/lines.hpp"
 #include "traces/formulas/planes.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/formulas/situation_of.hpp"
 
 namespace zstep::words {
 
@@ -26,6 +28,7 @@ struct Telling {
   std::string z;      ///< what depths are called
   std::string along;  ///< what is interpolated to get them
   Explanation out;
+  std::vector<DerivedField> derived;  ///< once `derive` was called
 
   Telling(const Trace& trace_, const State& after_)
       : trace(trace_),
@@ -77,15 +80,31 @@ struct Telling {
     this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), number(recorded))
                      : contradicted(name, formula, recorded));
   }
-  /// The depth that a span has at column x, held against the recorded one.
-  void depth_on(const SpanBegin& s, std::int32_t x, double recorded) {
-    const Shown z_left("z_L", s.z_left);
-    if (s.x_right != s.x_left)
-      return gives_depth(z,
-                         formulas::on_line(z_left, Shown("z_R", s.z_right), Shown("x", x), Shown("x_L", s.x_left),
-                                           Shown("x_R", s.x_right)),
-                         recorded);
-    gives_depth("x_L = x_R: " + z, z_left, recorded);
+  /// Finds what the formulas give for the event's fields: of those whose operands the event leaves as they were.
+  void derive(const Event& event) {
+    formulas::Situation at = formulas::situation_of(trace, after);
+    at.camera = &camera;
+    derived = derived_fields(event, at);
+  }
+  const DerivedField* derived_of(std::string_view field) const {
+    for (const DerivedField& one : derived)
+      if (one.field == field) return &one;
+    return nullptr;
+  }
+  /// A line for a field, by the formula that gives it; false where none does.
+  bool follows(const std::string& name, std::string_view field, double recorded) {
+    const DerivedField* found = derived_of(field);
+    if (found) gives(name, found->formula, recorded);
+    return found != nullptr;
+  }
+  /// Holds a field against its formula without a line for it.
+  void hold_derived(const std::string& name, std::string_view field, double recorded) {
+    if (const DerivedField* found = derived_of(field)) hold_against(name, recorded, found->formula.rounded());
+  }
+  /// The depth that the span at work has at a pixel, held against the recorded one.
+  void depth_on_span(double recorded) {
+    const DerivedField* found = derived_of("z");
+    if (found) gives(found->formula.is_operand() ? "x_L = x_R: " + z : z, found->formula, recorded);
   }
   /// A depth from what is interpolated: itself, or its reciprocal where that is 1/z_v and the depth is z_v.
   void gives_depth(const std::string& name, const Shown& formula_along, double recorded) {
@@ -104,7 +123,11 @@ struct Telling {
     return false;
   }
   /// The same of a whole number, which the raster may limit to another one.
-  bool whole(const std::string& name, const Shown& formula, std::int32_t recorded, std::int32_t within_raster) {
+  bool whole(const std::string& name, std::string_view field, std::int32_t recorded) {
+    const DerivedField* found = derived_of(field);
+    if (!found || !found->within) return true;
+    const Shown& formula = found->formula;
+    const std::int32_t within_raster = *found->within;
     const bool limited = formula.value() != within_raster;
     const std::string ought = limited ? fmt::format("{}, within the raster {}", number(formula.value()), within_raster)
                                       : number(formula.value());

@@ -76,13 +76,10 @@ void tell(Telling& t, const SplitVertex& e) {
   t.value("x", e.x_cut);
   t.value("y", e.y_cut);
   t.value("z", e.z_cut);
-  if (e.space != Space::raster) return;
-  const auto from = on_raster(t.scene, t.after, e.vertex_0), to = on_raster(t.scene, t.after, e.vertex_1);
-  if (!from || !to) return;
-  using formulas::part_of_way, formulas::Rounded;
-  t.hold_against("x", e.x_cut, part_of_way<Rounded>(from->x, to->x, e.t));
-  t.hold_against("y", e.y_cut, part_of_way<Rounded>(from->y, to->y, e.t));
-  t.hold_against("z", e.z_cut, part_of_way<Rounded>(from->z, to->z, e.t));
+  t.derive(e);
+  t.hold_derived("x", "x_cut", e.x_cut);
+  t.hold_derived("y", "y_cut", e.y_cut);
+  t.hold_derived("z", "z_cut", e.z_cut);
 }
 
 void tell(Telling& t, const PieceDraw& e) {
@@ -96,8 +93,9 @@ void tell(Telling& t, const PixelPaint& e) {
       f ? fmt::format(" It showed {}; nobody asks which is nearer.", t.label(f->stored_polygon)) : "";
   t.say(fmt::format("Pixel ({}, {}) takes the colour of {}.{}", e.x, e.y, t.label(e.polygon), before));
   t.value(t.z, e.z);
-  if (!t.machine.span) return t.formula(fmt::format("{} = {}", t.z, number(e.z)));
-  t.depth_on(*t.machine.span, e.x, e.z);
+  t.derive(e);
+  if (t.derived_of("z") == nullptr) return t.formula(fmt::format("{} = {}", t.z, number(e.z)));
+  t.depth_on_span(e.z);
 }
 
 }  // namespace zstep::words

@@ -157,17 +157,8 @@ void tell(Telling& t, const DepthInterpolate& e) {
     // The first pixel of a span has nothing to add to: its depth is computed directly, or from the line before.
   }
   if (how == plane_increments) return;
-  if (how == plane) {
-    if (!slopes) return;
-    const auto from = on_raster(t.scene, t.after, slopes->vertex_0);
-    if (!from) return;
-    return t.gives_depth(t.z,
-                         formulas::along_plane(Shown("z_0", from->z), Shown("dz/dx", slopes->dz_dx), Shown("x", e.x),
-                                               Shown("x_0", from->x), Shown("dz/dy", slopes->dz_dy), Shown("y", e.y),
-                                               Shown("y_0", from->y)),
-                         e.z);
-  }
-  t.depth_on(s, e.x, e.z);
+  t.derive(e);
+  t.depth_on_span(e.z);
 }
 
 void tell(Telling& t, const DepthCompare& e) {

@@ -3,17 +3,8 @@
 
 #include <algorithm>
 
-#include "sim/words/pieces.hpp"
-
 namespace zstep::words {
 namespace {
-
-Shown value_at(const PlaneEquation& plane, const glm::dvec3& p) {
-  return formulas::plane_value(Shown("A", plane.plane_a, factor(plane.plane_a)),
-                               Shown("B", plane.plane_b, factor(plane.plane_b)),
-                               Shown("C", plane.plane_c, factor(plane.plane_c)), Shown("D", plane.plane_d),
-                               Shown("x", p.x), Shown("y", p.y), Shown("z", p.z));
-}
 
 const char* where(Side side) {
   switch (side) {
@@ -29,11 +20,8 @@ const char* where(Side side) {
 void tell(Telling& t, const VertexSide& e) {
   t.say(fmt::format("Vertex {} lies {} the plane of {}.", e.vertex, where(e.side), t.piece(e.plane_of)));
   t.value("value", e.value);
-  const Piece* of = t.piece_at(e.plane_of);
-  const auto p = cutting_point(t.scene, t.after, e.vertex);
-  if (!of || !of->plane || !p) return;
-  const PlaneEquation& plane = *of->plane;
-  t.gives("the value", value_at(plane, *p), e.value);
+  t.derive(e);
+  t.follows("the value", "value", e.value);
 }
 
 void tell(Telling& t, const Saved& e) {

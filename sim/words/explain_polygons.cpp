@@ -23,18 +23,6 @@ std::string planes_in(std::int32_t bits) {
 
 std::string in_binary(std::int32_t bits) { return fmt::format("{:06b}", static_cast<unsigned>(bits) & 63u); }
 
-/// The distance that was found a few events ago for this vertex and plane; looks back over one polygon's clipping only.
-std::optional<double> distance_found(const Telling& t, ClipPlane plane, std::int32_t vertex) {
-  const std::int64_t first = std::max<std::int64_t>(1, t.after.position - 256);
-  for (std::int64_t p = t.after.position - 1; p >= first; --p) {
-    const Event& event = t.trace.event(p).event;
-    if (const auto* found = get_if<ClipVertex>(&event); found && found->plane == plane && found->vertex == vertex)
-      return found->distance;
-    if (holds<PolygonBegin>(event)) break;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 void tell(Telling& t, const PolygonBegin& e) {
@@ -123,12 +111,8 @@ void tell(Telling& t, const ClipVertex& e) {
 void tell(Telling& t, const ClipCross& e) {
   t.say(fmt::format("The edge from vertex {} to vertex {} crosses the {} plane: a new vertex {} is made there.",
                     e.vertex_inside, e.vertex_outside, plane_name(e.plane), e.vertex));
-  const auto in = distance_found(t, e.plane, e.vertex_inside), outside = distance_found(t, e.plane, e.vertex_outside);
-  if (in && outside) {
-    t.gives("t", formulas::where_zero(Shown("d_in", *in), Shown("d_out", *outside)), e.t);
-  } else {
-    t.formula(fmt::format("t = d_in/(d_in \u2212 d_out) = {}", number(e.t)));
-  }
+  t.derive(e);
+  if (!t.follows("t", "t", e.t)) t.formula(fmt::format("t = d_in/(d_in \u2212 d_out) = {}", number(e.t)));
   t.formula(fmt::format("V = V_in + t(V_out \u2212 V_in) = ({}, {}, {})", number(e.x_v), number(e.y_v), number(e.z_v)));
   t.value("t", e.t);
   t.value("x_v", e.x_v);

@@ -176,13 +176,10 @@ void tell(Telling& t, const RayHit& e) {
   check_kept(t, e);
   t.formula(fmt::format("X = X_0 + t dX = {}", point(e.x_hit, e.y_hit, e.z_hit)));
   t.value("t", e.t);
-  const RayRow* row = ray_now(t);
-  if (!row) return;
-  const RayBegin& ray = row->entry;
-  const formulas::Rounded along = e.t;
-  t.hold_against("x_hit", e.x_hit, ray.x_0 + along * ray.dir_x);
-  t.hold_against("y_hit", e.y_hit, ray.y_0 + along * ray.dir_y);
-  t.hold_against("z_hit", e.z_hit, ray.z_0 + along * ray.dir_z);
+  t.derive(e);
+  t.hold_derived("x_hit", "x_hit", e.x_hit);
+  t.hold_derived("y_hit", "y_hit", e.y_hit);
+  t.hold_derived("z_hit", "z_hit", e.z_hit);
 }
 
 void tell(Telling& t, const RayEnd& e) {

@@ -11,11 +11,6 @@ const glm::dvec3* world(const Telling& t, std::int32_t vertex) {
   return vertex >= 0 && at < t.scene.points.size() ? &t.scene.points[at] : nullptr;
 }
 
-const VertexStages* way(const Telling& t, std::int32_t vertex) {
-  const auto at = static_cast<std::size_t>(vertex);
-  return vertex >= 0 && at < t.after.vertices.size() ? &t.after.vertices[at] : nullptr;
-}
-
 /// One row of T_v times a point: sum of products, products with 0 left out.
 Shown row_times_point(const glm::dmat4& m, int row, const glm::dvec3& p) {
   std::optional<Shown> sum;
@@ -28,21 +23,16 @@ Shown row_times_point(const glm::dmat4& m, int row, const glm::dvec3& p) {
   return sum.value_or(Shown(0.0));
 }
 
-void tell_depth(Telling& t, const Projection& e, const glm::dvec3& v) {
-  const Camera& c = t.camera;
+void tell_depth(Telling& t, const Projection& e) {
   if (t.conventions.depth == Conventions::Depth::view) {
     t.formula(fmt::format("z_v stays: {}", number(e.z)));
-    t.hold_against("z_v", e.z, v.z);
+    t.hold_derived("z_v", "z", e.z);
     return;
   }
-  if (!(c.near < c.far)) return t.formula(fmt::format("{} = {}", t.along, number(e.z)));
-  const Shown f("f", c.near), F("F", c.far), z_v("z_v", v.z);
-  const Conventions::Depth depth = t.conventions.depth;
-  if (depth != Conventions::Depth::pseudodepth)
-    return t.gives(t.along, formulas::other_depth(depth, c.kind == Camera::Kind::orthographic, f, F, z_v), e.z);
-  if (c.kind == Camera::Kind::orthographic) return t.gives("z*", formulas::parallel_pseudodepth(f, F, z_v), e.z);
+  if (!t.follows(t.along, "z", e.z)) return t.formula(fmt::format("{} = {}", t.along, number(e.z)));
+  if (t.conventions.depth != Conventions::Depth::pseudodepth || t.camera.kind == Camera::Kind::orthographic) return;
+  const Shown f("f", t.camera.near), F("F", t.camera.far);
   const Shown a = formulas::pseudodepth_a(f, F), b = formulas::pseudodepth_b(f, F);
-  t.gives("z*", formulas::pseudodepth(f, Shown("a", a.value()), Shown("b", b.value()), z_v), e.z);
   t.formula(fmt::format("a = {} = {}, b = {} = {}; near f = {}, far F = {}", a.symbols(), number(a.value()),
                         b.symbols(), number(b.value()), f.numbers(), F.numbers()));
 }
@@ -80,42 +70,31 @@ void tell(Telling& t, const ViewTransform& e) {
 }
 
 void tell(Telling& t, const Projection& e) {
-  const Camera& c = t.camera;
-  const VertexStages* w = way(t, e.vertex);
-  const bool perspective = c.kind == Camera::Kind::perspective;
+  const bool perspective = t.camera.kind == Camera::Kind::perspective;
   t.say(
       perspective
           ? fmt::format("Vertex {} is projected: divided by its distance z_v, so what is far becomes small.", e.vertex)
           : fmt::format("Vertex {} is projected straight onto the plane: its size does not depend on its distance.",
                         e.vertex));
-  if (w && perspective) {
-    const glm::dvec3& v = w->view;
-    const Shown d("d", c.d), z_v("z_v", v.z);
-    t.gives("x_p", formulas::projected(d, Shown("x_v", v.x), z_v), e.x_p);
-    t.gives("y_p", formulas::projected(d, Shown("y_v", v.y), z_v), e.y_p);
-  } else {
+  t.derive(e);
+  if (!perspective) {
     t.formula(fmt::format("x_p = x_v = {}, y_p = y_v = {}", number(e.x_p), number(e.y_p)));
+  } else {
+    t.follows("x_p", "x_p", e.x_p);
+    t.follows("y_p", "y_p", e.y_p);
   }
-  if (w) tell_depth(t, e, w->view);
+  tell_depth(t, e);
   t.value("x_p", e.x_p);
   t.value("y_p", e.y_p);
   t.value(t.along, e.z);
 }
 
 void tell(Telling& t, const ViewportTransform& e) {
-  const Camera& c = t.camera;
-  const Raster& r = t.scene.raster;
   t.say(fmt::format("Vertex {} lands on the raster at column {}, row {}; pixel centres are at whole numbers.", e.vertex,
                     number(e.x_s), number(e.y_s)));
-  const VertexStages* w = way(t, e.vertex);
-  if (w && c.window > 0 && r.height > 0) {
-    const double half = c.window * r.width / r.height;
-    const Shown x = formulas::screen_x(Shown("x_p", w->plane.x), Shown("w_x", half), Shown("W", r.width)),
-                y = formulas::screen_y(Shown("y_p", w->plane.y), Shown("w_y", c.window), Shown("H", r.height));
-    const bool whole = t.conventions.positions == Conventions::Positions::integer;
-    t.gives("x_s", whole ? formulas::to_nearest(x) : x, e.x_s);
-    t.gives("y_s", whole ? formulas::to_nearest(y) : y, e.y_s);
-  }
+  t.derive(e);
+  t.follows("x_s", "x_s", e.x_s);
+  t.follows("y_s", "y_s", e.y_s);
   t.value("x_s", e.x_s);
   t.value("y_s", e.y_s);
 }
