@@ -257,7 +257,7 @@ void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
       if (mark.filled) frame_box(ui, {left - 3, top - 3}, {right + 3, foot + 4}, c.bad, 2);
       continue;
     }
-    const float size = std::max(5.0f, std::round(static_cast<float>(map.cell) * 0.36f));
+    const float size = std::max(7.0f, std::round(static_cast<float>(map.cell) * 0.4f));
     list->AddTriangleFilled({left, foot - size - 2}, {left, foot}, {left + size + 2, foot}, c.pane);
     list->AddTriangleFilled({left, foot - size}, {left, foot}, {left + size, foot}, c.bad);
     const float inner = size * 0.42f, in = std::max(1.0f, size * 0.17f);

@@ -84,7 +84,7 @@ void draw_key(Ui& ui, ImVec2 at, float width, bool two) {
     std::string text;
   };
   std::vector<Entry> entries{{0, "span"}, {1, "depth at a pixel"}, {2, "depth buffer"}};
-  if (two) entries = {{0, "A"}, {3, "B"}, {2, "depth buffer"}};
+  if (two) entries = {{0, "run A"}, {3, "run B"}, {2, "depth buffer"}};
   const float sign = 1.6f * ui.em, gap = ui.em, middle = at.y + font->FontSize * 0.55f;
   float needed = -gap;
   for (const Entry& entry : entries) needed += sign + text_size(ui, font, entry.text).x + gap + 4;
@@ -216,8 +216,8 @@ void draw(Ui& ui) {
   std::string sentence = slice_sentence(now, slice);
   if (parts) {
     const std::string other = slice_sentence(ui.other->moment(), lines.runs[1]);
-    if (!sentence.empty()) sentence = "A: " + sentence;
-    if (!other.empty() && keyed) draw_text(ui, {corner.x, below - 1}, ui.fonts.bold, ui.colors().text, "B: " + other);
+    if (!sentence.empty()) sentence = "Run A: " + sentence;
+    if (!other.empty() && keyed) draw_text(ui, {corner.x, below - 1}, ui.fonts.bold, ui.colors().text, "Run B: " + other);
   }
   const float sentence_at = corner.x + text_size(ui, font, upwards(ui)).x + 1.5f * ui.em;
   if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
