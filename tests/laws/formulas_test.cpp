@@ -1,5 +1,5 @@
-// Law: in every golden trace each field that a formula gives has the bits that the formula gives, and each field that
-// the table has as given is given by one.
+// Law: in every golden trace in float64 each field that a formula gives has the bits that the formula gives, and each
+// field that the table has as given is given by one.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -57,7 +57,9 @@ void walk(const Trace& trace, Given& given) {
       [&]<class E>(std::int64_t step, const E& e, const formulas::Situation& at) {
         Bits<E> bits{e, trace.header(), given[kind_of<E>]};
         if constexpr (formulas::Derived<E, Bits<E>>) formulas::derive(e, at, bits);
-        if (!bits.wrong.empty()) FAIL_CHECK(kind_text<E>.name << " at step " << step << ": " << bits.wrong);
+        // A run in fewer digits rounds elsewhere: check holds it to those (tests/laws/check_test.cpp).
+        const bool float64 = trace.header().conventions.number_format == NumberFormat::float64;
+        if (float64 && !bits.wrong.empty()) FAIL_CHECK(kind_text<E>.name << " at step " << step << ": " << bits.wrong);
         return true;
       },
       [](std::int64_t step, const Impossible& why) { FAIL_CHECK("step " << step << ": " << why.what()); });

@@ -25,7 +25,7 @@ struct ChainValue {
   double value = 0;
   std::string formula;   ///< over the operands' symbols, "z_L + (z_R - z_L)*(x - x_L)/(x_R - x_L)"; empty: taken over
   std::vector<Operand> operands;
-  bool exact = true;  ///< of a run of zstep's own the formula gives the recorded bits; else it does so but for rounding
+  bool exact = true;  ///< of zstep's own runs in float64 it gives the recorded bits; else but for rounding
   bool condition = false;
   std::string word;      ///< of a choice between words, the one: "front"
   std::string note;      ///< what no formula says, in a few words

@@ -19,7 +19,7 @@ ChainValue& Datum::value() const { return work_.chain.links[link_].values[place_
 void Datum::is(std::string formula, std::vector<Given> operands, bool exact) {
   ChainValue& told = value();
   told.formula = std::move(formula);
-  told.exact = exact;
+  told.exact = exact && work_.conventions.number_format == NumberFormat::float64;
   told.tolerance = formulas::tolerance_of(work_.scene, work_.trace.header());
   for (Given& given : operands)
     told.operands.push_back(
