@@ -1,0 +1,24 @@
+// The three wrong programs' runs that a lesson has the student judge: what it says of them is so.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/where.hpp"
+#include "traces/check/check.hpp"
+#include "traces/file/jsonl.hpp"
+
+using namespace zstep;
+
+TEST_CASE("the lesson's wrong runs have one cause each, with as many wrong steps, and as many that follow, as it says") {
+  const struct {
+    const char* file;
+    std::int64_t wrong, follow;
+  } runs[] = {{"first", 36, 72}, {"second", 5, 70}, {"third", 2, 8}};
+  for (const auto& run : runs) {
+    CAPTURE(run.file);
+    const CheckReport report = check(open_jsonl(test::in_checkout(std::string("lessons/runs/") + run.file + ".jsonl")));
+    CHECK(report.causes.size() == 1);
+    CHECK(report.wrong_steps == run.wrong);
+    CHECK(report.inherited == run.follow);
+  }
+}
