@@ -38,6 +38,15 @@ std::string bytes_text(std::int64_t bytes) {
   return kib < 1024 ? three_digits(kib) + " KiB" : three_digits(kib / 1024) + " MiB";
 }
 
+std::vector<std::string> parts_of(const std::string& text, char between) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == between) parts.emplace_back();
+    else parts.back() += c;
+  }
+  return parts;
+}
+
 std::vector<std::string> compare_outputs(const CompareOptions& options) {
   std::vector<std::string> files;
   for (const std::string& path : {options.csv, options.plot})

@@ -19,6 +19,9 @@ struct CompareOptions {
   bool steps = false, table = false, quick = false;
 };
 
+/// "a,b": a and b.
+std::vector<std::string> parts_of(const std::string& text, char between);
+
 /// The files asked for.
 std::vector<std::string> compare_outputs(const CompareOptions& options);
 /// Writes the CSV and the chart, as far as they were asked for, and prints a line for each.

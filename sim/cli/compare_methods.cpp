@@ -32,15 +32,6 @@ struct Entrant {
   std::string id, title;
 };
 
-std::vector<std::string> parts_of(const std::string& text, char between) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == between) parts.emplace_back();
-    else parts.back() += c;
-  }
-  return parts;
-}
-
 /// "bsp:root=random": the method, then its options.
 Entrant entrant_of(const std::string& text, const Conventions& conventions) {
   std::vector<std::string> ids;

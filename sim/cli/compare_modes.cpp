@@ -28,17 +28,8 @@ using compare::Mode;
 using compare::ModeErrors;
 using Words = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-std::vector<std::string> split(const std::string& text, char between) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == between) parts.emplace_back();
-    else parts.back() += c;
-  }
-  return parts;
-}
-
 /// "depth=view,reciprocal": the convention and its words, as headers have them.
-Words words_of_modes(const std::vector<std::string>& given) {
+Words mode_words(const std::vector<std::string>& given) {
   Words words;
   for (const std::string& text : given) {
     const std::size_t equals = text.find('=');
@@ -53,11 +44,11 @@ Words words_of_modes(const std::vector<std::string>& given) {
       if (name != key || equals == text.npos) return;
       known = true;
       std::vector<std::string> all, chosen;
-      for (const std::string_view word : words_of<E>) all.emplace_back(word);
+      for (const std::string_view word : zstep::words_of<E>) all.emplace_back(word);
       for (std::string& word : all) std::replace(word.begin(), word.end(), '_', '-');
-      for (const std::string& word : split(text.substr(equals + 1), ','))
-        if (word == "all") chosen.insert(chosen.end(), words_of<E>.begin(), words_of<E>.end());
-        else chosen.emplace_back(words_of<E>[parse_choice("--modes " + key, word, all)]);
+      for (const std::string& word : parts_of(text.substr(equals + 1), ','))
+        if (word == "all") chosen.insert(chosen.end(), zstep::words_of<E>.begin(), zstep::words_of<E>.end());
+        else chosen.emplace_back(zstep::words_of<E>[parse_choice("--modes " + key, word, all)]);
       words.emplace_back(key, std::move(chosen));
     });
     if (!known)
@@ -268,7 +259,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
 }  // namespace
 
 int compare_modes(const CompareOptions& options) {
-  const Words words = words_of_modes(options.modes);
+  const Words words = mode_words(options.modes);
   if (!options.sweep.empty()) return sweep_modes(options, words);
   if (!options.plot.empty())
     throw InputError("--plot", "draws no modes, but a sweep of them", "add --sweep near=0.01..1, or leave it out");

@@ -47,10 +47,10 @@ template <class Enumeration>
 CLI::Option* add_convention(CLI::App& command, ConventionChoices& choices, const std::string& key,
                             Enumeration Conventions::*) {
   std::vector<std::string> words;
-  for (const std::string_view word : words_of<Enumeration>) words.push_back(with_hyphens(word));
+  for (const std::string_view word : zstep::words_of<Enumeration>) words.push_back(with_hyphens(word));
   const std::string name = "--" + with_hyphens(key);
   const auto take = [name, key, words, &choices](const std::string& text) {
-    choices.words[key] = words_of<Enumeration>[parse_choice(name, text, words)];
+    choices.words[key] = zstep::words_of<Enumeration>[parse_choice(name, text, words)];
   };
   return command.add_option_function<std::string>(name, take, convention_help.at(key))
       ->type_name(fmt::format("{}", fmt::join(words, "|")));

@@ -11,11 +11,6 @@
 namespace zstep::answers {
 namespace {
 
-const Piece* piece_at(const Work& work, std::int32_t piece) {
-  const auto at = static_cast<std::size_t>(piece);
-  return piece >= 0 && at < work.machine().pieces.size() ? &work.machine().pieces[at] : nullptr;
-}
-
 Axis3 axis_of(std::string_view field) { return field[0] == 'x' ? Axis3::x : field[0] == 'y' ? Axis3::y : Axis3::z; }
 
 constexpr const char* extent_fields[3][2] = {{"x_min", "x_max"}, {"y_min", "y_max"}, {"z_min", "z_max"}};

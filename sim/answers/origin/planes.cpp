@@ -7,6 +7,11 @@
 #include "algorithms/ray_casting/geometry.hpp"
 
 namespace zstep::answers {
+
+const Piece* piece_at(const Work& work, std::int32_t piece) {
+  const auto at = static_cast<std::size_t>(piece);
+  return piece >= 0 && at < work.machine().pieces.size() ? &work.machine().pieces[at] : nullptr;
+}
 namespace {
 
 /// One component of Newell's normal as a formula over p0_x, p0_y …: what the corners' coordinates are called there.
@@ -27,11 +32,6 @@ std::vector<Given> corners_along(std::size_t count, const Corner& corner, std::i
     for (const Axis3 axis : axes)
       given.push_back({fmt::format("p{}_{}", i, names[static_cast<std::size_t>(axis)]), corner(i, axis)});
   return given;
-}
-
-const Piece* piece_at(const Work& work, std::int32_t piece) {
-  const auto at = static_cast<std::size_t>(piece);
-  return piece >= 0 && at < work.machine().pieces.size() ? &work.machine().pieces[at] : nullptr;
 }
 
 double value_of(const PlaneEquation& plane, char letter) {

@@ -9,6 +9,9 @@
 
 namespace zstep::answers {
 
+/// A row of the table of pieces; nullptr where there is none.
+const Piece* piece_at(const Work& work, std::int32_t piece);
+
 /// Are pieces cut in the world, as those of a tree are?
 bool cuts_in_world(const Work& work);
 

@@ -10,11 +10,13 @@ namespace zstep {
 
 namespace {
 
+using viewer::chart_margin;
+using viewer::chart_text;
+using viewer::chart_wide;
 using viewer::LogAxis;
 using viewer::Sheet;
 
-constexpr int wide = 1280;
-constexpr float text_pixels = 19, margin = 28, row_height = 40, between_columns = 44, zero_slot = 26, dot = 7;
+constexpr float row_height = 40, between_columns = 44, zero_slot = 26, dot = 7;
 
 // The place of 0, and the decades right of it.
 struct Scale {
@@ -78,24 +80,24 @@ void draw_value(Sheet& sheet, const Scale& axis, const ChartValue& value, float 
 }  // namespace
 
 Image draw_chart(const DotChart& chart) {
-  const float line = text_pixels * 1.35f;
-  const float top = margin + 2 * line + 12, rows_top = top + 2 * line + 6;
+  const float line = chart_text * 1.35f;
+  const float top = chart_margin + 2 * line + 12, rows_top = top + 2 * line + 6;
   const float bottom = rows_top + row_height * static_cast<float>(chart.rows.size());
-  Sheet sheet(wide, static_cast<int>(bottom + line + margin), text_pixels);
+  Sheet sheet(chart_wide, static_cast<int>(bottom + line + chart_margin), chart_text);
 
-  sheet.text(margin, margin, chart.title, sheet.theme().text, Sheet::Side::left, true);
-  sheet.text(margin, margin + line, chart.subtitle, sheet.theme().muted);
+  sheet.text(chart_margin, chart_margin, chart.title, sheet.theme().text, Sheet::Side::left, true);
+  sheet.text(chart_margin, chart_margin + line, chart.subtitle, sheet.theme().muted);
   const auto band = [&](std::size_t row) { return row % 2 == 0 ? sheet.theme().head : sheet.theme().pane; };
   float names = 0;
   for (const std::string& name : chart.rows) names = std::max(names, sheet.text_width(name));
   for (std::size_t row = 0; row < chart.rows.size(); ++row) {
     const float y = rows_top + row_height * (static_cast<float>(row) + 0.5f);
-    sheet.rectangle({margin / 2, y - row_height / 2}, {wide - margin / 2, y + row_height / 2}, band(row));
-    sheet.text(margin + names, y - sheet.text_height() / 2, chart.rows[row], sheet.theme().text, Sheet::Side::right);
+    sheet.rectangle({chart_margin / 2, y - row_height / 2}, {chart_wide - chart_margin / 2, y + row_height / 2}, band(row));
+    sheet.text(chart_margin + names, y - sheet.text_height() / 2, chart.rows[row], sheet.theme().text, Sheet::Side::right);
   }
 
-  const float first = margin + names + 24, count = static_cast<float>(chart.columns.size());
-  const float column_width = (wide - margin - first) / std::max(count, 1.0f);
+  const float first = chart_margin + names + 24, count = static_cast<float>(chart.columns.size());
+  const float column_width = (chart_wide - chart_margin - first) / std::max(count, 1.0f);
   for (std::size_t k = 0; k < chart.columns.size(); ++k) {
     const DotChart::Column& column = chart.columns[k];
     const float left = first + static_cast<float>(k) * column_width;

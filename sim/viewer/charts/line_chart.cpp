@@ -12,11 +12,14 @@ namespace zstep {
 
 namespace {
 
+using viewer::chart_margin;
+using viewer::chart_text;
+using viewer::chart_wide;
 using viewer::LogAxis;
 using viewer::Sheet;
 
-constexpr int wide = 1280, high = 720;
-constexpr float text_pixels = 19, margin = 28, mark_size = 7;
+constexpr int high = 720;
+constexpr float mark_size = 7;
 
 std::string tick_text(double value) {
   if (value < 1) return fmt::format("{:g}", value);
@@ -54,11 +57,11 @@ void draw_names(Sheet& sheet, std::vector<EndName> names, float x, float top, fl
 }  // namespace
 
 Image draw_chart(const LineChart& chart) {
-  Sheet sheet(wide, high, text_pixels);
+  Sheet sheet(chart_wide, high, chart_text);
   const viewer::Theme& theme = sheet.theme();
-  const float line = text_pixels * 1.35f;
-  sheet.text(margin, margin, chart.title, theme.text, Sheet::Side::left, true);
-  sheet.text(margin, margin + line, chart.subtitle, theme.muted);
+  const float line = chart_text * 1.35f;
+  sheet.text(chart_margin, chart_margin, chart.title, theme.text, Sheet::Side::left, true);
+  sheet.text(chart_margin, chart_margin + line, chart.subtitle, theme.muted);
 
   Range xs, ys;
   float names_wide = 0;
@@ -69,14 +72,14 @@ Image draw_chart(const LineChart& chart) {
   for (const double tick : chart.x_ticks) xs.take(tick);
   if (!(xs.most > 0) || !(ys.most > 0)) return sheet.picture();
 
-  const float left = margin + 90, right = wide - margin - names_wide - 30;
-  const float top = margin + 3.4f * line, bottom = high - margin - 2.2f * line;
+  const float left = chart_margin + 90, right = chart_wide - chart_margin - names_wide - 30;
+  const float top = chart_margin + 3.4f * line, bottom = high - chart_margin - 2.2f * line;
   const LogAxis up(ys.least, ys.most, bottom, top);
   const auto x_at = [&](double x) {  // a little room beside the first and the last
     const double share = xs.most > xs.least ? std::log(x / xs.least) / std::log(xs.most / xs.least) : 0.5;
     return left + 30 + static_cast<float>(share) * (right - left - 60);
   };
-  sheet.text(margin, top - 1.2f * line, chart.y_title, theme.text);
+  sheet.text(chart_margin, top - 1.2f * line, chart.y_title, theme.text);
   for (int n = up.first_decade(); n <= up.last_decade(); ++n) {
     const float y = up.at(std::pow(10.0, n));
     sheet.rule({left, y}, {right, y}, theme.rule);

@@ -13,6 +13,10 @@
 
 namespace zstep::viewer {
 
+/// Of charts, in pixels.
+inline constexpr int chart_wide = 1280;
+inline constexpr float chart_text = 19, chart_margin = 28;
+
 class Sheet {
  public:
   enum class Side : unsigned char { left, middle, right };  ///< of the text lies at x

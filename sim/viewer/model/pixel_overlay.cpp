@@ -16,7 +16,7 @@ using answers::Count;
 
 namespace {
 
-constexpr std::chrono::milliseconds slice{4};  // of a frame's sixteen
+constexpr std::chrono::milliseconds time_a_frame{4};  // of a frame's sixteen
 
 bool names_polygons(Count count) { return count == Count::first || count == Count::last; }
 
@@ -63,7 +63,7 @@ void PixelOverlay::turn(int direction) {
 bool PixelOverlay::look_on() {
   if (!shown_ || painted_at_ == session_.position()) return false;
   try {
-    const bool there = counts_->count_to(session_.position(), slice);
+    const bool there = counts_->count_to(session_.position(), time_a_frame);
     if (!there) return session_.touch(), false;  // what was painted stays until the new one is whole
     paint();
     painted_at_ = session_.position();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/model/summary.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/file/visit.hpp"
@@ -15,7 +16,6 @@
 namespace zstep::viewer {
 namespace {
 
-constexpr std::int64_t quick = 3'000'000;        // steps that can be looked through between two frames
 constexpr std::size_t most_entries = 6'000'000;  // spans and samples that are kept
 
 std::int64_t key_of(const SliceAt& at) {

@@ -10,10 +10,6 @@
 
 namespace zstep::viewer {
 
-namespace {
-constexpr std::int64_t quick = 3'000'000;  // events that can be looked through between two frames
-}
-
 DepthRange range_between(double smallest, double largest, const Header& header) {
   const bool greater = header.comparison.nearer == Comparison::Nearer::greater;
   return {greater ? largest : smallest, greater ? smallest : largest, true, header.declares(Convention::nearer)};

@@ -10,6 +10,9 @@
 
 namespace zstep::viewer {
 
+/// So many steps can be looked through between two frames.
+inline constexpr std::int64_t quick = 3'000'000;
+
 /// The depths that can be drawn, in the buffer's own numbers; the colours of the depth buffer span it. Fixed for a
 /// scene and its camera, so that a colour means the same depth at every step.
 struct DepthRange {
