@@ -236,7 +236,7 @@ TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that th
   const Header greater = kept(R"({"number_format":"float32","nearer":"greater","ties":"last","initial_depth":0.0})");
   CHECK(greater.declares(Convention::nearer));
   CHECK(!greater.declares(Convention::coverage));
-  CHECK(greater.number_format == NumberFormat::float32);
+  CHECK(greater.conventions.number_format == NumberFormat::float32);
   CHECK(greater.comparison.wins(5, 0));
   CHECK(greater.comparison.wins(5, 5));
   CHECK(!greater.comparison.wins(4, 5));

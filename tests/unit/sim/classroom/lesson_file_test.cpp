@@ -102,8 +102,10 @@ TEST_CASE("the head sets view and conventions") {
   CHECK(trace.scene().camera.kind == Camera::Kind::orthographic);
   CHECK(trace.scene().raster.width == 16);
   CHECK(trace.scene().raster.height == 12);
-  CHECK(trace.header().conventions == Conventions{Conventions::Depth::view, Conventions::Interpolation::increments,
-                                                  Conventions::Coverage::inclusive, false, {}});
+  Conventions chosen;
+  chosen.depth = Conventions::Depth::view, chosen.interpolation = Conventions::Interpolation::increments;
+  chosen.coverage = Conventions::Coverage::inclusive, chosen.cull = false;
+  CHECK(trace.header().conventions == chosen);
 }
 
 TEST_CASE("unset conventions stay the scene's own") {
