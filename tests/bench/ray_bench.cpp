@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/ray_casting/fast.hpp"
+#include "algorithms/fast/ray_casting.hpp"
 #include "algorithms/ray_casting/ray_casting.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/bench/scenes.hpp"

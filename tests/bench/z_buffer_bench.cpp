@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
-#include "algorithms/z_buffer/fast.hpp"
+#include "algorithms/fast/z_buffer.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/bench/scenes.hpp"
 #if ZSTEP_BENCH_LLVMPIPE

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/ray_casting/fast.hpp"
+#include "algorithms/fast/ray_casting.hpp"
 #include "algorithms/ray_casting/ray_casting.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/unit/algorithms/scenes.hpp"

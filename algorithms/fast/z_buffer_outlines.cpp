@@ -1,6 +1,6 @@
-#include "algorithms/z_buffer/fast_outlines.hpp"
+#include "algorithms/fast/z_buffer_outlines.hpp"
 
-#include "algorithms/simd/simd.hpp"
+#include "algorithms/fast/simd.hpp"
 
 #if ZSTEP_HAS_LANES
 

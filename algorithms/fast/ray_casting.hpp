@@ -6,7 +6,7 @@
 // pixel's centre within 1e-9 of an edge may fall to either side.
 #pragma once
 
-#include "algorithms/ray_casting/fast_tree.hpp"
+#include "algorithms/fast/ray_tree.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::ray_casting {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
-#include "algorithms/z_buffer/fast.hpp"
+#include "algorithms/fast/z_buffer.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 
@@ -98,7 +98,7 @@ Scene soup(std::uint64_t seed, int polygons, double size) {
 
 }  // namespace
 
-TEST_SUITE("z_buffer/fast") {
+TEST_SUITE("fast/z_buffer") {
   TEST_CASE("every built-in scene, on its own raster and on one of 1 to 97 columns") {
     for (const BuiltIn& built_in : built_in_scenes()) {
       const std::string name(built_in.name);

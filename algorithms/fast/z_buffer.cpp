@@ -1,7 +1,7 @@
-#include "algorithms/z_buffer/fast.hpp"
+#include "algorithms/fast/z_buffer.hpp"
 
-#include "algorithms/simd/simd.hpp"
-#include "algorithms/simd/parallel_for.hpp"
+#include "algorithms/fast/simd.hpp"
+#include "algorithms/fast/parallel_for.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 
 #if ZSTEP_HAS_LANES
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "algorithms/scan_conversion/spans.hpp"
-#include "algorithms/z_buffer/fast_outlines.hpp"
+#include "algorithms/fast/z_buffer_outlines.hpp"
 
 namespace zstep::z_buffer {
 

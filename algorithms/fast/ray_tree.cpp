@@ -1,4 +1,4 @@
-#include "algorithms/ray_casting/fast_tree.hpp"
+#include "algorithms/fast/ray_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "algorithms/ray_casting/fast_shapes.hpp"
+#include "algorithms/fast/ray_shapes.hpp"
 
 namespace zstep::ray_casting {
 

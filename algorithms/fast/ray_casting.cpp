@@ -1,4 +1,4 @@
-#include "algorithms/ray_casting/fast.hpp"
+#include "algorithms/fast/ray_casting.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "algorithms/simd/simd.hpp"
+#include "algorithms/fast/simd.hpp"
 #include "algorithms/ray_casting/geometry.hpp"
 
 namespace zstep::ray_casting {

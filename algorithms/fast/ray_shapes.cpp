@@ -1,4 +1,4 @@
-#include "algorithms/ray_casting/fast_shapes.hpp"
+#include "algorithms/fast/ray_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
