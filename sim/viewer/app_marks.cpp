@@ -62,14 +62,16 @@ void App::to_marked(int direction) {
     return place ? against_->go_to(*place)
                  : say(direction > 0 ? "There is no later difference." : "There is no earlier difference.");
   }
-  if (!findings_) return say("Nothing was checked or compared: zstep check FILE --view, or zstep view A --against B.");
+  if (!findings_)
+    return say(
+        "Nothing was checked or compared: zstep check FILE --view does, or zstep view FILE.ztrace --against FILE.ztrace.");
   const auto step = findings_->next_marked(session_.position(), direction);
   if (step) session_.go_to(*step);
   else say(direction > 0 ? "No later step is marked." : "No earlier step is marked.");
 }
 
 void App::to_pixel_apart() {
-  if (!against_) return say("There is no second run: zstep view A --against B shows two.");
+  if (!against_) return say("There is no second run: zstep view FILE.ztrace --against FILE.ztrace shows two.");
   const auto& found = against_->first_pixel_apart();
   if (!found) return say("The pictures of both runs are the same at the end.");
   if (found->place) against_->go_to(*found->place);

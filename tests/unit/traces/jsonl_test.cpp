@@ -187,7 +187,7 @@ TEST_CASE("jsonl: the first ten mistakes are told, each on a line") {
   REQUIRE(said.size() == 11);
   CHECK(said.back() == "run.jsonl: there may be more mistakes; mend these first");
   CHECK(
-      lines_of(read(with_conventions(R"({"nearer": "greatest", "coverage": "round", "Ties": "last"})")).error).size() ==
+      lines_of(read(with_conventions(R"({"nearer": "greatest", "coverage": "nearest", "Ties": "last"})")).error).size() ==
       3);
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that th
   refused(R"({"nearer": "greatest"})",
           "\"nearer\" is \"greatest\", but can only be one of: smaller, greater; did you mean \"greater\"?");
   refused(R"({"nearer": "larger"})", "smaller, greater");
-  refused(R"({"coverage": "round"})", "top_left, inclusive");
+  refused(R"({"coverage": "nearest"})", "top_left, inclusive");
   refused(R"({"depth": "distance"})", "pseudodepth, view");
   refused(R"({"number_format": "float16"})", "float64, float32");
   refused(R"({"pixel_centre": "half"})", "can only be one of: integer");

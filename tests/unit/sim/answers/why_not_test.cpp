@@ -177,7 +177,8 @@ void check_step(const Trace& trace, const Verdict& verdict, std::int32_t polygon
           REQUIRE(++written <= trace.size());
         const auto* write = at<PixelWrite>(trace, written);
         CHECK((write ? write->polygon : at<ColorBlend>(trace, written)->polygon) == verdict.other);
-        CHECK(*verdict.gap == mine_before(trace, verdict, polygon, pixel) - at<DepthCompare>(trace, verdict.step)->z);
+        CHECK(*verdict.gap == trace.header().comparison.behind(mine_before(trace, verdict, polygon, pixel),
+                                                               at<DepthCompare>(trace, verdict.step)->z));
       }
       CHECK(*verdict.gap > 0);
       break;

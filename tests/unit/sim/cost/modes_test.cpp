@@ -70,8 +70,8 @@ TEST_CASE("operations: a direct depth takes 4 additions, a multiplication and a 
   const Scene scene = load_scene(test::in_checkout("tests/golden/plate.toml")).scene;
   const ModeErrors direct = errors_of_mode(scene, mode_of(NumberFormat::float64));
   CHECK(direct.operations.pixels == 200);
-  // Two edges enter (x and z, by the formula), and move 9 times within the polygon and once beyond.
-  const std::int64_t on_edges = 2 * 2 + 2 * 2 * direct.operations.pixels / 20;
+  // Two edges, x and z by the formula on each of the ten scan lines.
+  const std::int64_t on_edges = 2 * 2 * 10;
   CHECK(direct.operations.multiplications == 200 + on_edges);
   CHECK(direct.operations.divisions == 200 + on_edges);
   CHECK(direct.operations.additions == 4 * (200 + on_edges));
