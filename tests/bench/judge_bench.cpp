@@ -1,0 +1,95 @@
+// Prints what judging a run costs: reading JSON Lines, check, diff against decoding alone, and exact depths. Medians of
+// runs that take turns, all in one process, as one table in Markdown.
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
+#include "traces/check/check.hpp"
+#include "traces/diff/diff.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/oracle/errors.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+using namespace zstep;
+
+namespace {
+
+double seconds_of(const auto& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+Trace recorded(const char* scene, int width, int height) {
+  ViewOptions view;
+  view.width = width, view.height = height;
+  const Scene looked_at = look_at_scene(load_scene(scene).scene, view);
+  const Method& z_buffer = method("z-buffer");
+  TraceRecorder recorder(header_for(z_buffer, {}), looked_at);
+  z_buffer.record(looked_at, {}, recorder);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), scene);
+}
+
+std::int64_t decode(const Trace& trace) {
+  std::int64_t steps = 0;
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    steps += recorded.step != step_limit;
+    return true;
+  });
+  return steps;
+}
+
+}  // namespace
+
+int main() {
+  const Trace run = recorded("teapot:4", 800, 600), same = recorded("teapot:4", 800, 600);
+  std::ostringstream out;
+  write_jsonl(run, out);
+  const std::string lines = out.str();
+  const auto steps = static_cast<double>(run.size());
+
+  struct Work {
+    const char* name;
+    std::vector<double> seconds;
+  };
+  Work reading{"JSON Lines", {}}, checking{"check", {}}, decoding{"decoding two traces", {}},
+      comparing{"diff of two equal traces", {}}, exact{"exact depths", {}};
+  std::int64_t depths = 0;
+  for (int turn = 0; turn < 7; ++turn) {
+    reading.seconds.push_back(seconds_of([&] {
+      std::istringstream in(lines);
+      Scene kept;  // a recorder looks at it as long as it lives
+      std::optional<TraceRecorder> recorder;
+      read_jsonl(in, "run.jsonl", [&](const Header& header, Scene scene) -> TraceRecorder& {
+        kept = std::move(scene);
+        return recorder.emplace(header, kept);
+      });
+      recorder->finish();
+    }));
+    checking.seconds.push_back(seconds_of([&] { check(run); }));
+    decoding.seconds.push_back(seconds_of([&] { decode(run), decode(same); }));
+    comparing.seconds.push_back(seconds_of([&] { diff::compare(run, same); }));
+    exact.seconds.push_back(seconds_of([&] { depths = oracle::errors_of(run).all.depths; }));
+  }
+  const auto median = [](Work& work) {
+    std::sort(work.seconds.begin(), work.seconds.end());
+    return work.seconds[work.seconds.size() / 2];
+  };
+  fmt::print("{} steps, {:.1f} MB of JSON Lines, {} depths\n\n| | seconds | |\n|---|---|---|\n", run.size(),
+             static_cast<double>(lines.size()) / 1e6, depths);
+  fmt::print("| {} | {:.3f} | {:.0f} MB/s |\n", reading.name, median(reading),
+             static_cast<double>(lines.size()) / 1e6 / median(reading));
+  fmt::print("| {} | {:.3f} | {:.1f} million steps/s |\n", checking.name, median(checking),
+             steps / 1e6 / median(checking));
+  fmt::print("| {} | {:.3f} | {:.1f} times decoding both |\n", comparing.name, median(comparing),
+             median(comparing) / median(decoding));
+  fmt::print("| {} | {:.3f} | {:.0f} depths/s |\n", exact.name, median(exact),
+             static_cast<double>(depths) / median(exact));
+}
