@@ -83,9 +83,9 @@ void print_rows(const Scene& scene, const std::vector<Row>& rows) {
   }
   fmt::print("{}\n", table.text(0));
   fmt::print(
-      "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error that rounding alone makes of\n"
-      "a depth that stays in the buffer, in its own units; BOUND: what theory allows it. WRONG: pixels that show another polygon\n"
-      "than the nearest; TURNED: pixels in which a compare went the other way. +, \u00d7, \u00f7: additions,\n"
+      "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error that rounding alone makes of a\n"
+      "depth that stays in the buffer, in its own units; BOUND: what theory allows it. WRONG: pixels that show another\n"
+      "polygon than the nearest; TURNED: pixels in which a compare went the other way. +, \u00d7, \u00f7: additions,\n"
       "multiplications and divisions a pixel. TIME: of the processor, a run without recording.\n");
 }
 
@@ -160,7 +160,8 @@ Sweep sweep_of(const std::string& text) {
 }
 
 /// Where the wrong pixels begin: by formula, where the depth buffer cannot tell the nearest two polygons apart.
-void print_beginnings(const Sweep& sweep, const std::vector<double>& values, const std::vector<std::vector<Row>>& runs) {
+void print_beginnings(const Sweep& sweep, const std::vector<double>& values,
+                      const std::vector<std::vector<Row>>& runs) {
   const bool near = sweep.name == "near";  // a smaller near plane makes it worse, a larger far plane does
   for (std::size_t mode = 0; mode < runs.front().size(); ++mode) {
     std::optional<double> measured, predicted;

@@ -53,7 +53,9 @@ void add_header(CLI::App& app, Action& action) {
   add_scene(*command, options->run);
   add_limit_options(*command);
   command->add_option("--writer", options->writer, "The name of the program")->type_name("NAME");
-  command->add_option("--nearer", options->nearer, "Which of two depths wins a pixel (default: as --depth has it, mostly smaller)")
+  command
+      ->add_option("--nearer", options->nearer,
+                   "Which of two depths wins a pixel (default: as --depth has it, mostly smaller)")
       ->type_name("smaller|greater");
   command->add_option("--ties", options->ties, "Which of two equal depths does (default first)")
       ->type_name("first|last");

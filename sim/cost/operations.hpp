@@ -11,7 +11,9 @@ namespace zstep::compare {
 struct Operations {
   std::int64_t additions = 0, multiplications = 0, divisions = 0;  ///< subtractions are additions
   std::int64_t pixels = 0;  ///< depths that were interpolated
-  double each(std::int64_t count) const { return pixels == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pixels); }
+  double each(std::int64_t count) const {
+    return pixels == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pixels);
+  }
 };
 
 /// Of edges, spans, planes and pixels; not of the vertices before them. The slope along a span is counted where it is

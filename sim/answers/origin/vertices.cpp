@@ -104,7 +104,8 @@ Number Work::in_scene(std::int32_t vertex, Axis3 axis) {
 Number Work::in_file(std::int32_t vertex, Axis3 axis) {
   const double value = component(scene.file_points[static_cast<std::size_t>(vertex)], axis);
   return derived(0, fmt::format("file {}", vertex), fmt::format("vertex {} in its file", vertex_name(vertex)),
-                 file_names[place(axis)], value, [&](Datum& datum) { datum.given(), datum.at_source(source_of_point(vertex)); });
+                 file_names[place(axis)], value,
+                 [&](Datum& datum) { datum.given(), datum.at_source(source_of_point(vertex)); });
 }
 
 Number Work::viewed(std::int32_t vertex, Axis3 axis) {
