@@ -1,7 +1,6 @@
 // Prints what judging a run costs: reading JSON Lines, check, diff against decoding alone, and exact depths. Medians of
 // runs that take turns, all in one process, as one table in Markdown.
 #include <algorithm>
-#include <chrono>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
+#include "tests/bench/seconds.hpp"
 #include "traces/check/check.hpp"
 #include "traces/diff/diff.hpp"
 #include "traces/file/jsonl.hpp"
@@ -19,12 +19,6 @@
 using namespace zstep;
 
 namespace {
-
-double seconds_of(const auto& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 Trace recorded(const char* scene, int width, int height) {
   ViewOptions view;

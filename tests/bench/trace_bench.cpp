@@ -23,18 +23,13 @@
 #include "sim/answers/pixel_history.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/bench/crowds.hpp"
+#include "tests/bench/seconds.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
 
 namespace {
-
-double seconds_of(const auto& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// The value below which this share of the samples lies.
 double quantile(std::vector<double> samples, double share) {
