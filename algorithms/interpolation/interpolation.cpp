@@ -76,7 +76,7 @@ Plane<T> find_plane(std::int32_t polygon, const clipping::Outline& outline, cons
   return plane;
 }
 
-/// Draws one polygon's spans. `each(pixel, z)` is told what is written.
+/// Draws one polygon's spans. Calls each(pixel, z) for each depth that is written.
 template <class T, Recorder R, class Each>
 class Drawing {
  public:

@@ -70,8 +70,8 @@ inline bool gives(const Rounded& formula, double recorded, double rounding) {
   return std::abs(recorded - formula.value) <= rounding * scale;
 }
 
-/// What a number that was recorded may be off by, where its formula stands beside it. (`zstep check` knows more of each
-/// operand, and is held to less.)
+/// By how much a recorded number may differ from its formula where the two are shown together. (`zstep check` knows more
+/// of each operand, and allows less.)
 struct Tolerance {
   double relative = 0, absolute = 0;
   bool allows(const Rounded& formula, double recorded) const {
