@@ -55,7 +55,7 @@ struct Conventions {
   Rounding rounding = Rounding::nearest;
   Positions positions = Positions::exact;
   bool cull = true;  ///< back faces are dropped
-  /// The method's own options that were given, by name ("root" -> "random"); options that are left out have their standard values.
+  /// The method's own options that were given, by name ("root" -> "random"); those left out have their standard values.
   std::map<std::string, std::string> options;
   bool operator==(const Conventions&) const = default;
 };

@@ -340,6 +340,24 @@ case_vcpkg_and_homebrew_have_the_same_libraries() {
   done < <(zstep packages)
 }
 
+# Where a comment of a precompiled header changes, g++ 12 takes the header for another one and reads it twice.
+case_a_header_of_which_a_comment_changed_is_precompiled_anew() {
+  [ -n "${ZSTEP_COMPILE-}" ] || return 0  # another compiler than g++
+  rm -rf "${box:?}"/*
+  cd "$box" || return
+  export CCACHE_DIR=$box/cache
+  printf '#pragma once\nenum class Here { one };\n' >part.hpp
+  printf '#include "part.hpp"\n' >all.hpp
+  local comment
+  for comment in "first" "second one"; do
+    sed -i "2s,;.*,;  // $comment," part.hpp
+    printf '#include "part.hpp"\nconst char* comment = "%s";\n' "$comment" >it.cpp
+    rm -f all.hpp.gch
+    same "precompiled with: $comment" "$($ZSTEP_COMPILE -x c++-header -MD -MF all.d -c all.hpp -o all.hpp.gch 2>&1)" ""
+    same "compiled with: $comment" "$($ZSTEP_COMPILE -Winvalid-pch -include all.hpp -MD -MF it.d -c it.cpp -o it.o 2>&1)" ""
+  done
+}
+
 if [ $# -gt 1 ]; then
   fresh
   "case_$2"
