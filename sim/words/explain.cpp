@@ -26,26 +26,6 @@ std::int32_t polygon_at_work(const MethodState& machine) {
                                                                           : no_polygon;
 }
 
-std::string piece_label(const Scene& scene, const MethodState& machine, std::int32_t piece) {
-  if (piece < 0 || static_cast<std::size_t>(piece) >= machine.pieces.size()) return fmt::format("piece {}", piece);
-  const auto& pieces = machine.pieces;
-  const auto at = static_cast<std::size_t>(piece);
-  const std::int32_t polygon = pieces[at].polygon;
-  // A part was cut from a piece, or is one of several facets: those stand side by side as they are gathered.
-  const auto same = [&](std::size_t other) {
-    return other < pieces.size() && pieces[other].polygon == polygon && pieces[other].parent < 0;
-  };
-  const auto part = [&](std::size_t one) {
-    return pieces[one].parent >= 0 || same(one + 1) || (one > 0 && same(one - 1));
-  };
-  const std::string whole = polygon_label(scene, polygon);
-  if (!part(at)) return whole;
-  int number = 1;
-  for (std::size_t before = 0; before < at; ++before) number += pieces[before].polygon == polygon && part(before);
-  const bool digit = whole.back() >= '0' && whole.back() <= '9';
-  return fmt::format("{}{}{}", whole, digit ? "." : "", number);
-}
-
 namespace {
 
 /// 0 where the vertex has no letter.

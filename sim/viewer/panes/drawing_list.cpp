@@ -1,6 +1,8 @@
 // The list of pieces still to be drawn, the farthest first, their z extents as bars; above it the pair under test.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -8,6 +10,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "sim/words/piece_labels.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -51,6 +54,11 @@ struct Rows {
   Axis3 axis;
   std::int32_t p = -1, q = -1, touched = -1;  ///< pieces
   float height = 0, room = 0, tag = 0, name = 0, bars_left = 0, bars = 0;
+  std::vector<std::string> labels;  ///< by piece
+  std::string label(std::int32_t piece) const {
+    const auto at = static_cast<std::size_t>(piece);
+    return piece >= 0 && at < labels.size() ? labels[at] : fmt::format("piece {}", piece);
+  }
   float x_of(double z) const { return bars_left + static_cast<float>((axis.far - z) / (axis.far - axis.near)) * bars; }
 };
 
@@ -69,9 +77,10 @@ Rows lay_out_rows(Ui& ui) {
   rows.height = std::round(ui.fonts.mono->FontSize * 1.35f);
   rows.room = ImGui::GetContentRegionAvail().x - ui.em;  // a scroll bar may come and go
   rows.tag = text_size(ui, ui.fonts.bold, "Q").x + ui.em * 0.5f;
+  rows.labels = piece_labels(s.scene(), machine);
   rows.name = text_size(ui, ui.fonts.mono, "C").x;
   for (const ListEntry& entry : machine.list)
-    rows.name = std::max(rows.name, text_size(ui, ui.fonts.mono, piece_label(s.scene(), machine, entry.piece)).x);
+    rows.name = std::max(rows.name, text_size(ui, ui.fonts.mono, rows.label(entry.piece)).x);
   const float mark = text_size(ui, ui.fonts.mono, "\u25cf").x + ui.em * 0.4f;
   rows.bars_left = ui.em * 0.4f + rows.tag + ui.em * 0.75f + rows.name + ui.em * 0.4f + mark;
   rows.bars = std::max(20.0f, rows.room - rows.bars_left - ui.em * 0.3f);
@@ -115,13 +124,12 @@ void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   } else if (is_p || is_q) {
     list->AddRectFilled(at, {at.x + rows.room, at.y + rows.height}, c.selected_soft);
   }
-  if (entry.piece == rows.touched || is_q) follow(ui, at.y, rows.height);
   float x = at.x + ui.em * 0.4f;
   if (is_p || is_q) draw_text(ui, {x, at.y + 1}, ui.fonts.bold, c.text, is_p ? "P" : "Q");
   x += rows.tag;
   draw_chip(ui, {x, at.y}, rows.height, chip_of(s, polygon_of(machine, entry.piece)));
   x += ui.em * 0.75f;
-  draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.text, piece_label(s.scene(), machine, entry.piece));
+  draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.text, rows.label(entry.piece));
   x += rows.name + ui.em * 0.4f;
   if (entry.marked) draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.now, "\u25cf");
   if (!piece || !piece->extent) return;
@@ -138,8 +146,10 @@ void draw_reach(Ui& ui, const Rows& rows, ImVec2 top) {
   const auto& pieces = ui.session.state().machine.pieces;
   const auto at = static_cast<std::size_t>(rows.p);
   if (rows.p < 0 || at >= pieces.size() || !pieces[at].extent) return;
-  const float x = top.x + rows.x_of(pieces[at].extent->z_min), bottom = ImGui::GetCursorScreenPos().y;
-  for (float y = top.y; y < bottom; y += 8)
+  const float x = top.x + rows.x_of(pieces[at].extent->z_min);
+  const float shown = ImGui::GetWindowPos().y, above = std::max(0.0f, std::floor((shown - top.y) / 8)) * 8;
+  const float bottom = std::min(ImGui::GetCursorScreenPos().y, shown + ImGui::GetWindowHeight());
+  for (float y = top.y + above; y < bottom; y += 8)
     ImGui::GetWindowDrawList()->AddRectFilled({x - 1, y}, {x + 1, std::min(y + 5, bottom)}, ui.colors().selected);
 }
 
@@ -148,14 +158,21 @@ void draw_list(Ui& ui) {
   const Rows rows = lay_out_rows(ui);
   draw_axis(ui, rows);
   // The first of the list is P: it stays in sight while the others scroll.
-  auto entry = entries.begin();
-  const bool testing = entry->piece == rows.p;
+  const bool testing = entries.begin()->piece == rows.p;
   ImVec2 top = ImGui::GetCursorScreenPos();
-  draw_row(ui, rows, *entry);
+  draw_row(ui, rows, *entries.begin());
   if (testing) draw_reach(ui, rows, top);
   ImGui::BeginChild("others", {0, 0}, false, ImGuiWindowFlags_None);
   top = ImGui::GetCursorScreenPos();
-  while (++entry != entries.end()) draw_row(ui, rows, *entry);
+  const std::vector<ListEntry> others(std::next(entries.begin()), entries.end());
+  for (std::size_t row = 0; row < others.size(); ++row)
+    if (others[row].piece == rows.touched || others[row].piece == rows.q)
+      follow(ui, top.y + static_cast<float>(row) * rows.height, rows.height);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(others.size()), rows.height);
+  while (clipper.Step())
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
+      draw_row(ui, rows, others[static_cast<std::size_t>(row)]);
   if (testing) draw_reach(ui, rows, top);
   ImGui::EndChild();
 }
