@@ -1,0 +1,90 @@
+// How a step follows from its operands, and which differences these go back to.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "traces/check/precision.hpp"
+#include "traces/diff/follow.hpp"
+#include "traces/formulas/follows.hpp"
+#include "traces/formulas/rounding.hpp"
+
+namespace zstep::diff {
+
+using formulas::Follows, formulas::Place, formulas::Rounded, formulas::Rule;
+
+/// Which differences the operands of this step go back to.
+struct Reads {
+  const Inheritance &different, &rounding;
+  std::int32_t from_different = no_difference, from_rounding = no_difference;
+
+  void operator()(const Place& place) {
+    if (from_different == no_difference) from_different = different.of(place);
+    if (from_rounding == no_difference) from_rounding = rounding.of(place);
+  }
+};
+
+/// Looks at how a step follows from its operands.
+template <class E>
+struct Witness {
+  using Number = Rounded;
+  const E& e;
+  const Header& header;
+  const Precision& precision;
+  std::uint16_t differing;  ///< the fields in question
+  Reads& reads_from;
+  bool wrong = false;
+  double may_be_off = 0;  ///< what rounding allows a field in question, as a share of it, at most
+  bool near_tie = false;
+
+  Number number(const auto&, double value, const Place& place) {
+    if (place.in != Place::In::event && place.in != Place::In::scene) reads_from(place);
+    Rounded known(value);
+    if (precision.absolute > 0) known.spread += precision.absolute / precision.relative;
+    return known;
+  }
+  Number named(std::string_view, const Number& formula) { return formula; }
+  void reads(const Place& place) { reads_from(place); }
+  bool trusts(const Place& place) const { return reads_from.different.of(place) == no_difference; }
+  bool equal(double one, double other) const {
+    return formulas::gives(Rounded(one), other, precision.relative) || std::abs(one - other) <= precision.absolute;
+  }
+
+  void gives(Follows<E, double> field, const Number& formula) {
+    if (!in_question(field)) return;
+    const double value = e.*field.member;
+    wrong = wrong || !(formulas::gives(formula, value, precision.relative) ||
+                       std::abs(value - formula.value) <= precision.absolute);
+    const double size = std::max(std::abs(value), std::abs(formula.value));
+    if (size > 0)
+      may_be_off = std::max(may_be_off, (2 * precision.relative * formula.spread + precision.absolute) / size);
+  }
+  void whole(Follows<E, std::int32_t> field, const Number&, std::int32_t within) {
+    if (in_question(field)) wrong = wrong || e.*field.member != within;
+  }
+  template <class Value>
+  void is(std::type_identity_t<Follows<E, Value>> field, Value value) {
+    if (!in_question(field)) return;
+    const Value recorded = e.*field.member;
+    bool equal = recorded == value;
+    if constexpr (std::is_same_v<Value, double>) equal = equal || this->equal(recorded, value) || value != value;
+    wrong = wrong || !equal;
+  }
+  void verdict(Follows<E, bool> field, const Number& z, const Number& stored) {
+    if (!in_question(field)) return;
+    near_tie = equal(z.value, stored.value);
+    const bool tie = z.value == stored.value;
+    if (header.declares(tie ? Convention::ties : Convention::nearer))
+      wrong = wrong || e.*field.member != header.comparison.wins(z.value, stored.value);
+  }
+  void rule(Rule, bool holds) { wrong = wrong || !holds; }
+
+ private:
+  template <class Value>
+  bool in_question(const Follows<E, Value>& field) const {
+    return (differing >> field.number & 1) != 0;
+  }
+};
+
+}  // namespace zstep::diff
