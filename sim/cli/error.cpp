@@ -75,7 +75,7 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
   fmt::print("{}: {} held against the exact ones, in last digits of {}\n", printable(trace.name()),
              counted(errors.all.depths, "depth", "depths"), format);
   if (errors.not_judged > 0)
-    fmt::print("{} have no span and edges in the trace and are left out\n", grouped(errors.not_judged));
+    fmt::print("{} have no span and edges and no ray in the trace and are left out\n", grouped(errors.not_judged));
   fmt::print("largest error {}, root mean square {}; at most {:.3g} in depth, at step {}\n", digits(errors.all.largest),
              digits(errors.all.root_mean_square()), errors.all.largest_depth, errors.steepest_step);
   if (allowed)
@@ -167,8 +167,8 @@ int run(const ErrorOptions& options) {
   });
   watch.clear_line();
   if (errors.all.depths == 0)
-    throw InputError(options.trace, "has no depths that are interpolated along spans between edges",
-                     "record a method that has spans, as the Z-buffer");
+    throw InputError(options.trace, "has no depths along spans between edges, and none of rays",
+                     "record a method that has them, as the Z-buffer or ray casting");
   const Raster& raster = trace.scene().raster;
   const std::optional<Allowed> allowed = allowed_in(trace, errors);
   if (options.json) print_json(trace, errors, allowed);
@@ -205,7 +205,8 @@ void add_error(CLI::App& app, Action& action) {
   command->footer(
       "From the vertices that the trace has on the raster each span's depth follows without rounding, in whole "
       "numbers\n"
-      "of any size; every depth and every compare is held against it. Exit code 1: a compare was decided otherwise.\n"
+      "of any size; so do a piece's vertices and a ray's t. Every depth and every compare is held against them.\n"
+      "Exit code 1: a compare was decided otherwise, or a pixel shows another polygon than the exactly nearest.\n"
       "\n"
       "Examples:\n"
       "  zstep error run.ztrace\n"

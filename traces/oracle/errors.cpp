@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "traces/oracle/exact_depth.hpp"
+#include "traces/oracle/exact_rays.hpp"
+#include "traces/oracle/exact_vertices.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/walk.hpp"
 
@@ -22,6 +24,7 @@ struct Known {
   std::shared_ptr<const ExactDepth> exact;  ///< null where it is not known
   double z = 0;
   std::int32_t polygon = no_polygon;
+  std::int32_t facet = -1;  ///< of rays
 };
 
 class Judge {
@@ -31,7 +34,10 @@ class Judge {
         truth_(truth),
         along_(along_of(trace, truth)),
         format_(trace.header().conventions.number_format),
-        unit_(depth_unit(trace.scene(), trace.header().conventions)) {
+        unit_(depth_unit(trace.scene(), trace.header().conventions)),
+        cuts_(trace.has(kind_of<SplitVertex>) || in_world(trace)),
+        vertices_(in_world(trace) ? ExactVertices::From::world : ExactVertices::From::vertices),
+        rays_(trace.scene(), trace.header().conventions.depth) {
     const Raster& raster = trace.scene().raster;
     const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
     stored_.resize(pixels), nearest_.resize(pixels), fighting_.resize(pixels);
@@ -44,6 +50,9 @@ class Judge {
     if (at.method().pass == Pass::light) return;
     if constexpr (std::is_same_v<E, SpanBegin>) span_.reset(), tried_ = false;
     if constexpr (std::is_same_v<E, BuffersClear>) clear();
+    if constexpr (std::is_same_v<E, RayBegin>)
+      if (e.role == RayRole::eye) ray_ = e, ray_kept_ = ray_nearest_ = {};
+    if constexpr (std::is_same_v<E, RayHit>) hit(position, e, at);
     if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, PixelPaint>) compute(position, e, at);
     if constexpr (std::is_same_v<E, DepthCompare>) {
       if (!at.records<DepthInterpolate>()) compute(position, e, at);
@@ -51,6 +60,7 @@ class Judge {
     }
     if constexpr (std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>)
       store(static_cast<std::size_t>(at.pixel(e.x, e.y)), e.x);
+    if (cuts_) vertices_.step(e, at);
   }
 
   Errors finish() {
@@ -89,9 +99,21 @@ class Judge {
     const bool bent = depth == Conventions::Depth::view && truth == Truth::surface;
     return bent ? Along::through_inverses : Along::depth;
   }
+  /// Are polygons cut in the world? Then vertices are followed from there, else they count as they lie on the raster.
+  static bool in_world(const Trace& trace) {
+    return trace.has(kind_of<NodeMake>) && trace.scene().camera.kind != Camera::Kind::screen;
+  }
   std::optional<ExactDepth> between_edges(const Situation& at, const SpanBegin& span) const {
+    if (cuts_) return between_parts(at, span);
     const auto left = edge(at, span.left_edge), right = edge(at, span.right_edge);
     return left && right ? ExactDepth::between(*left, *right, span.y, along_) : std::nullopt;
+  }
+  std::optional<ExactDepth> between_parts(const Situation& at, const SpanBegin& span) const {
+    const EdgeTableInsert *left = at.edge(span.left_edge), *right = at.edge(span.right_edge);
+    if (!left || !right) return std::nullopt;
+    const auto a = vertices_.on_raster(left->vertex_0, at), b = vertices_.on_raster(left->vertex_1, at),
+               c = vertices_.on_raster(right->vertex_0, at), d = vertices_.on_raster(right->vertex_1, at);
+    return a && b && c && d ? ExactDepth::between(*a, *b, *c, *d, span.y, along_) : std::nullopt;
   }
   /// Where depths go by the plane of three vertices, that is what they are without rounding: the others need not lie in
   /// it to the last digit.
@@ -108,11 +130,49 @@ class Judge {
     return Edge{{from->x, from->y, from->z}, {to->x, to->y, to->z}};
   }
 
+  // --- Rays: what the one from the eye meets first gives the pixel its depth.
+
+  static std::shared_ptr<const ExactDepth> constant(const Rational& value) {
+    return std::make_shared<const ExactDepth>(ExactDepth::of(value));
+  }
+  std::shared_ptr<const ExactDepth> exact_ray(const Situation& at, std::int32_t x, std::int32_t y) {
+    const std::vector<RayRow>& tree = at.method().rays.tree;
+    if (tree.empty() || !tree[0].end || tree[0].entry.x != x || tree[0].entry.y != y) return nullptr;
+    const auto t = rays_.meet(tree[0].end->nearest_facet, x, y);
+    return t ? constant(rays_.depth(*t)) : nullptr;
+  }
+  void hit(std::int64_t position, const RayHit& e, const Situation& at) {
+    if (!e.inside || at.method().rays.tree.size() != 1) return;
+    const auto t = rays_.meet(e.facet, ray_.x, ray_.y);
+    const auto facet = static_cast<std::size_t>(e.facet);
+    if (!t || facet >= trace_.scene().facets.size()) return;
+    const Known here{constant(*t), e.t, trace_.scene().facets[facet].polygon, e.facet};
+    const auto nearer = [&](const Known& than) {
+      const int sign = than.exact ? here.exact->compare(*than.exact, ray_.x) : -1;
+      return sign < 0 || (sign == 0 && here.facet < than.facet);
+    };
+    found_.compares += ray_kept_.exact != nullptr;
+    if (ray_kept_.exact && e.nearest != nearer(ray_kept_)) decided_wrong(position, ray_.x, ray_.y, here, ray_kept_);
+    if (e.nearest) ray_kept_ = here;
+    if (nearer(ray_nearest_)) ray_nearest_ = here;
+  }
+  void decided_wrong(std::int64_t position, std::int32_t x, std::int32_t y, const Known& z, const Known& stored) {
+    ++found_.all.decided_wrong;
+    fighting_[static_cast<std::size_t>(y) * static_cast<std::size_t>(trace_.scene().raster.width) +
+              static_cast<std::size_t>(x)] = true;
+    ++polygons_.try_emplace(z.polygon, ErrorOf{z.polygon}).first->second.decided_wrong;
+    constexpr std::size_t most = 100;
+    if (found_.decisions.size() < most)
+      found_.decisions.push_back({position, x, y, z.polygon, z.z, stored.z, z.exact->at(x), stored.exact->at(x)});
+  }
+
   template <class E>
   void compute(std::int64_t position, const E& e, const Situation& at) {
-    const auto& exact = exact_span(at, e.y);
-    const std::int32_t polygon = polygon_of(at);
-    fragment_ = {exact, e.z, polygon};
+    const bool of_ray = std::is_same_v<E, PixelPaint> && trace_.has(kind_of<RayEnd>);
+    const std::shared_ptr<const ExactDepth> exact = of_ray ? exact_ray(at, e.x, e.y) : exact_span(at, e.y);
+    std::int32_t polygon = polygon_of(at);
+    if constexpr (std::is_same_v<E, PixelPaint>) polygon = e.polygon;
+    fragment_ = {exact, e.z, polygon, -1};
     if (!exact) {
       ++found_.not_judged;
       return;
@@ -144,15 +204,9 @@ class Judge {
     const Comparison& comparison = trace_.header().comparison;
     const Known& stored = stored_[pixel];
     if (stored.exact && stored.polygon != fragment_.polygon) note_gap(stored, e.x);
-    if (stored.exact && e.nearer != wins(comparison, fragment_, stored, e.x)) {
-      ++found_.all.decided_wrong;
-      fighting_[pixel] = true;
-      ++polygons_.at(fragment_.polygon).decided_wrong;
-      constexpr std::size_t most = 100;
-      if (found_.decisions.size() < most)
-        found_.decisions.push_back({position, e.x, e.y, fragment_.polygon, e.z, stored.z, fragment_.exact->at(e.x),
-                                    stored.exact->at(e.x)});
-    }
+    found_.compares += stored.exact != nullptr;
+    if (stored.exact && e.nearer != wins(comparison, fragment_, stored, e.x))
+      decided_wrong(position, e.x, e.y, fragment_, stored);
     Known& nearest = nearest_[pixel];
     if (!nearest.exact || wins(comparison, fragment_, nearest, e.x)) nearest = fragment_;
   }
@@ -168,9 +222,14 @@ class Judge {
     return comparison.wins(one.exact->compare(*other.exact, x), 0);
   }
 
-  void store(std::size_t pixel, std::int32_t) {
+  void store(std::size_t pixel, std::int32_t x) {
     stored_[pixel] = fragment_;
-    if (!trace_.has(kind_of<DepthCompare>)) nearest_[pixel] = fragment_;  // what is painted is not compared
+    Known& nearest = nearest_[pixel];
+    if (ray_nearest_.exact) {
+      nearest = ray_nearest_;
+    } else if (!trace_.has(kind_of<DepthCompare>)) {  // painted over each other; of equal depths the last is seen
+      if (!nearest.exact || !fragment_.exact || nearest.exact->compare(*fragment_.exact, x) >= 0) nearest = fragment_;
+    }
     found_.of_pixel[pixel] = fragment_.exact ? error_ : std::numeric_limits<double>::quiet_NaN();
     found_.depth_error_of_pixel[pixel] = fragment_.exact ? off_ : std::numeric_limits<double>::quiet_NaN();
   }
@@ -180,6 +239,11 @@ class Judge {
   Along along_;
   NumberFormat format_;
   double unit_;  ///< of fixed-point depths, else 0
+  bool cuts_;    ///< vertices are not all as the trace has them on the raster
+  ExactVertices vertices_;
+  ExactRays rays_;
+  RayBegin ray_{};                ///< the last one from the eye
+  Known ray_kept_, ray_nearest_;  ///< by the run and by the exact t
   Errors found_;
   std::map<std::int32_t, ErrorOf> polygons_;
   std::vector<bool> fighting_;

@@ -38,6 +38,7 @@ struct Errors {
   std::int64_t not_judged = 0;          ///< depths of which the trace does not have span and edges
   std::int64_t steepest_step = 0;       ///< with the largest error
   std::vector<WrongDecision> decisions; ///< the first ones, at most 100
+  std::int64_t compares = 0;            ///< of which the exact outcome is known
   std::int64_t wrong_pixels = 0;        ///< that show another polygon than the one that is exactly the nearest
   std::int64_t fighting_pixels = 0;     ///< in which a compare was decided otherwise
   std::optional<double> least_gap;      ///< the smallest z_v by which two polygons that met in a pixel differ
@@ -53,8 +54,10 @@ enum class Truth : std::uint8_t {
   surface,  ///< the depth of the polygon itself
 };
 
-/// Goes through a run that interpolates along spans. `on_way` is told the steps that are done now and then; true ends
-/// it. The light's pass is left out. Throws InputError where the trace cannot be read.
+/// Goes through a run that interpolates along spans or casts rays. Where polygons are cut, what cutting makes is exact,
+/// too; cut in the world, all vertices are followed from there, and rays begin in the eye of the camera. `on_way` is
+/// told the steps that are done now and then; true ends it. The light's pass is left out. Throws InputError where the
+/// trace cannot be read.
 Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way = nullptr,
                  Truth truth = Truth::formula);
 

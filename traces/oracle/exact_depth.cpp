@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "traces/formulas/lines.hpp"
+
 namespace zstep::oracle {
 
 namespace {
@@ -139,6 +141,29 @@ std::optional<ExactDepth> ExactDepth::between(const Edge& left, const Edge& righ
   }
   depth.finish(along, digits_z, product);
   return depth;
+}
+
+ExactDepth ExactDepth::linear(const Rational& at_0, const Rational& slope, Along along) {
+  const Whole below_0 = denominator(at_0), below_1 = denominator(slope);
+  ExactDepth depth;
+  depth.a_0_ = Whole(numerator(at_0)) * below_1, depth.a_1_ = Whole(numerator(slope)) * below_0;
+  depth.b_0_ = below_0 * below_1;
+  depth.finish(along, 0, 1);
+  return depth;
+}
+
+std::optional<ExactDepth> ExactDepth::between(const Point& left_0, const Point& left_1, const Point& right_0,
+                                              const Point& right_1, std::int32_t y, Along along) {
+  if (left_0.y == left_1.y || right_0.y == right_1.y) return std::nullopt;
+  const Rational line(y);
+  const auto on_edge = [&](const Point& a, const Point& b, Rational Point::*part) {
+    return formulas::on_line(a.*part, b.*part, line, a.y, b.y);
+  };
+  const Rational x_left = on_edge(left_0, left_1, &Point::x), z_left = on_edge(left_0, left_1, &Point::z),
+                 x_right = on_edge(right_0, right_1, &Point::x), z_right = on_edge(right_0, right_1, &Point::z);
+  if (x_left == x_right) return linear(z_left, 0, along);
+  const Rational slope = formulas::slope(z_left, z_right, x_left, x_right);
+  return linear(z_left - slope * x_left, slope, along);
 }
 
 double ExactDepth::at(std::int32_t x) const {

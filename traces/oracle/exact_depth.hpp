@@ -11,6 +11,8 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "traces/oracle/exact_geometry.hpp"
+
 namespace zstep::oracle {
 
 using Whole = boost::multiprecision::cpp_int;
@@ -40,10 +42,16 @@ class ExactDepth {
   static std::optional<ExactDepth> between(const Edge& left, const Edge& right, std::int32_t y,
                                            Along along = Along::depth);
 
-  /// On scan line y of the plane through three vertices; nothing where they lie in a line on the raster. Of `along`, only
-  /// depth and reciprocal.
+  /// On scan line y of the plane through three vertices; nothing where they lie in a line on the raster. Of `along`,
+  /// only depth and reciprocal.
   static std::optional<ExactDepth> on_plane(const Vertex& a, const Vertex& b, const Vertex& c, std::int32_t y,
                                             Along along = Along::depth);
+
+  /// Between two edges whose ends are fractions: what cutting and clipping leave. Nothing where an edge is horizontal.
+  static std::optional<ExactDepth> between(const Point& left_0, const Point& left_1, const Point& right_0,
+                                           const Point& right_1, std::int32_t y, Along along = Along::depth);
+  /// The same in every column.
+  static ExactDepth of(const Rational& depth) { return linear(depth, 0, Along::depth); }
 
   /// The exact depth at column x, rounded once.
   double at(std::int32_t x) const;
@@ -53,6 +61,7 @@ class ExactDepth {
   int compare(const ExactDepth& other, std::int32_t x) const;
 
  private:
+  static ExactDepth linear(const Rational& at_0, const Rational& slope, Along along);
   void finish(Along along, int digits_z, const Whole& product);
   Whole above(std::int32_t x) const { return a_0_ + a_1_ * x; }
   Whole below(std::int32_t x) const { return b_0_ + b_1_ * x; }

@@ -1,6 +1,7 @@
 // The exact oracle, against depths that were found in another way: by the plane through three points, in fractions.
 #include "traces/oracle/exact_depth.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -11,7 +12,10 @@
 #include "algorithms/scene/load.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/zoo/runs.hpp"
+#include "tests/unit/algorithms/scenes.hpp"
 #include "traces/oracle/errors.hpp"
+#include "traces/oracle/exact_rays.hpp"
+#include "traces/replay/replay.hpp"
 
 using namespace zstep;
 using Fraction = boost::multiprecision::cpp_rational;
@@ -136,6 +140,129 @@ TEST_CASE("error: a decision that rounding turned is found, and a depth that is 
   const oracle::Errors flat =
       oracle::errors_of(test::trace_of(test::head(task, "float64", "increments") + zoo::edge_table(task)));
   CHECK(flat.all.largest == 0);
+}
+
+using Exact3 = std::array<Fraction, 3>;
+Exact3 minus(const Exact3& a, const Exact3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Exact3 as_fractions(const glm::dvec3& p) { return {Fraction(p.x), Fraction(p.y), Fraction(p.z)}; }
+Fraction determinant(const Exact3& a, const Exact3& b, const Exact3& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) + c[0] * (a[1] * b[2] - a[2] * b[1]);
+}
+
+TEST_CASE("exact: t of a ray is also what Cramer's rule gives for X_0 + t dX = a + u(b - a) + v(c - a)") {
+  test::Numbers random(12);
+  for (int trial = 0; trial < 500; ++trial) {
+    Scene scene;
+    scene.raster = {24, 20, false};
+    const std::vector<glm::dvec3> corners{random.in_box(1), random.in_box(1), random.in_box(1)};
+    test::add_polygon(scene, corners);
+    test::look(scene, Camera::Kind::perspective, 4 + trial * 0.01, 30, 60, 1, 8);
+    const Camera& camera = scene.camera;
+    const int x = trial % 24, y = trial % 20;
+    const Fraction w_y(camera.window), w_x = w_y * 24 / 20;
+    const Fraction x_p = (Fraction(x) + Fraction(1, 2)) * 2 * w_x / 24 - w_x,
+                   y_p = w_y - (Fraction(y) + Fraction(1, 2)) * 2 * w_y / 20;
+    Exact3 along;
+    for (int axis = 0; axis < 3; ++axis)
+      along[static_cast<std::size_t>(axis)] = x_p * camera.view[axis][0] + y_p * camera.view[axis][1] +
+                                              Fraction(camera.d) * camera.view[axis][2];
+    const Exact3 a = as_fractions(corners[0]), u = minus(as_fractions(corners[1]), a),
+                 v = minus(as_fractions(corners[2]), a), away = minus(a, as_fractions(camera.eye));
+    const Exact3 minus_u{-u[0], -u[1], -u[2]}, minus_v{-v[0], -v[1], -v[2]};
+    const Fraction t = determinant(away, minus_u, minus_v) / determinant(along, minus_u, minus_v);
+    oracle::ExactRays rays(scene, Conventions::Depth::pseudodepth);
+    const auto met = rays.meet(0, x, y);
+    REQUIRE(met);
+    CHECK(Fraction(*met) == t);
+    const Fraction near(camera.near), far(camera.far), z = t * Fraction(camera.d);
+    CHECK(Fraction(rays.depth(*met)) == (far + near - 2 * far * near / z) / (far - near));
+  }
+}
+
+TEST_CASE("error: rays, trees and depth sort are judged at each pixel, and rounding turns nothing here") {
+  for (const char* method_id : {"ray-casting", "bsp", "depth-sort"})
+    for (const char* name : {"pyramid-behind", "intersecting", "cube"}) {
+      CAPTURE(method_id);
+      CAPTURE(name);
+      ViewOptions view;
+      view.width = 40, view.height = 30;
+      const Scene scene = look_at_scene(load_scene(name).scene, view);
+      const Trace trace = test::recorded_by(method_id, scene);
+      const oracle::Errors errors = oracle::errors_of(trace);
+      std::int64_t painted = 0;
+      trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+        painted += holds<PixelPaint>(recorded.event);
+        return true;
+      });
+      CHECK(painted > 100);
+      CHECK(errors.all.depths == painted);
+      CHECK(errors.not_judged == 0);
+      CHECK(errors.all.largest_depth > 0);
+      CHECK(errors.all.largest_depth < 1e-13);
+      CHECK(errors.all.decided_wrong == 0);
+      CHECK(errors.wrong_pixels == 0);
+    }
+}
+
+TEST_CASE("error: a piece is as deep as the whole that it was cut from, to the last digit of the exact depth") {
+  test::Numbers random(5);
+  int pieces = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    std::vector<std::vector<glm::dvec3>> triangles;
+    for (int i = 0; i < 4; ++i) {
+      std::vector<glm::dvec3> corners;
+      for (int k = 0; k < 3; ++k) corners.push_back(random.in_box(12) + glm::dvec3(12, 12, 14));
+      triangles.push_back(corners);
+    }
+    const Scene scene = test::screen_scene(24, 24, triangles);
+    for (const char* method_id : {"bsp", "depth-sort", "ray-casting"}) {
+      CAPTURE(trial);
+      CAPTURE(method_id);
+      const Trace trace = test::recorded_by(method_id, scene);
+      trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+        const auto* piece = get_if<PieceMake>(&recorded.event);
+        pieces += piece && piece->parent >= 0;
+        return true;
+      });
+      const oracle::Errors errors = oracle::errors_of(trace);
+      Replay replay(trace);
+      replay.go_to(trace.size());
+      const Picture& picture = replay.state().picture;
+      for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x) {
+          const std::size_t pixel = picture.at(x, y);
+          if (picture.polygon[pixel] == no_polygon) continue;
+          const auto& corners = triangles[static_cast<std::size_t>(picture.polygon[pixel])];
+          const auto vertex = [&](std::size_t i) { return oracle::Vertex{corners[i].x, corners[i].y, corners[i].z}; };
+          const Fraction exact = depth_of_plane(vertex(0), vertex(1), vertex(2), x, y);
+          CHECK(errors.depth_error_of_pixel[pixel] ==
+                doctest::Approx(static_cast<double>(Fraction(picture.depth[pixel]) - exact)).epsilon(1e-12));
+        }
+    }
+  }
+  CHECK(pieces > 20);
+}
+
+TEST_CASE("error: of two planes that a ray takes for the wrong one, the step and the pixel are found") {
+  // One plane, of which rounding makes two: the second triangle has other vertices in it.
+  test::Numbers random(8);
+  std::int64_t wrong = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<glm::dvec3> whole;
+    for (int i = 0; i < 3; ++i) whole.push_back(random.in_box(8) + glm::dvec3(8, 8, 9));
+    const auto mixed = [&](double a, double b) { return a * whole[0] + b * whole[1] + (1 - a - b) * whole[2]; };
+    const Scene scene = test::screen_scene(16, 16, {whole, {mixed(0.8, 0.1), mixed(0.1, 0.8), mixed(0.1, 0.1)}});
+    const Trace trace = test::recorded_by("ray-casting", scene);
+    const oracle::Errors errors = oracle::errors_of(trace);
+    CHECK(errors.wrong_pixels == errors.all.decided_wrong);
+    wrong += errors.all.decided_wrong;
+    for (const oracle::WrongDecision& found : errors.decisions) {
+      CHECK(holds<RayHit>(trace.event(found.step).event));
+      CHECK(std::abs(found.z - found.z_exact) < 1e-11);
+      CHECK((found.z - found.stored) * (found.z_exact - found.stored_exact) <= 0);
+    }
+  }
+  CHECK(wrong > 0);
 }
 
 }  // namespace
