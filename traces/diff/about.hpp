@@ -20,6 +20,7 @@ enum Within : std::uint8_t {
   area = 4,       ///< the area at work
   ray = 8,        ///< the ray at work
   curve = 16,     ///< the curve, the line or the piece at work
+  node = 32,      ///< the node of the tree that was made last
 };
 
 struct About {
@@ -74,8 +75,8 @@ template <> inline constexpr About about<PieceMake>{nothing, {"polygon", "parent
 template <> inline constexpr About about<PlaneEquation>{nothing, {"piece"}};
 template <> inline constexpr About about<Extent>{nothing, {"piece"}};
 template <> inline constexpr About about<PlaneDepth>{scan_line | area, {"piece"}};
-template <> inline constexpr About about<VertexSide>{nothing, {"vertex", "plane_of"}};
-template <> inline constexpr About about<SideTest>{nothing, {"piece", "plane_of"}};
+template <> inline constexpr About about<VertexSide>{node, {"vertex", "plane_of"}};
+template <> inline constexpr About about<SideTest>{node, {"piece", "plane_of"}};
 template <> inline constexpr About about<ExtentTest>{nothing, {"piece", "other", "axis"}};
 template <> inline constexpr About about<OverlapTest>{nothing, {"piece", "other"}};
 template <> inline constexpr About about<SplitVertex>{nothing, {"vertex_0", "vertex_1"}, true};
@@ -86,7 +87,7 @@ template <> inline constexpr About about<ListInsert>{nothing, {"piece"}};
 template <> inline constexpr About about<ListRemove>{nothing, {"piece"}};
 template <> inline constexpr About about<ListMark>{nothing, {"piece"}};
 template <> inline constexpr About about<PairBegin>{nothing, {"piece", "other"}};
-template <> inline constexpr About about<RootCandidate>{nothing, {"piece"}};
+template <> inline constexpr About about<RootCandidate>{node, {"piece"}};
 template <> inline constexpr About about<NodeMake>{nothing, {"parent", "front"}};
 template <> inline constexpr About about<NodeAdd>{nothing, {"node", "piece"}};
 template <> inline constexpr About about<EyeSide>{nothing, {"node"}};

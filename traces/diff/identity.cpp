@@ -18,6 +18,13 @@ Key spread(Key key) {
 Key mix(Key key, Key more) { return spread(key ^ spread(more)); }
 Key whole(std::int64_t number) { return static_cast<Key>(number); }
 
+template <class E>
+constexpr std::size_t things_among_results() {
+  std::size_t count = 0;
+  for_each_index<E>([&]<std::size_t I>() { count += is_result<E, I>() && thing_at<E, I>() != Thing::none; });
+  return count;
+}
+
 }  // namespace
 
 Identity::Identity(const Trace& trace) : points_(trace.scene().points.size()), trace_(&trace) {}
@@ -60,13 +67,13 @@ void Identity::edge_enters(std::int32_t edge) {
 template <class E>
 Key Identity::key(const E& e) {
   constexpr About it = about<E>;
-  Key key = kind_of<E> + 1u;
-  if constexpr (requires { e.x; e.y; }) key = mix(key, whole(static_cast<int>(pass_)));
+  Key key = kind_of<E> + 1u + (static_cast<Key>(pass_) << 8);
   if constexpr (it.within & polygon) key = mix(key, whole(polygon_));
   if constexpr (it.within & scan_line) key = mix(key, whole(scan_line_));
   if constexpr (it.within & area) key = mix(key, area_);
   if constexpr (it.within & ray) key = mix(key, ray_);
   if constexpr (it.within & curve) key = mix(key, curve_);
+  if constexpr (it.within & node) key = mix(key, node_);
   Key ends = 0;
   for_each_index<E>([&]<std::size_t I>() {
     constexpr const auto& field = field_at<E, I>;
@@ -120,13 +127,12 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, RayBegin>) ray_ = name_of(Thing::ray, e.ray);
   if constexpr (std::is_same_v<E, CurveBegin>) curve_ = name_of(Thing::curve, e.curve);
   if constexpr (std::is_same_v<E, CurveSegment>) curve_ = key;
+  if constexpr (std::is_same_v<E, NodeMake>) node_ = name_of(Thing::node, e.node);
   if constexpr (std::is_same_v<E, LineBegin>) curve_ = name_of(Thing::line, e.line);
   if constexpr (std::is_same_v<E, AreaDecide>) polygon_ = trace_->polygon_of_piece(e.piece);
   if constexpr (std::is_same_v<E, EdgeEnter>) edge_enters(e.edge);
   if constexpr (std::is_same_v<E, SpanBegin>) edge_used(e.left_edge, e.y), edge_used(e.right_edge, e.y),
       edges_[e.left_edge].in_span = edges_[e.right_edge].in_span = true;
-  if constexpr (std::is_same_v<E, SpanBegin>)
-    if (!turns_) polygon_ = edges_[e.left_edge].polygon;
   if constexpr (std::is_same_v<E, FlagFlip>) edge_used(e.edge, scan_line_);
   if constexpr (std::is_same_v<E, EdgeStep>) ++edges_[e.edge].next_row;
 }
@@ -134,11 +140,15 @@ void Identity::take_note(const E& e, Key key) {
 Identity::Known Identity::of(const Event& event) {
   return visit_event(
       [&]<class E>(const E& e) {
+        // Where lines hold several polygons, a span says whose turn it is.
+        if constexpr (std::is_same_v<E, SpanBegin>)
+          if (const std::int32_t owner = edges_[e.left_edge].polygon; owner != no_polygon) polygon_ = owner;
         Known known{key(e), {}};
+        static_assert(things_among_results<E>() <= std::tuple_size_v<decltype(known.results)>);
         std::size_t results = 0;
         for_each_index<E>([&]<std::size_t I>() {
           if constexpr (is_result<E, I>() && thing_at<E, I>() != Thing::none)
-            known.results.at(results++) = name_of(thing_at<E, I>(), e.*field_at<E, I>.member);
+            known.results[results++] = name_of(thing_at<E, I>(), e.*field_at<E, I>.member);
         });
         take_note(e, known.about);
         return known;

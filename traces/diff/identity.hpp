@@ -56,7 +56,7 @@ template <class E, std::size_t I>
 constexpr bool is_result() {
   constexpr std::string_view name = field_at<E, I>.name;
   if (about<E>.names(name) || name == "facet" || (std::is_same_v<E, EdgeEnter> && name == "place")) return false;
-  return thing_at<E, I>() == Thing::none || thing_at<E, I>() != made_by<E>();
+  return name == "parent" || thing_at<E, I>() == Thing::none || thing_at<E, I>() != made_by<E>();
 }
 
 /// Follows one run and says of each step what it is about.
@@ -65,7 +65,7 @@ class Identity {
   using Key = std::uint64_t;
   struct Known {
     Key about = 0;
-    std::array<Key, 2> results{};  ///< the names of the things among the step's results, in the order of its fields
+    std::array<Key, 3> results{};  ///< the names of the things among the step's results, in the order of its fields
   };
 
   explicit Identity(const Trace& trace);
@@ -100,7 +100,7 @@ class Identity {
   std::unordered_map<std::int32_t, Edge> edges_;
   std::int32_t polygon_ = no_polygon, scan_line_ = -1;
   Pass pass_ = Pass::eye;
-  Key area_ = 0, ray_ = 0, curve_ = 0;
+  Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;
   bool turns_ = true;  ///< polygons are worked on one after another
   const Trace* trace_;
 };

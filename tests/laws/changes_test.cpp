@@ -1,0 +1,195 @@
+// Law: in any golden trace, one value of one step changed, or one step left out, is named by `check` or `diff` as the
+// first cause, at its step.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tests/golden/golden.hpp"
+#include "traces/check/check.hpp"
+#include "traces/diff/diff.hpp"
+#include "traces/events/slots.hpp"
+#include "traces/file/check_events.hpp"
+#include "traces/record/trace_recorder.hpp"
+
+using namespace zstep;
+
+namespace {
+
+enum class Change : std::uint8_t { digit, sign, neighbour, whole, other, no_such, verdict, left_out, count };
+constexpr std::array<const char*, 8> change_words{"a digit from the ninth upwards", "its sign",
+                                                  "a neighbour's value",            "a whole number beside it",
+                                                  "another step's number",          "a number that nothing has",
+                                                  "another verdict",                "left out"};
+
+/// One run, taken apart.
+struct Run {
+  const Trace& trace;
+  std::vector<RecordedEvent> events = {};
+  std::array<std::vector<std::size_t>, kind_count> by_kind = {};
+  std::vector<std::uint8_t> kinds = {};
+
+  explicit Run(const Trace& whole) : trace(whole) {
+    trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& event) {
+      by_kind[event.event.index()].push_back(events.size());
+      events.push_back(event);
+      return true;
+    });
+    for (std::size_t kind = 0; kind < kind_count; ++kind)
+      if (!by_kind[kind].empty()) kinds.push_back(static_cast<std::uint8_t>(kind));
+  }
+  /// Half of the time any step, else one of any kind: what a run does once must be tried as well.
+  std::size_t any_step(std::mt19937_64& random) const {
+    if (random() % 2 == 0) return random() % events.size();
+    const auto& of_kind = by_kind[kinds[random() % kinds.size()]];
+    return of_kind[random() % of_kind.size()];
+  }
+  /// The next step of its kind, or the one before.
+  std::size_t neighbour(std::size_t step) const {
+    const auto& of_kind = by_kind[events[step].event.index()];
+    const auto next = std::upper_bound(of_kind.begin(), of_kind.end(), step);
+    return next != of_kind.end() ? *next : of_kind.size() > 1 ? of_kind[of_kind.size() - 2] : step;
+  }
+  std::size_t any_of_kind(std::size_t step, std::mt19937_64& random) const {
+    const auto& of_kind = by_kind[events[step].event.index()];
+    return of_kind[random() % of_kind.size()];
+  }
+  Trace with(std::size_t step, const Event* instead) const {
+    TraceRecorder recorder(trace.header(), trace.scene());
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      if (i != step) record_any(recorder, events[i].step, events[i].event);
+      else if (instead) record_any(recorder, events[i].step, *instead);
+    }
+    recorder.finish();
+    return Trace::from_bytes(recorder.take_bytes(), "changed");
+  }
+};
+
+/// Changes a value of the step; its name, "kind.field", or "" where it has none that can be changed so.
+std::string change(Event& event, Change how, const Run& run, std::size_t step, std::mt19937_64& random) {
+  std::vector<std::pair<std::string_view, std::function<void()>>> ways;
+  const Event& beside = run.events[run.neighbour(step)].event;
+  const Event& any = run.events[run.any_of_kind(step, random)].event;
+  std::string_view kind;
+  visit_event(
+      [&]<class E>(E& e) {
+        kind = kind_text<E>.name;
+        for_each_index<E>([&]<std::size_t I>() {
+          constexpr auto member = field_at<E, I>.member;
+          using Value = FieldValue<E, I>;
+          Value& value = e.*member;
+          const auto way = [&](std::function<void()> make) { ways.emplace_back(field_at<E, I>.name, std::move(make)); };
+          const auto take = [&](const Event& from) {
+            if (const Value its = get<E>(from).*member; its != value && its == its) way([&value, its] { value = its; });
+          };
+          if constexpr (std::is_same_v<Value, double>) {
+            if (!std::isfinite(value)) return;
+            if (how == Change::digit)
+              way([&] {
+                const double off = std::pow(10.0, -static_cast<double>(random() % 9));
+                value += (random() % 2 ? off : -off) * std::max(std::abs(value), 1e-3);
+              });
+            if (how == Change::sign && value != 0) way([&] { value = -value; });
+            if (how == Change::neighbour && std::abs(get<E>(beside).*member - value) > 1e-8 * std::abs(value))
+              take(beside);
+          } else if constexpr (std::is_same_v<Value, std::int32_t>) {
+            if (how == Change::whole) way([&] { value += random() % 2 ? -1 : 1; });
+            if (how == Change::neighbour) take(beside);
+            if (how == Change::other) take(any);
+            if (how == Change::no_such) way([&] { value = 1'000'000; });
+          } else if constexpr (std::is_same_v<Value, bool>) {
+            if (how == Change::verdict) way([&] { value = !value; });
+          } else if (how == Change::verdict) {
+            way([&] {
+              constexpr std::size_t words = words_of<Value>.size();
+              value = static_cast<Value>((static_cast<std::size_t>(value) + 1 + random() % (words - 1)) % words);
+            });
+          }
+        });
+      },
+      event);
+  if (ways.empty()) return "";
+  const auto& [field, apply] = ways[random() % ways.size()];
+  apply();
+  return fmt::format("{}.{}", kind, field);
+}
+
+/// Can it be read at all? `check` names the line where not, and what is before it is right.
+bool can_be_read(const Event& event, const Scene& scene) {
+  EventCheck check(scene);
+  return visit_event([&](const auto& e) { return check(e).empty(); }, event);
+}
+
+struct Counts {
+  int changes = 0, refused = 0, by_check = 0, by_diff = 0;
+};
+
+TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, at its step") {
+  constexpr int changes_a_trace = 200;
+  std::mt19937_64 random(16);
+  Counts all;
+  std::map<std::string, std::pair<int, int>> unnoticed;  // by field: how often, of how many
+  std::map<std::string, std::string> example;
+  std::map<std::string, std::pair<int, int>> checked;  // by field: how often `check` alone names it
+  test::for_each_golden([&](const std::string& golden, const Trace& trace) {
+    const Run run(trace);
+    for (int made = 0, tries = 0; made < changes_a_trace && tries < 10 * changes_a_trace; ++tries) {
+      const auto how = static_cast<Change>(random() % static_cast<std::size_t>(Change::count));
+      const std::size_t step = run.any_step(random);
+      Event event = run.events[step].event;
+      std::string field;
+      if (how == Change::left_out)
+        field = visit_event([]<class E>(const E&) { return std::string(kind_text<E>.name); }, event);
+      else
+        field = change(event, how, run, step, random);
+      if (field.empty()) continue;
+      ++made, ++all.changes;
+      if (!can_be_read(event, trace.scene())) {
+        ++all.refused;
+        continue;
+      }
+      const auto at = static_cast<std::int64_t>(step) + 1;
+      const Trace wrong = run.with(step, how == Change::left_out ? nullptr : &event);
+      const CheckReport report = check(wrong);
+      const bool checks = !report.causes.empty() && report.causes.front().first.step == at;
+      ++checked[field].second, checked[field].first += checks;
+      if (checks) {
+        ++all.by_check;
+        continue;
+      }
+      const diff::DiffReport parts = diff::compare(trace, wrong);
+      const bool differs =
+          !parts.causes.empty() && (parts.causes.front().first.a == at || parts.causes.front().first.b == at);
+      all.by_diff += differs;
+      ++unnoticed[field].second;
+      if (differs) continue;
+      ++unnoticed[field].first;
+      example[field] = fmt::format("{} at step {} of {}: {}", change_words[static_cast<std::size_t>(how)], at, golden,
+                                   parts.causes.empty() ? "nothing" : fmt::format("{} {}", parts.causes.front().first.a,
+                                                                                 parts.causes.front().first.b));
+    }
+  });
+  for (const auto& [field, counts] : unnoticed) {
+    if (counts.first == 0) continue;
+    MESSAGE(field, ": ", counts.first, " of ", counts.second, ", as ", example[field]);
+  }
+  std::string alone;
+  for (const auto& [field, counts] : checked)
+    if (10 * counts.first < 9 * counts.second) alone += fmt::format("{} {}/{}  ", field, counts.first, counts.second);
+  MESSAGE("check alone seldom: ", alone);
+  const int named = all.refused + all.by_check + all.by_diff;
+  MESSAGE("of ", all.changes, " changes ", named, " are named: ", all.refused, " cannot be read, ", all.by_check,
+          " by check, ", all.by_diff, " by diff alone");
+  CHECK(all.changes >= 10'000);
+  CHECK(named >= 0.96 * all.changes);
+}
+
+}  // namespace
