@@ -1,6 +1,7 @@
 #include "sim/cli/compare.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
@@ -59,20 +60,26 @@ std::vector<std::string> compare_outputs(const CompareOptions& options) {
   return files;
 }
 
-void write_comparison(const CompareOptions& options, const std::string& csv, const std::function<Image()>& chart) {
+namespace {
+bool is_svg(const std::string& path) { return std::filesystem::path(path).extension() == ".svg"; }
+}  // namespace
+
+void write_comparison(const CompareOptions& options, const std::string& csv, const std::function<Drawing()>& chart) {
   if (!options.csv.empty()) {
     write_file(options.csv, std::vector<std::uint8_t>(csv.begin(), csv.end()));
     say_written(options.csv, "the numbers");
   }
   if (!options.plot.empty()) {
-    const Image image = chart();
-    write_png(options.plot, image.width, image.height, image.rgb);
-    say_written(options.plot, fmt::format("the chart, {}x{} pixels", image.width, image.height));
+    const Drawing drawing = chart();
+    if (is_svg(options.plot))
+      write_file(options.plot, std::vector<std::uint8_t>(drawing.svg.begin(), drawing.svg.end()));
+    else write_png(options.plot, drawing.width, drawing.height, drawing.rgb);
+    say_written(options.plot, fmt::format("the chart, {}x{} pixels", drawing.width, drawing.height));
   }
 }
 
 #if ZSTEP_HAS_VIEWER
-Image chart_of(const Scene& scene, const std::vector<compare::Compared>& methods, double limit) {
+Drawing chart_of(const Scene& scene, const std::vector<compare::Compared>& methods, double limit) {
   DotChart chart;
   chart.title = fmt::format("{}: {}, {} x {} pixels", scene.name,
                             counted(static_cast<std::int64_t>(scene.polygons.size()), "polygon", "polygons"),
@@ -109,7 +116,7 @@ Image chart_of(const Scene& scene, const std::vector<compare::Compared>& methods
   return draw_chart(chart);
 }
 #else
-Image chart_of(const Scene&, const std::vector<compare::Compared>&, double) { return {}; }
+Drawing chart_of(const Scene&, const std::vector<compare::Compared>&, double) { return {}; }
 #endif
 
 }  // namespace zstep::cli

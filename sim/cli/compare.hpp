@@ -7,7 +7,7 @@
 
 #include "sim/cli/run_options.hpp"
 #include "sim/cost/comparison.hpp"
-#include "sim/image/png.hpp"
+#include "sim/image/drawing.hpp"
 
 namespace zstep::cli {
 
@@ -15,7 +15,7 @@ struct CompareOptions {
   RunOptions run;
   std::string methods, sweep, csv, plot;  ///< empty: not given
   std::vector<std::string> modes;
-  double limit = 60;               ///< seconds a method
+  double limit = 60;  ///< seconds a method
   bool steps = false, table = false, quick = false;
 };
 
@@ -25,10 +25,10 @@ std::vector<std::string> parts_of(const std::string& text, char between);
 /// The files asked for.
 std::vector<std::string> compare_outputs(const CompareOptions& options);
 /// Writes the CSV and the chart, as far as they were asked for, and prints a line for each.
-void write_comparison(const CompareOptions& options, const std::string& csv, const std::function<Image()>& chart);
+void write_comparison(const CompareOptions& options, const std::string& csv, const std::function<Drawing()>& chart);
 
 /// The methods' numbers as a chart. Throws InputError where the viewer, which draws it, was not built.
-Image chart_of(const Scene& scene, const std::vector<compare::Compared>& methods, double limit);
+Drawing chart_of(const Scene& scene, const std::vector<compare::Compared>& methods, double limit);
 
 /// --modes and --sweep: ways of interpolating.
 int compare_modes(const CompareOptions& options);

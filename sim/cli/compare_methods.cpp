@@ -224,7 +224,7 @@ void add_compare_methods(CLI::App& app, Action& action) {
   in(command->add_option("--sweep", options->sweep, "The same while the near or the far plane moves")
          ->type_name("near=FROM..TO"));
   file("--csv", options->csv, "FILE.csv", "Write the numbers, one a line: scene,method,measure,step,value");
-  file("--plot", options->plot, "FILE.png", "Write a chart");
+  file("--plot", options->plot, "FILE.png|.svg", "Write a chart");
   add_run_options(*command, options->run, false);
   command->footer(
       "The first method is the one whose picture the others are held against.\n"

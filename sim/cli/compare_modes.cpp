@@ -84,16 +84,18 @@ void print_rows(const Scene& scene, const std::vector<Row>& rows) {
   fmt::print("{}\n", table.text(0));
   fmt::print(
       "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error that rounding alone makes of a\n"
-      "depth that stays in the buffer, in its own units; BOUND: what theory allows it. WRONG: pixels that show another\n"
+      "depth that stays in the buffer, in its own units; BOUND: what theory allows it. WRONG: pixels that show "
+      "another\n"
       "polygon than the nearest; TURNED: pixels in which a compare went the other way. +, \u00d7, \u00f7: additions,\n"
       "multiplications and divisions a pixel. TIME: of the processor, a run without recording.\n");
 }
 
 std::string csv_of(const std::string& scene, const std::string& swept, const std::vector<double>& values,
                    const std::vector<std::vector<Row>>& runs) {
-  std::string text = fmt::format("scene,mode,{}depths,largest,rms,rounding,bound,wrong_pixels,turned_pixels,additions,"
-                                 "multiplications,divisions,time_s\n",
-                                 swept.empty() ? "" : swept + ",");
+  std::string text = fmt::format(
+      "scene,mode,{}depths,largest,rms,rounding,bound,wrong_pixels,turned_pixels,additions,"
+      "multiplications,divisions,time_s\n",
+      swept.empty() ? "" : swept + ",");
   for (std::size_t k = 0; k < runs.size(); ++k)
     for (const Row& row : runs[k]) {
       const ModeErrors& e = row.errors;
@@ -180,8 +182,8 @@ void print_beginnings(const Sweep& sweep, const std::vector<double>& values,
 }
 
 #if ZSTEP_HAS_VIEWER
-Image chart_of(const Sweep& sweep, const Scene& scene, const std::vector<double>& values,
-               const std::vector<std::vector<Row>>& runs) {
+Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<double>& values,
+                 const std::vector<std::vector<Row>>& runs) {
   LineChart chart;
   chart.title = fmt::format("{}: errors of z_v while the {} plane moves", scene.name, sweep.name);
   chart.subtitle = "Solid: the largest error measured. Dashed: one unit of the depth buffer, in z_v, by formula.";
@@ -206,7 +208,7 @@ Image chart_of(const Sweep& sweep, const Scene& scene, const std::vector<double>
   return draw_chart(chart);
 }
 #else
-Image chart_of(const Sweep&, const Scene&, const std::vector<double>&, const std::vector<std::vector<Row>>&) {
+Drawing chart_of(const Sweep&, const Scene&, const std::vector<double>&, const std::vector<std::vector<Row>>&) {
   return {};
 }
 #endif
@@ -249,8 +251,9 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
       cells.insert(cells.end(), {error_text(row.errors.largest), grouped(row.errors.wrong_pixels)});
     table.row(cells);
   }
-  fmt::print("{}, {}x{} pixels: the largest error of z_v, and pixels that show another polygon than the nearest\n\n{}\n",
-             scene.name, scene.raster.width, scene.raster.height, table.text(0));
+  fmt::print(
+      "{}, {}x{} pixels: the largest error of z_v, and pixels that show another polygon than the nearest\n\n{}\n",
+      scene.name, scene.raster.width, scene.raster.height, table.text(0));
   print_beginnings(sweep, values, runs);
   write_comparison(options, csv_of(scene.name, sweep.name, values, runs),
                    [&] { return chart_of(sweep, scene, values, runs); });
@@ -266,12 +269,11 @@ int compare_modes(const CompareOptions& options) {
     throw InputError("--plot", "draws no modes, but a sweep of them", "add --sweep near=0.01..1, or leave it out");
   Watch watch;
   const Run run = prepare_for_modes(options.run, true);
-  std::vector<Row> rows =
-      rows_of(run.scene, run.conventions, words, true, options.limit, watch, "", true);
+  std::vector<Row> rows = rows_of(run.scene, run.conventions, words, true, options.limit, watch, "", true);
   watch.clear_line();
   if (rows.empty()) throw InputError("--modes", "none of these can be drawn", "give others");
   print_rows(run.scene, rows);
-  write_comparison(options, csv_of(run.scene.name, "", {}, {rows}), [] { return Image{}; });
+  write_comparison(options, csv_of(run.scene.name, "", {}, {rows}), [] { return Drawing{}; });
   return exit_code::done;
 }
 

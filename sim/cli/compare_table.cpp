@@ -155,7 +155,7 @@ std::string csv_of(const std::vector<Row>& rows, std::optional<double> unit) {
 }
 
 #if ZSTEP_HAS_VIEWER
-Image chart_of(const CompareOptions& options, const std::vector<Row>& rows, std::optional<double> unit) {
+Drawing chart_of(const CompareOptions& options, const std::vector<Row>& rows, std::optional<double> unit) {
   LineChart chart;
   chart.title = "Cost of four methods by the number of polygons";
   chart.subtitle = fmt::format(
@@ -177,7 +177,7 @@ Image chart_of(const CompareOptions& options, const std::vector<Row>& rows, std:
   return draw_chart(chart);
 }
 #else
-Image chart_of(const CompareOptions&, const std::vector<Row>&, std::optional<double>) { return {}; }
+Drawing chart_of(const CompareOptions&, const std::vector<Row>&, std::optional<double>) { return {}; }
 #endif
 
 void refuse(const CompareOptions& options) {

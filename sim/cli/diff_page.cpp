@@ -8,24 +8,11 @@
 #include <fmt/format.h>
 
 #include "sim/cli/diff.hpp"
+#include "sim/words/markup.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::cli {
 namespace {
-
-std::string html(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '&': out += "&amp;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
 
 /// RFC 4648, section 4.
 std::string base64(std::span<const std::uint8_t> bytes) {
@@ -36,8 +23,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     const unsigned three = static_cast<unsigned>(bytes[i]) << 16 |
                            (left > 1 ? static_cast<unsigned>(bytes[i + 1]) << 8 : 0u) |
                            (left > 2 ? static_cast<unsigned>(bytes[i + 2]) : 0u);
-    for (unsigned digit = 0; digit < 4; ++digit)
-      out += digit <= left ? digits[three >> (18 - 6 * digit) & 63] : '=';
+    for (unsigned digit = 0; digit < 4; ++digit) out += digit <= left ? digits[three >> (18 - 6 * digit) & 63] : '=';
   }
   return out;
 }
@@ -51,14 +37,14 @@ std::string picture(const Image& image, std::string_view title, std::string_view
       "<figure><img src=\"data:image/png;base64,{}\" width=\"{}\" height=\"{}\" alt=\"{}\">"
       "<figcaption>{}</figcaption></figure>\n",
       base64(png_bytes(image.width, image.height, image.rgb)), image.width * enlarge, image.height * enlarge,
-      html(alternative), html(title));
+      markup(alternative), markup(title));
 }
 
 std::string side(std::string_view name, const CauseSide& of) {
   if (of.step == 0) return fmt::format("<tr><th>{}</th><td>no such step</td></tr>\n", name);
   std::string fields;
-  for (const std::string& field : of.fields) fields += fmt::format("<br><code>{}</code>", html(field));
-  return fmt::format("<tr><th>{}</th><td>{}{}</td></tr>\n", name, html(of.where), fields);
+  for (const std::string& field : of.fields) fields += fmt::format("<br><code>{}</code>", markup(field));
+  return fmt::format("<tr><th>{}</th><td>{}{}</td></tr>\n", name, markup(of.where), fields);
 }
 
 constexpr std::string_view style =
@@ -76,20 +62,20 @@ std::string diff_page(const DiffText& text, const diff::DiffReport& report, cons
       "<meta name=\"viewport\" content=\"width=device-width\"><title>{0} and "
       "{1}</title><style>{2}</style></head><body>\n"
       "<h1>Where two runs part</h1>\n<p>A: <code>{0}</code><br>B: <code>{1}</code></p>\n",
-      html(text.name_a), html(text.name_b), style);
-  for (const std::string& note : text.notes) page += fmt::format("<p>{}</p>\n", html(note));
-  page += fmt::format("<p>{}</p>\n", html(text.pictures));
+      markup(text.name_a), markup(text.name_b), style);
+  for (const std::string& note : text.notes) page += fmt::format("<p>{}</p>\n", markup(note));
+  page += fmt::format("<p>{}</p>\n", markup(text.pictures));
   page += picture(pictures.a, "A", "the picture of A");
   page += picture(pictures.b, "B", "the picture of B");
   page += picture(pictures.map, "Where they differ: the darker, the more", "the pixels that differ, dark on white");
   for (std::size_t i = 0; i < text.causes.size(); ++i) {
     const CauseText& cause = text.causes[i];
-    page += fmt::format("<h2>{}. {}{}</h2>\n<p>{}.{}{}</p>\n<table>\n{}{}</table>\n", i + 1, html(cause.step),
-                        cause.subject.empty() ? "" : ", " + html(cause.subject), html(cause.what),
-                        cause.follows.empty() ? "" : " " + html(cause.follows), cause.follows.empty() ? "" : ".",
+    page += fmt::format("<h2>{}. {}{}</h2>\n<p>{}.{}{}</p>\n<table>\n{}{}</table>\n", i + 1, markup(cause.step),
+                        cause.subject.empty() ? "" : ", " + markup(cause.subject), markup(cause.what),
+                        cause.follows.empty() ? "" : " " + markup(cause.follows), cause.follows.empty() ? "" : ".",
                         side("A", cause.a), side("B", cause.b));
     for (const CauseSide* of : {&cause.a, &cause.b})
-      if (of->step != 0) page += fmt::format("<p><code>{}</code></p>\n", html(of->command));
+      if (of->step != 0) page += fmt::format("<p><code>{}</code></p>\n", markup(of->command));
   }
   if (text.causes.size() < report.causes.size())
     page += fmt::format("<p>… and {} more.</p>\n",
@@ -105,8 +91,10 @@ std::string diff_page(const DiffText& text, const diff::DiffReport& report, cons
     rows += "</tr>\n";
   });
   if (!rows.empty())
-    page += "<h2>By kind of step</h2>\n<table>\n<tr><th>steps</th><th>same</th><th>rounding</th><th>different</th>"
-            "<th>only A</th><th>only B</th></tr>\n" + rows + "</table>\n";
+    page +=
+        "<h2>By kind of step</h2>\n<table>\n<tr><th>steps</th><th>same</th><th>rounding</th><th>different</th>"
+        "<th>only A</th><th>only B</th></tr>\n" +
+        rows + "</table>\n";
   return page + "</body></html>\n";
 }
 

@@ -68,7 +68,7 @@ TEST_SUITE("charts") {
       return box_of(draw_chart(dots({{1, "", false}, {value, "", false}, {1000, "", false}})), theme.changed).count;
     };
     const int first = ink(10) - ink(1), second = ink(100) - ink(10), third = ink(1000) - ink(100);
-    CHECK(second > 300);  // a third of the axis
+    CHECK(second > 300);                   // a third of the axis
     CHECK(std::abs(first - second) < 25);  // but for the dot that covers the line's end
     CHECK(std::abs(third - second) < 25);
   }
@@ -100,6 +100,32 @@ TEST_SUITE("charts") {
     CHECK(dashed == draw_chart(chart));
     CHECK(solid.right - solid.left > 800);
     CHECK(solid.bottom - solid.top > 400);
+  }
+
+  TEST_CASE("as SVG: every text, escaped, every point's mark, and a line between each two") {
+    LineChart chart;
+    chart.title = "z < 4 & \"near\"";
+    chart.x_ticks = {2500, 60000};
+    for (const int look : {0, 1, 2, 3})
+      chart.lines.push_back({"line " + std::to_string(look), {{100, 1 + look}, {2500, 7}, {60000, 500}}, false, look});
+    const std::string svg = draw_chart(chart).svg;
+    const auto count = [&](const std::string& word) {
+      std::size_t found = 0;
+      for (std::size_t at = svg.find(word); at != std::string::npos; at = svg.find(word, at + 1)) ++found;
+      return found;
+    };
+    CHECK(svg.starts_with("<svg xmlns="));
+    CHECK(svg.ends_with("</svg>\n"));
+    CHECK(count("<svg") == 1);
+    CHECK(count(">z &lt; 4 &amp; &quot;near&quot;</text>") == 1);
+    for (const char* name : {">line 0<", ">line 1<", ">line 2<", ">line 3<", ">2 500<", ">60 000<"})
+      CHECK(count(name) == 1);
+    CHECK(count("<line ") == 8);
+    CHECK(count("<circle ") == 3);
+    CHECK(count("<polygon ") == 9);
+    chart.lines.resize(1);
+    chart.lines[0].dashed = true;
+    CHECK(draw_chart(chart).svg.find("<circle ") != std::string::npos);
   }
 
   TEST_CASE("whoever was drawing with ImGui goes on") {

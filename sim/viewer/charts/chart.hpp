@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "sim/image/png.hpp"
+#include "sim/image/drawing.hpp"
 
 namespace zstep {
 
@@ -43,8 +43,8 @@ struct LineChart {
 };
 
 /// 1280 pixels wide, as high as its rows need.
-Image draw_chart(const DotChart& chart);
+Drawing draw_chart(const DotChart& chart);
 /// 1280 x 720 pixels.
-Image draw_chart(const LineChart& chart);
+Drawing draw_chart(const LineChart& chart);
 
 }  // namespace zstep

@@ -79,7 +79,7 @@ void draw_value(Sheet& sheet, const Scale& axis, const ChartValue& value, float 
 
 }  // namespace
 
-Image draw_chart(const DotChart& chart) {
+Drawing draw_chart(const DotChart& chart) {
   const float line = chart_text * 1.35f;
   const float top = chart_margin + 2 * line + 12, rows_top = top + 2 * line + 6;
   const float bottom = rows_top + row_height * static_cast<float>(chart.rows.size());
@@ -92,8 +92,10 @@ Image draw_chart(const DotChart& chart) {
   for (const std::string& name : chart.rows) names = std::max(names, sheet.text_width(name));
   for (std::size_t row = 0; row < chart.rows.size(); ++row) {
     const float y = rows_top + row_height * (static_cast<float>(row) + 0.5f);
-    sheet.rectangle({chart_margin / 2, y - row_height / 2}, {chart_wide - chart_margin / 2, y + row_height / 2}, band(row));
-    sheet.text(chart_margin + names, y - sheet.text_height() / 2, chart.rows[row], sheet.theme().text, Sheet::Side::right);
+    sheet.rectangle({chart_margin / 2, y - row_height / 2}, {chart_wide - chart_margin / 2, y + row_height / 2},
+                    band(row));
+    sheet.text(chart_margin + names, y - sheet.text_height() / 2, chart.rows[row], sheet.theme().text,
+               Sheet::Side::right);
   }
 
   const float first = chart_margin + names + 24, count = static_cast<float>(chart.columns.size());
@@ -108,7 +110,7 @@ Image draw_chart(const DotChart& chart) {
     for (std::size_t row = 0; row < std::min(column.values.size(), chart.rows.size()); ++row)
       draw_value(sheet, axis, column.values[row], rows_top + row_height * (static_cast<float>(row) + 0.5f), band(row));
   }
-  return sheet.picture();
+  return {sheet.picture(), sheet.svg()};
 }
 
 }  // namespace zstep

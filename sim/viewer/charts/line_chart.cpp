@@ -56,7 +56,7 @@ void draw_names(Sheet& sheet, std::vector<EndName> names, float x, float top, fl
 
 }  // namespace
 
-Image draw_chart(const LineChart& chart) {
+Drawing draw_chart(const LineChart& chart) {
   Sheet sheet(chart_wide, high, chart_text);
   const viewer::Theme& theme = sheet.theme();
   const float line = chart_text * 1.35f;
@@ -70,7 +70,7 @@ Image draw_chart(const LineChart& chart) {
     for (const glm::dvec2 point : one.points) xs.take(point.x), ys.take(point.y);
   }
   for (const double tick : chart.x_ticks) xs.take(tick);
-  if (!(xs.most > 0) || !(ys.most > 0)) return sheet.picture();
+  if (!(xs.most > 0) || !(ys.most > 0)) return {sheet.picture(), sheet.svg()};
 
   const float left = chart_margin + 90, right = chart_wide - chart_margin - names_wide - 30;
   const float top = chart_margin + 3.4f * line, bottom = high - chart_margin - 2.2f * line;
@@ -105,7 +105,7 @@ Image draw_chart(const LineChart& chart) {
     if (!one.points.empty() && !one.name.empty()) names.push_back({up.at(one.points.back().y), color, one.name});
   }
   draw_names(sheet, std::move(names), right + 14, top, bottom);
-  return sheet.picture();
+  return {sheet.picture(), sheet.svg()};
 }
 
 }  // namespace zstep

@@ -5,7 +5,37 @@
 
 #include <fmt/format.h>
 
+#include "sim/words/markup.hpp"
+
 namespace zstep::viewer {
+namespace {
+
+std::string hex(ImU32 color) {
+  return fmt::format("#{:02x}{:02x}{:02x}", color >> IM_COL32_R_SHIFT & 255, color >> IM_COL32_G_SHIFT & 255,
+                     color >> IM_COL32_B_SHIFT & 255);
+}
+
+/// Disc, square, triangle or diamond, as large as Canvas::mark draws them.
+std::string shape_of(ImVec2 at, float radius, int shape, ImU32 color) {
+  const auto corners = [&](std::initializer_list<ImVec2> of_radius) {
+    std::string points;
+    for (const ImVec2& one : of_radius)
+      points += fmt::format("{:g},{:g} ", at.x + radius * one.x, at.y + radius * one.y);
+    return fmt::format("<polygon points=\"{}\" fill=\"{}\"/>\n", points, hex(color));
+  };
+  switch (shape % 4) {
+    case 0:
+      return fmt::format("<circle cx=\"{:g}\" cy=\"{:g}\" r=\"{:g}\" fill=\"{}\"/>\n", at.x, at.y, radius, hex(color));
+    case 1:
+      return corners({{-0.9f, -0.9f}, {0.9f, -0.9f}, {0.9f, 0.9f}, {-0.9f, 0.9f}});
+    case 2:
+      return corners({{0, -1.35f}, {1.05f, 0.75f}, {-1.05f, 0.75f}});
+    default:
+      return corners({{0, -1.35f}, {1.35f, 0}, {0, 1.35f}, {-1.35f, 0}});
+  }
+}
+
+}  // namespace
 
 Sheet::Sheet(int width, int height, float text_pixels)
     : before_(ImGui::GetCurrentContext()), context_(ImGui::CreateContext()), renderer_(width, height) {
@@ -40,10 +70,16 @@ void Sheet::text(float x, float y, const std::string& text, ImU32 color, Side si
   const float left = side == Side::middle ? x - wide / 2 : x - wide;
   ImGui::GetBackgroundDrawList()->AddText(font, font->FontSize, ImVec2(std::round(left), std::round(y)), color,
                                           fonts_.drawable(text).c_str());
+  const char* const anchors[] = {"start", "middle", "end"};
+  svg_ += fmt::format("<text x=\"{:g}\" y=\"{:g}\" fill=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y + font->Ascent,
+                      hex(color), anchors[static_cast<std::size_t>(side)], bold ? " font-weight=\"bold\"" : "",
+                      markup(text));
 }
 
 void Sheet::line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
   canvas_.line(from.x, from.y, to.x, to.y, thickness, to_pixel(color));
+  svg_ += fmt::format("<line x1=\"{:g}\" y1=\"{:g}\" x2=\"{:g}\" y2=\"{:g}\" stroke=\"{}\" stroke-width=\"{:g}\"/>\n",
+                      from.x, from.y, to.x, to.y, hex(color), thickness);
 }
 
 void Sheet::dashed_line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
@@ -64,6 +100,8 @@ void Sheet::rule(ImVec2 from, ImVec2 to, ImU32 color) {
 void Sheet::rectangle(ImVec2 from, ImVec2 to, ImU32 color) {
   const auto whole = [](float value) { return static_cast<int>(std::lround(value)); };
   canvas_.rectangle(whole(from.x), whole(from.y), whole(to.x), whole(to.y), to_pixel(color));
+  svg_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", whole(from.x),
+                      whole(from.y), whole(to.x) - whole(from.x), whole(to.y) - whole(from.y), hex(color));
 }
 
 void Sheet::image(int x, int y, const Image& image) {
@@ -78,6 +116,8 @@ void Sheet::image(int x, int y, const Image& image) {
 
 void Sheet::mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled) {
   constexpr double rim = 2.5;
+  svg_ += shape_of(at, radius, shape, color);
+  if (!filled) svg_ += shape_of(at, radius - static_cast<float>(rim), shape, theme().pane);
   const auto x = static_cast<double>(at.x), y = static_cast<double>(at.y), size = static_cast<double>(radius);
   canvas_.mark(x, y, size, shape, to_pixel(color));
   if (!filled) canvas_.mark(x, y, size - rim, shape, to_pixel(theme().pane));
@@ -92,6 +132,14 @@ Image Sheet::picture() {
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(theme().pane));
   return {renderer_.width(), renderer_.height(), renderer_.rgb()};
+}
+
+std::string Sheet::svg() const {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "font-family=\"DejaVu Sans, sans-serif\" font-size=\"{2:g}\" stroke=\"none\" xml:space=\"preserve\">\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"{3}\"/>\n{4}</svg>\n",
+      renderer_.width(), renderer_.height(), fonts_.text->FontSize, hex(theme().pane), svg_);
 }
 
 LogAxis::LogAxis(double least, double most, float from, float to)

@@ -1,4 +1,4 @@
-// A sheet of paper without a window: text, lines and marks, then the picture.
+// A sheet of paper without a window: text, lines and marks, then the picture, of pixels and as SVG.
 #pragma once
 
 #include <string>
@@ -45,6 +45,8 @@ class Sheet {
 
   /// The finished sheet.
   Image picture();
+  /// The same as SVG 1.1, but for pictures of pixels, which it leaves out.
+  std::string svg() const;
 
  private:
   ImGuiContext* before_;
@@ -52,6 +54,7 @@ class Sheet {
   Renderer renderer_;
   Canvas canvas_;  ///< all but the text, which lies on it
   Fonts fonts_;
+  std::string svg_;  ///< what is on it, an element a line
 };
 
 /// A logarithmic axis from a to b pixels, over whole decades.
