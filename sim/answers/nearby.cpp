@@ -5,11 +5,11 @@ namespace {
 
 /// The pixel at work, as the replay would have it.
 template <class E>
-void set_fragment(State& state, const E& event, const Touch& touch) {
+void set_fragment(State& state, const Trace& trace, const E& event, const Visit& visit) {
   Fragment fragment;
   fragment.x = event.x, fragment.y = event.y, fragment.z = event.z;
-  fragment.stored = touch.stored;
-  fragment.stored_polygon = touch.stored_polygon;
+  fragment.stored = visit.stored.value_or(trace.header().empty_depth());
+  fragment.stored_polygon = visit.stored_polygon;
   state.machine.fragment = fragment;
 }
 
@@ -34,18 +34,18 @@ void set_ray(State& state, const Trace& trace, std::int64_t step) {
 
 }  // namespace
 
-std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::int32_t polygon, const Touch* touch) {
+std::optional<State> state_nearby(const Trace& trace, std::int64_t step, std::int32_t polygon, const Visit* visit) {
   const RecordedEvent recorded = trace.event(step);
   State state;
   state.position = step;
   state.machine.polygon = polygon;
-  if (const auto* compare = get_if<DepthCompare>(&recorded.event); compare && touch) {
-    set_fragment(state, *compare, *touch);
+  if (const auto* compare = get_if<DepthCompare>(&recorded.event); compare && visit) {
+    set_fragment(state, trace, *compare, *visit);
     state.machine.fragment->nearer = compare->nearer;
     return state;
   }
-  if (const auto* paint = get_if<PixelPaint>(&recorded.event); paint && touch) {
-    set_fragment(state, *paint, *touch);
+  if (const auto* paint = get_if<PixelPaint>(&recorded.event); paint && visit) {
+    set_fragment(state, trace, *paint, *visit);
     set_span(state, trace, step, *paint);
     return state;
   }

@@ -28,15 +28,8 @@ std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
 
 /// Does the trace say of a compare what its two depths do not?
 bool contradicts(const Trace& trace, const Visit& visit) {
-  const bool compared =
-      visit.outcome == Outcome::won || visit.outcome == Outcome::lost || visit.outcome == Outcome::tie;
-  return compared && visit.z && visit.stored &&
+  return visit.compared() && visit.z && visit.stored &&
          is_nearer(trace, *visit.z, *visit.stored) != (visit.outcome == Outcome::won);
-}
-
-bool page_has(const Trace& trace, std::uint8_t kind) {
-  const Page& page = trace.header().page;
-  return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
 }
 
 class History {
@@ -45,8 +38,8 @@ class History {
       : trace_(trace), facets_(facets), pixel_(pixel) {}
 
   std::vector<Visit> all() {
-    if (page_has(trace_, kind_of<RayBegin>)) add_hits();
-    for (const Touch& touch : touches_of(trace_, pixel_, 0)) add(touch);
+    if (records<RayBegin>(trace_)) add_hits();
+    for (Visit& visit : visits_of(trace_, pixel_, 0)) add(std::move(visit));
     find_there();
     add_behind();
     add_rejected();
@@ -63,44 +56,33 @@ class History {
     visits_.push_back(std::move(visit));
     return visits_.back();
   }
-  void add(const Touch& touch) {
-    if (touch.how == Touch::How::colored) {
-      add(touch.step, no_polygon, Outcome::colored);
-      return;
-    }
+  void add(Visit&& visit) {
     // The hit that the ray kept is a visit already; only a paint that contradicts it is another one.
-    if (keeper_ && touch.how != Touch::How::blended && touch.shows == *keeper_) return;
-    const bool blend = touch.how == Touch::How::blended,
-               compared = touch.how == Touch::How::compared || (blend && touch.z);
-    if (compared || !blend) {
-      const Outcome outcome = !compared                 ? Outcome::painted
-                              : touch.nearer            ? Outcome::won
-                              : touch.z == touch.stored ? Outcome::tie
-                                                        : Outcome::lost;
-      Visit& visit = add(touch.step, touch.polygon, outcome);
-      visit.z = touch.z, visit.takes = touch.takes, visit.shows = touch.shows;
-      if (touch.known && (compared || touch.how == Touch::How::painted))
-        visit.stored = touch.stored, visit.stored_polygon = touch.stored_polygon;
-      visit.remark = remark(touch);
-    }
-    if (blend) add(touch.blended, touch.polygon, Outcome::mixed).opacity = touch.opacity;
+    const bool colours = visit.outcome == Outcome::mixed || visit.outcome == Outcome::colored;
+    if (keeper_ && !colours && visit.shows == *keeper_) return;
+    visit.remark = remark(visit);
+    // What was mixed in after a compare stands apart from it.
+    const bool compared_first = visit.outcome == Outcome::mixed && visit.step != visit.blended;
+    if (compared_first) visit.outcome = Outcome::won;
+    visits_.push_back(visit);
+    if (compared_first) add(visit.blended, visit.polygon, Outcome::mixed).opacity = visit.opacity;
   }
 
   /// How the steps depart from the rule: another polygon or another depth is written, none at all, or one that is not
   /// nearer.
-  std::string remark(const Touch& touch) const {
+  std::string remark(const Visit& visit) const {
     std::string text;
     const auto also = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
-    const bool compared = touch.how == Touch::How::compared;
-    if (compared && !touch.nearer && touch.takes)
-      also(fmt::format("written all the same at step {}", grouped(touch.written)));
-    if (compared && touch.polygon == no_polygon) also("the trace does not say whose");
-    if (touch.takes && touch.polygon != touch.shows)
-      also(fmt::format("step {} writes {}", grouped(touch.written), polygon_label(trace_.scene(), touch.shows)));
-    if (compared && touch.nearer && !touch.takes && trace_.size() > touch.step) also("not written");
-    if (touch.how == Touch::How::written && !touch.takes) also("its depth alone");
-    if (lacks_depth(touch)) also("its depth was not written");
-    if (keeps_other_depth(touch)) also("the depth written is " + depth_text(*touch.kept));
+    const bool compared = visit.compared();
+    if (compared && !visit.nearer() && visit.takes)
+      also(fmt::format("written all the same at step {}", grouped(visit.written)));
+    if (compared && visit.polygon == no_polygon) also("the trace does not say whose");
+    if (visit.takes && visit.polygon != visit.shows)
+      also(fmt::format("step {} writes {}", grouped(visit.written), polygon_label(trace_.scene(), visit.shows)));
+    if (compared && visit.nearer() && !visit.takes && trace_.size() > visit.step) also("not written");
+    if (visit.outcome == Outcome::written && !visit.takes) also("its depth alone");
+    if (lacks_depth(visit)) also("its depth was not written");
+    if (keeps_other_depth(visit)) also("the depth written is " + depth_text(*visit.kept));
     return text;
   }
 
@@ -160,7 +142,7 @@ class History {
 
   /// The visit that painted the pixel last, by a method that decides for more than one pixel at once.
   const Visit* owner_by_interval_or_area() const {
-    if (!page_has(trace_, kind_of<SpanWinner>) && !page_has(trace_, kind_of<AreaDecide>)) return nullptr;
+    if (!records<SpanWinner>(trace_) && !records<AreaDecide>(trace_)) return nullptr;
     const auto last = std::find_if(visits_.rbegin(), visits_.rend(), [](const Visit& visit) { return visit.takes; });
     return last != visits_.rend() && last->outcome == Outcome::painted ? &*last : nullptr;
   }
@@ -170,7 +152,7 @@ class History {
     const Visit* const painted = owner_by_interval_or_area();
     if (!painted || !painted->z) return;
     const Visit owner = *painted;
-    const bool areas = page_has(trace_, kind_of<AreaDecide>);
+    const bool areas = records<AreaDecide>(trace_);
     const auto decided =
         areas ? previous_of<AreaDecide>(trace_, owner.step) : previous_of<SpanWinner>(trace_, owner.step);
     const std::string symbol = depth_symbol(trace_.scene(), trace_.header().conventions),
@@ -193,7 +175,7 @@ class History {
 
     // A polygon is rejected after work on it begins, and before work on another does. A BSP tree
     // rejects back faces when it comes to their node, between the pieces that it draws.
-    const bool tree = page_has(trace_, kind_of<EyeSide>);
+    const bool tree = records<EyeSide>(trace_);
     const auto marks = trace_.polygons();
     const auto listed = all_rejects();
     for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -252,12 +234,12 @@ class History {
 
   /// Of these, the polygons whose turn had not come when the recording was cut off.
   void add_cut_off() {
-    if ((!cut() && begun_.empty()) || trace_.size() == 0 || page_has(trace_, kind_of<LineBegin>) ||
-        page_has(trace_, kind_of<HorizonTest>))
+    if ((!cut() && begun_.empty()) || trace_.size() == 0 || records<LineBegin>(trace_) ||
+        records<HorizonTest>(trace_))
       return;
     // Where depths are compared, each polygon comes to every pixel that it covers. Other methods leave alone what is
     // settled.
-    const bool all_come = page_has(trace_, kind_of<DepthCompare>);
+    const bool all_come = records<DepthCompare>(trace_);
     const bool settled = std::any_of(visits_.begin(), visits_.end(),
                                      [](const Visit& visit) { return visit.outcome != Outcome::rejected; });
     if (settled && !all_come) return;
@@ -335,7 +317,7 @@ std::string depth_text(double z) { return std::isinf(z) ? number(z) : fmt::forma
 
 std::string contradiction_text(const Trace& trace, bool nearer, double z, double stored) {
   // Along a ray t is compared, and the smaller is nearer whatever depths there are.
-  const std::string open = page_has(trace, kind_of<RayHit>) ? "" : undeclared_text(trace.header(), z == stored);
+  const std::string open = records<RayHit>(trace) ? "" : undeclared_text(trace.header(), z == stored);
   return fmt::format("the trace says {}, but {} {} {} is {}{}", nearer ? "nearer" : "not nearer", depth_text(z),
                      trace.header().comparison.sign(), depth_text(stored),
                      is_nearer(trace, z, stored) ? "true" : "false", open.empty() ? "" : " (" + open + ")");
@@ -364,10 +346,10 @@ std::string outcome_text(const Trace& trace, const std::vector<Visit>& history, 
     case Outcome::tie:
       text = trace.header().declares(Convention::ties) ? "a tie: the first stays" : "a tie: the trace says not nearer";
       break;
+    case Outcome::written:
     case Outcome::painted: text = "painted"; break;
     case Outcome::mixed:
-      text = visit.opacity && *visit.opacity < 1 ? "mixed in, with opacity " + depth_text(*visit.opacity)
-                                                 : "the pixel's colour";
+      text = visit.opacity < 1 ? "mixed in, with opacity " + depth_text(visit.opacity) : "the pixel's colour";
       break;
     case Outcome::colored: text = "the pixel's colour"; break;
     case Outcome::behind: text = behind_text(*visit.z - *visit.stored, *visit.z, *visit.stored); break;

@@ -75,9 +75,9 @@ const State& Asked::state_at(std::int64_t step) {
   return replay()->state();
 }
 
-void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* touch) {
+void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Visit* visit) {
   if (step < 1) return;
-  const std::optional<State> nearby = state_nearby(trace, step, of, touch);
+  const std::optional<State> nearby = state_nearby(trace, step, of, visit);
   const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
   verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
   if (said.doubt) verdict.formulas.push_back(*said.doubt);

@@ -124,7 +124,7 @@ Depths depths_in(const Asked& q, const AreaThere& leaf, std::int32_t piece) {
   return depths;
 }
 
-Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const Touch& owner) {
+Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const Visit& owner) {
   const bool surrounded = leaf.decide.what == AreaCase::front_surrounder;
   const std::string other = q.label(owner.shows);
   const Depths depths = depths_in(q, leaf, bin.bin.piece);
@@ -188,9 +188,9 @@ Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const T
 }  // namespace
 
 Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
-  const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
+  const std::vector<Visit> visits = visits_of(q.trace, q.pixel);
   const std::vector<AreaThere> chain = areas_around(q);
-  const Touch* owner = holder(touches, q.trace.size() + 1);
+  const Visit* owner = holder(visits, q.trace.size() + 1);
   if (owner && owner->shows == q.polygon) {
     const std::string area = chain.empty() ? "its area" : area_text(chain.back().area);
     Verdict verdict = seen(

@@ -9,7 +9,7 @@
 
 #include "sim/answers/origin/find.hpp"
 #include "sim/answers/pixel_history.hpp"
-#include "sim/answers/touches.hpp"
+#include "sim/answers/visits.hpp"
 #include "sim/answers/why_not.hpp"
 #include "sim/truth/facet_at.hpp"
 #include "sim/words/explain.hpp"
@@ -62,9 +62,9 @@ struct Asked {
   Verdict verdict(Why kind, std::int64_t step, const std::string& reason) const;
   /// Adds what the words say of a step of a polygon in numbers to the verdict's formulas; of one at a pixel by what
   /// came to the pixel there.
-  void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Touch* touch = nullptr);
+  void add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Visit* visit = nullptr);
   void add_formulas(Verdict& verdict, std::int64_t step) { add_formulas(verdict, step, polygon); }
-  void add_formulas(Verdict& verdict, const Touch& touch) { add_formulas(verdict, touch.step, touch.polygon, &touch); }
+  void add_formulas(Verdict& verdict, const Visit& visit) { add_formulas(verdict, visit.step, visit.polygon, &visit); }
   Replay* replay() { return at_hand_ != nullptr ? at_hand_ : own_ ? &*own_ : nullptr; }
   /// By a replay: dear in a long trace, so only for what single events cannot tell.
   const State& state_at(std::int64_t step);

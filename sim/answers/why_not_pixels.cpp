@@ -11,33 +11,34 @@ namespace {
 std::string step_text(std::int64_t step) { return "step " + grouped(step); }
 
 /// Whose the pixel is by it, or whose colour was mixed in.
-std::int32_t whose(const Touch& touch) { return touch.takes ? touch.shows : touch.polygon; }
+std::int32_t whose(const Visit& visit) { return visit.takes ? visit.shows : visit.polygon; }
 
 /// Was it compared? A blend may follow a compare, or come without one.
-bool was_compared(const Touch& touch) {
-  return touch.how == Touch::How::compared || (touch.how == Touch::How::blended && touch.step != touch.blended);
+bool was_compared(const Visit& visit) {
+  return visit.compared() || (visit.outcome == Outcome::mixed && visit.step != visit.blended);
 }
 
 /// "the trace says nearer, but 7 < 7 is false".
-std::string contradiction_of(const Asked& q, const Touch& touch) {
-  return contradiction_text(q.trace, touch.nearer, *touch.z, touch.stored);
+std::string contradiction_of(const Asked& q, const Visit& visit) {
+  return contradiction_text(q.trace, visit.nearer(), *visit.z, *visit.stored);
 }
 
 /// "B at z = 5 wins the compare"; where its numbers have another outcome, or none, that.
-std::string compare_link(const Asked& q, const Touch& touch) {
-  const std::string z = touch.known && std::isfinite(touch.stored) ? told_apart(*touch.z, touch.stored).first
-                                                                   : told(*touch.z);
-  std::string outcome = touch.nearer              ? "wins the compare"
-                        : *touch.z == touch.stored ? "is a tie"
-                                                   : "loses the compare";
-  if (!follows(q.trace, touch)) outcome = "is compared: " + contradiction_of(q, touch);
-  if (!touch.known)
-    outcome = fmt::format("is {} than a depth that the trace does not record", touch.nearer ? "nearer" : "not nearer");
-  return fmt::format("{} at {} = {} {}", q.label(touch.polygon), q.z, z, outcome);
+std::string compare_link(const Asked& q, const Visit& visit) {
+  const std::string z =
+      visit.stored && std::isfinite(*visit.stored) ? told_apart(*visit.z, *visit.stored).first : told(*visit.z);
+  std::string outcome = visit.nearer()                  ? "wins the compare"
+                        : visit.outcome == Outcome::tie ? "is a tie"
+                                                        : "loses the compare";
+  if (!follows(q.trace, visit)) outcome = "is compared: " + contradiction_of(q, visit);
+  if (!visit.stored)
+    outcome =
+        fmt::format("is {} than a depth that the trace does not record", visit.nearer() ? "nearer" : "not nearer");
+  return fmt::format("{} at {} = {} {}", q.label(visit.polygon), q.z, z, outcome);
 }
 
-std::string z_text(const Asked& q, const Touch& touch) {
-  return touch.z ? fmt::format(", {} = {}", q.z, told(*touch.z)) : "";
+std::string z_text(const Asked& q, const Visit& visit) {
+  return visit.z ? fmt::format(", {} = {}", q.z, told(*visit.z)) : "";
 }
 
 /// By how much it is behind the other, where both depths are recorded.
@@ -51,8 +52,8 @@ void add_gap(const Asked& q, Verdict& verdict, std::optional<double> z, std::opt
 }
 
 /// What the last owner is, when it is neither of the two that the verdict is about.
-void add_last(const Asked& q, Verdict& verdict, const std::vector<Touch>& touches) {
-  const Touch* last = holder(touches, q.trace.size() + 1);
+void add_last(const Asked& q, Verdict& verdict, const std::vector<Visit>& visits) {
+  const Visit* last = holder(visits, q.trace.size() + 1);
   if (!last || last->shows == verdict.other || last->shows == q.polygon) return;
   verdict.sentence += fmt::format(" In the end {} is seen there.", q.label(last->shows));
   verdict.chain.push_back({last->written, last->shows,
@@ -60,26 +61,26 @@ void add_last(const Asked& q, Verdict& verdict, const std::vector<Touch>& touche
 }
 
 /// What of a polygon that took the pixel is not as the rule has it: its depth, or whose colour it is.
-void add_remarks(const Asked& q, Verdict& verdict, const Touch& touch) {
-  const std::string who = q.label(touch.shows);
-  if (touch.polygon != touch.shows && touch.how == Touch::How::compared)
-    verdict.sentence += fmt::format(" It is {} that was compared at {}: {} writes {} instead.", q.label(touch.polygon),
-                                    step_text(touch.step), step_text(touch.written), who);
-  if (lacks_depth(touch)) verdict.sentence += fmt::format(" The depth of {} was never written there.", who);
-  if (keeps_other_depth(touch))
+void add_remarks(const Asked& q, Verdict& verdict, const Visit& visit) {
+  const std::string who = q.label(visit.shows);
+  if (visit.polygon != visit.shows && visit.compared())
+    verdict.sentence += fmt::format(" It is {} that was compared at {}: {} writes {} instead.", q.label(visit.polygon),
+                                    step_text(visit.step), step_text(visit.written), who);
+  if (lacks_depth(visit)) verdict.sentence += fmt::format(" The depth of {} was never written there.", who);
+  if (keeps_other_depth(visit))
     verdict.sentence += fmt::format(" The depth that {} wrote for {} is {}, though {} was compared.",
-                                    step_text(touch.kept_at), who, told(*touch.kept), told(*touch.z));
+                                    step_text(visit.kept_at), who, told(*visit.kept), told(*visit.z));
 }
 
 /// Why a compare that was not followed by a write left no trace.
-std::string lost_text(const Asked& q, const Touch& mine) {
+std::string lost_text(const Asked& q, const Visit& mine) {
   const std::string step = step_text(mine.step), other = q.label(mine.stored_polygon);
   if (!follows(q.trace, mine)) return fmt::format("at {} {}, and nothing was written", step, contradiction_of(q, mine));
-  if (mine.nearer)
+  if (mine.nearer())
     return fmt::format("at {} it was found to be nearer, but the trace does not say that it was written", step);
-  if (!mine.known) return fmt::format("at {} the trace says that it is not nearer, and does not say than what", step);
-  const bool tie = mine.z == mine.stored;
-  const std::string cleared = fmt::format("{}, to which the depth buffer was cleared", told(mine.stored));
+  if (!mine.stored) return fmt::format("at {} the trace says that it is not nearer, and does not say than what", step);
+  const bool tie = mine.outcome == Outcome::tie;
+  const std::string cleared = fmt::format("{}, to which the depth buffer was cleared", told(*mine.stored));
   if (mine.only_cleared && mine.stored_polygon == no_polygon)
     return fmt::format("at {} its {} is {} {}", step, q.z, tie ? "equal to" : "not nearer than", cleared);
   if (mine.only_cleared)
@@ -87,18 +88,18 @@ std::string lost_text(const Asked& q, const Touch& mine) {
                        tie ? "equal to" : "not nearer than", cleared, other);
   if (mine.stored_polygon == no_polygon)
     return fmt::format("at {} its {} is {} {}, the depth written there before without a colour", step, q.z,
-                       tie ? "equal to" : "not nearer than", told(mine.stored));
+                       tie ? "equal to" : "not nearer than", told(*mine.stored));
   return tie ? fmt::format("at {} it is exactly as near as {}, which was there first, and {}", step, other,
                            q.trace.header().declares(Convention::ties) ? "of equals the first stays"
                                                                        : "the trace says not nearer")
              : fmt::format("at {} it lost the compare to {} by \u0394{} = {}", step, other, q.z,
-                           told(q.trace.header().comparison.behind(*mine.z, mine.stored)));
+                           told(q.trace.header().comparison.behind(*mine.z, *mine.stored)));
 }
 
 /// It was compared and was not nearer than what stood there.
-Verdict why_lost(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
-  const Touch* there = holder(touches, mine.step);
-  const bool tie = mine.known && mine.z == mine.stored;
+Verdict why_lost(Asked& q, const std::vector<Visit>& visits, const Visit& mine) {
+  const Visit* there = holder(visits, mine.step);
+  const bool tie = mine.outcome == Outcome::tie;
   Verdict verdict = q.verdict(tie ? Why::tie : Why::lost, mine.step, lost_text(q, mine));
   verdict.other = mine.stored_polygon;
   q.add_formulas(verdict, mine);
@@ -109,60 +110,60 @@ Verdict why_lost(Asked& q, const std::vector<Touch>& touches, const Touch& mine)
                              fmt::format("the pixel becomes {}{}", q.label(there->shows), z_text(q, *there))});
   }
   verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine)});
-  add_last(q, verdict, touches);
+  add_last(q, verdict, visits);
   return verdict;
 }
 
 /// It won its compare, or came without one, and another polygon's colour was written.
-Verdict why_miswritten(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
+Verdict why_miswritten(Asked& q, const std::vector<Visit>& visits, const Visit& mine) {
   const std::string other = q.label(mine.shows);
   const bool compared = was_compared(mine);
   const std::string writes = fmt::format("{} writes {} there", step_text(mine.written), other);
   Verdict verdict = q.verdict(Why::contradicted, mine.written,
-                              compared ? fmt::format("it {} the compare at {}, but {}", mine.nearer ? "won" : "lost",
+                              compared ? fmt::format("it {} the compare at {}, but {}", mine.nearer() ? "won" : "lost",
                                                      step_text(mine.step), writes)
                                        : fmt::format("it is at work there, but {}", writes));
   verdict.other = mine.shows;
   q.add_formulas(verdict, mine);
   if (compared) verdict.chain.push_back({mine.step, q.polygon, compare_link(q, mine)});
   verdict.chain.push_back({mine.written, mine.shows, fmt::format("the pixel becomes {}", other)});
-  add_last(q, verdict, touches);
+  add_last(q, verdict, visits);
   return verdict;
 }
 
 /// How another polygon took the pixel from it.
-std::string gone_text(const Asked& q, const Touch& mine, const Touch& next) {
+std::string gone_text(const Asked& q, const Visit& mine, const Visit& next) {
   const std::string other = q.label(whose(next)), since = step_text(mine.written);
-  if (next.how == Touch::How::painted)
+  if (next.outcome == Outcome::painted)
     return fmt::format("it was painted there at {}, and {} was painted over it at {}", since, other,
                        step_text(next.written));
-  if (next.how == Touch::How::blended && !was_compared(next))
+  if (next.outcome == Outcome::mixed && !was_compared(next))
     return fmt::format("it was there from {} on, until {} was laid over it at {} with opacity {}", since, other,
                        step_text(next.written), number(next.opacity));
-  if (next.how == Touch::How::written)
+  if (next.outcome == Outcome::written)
     return fmt::format("it was there from {} on, until {} wrote {} there without a compare", since,
                        step_text(next.written), other);
-  if (next.how == Touch::How::compared && !next.nearer)
+  if (next.compared() && !next.nearer())
     return fmt::format("it was there from {} on; {} lost the compare at {}, and {} wrote {} all the same", since,
                        q.label(next.polygon), step_text(next.step), step_text(next.written), other);
-  if (next.how == Touch::How::compared && next.stored_polygon == q.polygon && lacks_depth(mine))
+  if (next.compared() && next.stored && next.stored_polygon == q.polygon && lacks_depth(mine))
     return fmt::format(
         "it was there from {} on, but its depth was never written; so {} was held against {} at {} and found to be "
         "nearer",
-        since, q.label(next.polygon), told(next.stored), step_text(next.step));
+        since, q.label(next.polygon), told(*next.stored), step_text(next.step));
   return fmt::format("it was there from {} on, until {} was found to be nearer at {}", since, q.label(next.polygon),
                      step_text(next.step));
 }
 
 /// It was there until another came.
-Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine, const Touch& next) {
-  const bool painted = next.how == Touch::How::painted, compared = was_compared(next);
+Verdict why_gone(Asked& q, const std::vector<Visit>& visits, const Visit& mine, const Visit& next) {
+  const bool painted = next.outcome == Outcome::painted, compared = was_compared(next);
   const std::string other = q.label(whose(next));
-  const Why kind = !compared ? Why::painted_over : next.nearer ? Why::overwritten : Why::contradicted;
+  const Why kind = !compared ? Why::painted_over : next.nearer() ? Why::overwritten : Why::contradicted;
   Verdict verdict = q.verdict(kind, compared ? next.step : next.written, gone_text(q, mine, next));
   verdict.other = whose(next);
   if (compared) q.add_formulas(verdict, next);
-  if (next.how == Touch::How::compared && !follows(q.trace, next))
+  if (next.compared() && !follows(q.trace, next))
     verdict.sentence += fmt::format(" There {}.", contradiction_of(q, next));
   if (!lacks_depth(mine)) add_gap(q, verdict, mine.z, next.z);
   if (keeps_other_depth(mine)) add_remarks(q, verdict, mine);
@@ -173,7 +174,7 @@ Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine,
   if (painted) add_order(q, verdict, mine.step, next.step);
   else if (compared) verdict.chain.push_back({next.step, next.polygon, compare_link(q, next)});
   verdict.chain.push_back({next.written, whose(next), fmt::format("the pixel becomes {}", other)});
-  add_last(q, verdict, touches);
+  add_last(q, verdict, visits);
   return verdict;
 }
 
@@ -181,14 +182,14 @@ Verdict why_gone(Asked& q, const std::vector<Touch>& touches, const Touch& mine,
 /// wholly.
 struct Share {
   double part = 0;
-  const Touch* over = nullptr;
+  const Visit* over = nullptr;
   int layers = 0;
 };
-Share share_of(const std::vector<Touch>& touches, const Touch& mine) {
+Share share_of(const std::vector<Visit>& visits, const Visit& mine) {
   Share share{mine.opacity, nullptr, 0};
-  for (const Touch& later : touches) {
+  for (const Visit& later : visits) {
     if (later.step <= mine.step || later.written == 0) continue;
-    if (later.how != Touch::How::blended || later.opacity >= 1) {
+    if (later.outcome != Outcome::mixed || later.opacity >= 1) {
       share.part = 0;
       if (!share.over) share.over = &later;
     } else {
@@ -199,8 +200,8 @@ Share share_of(const std::vector<Touch>& touches, const Touch& mine) {
   return share;
 }
 
-std::optional<Verdict> why_mixed(Asked& q, const std::vector<Touch>& touches, const Touch& mine) {
-  const Share share = share_of(touches, mine);
+std::optional<Verdict> why_mixed(Asked& q, const std::vector<Visit>& visits, const Visit& mine) {
+  const Share share = share_of(visits, mine);
   if (share.over) return std::nullopt;
   const std::string layers =
       share.layers == 0 ? "" : fmt::format(", behind {} layer{} of glass", share.layers, share.layers == 1 ? "" : "s");
@@ -211,7 +212,7 @@ std::optional<Verdict> why_mixed(Asked& q, const std::vector<Touch>& touches, co
   q.add_formulas(verdict, mine.written);
   verdict.chain.push_back({mine.written, q.polygon,
                            fmt::format("{} is laid over the pixel with opacity {}", q.name, number(mine.opacity))});
-  for (const Touch& later : touches)
+  for (const Visit& later : visits)
     if (later.step > mine.step && later.written != 0)
       verdict.chain.push_back(
           {later.written, later.polygon,
@@ -220,7 +221,7 @@ std::optional<Verdict> why_mixed(Asked& q, const std::vector<Touch>& touches, co
 }
 
 /// Front to back: what covers the pixel but found it painted already.
-Verdict why_taken(Asked& q, const Touch& first) {
+Verdict why_taken(Asked& q, const Visit& first) {
   Verdict verdict = q.verdict(Why::taken, first.written,
                               fmt::format("{} was painted there at {}, and from front to back what is painted stays",
                                           q.label(first.polygon), step_text(first.written)));
@@ -236,10 +237,10 @@ std::optional<Verdict> why_wiped(Asked& q) {
   const auto again =
       std::count_if(q.trace.clears().begin(), q.trace.clears().end(), [eye](std::int64_t step) { return step > eye; });
   if (again < 2) return std::nullopt;
-  const std::vector<Touch> touches = touches_of(q.trace, q.pixel, eye);
-  const Touch* last = nullptr;
-  for (const Touch& touch : touches)
-    if (touch.takes && touch.shows == q.polygon) last = &touch;
+  const std::vector<Visit> visits = visits_of(q.trace, q.pixel, eye);
+  const Visit* last = nullptr;
+  for (const Visit& visit : visits)
+    if (visit.takes && visit.shows == q.polygon) last = &visit;
   if (!last) return std::nullopt;
   Verdict verdict = q.verdict(Why::wiped, clear,
                               fmt::format("it was there at {}, until the buffers were cleared once more at {}",
@@ -261,13 +262,13 @@ void add_shadow(const Asked& q, Verdict& verdict) {
 }
 
 /// It is what the pixel shows in the end.
-Verdict why_seen(Asked& q, const std::vector<Touch>& touches, const Touch& last) {
-  const Share share = share_of(touches, last);
+Verdict why_seen(Asked& q, const std::vector<Visit>& visits, const Visit& last) {
+  const Share share = share_of(visits, last);
   const std::string step = step_text(last.written);
-  const bool compared = last.how == Touch::How::compared;
+  const bool compared = last.compared();
   const std::string how =
-      last.how == Touch::How::written ? fmt::format("{} wrote it there without a compare{}", step, z_text(q, last))
-      : compared && !last.nearer
+      last.outcome == Outcome::written ? fmt::format("{} wrote it there without a compare{}", step, z_text(q, last))
+      : compared && !last.nearer()
           ? fmt::format("{} wrote it there, though {} lost the compare at {}", step,
                         last.polygon == q.polygon ? "it" : q.label(last.polygon), step_text(last.step))
           : fmt::format("{} put it there{}", step, z_text(q, last));
@@ -285,54 +286,54 @@ Verdict why_seen(Asked& q, const std::vector<Touch>& touches, const Touch& last)
 }
 
 /// What steps at the pixel may have been its own, though the trace does not say whose they are.
-std::string unnamed_text(const std::vector<Touch>& touches) {
-  for (const Touch& touch : touches)
-    if (touch.polygon == no_polygon && touch.how == Touch::How::compared)
+std::string unnamed_text(const std::vector<Visit>& visits) {
+  for (const Visit& visit : visits)
+    if (visit.polygon == no_polygon && visit.compared())
       return fmt::format("it covers the pixel; at {} a polygon that the trace does not name was compared there, and {}",
-                         step_text(touch.step), touch.nearer ? "found to be nearer" : "found not to be nearer");
+                         step_text(visit.step), visit.nearer() ? "found to be nearer" : "found not to be nearer");
   return "";
 }
 
 /// How far a compare is from being won.
-double behind(const Asked& q, const Touch& touch) {
-  return q.trace.header().comparison.behind(touch.z.value_or(0), std::isfinite(touch.stored) ? touch.stored : 0);
+double behind(const Asked& q, const Visit& visit) {
+  return q.trace.header().comparison.behind(visit.z.value_or(0), visit.stored && std::isfinite(*visit.stored) ? *visit.stored : 0);
 }
 
 }  // namespace
 
 Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets) {
-  std::vector<Touch> touches = touches_of(q.trace, q.pixel);
-  std::erase_if(touches, [](const Touch& touch) { return touch.how == Touch::How::colored; });
-  const Touch *last = holder(touches, q.trace.size() + 1), *mine = nullptr, *least = nullptr, *miswritten = nullptr;
-  for (const Touch& touch : touches) {
-    const bool its_own = touch.polygon == q.polygon;
-    if ((touch.takes && touch.shows == q.polygon) || (its_own && touch.how == Touch::How::blended))
-      mine = &touch;  // the last time that it changed the pixel
-    else if (its_own && touch.takes) miswritten = &touch;
-    else if (its_own && touch.how == Touch::How::compared && (!least || behind(q, touch) < behind(q, *least)))
-      least = &touch;
+  std::vector<Visit> visits = visits_of(q.trace, q.pixel);
+  std::erase_if(visits, [](const Visit& visit) { return visit.outcome == Outcome::colored; });
+  const Visit *last = holder(visits, q.trace.size() + 1), *mine = nullptr, *least = nullptr, *miswritten = nullptr;
+  for (const Visit& visit : visits) {
+    const bool its_own = visit.polygon == q.polygon;
+    if ((visit.takes && visit.shows == q.polygon) || (its_own && visit.outcome == Outcome::mixed))
+      mine = &visit;  // the last time that it changed the pixel
+    else if (its_own && visit.takes) miswritten = &visit;
+    else if (its_own && visit.compared() && (!least || behind(q, visit) < behind(q, *least)))
+      least = &visit;
   }
-  if (last && last->shows == q.polygon) return why_seen(q, touches, *last);
-  if (mine && mine->how == Touch::How::blended)
-    if (auto verdict = why_mixed(q, touches, *mine)) return *verdict;
+  if (last && last->shows == q.polygon) return why_seen(q, visits, *last);
+  if (mine && mine->outcome == Outcome::mixed)
+    if (auto verdict = why_mixed(q, visits, *mine)) return *verdict;
   if (mine) {
-    const Touch* next = nullptr;
-    const bool blends = mine->how == Touch::How::blended;
-    for (const Touch& touch : touches)
-      if (!next && touch.step > mine->step && (touch.takes || touch.how == Touch::How::blended) &&
-          (!blends || touch.opacity >= 1))
-        next = &touch;
-    if (next) return why_gone(q, touches, *mine, *next);
+    const Visit* next = nullptr;
+    const bool blends = mine->outcome == Outcome::mixed;
+    for (const Visit& visit : visits)
+      if (!next && visit.step > mine->step && (visit.takes || visit.outcome == Outcome::mixed) &&
+          (!blends || visit.opacity >= 1))
+        next = &visit;
+    if (next) return why_gone(q, visits, *mine, *next);
   }
-  if (miswritten) return why_miswritten(q, touches, *miswritten);
-  if (least) return why_lost(q, touches, *least);
+  if (miswritten) return why_miswritten(q, visits, *miswritten);
+  if (least) return why_lost(q, visits, *least);
   if (const auto verdict = why_wiped(q)) return *verdict;
   if (auto verdict = why_by_facets(q, facets)) return *verdict;
   const auto& options = q.trace.header().conventions.options;
   const auto order = options.find("order");
-  if (order != options.end() && order->second == "front-to-back" && !touches.empty())
-    return why_taken(q, touches.front());
-  if (const std::string text = unnamed_text(touches); !text.empty()) return q.verdict(Why::not_recorded, 0, text);
+  if (order != options.end() && order->second == "front-to-back" && !visits.empty())
+    return why_taken(q, visits.front());
+  if (const std::string text = unnamed_text(visits); !text.empty()) return q.verdict(Why::not_recorded, 0, text);
   return not_recorded(q);
 }
 

@@ -230,7 +230,7 @@ void tell_ray(Asked& q, Verdict& verdict, const Ray& ray) {
 }
 
 /// Its hit is the one that the ray kept.
-Verdict why_kept(Asked& q, const Ray& ray, const Touch* painted) {
+Verdict why_kept(Asked& q, const Ray& ray, const Visit* painted) {
   const At<RayHit>& hit = ray.kept.back();
   const At<RayHit>* nearer = nullptr;
   for (const At<RayHit>& other : ray.passed)
@@ -251,7 +251,7 @@ Verdict why_kept(Asked& q, const Ray& ray, const Touch* painted) {
 }
 
 /// The ray kept one and the pixel was given to another; it is one of the two.
-Verdict why_painted_otherwise(Asked& q, const Ray& ray, const Touch& painted, std::int32_t kept) {
+Verdict why_painted_otherwise(Asked& q, const Ray& ray, const Visit& painted, std::int32_t kept) {
   const std::string step = "step " + grouped(painted.written), other = q.label(painted.shows);
   const std::string meets =
       kept == no_polygon
@@ -280,8 +280,8 @@ Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
     return verdict ? *verdict : not_recorded(q);
   }
   // What is painted after the ray is what is seen; mostly that is what it kept.
-  const std::vector<Touch> touches = touches_of(q.trace, q.pixel);
-  const Touch* painted = holder(touches, q.trace.size() + 1);
+  const std::vector<Visit> visits = visits_of(q.trace, q.pixel);
+  const Visit* painted = holder(visits, q.trace.size() + 1);
   const std::int32_t kept = ray->kept.empty() ? no_polygon : q.polygon_of_facet(ray->kept.back().event.facet);
   if (painted && painted->shows != kept && (painted->shows == q.polygon || kept == q.polygon))
     return why_painted_otherwise(q, *ray, *painted, kept);

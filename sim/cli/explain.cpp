@@ -10,7 +10,7 @@
 #include "sim/answers/explain_value.hpp"
 #include "sim/answers/origin/exact.hpp"
 #include "sim/cli/budget.hpp"
-#include "sim/answers/touches.hpp"
+#include "sim/answers/visits.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
@@ -177,8 +177,8 @@ nlohmann::ordered_json json_of(const answers::Chain& chain, const Exactness& exa
 /// Why a pixel has no depth: nothing came there, or its colour alone was written.
 std::string no_depth_text(const Trace& trace, Trace::Pixel pixel, std::int64_t at) {
   const std::string where = fmt::format("pixel ({}, {}) has no depth", pixel.x, pixel.y);
-  const std::vector<answers::Touch> touches = answers::touches_of(trace, pixel);
-  const answers::Touch* last = answers::holder(touches, at + 1);
+  const std::vector<answers::Visit> visits = answers::visits_of(trace, pixel);
+  const answers::Visit* last = answers::holder(visits, at + 1);
   if (last == nullptr) return fmt::format("{}: nothing was drawn there up to step {}", where, grouped(at));
   return fmt::format("{}: step {} colours it {}, but no step up to {} writes its depth", where, grouped(last->written),
                      polygon_label(trace.scene(), last->shows), grouped(at));

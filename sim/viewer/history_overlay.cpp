@@ -26,7 +26,8 @@ VisitColumns columns_of(App& app) {
     const auto name_width = [&](std::int32_t who) {
       return who == no_polygon ? 0 : text_size(ui, ui.fonts.bold, polygon_label(app.session().scene(), who)).x + ui.em;
     };
-    polygon = std::max(polygon, name_width(visit.polygon)), of = std::max(of, name_width(visit.stored_polygon));
+    polygon = std::max(polygon, name_width(visit.polygon));
+    if (visit.stored) of = std::max(of, name_width(visit.stored_polygon));
     if (visit.z) depth = std::max(depth, text_size(ui, ui.fonts.mono, depth_in_list(*visit.z)).x);
     if (visit.stored && visit.stored_polygon == no_polygon)
       of = std::max(of, text_size(ui, ui.fonts.text, "background").x);
@@ -82,7 +83,7 @@ bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
   if (visit.stored) draw_text(ui, {at.x + columns.against, y}, ui.fonts.mono, c.text, depth_in_list(*visit.stored));
   if (visit.stored && visit.stored_polygon == no_polygon)
     draw_text(ui, {at.x + columns.of, y}, ui.fonts.text, c.muted, "background");
-  draw_polygon(app, {at.x + columns.of, at.y}, y, height, visit.stored_polygon);
+  if (visit.stored) draw_polygon(app, {at.x + columns.of, at.y}, y, height, visit.stored_polygon);
   const std::string outcome = answers::outcome_text(app.session().trace(), app.history(), visit);
   draw_text(ui, {at.x + columns.outcome, y}, ui.fonts.text, c.text,
             fitted(ui, ui.fonts.text, outcome, end.x - at.x - columns.outcome));

@@ -1,4 +1,4 @@
-#include "sim/answers/touches.hpp"
+#include "sim/answers/visits.hpp"
 
 #include <algorithm>
 
@@ -55,46 +55,48 @@ class Reading {
     } else if (const auto* compare = get_if<DepthCompare>(&event)) {
       const AtWork work = at_work(trace_, step);
       // A colour that was written before its compare belongs to it.
-      const bool belongs = goes_on(work) && all.back().how == Touch::How::written && all.back().kept_at == 0;
-      Touch& touch = belongs ? all.back() : add(step, work, Touch::How::compared);
-      touch.step = step, touch.how = Touch::How::compared, touch.z = compare->z, touch.nearer = compare->nearer;
+      const bool belongs = goes_on(work) && all.back().outcome == Outcome::written && all.back().kept_at == 0;
+      Visit& visit = belongs ? all.back() : add(step, work, Outcome::won);
+      visit.step = step, visit.z = compare->z;
+      if (known_) visit.stored = depth_;
+      visit.outcome = compare->nearer ? Outcome::won : visit.z == visit.stored ? Outcome::tie : Outcome::lost;
     } else if (const auto* depth = get_if<DepthWrite>(&event)) {
       const AtWork work = at_work(trace_, step);
-      Touch& touch = goes_on(work) && all.back().kept_at == 0 ? all.back() : add(step, work, Touch::How::written);
-      if (!touch.z) touch.z = depth->z;
-      touch.kept = depth->z, touch.kept_at = step;
+      Visit& visit = goes_on(work) && all.back().kept_at == 0 ? all.back() : add(step, work, Outcome::written);
+      if (!visit.z) visit.z = depth->z;
+      visit.kept = depth->z, visit.kept_at = step;
       depth_ = depth->z, only_cleared_ = false, known_ = true;
     } else if (const auto* write = get_if<PixelWrite>(&event)) {
       const AtWork work = at_work(trace_, step);
-      const bool after_blend = goes_on(work) && all.back().how == Touch::How::blended &&
+      const bool after_blend = goes_on(work) && all.back().outcome == Outcome::mixed &&
                                all.back().polygon == write->polygon && !all.back().takes;
       const bool belongs = goes_on(work) && all.back().written == 0;
-      Touch& touch = after_blend || belongs ? all.back() : add(step, work, Touch::How::written);
-      if (touch.polygon == no_polygon) touch.polygon = write->polygon;
-      if (!touch.z && interpolated_ && interpolated_->work == work) touch.z = interpolated_->z;
-      if (touch.how == Touch::How::written) touch.step = step;
-      if (!after_blend) touch.written = step;  // a blend has coloured it already
-      take_pixel(touch, write->polygon);
+      Visit& visit = after_blend || belongs ? all.back() : add(step, work, Outcome::written);
+      if (visit.polygon == no_polygon) visit.polygon = write->polygon;
+      if (!visit.z && interpolated_ && interpolated_->work == work) visit.z = interpolated_->z;
+      if (visit.outcome == Outcome::written) visit.step = step;
+      if (!after_blend) visit.written = step;  // a blend has coloured it already
+      take_pixel(visit, write->polygon);
     } else if (const auto* paint = get_if<PixelPaint>(&event)) {
-      Touch& touch = add(step, {paint->polygon, 0}, Touch::How::painted);
-      touch.z = touch.kept = paint->z, touch.kept_at = touch.written = step;
-      take_pixel(touch, paint->polygon);
+      Visit& visit = add(step, {paint->polygon, 0}, Outcome::painted);
+      if (known_) visit.stored = depth_;
+      visit.z = visit.kept = paint->z, visit.kept_at = visit.written = step;
+      take_pixel(visit, paint->polygon);
       depth_ = paint->z, only_cleared_ = false, known_ = true;
       open_ = false;
     } else if (const auto* blend = get_if<ColorBlend>(&event)) {
       const AtWork work = at_work(trace_, step);
-      const bool belongs =
-          goes_on(work) && all.back().how == Touch::How::compared && all.back().nearer && !all.back().takes;
-      Touch& touch = belongs ? all.back() : add(step, work, Touch::How::blended);
-      touch.how = Touch::How::blended, touch.polygon = blend->polygon, touch.opacity = blend->opacity;
-      touch.blended = touch.written = step;
+      const bool belongs = goes_on(work) && all.back().outcome == Outcome::won && !all.back().takes;
+      Visit& visit = belongs ? all.back() : add(step, work, Outcome::mixed);
+      visit.outcome = Outcome::mixed, visit.polygon = blend->polygon, visit.opacity = blend->opacity;
+      visit.blended = visit.written = step;
     } else if (holds<ColorWrite>(event)) {
-      add(step, {}, Touch::How::colored).written = step;
+      add(step, {}, Outcome::colored).written = step;
       open_ = false;
     }
   }
 
-  std::vector<Touch> all;
+  std::vector<Visit> all;
 
  private:
   struct Interpolated {
@@ -105,35 +107,34 @@ class Reading {
   /// Does a step of this work belong to what came to the pixel last?
   bool goes_on(const AtWork& work) const { return open_ && !all.empty() && work == work_; }
 
-  Touch& add(std::int64_t step, const AtWork& work, Touch::How how) {
-    Touch touch;
-    touch.how = how, touch.step = step, touch.polygon = work.polygon;
-    touch.stored = depth_, touch.stored_polygon = polygon_;
-    touch.only_cleared = only_cleared_, touch.known = known_;
-    all.push_back(touch);
+  Visit& add(std::int64_t step, const AtWork& work, Outcome outcome) {
+    Visit visit;
+    visit.outcome = outcome, visit.step = step, visit.polygon = work.polygon;
+    visit.stored_polygon = polygon_, visit.only_cleared = only_cleared_;
+    all.push_back(std::move(visit));
     work_ = work, open_ = true;
     return all.back();
   }
-  void take_pixel(Touch& touch, std::int32_t polygon) {
-    touch.takes = true, touch.shows = polygon_ = polygon;
+  void take_pixel(Visit& visit, std::int32_t polygon) {
+    visit.takes = true, visit.shows = polygon_ = polygon;
   }
 
   const Trace& trace_;
   double depth_;
   std::int32_t polygon_ = no_polygon;
   bool known_, only_cleared_ = true;
-  AtWork work_;        ///< of the last touch
+  AtWork work_;        ///< of the last visit
   bool open_ = false;  ///< steps that follow may belong to it
   std::optional<Interpolated> interpolated_;
 };
 
 }  // namespace
 
-std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel) {
-  return touches_of(trace, pixel, begin_of_picture(trace));
+std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel) {
+  return visits_of(trace, pixel, begin_of_picture(trace));
 }
 
-std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after) {
+std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel, std::int64_t after) {
   // The events of this pixel and those that concern all pixels alike.
   std::vector<std::pair<std::int64_t, Event>> here;
   trace.scan(pixel, [&](std::int64_t step, const RecordedEvent& recorded) {
@@ -159,25 +160,25 @@ std::vector<Touch> touches_of(const Trace& trace, Trace::Pixel pixel, std::int64
     else if (const auto* clear = get_if<BuffersClear>(&event)) reading.clear(clear->z);
     else reading.take(step, event);
   }
-  std::erase_if(reading.all, [after](const Touch& touch) { return touch.step <= after; });
+  std::erase_if(reading.all, [after](const Visit& visit) { return visit.step <= after; });
   return std::move(reading.all);
 }
 
-const Touch* holder(const std::vector<Touch>& touches, std::int64_t before) {
-  const Touch* last = nullptr;
-  for (const Touch& touch : touches)
-    if (touch.step < before && touch.takes) last = &touch;
+const Visit* holder(const std::vector<Visit>& visits, std::int64_t before) {
+  const Visit* last = nullptr;
+  for (const Visit& visit : visits)
+    if (visit.step < before && visit.takes) last = &visit;
   return last;
 }
 
 bool is_nearer(const Trace& trace, double z, double stored) { return trace.header().comparison.wins(z, stored); }
 
-bool follows(const Trace& trace, const Touch& compared) {
-  return !compared.known || !compared.z || is_nearer(trace, *compared.z, compared.stored) == compared.nearer;
+bool follows(const Trace& trace, const Visit& compared) {
+  return !compared.stored || !compared.z || is_nearer(trace, *compared.z, *compared.stored) == compared.nearer();
 }
 
-bool lacks_depth(const Touch& touch) { return touch.how == Touch::How::compared && touch.takes && !touch.kept; }
+bool lacks_depth(const Visit& visit) { return visit.compared() && visit.takes && !visit.kept; }
 
-bool keeps_other_depth(const Touch& touch) { return touch.kept && touch.z && *touch.kept != *touch.z; }
+bool keeps_other_depth(const Visit& visit) { return visit.kept && visit.z && *visit.kept != *visit.z; }
 
 }  // namespace zstep::answers
