@@ -5,6 +5,7 @@
 #include "sim/answers/origin/fields.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/file/records.hpp"
 
 namespace zstep::answers {
 
@@ -27,8 +28,7 @@ bool light_at_work(const Trace& trace, std::int64_t at) {
   if (!trace.scene().light) return false;
   const auto marks = trace.polygons();
   const std::size_t facets = trace.scene().facets.size();
-  const bool passes = std::any_of(trace.header().page.begin(), trace.header().page.end(),
-                                  [](const StepInfo& s) { return s.kind == kind_of<PassBegin>; });
+  const bool passes = records<PassBegin>(trace.header());
   if (!passes || facets == 0 || marks.size() <= facets) return passes;
   const auto eye =
       find_last<PassBegin>(trace, marks[facets].position, [](const PassBegin& e) { return e.pass == Pass::eye; });

@@ -16,7 +16,7 @@ void set_fragment(State& state, const Trace& trace, const E& event, const Visit&
 /// The span on which a pixel is painted, and none where a method paints without spans.
 void set_span(State& state, const Trace& trace, std::int64_t step, const PixelPaint& paint) {
   if (!records<SpanBegin>(trace)) return;
-  const auto begin = previous_of<SpanBegin, PieceDraw, AreaBegin, RayBegin, SpanWinner>(trace, step);
+  const auto begin = previous_of<SpanBegin, PieceDraw, SpanWinner>(trace, step);
   const auto span = begin ? event_at<SpanBegin>(trace, *begin) : std::nullopt;
   if (span && span->y == paint.y && span->first <= paint.x && paint.x <= span->last) state.machine.span = span;
 }

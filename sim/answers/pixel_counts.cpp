@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/answers/origin/find.hpp"
 #include "traces/file/visit.hpp"
 
 namespace zstep::answers {
@@ -21,10 +22,8 @@ PixelCounts::PixelCounts(const Trace& trace) : trace_(&trace), width_(trace.scen
   now_.counts[static_cast<std::size_t>(Count::first)].assign(pixels, no_polygon);
   now_.counts[static_cast<std::size_t>(Count::last)].assign(pixels, no_polygon);
   now_.covered_by.assign(pixels, no_polygon);
-  for (const StepInfo& step : trace.header().page) {
-    rays_ = rays_ || step.kind == kind_of<RayBegin>;
-    comes_back_ = comes_back_ || step.kind == kind_of<RayBegin> || step.kind == kind_of<ColorBlend>;
-  }
+  rays_ = records<RayBegin>(trace.header());
+  comes_back_ = rays_ || records<ColorBlend>(trace.header());
   if (comes_back_) now_.last_met.assign(pixels, -1);
   most_moments_ = std::clamp<std::size_t>(memory / (pixels * (comes_back_ ? 16 : 7) * sizeof(std::int32_t) + 1), 1, 16);
   spacing_ = std::max<std::int64_t>(1 << 18, trace.size() / static_cast<std::int64_t>(most_moments_));
@@ -60,12 +59,10 @@ void PixelCounts::take(const E& event) {
   }
   if (now_.light) return;
   if constexpr (std::is_same_v<E, RayHit>) {
-    const auto& facets = trace_->scene().facets;
-    const auto facet = static_cast<std::size_t>(event.facet);
-    if (event.inside && now_.ray_x >= 0 && event.facet >= 0 && facet < facets.size())
+    if (event.inside && now_.ray_x >= 0)
       cover(static_cast<std::size_t>(now_.ray_y) * static_cast<std::size_t>(width_) +
                 static_cast<std::size_t>(now_.ray_x),
-            facets[facet].polygon);
+            polygon_of_facet(trace_->scene(), event.facet));
   }
   if constexpr (requires { event.x; event.y; }) {
     const std::size_t pixel =

@@ -21,11 +21,6 @@ namespace zstep::answers {
 
 namespace {
 
-std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
-  const auto at = static_cast<std::size_t>(facet);
-  return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
-}
-
 /// Does the trace say of a compare what its two depths do not?
 bool contradicts(const Trace& trace, const Visit& visit) {
   return visit.compared() && visit.z && visit.stored &&
@@ -234,9 +229,8 @@ class History {
 
   /// Of these, the polygons whose turn had not come when the recording was cut off.
   void add_cut_off() {
-    if ((!cut() && begun_.empty()) || trace_.size() == 0 || records<LineBegin>(trace_) ||
-        records<HorizonTest>(trace_))
-      return;
+    const bool fills = records<PixelPaint>(trace_) || records<PixelWrite>(trace_) || records<DepthCompare>(trace_);
+    if ((!cut() && begun_.empty()) || trace_.size() == 0 || !fills) return;  // others draw lines alone
     // Where depths are compared, each polygon comes to every pixel that it covers. Other methods leave alone what is
     // settled.
     const bool all_come = records<DepthCompare>(trace_);

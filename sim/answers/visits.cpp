@@ -22,7 +22,7 @@ std::optional<AtWork> by_span(const Trace& trace, std::int64_t step) {
 }
 
 AtWork at_work(const Trace& trace, std::int64_t step) {
-  const bool one_table = records<FlagFlip>(trace) || (records<TablesBegin>(trace) && !records<PieceDraw>(trace));
+  const bool one_table = sweeps(trace.header()) || (records<TablesBegin>(trace) && !records<PieceDraw>(trace));
   if (one_table)
     if (const auto found = by_span(trace, step)) return *found;
   const auto marks = trace.polygons();

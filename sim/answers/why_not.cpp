@@ -38,23 +38,6 @@ Asked::Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel 
     throw std::out_of_range("why_not: no such pixel");
 }
 
-Family family_of(const Trace& trace) {
-  const auto& options = trace.header().conventions.options;
-  const auto resolve = options.find("resolve");
-  const bool line_buffer = resolve != options.end() && resolve->second == "line-buffer";
-  return trace.has(kind_of<HorizonTest>)               ? Family::curves
-         : trace.has(kind_of<LineBegin>)               ? Family::lines
-         : trace.has(kind_of<RayBegin>)                ? Family::rays
-         : trace.has(kind_of<AreaBegin>)               ? Family::areas
-         : trace.has(kind_of<FlagFlip>) && !line_buffer ? Family::sweep
-                                                       : Family::pixels;
-}
-
-std::int32_t Asked::polygon_of_facet(std::int32_t facet) const {
-  const auto at = static_cast<std::size_t>(facet);
-  return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
-}
-
 std::vector<std::int32_t> Asked::facets() const {
   std::vector<std::int32_t> found;
   for (std::size_t k = 0; k < scene.facets.size(); ++k)
@@ -106,17 +89,16 @@ Verdict seen(Asked& q, std::int64_t step, const std::string& how, const std::str
 Verdict why_not(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, Replay* replay) {
   Asked q(trace, replay, polygon, pixel);
   Verdict verdict;
-  const Family family = family_of(trace);
-  if (family == Family::curves) {
+  if (of_curves(trace)) {
     verdict = why_by_curves(q);
-  } else if (family == Family::lines) {
+  } else if (of_lines(trace)) {
     verdict = why_by_lines(q);
   } else {
     const std::vector<FacetThere> facets = facets_there(q);
-    verdict = family == Family::rays    ? why_by_rays(q, facets)
-              : family == Family::areas ? why_by_areas(q, facets)
-              : family == Family::sweep ? why_by_sweep(q, facets)
-                                        : why_by_pixels(q, facets);
+    verdict = of_rays(trace)    ? why_by_rays(q, facets)
+              : of_areas(trace) ? why_by_areas(q, facets)
+              : of_sweep(trace) ? why_by_sweep(q, facets)
+                                : why_by_pixels(q, facets);
     if (facets.size() > 1 && verdict.kind != Why::seen)
       verdict.sentence +=
           fmt::format(" ({} has {} facets; this is {}.)", q.name, facets.size(),

@@ -4,27 +4,16 @@
 #include <iterator>
 #include <map>
 
-#include "sim/answers/why_not_lines.hpp"
+#include "sim/answers/why_not_parts.hpp"
 
 namespace zstep::answers {
 namespace {
-
-std::string count_text(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", grouped(static_cast<std::int64_t>(count)), count == 1 ? one : many);
-}
 
 /// Without links to steps that are not recorded, and in order.
 Verdict tidied(Verdict verdict) {
   std::erase_if(verdict.chain, [](const Link& link) { return link.step < 1; });
   std::stable_sort(verdict.chain.begin(), verdict.chain.end(),
                    [](const Link& a, const Link& b) { return a.step < b.step; });
-  return verdict;
-}
-
-/// The pixel's own verdict, in a sentence that begins with the whole picture.
-Verdict with_pixel(const Trace& trace, std::int32_t polygon, Trace::Pixel pixel, const std::string& whole) {
-  Verdict verdict = why_not(trace, polygon, pixel);
-  verdict.sentence = whole + " " + verdict.sentence;
   return verdict;
 }
 
@@ -132,7 +121,7 @@ Verdict filled(Asked& q, const Picture& picture) {
     }
   if (first)
     return with_pixel(
-        q.trace, q.polygon, *first,
+        q, *first,
         fmt::format("{} is seen at {}; the first of them:", q.name, count_text(count, "pixel", "pixels")));
 
   const std::vector<FacetThere> facets = facets_there(q);
@@ -169,61 +158,22 @@ Verdict filled(Asked& q, const Picture& picture) {
   return verdict;
 }
 
-Verdict by_lines(Asked& q) {
-  const std::vector<Line> lines = lines_of(q);
-  std::size_t seen_edges = 0;
-  const Line *visible = nullptr, *hidden = nullptr;
-  for (const Line& line : lines) {
-    const bool any = std::any_of(line.row.pieces.begin(), line.row.pieces.end(),
-                                 [](const LinePiece& piece) { return piece.visible; });
-    if (any) visible = visible ? visible : &line, ++seen_edges;
-    else hidden = hidden ? hidden : &line;
-  }
-  const Line* picked = visible ? visible : hidden;
-  if (!picked) return why_by_lines(q);
-  // A pixel on it: the first that was drawn, or for one that was not the middle of the edge.
-  const std::int64_t begin = begin_of(q, *picked).value_or(0);
-  Trace::Pixel pixel{static_cast<std::int32_t>(std::lround((picked->from.x + picked->to.x) / 2)),
-                     static_cast<std::int32_t>(std::lround((picked->from.y + picked->to.y) / 2))};
-  const auto draw = next_of<ColorWrite, LineBegin>(q.trace, begin, q.trace.size() + 1);
-  if (const auto color = draw ? event_at<ColorWrite>(q.trace, *draw) : std::nullopt) pixel = {color->x, color->y};
-  pixel.x = std::clamp(pixel.x, 0, q.scene.raster.width - 1),
-  pixel.y = std::clamp(pixel.y, 0, q.scene.raster.height - 1);
-  return with_pixel(q.trace, q.polygon, pixel,
-                    visible ? fmt::format("Of the {} of {} in view, {} seen, in whole or in part. On one of them:",
-                                          count_text(lines.size(), "edge", "edges"), q.name,
-                                          seen_edges == 1 ? "one is" : fmt::format("{} are", seen_edges))
-                            : fmt::format("None of the {} of {} in view is seen. On one of them:",
-                                          count_text(lines.size(), "edge", "edges"), q.name));
-}
-
-Verdict by_curves(Asked& q) {
-  std::size_t visible = 0, hidden = 0;
-  std::optional<Trace::Pixel> drawn, behind;
-  for (const Segment& segment : segments_of(q))
-    for (std::int64_t step = segment.begin + 1; step < segment.end; ++step) {
-      if (const auto color = event_at<ColorWrite>(q.trace, step); color && !drawn)
-        drawn = Trace::Pixel{color->x, color->y};
-      const auto test = event_at<HorizonTest>(q.trace, step);
-      if (!test) continue;
-      (test->verdict == Horizon::hidden ? hidden : visible) += 1;
-      const auto row =
-          static_cast<std::int32_t>(std::clamp(std::round(test->y_curve), 0.0, q.scene.raster.height - 1.0));
-      if (test->verdict == Horizon::hidden && !behind)
-        behind = Trace::Pixel{std::clamp(test->x, 0, q.scene.raster.width - 1), row};
-    }
-  const std::string whole = fmt::format("Of the {} of the curves around {}, {} visible and {} hidden.",
-                                        count_text(visible + hidden, "point", "points"), q.name, visible, hidden);
-  return with_pixel(q.trace, q.polygon, drawn ? *drawn : behind.value_or(q.pixel), whole);
-}
-
 }  // namespace
+
+std::string count_text(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", grouped(static_cast<std::int64_t>(count)), count == 1 ? one : many);
+}
+
+Verdict with_pixel(const Asked& q, Trace::Pixel pixel, const std::string& whole) {
+  Verdict verdict = why_not(q.trace, q.polygon, pixel);
+  verdict.sentence = whole + " " + verdict.sentence;
+  return verdict;
+}
 
 Verdict why_not(const Trace& trace, std::int32_t polygon, Replay* replay) {
   Asked q(trace, replay, polygon, {0, 0});
-  const Family family = family_of(trace);
-  if (family == Family::curves) return tidied(by_curves(q));
-  if (family == Family::lines) return tidied(by_lines(q));
+  if (of_curves(trace)) return tidied(curves_anywhere(q));
+  if (of_lines(trace)) return tidied(lines_anywhere(q));
   return tidied(filled(q, Picture(q.state_at(trace.size()).picture)));
 }
 

@@ -187,6 +187,8 @@ Verdict why_behind(Asked& q, const AreaThere& leaf, const BinThere& bin, const V
 
 }  // namespace
 
+bool of_areas(const Trace& trace) { return trace.has(kind_of<AreaBegin>); }
+
 Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets) {
   const std::vector<Visit> visits = visits_of(q.trace, q.pixel);
   const std::vector<AreaThere> chain = areas_around(q);

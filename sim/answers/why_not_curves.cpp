@@ -3,10 +3,16 @@
 #include <cmath>
 #include <set>
 
-#include "sim/answers/why_not_lines.hpp"
+#include "sim/answers/why_not_parts.hpp"
 
 namespace zstep::answers {
 namespace {
+
+/// A piece of a curve along the polygon's border: the step of its curve_segment and the one at which it ends.
+struct Segment {
+  std::int64_t begin = 0, end = 0;
+  CurveSegment ends{};
+};
 
 std::set<std::int32_t> corners_of(const Asked& q, std::int32_t polygon) {
   std::set<std::int32_t> corners;
@@ -110,8 +116,6 @@ Verdict hidden(Asked& q, const Segment& segment, const There& there) {
   return verdict;
 }
 
-}  // namespace
-
 std::vector<Segment> segments_of(const Asked& q) {
   const std::set<std::int32_t> corners = corners_of(q, q.polygon);
   const auto of_it = [&](const RecordedEvent& recorded) {
@@ -125,6 +129,10 @@ std::vector<Segment> segments_of(const Asked& q) {
                         *event_at<CurveSegment>(q.trace, *step)});
   return segments;
 }
+
+}  // namespace
+
+bool of_curves(const Trace& trace) { return trace.has(kind_of<HorizonTest>); }
 
 Verdict why_by_curves(Asked& q) {
   const std::vector<Segment> segments = segments_of(q);
@@ -153,6 +161,26 @@ Verdict why_by_curves(Asked& q) {
         {segment.begin, q.polygon,
          fmt::format("the curve from sample {} to sample {}", segment.ends.vertex_0, segment.ends.vertex_1)});
   return verdict;
+}
+
+Verdict curves_anywhere(Asked& q) {
+  std::size_t visible = 0, hidden = 0;
+  std::optional<Trace::Pixel> drawn, behind;
+  for (const Segment& segment : segments_of(q))
+    for (std::int64_t step = segment.begin + 1; step < segment.end; ++step) {
+      if (const auto color = event_at<ColorWrite>(q.trace, step); color && !drawn)
+        drawn = Trace::Pixel{color->x, color->y};
+      const auto test = event_at<HorizonTest>(q.trace, step);
+      if (!test) continue;
+      (test->verdict == Horizon::hidden ? hidden : visible) += 1;
+      const auto row =
+          static_cast<std::int32_t>(std::clamp(std::round(test->y_curve), 0.0, q.scene.raster.height - 1.0));
+      if (test->verdict == Horizon::hidden && !behind)
+        behind = Trace::Pixel{std::clamp(test->x, 0, q.scene.raster.width - 1), row};
+    }
+  const std::string whole = fmt::format("Of the {} of the curves around {}, {} visible and {} hidden.",
+                                        count_text(visible + hidden, "point", "points"), q.name, visible, hidden);
+  return with_pixel(q, drawn ? *drawn : behind.value_or(q.pixel), whole);
 }
 
 }  // namespace zstep::answers

@@ -3,6 +3,7 @@
 
 #include "algorithms/viewing/back_face.hpp"
 #include "sim/answers/why_not_parts.hpp"
+#include "traces/events/called.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "sim/words/rejects.hpp"
 
@@ -19,8 +20,10 @@ bool in_space(const Scene& scene) { return scene.camera.kind != Camera::Kind::sc
 
 /// Where it was rejected after its mark, 0 if it was not.
 std::int64_t rejected_after(const Trace& trace, std::int64_t mark) {
-  const auto stop = next_of<PolygonReject, PolygonBegin, PieceMake, EdgeTableInsert, EdgeTableSkip, ScanLineBegin,
-                            AreaBegin, LineBegin, RayBegin>(trace, mark, trace.size() + 1);
+  const auto stop = trace.next(mark, [](const RecordedEvent& recorded) {
+    return is_one_of<PolygonReject, PolygonBegin, PieceMake, EdgeTableInsert, EdgeTableSkip, ScanLineBegin>(recorded) ||
+           after_polygons(recorded.event.index());
+  });
   return stop && event_at<PolygonReject>(trace, *stop) ? *stop : 0;
 }
 

@@ -2,28 +2,38 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/answers/why_not_lines.hpp"
+#include "sim/answers/why_not_parts.hpp"
 #include "sim/words/rejects.hpp"
 
 namespace zstep::answers {
+namespace {
+
+/// An edge of the polygon, as the trace left it at its end.
+struct Line {
+  LineRow row;
+  OnRaster from, to;
+};
+
+bool is_edge_of(const Asked& q, const LineBegin& line) {
+  return polygon_of_facet(q.scene, line.left_facet) == q.polygon ||
+         polygon_of_facet(q.scene, line.right_facet) == q.polygon;
+}
 
 std::vector<Line> lines_of(Asked& q) {
   const State& state = q.state_at(q.trace.size());
   std::vector<Line> lines;
   for (const LineRow& row : state.machine.lines) {
-    if (q.polygon_of_facet(row.entry.left_facet) != q.polygon && q.polygon_of_facet(row.entry.right_facet) != q.polygon)
-      continue;
+    if (!is_edge_of(q, row.entry)) continue;
     const auto from = on_raster(q.scene, state, row.entry.vertex_0), to = on_raster(q.scene, state, row.entry.vertex_1);
     if (from && to) lines.push_back({row, *from, *to});
   }
   return lines;
 }
 
+/// Where work on it begins.
 std::optional<std::int64_t> begin_of(const Asked& q, const Line& line) {
   return numbered(q.trace, last_mark(q.trace), q.trace.size() + 1, &LineBegin::line, line.row.entry.line);
 }
-
-namespace {
 
 double nearest_pixel(double at) { return std::floor(at + 0.5); }
 
@@ -84,7 +94,7 @@ std::optional<Verdict> drawn(Asked& q) {
     const auto begin = previous_of<LineBegin>(q.trace, *step), part = previous_of<LinePiece>(q.trace, *step);
     if (!begin || !part) continue;
     const LineBegin line = *event_at<LineBegin>(q.trace, *begin);
-    if (q.polygon_of_facet(line.left_facet) != q.polygon && q.polygon_of_facet(line.right_facet) != q.polygon) continue;
+    if (!is_edge_of(q, line)) continue;
     const LinePiece piece = *event_at<LinePiece>(q.trace, *part);
     verdict =
         seen(q, *step,
@@ -138,7 +148,7 @@ Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
                       "its {} passes there, but the trace takes this piece of it for hidden, and does not say by what",
                       name_of(q, line)));
   } else {
-    const std::int32_t other = q.polygon_of_facet(by->facet);
+    const std::int32_t other = polygon_of_facet(q.scene, by->facet);
     verdict = q.verdict(Why::line_hidden, part,
                         fmt::format("its {} passes there, but {} hides it from t = {} to t = {}", name_of(q, line),
                                     q.label(other), number(by->t_0), number(by->t_1)));
@@ -160,6 +170,8 @@ Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
 }
 
 }  // namespace
+
+bool of_lines(const Trace& trace) { return trace.has(kind_of<LineBegin>); }
 
 Verdict why_by_lines(Asked& q) {
   if (auto verdict = drawn(q)) return *verdict;
@@ -185,6 +197,34 @@ Verdict why_by_lines(Asked& q) {
                             name_of(q, *nearest), number(distance_to(*nearest, q.pixel))));
   verdict.chain.push_back({begin, q.polygon, fmt::format("work on {} begins", name_of(q, *nearest))});
   return verdict;
+}
+
+Verdict lines_anywhere(Asked& q) {
+  const std::vector<Line> lines = lines_of(q);
+  std::size_t seen_edges = 0;
+  const Line *visible = nullptr, *hidden = nullptr;
+  for (const Line& line : lines) {
+    const bool any = std::any_of(line.row.pieces.begin(), line.row.pieces.end(),
+                                 [](const LinePiece& piece) { return piece.visible; });
+    if (any) visible = visible ? visible : &line, ++seen_edges;
+    else hidden = hidden ? hidden : &line;
+  }
+  const Line* picked = visible ? visible : hidden;
+  if (!picked) return why_by_lines(q);
+  // A pixel on it: the first that was drawn, or for one that was not the middle of the edge.
+  const std::int64_t begin = begin_of(q, *picked).value_or(0);
+  Trace::Pixel pixel{static_cast<std::int32_t>(std::lround((picked->from.x + picked->to.x) / 2)),
+                     static_cast<std::int32_t>(std::lround((picked->from.y + picked->to.y) / 2))};
+  const auto draw = next_of<ColorWrite, LineBegin>(q.trace, begin, q.trace.size() + 1);
+  if (const auto color = draw ? event_at<ColorWrite>(q.trace, *draw) : std::nullopt) pixel = {color->x, color->y};
+  pixel.x = std::clamp(pixel.x, 0, q.scene.raster.width - 1),
+  pixel.y = std::clamp(pixel.y, 0, q.scene.raster.height - 1);
+  return with_pixel(q, pixel,
+                    visible ? fmt::format("Of the {} of {} in view, {} seen, in whole or in part. On one of them:",
+                                          count_text(lines.size(), "edge", "edges"), q.name,
+                                          seen_edges == 1 ? "one is" : fmt::format("{} are", seen_edges))
+                            : fmt::format("None of the {} of {} in view is seen. On one of them:",
+                                          count_text(lines.size(), "edge", "edges"), q.name));
 }
 
 }  // namespace zstep::answers

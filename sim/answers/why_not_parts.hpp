@@ -37,10 +37,6 @@ inline std::string difference(const std::string& symbol, const std::string& one,
                      b < 0 ? "(" + second + ")" : second, told(a - b));
 }
 
-/// How a trace decides what is seen at a pixel, by the events that it has.
-enum class Family : std::uint8_t { pixels, sweep, areas, rays, curves, lines };
-Family family_of(const Trace& trace);
-
 /// A question: this polygon at this pixel.
 struct Asked {
   const Trace& trace;
@@ -55,7 +51,6 @@ struct Asked {
   Asked(const Trace& asked, Replay* at_hand, std::int32_t of, Trace::Pixel at);
 
   std::string label(std::int32_t other) const { return polygon_label(scene, other); }
-  std::int32_t polygon_of_facet(std::int32_t facet) const;
   std::vector<std::int32_t> facets() const;  ///< the polygon's
 
   /// "A is not seen at pixel (3, 4): " and the reason.
@@ -97,13 +92,27 @@ std::optional<Verdict> why_by_facets(Asked& q, const std::vector<FacetThere>& fa
 /// The same for one facet that does not cover the centre.
 std::string beside_text(const Asked& q, const FacetThere& facet);
 
-// By families of methods. `facets` are those of the polygon; none throws for what a foreign trace leaves out.
-Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets);  ///< compared or painted one by one
-Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets);
-Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets);
-Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets);
+// By families of methods, each with the question whether a trace decides so what is seen at a pixel, by the events that
+// it has. `facets` are those of the polygon; none throws for what a foreign trace leaves out.
+bool of_curves(const Trace& trace);
+bool of_lines(const Trace& trace);
+bool of_rays(const Trace& trace);
+bool of_areas(const Trace& trace);
+bool of_sweep(const Trace& trace);
 Verdict why_by_curves(Asked& q);
 Verdict why_by_lines(Asked& q);
+Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets);
+Verdict why_by_areas(Asked& q, const std::vector<FacetThere>& facets);
+Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets);
+Verdict why_by_pixels(Asked& q, const std::vector<FacetThere>& facets);  ///< all others: compared or painted one by one
+
+// Of a polygon on the whole picture.
+Verdict curves_anywhere(Asked& q);
+Verdict lines_anywhere(Asked& q);
+/// The pixel's own verdict, in a sentence that begins with the whole picture.
+Verdict with_pixel(const Asked& q, Trace::Pixel pixel, const std::string& whole);
+/// "1 edge", "2 edges".
+std::string count_text(std::size_t count, const char* one, const char* many);
 
 /// Why one piece was drawn before another: the tree's plane between them, or their places in the list.
 void add_order(Asked& q, Verdict& verdict, std::int64_t earlier, std::int64_t later);

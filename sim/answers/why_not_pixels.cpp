@@ -296,7 +296,8 @@ std::string unnamed_text(const std::vector<Visit>& visits) {
 
 /// How far a compare is from being won.
 double behind(const Asked& q, const Visit& visit) {
-  return q.trace.header().comparison.behind(visit.z.value_or(0), visit.stored && std::isfinite(*visit.stored) ? *visit.stored : 0);
+  const double stored = visit.stored.value_or(0);
+  return q.trace.header().comparison.behind(visit.z.value_or(0), std::isfinite(stored) ? stored : 0);
 }
 
 }  // namespace

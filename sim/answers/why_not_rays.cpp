@@ -45,14 +45,14 @@ std::optional<Ray> follow(const Asked& q) {
     const std::int64_t step = ray.end;
     const Event& event = q.trace.event(step).event;
     if (holds<RayEnd>(event) || holds<RayBegin>(event)) break;
-    if (const auto* plane = get_if<RayPlane>(&event); plane && q.polygon_of_facet(plane->facet) == q.polygon)
+    if (const auto* plane = get_if<RayPlane>(&event); plane && polygon_of_facet(q.scene, plane->facet) == q.polygon)
       ray.planes.push_back({step, *plane});
     if (const auto* box = get_if<BoxTest>(&event)) ray.boxes.push_back({step, *box});
     if (const auto* cell = get_if<CellVisit>(&event)) ray.cells.push_back({step, *cell});
     if (const auto* hit = get_if<RayHit>(&event)) {
       if (hit->nearest) ray.kept.push_back({step, *hit});
       else if (hit->inside) ray.passed.push_back({step, *hit});
-      if (q.polygon_of_facet(hit->facet) == q.polygon) ray.hits.push_back({step, *hit});
+      if (polygon_of_facet(q.scene, hit->facet) == q.polygon) ray.hits.push_back({step, *hit});
     }
   }
   return ray;
@@ -64,7 +64,7 @@ void add_gap_along_ray(const Asked& q, Verdict& verdict, double t, double other)
 }
 
 void add_hit(const Asked& q, Verdict& verdict, const At<RayHit>& hit) {
-  const std::int32_t polygon = q.polygon_of_facet(hit.event.facet);
+  const std::int32_t polygon = polygon_of_facet(q.scene, hit.event.facet);
   verdict.chain.push_back({hit.step, polygon,
                            fmt::format("the ray meets {} at t = {}{}", q.label(polygon), told(hit.event.t),
                                        hit.event.nearest ? ", the nearest so far" : "")});
@@ -80,7 +80,7 @@ Verdict why_behind(Asked& q, const Ray& ray, const At<RayHit>& mine) {
     other = ray.kept_before(mine.step);
   }
   if (!other) return not_recorded(q);
-  const std::int32_t who = q.polygon_of_facet(other->event.facet);
+  const std::int32_t who = polygon_of_facet(q.scene, other->event.facet);
   const bool tie = mine.event.t == other->event.t;
   const std::string gap = told(mine.event.t - other->event.t), name = q.label(who);
   const bool nearer =
@@ -173,7 +173,7 @@ std::optional<Barrier> barrier_before(const Asked& q, const Ray& ray, std::int32
 Verdict why_unreached(Asked& q, const Ray& ray, const Barrier& barrier, std::int32_t facet) {
   if (ray.kept.empty()) return not_recorded(q);
   const At<RayHit>& other = ray.kept.back();
-  const std::int32_t who = q.polygon_of_facet(other.event.facet);
+  const std::int32_t who = polygon_of_facet(q.scene, other.event.facet);
   Verdict verdict =
       q.verdict(Why::unreached, barrier.step,
                 fmt::format("the ray met {} at t = {} and would enter {} only beyond that, so it was never tested",
@@ -237,7 +237,7 @@ Verdict why_kept(Asked& q, const Ray& ray, const Visit* painted) {
     if (q.trace.header().comparison.behind(other.event.t, hit.event.t) < 0) nearer = &other;
   const std::string how =
       nearer ? fmt::format("the trace keeps it at t = {}, though the ray meets {} at t = {}", told(hit.event.t),
-                           q.label(q.polygon_of_facet(nearer->event.facet)), told(nearer->event.t))
+                           q.label(polygon_of_facet(q.scene, nearer->event.facet)), told(nearer->event.t))
              : fmt::format("the ray meets it first, at t = {}", told(hit.event.t));
   // A recording may end before it is painted.
   Verdict verdict =
@@ -273,6 +273,8 @@ Verdict why_painted_otherwise(Asked& q, const Ray& ray, const Visit& painted, st
 
 }  // namespace
 
+bool of_rays(const Trace& trace) { return trace.has(kind_of<RayBegin>); }
+
 Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
   const auto ray = follow(q);
   if (!ray) {
@@ -282,7 +284,7 @@ Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
   // What is painted after the ray is what is seen; mostly that is what it kept.
   const std::vector<Visit> visits = visits_of(q.trace, q.pixel);
   const Visit* painted = holder(visits, q.trace.size() + 1);
-  const std::int32_t kept = ray->kept.empty() ? no_polygon : q.polygon_of_facet(ray->kept.back().event.facet);
+  const std::int32_t kept = ray->kept.empty() ? no_polygon : polygon_of_facet(q.scene, ray->kept.back().event.facet);
   if (painted && painted->shows != kept && (painted->shows == q.polygon || kept == q.polygon))
     return why_painted_otherwise(q, *ray, *painted, kept);
   if (kept == q.polygon) return why_kept(q, *ray, painted);
@@ -295,7 +297,7 @@ Verdict why_by_rays(Asked& q, const std::vector<FacetThere>& facets) {
   if (verdict) {
     tell_ray(q, *verdict, *ray);
     if (!ray->kept.empty())
-      verdict->other = q.polygon_of_facet(ray->kept.back().event.facet), add_hit(q, *verdict, ray->kept.back());
+      verdict->other = polygon_of_facet(q.scene, ray->kept.back().event.facet), add_hit(q, *verdict, ray->kept.back());
     return *verdict;
   }
   for (const FacetThere& there : facets)

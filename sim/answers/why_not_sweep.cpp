@@ -148,6 +148,13 @@ void tell_flag(Asked& q, Verdict& verdict, const Line& line) {
 
 }  // namespace
 
+bool of_sweep(const Trace& trace) {
+  const auto& options = trace.header().conventions.options;
+  const auto resolve = options.find("resolve");
+  const bool line_buffer = resolve != options.end() && resolve->second == "line-buffer";
+  return trace.has(kind_of<FlagFlip>) && !line_buffer;
+}
+
 Verdict why_by_sweep(Asked& q, const std::vector<FacetThere>& facets) {
   const std::vector<Row> rows = rows_of(q, facets);
   const Line line = look_along(q, rows);

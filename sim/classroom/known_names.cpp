@@ -30,7 +30,7 @@ const FacingTest& facing_at(const Moment& moment) {
   if (!facing) lacking(moment, "facing test", "facing");
   return *facing;
 }
-const CurveBegin& curve_at(const Moment& moment) {
+const auto& curve_at(const Moment& moment) {
   const auto& curve = moment.state().machine.horizon.curve;
   if (!curve) lacking(moment, "curve at work", "floating_horizon.curve");
   return *curve;

@@ -9,6 +9,7 @@
 #include "sim/viewer/overlays.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/replay/units.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {
@@ -36,9 +37,8 @@ void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32
 
 /// Does the step only begin work on something? Then it comes before a verdict and decides nothing.
 bool only_begins(const Event& event) {
-  for (const std::size_t kind : {kind_of<PolygonBegin>, kind_of<LineBegin>, kind_of<CurveBegin>})
-    if (event.index() == kind) return true;
-  return false;
+  const Begins& begins = begins_with(event.index());
+  return begins.unit == Unit::polygon || begins.unit == Unit::scan_line;
 }
 
 bool draw_link(App& app, std::size_t place, float steps) {

@@ -152,84 +152,9 @@ inline std::string operand(double value, std::string text) {
 
 inline std::string operand(double value) { return operand(value, number(value)); }
 
-void tell(Telling& t, const CurveBegin& e);
-void tell(Telling& t, const CurveSegment& e);
-void tell(Telling& t, const HorizonTest& e);
-void tell(Telling& t, const HorizonCross& e);
-void tell(Telling& t, const HorizonMove& e);
-
-void tell(Telling& t, const BuffersClear& e);
-void tell(Telling& t, const ViewTransform& e);
-void tell(Telling& t, const Projection& e);
-void tell(Telling& t, const ViewportTransform& e);
-void tell(Telling& t, const PolygonBegin& e);
-void tell(Telling& t, const FacingTest& e);
-void tell(Telling& t, const PolygonReject& e);
-void tell(Telling& t, const ClipTest& e);
-void tell(Telling& t, const ClipVertex& e);
-void tell(Telling& t, const ClipCross& e);
-void tell(Telling& t, const OutlineVertex& e);
-void tell(Telling& t, const EdgeTableInsert& e);
-void tell(Telling& t, const EdgeTableSkip& e);
-void tell(Telling& t, const ScanLineBegin& e);
-void tell(Telling& t, const EdgeEnter& e);
-void tell(Telling& t, const EdgeRetire& e);
-void tell(Telling& t, const EdgeStep& e);
-void tell(Telling& t, const EdgeSwap& e);
-void tell(Telling& t, const PlaneSlopes& e);
-void tell(Telling& t, const SpanBegin& e);
-void tell(Telling& t, const DepthInterpolate& e);
-void tell(Telling& t, const DepthCompare& e);
-void tell(Telling& t, const DepthWrite& e);
-void tell(Telling& t, const PixelWrite& e);
-void tell(Telling& t, const ColorWrite& e);
-void tell(Telling& t, const ColorBlend& e);
-void tell(Telling& t, const PassBegin& e);
-void tell(Telling& t, const ShadowCompare& e);
-void tell(Telling& t, const AreaBegin& e);
-void tell(Telling& t, const AreaBin& e);
-void tell(Telling& t, const AreaDecide& e);
-void tell(Telling& t, const PixelPaint& e);
-void tell(Telling& t, const TablesBegin& e);
-void tell(Telling& t, const PieceMake& e);
-void tell(Telling& t, const PlaneEquation& e);
-void tell(Telling& t, const Extent& e);
-void tell(Telling& t, const SplitVertex& e);
-void tell(Telling& t, const PieceDraw& e);
-void tell(Telling& t, const PairBegin& e);
-void tell(Telling& t, const ExtentTest& e);
-void tell(Telling& t, const SideTest& e);
-void tell(Telling& t, const OverlapTest& e);
-void tell(Telling& t, const ListInsert& e);
-void tell(Telling& t, const ListRemove& e);
-void tell(Telling& t, const ListMark& e);
-void tell(Telling& t, const FlagFlip& e);
-void tell(Telling& t, const SpanFlags& e);
-void tell(Telling& t, const PlaneDepth& e);
-void tell(Telling& t, const ImpliedEdge& e);
-void tell(Telling& t, const SpanWinner& e);
-void tell(Telling& t, const CoverageAdd& e);
-void tell(Telling& t, const BoxMake& e);
-void tell(Telling& t, const BoxHold& e);
-void tell(Telling& t, const GridMake& e);
-void tell(Telling& t, const CellHold& e);
-void tell(Telling& t, const RayBegin& e);
-void tell(Telling& t, const CellVisit& e);
-void tell(Telling& t, const BoxTest& e);
-void tell(Telling& t, const RayPlane& e);
-void tell(Telling& t, const RayHit& e);
-void tell(Telling& t, const RayEnd& e);
-void tell(Telling& t, const VertexSide& e);
-void tell(Telling& t, const Saved& e);
-void tell(Telling& t, const RootCandidate& e);
-void tell(Telling& t, const NodeMake& e);
-void tell(Telling& t, const NodeAdd& e);
-void tell(Telling& t, const EyeSide& e);
-void tell(Telling& t, const NodeSkip& e);
-void tell(Telling& t, const LineBegin& e);
-void tell(Telling& t, const LineAgainst& e);
-void tell(Telling& t, const LineCross& e);
-void tell(Telling& t, const LineHide& e);
-void tell(Telling& t, const LinePiece& e);
+// One for each kind.
+#define ZSTEP_TELL(E) void tell(Telling& t, const E& e);
+ZSTEP_EVERY_KIND(ZSTEP_TELL)
+#undef ZSTEP_TELL
 
 }  // namespace zstep::words

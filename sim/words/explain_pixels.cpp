@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/words/explain_parts.hpp"
+#include "traces/file/records.hpp"
 
 namespace zstep::words {
 namespace {
@@ -53,9 +54,7 @@ std::optional<double> compared_at(const Telling& t, std::int32_t x, std::int32_t
 /// Glass that is nearer: what is mixed in, and does not take the pixel for itself. nullopt for what hides all behind
 /// it.
 std::optional<double> glass_here(const Telling& t) {
-  const Page& page = t.trace.header().page;
-  const bool mixes =
-      std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<ColorBlend>; });
+  const bool mixes = records<ColorBlend>(t.trace.header());
   const std::int32_t at_work = polygon_at_work(t.machine);
   const auto polygon = static_cast<std::size_t>(at_work);
   if (!mixes || at_work < 0 || polygon >= t.scene.polygons.size()) return std::nullopt;

@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "traces/events/vocabulary.hpp"
+#include "traces/file/records.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::codec {
@@ -22,8 +23,7 @@ SceneGeometry::SceneGeometry(const Scene& scene, const Header& header)
       viewed_(scene.camera.kind != Camera::Kind::screen),
       orthographic_(scene.camera.kind == Camera::Kind::orthographic),
       view_depth_(header.conventions.depth == Conventions::Depth::view),
-      one_table_(std::any_of(header.page.begin(), header.page.end(),
-                             [](const StepInfo& step) { return step.kind == kind_of<FlagFlip>; })),
+      one_table_(sweeps(header)),
       d_(scene.camera.d),
       window_x_(scene.camera.window * scene.raster.width / scene.raster.height),
       window_y_(scene.camera.window),

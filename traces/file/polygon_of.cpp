@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bitset>
 
+#include "traces/events/called.hpp"
 #include "traces/file/trace_impl.hpp"
 
 namespace zstep {
@@ -17,17 +18,10 @@ Kinds kinds_in(const Trace& trace) {
   return kinds;
 }
 
-template <class... E>
-Kinds kinds_among() {
-  Kinds kinds;
-  (kinds.set(kind_of<E>), ...);
-  return kinds;
-}
-
 /// What is about all polygons at once, after the work on each of them.
 Kinds about_all(const Kinds& recorded) {
-  Kinds kinds = kinds_among<VertexSide, SideTest, RootCandidate, NodeMake, ListInsert, PairBegin, AreaBegin, BoxMake,
-                            GridMake, RayBegin, CurveBegin, LineBegin>();
+  Kinds kinds;
+  for (std::size_t kind = 0; kind < kind_count; ++kind) kinds[kind] = after_polygons(kind);
   if (recorded[kind_of<TablesBegin>]) kinds.set(kind_of<ScanLineBegin>);
   return kinds & recorded;
 }

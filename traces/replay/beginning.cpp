@@ -1,3 +1,4 @@
+#include "traces/file/records.hpp"
 #include "traces/replay/beginning.hpp"
 
 #include <algorithm>
@@ -16,12 +17,9 @@ void begin(Picture& picture, std::int32_t width, std::int32_t height, double dep
 }  // namespace
 
 Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()), empty_depth_(trace.header().empty_depth()) {
-  const auto records = [&](std::uint8_t kind) {
-    const Page& page = trace.header().page;
-    return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
-  };
-  colors_ = records(kind_of<ColorWrite>) || records(kind_of<ColorBlend>);
-  light_ = records(kind_of<PassBegin>);
+  const Header& header = trace.header();
+  colors_ = records<ColorWrite>(header) || records<ColorBlend>(header);
+  light_ = records<PassBegin>(header);
 }
 
 State Beginning::state() const {

@@ -1,48 +1,63 @@
 // Where the next pixel, span, scan line or polygon begins.
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <set>
 
-#include "traces/replay/replay.hpp"
+#include "traces/file/records.hpp"
+#include "traces/replay/units.hpp"
 
 namespace zstep {
 
-namespace {
-
-bool records(const Trace& trace, std::uint8_t kind) {
-  const Page& page = trace.header().page;
-  return std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
+const Begins& begins_with(std::size_t kind) {
+  static constexpr auto all = [] {
+    std::array<Begins, kind_count> table{};
+    table[kind_of<RayBegin>] = {Unit::pixel, "pixel"};
+    table[kind_of<SpanBegin>] = table[kind_of<SpanFlags>] = {Unit::span, "span"};
+    table[kind_of<ScanLineBegin>] = {Unit::scan_line, "scan line"};
+    table[kind_of<AreaBegin>] = {Unit::scan_line, "area"};
+    table[kind_of<LineBegin>] = {Unit::scan_line, "edge"};
+    table[kind_of<PolygonBegin>] = {Unit::polygon, "polygon"};
+    table[kind_of<CurveBegin>] = {Unit::polygon, "curve"};
+    return table;
+  }();
+  return all[kind];
 }
 
-/// The kinds of event that begin a unit. A pixel begins with the first thing that is said of it in this trace; methods
-/// that may do without depths paint it at once.
+namespace {
+
+/// The kinds of event that begin a unit: of a method that has areas or edges in the stead of scan lines, these. A pixel
+/// begins with the first thing that is said of it in this trace; methods that may do without depths paint it at once.
 std::set<std::size_t> beginnings(const Trace& trace, Unit unit) {
-  if (unit == Unit::span) return {kind_of<SpanBegin>, kind_of<SpanFlags>};
-  if (unit == Unit::scan_line) {  // where there are none, the areas or edges that a method works on in their stead
-    for (const std::uint8_t kind : {kind_of<ScanLineBegin>, kind_of<AreaBegin>, kind_of<LineBegin>}) {
-      if (records(trace, kind)) return {kind};
-    }
-    return {kind_of<ScanLineBegin>};
+  const Header& header = trace.header();
+  const Begins* first = nullptr;
+  std::set<std::size_t> kinds;
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
+    const Begins& begins = begins_with(kind);
+    if (begins.unit != unit || !records(header, kind)) continue;
+    if (first == nullptr) first = &begins;
+    if (begins.word == first->word) kinds.insert(kind);
   }
-  if (unit == Unit::polygon) return {kind_of<CurveBegin>};  // of a method that works on curves in turn
-  if (records(trace, kind_of<RayBegin>)) return {kind_of<RayBegin>};
-  std::set<std::size_t> kinds{kind_of<PixelPaint>};
-  for (const std::uint8_t kind :
-       {kind_of<DepthInterpolate>, kind_of<DepthCompare>, kind_of<HorizonTest>}) {
-    if (!records(trace, kind)) continue;
+  if (unit != Unit::pixel || !kinds.empty()) return kinds;
+  kinds.insert(kind_of<PixelPaint>);
+  for (const std::uint8_t kind : {kind_of<DepthInterpolate>, kind_of<DepthCompare>, kind_of<HorizonTest>}) {
+    if (!records(header, kind)) continue;
     kinds.insert(kind);
     return kinds;
   }
-  if (!records(trace, kind_of<PixelPaint>))
-    kinds.insert(records(trace, kind_of<ColorWrite>) ? kind_of<ColorWrite> : kind_of<PixelWrite>);
+  if (!records(header, kind_of<PixelPaint>))
+    kinds.insert(records(header, kind_of<ColorWrite>) ? kind_of<ColorWrite> : kind_of<PixelWrite>);
   return kinds;
 }
+
+/// Work on polygons in turn, by the trace's marks.
+bool by_marks(const Trace& trace, Unit unit) { return unit == Unit::polygon && !trace.polygons().empty(); }
 
 }  // namespace
 
 std::int64_t next_unit(const Trace& trace, std::int64_t from, Unit unit) {
   if (unit == Unit::event) return std::min(from + 1, trace.size());
-  if (unit == Unit::polygon && !records(trace, kind_of<CurveBegin>)) {
+  if (by_marks(trace, unit)) {
     const auto marks = trace.polygons();
     const auto mark =
         std::upper_bound(marks.begin(), marks.end(), from,
@@ -56,7 +71,7 @@ std::int64_t next_unit(const Trace& trace, std::int64_t from, Unit unit) {
 
 std::int64_t previous_unit(const Trace& trace, std::int64_t from, Unit unit) {
   if (unit == Unit::event) return std::max<std::int64_t>(from - 1, 0);
-  if (unit == Unit::polygon && !records(trace, kind_of<CurveBegin>)) {
+  if (by_marks(trace, unit)) {
     const auto marks = trace.polygons();
     const auto mark =
         std::lower_bound(marks.begin(), marks.end(), from,

@@ -45,7 +45,7 @@ const RayBegin* ray_at_work(const Work& work) {
 
 /// t at one side of a box along one axis.
 void tell_at_side(Datum& datum, Work& work, std::int64_t step, int axis, const Number& bound) {
-  const Step begin = find_last<RayBegin>(work.trace, step, [](const RayBegin&) { return true; });
+  const Step begin = last_ray(work, step);
   if (!begin) return;
   datum.is(fmt::format("(side - {})/{}", from_fields[axis], along_fields[axis]),
            {{"side", bound},
@@ -75,16 +75,16 @@ bool tell_passage(Datum& datum, Work& work, std::int64_t step, const Sides& side
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t, const BoxMake&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const BoxMake&, std::string_view field) {
   if (field.ends_with("min") || field.ends_with("max")) tell_side(datum, work, field, 1);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const GridMake&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const GridMake&, std::string_view field) {
   if (field.ends_with("min") || field.ends_with("max")) return tell_side(datum, work, field, 2);
   datum.note("about as many cells as facets, as nearly cubes as the box allows");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const BoxTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const BoxTest& e, std::string_view field) {
   const auto at = static_cast<std::size_t>(e.box);
   if (field == "hit") {
     const Number enter = work.field(step, "t_enter"), leave = work.field(step, "t_leave");
@@ -105,7 +105,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const BoxTest& e, std::st
                                           : "where the ray ends");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const CellVisit& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const CellVisit& e, std::string_view field) {
   if (!field.starts_with("t_") || !work.machine().grid) return;
   const GridMake grid = *work.machine().grid;
   const Step made = find_first<GridMake>(work.trace, 1, [](const GridMake&) { return true; });
@@ -131,6 +131,10 @@ void tell(Datum& datum, Work& work, std::int64_t step, const CellVisit& e, std::
                         });
   });
   if (!told) datum.note("where the ray enters the grid, or begins");
+}
+
+void tell_boxes(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<BoxMake, GridMake, BoxTest, CellVisit>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

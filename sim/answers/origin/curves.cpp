@@ -46,13 +46,13 @@ Number horizon_at(Work& work, std::int64_t step, std::int32_t x, bool upper) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t, const CurveBegin& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const CurveBegin& e, std::string_view field) {
   if (field != "constant" || !work.scene.surface) return;
   const std::int32_t sample = e.across ? e.row : e.row * work.scene.surface->columns;
   datum.same_as(e.across ? "x" : "y", work.world(sample, e.across ? Axis3::x : Axis3::y));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std::string_view field) {
   if (field == "y_curve") return tell_on_segment(datum, work, e.x);
   if (field != "verdict") return;
   const Number y = work.field(step, "y_curve"), upper = horizon_at(work, step, e.x, true),
@@ -60,7 +60,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const HorizonTest& e, std
   datum.comes_of("above where y is at most upper[x], below where it is at least lower[x]", {y, upper, lower});
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std::string_view field) {
   if (field != "y_curve") return;
   const std::string name = work.step_name(step);
   if (name == "clear_horizons") return datum.note("nothing is drawn yet");
@@ -69,7 +69,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const HorizonMove& e, std
   if (test) datum.same_as("y", work.field(*test, "y_curve"));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross& e, std::string_view field) {
   if (field == "upper") return;
   const Step to = find_last<HorizonTest>(work.trace, step, [](const HorizonTest&) { return true; });
   const Step from =
@@ -154,7 +154,7 @@ void tell_edge_crossing(Datum& datum, Work& work, const LineCross& e, const Line
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::string_view field) {
   const LineRow* row = line_at(work, e.line);
   if (!row || field == "in_space") return;
   const LineBegin line = row->entry;
@@ -167,7 +167,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e, std::
   datum.is("d_0/(d_0 - d_1)", {{"d_0", value("d_0", line.vertex_0)}, {"d_1", value("d_1", line.vertex_1)}}, false);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {
   const double t = datum.number();
   const Step cross = find_last<LineCross>(
       work.trace, step,
@@ -177,7 +177,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::s
   datum.note(field == "t_0" ? "where the edge begins" : field == "t_1" ? "where the edge ends" : "");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::string_view field) {
   if (field == "visible") return;
   const double t = datum.number();
   if (t == 0 || t == 1) return datum.note(t == 0 ? "where the edge begins" : "where the edge ends");
@@ -189,6 +189,11 @@ void tell(Datum& datum, Work& work, std::int64_t step, const LinePiece& e, std::
   const bool begins = get<LineHide>(work.trace.event(*hide).event).t_0 == t;
   datum.same_as(begins ? "t_0h" : "t_1h", work.field(*hide, begins ? "t_0" : "t_1"));
   datum.note(begins ? "a hidden interval begins there" : "a hidden interval ends there");
+}
+
+void tell_curves(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<CurveBegin, HorizonTest, HorizonMove, HorizonCross, LineCross, LineHide, LinePiece>(
+      event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

@@ -7,11 +7,6 @@
 namespace zstep::answers {
 namespace {
 
-template <class E>
-concept Told = requires(Datum& datum, Work& work, const E& event) {
-  tell(datum, work, std::int64_t{}, event, std::string_view{});
-};
-
 /// A field's value without its type: what is needed of it here.
 struct Described {
   std::string_view name, unit, meaning, word;
@@ -121,11 +116,9 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
   if (field->whole && field->unit == "index")
     return tell_name(datum, work, name, static_cast<std::int32_t>(field->number), field->meaning);
   if (work.tell_derived(datum, step, event, name)) return;
-  visit_event(
-      [&](const auto& known) {
-        if constexpr (Told<std::decay_t<decltype(known)>>) tell(datum, work, step, known, name);
-      },
-      event);
+  for (TellTheme* tell : {tell_boxes, tell_curves, tell_light, tell_orders, tell_pixels, tell_planes, tell_polygons,
+                          tell_rays, tell_sweep, tell_vertices})
+    tell(datum, work, step, event, name);
   if (!datum.told()) datum.note(std::string(field->meaning));
 }
 

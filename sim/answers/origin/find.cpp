@@ -14,6 +14,11 @@ std::optional<std::int64_t> previous_within(const Trace& trace, std::int64_t fro
   return trace.previous(from, predicate, Trace::Among({}, {}, end + 1));
 }
 
+std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet) {
+  const auto at = static_cast<std::size_t>(facet);
+  return facet >= 0 && at < scene.facets.size() ? scene.facets[at].polygon : no_polygon;
+}
+
 std::int64_t begin_of_eye_pass(const Trace& trace) {
   if (!records<PassBegin>(trace)) return 0;
   // The light's pass has a mark for every facet, and the eye's begins when the last of them is done.

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "traces/file/records.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/event_log.hpp"
 
@@ -47,10 +48,11 @@ std::optional<E> event_at(const Trace& trace, std::int64_t step) {
 /// Can the run have recorded events of this kind?
 template <class E>
 bool records(const Trace& trace) {
-  for (const StepInfo& step : trace.header().page)
-    if (step.kind == kind_of<E>) return true;
-  return false;
+  return zstep::records<E>(trace.header());
 }
+
+/// The polygon that a facet is of; none where there is no such facet.
+std::int32_t polygon_of_facet(const Scene& scene, std::int32_t facet);
 
 /// A step and its event.
 template <class E>

@@ -142,9 +142,7 @@ Step step_of_plane(const MethodState& machine, std::int32_t piece) {
 }
 
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light) {
-  const bool passes =
-      trace.scene().light && std::any_of(trace.header().page.begin(), trace.header().page.end(),
-                                         [](const StepInfo& s) { return s.kind == kind_of<PassBegin>; });
+  const bool passes = trace.scene().light && records<PassBegin>(trace.header());
   const auto writes = [&](const RecordedEvent& recorded) {
     if (const auto* depth = get_if<DepthWrite>(&recorded.event)) return depth->x == pixel.x && depth->y == pixel.y;
     if (const auto* paint = get_if<PixelPaint>(&recorded.event)) return paint->x == pixel.x && paint->y == pixel.y;

@@ -106,7 +106,7 @@ double bias_of(const Conventions& conventions) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, std::string_view field) {
   if (!work.scene.light || field == "x" || field == "y") return;
   ThroughSpace through{work, step, e};
   const viewing::Lens& lens = through.light;
@@ -155,6 +155,10 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompare& e, s
                           {z_v, behind, asked[0], shadow, asked[1], asked[2]});
   datum.holds_if("z_v*(1 - bias/1000) <= z_shadow", {{"z_v", z_v}, {"bias", bias}, {"z_shadow", behind}});
   datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
+}
+
+void tell_light(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<ShadowCompare>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

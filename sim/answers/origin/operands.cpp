@@ -157,9 +157,7 @@ struct Source {
       case Place::In::piece:
         return written_by(step_of_plane(work.machine(), number));
       case Place::In::ray:
-        if (operand.place.field == "t")
-          return written_by(find_last<RayPlane>(work.trace, step, [](const RayPlane&) { return true; }));
-        return written_by(find_last<RayBegin>(work.trace, step, [](const RayBegin&) { return true; }));
+        return written_by(operand.place.field == "t" ? last_plane_test(work, step) : last_ray(work, step));
       default:
         return operand.value;
     }

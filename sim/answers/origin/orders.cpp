@@ -1,5 +1,4 @@
-// Pieces against pieces and planes: extents, sides, cuts; the eye's side of a tree's nodes; areas and intervals of a
-// line.
+// Pieces against pieces and planes: extents, sides, cuts; the eye's side of a tree's nodes; areas.
 #include <algorithm>
 #include <cmath>
 
@@ -49,7 +48,7 @@ Number Work::extent(std::int32_t number, std::string_view name) {
   return field(step, name, value.value_or(0));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const Extent& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const Extent& e, std::string_view field) {
   const Piece* piece = piece_at(work, e.piece);
   if (!piece || field == "piece") return;
   const Axis3 axis = axis_of(field);
@@ -62,7 +61,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const Extent& e, std::string_v
   }
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std::string_view field) {
   const auto axis = static_cast<std::size_t>(e.axis);
   if (field == "low") return datum.same_as("min", work.extent(e.piece, extent_fields[axis][0]));
   if (field == "high") return datum.same_as("max", work.extent(e.piece, extent_fields[axis][1]));
@@ -80,11 +79,11 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ExtentTest& e, std:
   if (e.overlap) datum.note("and other_low < high");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const VertexSide&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const VertexSide&, std::string_view field) {
   if (field == "side") datum.comes_of("by the sign of the value", {work.field(step, "value")});
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::string_view field) {
   if (field == "side")
     return datum.comes_of("by the least and the greatest value",
                           {work.field(step, "least"), work.field(step, "greatest")});
@@ -105,7 +104,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e, std::s
   datum.note(fmt::format("at vertex {}{}", work.vertex_name(corner), own_depth ? ", with z from its own plane" : ""));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const OverlapTest& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const OverlapTest& e, std::string_view field) {
   if (field == "overlap" || std::isnan(datum.number()))
     return datum.comes_of("do the outlines have a point in common?",
                           {work.extent(e.piece, "x_min"), work.extent(e.other, "x_min")});
@@ -127,7 +126,7 @@ Number cut_distance(Work& work, std::int64_t step, std::int32_t vertex, const ch
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex& e, std::string_view field) {
   if (field != "t") return;
   const Number d_0 = cut_distance(work, step, e.vertex_0, "d_0"), d_1 = cut_distance(work, step, e.vertex_1, "d_1");
   datum.is("d_0/(d_0 - d_1)", {{"d_0", d_0}, {"d_1", d_1}}, false);
@@ -143,7 +142,7 @@ Number node_plane(Work& work, std::int32_t node, char letter) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide& e, std::string_view field) {
   if (field == "front") return datum.holds_if("value > 0", {{"value", work.field(step, "value")}});
   if (field != "value") return;
   const glm::dvec4 eye = bsp::eye_of(work.scene.camera, work.scene.raster, false).at;
@@ -159,7 +158,7 @@ void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide& e, std::st
   datum.note(eye.w == 0 ? "(x, y, z) is the direction of the eye, w = 0" : "(x, y, z) is the eye, w = 1");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string_view field) {
   if (field != "value") return;
   const auto plane = [&](char letter) { return node_plane(work, e.node, letter); };
   const Number a = plane('A'), b = plane('B'), c = plane('C'), d = plane('D');
@@ -172,7 +171,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string
   }
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::string_view field) {
   const auto parent = static_cast<std::size_t>(e.parent);
   if (e.parent < 0 || parent >= work.machine().areas.size()) return datum.note("the whole picture");
   const bool column = field.ends_with("column");
@@ -187,7 +186,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const AreaBegin& e, std::strin
   datum.is("first + \u230a(end - first)/2\u230b", {{"first", low}, {"end", high}});
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::string_view field) {
   const Step area = find_last<AreaBegin>(work.trace, step, [](const AreaBegin&) { return true; });
   if (!area || field == "piece") return;
   std::vector<Number> numbers;
@@ -199,29 +198,10 @@ void tell(Datum& datum, Work& work, std::int64_t step, const AreaBin& e, std::st
                  numbers);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
-  const MethodState& m = work.machine();
-  if (field == "flags") return datum.note("those that are in");
-  const bool left = field == "x_left" || field == "first";
-  if (field == "first")
-    return datum.comes_of("the first whole number from x_L on, within the raster", {work.field(step, "x_left")});
-  if (field == "last")
-    return datum.comes_of("the last whole number before x_R, within the raster", {work.field(step, "x_right")});
-  if (!field.starts_with("x")) return;
-  // Between the edge that was crossed last and the next of the active ones.
-  const Step flipped = find_last<FlagFlip>(work.trace, step, [](const FlagFlip&) { return true; });
-  if (!flipped) return;
-  const std::int32_t crossed = get<FlagFlip>(work.trace.event(*flipped).event).edge;
-  for (std::size_t i = 0; i < m.active.size(); ++i) {
-    if (m.active[i].edge != crossed) continue;
-    const std::size_t wanted = left ? i : i + 1;
-    if (wanted >= m.active.size()) return;
-    const ActiveEdge edge = m.active[wanted];
-    const Number x = work.field(step_of_active_edge(work.trace, m, step, edge.edge), "x_edge", edge.x);
-    if (x.value == datum.number()) return datum.same_as("x", x);
-    if (left) return datum.is("max(x, -0.5)", {{"x", x}});
-    return datum.is("min(x, W - 0.5)", {{"x", x}, {"W", work.scene.raster.width}});
-  }
+void tell_orders(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<Extent, ExtentTest, VertexSide, SideTest, OverlapTest, SplitVertex, EyeSide, NodeSkip, AreaBegin,
+              AreaBin>(
+      event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

@@ -29,7 +29,7 @@ void tell_along_ray(Datum& datum, Work& work, std::int64_t step) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint& e, std::string_view field) {
   if (field != "z") return;
   const MethodState& m = work.machine();
   if (!m.rays.tree.empty()) return tell_along_ray(datum, work, step);
@@ -58,7 +58,7 @@ Number Work::color_of(std::int32_t polygon, int which) {
                  [&](Datum& datum) { datum.at_source(known ? source_of_polygon(polygon) : source_line(0)); });
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::string_view field) {
   const auto at = static_cast<std::size_t>(e.polygon);
   if (field == "opacity") {
     if (e.polygon >= 0 && at < work.scene.polygons.size()) datum.at_source(work.source_of_polygon(e.polygon));
@@ -74,7 +74,7 @@ void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, std::stri
   datum.is("round(alpha*over + (1 - alpha)*under)", {{"alpha", e.opacity}, {"over", top}, {"under", bottom}});
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std::string_view field) {
   if (!names_channel(field)) return;
   const int which = channel_of(field);
   const MethodState& m = work.machine();
@@ -91,21 +91,12 @@ void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std:
     return datum.is("round(colour*in_shadow)",
                     {{"colour", work.color_of(polygon, which)}, {"in_shadow", shadow_buffer::in_shadow}});
   }
-  if (!m.sweep.covered.empty() && m.sweep.covered.back().x == e.x && m.sweep.covered.back().y == e.y) {
-    std::vector<Given> given;
-    std::string text;
-    for (const CoverageAdd& share : std::vector<CoverageAdd>(m.sweep.covered)) {
-      const std::string n = std::to_string(given.size() / 2 + 1);
-      const Step added = find_last<CoverageAdd>(work.trace, step, [&](const CoverageAdd& other) {
-        return other.x == e.x && other.y == e.y && other.owner == share.owner;
-      });
-      text += (text.empty() ? "" : " + ") + ("share_" + n) + "*colour_" + n;
-      given.push_back({"share_" + n, work.field(added, "coverage", share.coverage)});
-      given.push_back({"colour_" + n, work.color_of(share.owner, which)});
-    }
-    return datum.is("round(" + text + ")", std::move(given));
-  }
+  if (tell_coverage(datum, work, step, e.x, e.y, which)) return;
   datum.note("the ink of what is drawn there");
+}
+
+void tell_pixels(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<PixelPaint, ColorBlend, ColorWrite>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

@@ -1,10 +1,11 @@
-// The planes of pieces, their depths, and where two of them meet.
+// The planes of pieces.
 #include "sim/answers/origin/planes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "algorithms/ray_casting/geometry.hpp"
+#include "traces/file/records.hpp"
 
 namespace zstep::answers {
 
@@ -47,9 +48,7 @@ char letter_of(std::string_view field) { return static_cast<char>('A' + (field.b
 }  // namespace
 
 bool cuts_in_world(const Work& work) {
-  return work.scene.camera.kind != Camera::Kind::screen &&
-         std::any_of(work.trace.header().page.begin(), work.trace.header().page.end(),
-                     [](const StepInfo& step) { return step.kind == kind_of<NodeMake>; });
+  return work.scene.camera.kind != Camera::Kind::screen && records<NodeMake>(work.trace.header());
 }
 
 void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& subject, char letter, std::size_t count,
@@ -136,7 +135,7 @@ Number Work::facet_plane(std::int32_t facet, char letter) {
   });
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const PlaneEquation& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const PlaneEquation& e, std::string_view field) {
   // A part lies in the plane of the whole that it was cut from.
   const Piece* whole = piece_at(work, e.piece);
   while (whole && whole->parent >= 0 && piece_at(work, whole->parent)) whole = piece_at(work, whole->parent);
@@ -146,23 +145,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const PlaneEquation& e, s
              [&](std::size_t i, Axis3 axis) { return work.cutting(outline[i], axis); });
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
-  // An end of the interval of the line that is at work, or a corner or the centre of an area.
-  const auto& interval = work.machine().sweep.interval;
-  if (!interval || field != "x_at") return;
-  const Step flags = find_last<SpanFlags>(work.trace, work.at(), [](const SpanFlags&) { return true; });
-  if (e.x_at == interval->x_left) datum.same_as("x_left", work.field(flags, "x_left", interval->x_left));
-  else if (e.x_at == interval->x_right) datum.same_as("x_right", work.field(flags, "x_right", interval->x_right));
-}
-
-void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, std::string_view) {
-  const double y = work.machine().scan_line.value_or(0);
-  const auto one = [&](char letter) { return work.plane(e.piece, letter); };
-  const auto other = [&](char letter) { return work.plane(e.other, letter); };
-  std::vector<Given> given{{"A_1", one('A')},   {"B_1", one('B')},   {"C_1", one('C')},
-                           {"D_1", one('D')},   {"A_2", other('A')}, {"B_2", other('B')},
-                           {"C_2", other('C')}, {"D_2", other('D')}, {"y", y}};
-  datum.is("-((B_2/C_2 - B_1/C_1)*y + (D_2/C_2 - D_1/C_1))/(A_2/C_2 - A_1/C_1)", std::move(given), false);
+void tell_planes(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<PlaneEquation>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

@@ -18,12 +18,12 @@ std::vector<std::int32_t> corners_at_work(const Work& work) {
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const FacingTest&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const FacingTest&, std::string_view field) {
   if (field == "facing") datum.comes_of("by the sign of (p - e)·n", {work.field(step, "view_dot_normal")});
   if (field == "projected_normal_z" && std::isnan(datum.number())) datum.note("a vertex lies behind the eye");
 }
 
-void tell(Datum& datum, Work& work, std::int64_t, const ClipTest&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t, const ClipTest&, std::string_view field) {
   std::vector<Number> numbers;
   for (const std::int32_t corner : corners_at_work(work)) {
     if (numbers.size() >= 3 * most_corners) break;
@@ -33,6 +33,10 @@ void tell(Datum& datum, Work& work, std::int64_t, const ClipTest&, std::string_v
                      ? "the vertices' outcodes, or-ed; bits from the right: near, far, left, right, bottom, top"
                      : "the vertices' outcodes, and-ed; bits from the right: near, far, left, right, bottom, top",
                  numbers);
+}
+
+void tell_polygons(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<FacingTest, ClipTest>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

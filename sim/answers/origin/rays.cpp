@@ -27,11 +27,6 @@ Step begin_of_ray(const Work& work, std::int64_t at, std::int32_t ray) {
   return find_last<RayBegin>(work.trace, at, [&](const RayBegin& e) { return e.ray == ray; });
 }
 
-/// The ray that is held against things at a step: the one begun last before it.
-Step ray_at_work(const Work& work, std::int64_t step) {
-  return find_last<RayBegin>(work.trace, step, [](const RayBegin&) { return true; });
-}
-
 RayBegin begin_at(const Work& work, std::int64_t step) { return get<RayBegin>(work.trace.event(step).event); }
 
 double component(const glm::dvec3& v, int axis) { return v[axis]; }
@@ -127,7 +122,14 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::string_view field) {
+Step last_ray(const Work& work, std::int64_t step) {
+  return find_last<RayBegin>(work.trace, step, [](const RayBegin&) { return true; });
+}
+Step last_plane_test(const Work& work, std::int64_t step) {
+  return find_last<RayPlane>(work.trace, step, [](const RayPlane&) { return true; });
+}
+
+static void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::string_view field) {
   const bool start = field == "x_0" || field == "y_0" || field == "z_0";
   if (!start && !field.starts_with("dir_")) return;
   const int axis = axis_in(start ? field : field.substr(4));
@@ -140,8 +142,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayBegin& e, std::s
   tell_secondary_direction(datum, work, *parent, *hit, e, axis);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::string_view field) {
-  const Step begin = ray_at_work(work, step);
+static void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::string_view field) {
+  const Step begin = last_ray(work, step);
   if (!begin || field == "facet") return;
   if (field == "t") return datum.comes_of("the ray runs along the plane", {work.field(step, "denominator")});
   const auto plane = [&](char letter) { return work.facet_plane(e.facet, letter); };
@@ -156,8 +158,8 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e, std::s
   datum.is("-(A*x_0 + B*y_0 + C*z_0 + D)", std::move(given));
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::string_view field) {
-  const Step begin = ray_at_work(work, step);
+static void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::string_view field) {
+  const Step begin = last_ray(work, step);
   if (!begin || field == "facet") return;
   if (field == "nearest") {
     double kept = std::numeric_limits<double>::infinity();
@@ -225,7 +227,7 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
 
 }  // namespace
 
-void tell(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, std::string_view field) {
   if (field == "tests") return datum.note("planes that it was held against");
   const Step begin = begin_of_ray(work, step, e.ray);
   if (field == "t") {
@@ -243,6 +245,10 @@ void tell(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, std::str
         hit ? "0: something lies between the point and the light" : "1: nothing lies between the point and the light",
         {work.field(hit, "t", no_depth)});
   }
+}
+
+void tell_rays(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<RayBegin, RayPlane, RayHit, RayEnd>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

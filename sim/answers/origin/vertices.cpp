@@ -145,8 +145,12 @@ Number Work::cutting(std::int32_t vertex, Axis3 axis) {
   return cuts_in_world(*this) ? world(vertex, axis) : on_raster(vertex, axis);
 }
 
-void tell(Datum& datum, Work& work, std::int64_t step, const ClipVertex&, std::string_view field) {
+static void tell(Datum& datum, Work& work, std::int64_t step, const ClipVertex&, std::string_view field) {
   if (field == "inside") datum.holds_if("distance >= 0", {{"distance", work.field(step, "distance")}});
+}
+
+void tell_vertices(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<ClipVertex>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
 }
 
 }  // namespace zstep::answers

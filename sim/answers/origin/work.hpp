@@ -174,23 +174,28 @@ class Work {
 
 using Axis3 = Work::Axis3;
 
+/// Of a colour channel, the shares of a pixel that intervals of a line cover; false where none are told there.
+bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, std::int32_t y, int which);
+
+/// The ray that is held against things at a step: the one begun last before it. And the plane it was held against last.
+Step last_ray(const Work& work, std::int64_t step);
+Step last_plane_test(const Work& work, std::int64_t step);
+
 /// What the link of a step is called: "depth at x = 9 on the span".
 std::string what_happens(const Work& work, const Event& event);
 
 // --- Where the fields come from that no formula of traces/formulas gives. What is not listed names something, or
 // counts.
 
-// clang-format off
-#define ZSTEP_TOLD(E) void tell(Datum& datum, Work& work, std::int64_t step, const E& event, std::string_view field);
-ZSTEP_TOLD(FacingTest) ZSTEP_TOLD(ClipTest) ZSTEP_TOLD(ClipVertex) ZSTEP_TOLD(PixelPaint) ZSTEP_TOLD(ColorBlend)
-ZSTEP_TOLD(ColorWrite) ZSTEP_TOLD(ShadowCompare) ZSTEP_TOLD(PlaneEquation) ZSTEP_TOLD(Extent) ZSTEP_TOLD(PlaneDepth)
-ZSTEP_TOLD(ImpliedEdge) ZSTEP_TOLD(SpanFlags) ZSTEP_TOLD(ExtentTest) ZSTEP_TOLD(SideTest)
-ZSTEP_TOLD(VertexSide) ZSTEP_TOLD(OverlapTest) ZSTEP_TOLD(SplitVertex) ZSTEP_TOLD(EyeSide) ZSTEP_TOLD(NodeSkip)
-ZSTEP_TOLD(AreaBegin) ZSTEP_TOLD(AreaBin) ZSTEP_TOLD(BoxMake) ZSTEP_TOLD(GridMake) ZSTEP_TOLD(RayBegin)
-ZSTEP_TOLD(CellVisit) ZSTEP_TOLD(BoxTest) ZSTEP_TOLD(RayPlane) ZSTEP_TOLD(RayHit) ZSTEP_TOLD(RayEnd)
-ZSTEP_TOLD(CurveBegin) ZSTEP_TOLD(HorizonTest) ZSTEP_TOLD(HorizonMove) ZSTEP_TOLD(HorizonCross) ZSTEP_TOLD(LineCross)
-ZSTEP_TOLD(LineHide) ZSTEP_TOLD(LinePiece)
-// clang-format on
-#undef ZSTEP_TOLD
+/// Tells of a field of the kinds of event that it knows, and says nothing of others.
+using TellTheme = void(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field);
+TellTheme tell_boxes, tell_curves, tell_light, tell_orders, tell_pixels, tell_planes, tell_polygons, tell_rays,
+    tell_sweep, tell_vertices;
+
+/// Calls tell(e) where the event is of one of these kinds.
+template <class... E, class Tell>
+void tell_one_of(const Event& event, Tell&& tell) {
+  (void)((holds<E>(event) && (tell(event.as<E>()), true)) || ...);
+}
 
 }  // namespace zstep::answers

@@ -8,6 +8,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/file/records.hpp"
 
 namespace zstep::viewer {
 
@@ -94,10 +95,7 @@ std::vector<Places::Suggestion> Places::suggestions() const {
   };
   for (const std::string& text : asked_) add(text, "asked before");
   const Header& header = session_.header();
-  const auto records = [&](std::uint8_t kind) {
-    return std::any_of(header.page.begin(), header.page.end(), [&](const StepInfo& step) { return step.kind == kind; });
-  };
-  if (records(kind_of<DepthCompare>)) add("not nearer", "a compare fails");
+  if (records<DepthCompare>(header)) add("not nearer", "a compare fails");
   const auto cell = session_.selected ? session_.selected : session_.current_cell();
   if (cell)
     add(fmt::format("changes({}, {})", cell->x, cell->y),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <type_traits>
 #include <utility>
 
@@ -10,44 +9,24 @@
 
 #include "sim/words/numbers.hpp"
 #include "traces/file/visit.hpp"
+#include "traces/replay/units.hpp"
 
 namespace zstep::viewer {
 namespace {
 
 /// What a unit is called in this trace: methods without scan lines have areas or edges in their stead, some work on
-/// curves in turn.
-const char* word_in(const Trace& trace, Unit unit) {
-  if (unit == Unit::scan_line && !trace.has(kind_of<ScanLineBegin>)) {
-    if (trace.has(kind_of<AreaBegin>)) return "area";
-    if (trace.has(kind_of<LineBegin>)) return "edge";
-  }
-  if (unit == Unit::polygon && trace.has(kind_of<CurveBegin>)) return "curve";
-  return unit_word(unit);
-}
-
-/// Does a unit begin anywhere in the trace? Found without reading its events; pixels are assumed to.
-bool has_any(const Trace& trace, Unit unit) {
-  switch (unit) {
-    case Unit::span: return trace.has(kind_of<SpanBegin>) || trace.has(kind_of<SpanFlags>);
-    case Unit::scan_line:
-      return trace.has(kind_of<ScanLineBegin>) || trace.has(kind_of<AreaBegin>) || trace.has(kind_of<LineBegin>);
-    case Unit::polygon: return !trace.polygons().empty() || trace.has(kind_of<CurveBegin>);
-    default: return true;
-  }
+/// curves in turn. Empty where none begins in it, which is found without reading its events.
+std::string_view word_in(const Trace& trace, Unit unit) {
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    if (const Begins& begins = begins_with(kind); begins.unit == unit && trace.has(static_cast<std::uint8_t>(kind)))
+      return begins.word;
+  const bool assumed = unit == Unit::pixel || (unit == Unit::polygon && !trace.polygons().empty());
+  return assumed ? unit_word(unit) : "";
 }
 
 /// May the last event begin a unit? A pixel always may; any other unit only where a recording was cut off.
 bool may_begin(const Event& event, Unit unit) {
-  const auto is_one_of = [&event](std::initializer_list<std::size_t> kinds) {
-    return std::find(kinds.begin(), kinds.end(), event.index()) != kinds.end();
-  };
-  switch (unit) {
-    case Unit::pixel: return pixel_of(event).has_value() || is_one_of({kind_of<RayBegin>});
-    case Unit::span: return is_one_of({kind_of<SpanBegin>, kind_of<SpanFlags>});
-    case Unit::scan_line: return is_one_of({kind_of<ScanLineBegin>, kind_of<AreaBegin>, kind_of<LineBegin>});
-    case Unit::polygon: return is_one_of({kind_of<PolygonBegin>, kind_of<CurveBegin>});
-    default: return true;
-  }
+  return begins_with(event.index()).unit == unit || (unit == Unit::pixel && pixel_of(event));
 }
 
 }  // namespace
@@ -102,8 +81,8 @@ void Session::move(Unit unit, int direction) {
     message = std::move(sentence);
     touch();
   };
-  const char* word = word_in(trace_, unit);
-  if (!has_any(trace_, unit)) return say(fmt::format("No {} begins in this trace.", word));
+  const std::string_view word = word_in(trace_, unit);
+  if (word.empty()) return say(fmt::format("No {} begins in this trace.", unit_word(unit)));
   const std::int64_t to = direction > 0 ? next_unit(trace_, at, unit) : previous_unit(trace_, at, unit);
   if (direction < 0 && to == 0)
     return say(fmt::format("No earlier {} begins; Home goes to the beginning of the trace.", word));

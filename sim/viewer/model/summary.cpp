@@ -6,6 +6,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "traces/file/records.hpp"
 #include "traces/file/visit.hpp"
 
 namespace zstep::viewer {
@@ -47,10 +48,7 @@ DepthRange depth_range(const Trace& trace) {
 std::optional<std::int64_t> ScanLineMarks::sweep_from(const Trace& trace) {
   if (sweep_known_) return sweep_from_;
   sweep_known_ = true;
-  const Page& page = trace.header().page;
-  const bool sweeps =
-      std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<FlagFlip>; });
-  if (!sweeps) return std::nullopt;
+  if (!sweeps(trace.header())) return std::nullopt;
   const std::int64_t gathered = trace.polygons().empty() ? 0 : trace.polygons().back().position;
   const auto line =
       trace.next(gathered, [](const RecordedEvent& e) { return holds<ScanLineBegin>(e.event); });
@@ -93,9 +91,7 @@ namespace {
 /// Calls visit(position, event) for each event of kind E; for none where the trace is too long to look through.
 template <class E, class Visit>
 void visit_each(const Trace& trace, Visit&& visit) {
-  const Page& page = trace.header().page;
-  const bool any = std::any_of(page.begin(), page.end(), [](const StepInfo& step) { return step.kind == kind_of<E>; });
-  if (!any || trace.size() > quick) return;
+  if (!records<E>(trace.header()) || trace.size() > quick) return;
   trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t, const auto& event) {
     if constexpr (std::is_same_v<std::decay_t<decltype(event)>, E>) visit(position, event);
     return true;

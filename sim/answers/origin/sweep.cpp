@@ -1,0 +1,72 @@
+// The scan-line method: intervals of a line, the depths of planes on them, implied edges, shares of a pixel.
+#include "sim/answers/origin/work.hpp"
+
+namespace zstep::answers {
+
+static void tell(Datum& datum, Work& work, std::int64_t step, const SpanFlags&, std::string_view field) {
+  const MethodState& m = work.machine();
+  if (field == "flags") return datum.note("those that are in");
+  const bool left = field == "x_left" || field == "first";
+  if (field == "first")
+    return datum.comes_of("the first whole number from x_L on, within the raster", {work.field(step, "x_left")});
+  if (field == "last")
+    return datum.comes_of("the last whole number before x_R, within the raster", {work.field(step, "x_right")});
+  if (!field.starts_with("x")) return;
+  // Between the edge that was crossed last and the next of the active ones.
+  const Step flipped = find_last<FlagFlip>(work.trace, step, [](const FlagFlip&) { return true; });
+  if (!flipped) return;
+  const std::int32_t crossed = get<FlagFlip>(work.trace.event(*flipped).event).edge;
+  for (std::size_t i = 0; i < m.active.size(); ++i) {
+    if (m.active[i].edge != crossed) continue;
+    const std::size_t wanted = left ? i : i + 1;
+    if (wanted >= m.active.size()) return;
+    const ActiveEdge edge = m.active[wanted];
+    const Number x = work.field(step_of_active_edge(work.trace, m, step, edge.edge), "x_edge", edge.x);
+    if (x.value == datum.number()) return datum.same_as("x", x);
+    if (left) return datum.is("max(x, -0.5)", {{"x", x}});
+    return datum.is("min(x, W - 0.5)", {{"x", x}, {"W", work.scene.raster.width}});
+  }
+}
+
+static void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, std::string_view field) {
+  // An end of the interval of the line that is at work, or a corner or the centre of an area.
+  const auto& interval = work.machine().sweep.interval;
+  if (!interval || field != "x_at") return;
+  const Step flags = find_last<SpanFlags>(work.trace, work.at(), [](const SpanFlags&) { return true; });
+  if (e.x_at == interval->x_left) datum.same_as("x_left", work.field(flags, "x_left", interval->x_left));
+  else if (e.x_at == interval->x_right) datum.same_as("x_right", work.field(flags, "x_right", interval->x_right));
+}
+
+static void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, std::string_view) {
+  const double y = work.machine().scan_line.value_or(0);
+  const auto one = [&](char letter) { return work.plane(e.piece, letter); };
+  const auto other = [&](char letter) { return work.plane(e.other, letter); };
+  std::vector<Given> given{{"A_1", one('A')},   {"B_1", one('B')},   {"C_1", one('C')},
+                           {"D_1", one('D')},   {"A_2", other('A')}, {"B_2", other('B')},
+                           {"C_2", other('C')}, {"D_2", other('D')}, {"y", y}};
+  datum.is("-((B_2/C_2 - B_1/C_1)*y + (D_2/C_2 - D_1/C_1))/(A_2/C_2 - A_1/C_1)", std::move(given), false);
+}
+
+bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, std::int32_t y, int which) {
+  const auto& covered = work.machine().sweep.covered;
+  if (covered.empty() || covered.back().x != x || covered.back().y != y) return false;
+  std::vector<Given> given;
+  std::string text;
+  for (const CoverageAdd& share : std::vector<CoverageAdd>(covered)) {
+    const std::string n = std::to_string(given.size() / 2 + 1);
+    const Step added = find_last<CoverageAdd>(work.trace, step, [&](const CoverageAdd& other) {
+      return other.x == x && other.y == y && other.owner == share.owner;
+    });
+    text += (text.empty() ? "" : " + ") + ("share_" + n) + "*colour_" + n;
+    given.push_back({"share_" + n, work.field(added, "coverage", share.coverage)});
+    given.push_back({"colour_" + n, work.color_of(share.owner, which)});
+  }
+  datum.is("round(" + text + ")", std::move(given));
+  return true;
+}
+
+void tell_sweep(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field) {
+  tell_one_of<SpanFlags, PlaneDepth, ImpliedEdge>(event, [&](const auto& e) { tell(datum, work, step, e, field); });
+}
+
+}  // namespace zstep::answers
