@@ -50,6 +50,7 @@ inline bool covers(const PieceSides& outline, double x, double y) {
 
 }  // namespace detail
 
+template <>
 inline void Foreteller::note(const AreaBegin& event) {
   areas_.begin(event);
   painted_ = -1;
@@ -69,7 +70,7 @@ inline void Foreteller::tell(AreaBin& event) const {
   event.piece = next >= 0 ? next : static_cast<std::int32_t>(static_cast<std::uint32_t>(whole_[slot_of("piece")]) + 1u);
 }
 
-inline void Foreteller::evaluate(AreaBin& event) const {
+inline void Foreteller::evaluate(AreaBin& event) {
   event.crossings = event.corners_inside = 0, event.bin = Bin::disjoint, event.by_box = false;
   if (areas_.surrounded_before()) {
     event.corners_inside = 4, event.bin = Bin::surrounding;
@@ -99,14 +100,16 @@ inline void Foreteller::evaluate(AreaBin& event) const {
   }
 }
 
+template <>
 inline void Foreteller::note(const AreaBin& event) { areas_.bin(event); }
 
+template <>
 inline void Foreteller::note(const AreaDecide& event) {
   areas_.decide();
   painted_ = event.piece;
 }
 
-inline void Foreteller::evaluate(PixelPaint& event) const {
+inline void Foreteller::evaluate(PixelPaint& event) {
   const FacetPlane* plane = in_span_ || painted_ < 0 ? nullptr : facts_->plane_of_piece(painted_);
   if (in_span_) event.z = depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]);
   else event.z = plane != nullptr ? depth_of(*plane, event.x, event.y) : real_[slot_of("z")];
@@ -114,14 +117,16 @@ inline void Foreteller::evaluate(PixelPaint& event) const {
 
 // --- Intervales of a scan line
 
-inline void Foreteller::evaluate(FlagFlip& event) const {
+inline void Foreteller::evaluate(FlagFlip& event) {
   const TableEdge* edge = facts_->edge_of_table(event.edge);
   event.piece = edge != nullptr ? edge->piece : whole_[slot_of("piece")];
   event.inside = !sweep_.is_inside(event.piece);
 }
 
+template <>
 inline void Foreteller::note(const SpanWinner& event) { painted_ = event.piece; }
 
+template <>
 inline void Foreteller::note(const FlagFlip& event) { sweep_.flip(event.piece, event.inside); }
 
 inline void Foreteller::tell(SpanFlags& event) const {
@@ -129,13 +134,14 @@ inline void Foreteller::tell(SpanFlags& event) const {
   event.x_right = real_[slot_of("x_right")];
 }
 
-inline void Foreteller::evaluate(SpanFlags& event) const {
+inline void Foreteller::evaluate(SpanFlags& event) {
   const std::int32_t width = facts_->scene().raster.width;
   event.first = std::max(0, column_from(event.x_left, width));
   event.last = std::max(0, column_from(event.x_right, width)) - 1;
   event.flags = static_cast<std::int32_t>(sweep_.count());
 }
 
+template <>
 inline void Foreteller::note(const SpanFlags& event) {
   sweep_.expect(event.flags);
   const auto y = static_cast<double>(event.y);
@@ -162,11 +168,12 @@ inline void Foreteller::tell(PlaneDepth& event) const {
   event.y_at = known ? depth_points_[depth_point_].y : real_[slot_of("y_at")];
 }
 
-inline void Foreteller::evaluate(PlaneDepth& event) const {
+inline void Foreteller::evaluate(PlaneDepth& event) {
   const FacetPlane* plane = facts_->plane_of_piece(event.piece);
   event.z = plane != nullptr ? depth_of(*plane, event.x_at, event.y_at) : real_[slot_of("z")];
 }
 
+template <>
 inline void Foreteller::note(const PlaneDepth& event) {
   constexpr std::size_t look_ahead = 256;
   if (depth_point_count_ == 0) return;

@@ -31,6 +31,7 @@ inline void Foreteller::evaluate(PlaneEquation& event) {
   event.plane_d = plane->d;
 }
 
+template <>
 inline void Foreteller::note(const PlaneEquation& event) {
   divider_ = {event.piece, {event.plane_a, event.plane_b, event.plane_c}, event.plane_d};
   // Told of in the world, where trees are built, or on the raster: mostly as the one before.
@@ -39,7 +40,7 @@ inline void Foreteller::note(const PlaneEquation& event) {
   if (guessed.plane_a != event.plane_a) planes_in_world_ = !planes_in_world_;
 }
 
-inline void Foreteller::evaluate(Extent& event) const {
+inline void Foreteller::evaluate(Extent& event) {
   static constexpr PieceExtent none;
   const PieceExtent* extent = facts_->extent_of_piece(event.piece);
   const auto& [piece, low, high] = extent != nullptr ? *extent : none;
@@ -69,6 +70,7 @@ inline void Foreteller::evaluate(VertexSide& event) {
   event.side = detail::side_of(event.value, event.value, facts_->tolerance());
 }
 
+template <>
 inline void Foreteller::note(const VertexSide& event) {
   least_ = sides_ == 0 || event.value < least_ ? event.value : least_;
   greatest_ = sides_ == 0 || event.value > greatest_ ? event.value : greatest_;
@@ -80,12 +82,13 @@ inline void Foreteller::tell(SideTest& event) const {
   event.plane_of = whole_[slot_of("plane_of")];
 }
 
-inline void Foreteller::evaluate(SideTest& event) const {
+inline void Foreteller::evaluate(SideTest& event) {
   event.least = sides_ > 0 ? least_ : real_[slot_of("least")];
   event.greatest = sides_ > 0 ? greatest_ : real_[slot_of("greatest")];
   event.side = detail::side_of(event.least, event.greatest, facts_->tolerance());
 }
 
+template <>
 inline void Foreteller::note(const SideTest& event) {
   held_ = event.piece;
   sides_ = 0;
@@ -107,6 +110,7 @@ inline Foreteller::Range Foreteller::extent_of(std::int32_t piece, Axis axis) co
   return {};
 }
 
+template <>
 inline void Foreteller::note(const Extent& event) {
   const std::array<Range, 3> told{
       Range{event.x_min, event.x_max}, {event.y_min, event.y_max}, {event.z_min, event.z_max}};
@@ -122,10 +126,11 @@ inline std::int32_t Foreteller::after(std::int32_t piece) const {
 
 inline void Foreteller::tell(PairBegin& event) const { event.piece = whole_[slot_of("piece")]; }
 
-inline void Foreteller::evaluate(PairBegin& event) const {
+inline void Foreteller::evaluate(PairBegin& event) {
   event.other = after(event.piece == pair_.piece ? pair_.other : event.piece);
 }
 
+template <>
 inline void Foreteller::note(const PairBegin& event) {
   const std::int32_t before = event.piece == pair_.piece ? pair_.other : event.piece;
   if (event.other != after(before)) followers_.take(before) = event.other;
@@ -142,6 +147,7 @@ inline void Foreteller::evaluate(ExtentTest& event) {
   event.overlap = event.low < event.other_high && event.other_low < event.high;
 }
 
+template <>
 inline void Foreteller::note(const ExtentTest& event) {
   learn_extent(event.piece, event.axis, {event.low, event.high}, extents_guessed_[0]);
   learn_extent(event.other, event.axis, {event.other_low, event.other_high}, extents_guessed_[1]);
@@ -150,7 +156,7 @@ inline void Foreteller::note(const ExtentTest& event) {
 
 // --- Rays
 
-inline void Foreteller::evaluate(RayPlane& event) const {
+inline void Foreteller::evaluate(RayPlane& event) {
   event.numerator = event.denominator = event.t = 0;
   if (event.facet < 0 || static_cast<std::size_t>(event.facet) >= facts_->scene().facets.size()) return;
   const FacetPlane& plane = facts_->plane(event.facet);
@@ -162,10 +168,15 @@ inline void Foreteller::evaluate(RayPlane& event) const {
   event.t = in_plane ? std::numeric_limits<double>::quiet_NaN() : event.numerator / event.denominator;
 }
 
-inline void Foreteller::evaluate(RayHit& event) const {
+inline void Foreteller::evaluate(RayHit& event) {
   event.t = real_[slot_of("t")];
   const glm::dvec3 point = ray_from_ + event.t * ray_along_;
   event.x_hit = point.x, event.y_hit = point.y, event.z_hit = point.z;
+}
+
+template <>
+inline void Foreteller::note(const RayBegin& event) {
+  ray_from_ = {event.x_0, event.y_0, event.z_0}, ray_along_ = {event.dir_x, event.dir_y, event.dir_z};
 }
 
 }  // namespace zstep::codec

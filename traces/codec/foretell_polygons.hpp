@@ -20,12 +20,12 @@ inline constexpr std::size_t corners_limit = 32, made_limit = 64, cuts_limit = 2
 
 // --- Vertices
 
-inline void Foreteller::evaluate(ViewTransform& event) const {
+inline void Foreteller::evaluate(ViewTransform& event) {
   const glm::dvec3 view = facts_->is_point(event.vertex) ? facts_->of_point(event.vertex).view : glm::dvec3(0);
   event.x_v = view.x, event.y_v = view.y, event.z_v = view.z;
 }
 
-inline void Foreteller::evaluate(Projection& event) const {
+inline void Foreteller::evaluate(Projection& event) {
   glm::dvec3 plane(0);
   if (facts_->is_point(event.vertex)) plane = facts_->of_point(event.vertex).plane;
   for (const VertexGeometry& made : made_)
@@ -33,16 +33,18 @@ inline void Foreteller::evaluate(Projection& event) const {
   event.x_p = plane.x, event.y_p = plane.y, event.z = plane.z;
 }
 
-inline void Foreteller::evaluate(ViewportTransform& event) const {
+inline void Foreteller::evaluate(ViewportTransform& event) {
   const glm::dvec2 raster = facts_->to_viewport(real_[slot_of("x_p")], real_[slot_of("y_p")]);
   event.x_s = raster.x, event.y_s = raster.y;
 }
 
+template <>
 inline void Foreteller::note(const ClipCross& event) {
   if (made_.size() < detail::made_limit)
     made_.push_back(facts_->from_view(event.vertex, {event.x_v, event.y_v, event.z_v}));
 }
 
+template <>
 inline void Foreteller::note(const SplitVertex& event) {
   if (cuts_.size() < detail::cuts_limit) cuts_.push_back({event.vertex, {event.x_cut, event.y_cut, event.z_cut}});
   if (made_.size() >= detail::made_limit || event.space != Space::raster) return;
@@ -67,6 +69,7 @@ inline bool Foreteller::find_raster(std::int32_t vertex, glm::dvec3& raster) con
 
 // --- Polygons
 
+template <>
 inline void Foreteller::note(const TablesBegin&) { keeps_all_ = true; }
 
 inline void Foreteller::begin_polygon(std::span<const std::int32_t> corners) {
@@ -89,8 +92,10 @@ inline void Foreteller::tell(PolygonBegin& event) const {
   event.polygon = facet < facets.size() ? facets[facet].polygon : 0;
 }
 
+template <>
 inline void Foreteller::note(const PolygonBegin& event) { begin_polygon(facts_->corners(event.facet)); }
 
+template <>
 inline void Foreteller::note(const PieceDraw& event) {
   // Most pieces are facets that were not cut.
   const std::vector<Facet>& facets = facts_->scene().facets;
@@ -165,6 +170,7 @@ inline void Foreteller::tell(OutlineVertex& event) const {
   else event.vertex = static_cast<std::int32_t>(static_cast<std::uint32_t>(whole_[slot_of("vertex")]) + 1u);
 }
 
+template <>
 inline void Foreteller::note(const OutlineVertex& event) {
   if (outline_.size() < detail::outline_limit) outline_.push_back(event.vertex);
 }
@@ -187,7 +193,7 @@ inline void Foreteller::tell(EdgeTableInsert& event) const {
     std::swap(event.vertex_0, event.vertex_1);
 }
 
-inline void Foreteller::evaluate(EdgeTableInsert& event) const {
+inline void Foreteller::evaluate(EdgeTableInsert& event) {
   event.first_row = event.end_row = 0;
   event.x_edge = event.dx_dy = event.z_edge = event.dz_dy = 0;
   KnownEdge edge;
@@ -201,6 +207,7 @@ inline void Foreteller::evaluate(EdgeTableInsert& event) const {
   event.dz_dy = formulas::slope(edge.start.z, edge.end.z, edge.start.y, edge.end.y);
 }
 
+template <>
 inline void Foreteller::note(const EdgeTableInsert& event) {
   KnownEdge edge;
   find_raster(event.vertex_0, edge.start);
@@ -218,10 +225,15 @@ inline void Foreteller::tell(EdgeTableSkip& event) const {
   event.vertex_0 = side.from, event.vertex_1 = side.to;
 }
 
-inline void Foreteller::evaluate(EdgeTableSkip& event) const {
+inline void Foreteller::evaluate(EdgeTableSkip& event) {
   glm::dvec3 from, to;
   const bool known = find_raster(event.vertex_0, from) && find_raster(event.vertex_1, to);
   event.why = known && from.y == to.y ? EdgeSkip::horizontal : EdgeSkip::between_rows;
 }
+
+template <>
+inline void Foreteller::note(const FacingTest& event) { facing_ = event.facing; }
+template <>
+inline void Foreteller::note(const EdgeTableSkip&) { ++side_; }
 
 }  // namespace zstep::codec

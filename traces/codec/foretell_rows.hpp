@@ -39,6 +39,7 @@ inline void Foreteller::tell(ScanLineBegin& event) const {
                                                  : static_cast<std::int32_t>(static_cast<std::uint32_t>(y) + 1u);
 }
 
+template <>
 inline void Foreteller::note(const ScanLineBegin&) {
   in_rows_ = true;
   in_span_ = false;
@@ -76,6 +77,7 @@ inline void Foreteller::evaluate(EdgeStep& event) {
   event.x_edge = line != nullptr ? line->x_at(y) : 0, event.z_edge = line != nullptr ? line->z_at(y) : 0;
 }
 
+template <>
 inline void Foreteller::note(const EdgeStep& event) {
   edges_.step();
   if (KnownEdge* edge = edges_.at(event.edge)) edge->x = event.x_edge, edge->z = event.z_edge;
@@ -104,6 +106,7 @@ inline void Foreteller::evaluate(SpanBegin& event) {
             right != nullptr ? right->z : 0);
 }
 
+template <>
 inline void Foreteller::note(const SpanBegin& event) {
   edges_.span();
   // Field by field: a copy as a whole would wait until the event's fields, just written, have reached memory.
@@ -139,6 +142,19 @@ inline void Foreteller::learn_row(const Row& row) {
   learn(row.line);
   for (const EdgeStep& edge : row.edges) learn(edge);
   learn(row.span);
+}
+
+template <>
+inline void Foreteller::note(const EdgeEnter& event) { edges_.enter(event.edge, event.place); }
+template <>
+inline void Foreteller::note(const EdgeRetire& event) { edges_.retire(event.edge); }
+template <>
+inline void Foreteller::note(const EdgeSwap& event) {
+  edges_.swap(event.place);
+}
+
+inline void Foreteller::evaluate(DepthInterpolate& event) {
+  event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")];
 }
 
 }  // namespace zstep::codec

@@ -64,7 +64,7 @@ class Foreteller {
       if constexpr (std::is_same_v<FieldValue<E, I>, double>) real_[slot_at<E, I>] = value;
       else whole_[slot_at<E, I>] = static_cast<std::int32_t>(value);
     });
-    if constexpr (requires { note(event); }) note(event);
+    note(event);
   }
 
   /// The next event wholly as guessed; false when a guess is no value that its field can have.
@@ -106,46 +106,19 @@ class Foreteller {
     return ways[static_cast<std::size_t>(static_cast<int>(I) + step)];
   }
 
-  // Fields that are told before an event. An encoder may ask twice for what a decoder asks once: to ask changes nothing
-  // that another answer depends on, but for what is remembered of the scene.
-  void tell(PolygonBegin& event) const;
-  void tell(PolygonReject& event) const;
-  void tell(OutlineVertex& event) const;
-  void tell(EdgeTableInsert& event) const;
-  void tell(EdgeTableSkip& event) const;
-  void tell(ScanLineBegin& event) const;
-  void tell(EdgeEnter& event) const;
-  void tell(EdgeRetire& event) const;
-  void tell(EdgeStep& event) const;
-  void tell(SpanBegin& event) const;
-  void tell(PairBegin& event) const;
-  void tell(VertexSide& event) const;
-  void tell(SideTest& event) const;
-  void tell(ExtentTest& event) const;
-  void tell(AreaBin& event) const;
-  void tell(SpanFlags& event) const;
-  void tell(PlaneDepth& event) const;
-  // Fields by formula.
-  void evaluate(ViewTransform& event) const;
-  void evaluate(Projection& event) const;
-  void evaluate(ViewportTransform& event) const;
-  void evaluate(FacingTest& event);
-  void evaluate(ClipTest& event);
-  void evaluate(EdgeTableInsert& event) const;
-  void evaluate(EdgeTableSkip& event) const;
-  void evaluate(EdgeEnter& event);
-  void evaluate(EdgeStep& event);
-  void evaluate(SpanBegin& event);
+  // For each kind that has such fields, beside the others of its theme (foretell_….hpp). An encoder may ask twice for
+  // what a decoder asks once: to ask changes nothing that another answer depends on, but for what is remembered of the
+  // scene.
+#define ZSTEP_FORETELL(E)     \
+  void tell(E& event) const; \
+  void evaluate(E& event);
+  ZSTEP_EVERY_KIND(ZSTEP_FORETELL)  // fields that are told before the event, and fields by formula
+#undef ZSTEP_FORETELL
+  template <class E>
+  void note(const E&) {}  ///< what the event changes besides its registers
+
   /// All of a span that follows from where its ends are.
   void fill_span(SpanBegin& event, double x_left, double z_left, double x_right, double z_right) const;
-  void evaluate(AreaBin& event) const;
-  void evaluate(FlagFlip& event) const;
-  void evaluate(SpanFlags& event) const;
-  void evaluate(PlaneDepth& event) const;
-  void evaluate(PlaneEquation& event);
-  void evaluate(Extent& event) const;
-  void evaluate(PairBegin& event) const;
-  void evaluate(ExtentTest& event);
   struct Range {
     double low = 0, high = 0;
   };
@@ -153,47 +126,6 @@ class Foreteller {
   void learn_extent(std::int32_t piece, Axis axis, Range range, Range guessed);
   /// The piece that comes after this one among those that others are held against; itself where that is not known.
   std::int32_t after(std::int32_t piece) const;
-  void evaluate(VertexSide& event);
-  void evaluate(SideTest& event) const;
-  void evaluate(RayPlane& event) const;
-  void evaluate(RayHit& event) const;
-  void evaluate(DepthInterpolate& event) const {
-    event.z = in_span_ ? depth_along(span_, facts_->increments(), event.x, real_[slot_of("z")]) : real_[slot_of("z")];
-  }
-  void evaluate(PixelPaint& event) const;
-  // What events change besides their registers.
-  void note(const TablesBegin& event);
-  void note(const PolygonBegin& event);
-  void note(const PieceDraw& event);
-  void note(const FacingTest& event) { facing_ = event.facing; }
-  void note(const ClipCross& event);
-  void note(const SplitVertex& event);
-  void note(const OutlineVertex& event);
-  void note(const EdgeTableInsert& event);
-  void note(const EdgeTableSkip&) { ++side_; }
-  void note(const ScanLineBegin& event);
-  void note(const EdgeEnter& event) { edges_.enter(event.edge, event.place); }
-  void note(const EdgeRetire& event) { edges_.retire(event.edge); }
-  void note(const EdgeStep& event);
-  void note(const EdgeSwap& event) { edges_.swap(event.place); }
-  void note(const SpanBegin& event);
-  void note(const Extent& event);
-  void note(const PlaneEquation& event);
-  void note(const VertexSide& event);
-  void note(const SideTest& event);
-  void note(const PairBegin& event);
-  void note(const ExtentTest& event);
-  void note(const AreaBegin& event);
-  void note(const AreaBin& event);
-  void note(const AreaDecide& event);
-  void note(const FlagFlip& event);
-  void note(const SpanFlags& event);
-  void note(const SpanWinner& event);
-  void note(const PlaneDepth& event);
-  void note(const RayBegin& event) {
-    ray_from_ = {event.x_0, event.y_0, event.z_0}, ray_along_ = {event.dir_x, event.dir_y, event.dir_z};
-  }
-
   /// From now on depths are asked for at these points, of pieces inside on a line or of those of an area.
   void begin_depths(bool on_line, const std::array<glm::dvec2, 4>& points, std::size_t count);
   /// Forgets what belongs to the polygon or piece before.
