@@ -66,6 +66,15 @@ std::optional<Allowed> allowed_in(const Trace& trace, const Errors& errors) {
 /// "0.5", "12", "3.4e6": errors in last digits range from less than one to many.
 std::string digits(double value) { return value < 1e5 ? number(value, 2, true) : fmt::format("{:.1e}", value); }
 
+/// What the last bit of the depth buffer is worth: in fixed point always the same, else a last digit at the depth.
+std::string buffer_text(const Trace& trace) {
+  const Conventions& conventions = trace.header().conventions;
+  const double unit = depth_unit(trace.scene(), conventions);
+  if (unit == 0) return "one last digit is the last bit of the depth buffer at that depth";
+  return fmt::format("one last digit is the last bit of the depth buffer: {:.3g}, 1/2^{} of its range", unit,
+                     bits_of(conventions.number_format));
+}
+
 void print_text(const Trace& trace, const ErrorOptions& options, const Errors& errors,
                 const std::optional<Allowed>& allowed) {
   const Header& header = trace.header();
@@ -75,9 +84,10 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
   fmt::print("{}: {} held against the exact ones, in last digits of {}\n", printable(trace.name()),
              counted(errors.all.depths, "depth", "depths"), format);
   if (errors.not_judged > 0)
-    fmt::print("{} have no span and edges and no ray in the trace and are left out\n", grouped(errors.not_judged));
+    fmt::print("{} have no span, plane or ray in the trace and are left out\n", grouped(errors.not_judged));
   fmt::print("largest error {}, root mean square {}; at most {:.3g} in depth, at step {}\n", digits(errors.all.largest),
              digits(errors.all.root_mean_square()), errors.all.largest_depth, errors.steepest_step);
+  fmt::print("{}\n", buffer_text(trace));
   if (allowed)
     fmt::print("rounding may do at most {:.3g} in depth; {}\n", allowed->largest,
                allowed->beyond == 0 ? "no stored depth is beyond its own bound"
@@ -112,6 +122,8 @@ Json json_of(const ErrorOf& of) {
               {"largest_digits", of.largest},
               {"rms_digits", of.root_mean_square()},
               {"largest_depth", of.largest_depth},
+              {"largest_buffer_units", of.largest},
+              {"rms_buffer_units", of.root_mean_square()},
               {"decided_wrong", of.decided_wrong}};
 }
 
@@ -119,6 +131,8 @@ void print_json(const Trace& trace, const Errors& errors, const std::optional<Al
   Json all = json_of(errors.all);
   if (allowed) all["bound"] = allowed->largest, all["beyond_bound"] = allowed->beyond;
   all["trace"] = trace.name();
+  const double unit = depth_unit(trace.scene(), trace.header().conventions);
+  all["buffer_unit"] = unit > 0 ? Json(unit) : Json(nullptr);  // null: a last digit at each depth
   all["not_judged"] = errors.not_judged;
   all["largest_at_step"] = errors.steepest_step;
   all["wrong_pixels"] = errors.wrong_pixels;
@@ -167,7 +181,7 @@ int run(const ErrorOptions& options) {
   });
   watch.clear_line();
   if (errors.all.depths == 0)
-    throw InputError(options.trace, "has no depths along spans between edges, and none of rays",
+    throw InputError(options.trace, "has no depths of spans, planes or rays",
                      "record a method that has them, as the Z-buffer or ray casting");
   const Raster& raster = trace.scene().raster;
   const std::optional<Allowed> allowed = allowed_in(trace, errors);

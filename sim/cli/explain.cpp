@@ -85,6 +85,11 @@ std::string exact_text(const answers::ChainValue& value, const answers::Exact& e
   return fmt::format("exactly {}; error {}, {} ulp", exact.digits, roughly(exact.error), roughly(exact.ulps));
 }
 
+/// " or 0.33 of the depth buffer's last bit"; nothing of what is no depth.
+std::string in_buffer(double error, double unit) {
+  return unit > 0 ? fmt::format(" or {} of the depth buffer's last bit", roughly(error / unit)) : "";
+}
+
 /// Where most of the error of the number that was asked for came in.
 std::string most_text(const answers::Chain& chain, const answers::Exactness& exactness) {
   const answers::ChainValue& asked = chain.links[0].values[0];
@@ -93,10 +98,11 @@ std::string most_text(const answers::Chain& chain, const answers::Exactness& exa
   if (whole.error == 0) return fmt::format("{} has no error.\n", asked.name);
   if (!exactness.most) return "";
   const auto [at, value] = *exactness.most;
-  return fmt::format("The error of {}, {}, is the sum of what each rounding brings. The largest part, {}, comes from {} "
-                     "at step {} ({}).\n",
-                     asked.name, roughly(whole.error), roughly(exactness.of[at][value].brought),
-                     chain.links[at].values[value].name, grouped(chain.links[at].step), chain.links[at].what);
+  const double brought = exactness.of[at][value].brought, unit = exactness.buffer_unit;
+  return fmt::format("The error of {}, {}{}, is the sum of what each rounding brings. The largest part, {}{}, comes from "
+                     "{} at step {} ({}).\n",
+                     asked.name, roughly(whole.error), in_buffer(whole.error, unit), roughly(brought),
+                     in_buffer(brought, unit), chain.links[at].values[value].name, grouped(chain.links[at].step), chain.links[at].what);
 }
 
 std::string text_of(const answers::Chain& chain, const Exactness& exactness) {
@@ -136,7 +142,8 @@ nlohmann::ordered_json json_of(const answers::Exact& exact) {
   return {{"digits", exact.digits},
           {"error", json_number(exact.error)},
           {"ulps", json_number(exact.ulps)},
-          {"brought", json_number(exact.brought)}};
+          {"brought", json_number(exact.brought)},
+          {"enclosed", exact.enclosed}};
 }
 
 nlohmann::ordered_json json_of(const answers::Chain& chain, const Exactness& exactness) {
@@ -167,6 +174,9 @@ nlohmann::ordered_json json_of(const answers::Chain& chain, const Exactness& exa
                      {"values", values}});
   }
   nlohmann::ordered_json all{{"links", links}, {"cut", chain.cut}};
+  if (exactness && exactness->buffer_unit > 0)
+    all["depth_buffer"] = {{"unit", exactness->buffer_unit},
+                           {"error_units", json_number(exactness->of[0][0].error / exactness->buffer_unit)}};
   if (exactness && exactness->most)
     all["most"] = {{"link", exactness->most->link},
                    {"step", chain.links[exactness->most->link].step},

@@ -130,6 +130,17 @@ class Judge {
     return Edge{{from->x, from->y, from->z}, {to->x, to->y, to->z}};
   }
 
+  /// Where planes are compared: that of the piece which is seen on the interval or fills the area at work.
+  std::shared_ptr<const ExactDepth> exact_plane(const Situation& at, std::int32_t x, std::int32_t y) const {
+    const MethodState& method = at.method();
+    std::int32_t piece = method.sweep.winners.empty() ? -1 : method.sweep.winners.back().piece;
+    const auto area = static_cast<std::size_t>(method.area);
+    if (method.area >= 0 && area < method.areas.size() && method.areas[area].decided)
+      piece = method.areas[area].decided->piece;
+    const auto plane = vertices_.plane_of(piece, at);
+    return plane && plane->c != 0 ? constant(plane->depth(x, y)) : nullptr;
+  }
+
   // --- Rays: what the one from the eye meets first gives the pixel its depth.
 
   static std::shared_ptr<const ExactDepth> constant(const Rational& value) {
@@ -168,10 +179,17 @@ class Judge {
 
   template <class E>
   void compute(std::int64_t position, const E& e, const Situation& at) {
-    const bool of_ray = std::is_same_v<E, PixelPaint> && trace_.has(kind_of<RayEnd>);
-    const std::shared_ptr<const ExactDepth> exact = of_ray ? exact_ray(at, e.x, e.y) : exact_span(at, e.y);
+    std::shared_ptr<const ExactDepth> exact;
     std::int32_t polygon = polygon_of(at);
-    if constexpr (std::is_same_v<E, PixelPaint>) polygon = e.polygon;
+    if constexpr (std::is_same_v<E, PixelPaint>) {
+      polygon = e.polygon;
+      const bool by_planes = trace_.has(kind_of<SpanWinner>) || trace_.has(kind_of<AreaDecide>);
+      exact = trace_.has(kind_of<RayEnd>) ? exact_ray(at, e.x, e.y)
+              : by_planes                 ? exact_plane(at, e.x, e.y)
+                                          : exact_span(at, e.y);
+    } else {
+      exact = exact_span(at, e.y);
+    }
     fragment_ = {exact, e.z, polygon, -1};
     if (!exact) {
       ++found_.not_judged;

@@ -54,7 +54,7 @@ enum class Truth : std::uint8_t {
   surface,  ///< the depth of the polygon itself
 };
 
-/// Goes through a run that interpolates along spans or casts rays. Where polygons are cut, what cutting makes is exact,
+/// Goes through a run that interpolates along spans, takes depths from planes, or casts rays. Where polygons are cut, what cutting makes is exact,
 /// too; cut in the world, all vertices are followed from there, and rays begin in the eye of the camera. `on_way` is
 /// told the steps that are done now and then; true ends it. The light's pass is left out. Throws InputError where the
 /// trace cannot be read.

@@ -8,22 +8,15 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "sim/answers/origin/evaluate.hpp"
+#include "sim/answers/origin/enclosed.hpp"
 #include "traces/formulas/rounding.hpp"
-#include "traces/oracle/errors.hpp"
-#include "traces/oracle/exact_depth.hpp"
 
 namespace zstep::answers {
 
 namespace {
 
 using Whole = boost::multiprecision::cpp_int;
-using Rational = boost::multiprecision::cpp_rational;
-
-/// Why a number has no exact value here.
-struct NotExact {
-  std::string why;
-};
+using oracle::rounded;
 
 /// A number and how much it gains where one operand gains 1.
 struct Slope {
@@ -37,29 +30,12 @@ Slope operator-(Slope a) { return {-a.value, -a.gain}; }
 Slope operator*(Slope a, Slope b) { return {a.value * b.value, a.gain * b.value + a.value * b.gain}; }
 Slope operator/(Slope a, Slope b) { return {a.value / b.value, (a.gain - a.value / b.value * b.gain) / b.value}; }
 
-double rounded(const Rational& exact) { return oracle::quotient(numerator(exact), denominator(exact)); }
-
 Rational exact_of(double value) {
   if (!std::isfinite(value)) throw NotExact{"a number that is not finite"};
   return Rational(value);
 }
 
 }  // namespace
-
-template <>
-struct Functions<Rational> {
-  static bool less(const Rational& a, const Rational& b) { return a < b; }
-  static bool equal(const Rational& a, const Rational& b) { return a == b; }
-  static Rational floor(const Rational& a) {
-    const Whole below = numerator(a) / denominator(a);  // towards 0
-    return Rational(a < Rational(below) ? Whole(below - 1) : below);
-  }
-  static Rational ceil(const Rational& a) { return -floor(-a); }
-  static Rational round(const Rational& a) {
-    return a < 0 ? Rational(-floor(-a + Rational(1, 2))) : floor(a + Rational(1, 2));
-  }
-  static Rational sqrt(const Rational&) { throw NotExact{"a square root"}; }
-};
 
 template <>
 struct Functions<Slope> {
@@ -112,11 +88,13 @@ class Exactly {
  public:
   Exactly(const Chain& chain, const Trace& trace)
       : chain_(chain),
+        trace_(trace),
         format_(trace.header().conventions.number_format),
         depth_unit_(depth_unit(trace.scene(), trace.header().conventions)) {
     for (const ChainLink& link : chain.links) {
       result_.of.emplace_back(link.values.size());
-      exact_.emplace_back(link.values.size());
+      exact_.emplace_back(link.values.size(), Enclosed(0.0));
+      has_.emplace_back(link.values.size(), false);
       states_.emplace_back(link.values.size(), State::unknown);
     }
   }
@@ -124,13 +102,31 @@ class Exactly {
   Exactness run() {
     for (std::size_t link = 0; link < chain_.links.size(); ++link)
       for (std::size_t value = 0; value < chain_.links[link].values.size(); ++value) find({link, value});
-    if (!chain_.links.empty() && !chain_.links[0].values.empty() && result_.of[0][0].known) share_out();
+    if (!chain_.links.empty() && !chain_.links[0].values.empty() && result_.of[0][0].known) {
+      share_out();
+      const ChainValue& asked = chain_.links[0].values[0];
+      if (is_depth_of(chain_.links[0].step, asked))
+        result_.buffer_unit = formulas::last_digit(asked.value, format_, depth_unit_);
+    }
     return std::move(result_);
   }
 
  private:
   using Where = Exactness::Where;
   enum class State : std::uint8_t { unknown, at_work, done };
+
+  /// Is this number one that the depth buffer gets, or is compared with?
+  bool is_depth_of(std::int64_t step, const ChainValue& value) const {
+    if (step < 1 || value.condition || !value.word.empty()) return false;
+    return visit_event(
+        [&]<class E>(const E& e) {
+          if constexpr (std::is_same_v<E, DepthInterpolate> || std::is_same_v<E, DepthCompare> ||
+                        std::is_same_v<E, DepthWrite> || std::is_same_v<E, PixelPaint>)
+            return e.z == value.value && value.name.starts_with('z');
+          else return false;
+        },
+        trace_.event(step).event);
+  }
 
   const ChainValue& value_at(Where at) const { return chain_.links[at.link].values[at.value]; }
   std::optional<Where> source_of(const Operand& operand) const {
@@ -156,10 +152,13 @@ class Exactly {
     Exact& found = result_.of[at.link][at.value];
     try {
       exact_[at.link][at.value] = computed(at, value);
-      const Rational& exact = exact_[at.link][at.value];
-      const Rational error = exact_of(value.value) - exact;
+      const Enclosed& enclosed = exact_[at.link][at.value];
+      has_[at.link][at.value] = true;  // what follows from it may be known where it is not
+      if (!enclosed.is_narrow()) throw NotExact{"so close to 0 that the digits of square roots cancel"};
+      const Rational exact = enclosed.middle(), error = exact_of(value.value) - exact;
       found.known = true;
-      found.digits = digits_of(exact);
+      found.enclosed = !enclosed.is_fraction();
+      found.digits = found.enclosed ? decimals_of(exact) : digits_of(exact);
       found.error = rounded(error);
       found.ulps = found.error / formulas::last_digit(rounded(exact), format_, unit_of(value));
     } catch (const NotExact& reason) {
@@ -171,16 +170,17 @@ class Exactly {
     state = State::done;
   }
 
-  Rational computed(Where at, const ChainValue& value) {
-    if (chain_.links[at.link].given) return exact_of(value.value);
+  Enclosed computed(Where at, const ChainValue& value) {
+    if (chain_.links[at.link].given) return Enclosed(exact_of(value.value));
     if (value.formula.empty()) throw NotExact{value.name + ", which is taken as recorded"};
-    return Evaluation<Rational>(value,
+    return Evaluation<Enclosed>(value,
                                 [&](const Operand& operand) {
                                   const auto from = source_of(operand);
-                                  if (!from) return exact_of(operand.value);
+                                  if (!from) return Enclosed(exact_of(operand.value));
                                   find(*from);
                                   const Exact& exact = result_.of[from->link][from->value];
-                                  if (!exact.known) throw NotExact{exact.why.empty() ? operand.name : exact.why};
+                                  if (!has_[from->link][from->value])
+                                    throw NotExact{exact.why.empty() ? operand.name : exact.why};
                                   return exact_[from->link][from->value];
                                 })
         .run();
@@ -189,8 +189,10 @@ class Exactly {
   /// By how much a number is off what its formula gives of its own operands.
   static double added_at(const ChainValue& value) {
     try {
-      return rounded(exact_of(value.value) -
-                     Evaluation<Rational>(value, [](const Operand& operand) { return exact_of(operand.value); }).run());
+      const auto recorded = [](const Operand& operand) { return Enclosed(exact_of(operand.value)); };
+      return rounded(exact_of(value.value) - Evaluation<Enclosed>(value, recorded).run().middle());
+    } catch (const NotExact&) {
+      return 0;  // it is the operands that square roots leave open
     } catch (const std::overflow_error&) {
       return 0;  // its operands are 0 where the exact ones are not
     }
@@ -224,10 +226,12 @@ class Exactly {
   }
 
   const Chain& chain_;
+  const Trace& trace_;
   NumberFormat format_;
   double depth_unit_;  ///< of fixed-point depths, else 0
   Exactness result_;
-  std::vector<std::vector<Rational>> exact_;
+  std::vector<std::vector<Enclosed>> exact_;
+  std::vector<std::vector<bool>> has_;  ///< by link and value: exact_ has it
   std::vector<std::vector<State>> states_;
   std::vector<Where> order_;  ///< each after what it was made of
 };

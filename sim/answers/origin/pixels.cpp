@@ -24,7 +24,12 @@ void tell_along_ray(Datum& datum, Work& work, std::int64_t step) {
   if (lens.orthographic && view) return datum.same_as("t", t);
   if (lens.orthographic) return datum.is("2*(t - n)/(f - n) - 1", {{"t", t}, {"n", lens.near}, {"f", lens.far}});
   if (view) return datum.is("t*d", {{"t", t}, {"d", lens.d}});
-  datum.is("n*(a*(t*d) + b)/(t*d)", {{"n", lens.near}, {"a", lens.a}, {"t", t}, {"d", lens.d}, {"b", lens.b}});
+  const auto part = [&](const char* name, double value, const char* formula) {
+    return work.derived(step, "", "", name, value,
+                        [&](Datum& inner) { inner.is(formula, {{"n", lens.near}, {"f", lens.far}}); });
+  };
+  const Number a = part("a", lens.a, "-(n + f)/(n*(n - f))"), b = part("b", lens.b, "2*f/(n - f)");
+  datum.is("n*(a*(t*d) + b)/(t*d)", {{"n", lens.near}, {"a", a}, {"t", t}, {"d", lens.d}, {"b", b}});
 }
 
 }  // namespace

@@ -59,9 +59,15 @@ Number unit_along(Work& work, std::int64_t begin, int axis) {
 void tell_eye_direction(Datum& datum, Work& work, const RayBegin& e, int axis) {
   const Camera& camera = work.scene.camera;
   const viewing::Lens lens(camera, work.scene.raster, work.conventions.depth);
-  if (camera.kind == Camera::Kind::screen) return datum.note("along z");
+  if (camera.kind == Camera::Kind::screen) {
+    datum.is("dz", {{"dz", axis == 2 ? 1 : 0}});
+    return datum.note("along z");
+  }
   const glm::dmat4& view = camera.view;
-  if (lens.orthographic) return datum.note("the line of sight, the third row of T_v");
+  if (lens.orthographic) {
+    datum.is("T_3", {{"T_3", view[axis][2]}});
+    return datum.note(fmt::format("the line of sight, the third row of T_v; T_3: column {}", axis + 1));
+  }
   const double right = view[axis][0], up = view[axis][1], away = view[axis][2];
   datum.is("((x + 0.5)*2*w_x/W - w_x)*T_1 + (w_y - (y + 0.5)*2*w_y/H)*T_2 + d*T_3", {{"x", e.x},
                                                                                      {"w_x", lens.window_x},
@@ -78,15 +84,33 @@ void tell_eye_direction(Datum& datum, Work& work, const RayBegin& e, int axis) {
 
 void tell_eye_start(Datum& datum, Work& work, const RayBegin& e, int axis) {
   const Camera& camera = work.scene.camera;
-  if (camera.kind == Camera::Kind::screen)
-    return datum.note(axis == 0   ? fmt::format("pixel column {}", e.x)
-                      : axis == 1 ? fmt::format("pixel row {}", e.y)
-                                  : "z = 0");
-  if (camera.kind == Camera::Kind::perspective)
+  if (camera.kind == Camera::Kind::screen) {
+    datum.is("p", {{"p", axis == 0 ? e.x : axis == 1 ? e.y : 0}});
+    return datum.note(axis == 0 ? "pixel column" : axis == 1 ? "pixel row" : "z = 0");
+  }
+  if (camera.kind == Camera::Kind::perspective) {
+    datum.is("eye", {{"eye", component(camera.eye, axis)}});
     return datum.note(camera.polar ? fmt::format("the eye, from rho {:.6g}, theta {:.6g}, phi {:.6g}", camera.rho,
                                                  camera.theta, camera.phi)
                                    : "the eye");
-  datum.note(fmt::format("on the plane of the eye, for pixel ({}, {})", e.x, e.y));
+  }
+  const viewing::Lens lens(camera, work.scene.raster, work.conventions.depth);
+  const glm::dmat4& view = camera.view;
+  datum.is("((x + 0.5)*2*w_x/W - w_x)*T_1 + (w_y - (y + 0.5)*2*w_y/H)*T_2 - (o_x*T_1 + o_y*T_2 + o_z*T_3)",
+           {{"x", e.x},
+            {"w_x", lens.window_x},
+            {"W", lens.width},
+            {"T_1", view[axis][0]},
+            {"w_y", lens.window_y},
+            {"y", e.y},
+            {"H", lens.height},
+            {"T_2", view[axis][1]},
+            {"o_x", view[3][0]},
+            {"o_y", view[3][1]},
+            {"o_z", view[3][2]},
+            {"T_3", view[axis][2]}},
+           false);
+  datum.note(fmt::format("on the plane of the eye; T_1, T_2, T_3: column {} of T_v; o: its fourth", axis + 1));
 }
 
 void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std::int64_t hit, const RayBegin& e,

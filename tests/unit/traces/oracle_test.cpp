@@ -159,7 +159,7 @@ TEST_CASE("exact: t of a ray is also what Cramer's rule gives for X_0 + t dX = a
     test::look(scene, Camera::Kind::perspective, 4 + trial * 0.01, 30, 60, 1, 8);
     const Camera& camera = scene.camera;
     const int x = trial % 24, y = trial % 20;
-    const Fraction w_y(camera.window), w_x = w_y * 24 / 20;
+    const Fraction w_y(camera.window), w_x(camera.window * 24 / 20);
     const Fraction x_p = (Fraction(x) + Fraction(1, 2)) * 2 * w_x / 24 - w_x,
                    y_p = w_y - (Fraction(y) + Fraction(1, 2)) * 2 * w_y / 20;
     Exact3 along;
@@ -179,8 +179,8 @@ TEST_CASE("exact: t of a ray is also what Cramer's rule gives for X_0 + t dX = a
   }
 }
 
-TEST_CASE("error: rays, trees and depth sort are judged at each pixel, and rounding turns nothing here") {
-  for (const char* method_id : {"ray-casting", "bsp", "depth-sort"})
+TEST_CASE("error: rays, planes, trees and depth sort are judged at each pixel, and rounding turns nothing here") {
+  for (const char* method_id : {"ray-casting", "ray-tracing", "bsp", "depth-sort", "warnock", "scan-line"})
     for (const char* name : {"pyramid-behind", "intersecting", "cube"}) {
       CAPTURE(method_id);
       CAPTURE(name);

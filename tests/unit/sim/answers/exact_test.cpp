@@ -13,6 +13,7 @@
 #include "sim/answers/origin/exact.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/where.hpp"
+#include "traces/oracle/errors.hpp"
 #include "traces/replay/replay.hpp"
 
 using namespace zstep;
@@ -145,12 +146,64 @@ TEST_CASE("exact values: in perspective, as the plane through three vertices tha
   CHECK(pixels > 40);
 }
 
-TEST_CASE("exact values: behind a square root nothing is called exact, and what it is that stands in the way is said") {
-  const Trace trace = open_jsonl(test::in_checkout("tests/golden/depth-sort.jsonl"));
-  const auto plane = trace.next(0, [](const RecordedEvent& event) { return holds<PlaneEquation>(event.event); });
-  REQUIRE(plane);
-  const Exactness found = exactness_of(explain_value(trace, answers::Question{*plane, "plane_a"}), trace);
+TEST_CASE("exact values: what no formula gives is not called exact, and what stands in the way is said") {
+  const Trace trace = open_jsonl(test::in_checkout("tests/golden/warnock.jsonl"));
+  const auto area = trace.next(0, [](const RecordedEvent& event) { return holds<AreaBin>(event.event); });
+  REQUIRE(area);
+  const Exactness found = exactness_of(explain_value(trace, answers::Question{*area, "crossings"}), trace);
   CHECK_FALSE(found.of[0][0].known);
-  CHECK(found.of[0][0].why == "a square root");
+  CHECK(found.of[0][0].why == "crossings, which is taken as recorded");
   CHECK_FALSE(found.most);
+}
+
+TEST_CASE("exact values: a plane of length 1 has a square root, and all 25 digits of what follows from it are right") {
+  const Trace trace = test::recorded_by("ray-casting", look_at_scene(load_scene("intersecting").scene, {}));
+  // Of polygon B: its normal is (-6, 0, 12), so A = -1/sqrt(5) and C = 2/sqrt(5).
+  const std::array<std::string, 3> digits{"\u22120.4472135954999579392818347", "0", "0.8944271909999158785636695"};
+  int planes = 0;
+  for_each_pixel_of(trace, polygon_named(trace.scene(), "B"), [&](int, int, const Chain& chain) {
+    const Exactness found = exactness_of(chain, trace);
+    CAPTURE(found.of[0][0].why);
+    CHECK(found.of[0][0].known);
+    for (std::size_t link = 0; link < chain.links.size(); ++link)
+      for (std::size_t i = 0; i < chain.links[link].values.size(); ++i) {
+        const std::string& name = chain.links[link].values[i].name;
+        if (!chain.links[link].what.starts_with("plane of B") || name.size() != 1) continue;
+        const Exact& letter = found.of[link][i];
+        const auto which = static_cast<std::size_t>(name[0] - 'A');
+        ++planes;
+        // D = -(2A + C)/3: the roots cancel, and no digits of them can tell that it is 0.
+        CHECK(letter.known == (name != "D"));
+        if (name == "D") continue;
+        CHECK(letter.digits == digits.at(which));
+        CHECK(letter.enclosed == (letter.digits.size() > 1));
+      }
+  });
+  CHECK(planes > 100);
+}
+
+TEST_CASE("exact values: depths of rays, planes and pieces are those that the oracle finds for the whole picture") {
+  const Scene scene = lesson_scene("five-tests.toml");
+  for (const char* method_id : {"ray-casting", "bsp", "depth-sort", "warnock", "scan-line"}) {
+    CAPTURE(method_id);
+    const Trace trace = test::recorded_by(method_id, scene);
+    const oracle::Errors errors = oracle::errors_of(trace);
+    int count = 0, inexact = 0;
+    for (const char* name : {"C", "H"}) {  // run through each other
+      CAPTURE(name);
+      count += for_each_pixel_of(trace, polygon_named(scene, name), [&](int x, int y, const Chain& chain) {
+        CAPTURE(x);
+        CAPTURE(y);
+        if (chain.cut) return;
+        const Exact z = exactness_of(chain, trace).of[0][0];
+        CAPTURE(z.why);
+        REQUIRE(z.known);
+        const auto pixel = static_cast<std::size_t>(y * scene.raster.width + x);
+        CHECK(std::abs(z.error - errors.depth_error_of_pixel[pixel]) <= 1e-22);
+        inexact += z.error != 0;
+      });
+    }
+    CHECK(count > 20);
+    CHECK(inexact > 0);
+  }
 }
