@@ -182,6 +182,36 @@ void print_beginnings(const Sweep& sweep, const std::vector<double>& values,
 }
 
 #if ZSTEP_HAS_VIEWER
+std::vector<double> decades(double from, double to) {
+  std::vector<double> all;
+  for (double decade = std::pow(10, std::ceil(std::log10(from) - 1e-9)); decade <= to * 1.0001; decade *= 10)
+    all.push_back(decade);
+  return all;
+}
+
+/// How far apart the depths are that each mode's buffer can hold, from the near plane to the far one.
+Drawing chart_of(const Scene& scene, const std::vector<Row>& rows) {
+  const double near = scene.camera.near, far = scene.camera.far;
+  LineChart chart;
+  chart.title = fmt::format("{}: which depths a buffer can tell apart, near = {:g}, far = {:g}", scene.name, near, far);
+  chart.subtitle = "By formula: the distance in z_v to the next depth that the mode's buffer can hold.";
+  chart.x_title = "z_v";
+  chart.y_title = "a unit of the depth buffer, in z_v";
+  chart.x_ticks = decades(near, far);
+  constexpr int points = 17;
+  for (std::size_t mode = 0; mode < rows.size(); ++mode) {
+    LineChart::Line line{rows[mode].mode.text, {}, false, static_cast<int>(mode)};
+    for (int k = 0; k < points; ++k) {
+      const double z =
+          near * std::pow(far / near, (k + 0.5) / points);  // not at the planes: about 0 floats are endless
+      if (const double unit = compare::resolution(scene, rows[mode].mode.conventions, z); unit > 0)
+        line.points.emplace_back(z, unit);
+    }
+    if (!line.points.empty()) chart.lines.push_back(std::move(line));
+  }
+  return draw_chart(chart);
+}
+
 Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<double>& values,
                  const std::vector<std::vector<Row>>& runs) {
   LineChart chart;
@@ -189,9 +219,7 @@ Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<doubl
   chart.subtitle = "Solid: the largest error measured. Dashed: one unit of the depth buffer, in z_v, by formula.";
   chart.x_title = fmt::format("distance of the {} plane", sweep.name);
   chart.y_title = "z_v";
-  for (double decade = std::pow(10, std::ceil(std::log10(sweep.from) - 1e-9)); decade <= sweep.to * 1.0001;
-       decade *= 10)
-    chart.x_ticks.push_back(decade);
+  chart.x_ticks = decades(sweep.from, sweep.to);
   const auto add = [&](const std::string& name, int look, bool dashed, const auto& value_of) {
     LineChart::Line line{name, {}, dashed, look};
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -208,14 +236,22 @@ Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<doubl
   return draw_chart(chart);
 }
 #else
+Drawing chart_of(const Scene&, const std::vector<Row>&) { return {}; }
 Drawing chart_of(const Sweep&, const Scene&, const std::vector<double>&, const std::vector<std::vector<Row>>&) {
   return {};
 }
 #endif
 
+/// Of more lines a chart has no looks.
+void allow_modes(const char* option, std::size_t count, std::size_t most) {
+  if (count > most)
+    throw InputError(option, fmt::format("{} modes are too many for one chart", count),
+                     fmt::format("give at most {} with --modes", most));
+}
+
 int sweep_modes(const CompareOptions& options, const Words& words) {
   const Sweep sweep = sweep_of(options.sweep);
-  constexpr std::size_t most_modes = 3, points = 17;
+  constexpr std::size_t points = 17;
   Watch watch;
   std::vector<double> values;
   std::vector<std::vector<Row>> runs;
@@ -231,9 +267,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
                            fmt::format("{} = {:.3g}: ", sweep.name, value), k == 0));
     values.push_back(value);
     if (runs.back().empty()) throw InputError("--modes", "none of these can be drawn", "give others");
-    if (runs.back().size() > most_modes)
-      throw InputError("--sweep", fmt::format("{} modes are too many for one chart", runs.back().size()),
-                       "give at most 3 with --modes");
+    allow_modes("--sweep", runs.back().size(), 3);  // and the smallest gap
   }
   watch.clear_line();
   using enum Table::Align;
@@ -265,15 +299,19 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
 int compare_modes(const CompareOptions& options) {
   const Words words = mode_words(options.modes);
   if (!options.sweep.empty()) return sweep_modes(options, words);
-  if (!options.plot.empty())
-    throw InputError("--plot", "draws no modes, but a sweep of them", "add --sweep near=0.01..1, or leave it out");
   Watch watch;
   const Run run = prepare_for_modes(options.run, true);
+  if (!options.plot.empty() && run.scene.camera.kind == Camera::Kind::screen)
+    throw InputError("--plot", "draws depths between the near and the far plane, but this scene has none",
+                     "leave it out, or give a scene with a camera");
+  std::vector<std::string> left_out;
+  if (!options.plot.empty())
+    allow_modes("--plot", compare::modes_of(run.scene, run.conventions, words, left_out).size(), 4);
   std::vector<Row> rows = rows_of(run.scene, run.conventions, words, true, options.limit, watch, "", true);
   watch.clear_line();
   if (rows.empty()) throw InputError("--modes", "none of these can be drawn", "give others");
   print_rows(run.scene, rows);
-  write_comparison(options, csv_of(run.scene.name, "", {}, {rows}), [] { return Drawing{}; });
+  write_comparison(options, csv_of(run.scene.name, "", {}, {rows}), [&] { return chart_of(run.scene, rows); });
   return exit_code::done;
 }
 

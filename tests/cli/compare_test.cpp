@@ -70,8 +70,9 @@ TEST_CASE("compare-methods: the table, quickly") {
 
 TEST_CASE("compare-methods: ways of interpolating, and what cannot be drawn so") {
   const Folder folder;
-  const Outcome outcome = run(folder, "compare-methods pyramid-behind --size 24x20 --ortho --modes depth=view,reciprocal "
-                                      "--modes number-format=float32,fixed16 --csv m.csv");
+  const Outcome outcome = run(folder,
+                              "compare-methods pyramid-behind --size 24x20 --ortho --modes depth=view,reciprocal "
+                              "--modes number-format=float32,fixed16 --csv m.csv");
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
@@ -88,8 +89,9 @@ TEST_CASE("compare-methods: ways of interpolating, and what cannot be drawn so")
 
 TEST_CASE("compare-methods: a clipping plane is moved, and the errors are drawn") {
   const Folder folder;
-  const Outcome outcome = run(folder, "compare-methods pyramid-behind --size 16x16 --modes number-format=fixed16,float64 "
-                                      "--sweep near=0.5..1.5 --csv s.csv --plot s.png");
+  const Outcome outcome = run(folder,
+                              "compare-methods pyramid-behind --size 16x16 --modes number-format=fixed16,float64 "
+                              "--sweep near=0.5..1.5 --csv s.csv --plot s.png");
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
@@ -99,12 +101,27 @@ TEST_CASE("compare-methods: a clipping plane is moved, and the errors are drawn"
   if (has(outcome.out, "wrote s.png")) CHECK(zstep::read_png(folder / "s.png").width == 1280);
 }
 
+TEST_CASE("compare-methods: which depths the buffers of ways can hold is drawn, as SVG too") {
+  const Folder folder;
+  const Outcome outcome = run(folder,
+                              "compare-methods pyramid-behind --size 16x16 --modes number-format=fixed16,float32 "
+                              "--plot units.svg");
+  CAPTURE(outcome.err);
+  if (has(outcome.err, "built without the viewer")) return;
+  REQUIRE(outcome.code == 0);
+  const std::string svg = text_of(folder / "units.svg");
+  CHECK(svg.starts_with("<svg "));
+  CHECK(times(svg, ">fixed16</text>") == 1);
+  CHECK(times(svg, "<circle ") == 17);
+}
+
 TEST_CASE("compare-methods: mistakes") {
   check_refused("cube --modes depth=deep", "'deep' is not");
   check_refused("cube --modes colour=red", "is not CONVENTION=WORD,WORD");
   check_refused("cube --modes depth", "is not CONVENTION=WORD,WORD");
   check_refused("cube --modes depth=view --methods z-buffer", "--methods: does not go with --modes");
-  check_refused("cube --modes depth=view --plot a.png", "add --sweep");
+  check_refused("cube --modes depth=all --plot a.png", "6 modes are too many for one chart; give at most 4");
+  check_refused("delhi --modes depth=view --plot a.png", "this scene has none");
   check_refused("cube --sweep middle=1..2", "is not near=FROM..TO");
   check_refused("cube --sweep near=2..1", "does not go from a distance above 0");
   check_refused("cube --modes number-format=all --sweep near=0.5..1", "are too many for one chart");
