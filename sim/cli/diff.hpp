@@ -1,4 +1,4 @@
-// zstep diff: what its printed text, its JSON and its page say of two runs.
+// zstep diff: what its printed text, its JSON and its page say of two runs, or of a run and a picture.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,12 @@
 #include "traces/file/trace.hpp"
 
 namespace zstep::cli {
+
+struct DiffOptions {
+  std::string a, b, page;
+  bool all = false, json = false, view = false;
+  ShowOptions show;
+};
 
 /// One run's side of a cause.
 struct CauseSide {
@@ -40,13 +46,29 @@ struct DiffText {
   std::string pictures;  ///< one sentence
 };
 
+/// All of it in words.
+DiffText diff_text(const Trace& a, const Trace& b, const DiffOptions& options, const diff::DiffReport& report,
+                   const diff::BufferDifference& pictures);
+std::string pictures_text(const diff::BufferDifference& found);
+void print_diff(const DiffText& text, const diff::DiffReport& report, bool all);
+void print_diff_json(const DiffText& text, const diff::DiffReport& report, const diff::BufferDifference& pictures);
+
 /// Two runs in one window: matched first, with progress on the terminal.
 int view_against(const std::string& a, const std::string& b, const ShowOptions& show);
+
+/// A run against the picture of another program; returns the exit code.
+int diff_with_picture(const DiffOptions& options);
+/// Throws InputError unless both are of one size.
+void check_sizes(std::int32_t width_a, std::int32_t height_a, std::int32_t width_b, std::int32_t height_b,
+                 const std::string& b);
 
 /// The differences of a picture as an image.
 Image map_of(const diff::BufferDifference& difference, std::int32_t width, std::int32_t height, bool y_up);
 
 /// One page with all of it, without anything from elsewhere.
 std::string diff_page(const DiffText& text, const diff::DiffReport& report, const PicturePair& pictures);
+/// Writes it to where the options have it, and says so.
+void write_diff_page(const DiffOptions& options, const DiffText& text, const diff::DiffReport& report,
+                     const PicturePair& pictures);
 
 }  // namespace zstep::cli

@@ -1,0 +1,213 @@
+// What zstep diff prints of two runs, as text and as JSON.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/cli/diff.hpp"
+#include "sim/cli/file_lines.hpp"
+#include "sim/cli/words.hpp"
+#include "sim/words/derived.hpp"
+#include "sim/words/judged.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/shell_word.hpp"
+#include "traces/events/slots.hpp"
+#include "traces/formulas/situation_of.hpp"
+#include "traces/replay/replay.hpp"
+#include "traces/text.hpp"
+
+namespace zstep::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using diff::DiffReport, diff::Part;
+
+constexpr std::size_t causes_shown = 10;
+
+/// One side of a cause: the state before the step is what its formulas are of.
+CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, FileLines& lines, std::int64_t step,
+                  std::uint16_t fields, std::string& subject) {
+  CauseSide side;
+  side.step = step;
+  if (step == 0) return side;
+  side.where = place_of_step(path, lines, step);
+  side.command = fmt::format("zstep view {} --at {}", shell_word(path), step);
+  replay.go_to(step - 1);
+  const formulas::Situation at = formulas::situation_of(trace, replay.state());
+  const Event event = trace.event(step).event;
+  subject = subject_of(event, at);
+  side.fields = field_texts(event, at, fields);
+  return side;
+}
+
+std::string kind_name(std::size_t kind) {
+  std::string name;
+  std::size_t number = 0;
+  for_each_kind([&]<class E>() {
+    if (number++ == kind) name = kind_text<E>.name;
+  });
+  return name;
+}
+
+std::vector<std::string> notes_of(const Trace& a, const Trace& b) {
+  std::vector<std::string> notes;
+  const auto only = [&](const Trace& has, const Trace& has_not, const char* name) {
+    std::string kinds;
+    for (std::size_t kind = 0; kind < kind_count; ++kind)
+      if (has.has(static_cast<std::uint8_t>(kind)) && !has_not.has(static_cast<std::uint8_t>(kind)))
+        kinds += (kinds.empty() ? "" : ", ") + kind_name(kind);
+    if (!kinds.empty()) notes.push_back(fmt::format("{} never records {}: not compared", name, kinds));
+  };
+  only(a, b, "B");
+  only(b, a, "A");
+  const Scene &one = a.scene(), &other = b.scene();
+  if (one.points != other.points) notes.push_back("the vertices of the two scenes differ");
+  else if (!(one.camera == other.camera)) notes.push_back("the cameras of the two scenes differ");
+  const Header &h = a.header(), &k = b.header();
+  const auto parts = [&](Convention which, bool differ, const char* what) {
+    if (h.declares(which) && k.declares(which) && differ) notes.push_back(fmt::format("the headers differ: {}", what));
+  };
+  parts(Convention::depth, h.conventions.depth != k.conventions.depth, "which z is interpolated");
+  parts(Convention::interpolation, h.conventions.interpolation != k.conventions.interpolation,
+        "directly, or by increments");
+  parts(Convention::coverage, h.conventions.coverage != k.conventions.coverage, "which pixels a span covers");
+  parts(Convention::cull, h.conventions.cull != k.conventions.cull, "back faces are culled, or not");
+  parts(Convention::number_format, h.conventions.number_format != k.conventions.number_format, "the number format");
+  parts(Convention::nearer, h.comparison != k.comparison, "which depth is nearer, or what wins a tie");
+  return notes;
+}
+
+void print_side(const char* name, const CauseSide& side) {
+  if (side.step == 0) return fmt::print("   {}  –\n", name);
+  fmt::print("   {}  {}\n", name, side.where);
+  for (const std::string& field : side.fields) fmt::print("        {}\n", field);
+}
+
+void print_table(const DiffReport& report) {
+  fmt::print("{:<20} {:>11} {:>9} {:>9} {:>9} {:>9}\n", "steps", "same", "rounding", "different", "only A", "only B");
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
+    const diff::KindDifference& row = report.kinds[kind];
+    if (row.same + row.rounding + row.different + row.only_a + row.only_b == 0) continue;
+    fmt::print("{:<20} {:>11} {:>9} {:>9} {:>9} {:>9}\n", kind_name(kind), row.same, row.rounding, row.different,
+               row.only_a, row.only_b);
+  }
+}
+
+}  // namespace
+
+std::string pictures_text(const diff::BufferDifference& found) {
+  if (found.colors == 0 && found.depths == 0)
+    return found.depths_rounded == 0
+               ? fmt::format("The pictures are the same, all {} pixels.", grouped(found.pixels))
+               : fmt::format("The pictures are the same; {} of {} depths differ by rounding.",
+                             grouped(found.depths_rounded), grouped(found.pixels));
+  return fmt::format("The pictures: of {} pixels {} have another colour, {} another depth (by at most {}).",
+                     grouped(found.pixels), grouped(found.colors), grouped(found.depths), number(found.farthest));
+}
+
+DiffText diff_text(const Trace& a, const Trace& b, const DiffOptions& options, const DiffReport& report,
+                   const diff::BufferDifference& pictures) {
+  DiffText text{printable(a.name()), printable(b.name()), notes_of(a, b), {}, pictures_text(pictures)};
+  Replay replay_a(a), replay_b(b);
+  FileLines lines_a(options.a), lines_b(options.b);
+  const std::size_t shown = options.all ? report.causes.size() : std::min(causes_shown, report.causes.size());
+  // Lines of a file are counted from its beginning: in the order of the steps.
+  std::vector<std::size_t> order(shown);
+  for (std::size_t i = 0; i < shown; ++i) order[i] = i;
+  text.causes.resize(shown);
+  const auto by = [&](auto step) {
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t one, std::size_t other) { return step(one) < step(other); });
+  };
+  by([&](std::size_t i) { return report.causes[i].first.a; });
+  for (const std::size_t i : order)
+    text.causes[i].a = side_of(a, options.a, replay_a, lines_a, report.causes[i].first.a, report.causes[i].first.fields,
+                               text.causes[i].subject);
+  by([&](std::size_t i) { return report.causes[i].first.b; });
+  for (const std::size_t i : order)
+    text.causes[i].b = side_of(b, options.b, replay_b, lines_b, report.causes[i].first.b, report.causes[i].first.fields,
+                               text.causes[i].subject);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const diff::Cause& cause = report.causes[i];
+    const Trace& of = cause.first.only_a() ? a : b;
+    const StepInfo* step = find_step(of.header().page, cause.first.line);
+    text.causes[i].step = step ? step->name : kind_name(cause.first.kind);
+    text.causes[i].what = why_cause(cause);
+    text.causes[i].follows = what_follows(cause);
+  }
+  return text;
+}
+
+void print_diff(const DiffText& text, const DiffReport& report, bool all) {
+  fmt::print("A: {}\nB: {}\n", text.name_a, text.name_b);
+  for (const std::string& note : text.notes) fmt::print("{}\n", note);
+  fmt::print("\n");
+  const auto different = static_cast<std::int64_t>(
+      std::count_if(report.causes.begin(), report.causes.end(),
+                    [](const diff::Cause& cause) { return cause.part == Part::different; }));
+  if (report.causes.empty()) fmt::print("All steps that both have are the same, to the last bit.\n");
+  else if (different == 0) fmt::print("The runs part by rounding alone ({}).\n", report.precision.text);
+  else
+    fmt::print("{}, {} in all\n", counted(different, "cause", "causes"),
+               counted(report.differences(), "difference", "differences"));
+  fmt::print("{}\n\n", text.pictures);
+  for (std::size_t i = 0; i < text.causes.size(); ++i) {
+    const CauseText& cause = text.causes[i];
+    fmt::print("{}. {}{}: {}\n", i + 1, cause.step, cause.subject.empty() ? "" : ", " + cause.subject, cause.what);
+    print_side("A", cause.a);
+    print_side("B", cause.b);
+    if (!cause.follows.empty()) fmt::print("   {}\n", cause.follows);
+    fmt::print("   {}\n", cause.b.step != 0 ? cause.b.command : cause.a.command);
+  }
+  if (text.causes.size() < report.causes.size() && !all)
+    fmt::print("… and {} more: --all prints them\n",
+               grouped(static_cast<std::int64_t>(report.causes.size() - text.causes.size())));
+  if (!text.causes.empty()) fmt::print("\n");
+  print_table(report);
+}
+
+void print_diff_json(const DiffText& text, const DiffReport& report, const diff::BufferDifference& pictures) {
+  const auto side = [](const CauseSide& of) -> Json {
+    if (of.step == 0) return nullptr;
+    return Json{{"step", of.step}, {"where", of.where}, {"fields", of.fields}};
+  };
+  Json causes = Json::array(), kinds = Json::object();
+  for (std::size_t i = 0; i < text.causes.size(); ++i) {
+    const diff::Cause& cause = report.causes[i];
+    causes.push_back(Json{{"kind", kind_name(cause.first.kind)},
+                          {"name", text.causes[i].step},
+                          {"subject", text.causes[i].subject},
+                          {"part", cause.part == Part::rounding ? "rounding" : "different"},
+                          {"what", text.causes[i].what},
+                          {"a", side(text.causes[i].a)},
+                          {"b", side(text.causes[i].b)},
+                          {"again", cause.again},
+                          {"symptoms", cause.symptoms}});
+  }
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
+    const diff::KindDifference& row = report.kinds[kind];
+    if (row.same + row.rounding + row.different + row.only_a + row.only_b == 0) continue;
+    kinds[kind_name(kind)] = Json{{"same", row.same},
+                                  {"rounding", row.rounding},
+                                  {"different", row.different},
+                                  {"only_a", row.only_a},
+                                  {"only_b", row.only_b}};
+  }
+  const Json all{{"a", text.name_a},
+                 {"b", text.name_b},
+                 {"notes", text.notes},
+                 {"format", report.precision.text},
+                 {"complete", report.alignment.complete},
+                 {"differences", report.differences()},
+                 {"causes_in_all", report.causes.size()},
+                 {"causes", causes},
+                 {"kinds", kinds},
+                 {"pixels", pictures.pixels},
+                 {"colors_differ", pictures.colors},
+                 {"depths_differ", pictures.depths},
+                 {"depth_farthest", pictures.farthest}};
+  fmt::print("{}\n", all.dump(2));
+}
+
+}  // namespace zstep::cli
