@@ -1,22 +1,17 @@
 // JSON Lines in: line by line, with what is wrong gathered and the torn end of a crashed program's file set apart.
-#include <algorithm>
-#include <array>
-#include <cstring>
-#include <istream>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "traces/error.hpp"
-#include "traces/events/slots.hpp"
 #include "traces/file/check_events.hpp"
+#include "traces/file/event_json.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/file/json_members.hpp"
 #include "traces/file/json_text.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/file/jsonl_lines.hpp"
 #include "traces/file/quick_line.hpp"
 #include "traces/near_word.hpp"
 #include "traces/text.hpp"
@@ -27,142 +22,8 @@ using nlohmann::json;
 
 namespace {
 
-// The header line holds the scene. A parsed line takes up to thirty times its length in memory, more when it is nested
-// without end, so both are bounded: what comes from others may be made to fill the machine.
-constexpr std::size_t line_limit = std::size_t{24} << 20;
-
-constexpr std::size_t most_faults = 10;  ///< that are told of one file
-
 constexpr const char* mend_header = "the first line must be a trace's header, as docs/trace-format.md shows it";
 constexpr const char* mend_event = "see the fields of each event in docs/trace-format.md";
-
-/// A file's lines, of at most line_limit + 1 characters each: what comes from others may have no line end at all.
-class Lines {
- public:
-  explicit Lines(std::istream& in) : in_(in) {}
-  bool next(std::string& line) {
-    line.clear();
-    for (;;) {
-      if (at_ == end_ && !fill()) return !line.empty();
-      const char* from = block_.data() + at_;
-      const std::size_t room = std::min(end_ - at_, line_limit + 1 - line.size());
-      const void* const found = std::memchr(from, '\n', room);
-      const std::size_t length = found ? static_cast<std::size_t>(static_cast<const char*>(found) - from) : room;
-      line.append(from, length);
-      at_ += length + (found != nullptr);
-      if (found || line.size() > line_limit) return true;
-    }
-  }
-
- private:
-  bool fill() {
-    at_ = 0;
-    end_ = static_cast<std::size_t>(
-        std::max<std::streamsize>(0, in_.rdbuf()->sgetn(block_.data(), static_cast<std::streamsize>(block_.size()))));
-    return end_ > 0;
-  }
-  std::istream& in_;
-  std::vector<char> block_ = std::vector<char>(std::size_t{1} << 18);
-  std::size_t at_ = 0, end_ = 0;
-};
-
-bool truth_from(const json& in, std::string_view name) {
-  if (in.is_boolean()) return in.get<bool>();
-  throw MalformedJson(in, "", fmt::format("\"{}\" is neither true nor false", name),
-                      "write true or false, without quotes");
-}
-
-std::size_t word_from(const json& in, std::string_view name, std::span<const std::string_view> words) {
-  if (in.is_string()) {
-    const auto found = std::find(words.begin(), words.end(), in.get<std::string>());
-    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  }
-  const std::string_view near = in.is_string() ? near_word(in.get_ref<const std::string&>(), words) : "";
-  throw MalformedJson(in, "", fmt::format("\"{}\" can only be one of: {}", name, fmt::join(words, ", ")),
-                      near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
-}
-
-std::int32_t whole_from(const json& in, std::string_view name) {
-  // Programs in languages with one kind of number write 5.0 for 5.
-  if (in.is_number()) {
-    const double value = in.get<double>();
-    if (value == static_cast<double>(static_cast<std::int64_t>(std::clamp(value, -3e9, 3e9))) && value >= INT32_MIN &&
-        value <= INT32_MAX)
-      return static_cast<std::int32_t>(value);
-  }
-  throw MalformedJson(in, "", fmt::format("\"{}\" is not a whole number", name));
-}
-
-template <class Value>
-Value value_from(const json& in, std::string_view name) {
-  if constexpr (std::is_same_v<Value, double>) return real_from_json(in, std::string(name).c_str());
-  else if constexpr (std::is_same_v<Value, bool>) return truth_from(in, name);
-  else if constexpr (std::is_enum_v<Value>) return static_cast<Value>(word_from(in, name, words_of<Value>));
-  else return whole_from(in, name);
-}
-
-/// Throws when a line has other members than its step and these.
-void refuse_others(const json& line, std::span<const std::string_view> fields, std::string_view kind) {
-  for (const auto& item : line.items()) {
-    const std::string& key = item.key();
-    if (key == "step" || std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
-    throw MalformedJson(line, key, fmt::format("\"{}\" is no field of {}", key, kind),
-                        near_word_or_list(key, fields, "its fields are"));
-  }
-}
-
-template <class E>
-E event_from(const json& line) {
-  E event{};
-  std::array<std::string_view, field_count<E>> names;
-  for_each_index<E>([&]<std::size_t I>() { names[I] = field_at<E, I>.name; });
-  for_each_index<E>([&]<std::size_t I>() {
-    const auto found = line.find(std::string(names[I]));
-    if (found == line.end()) {
-      refuse_others(line, names, kind_text<E>.name);  // it is there under a misspelt name
-      throw MalformedJson(line, "", fmt::format("\"{}\" is missing ({})", names[I], field_at<E, I>.meaning));
-    }
-    event.*field_at<E, I>.member = value_from<FieldValue<E, I>>(*found, names[I]);
-  });
-  if (line.size() != names.size() + 1) refuse_others(line, names, kind_text<E>.name);
-  return event;
-}
-
-/// What a file ends with when the program that wrote it crashed: no whole object from some line on.
-class Tail {
- public:
-  struct Line {
-    std::int64_t number;
-    std::string text;
-    json_text::Fault fault;
-  };
-  void add(std::int64_t line, std::string_view text, const json_text::Fault& fault) {
-    if (count_++ == 0) line_ = line;
-    if (first_.size() < most_faults) first_.push_back({line, std::string(text.substr(0, kept)), fault});
-    last_ = json_text::shown(text, 80);
-  }
-  bool empty() const { return count_ == 0; }
-  std::int64_t line() const { return line_; }
-  /// "Traceback (most recent call last):", …, "ZeroDivisionError: division by zero"
-  std::string quoted() const {
-    std::string text = fmt::format("\u201c{}\u201d", json_text::shown(first_.front().text, 80));
-    if (count_ == 3) text += fmt::format(", \u201c{}\u201d", json_text::shown(first_[1].text, 80));
-    if (count_ > 3) text += ", \u2026";
-    if (count_ > 1) text += fmt::format(", \u201c{}\u201d", last_);
-    return text;
-  }
-  /// Its first lines, when more came that was whole: they are mistakes then.
-  std::vector<Line> give_up() {
-    count_ = 0;
-    return std::exchange(first_, {});
-  }
-
- private:
-  static constexpr std::size_t kept = 4096;
-  std::int64_t line_ = 0, count_ = 0;
-  std::vector<Line> first_;
-  std::string last_;
-};
 
 /// A step that is well written, but no run on this scene can have.
 struct ImpossibleStep : MalformedJson {
@@ -248,8 +109,7 @@ class Reader {
     EventCheck of_one = *check_;
     if (!visit_event([&](const auto& event) { return of_one(event).empty(); }, quick_event_.event)) return false;
     ++events_;
-    if (faults_.empty())
-      visit_event([&](const auto& event) { record_any(*recorder_, quick_event_.step, event); }, quick_event_.event);
+    if (faults_.empty()) record_any(*recorder_, quick_event_.step, quick_event_.event);
     return true;
   }
 
@@ -345,7 +205,7 @@ class Reader {
 
   /// What looked like the file's end was none: its lines are mistakes.
   void give_up_tail() {
-    for (const Tail::Line& line : tail_.give_up()) add(line.number, line.fault, line.text);
+    for (const TornTail::Line& line : tail_.give_up()) add(line.number, line.fault, line.text);
   }
 
   void begin(const json& document) {
@@ -376,18 +236,15 @@ class Reader {
     if (step == nullptr)
       throw MalformedJson(document, "step", fmt::format("there is no step \"{}\" in the header's list", name),
                           near_word_or_list(name, {step_names_.data(), step_names_.size()}, "its steps are"));
-    for_each_kind([&]<class E>() {
-      if (kind_of<E> != step->kind) return;
-      const E event = event_from<E>(document);
-      EventCheck of_one = *check_;  // how often buffers are cleared is held against a block, once it is read
-      if (const std::string fault = of_one(event); !fault.empty())
-        throw ImpossibleStep(document, std::string(of_one.field()), fault, "it must be one of the scene's");
-      ++events_;
-      if (faults_.empty()) record_any(*recorder_, step->id, event);
-    });
+    const Event event = event_from_json(step->kind, document);
+    EventCheck of_one = *check_;  // how often buffers are cleared is held against a block, once it is read
+    if (const std::string fault = visit_event([&](const auto& e) { return of_one(e); }, event); !fault.empty())
+      throw ImpossibleStep(document, std::string(of_one.field()), fault, "it must be one of the scene's");
+    ++events_;
+    if (faults_.empty()) record_any(*recorder_, step->id, event);
   }
 
-  Lines lines_;
+  TextLines lines_;
   const std::string& name_;
   const Begin& begin_;
   std::optional<std::string> ahead_;
@@ -402,7 +259,7 @@ class Reader {
   std::int64_t events_ = 0;
   std::string* impossible_;
   bool ended_ = false;  ///< at a step that cannot be
-  Tail tail_;
+  TornTail tail_;
   std::vector<std::string> faults_;
 };
 
