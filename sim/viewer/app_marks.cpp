@@ -1,8 +1,4 @@
 // What is marked: what check found in the run, or how a second run beside it differs.
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
@@ -99,77 +95,6 @@ void App::follow_marks() {
   b.pointed = ui_.pointed;
   b.scroll_now = ui_.scroll_now;
   b.pixel_marks = ui_.pixel_marks;
-}
-
-/// A pane of either run. What a reader does in the second one's, zooming and selecting, both take.
-void App::draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size) {
-  const std::string title = fmt::format("{}: {}", first ? "A" : "B", pane.title);
-  if (first) return draw_pane(ui_, pane, title, at, size);
-  Ui& b = *other_ui_;
-  Session& session = against_->session();
-  const std::uint64_t revision = session.revision();
-  b.mouse_help.clear();
-  b.pointed_next.reset();
-  b.view = ui_.view;
-  ImGui::PushID("second run");
-  draw_pane(b, pane, title, at, size);
-  ImGui::PopID();
-  if (!b.mouse_help.empty()) ui_.mouse_help = b.mouse_help;
-  if (b.pointed_next) ui_.pointed_next = b.pointed_next;
-  if (session.revision() == revision) return;
-  ui_.view = b.view;
-  if (session.selected != session_.selected) session_.select(session.selected);
-  session_.touch();
-}
-
-/// The frames of both side by side, and their depth buffers, in one row or two, whichever shows larger pixels; below
-/// them the slice with both.
-void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
-  Layout& l = settings_.layout;
-  const float gap = std::round(ui_.em * 0.35f);
-  const Header &header = session_.header(), &other = against_->session().header();
-  const bool depths = depth_pane.serves(header) && depth_pane.serves(other);
-  const bool narrow = size.x < ui_.em * 44 || size.y < ui_.em * 21;
-  const bool sliced = slice_pane.serves(header) && slice_pane.serves(other) && !narrow;
-  const float left = narrow ? 0 : std::round(size.x * l.left);
-  if (!narrow) {
-    // A class needs no code beside two runs.
-    const float code = ui_.presenter ? 0 : std::round(size.y * 0.34f),
-                said = std::round((size.y - code - (ui_.presenter ? gap : 2 * gap)) / 2);
-    float y = at.y;
-    if (!ui_.presenter) {
-      draw_pane(pseudo_code_pane, {at.x, y}, {left, code});
-      y += code + gap;
-    }
-    draw_of(true, happened_pane, {at.x, y}, {left, said});
-    draw_of(false, happened_pane, {at.x, y + said + gap}, {left, at.y + size.y - y - said - gap});
-    splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
-    l.left = std::clamp(l.left, 0.1f, 0.55f);
-  }
-  const float x = narrow ? at.x : at.x + left + gap, middle = at.x + size.x - x;
-  const float upper = sliced ? std::round((size.y - gap) * l.buffers) : size.y;
-  std::vector<std::pair<bool, const Pane*>> panes{{true, &frame_pane}, {false, &frame_pane}};
-  if (depths && !narrow) panes.insert(panes.end(), {{true, &depth_pane}, {false, &depth_pane}});
-  const Raster& raster = session_.scene().raster;
-  const auto pixel = [&](int columns, int rows) {
-    return std::min((middle / static_cast<float>(columns) - 3 * ui_.em) / static_cast<float>(raster.width),
-                    (upper / static_cast<float>(rows) - 4 * ui_.em) / static_cast<float>(raster.height));
-  };
-  const int count = static_cast<int>(panes.size());
-  const int rows = count > 2 && pixel(2, 2) > pixel(4, 1) ? 2 : 1, columns = count / rows;
-  for (int i = 0; i < count; ++i) {
-    const auto part = [gap](float from, float room, int place, int parts) {
-      const float each = (room - gap * static_cast<float>(parts - 1)) / static_cast<float>(parts);
-      return std::make_pair(std::round(from + static_cast<float>(place) * (each + gap)), std::floor(each));
-    };
-    const auto [px, width] = part(x, middle, i % columns, columns);
-    const auto [py, height] = part(at.y, upper, i / columns, rows);
-    const auto& [first, pane] = panes[static_cast<std::size_t>(i)];
-    draw_of(first, *pane, {px, py}, {width, height});
-  }
-  if (!sliced) return;
-  draw_pane(slice_pane, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
-  splitter("buffers", {x, at.y + upper}, {middle, gap}, false, l.buffers, size.y - gap);
 }
 
 }  // namespace zstep::viewer

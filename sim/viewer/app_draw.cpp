@@ -1,0 +1,202 @@
+// One frame: title, panes, timeline, and what lies over them.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/app.hpp"
+#include "sim/viewer/commands.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                  ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse;
+
+ImVec4 color(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
+
+void apply_style(const Ui& ui) {
+  const Theme& c = ui.colors();
+  ImGuiStyle& style = ImGui::GetStyle();
+  // Straight edges only: the software renderer draws rectangles by blitting, and triangles one pixel at a time.
+  style.AntiAliasedLines = style.AntiAliasedLinesUseTex = style.AntiAliasedFill = false;
+  style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = style.ScrollbarRounding =
+      style.GrabRounding = 0;
+  style.WindowBorderSize = style.ChildBorderSize = 0;
+  style.PopupBorderSize = 1;
+  style.WindowMinSize = {1, 1};
+  style.ScrollbarSize = std::round(ui.em * 0.6f);
+  style.WindowPadding = {std::round(ui.em * 0.5f), std::round(ui.em * 0.35f)};
+  style.ItemSpacing = {std::round(ui.em * 0.4f), 0};
+  style.Colors[ImGuiCol_Text] = color(c.text);
+  style.Colors[ImGuiCol_WindowBg] = color(c.window);
+  style.Colors[ImGuiCol_ChildBg] = color(c.pane);
+  style.Colors[ImGuiCol_PopupBg] = color(c.pane);
+  style.Colors[ImGuiCol_Border] = color(c.rule);
+  style.Colors[ImGuiCol_ScrollbarBg] = color(c.pane);
+  style.Colors[ImGuiCol_ScrollbarGrab] = color(c.rule);
+  style.Colors[ImGuiCol_ScrollbarGrabHovered] = style.Colors[ImGuiCol_ScrollbarGrabActive] = color(c.muted);
+}
+
+}  // namespace
+
+void App::draw_title(ImVec2 at, ImVec2 size) {
+  const Theme& c = ui_.colors();
+  const State& state = session_.state();
+  const ImFont* font = ui_.fonts.text;
+  const float y = at.y + std::round((size.y - font->FontSize) / 2) - 1;
+  const std::string menu = "Menu";
+  const float menu_width = text_size(ui_, font, menu).x + std::round(ui_.em * 1.1f);
+  ImGui::SetCursorScreenPos({at.x + size.x - menu_width, at.y + std::round(ui_.em * 0.12f)});
+  if (button(ui_, menu, overlay_ == Overlay::menu)) open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
+  if (ImGui::IsItemHovered()) ui_.mouse_help = "Every command, with its key.";
+  const float right = at.x + size.x - menu_width - ui_.em;
+
+  // From the right: what there is room for, the most important first.
+  std::vector<std::string> parts{fmt::format("step {} of {}", grouped(session_.position()), grouped(session_.size()))};
+  if (state.machine.polygon != no_polygon)
+    parts.push_back("polygon " + polygon_label(session_.scene(), state.machine.polygon));
+  if (state.machine.horizon.curve) parts.push_back(fmt::format("curve {}", state.machine.horizon.curve->curve));
+  if (state.machine.horizon.test) parts.push_back(fmt::format("column {}", state.machine.horizon.test->x));
+  if (state.machine.scan_line) parts.push_back(fmt::format("line {}", *state.machine.scan_line));
+  if (const auto cell = session_.current_cell()) parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
+  const Scene& scene = session_.scene();
+  std::vector<std::string> names{"zstep"};
+  if (session_.lesson()) names.push_back(session_.lesson()->title);
+  if (against_) {
+    const Session& b = against_->session();
+    parts.insert(parts.begin() + 1,
+                 fmt::format("run B: step {} of {}", grouped(b.position()), grouped(b.size())));
+    for (const Session* run : {static_cast<const Session*>(&session_), &b})
+      names.push_back((run == &b ? "B: " : "A: ") + std::filesystem::path(run->trace().name()).filename().string());
+  } else {
+    names.push_back(session_.header().title.empty() ? session_.header().algorithm : session_.header().title);
+    names.push_back(scene.name.empty() ? session_.trace().name() : scene.name);
+  }
+  const auto joined = [](const std::vector<std::string>& all) {
+    std::string text;
+    for (const std::string& part : all) text += (text.empty() ? "" : " \u00b7 ") + part;
+    return text;
+  };
+  while (parts.size() > 1 && text_size(ui_, font, joined(parts)).x > right - at.x) parts.pop_back();
+  const std::string where = joined(parts);
+  const float where_width = text_size(ui_, font, where).x;
+  if (where_width <= right - at.x) draw_text(ui_, {right - where_width, y}, font, c.text, where);
+  while (names.size() > 1 && text_size(ui_, ui_.fonts.bold, joined(names)).x > right - where_width - at.x - ui_.em)
+    names.pop_back();
+  const std::string name = joined(names);
+  if (text_size(ui_, ui_.fonts.bold, name).x <= right - where_width - at.x - ui_.em)
+    draw_text(ui_, {at.x, y}, ui_.fonts.bold, c.text, name);
+}
+
+void App::draw_overlay() {
+  switch (overlay_) {
+    case Overlay::none: return;
+    case Overlay::keys: return draw_key_sheet(*this);
+    case Overlay::palette: return draw_palette(*this);
+    case Overlay::go_to: return draw_go_to(*this);
+    case Overlay::menu: return draw_menu(*this);
+    case Overlay::query: return draw_query(*this);
+    case Overlay::history: return draw_history(*this);
+    case Overlay::why_ask: return draw_why_ask(*this);
+    case Overlay::why: return draw_why(*this);
+    case Overlay::explain: return draw_explain(*this);
+    case Overlay::until: return draw_until(*this);
+    case Overlay::name_bookmark: return draw_name_bookmark(*this);
+    case Overlay::bookmarks: return draw_bookmarks(*this);
+    case Overlay::range: return draw_range(*this);
+  }
+}
+
+/// What was clicked in this frame, where no question lies over it.
+void App::take_clicks() {
+  if (ui_.clicked) {
+    session_.message.clear();
+    ui_.clicked->run(*this);
+    session_.touch();
+  } else if (ui_.asked_history) {
+    session_.select(ui_.asked_history);
+    open_history();
+  } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    open(Overlay::menu);
+  }
+}
+
+/// Panes scroll to what is at work when the step or the layout changes, for some frames: the first may bring a scroll
+/// bar, which wraps lines anew.
+void App::begin_scrolling() {
+  const auto scrolls = [](std::uint64_t now, std::uint64_t& follows, int& frames) {
+    if (follows != now) follows = now, frames = frames_to_settle - 1;
+    return frames > 0 && frames-- > 0;
+  };
+  const Layout& l = settings_.layout;
+  Fingerprint layout;
+  for (const float part : {static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height()), built_for_,
+                           l.left, l.right, l.code, l.frame, l.buffers})
+    take(layout, part);
+  for (const auto& [pane, share] : l.structures) take(layout, share);
+  take(layout, ui_.presenter);
+  take(layout, ui_.vertices_always);
+  take(layout, ui_.slice);
+  Fingerprint moment = layout, stop = layout;
+  take(moment, session_.position());
+  take(stop, session_.stop());
+  ui_.scroll_now = scrolls(moment.value(), ui_.scroll_follows, ui_.scroll_frames);
+  ui_.speaks_now = scrolls(stop.value(), ui_.speaks_follows, ui_.speaks_frames);
+}
+
+void App::draw() {
+  ImGui::SetCurrentContext(context_.context);
+  places_.look_on();
+  if (asking_ > 0 && --asking_ == 0) ask_now();
+  follow_overlay();
+  update_fonts();
+  apply_style(ui_);
+  const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
+  ImGui::GetIO().DisplaySize = size;
+  begin_scrolling();
+  ui_.mouse_help = ui_.fonts.lacking;
+  ui_.asked.reset();
+  ui_.asked_as.clear();
+  ui_.asked_history.reset();
+  ui_.clicked = nullptr;
+  ui_.pointed_next.reset();
+  ui_.hovered_edge_next.reset();
+  follow_marks();
+  ImGui::NewFrame();
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::Begin("zstep", nullptr, bare);
+  ImGui::PopStyleVar();
+  const float pad = std::round(ui_.em * 0.4f);
+  const float title = std::round(ui_.em * 1.9f);
+  const float timeline = timeline_height(ui_);
+  const ImVec2 at{pad, 0};
+  const float width = size.x - 2 * pad, height = size.y - title - timeline - 2 * pad;
+  if (only_) draw_pane(*only_, {0, 0}, size);
+  else draw_title(at, {width, title});
+  if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
+  if (!only_ && size.y > title + timeline) {
+    ImGui::SetCursorScreenPos({pad, size.y - timeline - pad});
+    draw_timeline(ui_, {width, timeline});
+  }
+  ImGui::End();
+  const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history ||
+                       overlay_ == Overlay::query;
+  draw_overlay();
+  if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
+  if (places_.searching()) draw_search(*this);
+  if (overlay_ == Overlay::none) take_clicks();
+  ImGui::Render();
+  renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
+  if (ui_.pointed != ui_.pointed_next || session_.hovered_edge != ui_.hovered_edge_next) session_.touch();
+  ui_.pointed = ui_.pointed_next;
+  session_.hovered_edge = ui_.hovered_edge_next;
+}
+
+}  // namespace zstep::viewer
