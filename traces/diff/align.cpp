@@ -1,121 +1,21 @@
 #include "traces/diff/align.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
-#include <limits>
-#include <optional>
 #include <tuple>
-#include <unordered_map>
-#include <unordered_set>
+#include <utility>
 
-#include "traces/diff/identity.hpp"
-#include "traces/file/visit.hpp"
-#include "traces/replay/same.hpp"
+#include "traces/diff/in_step.hpp"
+#include "traces/diff/parting.hpp"
+#include "traces/diff/waiting.hpp"
+#include "traces/file/trace_impl.hpp"
 
 namespace zstep::diff {
 
 namespace {
 
-/// Steps whose partner has not come yet, and differences that were found: beyond so many the comparison ends.
-constexpr std::size_t most_waiting = 3'000'000, most_differences = 20'000'000;
-
-struct Keyed {
-  Identity::Known known;
-  std::int64_t position = 0;
-  RecordedEvent event;
-};
-
-/// One run, read ahead a little, with what its steps are about.
-class Reader {
- public:
-  Reader(const Trace& trace, const std::array<bool, kind_count>& both) : trace_(trace), both_(both), identity_(trace) {}
-
-  bool next(Keyed& out) {
-    while (next_ == ahead_.size()) {
-      if (position_ >= trace_.size()) return false;
-      ahead_.clear(), next_ = 0;
-      trace_.each(position_, std::min(position_ + at_once, trace_.size()),
-                  [&](std::int64_t position, const RecordedEvent& event) {
-                    if (!both_[event.event.index()]) return true;
-                    const Identity::Known known = identity_.of(event.event);
-                    if (!taken_up_again(event.event)) ahead_.push_back({known, position, event});
-                    return true;
-                  });
-      position_ = std::min(position_ + at_once, trace_.size());
-    }
-    out = ahead_[next_++];
-    return true;
-  }
-  std::int64_t position() const { return position_; }
-
- private:
-  /// Who works scan line by scan line comes back to a polygon.
-  bool taken_up_again(const Event& event) {
-    if (holds<BuffersClear>(event) || holds<PassBegin>(event)) begun_.clear();
-    const auto* polygon = get_if<PolygonBegin>(&event);
-    return polygon && !begun_.insert(polygon->polygon).second;
-  }
-
-  static constexpr std::int64_t at_once = 4096;
-  const Trace& trace_;
-  const std::array<bool, kind_count>& both_;
-  Identity identity_;
-  std::unordered_set<std::int32_t> begun_;  ///< polygons
-  std::vector<Keyed> ahead_;
-  std::size_t next_ = 0;
-  std::int64_t position_ = 0;
-};
-
-/// Steps that wait for their partner, first come, first served: a chain of places for each thing that they are about.
-class Waiting {
- public:
-  bool empty() const { return chains_.empty(); }
-  std::size_t size() const { return steps_.size() - free_.size(); }
-  void put(Keyed&& step) {
-    std::uint32_t place = 0;
-    if (free_.empty()) {
-      place = static_cast<std::uint32_t>(steps_.size());
-      steps_.push_back({std::move(step), end});
-    } else {
-      place = free_.back();
-      free_.pop_back();
-      steps_[place] = {std::move(step), end};
-    }
-    const auto [chain, fresh] = chains_.try_emplace(steps_[place].step.known.about, Chain{place, place});
-    if (fresh) return;
-    steps_[chain->second.last].next = place;
-    chain->second.last = place;
-  }
-  std::optional<Keyed> take(Identity::Key key) {
-    const auto chain = chains_.find(key);
-    if (chain == chains_.end()) return std::nullopt;
-    const std::uint32_t place = chain->second.first;
-    free_.push_back(place);
-    if (place == chain->second.last) chains_.erase(chain);
-    else chain->second.first = steps_[place].next;
-    return steps_[place].step;
-  }
-  template <class Visit>
-  void each(Visit&& visit) const {
-    for (const auto& [key, chain] : chains_)
-      for (std::uint32_t place = chain.first; place != end; place = steps_[place].next) visit(steps_[place].step);
-  }
-
- private:
-  static constexpr std::uint32_t end = 0xffffffff;
-  struct Place {
-    Keyed step;
-    std::uint32_t next = end;
-  };
-  struct Chain {
-    std::uint32_t first = 0, last = 0;
-  };
-  std::vector<Place> steps_;
-  std::vector<std::uint32_t> free_;
-  std::unordered_map<Identity::Key, Chain> chains_;
-};
+/// Beyond so many steps whose partner has not come yet the comparison ends.
+constexpr std::size_t most_waiting = 3'000'000;
 
 /// Does a run record this kind? What is done to pixels, and that edges leave the list, it does where its pseudo-code
 /// has a line for it, also if it never came to it: that may be the mistake.
@@ -128,17 +28,46 @@ bool may_record(const Trace& trace, std::uint8_t kind) {
          std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
 }
 
-void extend(std::vector<Match>& matches, std::int64_t a, std::int64_t b) {
-  if (!matches.empty()) {
-    Match& last = matches.back();
-    if (last.a + last.count == a && last.b + last.count == b) return void(++last.count);
+/// One run, read ahead a little, with what its steps are about.
+class Reader {
+ public:
+  /// From the step after `position`.
+  Reader(const Trace& trace, const Both& both, std::int64_t position, Identity identity, Begun begun)
+      : trace_(trace), both_(both), identity_(std::move(identity)), begun_(std::move(begun)), position_(position) {}
+
+  /// The next step, until it is asked for again; nullptr at the end.
+  const Keyed* next() {
+    while (next_ == ahead_.size()) {
+      if (position_ >= trace_.size()) return nullptr;
+      ahead_.clear(), next_ = 0;
+      // Each block is decoded from its beginning: a part of it would cost as much.
+      const auto& block = trace_.impl().blocks[trace_.impl().block_of(position_ + 1)].info;
+      const std::int64_t end = block.first_position + static_cast<std::int64_t>(block.count);
+      trace_.each(position_, end, [&](std::int64_t position, const RecordedEvent& event) {
+        if (!both_[event.event.index()]) return true;
+        const Identity::Known known = identity_.of(event.event);
+        if (!begun_.again(event.event)) ahead_.push_back({known, position, event});
+        return true;
+      });
+      position_ = end;
+    }
+    return &ahead_[next_++];
   }
-  matches.push_back({a, b, 1});
-}
+  std::int64_t position() const { return position_; }
+
+ private:
+  const Trace& trace_;
+  const Both& both_;
+  Identity identity_;
+  Begun begun_;
+  std::vector<Keyed> ahead_;
+  std::size_t next_ = 0;
+  std::int64_t position_;
+};
 
 class Aligner {
  public:
-  Aligner(const Trace& a, const Trace& b) : a_(a), b_(b), read_a_(a, both_), read_b_(b, both_) {
+  Aligner(const Trace& a, const Trace& b) : a_(a), b_(b) {
     for (std::size_t kind = 0; kind < kind_count; ++kind)
       both_[kind] = may_record(a, static_cast<std::uint8_t>(kind)) && may_record(b, static_cast<std::uint8_t>(kind));
     // One list of all polygons' edges is another list than that of each polygon.
@@ -148,83 +77,62 @@ class Aligner {
   }
 
   Alignment run(const std::function<bool(double)>& on_way) {
-    const double all = static_cast<double>(std::max<std::int64_t>(a_.size() + b_.size(), 1));
-    Keyed a, b;
-    for (std::int64_t round = 0;; ++round) {
-      const bool more_a = read_a_.next(a), more_b = read_b_.next(b);
-      if (!more_a && !more_b) break;
-      if (more_a && more_b && a.known.about == b.known.about && wait_a_.empty() && wait_b_.empty()) {
-        pair(a, b);
-      } else {
-        if (more_a)
-          meet(std::move(a), wait_b_, wait_a_, [&](const Keyed& one, const Keyed& other) { pair(one, other); });
-        if (more_b)
-          meet(std::move(b), wait_a_, wait_b_, [&](const Keyed& one, const Keyed& other) { pair(other, one); });
-      }
-      if (wait_a_.size() + wait_b_.size() > most_waiting || found_.differences.size() > most_differences) {
-        found_.complete = false;
-        break;
-      }
-      if (round % 16384 == 0 && on_way &&
-          on_way(static_cast<double>(read_a_.position() + read_b_.position()) / all)) {
-        found_.complete = false;
-        break;
-      }
+    InStep begun = go_in_step(a_, b_, both_, found_, on_way);
+    found_.identical = begun.identical;
+    found_.complete = !begun.told_to_end;
+    if (found_.complete && !found_.identical) {
+      Reader read_a(a_, both_, begun.a, std::move(begun.of_a), begun.begun);
+      Reader read_b(b_, both_, begun.b, std::move(begun.of_b), begun.begun);
+      match(read_a, read_b, on_way);
+      if (found_.complete) leave_over();
     }
-    if (found_.complete) leave_over();
     return finish();
   }
 
  private:
+  /// By what the steps are about.
+  void match(Reader& read_a, Reader& read_b, const std::function<bool(double)>& on_way) {
+    const double all = static_cast<double>(std::max<std::int64_t>(a_.size() + b_.size(), 1));
+    for (std::int64_t round = 0;; ++round) {
+      const Keyed *a = read_a.next(), *b = read_b.next();
+      if (!a && !b) return;
+      if (a && b && a->known.about == b->known.about && wait_a_.empty() && wait_b_.empty()) {
+        pair(*a, *b);
+      } else {
+        if (a) meet(*a, wait_b_, wait_a_, [&](const Keyed& one, const Keyed& other) { pair(one, other); });
+        if (b) meet(*b, wait_a_, wait_b_, [&](const Keyed& one, const Keyed& other) { pair(other, one); });
+      }
+      const bool too_many = wait_a_.size() + wait_b_.size() > most_waiting ||
+                            found_.differences.size() > most_differences;
+      if (too_many || (round % 16384 == 0 && on_way &&
+                       on_way(static_cast<double>(read_a.position() + read_b.position()) / all))) {
+        found_.complete = false;
+        return;
+      }
+    }
+  }
   template <class Pair>
-  void meet(Keyed&& step, Waiting& others, Waiting& own, Pair&& pair) {
+  void meet(const Keyed& step, Waiting& others, Waiting& own, Pair&& pair) {
     if (const auto partner = others.take(step.known.about)) pair(step, *partner);
-    else own.put(std::move(step));
+    else own.put(step);
   }
 
   void pair(const Keyed& a, const Keyed& b) {
-    extend(found_.by_b, a.position, b.position);
+    extend(found_.by_b, a.position, b.position, 1);
     const auto kind = static_cast<std::uint8_t>(a.event.event.index());
     KindCount& count = found_.kinds[kind];
     ++count.pairs;
-    float off = 0;
-    if (const std::uint16_t fields = differing(a, b, off); fields != 0)
-      found_.differences.push_back({a.position, b.position, fields, kind, b.event.step, off});
-    else ++count.equal;
-  }
-
-  /// Which results differ; of numbers for things, whether they are the same thing.
-  static std::uint16_t differing(const Keyed& one, const Keyed& other, float& off) {
-    return visit_event(
-        [&]<class E>(const E& a) -> std::uint16_t {
-          const E* b = get_if<E>(&other.event.event);
-          if (!b) return 0;  // two keys that are equal by chance
-          std::uint16_t bits = 0;
-          std::size_t thing = 0;
-          for_each_index<E>([&]<std::size_t I>() {
-            if constexpr (is_result<E, I>()) {
-              const auto& mine = a.*field_at<E, I>.member;
-              const auto& its = b->*field_at<E, I>.member;
-              bool equal = false;
-              if constexpr (thing_at<E, I>() != Thing::none) {
-                equal = one.known.results[thing] == other.known.results[thing];
-                ++thing;
-              } else {
-                equal = mine == its || same(mine, its);  // 0 and -0, NaN and NaN
-              }
-              if (!equal) bits = static_cast<std::uint16_t>(bits | 1u << I);
-              if constexpr (std::is_same_v<FieldValue<E, I>, double>)
-                if (!equal) off = std::max(off, static_cast<float>(share(mine, its)));
-            }
-          });
-          return bits;
+    const Parting parted = visit_event(
+        [&]<class E>(const E& of_a) {
+          const E* of_b = get_if<E>(&b.event.event);
+          if (!of_b) return Parting{};  // two keys that are equal by chance
+          return parting(of_a, *of_b,
+                         [&](std::size_t thing) { return a.known.results[thing] == b.known.results[thing]; });
         },
-        one.event.event);
-  }
-
-  static double share(double one, double other) {
-    const double larger = std::max(std::abs(one), std::abs(other)), apart = std::abs(one - other);
-    return std::isfinite(apart) ? apart / larger : std::numeric_limits<double>::infinity();
+        a.event.event);
+    if (parted.fields != 0)
+      found_.differences.push_back({a.position, b.position, parted.fields, kind, b.event.step, parted.off});
+    else ++count.equal;
   }
 
   void leave_over() {
@@ -267,8 +175,7 @@ class Aligner {
   }
 
   const Trace &a_, &b_;
-  std::array<bool, kind_count> both_{};
-  Reader read_a_, read_b_;
+  Both both_{};
   Waiting wait_a_, wait_b_;
   Alignment found_{};
 };
@@ -307,37 +214,8 @@ std::int64_t Alignment::before_in_a(std::int64_t step) const {
   return partner_before<&Match::b, &Match::a>(by_b, step);
 }
 
-namespace {
-
-/// Runs of one program that are the same have the same blocks: then no event needs to be matched.
-bool same_bytes(const Trace& a, const Trace& b) {
-  if (a.size() != b.size() || !(a.header() == b.header()) || !(a.scene() == b.scene())) return false;
-  const Trace::Impl &one = a.impl(), &other = b.impl();
-  if (one.blocks.size() != other.blocks.size()) return false;
-  for (std::size_t block = 0; block < one.blocks.size(); ++block) {
-    if (one.blocks[block].info.count != other.blocks[block].info.count) return false;
-    const Bytes *mine = one.packed(block), *its = other.packed(block);
-    if (mine == nullptr || its == nullptr || *mine != *its) return false;
-  }
-  return true;
-}
-
-Alignment all_the_same(const Trace& trace) {
-  Alignment found{};
-  found.identical = true;
-  if (trace.size() > 0) found.by_a = found.by_b = {{1, 1, trace.size()}};
-  trace.visit(0, trace.size(), [&]<class E>(std::int64_t, std::uint8_t, const E&) {
-    ++found.kinds[kind_of<E>].pairs;
-    ++found.kinds[kind_of<E>].equal;
-    return true;
-  });
-  return found;
-}
-
-}  // namespace
-
 Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way) {
-  return same_bytes(a, b) ? all_the_same(a) : Aligner(a, b).run(on_way);
+  return Aligner(a, b).run(on_way);
 }
 
 }  // namespace zstep::diff

@@ -1,5 +1,5 @@
-// Goes through one of two runs and follows what is different: what a difference goes back to, and whether it follows from
-// the run's own operands.
+// Goes through one of two runs and follows what is different: what a difference goes back to, and whether it follows
+// from the run's own operands.
 #pragma once
 
 #include <functional>

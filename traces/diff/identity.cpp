@@ -67,6 +67,9 @@ void Identity::edge_enters(std::int32_t edge) {
 template <class E>
 Key Identity::key(const E& e) {
   constexpr About it = about<E>;
+  // Where lines hold several polygons, a span says whose turn it is.
+  if constexpr (std::is_same_v<E, SpanBegin>)
+    if (const std::int32_t owner = edges_[e.left_edge].polygon; owner != no_polygon) polygon_ = owner;
   Key key = kind_of<E> + 1u + (static_cast<Key>(pass_) << 8);
   if constexpr (it.within & polygon) key = mix(key, whole(polygon_));
   if constexpr (it.within & scan_line) key = mix(key, whole(scan_line_));
@@ -137,12 +140,26 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, EdgeStep>) ++edges_[e.edge].next_row;
 }
 
+template <class E>
+void Identity::take_note_of(const E& e) {
+  constexpr bool by_key =
+      made_by<E>() != Thing::none || std::is_same_v<E, CurveSegment> || std::is_same_v<E, SpanBegin>;
+  if constexpr (by_key) take_note(e, key(e));
+  else take_note(e, 0);
+}
+#define ZSTEP_INSTANTIATE(E) template void Identity::take_note_of(const E&);
+ZSTEP_EVERY_KIND(ZSTEP_INSTANTIATE)
+#undef ZSTEP_INSTANTIATE
+
+Identity Identity::of_same_run(const Trace& trace) const {
+  Identity copy = *this;
+  copy.trace_ = &trace;
+  return copy;
+}
+
 Identity::Known Identity::of(const Event& event) {
   return visit_event(
       [&]<class E>(const E& e) {
-        // Where lines hold several polygons, a span says whose turn it is.
-        if constexpr (std::is_same_v<E, SpanBegin>)
-          if (const std::int32_t owner = edges_[e.left_edge].polygon; owner != no_polygon) polygon_ = owner;
         Known known{key(e), {}};
         static_assert(things_among_results<E>() <= std::tuple_size_v<decltype(known.results)>);
         std::size_t results = 0;

@@ -73,12 +73,18 @@ class Identity {
   /// A number for what the step is about: the same for the same in two runs of a scene, whatever they number and in
   /// whatever order they work. Steps must be asked for one after another.
   Known of(const Event& event);
+  /// The same for who need not know.
+  template <class E>
+  void take_note_of(const E& e);
+  /// Another trace's, whose run has done the same up to here.
+  Identity of_same_run(const Trace& trace) const;
 
   /// The same for a thing, by its number in this run, and back.
   Key name_of(Thing thing, std::int32_t number) const;
   std::optional<std::int32_t> number_of(Thing thing, Key name) const;
   /// The scan line that an active edge moves to next.
   std::int32_t next_row(std::int32_t edge) const;
+
  private:
   struct Edge {
     std::int32_t next_row = 0;  ///< the scan line that it moves to next

@@ -15,6 +15,7 @@
 #include "traces/diff/buffers.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/file/trace_impl.hpp"
 
 using namespace zstep;
 
@@ -138,6 +139,64 @@ TEST_CASE("diff: numbers written with few decimals part by rounding, and what is
   REQUIRE(!wrong.causes.empty());
   CHECK(wrong.causes[0].part == diff::Part::different);
   CHECK(wrong.causes[0].first.b == *vertex);
+}
+
+TEST_CASE("diff: runs of several blocks are the same however they are packed, and a change is found in any block") {
+  const Trace right = test::recorded_by("z-buffer", test::large_scene(), {});
+  REQUIRE(right.impl().blocks.size() > 3);
+  const auto of = [](const diff::DiffReport& report, auto count) {
+    std::int64_t sum = 0;
+    for (const diff::KindDifference& kind : report.kinds) sum += kind.*count;
+    return sum;
+  };
+  // Under another header the same steps are other bytes as far as a reader knows.
+  const auto recorded = [&](const std::string& title, auto&& change) {
+    Header header = right.header();
+    header.title = title;
+    TraceRecorder recorder(header, right.scene());
+    right.each(0, right.size(), [&](std::int64_t step, const RecordedEvent& read) {
+      RecordedEvent made = read;
+      if (change(step, made.event)) record_any(recorder, made.step, made.event);
+      return true;
+    });
+    recorder.finish();
+    return Trace::from_bytes(recorder.take_bytes(), title);
+  };
+  for (const std::string& title : {right.header().title, std::string("another")}) {
+    CAPTURE(title);
+    const Trace same = recorded(title, [](std::int64_t, Event&) { return true; });
+    const diff::DiffReport equal = diff::compare(right, same);
+    CHECK(equal.causes.empty());
+    CHECK(equal.alignment.identical == (title == right.header().title));
+    CHECK(of(equal, &diff::KindDifference::same) == right.size());
+    CHECK(equal.alignment.by_a.size() == 1);
+
+    for (const int part : {1, 5, 9}) {
+      const auto depth = right.next<DepthWrite>(right.size() * part / 12, [](const DepthWrite&) { return true; });
+      REQUIRE(depth);
+      CAPTURE(*depth);
+      const Trace other = recorded(title, [&](std::int64_t step, Event& event) {
+        if (step == *depth) event.as<DepthWrite>().z += 1;
+        return true;
+      });
+      const diff::DiffReport changed = diff::compare(right, other);
+      REQUIRE(!changed.causes.empty());
+      CHECK(changed.causes[0].first.a == *depth);
+      CHECK(changed.causes[0].first.b == *depth);
+      CHECK(of(changed, &diff::KindDifference::only_a) + of(changed, &diff::KindDifference::only_b) == 0);
+      CHECK(changed.alignment.in_b(right.size()) == right.size());
+
+      const Trace shorter = recorded(title, [&](std::int64_t step, Event&) { return step != *depth; });
+      const diff::DiffReport left_out = diff::compare(right, shorter);
+      REQUIRE(left_out.causes.size() == 1);
+      CHECK(left_out.causes[0].first.a == *depth);
+      CHECK(left_out.causes[0].first.only_a());
+      CHECK(of(left_out, &diff::KindDifference::same) == right.size() - 1);
+      CHECK(left_out.alignment.in_b(*depth - 1) == *depth - 1);
+      CHECK(left_out.alignment.in_b(*depth) == 0);
+      CHECK(left_out.alignment.in_b(right.size()) == right.size() - 1);
+    }
+  }
 }
 
 TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is told apart") {

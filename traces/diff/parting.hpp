@@ -1,0 +1,58 @@
+// Which results of a step are not what the other run has for it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "traces/diff/identity.hpp"
+#include "traces/replay/same.hpp"
+
+namespace zstep::diff {
+
+struct Parting {
+  std::uint16_t fields = 0;  ///< bit I: the I-th field differs
+  float off = 0;             ///< of the numbers that differ: how far, as a share of the larger one, at most
+};
+
+inline double share_apart(double one, double other) {
+  const double larger = std::max(std::abs(one), std::abs(other)), apart = std::abs(one - other);
+  return std::isfinite(apart) ? apart / larger : std::numeric_limits<double>::infinity();
+}
+
+/// `same_thing(n)` says of the n-th number for a thing among the results whether it is the same thing in both runs.
+template <class E, class SameThing>
+Parting parting(const E& a, const E& b, SameThing&& same_thing) {
+  Parting found;
+  std::size_t thing = 0;
+  for_each_index<E>([&]<std::size_t I>() {
+    if constexpr (is_result<E, I>()) {
+      const auto& mine = a.*field_at<E, I>.member;
+      const auto& its = b.*field_at<E, I>.member;
+      bool equal = false;
+      if constexpr (thing_at<E, I>() != Thing::none) equal = same_thing(thing++);
+      else equal = mine == its || same(mine, its);  // 0 and -0, NaN and NaN
+      if (equal) return;
+      found.fields = static_cast<std::uint16_t>(found.fields | 1u << I);
+      if constexpr (std::is_same_v<FieldValue<E, I>, double>)
+        found.off = std::max(found.off, static_cast<float>(share_apart(mine, its)));
+    }
+  });
+  return found;
+}
+
+/// Do both name the same things by the same numbers, so that no more than numbers that came out can differ?
+template <class E>
+bool same_names(const E& a, const E& b) {
+  bool equal = true;
+  for_each_index<E>([&]<std::size_t I>() {
+    using Value = FieldValue<E, I>;
+    constexpr bool came_out =
+        std::is_same_v<Value, double> || (std::is_same_v<Value, bool> && !about<E>.names(field_at<E, I>.name));
+    if constexpr (!came_out) equal = equal && a.*field_at<E, I>.member == b.*field_at<E, I>.member;
+  });
+  return equal;
+}
+
+}  // namespace zstep::diff
