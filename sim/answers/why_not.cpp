@@ -4,8 +4,8 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "sim/answers/nearby.hpp"
 #include "sim/answers/why_not_parts.hpp"
+#include "traces/replay/nearby.hpp"
 
 namespace zstep::answers {
 
@@ -60,7 +60,9 @@ const State& Asked::state_at(std::int64_t step) {
 
 void Asked::add_formulas(Verdict& verdict, std::int64_t step, std::int32_t of, const Visit* visit) {
   if (step < 1) return;
-  const std::optional<State> nearby = state_nearby(trace, step, of, visit);
+  std::optional<HeldBefore> before;
+  if (visit) before = {visit->stored.value_or(trace.header().empty_depth()), visit->stored_polygon};
+  const std::optional<State> nearby = state_nearby(trace, step, of, before);
   const Explanation said = explain(trace, nearby ? *nearby : state_at(step), trace.event(step));
   verdict.formulas.insert(verdict.formulas.end(), said.formulas.begin(), said.formulas.end());
   if (said.doubt) verdict.formulas.push_back(*said.doubt);
