@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "sim/classroom/computed.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::classroom {
@@ -89,38 +90,20 @@ Quantity evaluate(const Expression& expression, const Moment& moment) {
     }
     case Kind::count:
       return Quantity::of(counted(expression, moment));
-    case Kind::negate:
-      return Quantity::of(-number(0));
-    case Kind::root:
-      return Quantity::of(std::sqrt(number(0)));
-    case Kind::not_:
-      return Quantity::of_truth(number(0) == 0);
-    case Kind::add:
-      return Quantity::of(number(0) + number(1));
-    case Kind::subtract:
-      return Quantity::of(number(0) - number(1));
-    case Kind::multiply:
-      return Quantity::of(number(0) * number(1));
-    case Kind::divide:
-      return Quantity::of(number(0) / number(1));
     case Kind::equal:
       return Quantity::of_truth(equal(expression, moment));
     case Kind::unequal:
       return Quantity::of_truth(!equal(expression, moment));
-    case Kind::less:
-      return Quantity::of_truth(number(0) < number(1));
-    case Kind::less_equal:
-      return Quantity::of_truth(number(0) <= number(1));
-    case Kind::greater:
-      return Quantity::of_truth(number(0) > number(1));
-    case Kind::greater_equal:
-      return Quantity::of_truth(number(0) >= number(1));
     case Kind::and_:
       return Quantity::of_truth(number(0) != 0 && number(1) != 0);
     case Kind::or_:
       return Quantity::of_truth(number(0) != 0 || number(1) != 0);
+    default:
+      break;
   }
-  return {};
+  const double first = number(0), second = expression.parts.size() > 1 ? number(1) : first;
+  const double value = computed<Doubles>(expression.kind, first, second);
+  return expression.is_truth() ? Quantity::of_truth(value != 0) : Quantity::of(value);
 }
 
 }  // namespace zstep::classroom

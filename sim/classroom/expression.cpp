@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -33,7 +34,8 @@ std::string shortened(std::string_view text) {
 struct Parser {
   std::string_view all, left;
   std::string_view where;
-  bool typed = false;  ///< by a person in haste, see parse_typed
+  bool typed = false;    ///< by a person in haste, see parse_typed
+  bool formula = false;  ///< by a program, see parse_formula
   int depth = 0, nodes = 0, arguments = 0;
 
   [[noreturn]] void fail(std::string_view what, std::string_view mend) const {
@@ -164,6 +166,8 @@ struct Parser {
       close("(");
       return inner;
     }
+    if (take("⌊")) return rounded("floor", "⌊", "⌋");
+    if (take("⌈")) return rounded("ceil", "⌈", "⌉");
     if (take("\"")) return quoted();
     Expression made = node();
     if (take("∞")) {
@@ -200,6 +204,13 @@ struct Parser {
     return made;
   }
 
+  Expression rounded(std::string_view function, std::string_view opened, std::string_view closed) {
+    Expression made = of(Kind::call, either());
+    made.text = function;
+    if (!take(closed)) fail(fmt::format("`{}` is not closed at {}", opened, here()), fmt::format("add `{}`", closed));
+    return made;
+  }
+
   /// Whether the * in `z* < 0.5`, `z*_L` belongs to the name: nothing comes after it that could be multiplied.
   bool star_is_of_name() const {
     if (!left.starts_with('*')) return false;
@@ -211,6 +222,12 @@ struct Parser {
   }
 
   Expression number(Expression made) {
+    if (formula) {
+      const auto [end, error] = std::from_chars(left.data(), left.data() + left.size(), made.number);
+      if (error != std::errc()) fail(fmt::format("a number that cannot be read at {}", here()), "write its digits");
+      left.remove_prefix(static_cast<std::size_t>(end - left.data()));
+      return made;
+    }
     double digits = 0;
     int places = 0;
     bool any = false, point = false;
@@ -259,6 +276,13 @@ struct Parser {
   }
 };
 
+Expression parsed(Parser parser, std::string_view& rest) {
+  Expression made = parser.either();
+  parser.skip_space();
+  rest = parser.left;
+  return made;
+}
+
 }  // namespace
 
 std::string_view trim(std::string_view text) {
@@ -276,17 +300,16 @@ std::string_view leading_step_name(std::string_view text) {
 }
 
 Expression parse_expression(std::string_view text, std::string_view& rest, std::string_view where) {
-  Parser parser{text, text, where};
-  Expression made = parser.either();
-  parser.skip_space();
-  rest = parser.left;
-  return made;
+  return parsed(Parser{text, text, where}, rest);
 }
 
 namespace {
 
-void refuse_rest(std::string_view rest, std::string_view text, std::string_view where) {
-  if (rest.empty()) return;
+Expression parsed_whole(Parser parser) {
+  std::string_view rest;
+  const std::string_view text = parser.all, where = parser.where;
+  Expression made = parsed(std::move(parser), rest);
+  if (rest.empty()) return made;
   throw InputError(where, fmt::format("`{}` is left over in `{}`", rest.substr(0, 24), trim(text)),
                    "join comparisons with `and` or `or`; write == to compare");
 }
@@ -294,18 +317,15 @@ void refuse_rest(std::string_view rest, std::string_view text, std::string_view 
 }  // namespace
 
 Expression parse_expression(std::string_view text, std::string_view where) {
-  std::string_view rest;
-  Expression made = parse_expression(text, rest, where);
-  refuse_rest(rest, text, where);
-  return made;
+  return parsed_whole(Parser{text, text, where});
 }
 
 Expression parse_typed(std::string_view text, std::string_view where) {
-  Parser parser{text, text, where, true};
-  Expression made = parser.either();
-  parser.skip_space();
-  refuse_rest(parser.left, text, where);
-  return made;
+  return parsed_whole(Parser{text, text, where, true});
+}
+
+Expression parse_formula(std::string_view text, std::string_view where) {
+  return parsed_whole(Parser{text, text, where, false, true});
 }
 
 }  // namespace zstep::classroom

@@ -11,7 +11,7 @@
 //     product    = sign { ("*" | "/") sign }
 //     sign       = "-" sign | "√" sign | primary
 //     primary    = number | "word" | name | name "(" either { "," either } ")"
-//                | "count" "(" step [ "where" either ] ")" | "(" either ")"
+//                | "count" "(" step [ "where" either ] ")" | "(" either ")" | "⌊" either "⌋" | "⌈" either "⌉"
 //
 // The signs of the lectures (− · × ≤ ≥ ≠ ∞) mean what they look like; && || ! are `and`, `or` and `not`.
 #pragma once
@@ -51,6 +51,7 @@ struct Expression {
   std::string text;
   std::vector<Expression> parts;
   bool operator==(const Expression&) const = default;
+  bool is_truth() const { return kind >= Kind::equal || kind == Kind::not_; }
 };
 
 /// Reads the start of `text` as far as it is an expression; `rest` is what follows. `where` is FILE:LINE.
@@ -60,6 +61,9 @@ Expression parse_expression(std::string_view text, std::string_view& rest, std::
 Expression parse_expression(std::string_view text, std::string_view where);
 /// The same as a person types it and as panes write it: = and <> compare, NOT AND OR in any case, 0,42 and z* < 0.5.
 Expression parse_typed(std::string_view text, std::string_view where);
+
+/// The same as programs write it, with all digits of a number and 1.5e-10.
+Expression parse_formula(std::string_view text, std::string_view where);
 
 /// A step's name ("compare", "z_buffer.compare") at the start of `text`; empty if there is none.
 std::string_view leading_step_name(std::string_view text);

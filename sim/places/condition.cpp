@@ -4,11 +4,13 @@
 #include <cctype>
 #include <cmath>
 
+#include "sim/classroom/computed.hpp"
 #include "sim/classroom/evaluate.hpp"
 
 namespace zstep::places {
 namespace {
 
+using Kind = classroom::Expression::Kind;
 
 /// Does the event write a colour or a depth to a pixel?
 bool writes(const Event& event) {
@@ -26,7 +28,7 @@ bool names_pixel(const Event& event, double x, double y) {
 
 /// `and` and `or`: one side alone may settle it; else a side that is missing leaves nothing to say.
 Condition::Value Condition::both_or_either(const Node& node, const Event& event, std::int64_t step) const {
-  const bool settles = node.op == Op::or_;
+  const bool settles = node.kind == Kind::or_;
   const Value first = evaluate(node.first, event, step);
   if (first.is == Value::Is::known && (first.number != 0) == settles) return first;
   const Value second = evaluate(node.second, event, step);
@@ -50,28 +52,16 @@ Condition::Value Condition::evaluate(std::int32_t at, const Event& event, std::i
       return read(static_cast<double>(trace_->polygon_at_work(step)));
     case Op::changes: return truth(writes(event) && names_pixel(event, node.number, node.row));
     case Op::touches: return truth(names_pixel(event, node.number, node.row));
-    case Op::and_:
-    case Op::or_: return both_or_either(node, event, step);
+    case Op::both_or_either: return both_or_either(node, event, step);
     default: break;
   }
   const Value first = evaluate(node.first, event, step);
   const Value second = node.second < 0 ? first : evaluate(node.second, event, step);
   if (first.is != Value::Is::known || second.is != Value::Is::known) return {std::min(first.is, second.is), 0};
   const double a = first.number, b = second.number;
-  switch (node.op) {
-    case Op::among: return truth(std::binary_search(node.set.begin(), node.set.end(), a));
-    case Op::negate: return {Value::Is::known, -a};
-    case Op::root: return {Value::Is::known, std::sqrt(a)};
-    case Op::not_: return truth(a == 0);
-    case Op::add: return {Value::Is::known, a + b};
-    case Op::subtract: return {Value::Is::known, a - b};
-    case Op::multiply: return {Value::Is::known, a * b};
-    case Op::divide: return {Value::Is::known, a / b};
-    case Op::equal: return truth(classroom::same_number(a, b));
-    case Op::less: return truth(a < b);
-    case Op::less_equal: return truth(a <= b);
-    default: return {Value::Is::missing, 0};
-  }
+  if (node.op == Op::among) return truth(std::binary_search(node.set.begin(), node.set.end(), a));
+  if (node.kind == Kind::equal) return truth(classroom::same_number(a, b));
+  return {Value::Is::known, classroom::computed<classroom::Doubles>(node.kind, a, b)};
 }
 
 bool Condition::holds(std::int64_t step, const RecordedEvent& event) const {

@@ -48,11 +48,11 @@ class Condition {
 
  private:
   enum class Op : std::uint8_t {
-    constant, missing, field, step, at_work, changes, touches, among,
-    negate, root, not_, add, subtract, multiply, divide, equal, less, less_equal, and_, or_,
+    constant, missing, field, step, at_work, changes, touches, among, computed, both_or_either,
   };
   struct Node {
     Op op = Op::missing;                    ///< missing: the event has no such field
+    classroom::Expression::Kind kind = {};  ///< of what is computed
     std::int32_t first = -1, second = -1;  ///< operands, by their place among the nodes
     double number = 0;                     ///< a constant, or the pixel's column
     double row = 0;                        ///< the pixel's row

@@ -69,10 +69,10 @@ class Condition::Binder {
     made.missing = true, made.may_be_true = made.may_be_false = false;
     return made;
   }
-  Bound of(Op op, const Bound& first, const Bound& second, Type type) {
+  Bound of(Kind kind, const Bound& first, const Bound& second, Type type) {
     if (first.missing || second.missing) return missing(type);
     Node node;
-    node.op = op, node.first = first.node, node.second = second.node;
+    node.op = Op::computed, node.kind = kind, node.first = first.node, node.second = second.node;
     return add(std::move(node), type);
   }
 
@@ -200,7 +200,7 @@ class Condition::Binder {
     if (!first.missing && !second.missing && sort(first.type) != sort(second.type))
       fail(fmt::format("`{}` and `{}` are not of one kind", said(*left), said(*right)),
            "compare numbers with numbers and truths with truths");
-    return of(Op::equal, first, second, Type::truth);
+    return of(Kind::equal, first, second, Type::truth);
   }
   /// "e3" beside `edge`, "v2" beside `vertex_0`: the number, as panes write it.
   std::optional<double> numbered(const Expression& field, const Expression& name) const {
@@ -222,7 +222,7 @@ class Condition::Binder {
     if (!field || field->type.type != Type::word) return missing(Type::truth);
     const auto& words = field->type.words;
     const auto place = std::find(words.begin(), words.end(), right.text) - words.begin();
-    return of(Op::equal, name(left), constant(static_cast<double>(place), Type::word), Type::truth);
+    return of(Kind::equal, name(left), constant(static_cast<double>(place), Type::word), Type::truth);
   }
   Bound called(const Expression& left, const Expression& right) {
     Node node;
@@ -266,17 +266,17 @@ class Condition::Binder {
 
   Bound negation(const Expression& inner) {
     const Bound made = truth(inner);
-    Bound turned = of(Op::not_, made, made, Type::truth);
+    Bound turned = of(Kind::not_, made, made, Type::truth);
     turned.may_be_true = made.may_be_false, turned.may_be_false = made.may_be_true;
     return turned;
   }
   /// Where a side is missing the other may still settle it.
-  Bound logic(Op op, const Expression& expression) {
+  Bound logic(const Expression& expression) {
     const Bound first = truth(expression.parts[0]), second = truth(expression.parts[1]);
     Node node;
-    node.op = op, node.first = first.node, node.second = second.node;
+    node.op = Op::both_or_either, node.kind = expression.kind, node.first = first.node, node.second = second.node;
     Bound made = add(std::move(node), Type::truth);
-    const bool both = op == Op::and_;
+    const bool both = expression.kind == Kind::and_;
     made.may_be_true = both ? first.may_be_true && second.may_be_true : first.may_be_true || second.may_be_true;
     made.may_be_false = both ? first.may_be_false || second.may_be_false : first.may_be_false && second.may_be_false;
     return made;
@@ -284,38 +284,24 @@ class Condition::Binder {
 
   Bound any(const Expression& expression) {
     const auto& parts = expression.parts;
-    const auto two = [&](Op op, Type type) { return of(op, number(parts[0]), number(parts[1]), type); };
     switch (expression.kind) {
       case Kind::number: return constant(expression.number, Type::number);
       case Kind::quoted: fail(fmt::format("\"{}\" stands alone", expression.text), "write `polygon == \"…\"`");
       case Kind::name: return name(expression);
       case Kind::call: return call(expression);
       case Kind::count: fail("`count(` counts a whole run", "zstep query counts: select count(*) from …");
-      case Kind::negate: return unary(Op::negate, parts[0]);
-      case Kind::root: return unary(Op::root, parts[0]);
       case Kind::not_: return negation(parts[0]);
-      case Kind::add: return two(Op::add, Type::number);
-      case Kind::subtract: return two(Op::subtract, Type::number);
-      case Kind::multiply: return two(Op::multiply, Type::number);
-      case Kind::divide: return two(Op::divide, Type::number);
       case Kind::equal: return equation(expression);
       case Kind::unequal: {
         const Bound made = equation(expression);
-        return of(Op::not_, made, made, Type::truth);
+        return of(Kind::not_, made, made, Type::truth);
       }
-      case Kind::less: return two(Op::less, Type::truth);
-      case Kind::less_equal: return two(Op::less_equal, Type::truth);
-      case Kind::greater: return of(Op::less, number(parts[1]), number(parts[0]), Type::truth);
-      case Kind::greater_equal: return of(Op::less_equal, number(parts[1]), number(parts[0]), Type::truth);
-      case Kind::and_: return logic(Op::and_, expression);
-      case Kind::or_: return logic(Op::or_, expression);
+      case Kind::and_:
+      case Kind::or_: return logic(expression);
+      default: break;
     }
-    return missing(Type::truth);
-  }
-  Bound unary(Op op, const Expression& part) {
-    const Bound inner = number(part);
-    Bound made = of(op, inner, inner, Type::number);
-    return made;
+    const Bound first = number(parts[0]), second = parts.size() > 1 ? number(parts[1]) : first;
+    return of(expression.kind, first, second, expression.is_truth() ? Type::truth : Type::number);
   }
 
   Condition& condition_;

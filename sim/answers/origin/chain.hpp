@@ -60,8 +60,8 @@ std::string line_text(const ChainValue& value);
 std::string full_digits(double value);
 std::string result_text(const ChainValue& value);
 
-/// What the formula gives, in the order in which it is written. Knows + - * / ( ) < <= > >=, sqrt, abs, round, ⌊a⌋,
-/// ⌈a⌉, min, max and numbers. Throws std::logic_error for a formula that is none.
+/// What the formula gives, in the order in which it is written: in the language of sim/classroom/expression.hpp, with
+/// sqrt, abs, round, min and max.
 double evaluate(const ChainValue& value);
 /// Is that what was recorded, but for rounding?
 bool holds(const ChainValue& value);

@@ -43,6 +43,14 @@ TEST_CASE("arithmetic binds as on paper") {
   CHECK(small.number(1, "∞") == std::numeric_limits<double>::infinity());
   CHECK(small.number(1, "max(2, ceil(2.25))") == 3);
   CHECK(small.number(1, "cos(60)") == doctest::Approx(0.5));
+  CHECK(small.number(1, "⌈2.25⌉ - ⌊2.75⌋") == 1);
+  CHECK(small.error(1, "⌊2.75 == 2").find("`⌊` is not closed at the end") != std::string::npos);
+}
+
+TEST_CASE("a program's numbers are read to their last digit") {
+  CHECK(parse_formula("0.1234567890123456789e-10", "f").number == 0.1234567890123456789e-10);
+  CHECK(parse_formula("12345678901234567000", "f").number == 12345678901234567000.0);
+  CHECK(parse_formula("a - 1e-9*b", "f").parts[1].parts[0].number == 1e-9);
 }
 
 TEST_CASE("comparisons, and, or, not: `and` binds closer than `or`, `not` closest") {
