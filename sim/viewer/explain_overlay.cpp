@@ -60,8 +60,7 @@ void draw_explain(App& app) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   begin_overlay(app, "explain", {screen.x * 0.98f, std::max(screen.y * 0.52f, ui.em * 11)}, 0.98f);
   if (chain.links.empty()) return ImGui::End();
-  Flow heading;
-  heading.font = ui.fonts.bold;
+  const Flow heading{.font = ui.fonts.bold};
   const answers::ChainValue& asked = chain.links.front().values.front();
   const bool measured = !asked.condition && asked.word.empty();
   flow(ui,
@@ -84,17 +83,11 @@ void draw_explain(App& app) {
   ImGui::BeginChild("formulas", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   const auto picked = static_cast<std::size_t>(std::max(0, app.picked));
   if (picked < chain.links.size()) {
-    Flow formula;
-    formula.font = ui.fonts.mono;
-    formula.indent = ui.em;
     for (const answers::ChainValue& value : chain.links[picked].values) {
-      flow(ui, answers::line_text(value), formula);
+      flow(ui, answers::line_text(value), {.indent = ui.em, .font = ui.fonts.mono});
       const std::string doubted = answers::doubt_text(value);
       if (doubted.empty()) continue;
-      Flow doubt;
-      doubt.color = ui.colors().bad;
-      doubt.font = ui.fonts.bold;
-      flow(ui, doubted, doubt);
+      flow(ui, doubted, {.color = ui.colors().bad, .font = ui.fonts.bold});
     }
   }
   ImGui::EndChild();

@@ -96,8 +96,7 @@ void draw_history(App& app) {
   Ui& ui = app.ui();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   begin_overlay(app, "history", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
-  Flow heading;
-  heading.font = ui.fonts.bold;
+  const Flow heading{.font = ui.fonts.bold};
   flow(
       ui,
       fmt::format("Pixel ({}, {}): {}. Enter or a click goes there; Y asks why the one picked is not seen; Esc closes.",
@@ -119,9 +118,7 @@ void draw_history(App& app) {
   if (picked < app.history().size()) {
     const answers::Visit& visit = app.told_visit(picked);
     flow(ui, visit.sentence, {});
-    Flow formula;
-    formula.font = ui.fonts.mono;
-    for (const std::string& line : visit.formulas) flow(ui, line, formula);
+    for (const std::string& line : visit.formulas) flow(ui, line, {.font = ui.fonts.mono});
   }
   ImGui::EndChild();
   ImGui::End();

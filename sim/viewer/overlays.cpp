@@ -36,10 +36,7 @@ void begin_overlay(App& app, const char* id, ImVec2 size, float down) {
 }
 
 void say_wrong(Ui& ui, const std::string& what) {
-  Flow how;
-  how.color = ui.colors().bad;
-  how.font = ui.fonts.bold;
-  flow(ui, what, how);
+  flow(ui, what, {.color = ui.colors().bad, .font = ui.fonts.bold});
 }
 
 ListRow list_row(App& app, std::size_t place, float height) {
@@ -171,9 +168,7 @@ void draw_columns(App& app, const char* id, const char* title) {
   const float row_height =
       height_of(sheet) < ui.em * 0.9f ? std::round(ui.em * 1.4f) : height_of(sheet);  // else it scrolls, with room
   begin_overlay(app, id, {sheet.width() + around, static_cast<float>(sheet.rows) * row_height + above});
-  Flow heading;
-  heading.font = ui.fonts.bold;
-  flow(ui, title, heading);
+  flow(ui, title, {.font = ui.fonts.bold});
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const Command* clicked = nullptr;
   for (std::size_t k = 0; k < commands().size(); ++k) {
@@ -219,16 +214,13 @@ void draw_palette(App& app) {
 void draw_go_to(App& app) {
   Ui& ui = app.ui();
   begin_overlay(app, "go to", {ui.em * 30, ui.em * (app.wrong.empty() ? 9.5f : 11.5f)});
-  Flow heading;
-  heading.font = ui.fonts.bold;
-  flow(ui, "Go to", heading);
+  flow(ui, "Go to", {.font = ui.fonts.bold});
   app.draw_field("12041");
   if (!app.wrong.empty()) {  // which says what may be typed as well
     say_wrong(ui, app.wrong);
     return ImGui::End();
   }
-  Flow how;
-  how.color = ui.colors().muted;
+  const Flow how{.color = ui.colors().muted};
   const std::string stop = app.session().lesson() ? "stop 3 of the lesson, " : "";
   flow(ui,
        fmt::format("A step (0 to {}; +5 and \u22125 from here), 25 %, polygon B or p 3, line 17 for the next place "

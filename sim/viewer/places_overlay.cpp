@@ -34,13 +34,11 @@ void draw_until(App& app) {
   const auto suggestions = app.places().suggestions();
   const float rows = static_cast<float>(suggestions.size());
   begin_overlay(app, "until", {ui.em * 45, ui.em * (8.4f + rows * 1.4f + (app.wrong.empty() ? 0.0f : 4.4f))});
-  Flow heading;
-  heading.font = ui.fonts.bold;
+  const Flow heading{.font = ui.fonts.bold};
   flow(ui, "Run until this is true. Enter: forwards; Shift+Enter: backwards; J and Shift+J: once more.", heading);
   app.draw_field("not nearer");
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
-  Flow how;
-  how.color = ui.colors().muted;
+  const Flow how{.color = ui.colors().muted};
   flow(ui, "Or: z < 4.2 && x == 9, polygon == B, compare where x > 9, changes(9, 17).", how);
   flow(ui, "\u2191 \u2193 or a click take one of these:", how);
   ImGui::Dummy({1, ui.em * 0.3f});
@@ -58,13 +56,9 @@ void draw_until(App& app) {
 void draw_name_bookmark(App& app) {
   Ui& ui = app.ui();
   begin_overlay(app, "name bookmark", {ui.em * 30, ui.em * (app.wrong.empty() ? 7.0f : 9.5f)});
-  Flow heading;
-  heading.font = ui.fonts.bold;
-  flow(ui, fmt::format("A bookmark at step {}", grouped(app.session().position())), heading);
+  flow(ui, fmt::format("A bookmark at step {}", grouped(app.session().position())), {.font = ui.fonts.bold});
   app.draw_field("the first tie");
-  Flow how;
-  how.color = ui.colors().muted;
-  if (app.wrong.empty()) flow(ui, "Its name. Enter keeps it; L lists all of them.", how);
+  if (app.wrong.empty()) flow(ui, "Its name. Enter keeps it; L lists all of them.", {.color = ui.colors().muted});
   else say_wrong(ui, app.wrong);
   ImGui::End();
 }
@@ -72,12 +66,9 @@ void draw_name_bookmark(App& app) {
 void draw_range(App& app) {
   Ui& ui = app.ui();
   begin_overlay(app, "range", {ui.em * 32, ui.em * 7.5f});
-  Flow heading;
-  heading.font = ui.fonts.bold;
-  flow(ui, "The depths that the colours span", heading);
+  flow(ui, "The depths that the colours span", {.font = ui.fonts.bold});
   app.draw_field("0.2 0.8");
-  Flow how;
-  how.color = ui.colors().muted;
+  const Flow how{.color = ui.colors().muted};
   if (app.wrong.empty())
     flow(ui, "The nearest and the farthest. Nothing: all of the trace. R fits them to what is shown.", how);
   else say_wrong(ui, app.wrong);
@@ -90,8 +81,7 @@ void draw_bookmarks(App& app) {
   const float rows = std::clamp(static_cast<float>(all.size()), 2.0f, 14.0f);
   begin_overlay(app, "bookmarks",
                 {ui.em * 42, ui.em * (4.5f + rows * 1.4f) + (app.places().trouble().empty() ? 0 : ui.em * 2)});
-  Flow heading;
-  heading.font = ui.fonts.bold;
+  const Flow heading{.font = ui.fonts.bold};
   flow(ui, "Bookmarks. Enter or a click goes there; Delete removes one; Ctrl+B sets one; Esc closes.", heading);
   ImGui::Dummy({1, ui.em * 0.3f});
   if (!app.places().trouble().empty()) say_wrong(ui, app.places().trouble());

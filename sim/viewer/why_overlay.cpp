@@ -156,12 +156,9 @@ void draw_why_ask(App& app) {
   const Scene& scene = app.session().scene();
   const float height = std::round(ui.em * 1.4f);
   begin_overlay(app, "why ask", {ui.em * 30, height * 12 + ui.em * 5});
-  Flow heading;
-  heading.font = ui.fonts.bold;
-  flow(ui, fmt::format("Why not \u2026 {}?", place_text(app.why_of())), heading);
+  flow(ui, fmt::format("Why not \u2026 {}?", place_text(app.why_of())), {.font = ui.fonts.bold});
   app.draw_field("A polygon's name or number");
-  Flow how;
-  how.color = ui.colors().muted;
+  const Flow how{.color = ui.colors().muted};
   flow(ui,
        fmt::format("Enter or a click asks; Tab asks {}; Esc closes.",
                    app.why_of() ? "of the whole picture" : "of the pixel"),
@@ -193,19 +190,16 @@ void draw_why(App& app) {
   Ui& ui = app.ui();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   begin_overlay(app, "why", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
-  Flow heading;
-  heading.font = ui.fonts.bold;
+  const Flow heading{.font = ui.fonts.bold};
   flow(ui,
        fmt::format("Why not {} {}?", polygon_label(app.session().scene(), app.why_polygon()), place_text(app.why_of())),
        heading);
-  Flow how;
-  how.color = ui.colors().muted;
+  const Flow how{.color = ui.colors().muted};
   flow(ui,
        fmt::format("Enter or a click goes to a step; Tab asks {}; Backspace picks another polygon; Esc closes.",
                    app.why_of() ? "of the whole picture" : "of the pixel"),
        how);
-  Flow formula;
-  formula.font = ui.fonts.mono;
+  const Flow formula{.font = ui.fonts.mono};
   // The steps stand right below the verdict; where both are long, each has half of the room.
   const float room = ImGui::GetContentRegionAvail().y, row = std::round(ui.em * 1.4f);
   const float rows = std::min(room * 0.5f, row * static_cast<float>(app.why().chain.size()) + ui.em * 0.5f);

@@ -13,12 +13,6 @@ bool one_horizon(const Telling& t) {
   return found != t.conventions.options.end() && found->second == "one";
 }
 
-/// The name of the line of pseudo-code that recorded this event.
-std::string step_name(const Telling& t) {
-  const StepInfo* step = find_step(t.trace.header().page, t.trace.event(t.after.position).step);
-  return step ? step->name : "";
-}
-
 std::string place(std::int32_t vertex, const std::optional<OnRaster>& at) {
   return at ? fmt::format("sample {} at ({}, {})", vertex, number(at->x, 2, true), number(at->y, 2, true))
             : fmt::format("sample {}, which is out of view", vertex);
@@ -59,23 +53,17 @@ std::optional<Passage> passage(const Telling& t, int back) {
 /// Rows as they can be told apart.
 std::string row_of(const std::string& number) { return "row " + number; }
 
-void tell_y(Telling& t, const Passage& now) {
-  if (!t.machine.horizon.segment) return;
+void tell_y(Telling& t, const HorizonTest& e, const Passage& now) {
+  t.derive(e);
+  if (t.follows("y", "y_curve", e.y_curve) || !t.machine.horizon.segment) return;
   const auto a = on_raster(t.scene, t.after, t.machine.horizon.segment->vertex_0);
   const auto b = on_raster(t.scene, t.after, t.machine.horizon.segment->vertex_1);
   if (!a || !b || a->x == b->x) return;
-  if (now.x < std::min(a->x, b->x) || now.x > std::max(a->x, b->x)) {
-    // Seen edge-on between two columns: the curve's samples stand on the nearest one.
-    const OnRaster& end = now.y == a->y ? *a : *b;
-    t.formula(
-        fmt::format("y = {}, of the sample at x = {}: column {} is the nearest", number(end.y), number(end.x), now.x));
-    t.hold_against("y", now.y, end.y);
-    return;
-  }
-  t.gives("y",
-          formulas::on_line(Shown("y_0", a->y), Shown("y_1", b->y), Shown("x", now.x), Shown("x_0", a->x),
-                            Shown("x_1", b->x)),
-          now.y);
+  // Seen edge-on between two columns: the curve's samples stand on the nearest one.
+  const OnRaster& end = now.y == a->y ? *a : *b;
+  t.formula(
+      fmt::format("y = {}, of the sample at x = {}: column {} is the nearest", number(end.y), number(end.x), now.x));
+  t.hold_against("y", now.y, end.y);
 }
 
 /// "y ≤ upper[x]:  10.4 ≤ 12.1  is true"
@@ -98,7 +86,7 @@ void tell(Telling& t, const CurveBegin& e) {
 void tell(Telling& t, const CurveSegment& e) {
   const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
   const std::string way = fmt::format("from {} to {}", place(e.vertex_0, a), place(e.vertex_1, b));
-  if (step_name(t) == "side")
+  if (t.step() == "side")
     t.say(fmt::format(
         "The surface goes on between its curves, here {}. Nothing is drawn, but what lies behind is hidden.", way));
   else
@@ -127,7 +115,7 @@ void tell(Telling& t, const HorizonTest& e) {
   else
     t.say(fmt::format("On column {} the curve, {}, lies between the horizons, rows {} and {}: hidden.", e.x,
                       row_of(over), upper, lower));
-  tell_y(t, now);
+  tell_y(t, e, now);
   tell_test(t, "\u2264", "upper", now.y, now.upper, above);
   if (!one && !above) tell_test(t, "\u2265", "lower", now.y, now.lower, below);
   t.value("y", now.y);
@@ -162,7 +150,7 @@ void tell(Telling& t, const HorizonCross& e) {
 }
 
 void tell(Telling& t, const HorizonMove& e) {
-  const std::string step = step_name(t);
+  const std::string step = t.step();
   if (step == "clear_horizons") {
     t.say(fmt::format("Nothing is drawn yet on column {}: {} the {} horizon.", e.x,
                       e.upper ? "every row is above" : "every row is below", e.upper ? "upper" : "lower"));

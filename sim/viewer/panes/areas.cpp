@@ -138,13 +138,10 @@ void draw_bins(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.area < 0 || m.areas.empty())
     return say_empty(ui, "The bins of an area fill once all polygons are on the raster.");
-  Flow heading;
-  heading.font = ui.fonts.bold;
-  flow(ui, fmt::format("Area {}", m.area), heading);
+  flow(ui, fmt::format("Area {}", m.area), {.font = ui.fonts.bold});
   for (const Bin bin : {Bin::disjoint, Bin::intersecting, Bin::surrounding, Bin::contained}) draw_bin(ui, bin);
   const std::size_t known = m.pieces.size() - std::min(m.pieces.size(), m.bins.size());
-  Flow quiet;
-  quiet.color = ui.colors().muted;
+  const Flow quiet{.color = ui.colors().muted};
   const bool settled = m.areas[static_cast<std::size_t>(m.area)].decided.has_value();
   if (known > 0 && settled)
     flow(ui, fmt::format("{} more {} known to miss the area around it.", known, known == 1 ? "is" : "are"), quiet);

@@ -60,9 +60,7 @@ void tell_formula(Ui& ui, const std::string& formula, Flow how) {
 
 /// What check or diff says of the step, in its own words.
 void draw_told(Ui& ui, const StepMarks::Told& told) {
-  Flow wrong;
-  wrong.color = ui.colors().bad;
-  wrong.font = ui.fonts.bold;
+  const Flow wrong{.color = ui.colors().bad, .font = ui.fonts.bold};
   for (const std::string& what : told.lines) flow(ui, "! " + told.head + what, wrong);
   Flow note;
   note.color = ui.colors().bad;
@@ -75,10 +73,7 @@ void draw(Ui& ui) {
   const StepMarks::Told found = ui.marks ? ui.marks->told(ui.session) : StepMarks::Told{};  // moves the replay
   const RecordedEvent* event = ui.session.event();
   if (!ui.session.message.empty()) {
-    Flow how;
-    how.color = c.now;
-    how.font = ui.fonts.bold;
-    flow(ui, ui.session.message, how);
+    flow(ui, ui.session.message, {.color = c.now, .font = ui.fonts.bold});
   }
   if (!event) {
     if (ui.session.size() == 0) return say_empty(ui, "This trace has no events: the run recorded nothing.");
@@ -86,9 +81,7 @@ void draw(Ui& ui) {
     std::vector<std::string> lacks = ui.session.trace().warnings();
     if (!ui.fonts.lacking.empty()) lacks.push_back(ui.fonts.lacking);
     for (const std::string& lack : lacks) {
-      Flow how;
-      how.color = c.bad;
-      flow(ui, lack, how);
+      flow(ui, lack, {.color = c.bad});
     }
     return;
   }
@@ -96,16 +89,11 @@ void draw(Ui& ui) {
   const Explanation told = explain(ui.session.trace(), ui.session.state(), *event);
   tell(ui, told.sentence);
   ImGui::Dummy({1, ui.em * 0.25f});
-  Flow how;
-  how.font = ui.fonts.mono;
-  how.indent = ui.em;
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  for (const std::string& formula : told.formulas) tell_formula(ui, formula, how);
+  for (const std::string& formula : told.formulas) tell_formula(ui, formula, {.indent = ui.em, .font = ui.fonts.mono});
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   if (told.doubt && found.lines.empty()) {
-    Flow doubt;
-    doubt.color = c.bad;
-    doubt.font = ui.fonts.bold;
+    const Flow doubt{.color = c.bad, .font = ui.fonts.bold};
     flow(ui, *told.doubt, doubt);
   }
   if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered())

@@ -11,8 +11,7 @@ namespace {
 void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
   const Theme& c = ui.colors();
   const float width = ImGui::GetContentRegionAvail().x, pad = ui.em * 0.4f, key = ui.em * 1.5f;
-  Flow how;
-  how.width = width - 2 * pad - key;
+  const Flow how{.width = width - 2 * pad - key};
   const float height = flow_height(ui, answer.text, how) + 2 * pad * 0.6f;
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
   ImGui::PushID(index);
@@ -40,9 +39,7 @@ void draw_question(Ui& ui, const Question& question) {
       at, {at.x + ImGui::GetContentRegionAvail().x, at.y + std::round(2 * ui.thin)}, s.nudged() ? c.now : c.rule);
   ImGui::Dummy({1, ui.em * 0.4f});
   if (s.nudged()) {
-    Flow nudge;
-    nudge.color = c.now;
-    nudge.font = ui.fonts.bold;
+    const Flow nudge{.color = c.now, .font = ui.fonts.bold};
     flow(ui, "\u25b6 What did you expect? Answer first, then see whether the steps agree.", nudge);
   }
   flow_markdown(ui, question.text);

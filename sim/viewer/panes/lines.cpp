@@ -95,10 +95,8 @@ void draw_table(Ui& ui) {
   const auto at = static_cast<std::size_t>(m.line);
   if (m.line < 0 || at >= m.lines.size()) return say_empty(ui, "An edge's intervals stand here once it is at work.");
   const LineRow& row = m.lines[at];
-  Flow heading;
-  heading.font = ui.fonts.bold;
   flow(ui, fmt::format("Edge {}: {}\u2013{}, {}", m.line, row.entry.vertex_0, row.entry.vertex_1,
-                       words_of<LineKind>[static_cast<std::size_t>(row.entry.kind)]), heading);
+                       words_of<LineKind>[static_cast<std::size_t>(row.entry.kind)]), {.font = ui.fonts.bold});
   const RecordedEvent* event = s.event();
   const bool hides_now = event && holds<LineHide>(event->event),
              cuts_now = event && holds<LinePiece>(event->event);

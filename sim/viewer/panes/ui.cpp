@@ -208,9 +208,7 @@ void flow_markdown(Ui& ui, const std::string& markdown) {
 }
 
 void say_empty(Ui& ui, const std::string& why) {
-  Flow how;
-  how.color = ui.colors().muted;
-  flow(ui, why, how);
+  flow(ui, why, {.color = ui.colors().muted});
 }
 
 float scroll_for(float at, float height, float view) {
