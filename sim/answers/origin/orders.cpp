@@ -6,6 +6,7 @@
 #include "sim/answers/origin/planes.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/pieces.hpp"
+#include "traces/file/records.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -39,6 +40,10 @@ std::int32_t corner_with(const Work& work, const Piece& piece, const PlaneEquati
 }
 
 }  // namespace
+
+bool cuts_in_world(const Work& work) {
+  return work.scene.camera.kind != Camera::Kind::screen && records<NodeMake>(work.trace.header());
+}
 
 Number Work::extent(std::int32_t number, std::string_view name) {
   const auto axis = static_cast<std::size_t>(axis_of(name));

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "algorithms/ray_casting/geometry.hpp"
-#include "traces/file/records.hpp"
 
 namespace zstep::answers {
 
@@ -46,10 +45,6 @@ const char* field_of(char letter) {
 char letter_of(std::string_view field) { return static_cast<char>('A' + (field.back() - 'a')); }
 
 }  // namespace
-
-bool cuts_in_world(const Work& work) {
-  return work.scene.camera.kind != Camera::Kind::screen && records<NodeMake>(work.trace.header());
-}
 
 void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& subject, char letter, std::size_t count,
                 const Corner& corner) {

@@ -125,4 +125,36 @@ template <> inline constexpr About about<LineHide>{nothing, {"line", "facet"}};
 template <> inline constexpr About about<LinePiece>{nothing, {"line"}};
 // clang-format on
 
+/// What a run numbers for itself.
+enum class Thing : std::uint8_t { none, vertex, edge, piece, node, area, box, ray, curve, line, count };
+
+/// The thing that a field of this name refers to; none where the field is a number like any other, or one of the
+/// scene's polygons and facets, which have one number for all.
+constexpr Thing thing_of(std::string_view field) {
+  if (field.starts_with("vertex")) return Thing::vertex;
+  if (field == "edge" || field == "left_edge" || field == "right_edge") return Thing::edge;
+  if (field == "piece" || field == "other" || field == "plane_of") return Thing::piece;
+  if (field == "node") return Thing::node;
+  if (field == "area") return Thing::area;
+  if (field == "box") return Thing::box;
+  if (field == "ray") return Thing::ray;
+  if (field == "curve") return Thing::curve;
+  if (field == "line") return Thing::line;
+  return Thing::none;
+}
+/// The thing that a kind of event makes, with a number of its own.
+template <class E>
+constexpr Thing made_by() {
+  if constexpr (std::is_same_v<E, ClipCross> || std::is_same_v<E, SplitVertex>) return Thing::vertex;
+  else if constexpr (std::is_same_v<E, EdgeTableInsert>) return Thing::edge;
+  else if constexpr (std::is_same_v<E, PieceMake>) return Thing::piece;
+  else if constexpr (std::is_same_v<E, NodeMake>) return Thing::node;
+  else if constexpr (std::is_same_v<E, AreaBegin>) return Thing::area;
+  else if constexpr (std::is_same_v<E, BoxMake>) return Thing::box;
+  else if constexpr (std::is_same_v<E, RayBegin>) return Thing::ray;
+  else if constexpr (std::is_same_v<E, CurveBegin>) return Thing::curve;
+  else if constexpr (std::is_same_v<E, LineBegin>) return Thing::line;
+  else return Thing::none;
+}
+
 }  // namespace zstep::diff
