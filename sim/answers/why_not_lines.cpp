@@ -9,7 +9,7 @@ namespace zstep::answers {
 namespace {
 
 /// An edge of the polygon, as the trace left it at its end.
-struct Line {
+struct DrawnEdge {
   LineRow row;
   OnRaster from, to;
 };
@@ -19,9 +19,9 @@ bool is_edge_of(const Asked& q, const LineBegin& line) {
          polygon_of_facet(q.scene, line.right_facet) == q.polygon;
 }
 
-std::vector<Line> lines_of(Asked& q) {
+std::vector<DrawnEdge> lines_of(Asked& q) {
   const State& state = q.state_at(q.trace.size());
-  std::vector<Line> lines;
+  std::vector<DrawnEdge> lines;
   for (const LineRow& row : state.machine.lines) {
     if (!is_edge_of(q, row.entry)) continue;
     const auto from = on_raster(q.scene, state, row.entry.vertex_0), to = on_raster(q.scene, state, row.entry.vertex_1);
@@ -31,7 +31,7 @@ std::vector<Line> lines_of(Asked& q) {
 }
 
 /// Where work on it begins.
-std::optional<std::int64_t> begin_of(const Asked& q, const Line& line) {
+std::optional<std::int64_t> begin_of(const Asked& q, const DrawnEdge& line) {
   return numbered(q.trace, last_mark(q.trace), q.trace.size() + 1, &LineBegin::line, line.row.entry.line);
 }
 
@@ -39,7 +39,7 @@ double nearest_pixel(double at) { return std::floor(at + 0.5); }
 
 /// Where a line passes the pixel, 0 to 1 along it, by the rule of drawing: one pixel a column, or a row where it is
 /// steep.
-std::optional<double> passes(const Line& line, Trace::Pixel pixel) {
+std::optional<double> passes(const DrawnEdge& line, Trace::Pixel pixel) {
   const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y;
   const bool steep = std::abs(dy) > std::abs(dx);
   const double from = steep ? line.from.y : line.from.x, along = steep ? dy : dx;
@@ -53,7 +53,7 @@ std::optional<double> passes(const Line& line, Trace::Pixel pixel) {
   return (at - from) / along;
 }
 
-double distance_to(const Line& line, Trace::Pixel pixel) {
+double distance_to(const DrawnEdge& line, Trace::Pixel pixel) {
   const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y, px = pixel.x - line.from.x,
                py = pixel.y - line.from.y;
   const double length = dx * dx + dy * dy, t = length > 0 ? std::clamp((px * dx + py * dy) / length, 0.0, 1.0) : 0;
@@ -61,7 +61,7 @@ double distance_to(const Line& line, Trace::Pixel pixel) {
 }
 
 /// The piece of a line at t; ends are rounded to pixels, so the nearest where none holds t.
-const LinePiece* piece_at(const Line& line, double t) {
+const LinePiece* piece_at(const DrawnEdge& line, double t) {
   const LinePiece* best = nullptr;
   const auto off = [t](const LinePiece& piece) { return std::max({0.0, piece.t_0 - t, t - piece.t_1}); };
   for (const LinePiece& piece : line.row.pieces)
@@ -69,7 +69,7 @@ const LinePiece* piece_at(const Line& line, double t) {
   return best;
 }
 
-std::string name_of(const Asked& q, const Line& line) {
+std::string name_of(const Asked& q, const DrawnEdge& line) {
   return fmt::format("edge {}{}{}", vertex_label(q.scene, line.row.entry.vertex_0), "\u2013",
                      vertex_label(q.scene, line.row.entry.vertex_1));
 }
@@ -121,7 +121,7 @@ std::string place_text(double t, double from, double to) {
 }
 
 /// Do all polygons at the edge face away, or lie edge-on?
-bool all_away(const Asked& q, const Line& line) {
+bool all_away(const Asked& q, const DrawnEdge& line) {
   for (const std::int32_t facet : {line.row.entry.left_facet, line.row.entry.right_facet}) {
     if (facet < 0 || static_cast<std::size_t>(facet) >= q.scene.facets.size()) continue;
     if (!check_reject(q.scene, facet, Reject::back_facing, nullptr).holds) return false;
@@ -129,7 +129,7 @@ bool all_away(const Asked& q, const Line& line) {
   return true;
 }
 
-Verdict hidden(Asked& q, const Line& line, const LinePiece& piece, double t) {
+Verdict hidden(Asked& q, const DrawnEdge& line, const LinePiece& piece, double t) {
   const std::int64_t begin = begin_of(q, line).value_or(0);
   const std::int64_t part = begin > 0 ? step_of_piece(q, begin, piece) : 0;
   const LineHide* by = nullptr;
@@ -175,7 +175,7 @@ bool of_lines(const Trace& trace) { return trace.has(kind_of<LineBegin>); }
 
 Verdict why_by_lines(Asked& q) {
   if (auto verdict = drawn(q)) return *verdict;
-  const std::vector<Line> lines = lines_of(q);
+  const std::vector<DrawnEdge> lines = lines_of(q);
   if (lines.empty()) {
     const std::vector<FacetThere> facets = facets_there(q);
     const bool nothing = facets.empty() || std::none_of(facets.begin(), facets.end(), [](const FacetThere& there) {
@@ -183,8 +183,8 @@ Verdict why_by_lines(Asked& q) {
                          });
     return q.verdict(nothing ? Why::outside : Why::not_covered, 0, "none of its edges is in view");
   }
-  const Line* nearest = nullptr;
-  for (const Line& line : lines) {
+  const DrawnEdge* nearest = nullptr;
+  for (const DrawnEdge& line : lines) {
     if (!nearest || distance_to(line, q.pixel) < distance_to(*nearest, q.pixel)) nearest = &line;
     const auto t = passes(line, q.pixel);
     const LinePiece* piece = t ? piece_at(line, *t) : nullptr;
@@ -200,16 +200,16 @@ Verdict why_by_lines(Asked& q) {
 }
 
 Verdict lines_anywhere(Asked& q) {
-  const std::vector<Line> lines = lines_of(q);
+  const std::vector<DrawnEdge> lines = lines_of(q);
   std::size_t seen_edges = 0;
-  const Line *visible = nullptr, *hidden = nullptr;
-  for (const Line& line : lines) {
+  const DrawnEdge *visible = nullptr, *hidden = nullptr;
+  for (const DrawnEdge& line : lines) {
     const bool any = std::any_of(line.row.pieces.begin(), line.row.pieces.end(),
                                  [](const LinePiece& piece) { return piece.visible; });
     if (any) visible = visible ? visible : &line, ++seen_edges;
     else hidden = hidden ? hidden : &line;
   }
-  const Line* picked = visible ? visible : hidden;
+  const DrawnEdge* picked = visible ? visible : hidden;
   if (!picked) return why_by_lines(q);
   // A pixel on it: the first that was drawn, or for one that was not the middle of the edge.
   const std::int64_t begin = begin_of(q, *picked).value_or(0);

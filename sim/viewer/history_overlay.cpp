@@ -46,11 +46,7 @@ void draw_polygon(App& app, ImVec2 at, float y, float height, std::int32_t polyg
   if (polygon == no_polygon) return;
   Ui& ui = app.ui();
   const Scene& scene = app.session().scene();
-  const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({at.x, top}, {at.x + box, top + box},
-                      to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
-  frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
+  draw_swatch(ui, at, height, scene, polygon);
   draw_text(ui, {at.x + ui.em, y}, ui.fonts.bold, ui.colors().text, polygon_label(scene, polygon));
 }
 

@@ -65,6 +65,14 @@ float step_column(const Ui& ui, std::int64_t last_step) {
   return std::max(ui.em * 6, std::ceil(text_size(ui, ui.fonts.mono, grouped(last_step)).x) + ui.em * 1.5f);
 }
 
+void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32_t polygon) {
+  const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({at.x, top}, {at.x + box, top + box},
+                      to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
+  frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
+}
+
 std::string depth_in_list(double z) {
   if (!std::isfinite(z)) return number(z);
   std::string text = answers::depth_text(z);

@@ -26,6 +26,9 @@ float step_column(const Ui& ui, std::int64_t last_step);
 /// A depth as lists of answers write it, with the signs of the rest of the viewer: "−0.25", "∞".
 std::string depth_in_list(double z);
 
+/// A polygon's colour in a row of a list.
+void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32_t polygon);
+
 /// A text cut with a sign where it has no room.
 std::string fitted(const Ui& ui, const ImFont* font, std::string text, float room);
 

@@ -27,14 +27,6 @@ std::string place_text(const std::optional<Cell>& cell) {
   return cell ? fmt::format("at pixel ({}, {})", cell->x, cell->y) : "anywhere";
 }
 
-void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32_t polygon) {
-  const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({at.x, top}, {at.x + box, top + box},
-                      to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
-  frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
-}
-
 /// Does the step only begin work on something? Then it comes before a verdict and decides nothing.
 bool only_begins(const Event& event) {
   const Begins& begins = begins_with(event.index());
