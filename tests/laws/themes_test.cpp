@@ -70,8 +70,7 @@ Words kinds() {
 
 std::string theme_of(const std::string& kind) {
   for (const auto& [file, words] : code())
-    if (file.starts_with("traces/events/") && file.ends_with(".hpp") && !file.ends_with("vocabulary.hpp") &&
-        words.contains(kind))
+    if (file.starts_with("traces/events/") && words.contains("Fields") && words.contains(kind))
       return fs::path(file).stem().string();
   return "";
 }
