@@ -15,6 +15,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/rejects.hpp"
+#include "traces/events/called.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::answers {
@@ -137,7 +138,9 @@ class History {
 
   /// The visit that painted the pixel last, by a method that decides for more than one pixel at once.
   const Visit* owner_by_interval_or_area() const {
-    if (!records<SpanWinner>(trace_) && !records<AreaDecide>(trace_)) return nullptr;
+    const Page& page = trace_.header().page;
+    if (std::none_of(page.begin(), page.end(), [](const StepInfo& step) { return !gives_around(step.kind).empty(); }))
+      return nullptr;
     const auto last = std::find_if(visits_.rbegin(), visits_.rend(), [](const Visit& visit) { return visit.takes; });
     return last != visits_.rend() && last->outcome == Outcome::painted ? &*last : nullptr;
   }
@@ -147,9 +150,9 @@ class History {
     const Visit* const painted = owner_by_interval_or_area();
     if (!painted || !painted->z) return;
     const Visit owner = *painted;
-    const bool areas = records<AreaDecide>(trace_);
-    const auto decided =
-        areas ? previous_of<AreaDecide>(trace_, owner.step) : previous_of<SpanWinner>(trace_, owner.step);
+    const auto decided = trace_.previous(
+        owner.step, [](const RecordedEvent& recorded) { return !gives_around(recorded.event.index()).empty(); });
+    const std::string_view around = decided ? gives_around(trace_.event(*decided).event.index()) : "there";
     const std::string symbol = depth_symbol(trace_.scene(), trace_.header().conventions),
                       other = polygon_label(trace_.scene(), owner.polygon);
     for (const auto& [polygon, z] : depths_) {
@@ -159,7 +162,7 @@ class History {
       visit.z = z, visit.stored = owner.z, visit.stored_polygon = owner.polygon;
       visit.sentence =
           fmt::format("{} covers pixel ({}, {}), but {} was found to be in front {}.", name, pixel_.x, pixel_.y, other,
-                      areas ? "in the area around it" : "on the interval of the scan line around it");
+                      around);
       visit.formulas.push_back(difference(symbol, name, other, z, *owner.z));
     }
   }

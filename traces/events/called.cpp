@@ -56,6 +56,12 @@ std::string_view called(std::size_t kind) {
   return names[kind];
 }
 
+std::string_view gives_around(std::size_t kind) {
+  return kind == kind_of<AreaDecide>   ? "in the area around it"
+         : kind == kind_of<SpanWinner> ? "on the interval of the scan line around it"
+                                       : "";
+}
+
 bool after_polygons(std::size_t kind) {
   constexpr std::array all{kind_of<VertexSide>, kind_of<SideTest>, kind_of<RootCandidate>, kind_of<NodeMake>,
                            kind_of<ListInsert>, kind_of<PairBegin>, kind_of<AreaBegin>, kind_of<BoxMake>,

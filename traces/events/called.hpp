@@ -14,4 +14,7 @@ std::string_view called(std::size_t kind);
 /// Is it about all polygons at once, after the work on each of them?
 bool after_polygons(std::size_t kind);
 
+/// Where it gives a piece to several pixels at once, seen from one of them: "in the area around it"; empty for all others.
+std::string_view gives_around(std::size_t kind);
+
 }  // namespace zstep
