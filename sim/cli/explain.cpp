@@ -69,25 +69,9 @@ bool is_computed(const answers::ChainLink& link, const answers::ChainValue& valu
   return !link.given && !taken_over && !(value.formula.empty() && value.operands.empty());
 }
 
-/// Two digits, with signs as they are printed.
-std::string roughly(double value) {
-  std::string text = fmt::format("{:.2g}", value);
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
-  return text;
-}
-
-/// "exactly 1/3 = 0.3333…; error −1.9e−17, −0.33 ulp"
-std::string exact_text(const answers::ChainValue& value, const answers::Exact& exact) {
-  if (!exact.known) return "not exact here: " + exact.why;
-  if (value.condition)
-    return exact.error == 0 ? "so without rounding, too" : "without rounding it is the other way round";
-  if (exact.error == 0) return "exact";
-  return fmt::format("exactly {}; error {}, {} ulp", exact.digits, roughly(exact.error), roughly(exact.ulps));
-}
-
 /// " or 0.33 of the depth buffer's last bit"; nothing of what is no depth.
 std::string in_buffer(double error, double unit) {
-  return unit > 0 ? fmt::format(" or {} of the depth buffer's last bit", roughly(error / unit)) : "";
+  return unit > 0 ? fmt::format(" or {} of the depth buffer's last bit", answers::roughly(error / unit)) : "";
 }
 
 /// Where most of the error of the number that was asked for came in.
@@ -101,7 +85,7 @@ std::string most_text(const answers::Chain& chain, const answers::Exactness& exa
   const double brought = exactness.of[at][value].brought, unit = exactness.buffer_unit;
   return fmt::format("The error of {}, {}{}, is the sum of what each rounding brings. The largest part, {}{}, comes from "
                      "{} at step {} ({}).\n",
-                     asked.name, roughly(whole.error), in_buffer(whole.error, unit), roughly(brought),
+                     asked.name, answers::roughly(whole.error), in_buffer(whole.error, unit), answers::roughly(brought),
                      in_buffer(brought, unit), chain.links[at].values[value].name, grouped(chain.links[at].step), chain.links[at].what);
 }
 
@@ -124,7 +108,7 @@ std::string text_of(const answers::Chain& chain, const Exactness& exactness) {
       if (const std::string doubt = answers::doubt_text(value); !doubt.empty())
         text += fmt::format("{:>{}}    {}{}\n", "", width, indent, doubt);
       if (exactness && value.word.empty() && (asked || is_computed(link, value)))
-        text += fmt::format("{:>{}}      {}{}\n", "", width, indent, exact_text(value, exactness->of[at][i]));
+        text += fmt::format("{:>{}}      {}{}\n", "", width, indent, answers::exact_text(value, exactness->of[at][i]));
     }
   }
   if (exactness) text += most_text(chain, *exactness);

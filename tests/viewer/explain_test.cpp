@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "sim/viewer/panes/exact_line.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
@@ -142,4 +143,21 @@ TEST_CASE("a click on the depth of the selected pixel tells where it comes from;
   app.session().select(app.ui().pointed);
   test::click(app, frame, 200);
   CHECK_FALSE(app.session().selected);
+}
+
+TEST_CASE("pointing at a depth or a number tells what it is without rounding, and leaves the reader where he stands") {
+  const Trace trace = test::record_run("pyramid-behind");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().go_to(1057);
+  app.settle();
+  const std::string line = exact_line(app.session(), answers::of_pixel(1057, {15, 12}));
+  CHECK(line.starts_with("exactly \u22120.73337362132439592318"));
+  CHECK(line.ends_with(" ulp"));
+  CHECK(app.session().position() == 1057);
+  CHECK(exact_line(trace, answers::of_pixel(1057, {15, 12})) == line);
+  CHECK(exact_line(app.session(), answers::of_pixel(1, {0, 0})).empty());  // nothing was drawn there
+
+  const Trace flat = test::record_run("delhi");
+  App exact(flat, nullptr, {}, 1280, 720);
+  CHECK(exact_line(exact.session(), answers::of_pixel(flat.size(), {1, 3})) == "exact");
 }

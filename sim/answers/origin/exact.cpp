@@ -240,4 +240,18 @@ class Exactly {
 
 Exactness exactness_of(const Chain& chain, const Trace& trace) { return Exactly(chain, trace).run(); }
 
+std::string roughly(double value) {
+  std::string text = fmt::format("{:.2g}", value);
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
+  return text;
+}
+
+std::string exact_text(const ChainValue& value, const Exact& exact) {
+  if (!exact.known) return "not exact here: " + exact.why;
+  if (value.condition)
+    return exact.error == 0 ? "so without rounding, too" : "without rounding it is the other way round";
+  if (exact.error == 0) return "exact";
+  return fmt::format("exactly {}; error {}, {} ulp", exact.digits, roughly(exact.error), roughly(exact.ulps));
+}
+
 }  // namespace zstep::answers

@@ -34,4 +34,9 @@ struct Exactness {
 
 Exactness exactness_of(const Chain& chain, const Trace& trace);
 
+/// Two digits, with signs as they are printed.
+std::string roughly(double value);
+/// "exactly 1/3 = 0.3333…; error −1.9e−17, −0.33 ulp"
+std::string exact_text(const ChainValue& value, const Exact& exact);
+
 }  // namespace zstep::answers

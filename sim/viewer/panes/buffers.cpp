@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/exact_line.hpp"
 #include "sim/viewer/panes/legend.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_pane.hpp"
@@ -72,6 +73,10 @@ std::vector<std::string> about_cell(Ui& ui, Cell cell) {
     const std::string value = heat_text(ui, at);
     lines.push_back(fmt::format("{}: {}", ui.heat->name, value.empty() ? "none" : value));
   }
+  if (!std::isfinite(picture.depth[at])) return lines;
+  const auto question = answers::of_pixel(s.looking_back ? s.before() : s.position(), {cell.x, cell.y});
+  if (const std::string line = exact_line(ui.session, question); !line.empty())  // moves the replay
+    lines.insert(lines.begin() + 3, line);
   return lines;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/exact_line.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/explain.hpp"
 
@@ -96,8 +97,12 @@ void draw(Ui& ui) {
     const Flow doubt{.color = c.bad, .font = ui.fonts.bold};
     flow(ui, *told.doubt, doubt);
   }
-  if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered())
-    tooltip(ui, exact_lines(told.values), ImVec2{top.x, bottom.y + ui.em * 0.5f});
+  if (!told.values.empty() && ImGui::IsMouseHoveringRect(top, bottom) && ImGui::IsWindowHovered()) {
+    std::vector<std::string> lines = exact_lines(told.values);
+    if (const std::string line = exact_line(ui.session, {ui.session.position()}); !line.empty())  // moves the replay
+      lines.push_back(line);
+    tooltip(ui, lines, ImVec2{top.x, bottom.y + ui.em * 0.5f});
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/viewer/panes/exact_line.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
@@ -131,9 +132,12 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       if (columns[k].numeric) left = x + columns[k].width - text_size(ui, font, columns[k].shown[r]).x;
       draw_text(ui, {left, at.y + text_top}, font, color, columns[k].shown[r]);
       if (k < row.cells.size() && row.cells[k].value && row.cells[k].question)
-        on_number = number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y},
-                              *row.cells[k].question) ||
-                    on_number;
+        if (number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y},
+                      *row.cells[k].question)) {
+          on_number = true;
+          const std::string line = exact_line(ui.session.trace(), *row.cells[k].question);
+          if (!line.empty()) exact_values.push_back(line);
+        }
       x += columns[k].width + gap;
     }
     result.on_number = result.on_number || on_number;
