@@ -38,9 +38,10 @@ Digits digits_of(Number value) {
 
 /// How many digits the numbers of a trace need, and how many numbers need the most.
 struct Seen {
-  static constexpr int most_digits = 20;
+  static constexpr int most_digits = 20, few = 10;
   std::array<std::int64_t, most_digits + 1> by_digits{}, by_decimals{};
   bool float32 = true;
+  bool many_digits = false, many_decimals = false;  ///< more than where numbers are said to be cut
   std::int64_t numbers = 0;
 
   void add(double value) {
@@ -49,6 +50,8 @@ struct Seen {
     const Digits needed = digits_of(value);
     ++by_digits[static_cast<std::size_t>(std::min(needed.all, most_digits))];
     ++by_decimals[static_cast<std::size_t>(std::min(needed.decimals, most_digits))];
+    many_digits = many_digits || needed.all > few;
+    many_decimals = many_decimals || needed.decimals > few;
     if (!float32) return;
     // Either the float32 itself, or the shortest text that reads back as one.
     const auto narrow = static_cast<float>(value);
@@ -59,7 +62,7 @@ struct Seen {
   static std::optional<int> cut_at(const std::array<std::int64_t, most_digits + 1>& counts, std::int64_t numbers) {
     int most = most_digits;
     while (most > 0 && counts[static_cast<std::size_t>(most)] == 0) --most;
-    constexpr int fewest = 3, few = 10;
+    constexpr int fewest = 3;
     const bool many = 2 * counts[static_cast<std::size_t>(most)] > numbers;
     return most >= fewest && most <= few && many ? std::optional(most) : std::nullopt;
   }
@@ -89,7 +92,8 @@ Precision precision_of(const Trace& trace) {
           });
         },
         recorded.event);
-    return true;
+    // Numbers with all their digits are not cut, whatever comes later.
+    return !(seen.many_digits && seen.many_decimals && (declared || !seen.float32));
   });
   if (const auto decimals = Seen::cut_at(seen.by_decimals, seen.numbers))
     return {formulas::rounding_of_float64, std::pow(10.0, -*decimals), false,
