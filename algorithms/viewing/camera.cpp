@@ -6,6 +6,7 @@
 
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
+#include "traces/lamp.hpp"
 
 namespace zstep::viewing {
 
@@ -26,25 +27,15 @@ double sine_of(double degrees, int quarter_turns) {
 double sin_degrees(double degrees) { return sine_of(degrees, 0); }
 double cos_degrees(double degrees) { return sine_of(degrees, 1); }
 
-glm::dmat4 from_rows(glm::dvec4 row_1, glm::dvec4 row_2, glm::dvec4 row_3) {
-  glm::dmat4 matrix(1.0);
-  for (int column = 0; column < 4; ++column) {
-    matrix[column][0] = row_1[column] + 0.0;  // -0 becomes 0: it is going to be read
-    matrix[column][1] = row_2[column] + 0.0;
-    matrix[column][2] = row_3[column] + 0.0;
-  }
-  return matrix;
-}
-
 }  // namespace
 
 glm::dmat4 eckert_view(double rho, double theta_degrees, double phi_degrees) {
   const double sin_theta = sin_degrees(theta_degrees), cos_theta = cos_degrees(theta_degrees);
   const double sin_phi = sin_degrees(phi_degrees), cos_phi = cos_degrees(phi_degrees);
   // 000, "Composite Viewing Transformation Matrix"
-  return from_rows({-sin_theta, cos_theta, 0, 0},                             //
-                   {-cos_phi * cos_theta, -cos_phi * sin_theta, sin_phi, 0},  //
-                   {-sin_phi * cos_theta, -sin_phi * sin_theta, -cos_phi, rho});
+  return view_from_rows({-sin_theta, cos_theta, 0, 0},                             //
+                        {-cos_phi * cos_theta, -cos_phi * sin_theta, sin_phi, 0},  //
+                        {-sin_phi * cos_theta, -sin_phi * sin_theta, -cos_phi, rho});
 }
 
 glm::dvec3 eckert_eye(double rho, double theta_degrees, double phi_degrees) {
@@ -53,32 +44,8 @@ glm::dvec3 eckert_eye(double rho, double theta_degrees, double phi_degrees) {
   return glm::dvec3(rho * sin_phi * cos_theta, rho * sin_phi * sin_theta, rho * cos_phi) + 0.0;  // -0 becomes 0
 }
 
-glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up) {
-  const glm::dvec3 away = glm::normalize(target - eye);
-  glm::dvec3 right = glm::cross(away, up);
-  if (!(glm::length(right) > 1e-9 * glm::length(up))) {
-    const glm::dvec3 along = glm::abs(away);
-    const glm::dvec3 axis = along.z <= along.x && along.z <= along.y ? glm::dvec3(0, 0, 1)
-                            : along.y <= along.x                     ? glm::dvec3(0, 1, 0)
-                                                                     : glm::dvec3(1, 0, 0);
-    right = glm::cross(away, axis);
-  }
-  right = glm::normalize(right);
-  const glm::dvec3 upwards = glm::cross(right, away);
-  return from_rows({right, -glm::dot(right, eye)}, {upwards, -glm::dot(upwards, eye)}, {away, -glm::dot(away, eye)});
-}
-
-Camera camera_of(const Light& light) {
-  Camera camera;
-  camera.polar = false;
-  camera.d = 1;
-  camera.window = light.window;
-  camera.near = light.near;
-  camera.far = light.far;
-  camera.view = look_at_view(light.position, light.target, {0, 0, 1});
-  camera.eye = light.position;
-  return camera;
-}
+glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up) { return zstep::look_at_view(eye, target, up); }
+Camera camera_of(const Light& light) { return zstep::camera_of(light); }
 
 double window_for_field_of_view(double degrees_vertical, double d) {
   // 003, "Field of View", prints ½·tan(α) = ½(T − B)/f; the half belongs to the angle: tan(α/2) = ½(T − B)/f.

@@ -41,6 +41,7 @@ struct Teller {
   void rule(formulas::Rule, bool) {}
 
   void gives(Follows<E, double> field, const Number& formula) { found.push_back({field.name, formula}); }
+  void near(Follows<E, double>, const formulas::Rounded&) {}
   void whole(Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
     found.push_back({field.name, formula, within});
   }

@@ -1,7 +1,10 @@
 // Law: no run of zstep's own is doubted, whatever method, scene and conventions, and its formulas give every bit.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
@@ -32,7 +35,12 @@ bool is_right(const Method& method, const Scene& scene, const Conventions& conve
     FAIL_CHECK(step->name << " at step " << cause.first.step << ": " << cause.first.field << cause.first.impossible
                           << (cause.first.rule ? rule_text(*cause.first.rule).name : ""));
   }
-  CHECK(report.exact == report.numbers);
+  // Formulas are evaluated in float64: what a run computes in other numbers they give but for rounding.
+  // Where 1/z_v is added to, the trace has the reciprocal alone: the last digit may differ.
+  CAPTURE(word_of(conventions.depth));
+  CAPTURE(word_of(conventions.interpolation));
+  const bool reciprocals = conventions.depth == Conventions::Depth::corrected && adds_slopes(conventions);
+  if (conventions.number_format == NumberFormat::float64 && !reciprocals) CHECK(report.exact == report.numbers);
   return true;
 }
 
@@ -61,13 +69,55 @@ TEST_CASE("law: check doubts no run of any method") {
       }
     }
   }
-  // Meshes of n-gons that are bent, concave, thin, or pass through each other.
-  for (const test::NGonKind& kind : test::n_gon_kinds())
-    for (std::uint64_t seed = 1; seed <= 3; ++seed)
-      for (const Scene& scene : test::two_views(kind.make(seed), seed))
-        for (const Method& method : methods()) runs += is_right(method, scene, {});
-  CHECK(runs > 1000);
+  CHECK(runs > 400);
   MESSAGE(runs, " runs");
+}
+
+/// One way to draw, of all those that the method has.
+Conventions any_way(const Method& method, std::mt19937_64& random) {
+  Conventions conventions;
+  const auto one_of = [&](std::size_t count) { return random() % count; };
+  conventions.cull = one_of(3) > 0;
+  if (method.interpolates && one_of(2)) conventions.interpolation = Conventions::Interpolation::increments;
+  if (method.interpolates && one_of(2)) conventions.coverage = Conventions::Coverage::inclusive;
+  if (method.in_any_way)
+    for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
+      if (key != "rounding") conventions.*member = static_cast<E>(one_of(words_of<E>.size()));
+    });
+  for (const Option& option : method.options) {
+    if (one_of(2)) continue;
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at <= option.words.size();) {
+      const std::size_t end = std::min(option.words.find('|', at), option.words.size());
+      words.emplace_back(option.words.substr(at, end - at));
+      at = end + 1;
+    }
+    conventions.options[std::string(option.name)] =
+        option.words.empty() ? std::to_string(option.least + static_cast<std::int64_t>(one_of(3)))
+                             : words[one_of(words.size())];
+  }
+  return conventions;
+}
+
+TEST_CASE("law: check doubts no run with any options, on random meshes and all that are built in") {
+  std::mt19937_64 random(200);
+  int scenes = 0, runs = 0;
+  const auto draw = [&](const Scene& scene) {
+    ++scenes;
+    for (const Method& method : methods()) runs += is_right(method, scene, any_way(method, random));
+  };
+  // N-gons that are bent, concave, thin, or pass through each other.
+  for (const test::NGonKind& kind : test::n_gon_kinds())
+    for (std::uint64_t seed = 1; seed <= 13; ++seed)
+      for (const Scene& scene : test::two_views(kind.make(seed), seed)) draw(scene);
+  for (const BuiltIn& built_in : built_in_scenes()) {
+    ViewOptions view;
+    view.width = 24, view.height = 20;
+    draw(look_at_scene(load_scene(std::string(built_in.name)).scene, view));
+  }
+  MESSAGE(runs, " runs on ", scenes, " scenes");
+  CHECK(scenes >= 200);
+  CHECK(runs >= 5 * scenes);
 }
 
 }  // namespace

@@ -37,6 +37,11 @@ struct Bits {
   void rule(formulas::Rule, bool) {}
 
   void gives(Follows<E, double> field, double formula) { is(field, formula); }
+  void near(Follows<E, double> field, const formulas::Rounded& number) {
+    ++given[field.number];
+    const bool same = formulas::gives(number, e.*field.member, formulas::rounding_of_float64);
+    if (!same) wrong += std::string(field.name) + " ";
+  }
   void whole(Follows<E, std::int32_t> field, double, std::int32_t within) { is(field, within); }
   template <class Value>
   void is(std::type_identity_t<Follows<E, Value>> field, Value value) {

@@ -130,6 +130,11 @@ struct Judge {
   void gives(Follows<E, double> field, const Number& formula) {
     if (!checker.holds(formula, e.*field.member)) wrong(field, e.*field.member, formula.value);
   }
+  void near(Follows<E, double> field, const Rounded& number) {
+    checker.any_judged = true;
+    const double recorded = e.*field.member;
+    if (!checker.within_rounding(number, recorded)) wrong(field, recorded, number.value);
+  }
   void whole(Follows<E, std::int32_t> field, const Number& formula, std::int32_t within) {
     checker.any_judged = true;
     const std::int32_t recorded = e.*field.member;

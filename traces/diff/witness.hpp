@@ -60,6 +60,9 @@ struct Witness {
     if (size > 0)
       may_be_off = std::max(may_be_off, (2 * precision.relative * formula.spread + precision.absolute) / size);
   }
+  void near(Follows<E, double> field, const Rounded& number) {
+    if (in_question(field) && e.*field.member == e.*field.member) gives(field, number);
+  }
   void whole(Follows<E, std::int32_t> field, const Number&, std::int32_t within) {
     if (in_question(field)) wrong = wrong || e.*field.member != within;
   }

@@ -34,6 +34,49 @@ void derive(const HorizonTest& e, const Situation& at, Out& out) {
 }
 
 template <class Out>
+void derive(const CurveBegin& e, const Situation& at, Out& out) {
+  const auto& last = at.method().horizon.curve;
+  out.rule(Rule::number_is_next, e.curve == (last ? last->curve + 1 : 0));
+}
+
+template <class Out>
+void derive(const HorizonMove& e, const Situation& at, Out& out) {
+  const HorizonWork& work = at.method().horizon;
+  const auto column = static_cast<std::size_t>(e.x);
+  const auto& own = e.upper ? work.upper : work.lower;
+  if (e.x < 0 || column >= own.size() || !std::isfinite(e.y_curve)) return;
+  out.reads(Place{Place::In::horizon, e.x});
+  const double before = own[column];
+  out.rule(Rule::horizon_moves_out, std::isnan(before) || (e.upper ? e.y_curve <= before : e.y_curve >= before));
+  if (work.test && work.test->x == e.x) out.is(&HorizonMove::y_curve, work.test->y_curve);
+}
+
+template <class Out>
+void derive(const HorizonCross& e, const Situation& at, Out& out) {
+  if (const auto& test = at.method().horizon.test) out.rule(Rule::cross_beside, std::abs(e.x_at - test->x) <= 1);
+}
+
+/// Parts of a line follow one another, and those that a face hides are not seen.
+template <class Out>
+void derive(const LinePiece& e, const Situation& at, Out& out) {
+  const auto line = static_cast<std::size_t>(e.line);
+  if (e.line < 0 || line >= at.method().lines.size()) return;
+  const LineRow& row = at.method().lines[line];
+  out.is(&LinePiece::t_0, row.pieces.empty() ? 0.0 : row.pieces.back().t_1);
+  out.rule(Rule::hides_of_line, e.t_0 <= e.t_1 && e.t_1 <= 1);
+  const double middle = (e.t_0 + e.t_1) / 2;
+  const bool hidden = std::any_of(row.hidden.begin(), row.hidden.end(),
+                                  [&](const LineHide& hide) { return hide.t_0 <= middle && middle <= hide.t_1; });
+  // Edges between faces that all face away are dropped as a whole.
+  if (at.has_step<LineHide>() && row.entry.kind != LineKind::back) out.is(&LinePiece::visible, !hidden);
+}
+
+template <class Out>
+void derive(const LineHide& e, const Situation&, Out& out) {
+  out.rule(Rule::hides_of_line, 0 <= e.t_0 && e.t_0 <= e.t_1 && e.t_1 <= 1);
+}
+
+template <class Out>
 void derive(const LineCross& e, const Situation& at, Out& out) {
   const auto line = static_cast<std::size_t>(e.line);
   if (e.line < 0 || line >= at.method().lines.size()) return;

@@ -7,6 +7,7 @@
 
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/of_polygons.hpp"
 #include "traces/formulas/planes.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
@@ -52,6 +53,11 @@ inline bool pair_of_list(const std::vector<ActiveEdge>& active, const ActiveEdge
 
 template <class Out>
 void derive(const EdgeTableInsert& e, const Situation& at, Out& out) {
+  if (!at.method().keeps_all && at.method().polygon != no_polygon) {
+    out.is(&EdgeTableInsert::polygon, at.method().polygon);
+    out.rule(Rule::edge_of_outline, detail::joined_in_outline(at, e.vertex_0, e.vertex_1));
+    out.rule(Rule::outline_of_facet, detail::outline_is_whole(at));
+  }
   const auto ends = detail::ends_of(out, at, e.vertex_0, e.vertex_1);
   if (!ends) return;
   const double y_0 = at.on_raster(e.vertex_0)->y, y_1 = at.on_raster(e.vertex_1)->y;
@@ -73,6 +79,8 @@ void derive(const EdgeTableInsert& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const EdgeTableSkip& e, const Situation& at, Out& out) {
+  if (!at.method().keeps_all && at.method().polygon != no_polygon)
+    out.rule(Rule::edge_of_outline, detail::joined_in_outline(at, e.vertex_0, e.vertex_1));
   const auto a = at.on_raster(e.vertex_0), b = at.on_raster(e.vertex_1);
   if (!a || !b) return;
   const double upper = std::min(a->y, b->y), lower = std::max(a->y, b->y);
@@ -85,6 +93,9 @@ void derive(const EdgeTableSkip& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const ScanLineBegin& e, const Situation& at, Out& out) {
+  // While there are active edges no line is left out.
+  if (const auto& last = at.method().scan_line; last && !at.method().active.empty())
+    out.rule(Rule::line_is_next, e.y == *last + 1);
   // What ended before this line should have left by now, unless it leaves on it.
   bool all_left = true;
   for (const ActiveEdge& active : at.method().active)
@@ -158,12 +169,18 @@ void derive(const EdgeSwap& e, const Situation& at, Out& out) {
 
 namespace detail {
 
-/// By how many slopes an edge's x is away from where it entered: one for each scan line since. Of an edge that is
-/// nearly upright, x does not tell.
-inline bool moved_once_a_line(const EdgeTableInsert& entry, const ActiveEdge& active, std::int32_t y) {
-  constexpr double upright = 0.01;
-  if (std::abs(entry.dx_dy) < upright || entry.first_row > y) return true;
-  return std::abs((active.x - entry.x_edge) / entry.dx_dy - (y - entry.first_row)) < 0.5;
+/// By how many slopes x and z of an edge are away from where it entered: one for each scan line since. Where a slope is
+/// too small for the digits that are written, it does not tell.
+template <class Out>
+bool moved_once_a_line(Out& out, const EdgeTableInsert& entry, const ActiveEdge& active, std::int32_t y) {
+  const int rows = y - entry.first_row;
+  if (rows < 0) return true;
+  const auto once = [&](double here, double start, double slope) {
+    const double sure = slope / (8 * (rows + 1));
+    if (out.equal(here, here + sure) || out.equal(start, start + sure)) return true;
+    return std::abs((here - start) / slope - rows) < 0.5;
+  };
+  return once(active.x, entry.x_edge, entry.dx_dy) && once(active.z, entry.z_edge, entry.dz_dy);
 }
 
 }  // namespace detail
@@ -202,7 +219,7 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
       const EdgeTableInsert* entry = at.edge(one->edge);
       if (entry && at.adds_slopes() && out.trusts(Place{Place::In::active_edge, one->edge}) &&
           out.trusts(Place{Place::In::edge_table, one->edge}))
-        out.rule(Rule::edge_moves_once, detail::moved_once_a_line(*entry, *one, e.y));
+        out.rule(Rule::edge_moves_once, detail::moved_once_a_line(out, *entry, *one, e.y));
     }
     out.gives(&SpanBegin::x_left, out.number("x of the left edge", left->x, l["x_edge"]));
     out.gives(&SpanBegin::z_left, out.number("z of the left edge", left->z, l["z_edge"]));

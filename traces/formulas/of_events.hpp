@@ -1,8 +1,10 @@
 // What every kind of event follows from: all themes together.
 #pragma once
 
+#include "traces/formulas/of_areas.hpp"
 #include "traces/formulas/of_curves.hpp"
 #include "traces/formulas/of_edges.hpp"
+#include "traces/formulas/of_orders.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/of_polygons.hpp"

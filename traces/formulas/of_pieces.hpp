@@ -73,6 +73,7 @@ void derive(const PlaneDepth& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const VertexSide& e, const Situation& at, Out& out) {
+  out.rule(Rule::side_is_right, e.side != Side::crossing && (e.side == Side::on || e.value != 0));
   const auto plane = detail::plane_of(out, at, e.plane_of);
   const auto point = detail::cutting_point(at, e.vertex);
   if (!plane || !point) return;
@@ -81,7 +82,22 @@ void derive(const VertexSide& e, const Situation& at, Out& out) {
 }
 
 template <class Out>
-void derive(const ExtentTest& e, const Situation&, Out& out) {
+void derive(const ExtentTest& e, const Situation& at, Out& out) {
+  const Piece *one = at.piece(e.piece), *other = at.piece(e.other);
+  const auto low = [&](const Extent& of) {
+    return e.axis == Axis::x ? of.x_min : e.axis == Axis::y ? of.y_min : of.z_min;
+  };
+  const auto high = [&](const Extent& of) {
+    return e.axis == Axis::x ? of.x_max : e.axis == Axis::y ? of.y_max : of.z_max;
+  };
+  if (one && one->extent) {
+    out.reads(Place{Place::In::piece, e.piece});
+    out.is(&ExtentTest::low, low(*one->extent)), out.is(&ExtentTest::high, high(*one->extent));
+  }
+  if (other && other->extent) {
+    out.reads(Place{Place::In::piece, e.other});
+    out.is(&ExtentTest::other_low, low(*other->extent)), out.is(&ExtentTest::other_high, high(*other->extent));
+  }
   // Whether what only touches overlaps is a convention, and z asks which one is nearer altogether.
   if (e.axis == Axis::z || e.low == e.other_high || e.other_low == e.high) return;
   out.is(&ExtentTest::overlap, e.low < e.other_high && e.other_low < e.high);
@@ -89,6 +105,7 @@ void derive(const ExtentTest& e, const Situation&, Out& out) {
 
 template <class Out>
 void derive(const SplitVertex& e, const Situation& at, Out& out) {
+  out.rule(Rule::cut_in_edge, e.t >= 0 && e.t <= 1);
   const auto from = detail::cutting_point(at, e.vertex_0), to = detail::cutting_point(at, e.vertex_1);
   if (!from || !to) return;
   const Stage& stage = detail::cutting_stage(at);

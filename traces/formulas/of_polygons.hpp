@@ -2,11 +2,13 @@
 // clipping (000, 001, 003; Sutherland and Hodgman 1974).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/rounding.hpp"
 #include "traces/formulas/vectors.hpp"
 #include "traces/formulas/viewing.hpp"
 
@@ -45,6 +47,33 @@ auto distance_of_vertex(Out& out, const Situation& at, ClipPlane plane, std::int
   if (!found || !at.camera || at.on_screen()) return std::nullopt;
   const Place place{Place::In::vertex, vertex};
   return distance_inside(out, at, plane, vector_of(out, suffix, found->view, place, view_stage));
+}
+
+/// Takes operands as they stand.
+struct Plainly {
+  using Number = Rounded;
+  Number number(std::string_view, double value, const Place&) { return value; }
+};
+
+/// Has the facet at work its whole outline, where nothing is clipped off?
+inline bool outline_is_whole(const Situation& at) {
+  const MethodState& method = at.method();
+  const std::size_t corners = corners_of(at, method.facet).size();
+  const bool clipped = method.clip_test && method.clip_test->outside_some != 0;
+  return method.outline.empty() || corners == 0 || clipped || (!method.clip_test && !at.on_screen()) ||
+         method.outline.size() == corners;
+}
+/// Are these neighbours of the outline at work? Where there is none, of the facet's corners.
+inline bool joined_in_outline(const Situation& at, std::int32_t one, std::int32_t other) {
+  const MethodState& method = at.method();
+  const std::span<const std::int32_t> outline =
+      method.outline.empty() ? corners_of(at, method.facet) : std::span<const std::int32_t>(method.outline);
+  if (outline.empty() || (method.outline.empty() && !(at.is_point(one) && at.is_point(other)))) return true;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const std::int32_t a = outline[i], b = outline[(i + 1) % outline.size()];
+    if ((a == one && b == other) || (a == other && b == one)) return true;
+  }
+  return false;
 }
 
 }  // namespace detail
@@ -106,6 +135,70 @@ void derive(const FacingTest& e, const Situation& at, Out& out) {
     }
     out.gives(&FacingTest::projected_normal_z, normal_z);
   }
+}
+
+template <class Out>
+void derive(const PolygonBegin& e, const Situation& at, Out& out) {
+  // Of the polygon before, no edge is active whose end was come to.
+  bool all_left = true;
+  if (const auto& line = at.method().scan_line; line && !at.method().keeps_all)
+    for (const ActiveEdge& active : at.method().active)
+      if (const EdgeTableInsert* entry = at.edge(active.edge)) all_left = all_left && entry->end_row > *line;
+  out.rule(Rule::edge_left_behind, all_left);
+  const auto facet = static_cast<std::size_t>(e.facet);
+  if (e.facet < 0 || facet >= at.scene.facets.size()) return;
+  out.rule(Rule::facet_of_polygon, at.scene.facets[facet].polygon == e.polygon);
+}
+
+template <class Out>
+void derive(const PolygonReject& e, const Situation& at, Out& out) {
+  const MethodState& method = at.method();
+  bool right = true;
+  // A tree is gone through without one polygon at work; what has no area may be found in any way.
+  if (e.reason == Reject::back_facing && method.facing) right = method.facing->facing == Facing::back;
+  if (e.reason == Reject::edge_on && method.facing) right = method.facing->facing == Facing::edge_on;
+  if (e.reason == Reject::outside && method.facing)
+    right = method.facing->facing != Facing::back || !at.header.conventions.cull;
+  if (method.polygon != no_polygon && method.facet >= 0) right = right && e.polygon == method.polygon;
+  out.rule(Rule::reject_is_right, right);
+}
+
+/// On the outside of which planes of the view volume some, and all, corners lie.
+template <class Out>
+void derive(const ClipTest& e, const Situation& at, Out& out) {
+  const std::span<const std::int32_t> corners = detail::corners_of(at, at.method().facet);
+  if (corners.empty() || !at.camera || at.on_screen()) return;
+  std::int32_t some = 0, all = (1 << detail::clip_planes) - 1, open = 0;
+  for (const std::int32_t corner : corners) {
+    if (!at.viewed(corner)) return;
+    out.reads(Place{Place::In::vertex, corner});
+    for (int plane = 0; plane < detail::clip_planes; ++plane) {
+      detail::Plainly plainly;
+      const Rounded inside = *detail::distance_of_vertex(plainly, at, static_cast<ClipPlane>(plane), corner, "");
+      if (std::abs(inside.value) <= rounding_of_float32 * inside.spread) open |= 1 << plane;
+      if (inside.value < 0) some |= 1 << plane;
+      else all &= ~(1 << plane);
+    }
+  }
+  // What touches a plane may be on either side of it.
+  out.is(&ClipTest::outside_some, (some & ~open) | (e.outside_some & open));
+  out.is(&ClipTest::outside_all, (all & ~open) | (e.outside_all & open));
+}
+
+template <class Out>
+void derive(const OutlineVertex& e, const Situation& at, Out& out) {
+  const std::span<const std::int32_t> corners = detail::corners_of(at, at.method().facet);
+  if (corners.empty() || !at.is_point(e.vertex)) return;
+  const auto here = std::find(corners.begin(), corners.end(), e.vertex);
+  bool goes_on = here != corners.end();
+  const auto& outline = at.method().outline;
+  // From corner to corner; where it is clipped some may be left out, but then others are made between.
+  if (goes_on && !outline.empty() && at.is_point(outline.back())) {
+    const std::size_t i = static_cast<std::size_t>(here - corners.begin()), n = corners.size();
+    const std::int32_t last = outline.back();
+    goes_on = corners[(i + n - 1) % n] == last || corners[(i + 1) % n] == last;
+  }
+  out.rule(Rule::outline_of_facet, goes_on);
 }
 
 template <class Out>

@@ -1,10 +1,13 @@
-// Rays: the plane of a facet and the point on it (002, "Simple Ray Tracing").
+// Rays: how they are cast, the boxes and cells that they pass, the plane of a facet and the point on it (002, "Simple
+// Ray Tracing").
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "traces/formulas/vectors.hpp"
+#include "traces/formulas/facet_planes.hpp"
+#include "traces/formulas/of_polygons.hpp"
 
 namespace zstep::formulas {
 
@@ -19,19 +22,296 @@ inline const RayBegin* ray_at_work(const Situation& at) {
                                       [](const RayRow& row, std::int32_t ray) { return row.entry.ray < ray; });
   return found != rays.tree.end() && found->entry.ray == *rays.ray ? &found->entry : nullptr;
 }
+/// The same where it is the one that was cast last: only of that one the boxes, cells and hits are at hand.
+inline const RayBegin* ray_cast_last(const Situation& at) {
+  const RayBegin* ray = ray_at_work(at);
+  return ray && ray->ray == at.method().rays.tree.back().entry.ray ? ray : nullptr;
+}
+inline const RayHit* kept_hit(const Situation& at) {
+  const RayHit* kept = nullptr;
+  for (const RayHit& hit : at.method().rays.hits)
+    if (hit.nearest) kept = &hit;
+  return kept;
+}
+
+inline std::array<double, 3> start_of(const RayBegin& ray) { return {ray.x_0, ray.y_0, ray.z_0}; }
+inline std::array<double, 3> way_of(const RayBegin& ray) { return {ray.dir_x, ray.dir_y, ray.dir_z}; }
+
+/// From where to where along a ray something is met: from the eye between the near and the far plane.
+struct Reach {
+  double least = 0, most = std::numeric_limits<double>::infinity();
+};
+inline Reach reach_of(const Situation& at, const RayBegin& ray) {
+  if (ray.role == RayRole::shadow) return {0, 1};
+  if (ray.role != RayRole::eye) return {};
+  const Camera& camera = at.scene.camera;
+  if (camera.kind == Camera::Kind::screen) return {-std::numeric_limits<double>::infinity()};
+  const double unit = camera.kind == Camera::Kind::orthographic ? 1 : camera.d;
+  return {camera.near / unit, camera.far / unit};
+}
+
+/// Where a ray enters and leaves the slabs of a box.
+struct Passage {
+  Rounded enter = -std::numeric_limits<double>::infinity(), leave = std::numeric_limits<double>::infinity();
+};
+inline Passage passage_of(const RayBegin& ray, const std::array<double, 3>& low, const std::array<double, 3>& high) {
+  Passage passage;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double from = start_of(ray)[axis], along = way_of(ray)[axis];
+    if (along == 0) {
+      if (from < low[axis] || from > high[axis]) passage.leave = -std::numeric_limits<double>::infinity();
+      continue;
+    }
+    const Rounded to_low = (Rounded(low[axis]) - Rounded(from)) / Rounded(along),
+                  to_high = (Rounded(high[axis]) - Rounded(from)) / Rounded(along);
+    const Rounded &in = along > 0 ? to_low : to_high, &beyond = along > 0 ? to_high : to_low;
+    if (in.value > passage.enter.value) passage.enter = in;
+    if (beyond.value < passage.leave.value) passage.leave = beyond;
+  }
+  return passage;
+}
+template <class Box>
+Passage passage_of(const RayBegin& ray, const Box& box) {
+  return passage_of(ray, {box.x_min, box.y_min, box.z_min}, {box.x_max, box.y_max, box.z_max});
+}
+/// No earlier than the ray begins, in a program that limits it so.
+inline Rounded enters_at(double recorded, const Passage& passage, const Reach& reach) {
+  const Rounded limited = passage.enter.value < reach.least ? Rounded(reach.least) : passage.enter;
+  return nearest_of(recorded, {limited, passage.enter});
+}
+inline Rounded leaves_at(double recorded, const Passage& passage, const Reach& reach) {
+  const Rounded limited = passage.leave.value > reach.most ? Rounded(reach.most) : passage.leave;
+  return nearest_of(recorded, {limited, passage.leave});
+}
+
+/// How far beyond its numbers a box is taken to reach: it is made somewhat wider, so that rounding hides nothing.
+inline double slack_of(double low, double high) { return 1e-6 * std::max({std::abs(low), std::abs(high), 1.0}); }
+inline bool lies_in(double value, double low, double high) {
+  const double slack = slack_of(low, high);
+  return low - slack <= value && value <= high + slack;
+}
+template <class Box>
+bool holds_point(const Box& box, const glm::dvec3& p) {
+  return lies_in(p.x, box.x_min, box.x_max) && lies_in(p.y, box.y_min, box.y_max) && lies_in(p.z, box.z_min, box.z_max);
+}
+inline const glm::dvec3& corner_at(const Situation& at, std::int32_t point) {
+  return at.scene.points[static_cast<std::size_t>(point)];
+}
+
+/// Does each side go through a point of the scene, but for the slack? Of large scenes nothing is said.
+template <class Box>
+bool is_tight(const Situation& at, const Box& box) {
+  constexpr std::size_t most_points = 1000;
+  if (at.scene.points.size() > most_points) return true;
+  double size = 0;
+  for (const glm::dvec3& p : at.scene.points)
+    size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  size = std::max(size, std::abs(at.scene.camera.eye.x) + std::abs(at.scene.camera.eye.y) +
+                            std::abs(at.scene.camera.eye.z));
+  const auto touches = [&](double side, int axis) {
+    return std::any_of(at.scene.points.begin(), at.scene.points.end(),
+                       [&](const glm::dvec3& p) { return std::abs(p[axis] - side) <= 4e-9 * size + 1e-12; });
+  };
+  return touches(box.x_min, 0) && touches(box.x_max, 0) && touches(box.y_min, 1) && touches(box.y_max, 1) &&
+         touches(box.z_min, 2) && touches(box.z_max, 2);
+}
+
+/// Is the point where a ray meets a facet's plane inside the facet? Nothing where it is too near to an edge to be sure:
+/// corners may lie beside the plane, and look the farther off the more it is seen from its side.
+inline std::optional<bool> is_inside(const Situation& at, std::span<const std::int32_t> corners, const glm::dvec3& p,
+                                     const CornersPlane& plane, const RayBegin& ray) {
+  const Vector<Rounded> way{ray.dir_x, ray.dir_y, ray.dir_z};
+  const double sine = std::abs(dot(plane.normal, way).value) / std::sqrt(dot(way, way).value);
+  double bend = 0;
+  for (const std::int32_t corner : corners)
+    bend = std::max(bend, std::abs((dot(plane.normal, rounded(corner_at(at, corner))) + plane.d).value));
+  const double x = std::abs(plane.normal.x.value), y = std::abs(plane.normal.y.value),
+               z = std::abs(plane.normal.z.value);
+  const int drop = z >= x && z >= y ? 2 : y >= x ? 1 : 0, u = (drop + 1) % 3, v = (drop + 2) % 3;
+  constexpr double near = 1e-6;
+  bool inside = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3 &a = corner_at(at, corners[i]), &b = corner_at(at, corners[(i + 1) % corners.size()]);
+    const double along_u = b[u] - a[u], along_v = b[v] - a[v], away_u = p[u] - a[u], away_v = p[v] - a[v];
+    const double length = along_u * along_u + along_v * along_v;
+    if (length == 0) continue;
+    const double t = std::clamp((away_u * along_u + away_v * along_v) / length, 0.0, 1.0);
+    const double off_u = away_u - t * along_u, off_v = away_v - t * along_v;
+    const double off = std::sqrt(off_u * off_u + off_v * off_v);
+    if (!(off > near * std::sqrt(length) + 4 * bend / sine)) return std::nullopt;
+    if ((a[v] <= p[v]) != (b[v] <= p[v]) && away_u < along_u * (away_v / along_v)) inside = !inside;
+  }
+  return inside;
+}
 
 }  // namespace detail
 
 template <class Out>
-void derive(const BoxTest& e, const Situation&, Out& out) {
-  if (e.hit) out.rule(Rule::box_entered, e.t_enter <= e.t_leave);
+void derive(const BoxMake& e, const Situation& at, Out& out) {
+  const bool turned = e.x_min > e.x_max || e.y_min > e.y_max || e.z_min > e.z_max;
+  out.rule(Rule::box_is_tight, !turned && detail::is_tight(at, e));
+  const auto parent = static_cast<std::size_t>(e.parent);
+  if (e.parent < 0 || parent >= at.method().boxes.size()) return;
+  const BoxMake& around = at.method().boxes[parent].entry;
+  out.rule(Rule::box_in_parent, detail::holds_point(around, {e.x_min, e.y_min, e.z_min}) &&
+                                    detail::holds_point(around, {e.x_max, e.y_max, e.z_max}));
 }
 
 template <class Out>
-void derive(const RayPlane& e, const Situation&, Out& out) {
-  if (std::isnan(e.t)) return;  // it runs along the plane, within a tolerance of the program's own
-  out.gives(&RayPlane::t,
-            out.number("numerator", e.numerator, Place{}) / out.number("denominator", e.denominator, Place{}));
+void derive(const BoxHold& e, const Situation& at, Out& out) {
+  const auto box = static_cast<std::size_t>(e.box);
+  if (e.box < 0 || box >= at.method().boxes.size()) return;
+  bool holds = true;
+  for (const std::int32_t corner : detail::corners_of(at, e.facet))
+    holds = holds && detail::holds_point(at.method().boxes[box].entry, detail::corner_at(at, corner));
+  out.rule(Rule::box_holds, holds);
+}
+
+template <class Out>
+void derive(const GridMake& e, const Situation& at, Out& out) {
+  out.rule(Rule::box_is_tight, e.cells_x > 0 && e.cells_y > 0 && e.cells_z > 0 && detail::is_tight(at, e));
+}
+
+template <class Out>
+void derive(const CellHold& e, const Situation& at, Out& out) {
+  const auto& grid = at.method().grid;
+  if (!grid) return;
+  const auto meets = [&](std::int32_t cell, std::int32_t cells, double low, double high, int axis) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const std::int32_t corner : detail::corners_of(at, e.facet)) {
+      least = std::min(least, detail::corner_at(at, corner)[axis]);
+      most = std::max(most, detail::corner_at(at, corner)[axis]);
+    }
+    const double slack = detail::slack_of(low, high);
+    return cell >= 0 && cell < cells && most >= low + (high - low) * cell / cells - slack &&
+           least <= low + (high - low) * (cell + 1) / cells + slack;
+  };
+  out.rule(Rule::cell_holds, meets(e.cell_x, grid->cells_x, grid->x_min, grid->x_max, 0) &&
+                                 meets(e.cell_y, grid->cells_y, grid->y_min, grid->y_max, 1) &&
+                                 meets(e.cell_z, grid->cells_z, grid->z_min, grid->z_max, 2));
+}
+
+/// A ray from the eye goes through the centre of its pixel; a shadow ray goes from a point to the light. Which length a
+/// ray has, and where on it t = 0, is the program's own.
+template <class Out>
+void derive(const RayBegin& e, const Situation& at, Out& out) {
+  const RayWork& rays = at.method().rays;
+  out.rule(Rule::number_is_next, e.ray == (rays.tree.empty() ? 0 : rays.tree.back().entry.ray + 1));
+  glm::dvec3 from(0), way(0, 0, 1);
+  bool any_length = true;
+  const glm::dvec3 recorded(e.dir_x, e.dir_y, e.dir_z);
+  if (e.role == RayRole::eye) {
+    if (!at.camera) return;
+    const Camera& camera = *at.camera;
+    const Raster& raster = at.scene.raster;
+    from = {e.x, e.y, 0};
+    if (!at.on_screen()) {
+      const glm::dmat4& view = camera.view;
+      const glm::dvec3 right{view[0][0], view[1][0], view[2][0]}, up{view[0][1], view[1][1], view[2][1]},
+          away{view[0][2], view[1][2], view[2][2]}, origin(view[3]);
+      const double w_x = camera.window * raster.width / raster.height;
+      const glm::dvec3 across = ((e.x + 0.5) * 2 * w_x / raster.width - w_x) * right +
+                                (camera.window - (e.y + 0.5) * 2 * camera.window / raster.height) * up;
+      const bool parallel = camera.kind == Camera::Kind::orthographic;
+      from = parallel ? -(origin.x * right + origin.y * up + origin.z * away) + across : camera.eye;
+      way = parallel ? away : across + camera.d * away;
+    }
+  } else {
+    // Its brothers begin at the same point; the first one where the ray before it ends.
+    const auto brother = std::find_if(rays.tree.begin(), rays.tree.end(), [&](const RayRow& row) {
+      return row.entry.parent == e.parent && row.entry.role != RayRole::eye;
+    });
+    const RayHit* hit = !rays.tree.empty() && rays.tree.back().entry.ray == e.parent ? detail::kept_hit(at) : nullptr;
+    if (brother == rays.tree.end() && !hit) return;
+    from = hit ? glm::dvec3(hit->x_hit, hit->y_hit, hit->z_hit)
+               : glm::dvec3(brother->entry.x_0, brother->entry.y_0, brother->entry.z_0);
+    any_length = false;
+    way = e.role == RayRole::shadow && at.scene.light ? at.scene.light->position - from : recorded;
+  }
+  const glm::dvec3 off = glm::dvec3(e.x_0, e.y_0, e.z_0) - from;
+  const auto dot_of = [](const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+  if (any_length) {
+    constexpr double near = 1e-3;
+    const double square = dot_of(way, way);
+    const double longer = std::sqrt(dot_of(recorded, recorded) / square), ahead = dot_of(off, way) / square;
+    if (!(std::abs(longer - 1) < near)) way *= longer;
+    if (std::abs(ahead) > near) from += ahead * way;
+  }
+  // What it is made of lets each coordinate be off by as much as the largest one.
+  const auto size = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  const double spread = 4 * size(from), way_spread = 4 * size(way) + (e.role == RayRole::shadow ? spread : 0);
+  out.near(&RayBegin::x_0, Rounded(from.x, spread)), out.near(&RayBegin::y_0, Rounded(from.y, spread));
+  out.near(&RayBegin::z_0, Rounded(from.z, spread)), out.near(&RayBegin::dir_x, Rounded(way.x, way_spread));
+  out.near(&RayBegin::dir_y, Rounded(way.y, way_spread)), out.near(&RayBegin::dir_z, Rounded(way.z, way_spread));
+}
+
+template <class Out>
+void derive(const CellVisit& e, const Situation& at, Out& out) {
+  const RayBegin* ray = detail::ray_cast_last(at);
+  const auto& grid = at.method().grid;
+  if (!ray || !grid) return;
+  const std::array<double, 3> low{grid->x_min, grid->y_min, grid->z_min}, high{grid->x_max, grid->y_max, grid->z_max};
+  const std::array<std::int32_t, 3> cell{e.cell_x, e.cell_y, e.cell_z},
+      cells{grid->cells_x, grid->cells_y, grid->cells_z};
+  Rounded leave = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double along = detail::way_of(*ray)[axis];
+    if (along == 0 || cells[axis] <= 0) continue;
+    const Rounded side = Rounded(low[axis]) + (Rounded(high[axis]) - Rounded(low[axis])) *
+                                                  Rounded(cell[axis] + (along > 0), 0) / Rounded(cells[axis], 0);
+    const Rounded t = (side - Rounded(detail::start_of(*ray)[axis])) / Rounded(along);
+    if (t.value < leave.value) leave = t;
+  }
+  out.near(&CellVisit::t_leave, leave);
+  const auto& visited = at.method().rays.cells;
+  if (visited.empty()) {
+    out.near(&CellVisit::t_enter,
+             detail::enters_at(e.t_enter, detail::passage_of(*ray, *grid), detail::reach_of(at, *ray)));
+    return;
+  }
+  const CellVisit& last = visited.back();
+  out.near(&CellVisit::t_enter, Rounded(std::max(last.t_enter, last.t_leave)));
+  out.rule(Rule::cell_is_next, std::abs(e.cell_x - last.cell_x) + std::abs(e.cell_y - last.cell_y) +
+                                       std::abs(e.cell_z - last.cell_z) == 1);
+}
+
+template <class Out>
+void derive(const BoxTest& e, const Situation& at, Out& out) {
+  if (e.hit) out.rule(Rule::box_entered, e.t_enter <= e.t_leave);
+  const RayBegin* ray = detail::ray_cast_last(at);
+  const auto box = static_cast<std::size_t>(e.box);
+  if (!ray || e.box < 0 || box >= at.method().boxes.size()) return;
+  const detail::Passage passage = detail::passage_of(*ray, at.method().boxes[box].entry);
+  const detail::Reach reach = detail::reach_of(at, *ray);
+  out.near(&BoxTest::t_enter, detail::enters_at(e.t_enter, passage, reach));
+  out.near(&BoxTest::t_leave, detail::leaves_at(e.t_leave, passage, reach));
+  // A box behind the nearest point that was found so far may be passed over.
+  const RayHit* kept = detail::kept_hit(at);
+  const bool worth_it = e.t_enter <= e.t_leave && e.t_enter <= (kept ? kept->t : reach.most);
+  if (worth_it) out.is(&BoxTest::hit, true);
+}
+
+template <class Out>
+void derive(const RayPlane& e, const Situation& at, Out& out) {
+  if (!std::isnan(e.t))  // else it runs along the plane, within a tolerance of the program's own
+    out.gives(&RayPlane::t,
+              out.number("numerator", e.numerator, Place{}) / out.number("denominator", e.denominator, Place{}));
+  const RayBegin* ray = detail::ray_at_work(at);
+  const auto corners = detail::corners_of(at, e.facet);
+  if (!ray || corners.empty()) return;
+  out.reads(Place{Place::In::ray, 0});
+  const auto plane = plane_of_corners(corners.size(), [&](std::size_t i) { return detail::corner_at(at, corners[i]); });
+  if (!plane) return;
+  const Vector<Rounded> from{ray->x_0, ray->y_0, ray->z_0}, way{ray->dir_x, ray->dir_y, ray->dir_z};
+  const auto numerator = [&](const CornersPlane& p) { return -(dot(p.normal, from) + p.d); };
+  const auto denominator = [&](const CornersPlane& p) { return dot(p.normal, way); };
+  // Of the two the one that says more tells how long the normal is.
+  const Rounded n = numerator(*plane), d = denominator(*plane);
+  const bool by_d = std::abs(d.value) >= std::abs(n.value);
+  const double factor = by_d ? e.denominator / d.value : e.numerator / n.value;
+  const CornersPlane as_it = std::isfinite(factor) ? plane->times(factor < 0 ? -1 : 1, std::abs(factor)) : *plane;
+  out.near(&RayPlane::numerator, numerator(as_it));
+  out.near(&RayPlane::denominator, denominator(as_it));
 }
 
 template <class Out>
@@ -49,21 +329,38 @@ void derive(const RayHit& e, const Situation& at, Out& out) {
   out.gives(&RayHit::y_hit, along("y_0", ray->y_0, "dir_y", ray->dir_y));
   out.gives(&RayHit::z_hit, along("z_0", ray->z_0, "dir_z", ray->dir_z));
   out.rule(Rule::kept_inside, e.inside || !e.nearest);
+  const auto corners = detail::corners_of(at, e.facet);
+  const auto plane = plane_of_corners(corners.size(), [&](std::size_t i) { return detail::corner_at(at, corners[i]); });
+  if (plane)
+    if (const auto inside = detail::is_inside(at, corners, {e.x_hit, e.y_hit, e.z_hit}, *plane, *ray))
+      out.is(&RayHit::inside, *inside);
+  const detail::Reach reach = detail::reach_of(at, *ray);
+  if (!at.header.declares(Convention::nearer)) return;
+  if (detail::ray_cast_last(at) != ray || !e.inside || !(e.t >= reach.least && e.t <= reach.most)) return;
+  const RayHit* kept = detail::kept_hit(at);
+  if (!kept || e.t != kept->t) out.is(&RayHit::nearest, !kept || e.t < kept->t);
 }
 
 template <class Out>
 void derive(const RayEnd& e, const Situation& at, Out& out) {
-  // Of a shadow ray any hit will do; of others the nearest that was kept is the end. Only the hits of the ray that was
-  // cast last are at hand.
-  const RayBegin* ray = detail::ray_at_work(at);
-  if (!ray || ray->ray != e.ray || at.method().rays.tree.back().entry.ray != e.ray || ray->role == RayRole::shadow ||
-      !at.records<RayHit>())
-    return;
-  const RayHit* kept = nullptr;
-  for (const RayHit& hit : at.method().rays.hits)
-    if (hit.nearest) kept = &hit;
+  // Of a shadow ray any hit will do; of others the nearest that was kept is the end.
+  const RayBegin* ray = detail::ray_cast_last(at);
+  if (!ray || ray->ray != e.ray) return;
+  if (at.records<RayPlane>()) out.is(&RayEnd::tests, static_cast<std::int32_t>(at.method().rays.planes_tested));
+  if (ray->role == RayRole::shadow || !at.records<RayHit>()) return;
+  const RayHit* kept = detail::kept_hit(at);
   if (kept) out.is(&RayEnd::nearest_facet, kept->facet);
   if (kept) out.is(&RayEnd::t, kept->t);
+  if (!kept) out.is(&RayEnd::nearest_facet, -1);
+  // Without light it brings back the colour of what it meets; a program to which colours are nothing leaves them 0.
+  const bool says_colors = e.red != 0 || e.green != 0 || e.blue != 0;
+  if (ray->role != RayRole::eye || at.has_step<ColorWrite>() || !says_colors) return;
+  const auto facet = static_cast<std::size_t>(e.nearest_facet);
+  const bool met = e.nearest_facet >= 0 && facet < at.scene.facets.size();
+  const Color color =
+      met ? at.scene.polygons[static_cast<std::size_t>(at.scene.facets[facet].polygon)].color : at.scene.background;
+  out.is(&RayEnd::red, color.red / 255.0), out.is(&RayEnd::green, color.green / 255.0);
+  out.is(&RayEnd::blue, color.blue / 255.0);
 }
 
 }  // namespace zstep::formulas

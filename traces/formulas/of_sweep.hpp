@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "traces/formulas/coverage.hpp"
+#include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/of_pieces.hpp"
 
 namespace zstep::formulas {
@@ -12,12 +14,48 @@ template <class Out>
 void derive(const FlagFlip& e, const Situation& at, Out& out) {
   const auto& inside = at.method().sweep.inside;
   out.is(&FlagFlip::inside, std::find(inside.begin(), inside.end(), e.piece) == inside.end());
+  const EdgeTableInsert* edge = at.edge(e.edge);
+  const Piece* piece = at.piece(e.piece);
+  out.rule(Rule::flip_own_edge, edge && piece && edge->polygon == piece->polygon && at.active(e.edge));
 }
 
 template <class Out>
 void derive(const SpanFlags& e, const Situation& at, Out& out) {
   out.is(&SpanFlags::flags, static_cast<std::int32_t>(at.method().sweep.inside.size()));
   if (at.method().scan_line) out.rule(Rule::span_line, *at.method().scan_line == e.y);
+  // From the edge at which a flag flipped last to the next one, as far as the raster goes.
+  const auto& active = at.method().active;
+  const auto& flip = at.method().sweep.flip;
+  const std::int32_t width = at.scene.raster.width;
+  for (std::size_t i = 0; flip && i + 1 < active.size(); ++i) {
+    if (active[i].edge != flip->edge) continue;
+    const double left = active[i].x, right = active[i + 1].x;
+    for (const std::size_t side : {i, i + 1}) out.reads(Place{Place::In::active_edge, active[side].edge});
+    out.rule(Rule::list_in_order, left <= right || out.equal(left, right));
+    out.near(&SpanFlags::x_left, nearest_of(e.x_left, {std::max(left, -0.5), left, std::max(left, 0.0)}));
+    out.near(&SpanFlags::x_right,
+             nearest_of(e.x_right, {std::min(right, width - 0.5), right, std::min<double>(right, width)}));
+  }
+  const Conventions::Coverage coverage = at.header.conventions.coverage;
+  out.is(&SpanFlags::first, std::max(0, limited_column(first_pixel(e.x_left, coverage), width)));
+  out.is(&SpanFlags::last, limited_column(last_pixel(e.x_right, coverage) + 1, width) - 1);
+}
+
+template <class Out>
+void derive(const SpanWinner& e, const Situation& at, Out& out) {
+  const Sweep& sweep = at.method().sweep;
+  if (!sweep.interval) return;
+  out.rule(Rule::winner_inside, std::find(sweep.inside.begin(), sweep.inside.end(), e.piece) != sweep.inside.end());
+  const bool within = e.first >= sweep.interval->first && e.last <= sweep.interval->last;
+  out.rule(Rule::pixel_in_span, e.first > e.last || within);
+}
+
+template <class Out>
+void derive(const CoverageAdd& e, const Situation& at, Out& out) {
+  double all = e.coverage;
+  for (const CoverageAdd& share : at.method().sweep.covered)
+    if (share.x == e.x && share.y == e.y) all += share.coverage;
+  out.rule(Rule::share_of_pixel, e.coverage >= 0 && all <= 1 + rounding_of_float32);
 }
 
 template <class Out>
@@ -26,6 +64,19 @@ void derive(const ImpliedEdge& e, const Situation& at, Out& out) {
   if (!plane || !at.method().scan_line) return;
   out.gives(&ImpliedEdge::z, plane_depth(plane->a, plane->b, plane->c, plane->d, out.number("x", e.x_at, Place{}),
                                          out.number("y", *at.method().scan_line, Place{})));
+  const Piece *one = at.piece(e.piece), *other = at.piece(e.other);
+  if (!one->plane || !other || !other->plane) return;
+  // Where the depths of two planes are equal on the scan line.
+  const PlaneEquation &p = *one->plane, &q = *other->plane;
+  const Rounded y(*at.method().scan_line, 0), p_c(p.plane_c), q_c(q.plane_c);
+  const Rounded along = Rounded(q.plane_a) / q_c - Rounded(p.plane_a) / p_c,
+                across = Rounded(q.plane_b) / q_c - Rounded(p.plane_b) / p_c,
+                rest = Rounded(q.plane_d) / q_c - Rounded(p.plane_d) / p_c;
+  if (along.value == 0) return;
+  const Rounded x = -(across * y + rest) / along;
+  const auto& interval = at.method().sweep.interval;
+  // Seen from an end of the interval at which they are as good as equal, it is there.
+  if (interval) out.near(&ImpliedEdge::x_at, nearest_of(e.x_at, {x, interval->x_left, interval->x_right}));
 }
 
 }  // namespace zstep::formulas

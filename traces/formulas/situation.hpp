@@ -6,6 +6,8 @@
 //   const auto x_0 = out.number("x_0", value, place);   an operand: its name, its value, and where it stands
 //   out.gives(&E::z, formula);                          a field must be what this formula gives
 //   out.whole(&E::first, formula, within);              the same of a whole number, which the raster may limit
+//   out.near(&E::plane_a, number);                      the same of a number that other operations may have given, and
+//                                                       that words tell in another way: held to rounding, not to bits
 //   out.is(&E::polygon, value);                         a field must be this
 //   out.verdict(&E::nearer, z, stored);                 a field says whether z wins over what is stored
 //   out.rule(Rule::sorted, holds);                      what must hold besides
@@ -71,6 +73,32 @@ enum class Rule : std::uint8_t {
   skip_is_right,     ///< an edge is left out only where it meets no scan line
   box_entered,       ///< a ray that meets a box enters it before it leaves it
   kept_inside,       ///< of the points where a ray meets planes only those inside their facets are kept
+  facet_of_polygon,  ///< a facet is one of its polygon's
+  reject_is_right,   ///< a polygon is dropped for a reason that its tests gave
+  outline_of_facet,  ///< an outline has its facet's corners, and vertices that were made
+  edge_of_outline,   ///< an edge joins two neighbours of its outline
+  side_is_right,     ///< a side follows from the values of the plane
+  cut_in_edge,       ///< an edge is cut between its ends
+  point_in_both,     ///< a point that two pieces share lies in the extents of both
+  flip_own_edge,     ///< the flag that flips at an edge is its own polygon's
+  winner_inside,     ///< only a piece whose flag is true is seen
+  share_of_pixel,    ///< shares of a pixel are from 0 to 1
+  node_is_free,      ///< a node of the tree has one child on each side
+  node_skip_side,    ///< a side of a plane is passed over only where nothing is seen there
+  box_decides,       ///< a box alone decides only what it can
+  area_case,         ///< what is done with an area follows from its bins
+  pixel_in_area,     ///< a pixel that is painted lies in the area at work
+  box_in_parent,     ///< a box lies in the box around it
+  box_is_tight,      ///< a side of a box goes through a point of the scene
+  box_holds,         ///< a facet lies in the box that holds it
+  cell_holds,        ///< a facet meets the cell that holds it
+  number_is_next,    ///< what a run numbers in the order of work has the next number
+  line_is_next,      ///< while edges are active scan lines come one after another
+  cell_is_next,      ///< a ray goes from a cell to one beside it
+  ray_paints_own,    ///< a ray paints the pixel that it was cast for
+  horizon_moves_out, ///< a horizon moves away from the other one
+  cross_beside,      ///< a curve crosses a horizon between two columns
+  hides_of_line,     ///< what is hidden of a line is a part of it
   count
 };
 
@@ -81,9 +109,12 @@ struct Situation {
   const State& before;
   const Camera* camera = nullptr;                ///< by which the scene is being drawn; nullptr where that is not known
   std::uint8_t kinds_recorded[kind_count] = {};  ///< 1 for each kind of event that the trace has
+  std::optional<Camera> lamp = {};               ///< the scene's light as a camera
 
-  /// Takes the camera that is at work now. What the light sees is drawn by its own, which the scene has as a lamp.
-  void look() { camera = before.machine.pass == Pass::light ? nullptr : &scene.camera; }
+  /// Takes the camera that is at work now.
+  void look() {
+    camera = before.machine.pass != Pass::light ? &scene.camera : lamp ? &*lamp : nullptr;
+  }
 
   template <class E>
   bool records() const {

@@ -1,0 +1,69 @@
+// The plane of a polygon by its corners: Newell's normal, through their mean (M. E. Newell, after Sutherland, Sproull
+// and Schumacker, 1974). Programs make it of any length and either way round; that does not make it another plane.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+#include "traces/formulas/rounding.hpp"
+#include "traces/formulas/vectors.hpp"
+
+namespace zstep::formulas {
+
+inline Vector<Rounded> rounded(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+inline Vector<Rounded> operator*(const Vector<Rounded>& v, Rounded factor) {
+  return {v.x * factor, v.y * factor, v.z * factor};
+}
+
+struct CornersPlane {
+  Vector<Rounded> normal;  ///< of length 1
+  Rounded d;
+  double length = 0;  ///< of Newell's sum, twice the area
+
+  /// As it would be where this is its normal: as long, and the same way round.
+  CornersPlane as_long_as(const glm::dvec3& recorded) const {
+    const double along = recorded.x * normal.x.value + recorded.y * normal.y.value + recorded.z * normal.z.value;
+    const double size = std::sqrt(recorded.x * recorded.x + recorded.y * recorded.y + recorded.z * recorded.z);
+    return times(along < 0 ? -1 : 1, size);
+  }
+  /// The same of a number that is as large as the normal.
+  CornersPlane times(double sign, double size) const {
+    constexpr double near = 1e-3;
+    const double factor = sign * (std::abs(size - 1) < near                  ? 1
+                                  : std::abs(size - length) < near * length ? length
+                                                                             : size);
+    const Rounded by(factor, 0);
+    return {normal * by, d * by, length};
+  }
+};
+
+/// corner(i) of `count` corners; nothing where they enclose no area.
+template <class Corner>
+std::optional<CornersPlane> plane_of_corners(std::size_t count, Corner&& corner) {
+  if (count < 3) return std::nullopt;
+  Vector<Rounded> sum{0.0, 0.0, 0.0}, mean{0.0, 0.0, 0.0};
+  const Vector<Rounded> first = rounded(corner(0));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector<Rounded> here = rounded(corner(i));
+    mean = mean + here;
+    if (i > 0 && i + 1 < count) sum = sum + cross(here - first, rounded(corner(i + 1)) - first);
+  }
+  const Rounded length = sqrt(dot(sum, sum));
+  if (!(length.value > 0)) return std::nullopt;
+  CornersPlane plane{{sum.x / length, sum.y / length, sum.z / length}, {}, length.value};
+  const Rounded corners(static_cast<double>(count), 0);
+  plane.d = -dot(plane.normal, Vector<Rounded>{mean.x / corners, mean.y / corners, mean.z / corners});
+  return plane;
+}
+
+/// Of what a number may be, the one that is nearest to what is recorded.
+inline Rounded nearest_of(double recorded, std::initializer_list<Rounded> all) {
+  const Rounded* best = all.begin();
+  for (const Rounded& one : all)
+    if (one.value == recorded || std::abs(one.value - recorded) < std::abs(best->value - recorded)) best = &one;
+  return *best;
+}
+
+}  // namespace zstep::formulas

@@ -1,0 +1,128 @@
+// Planes of pieces, the sides of them, and the tree that they make (001, 003).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "traces/formulas/facet_planes.hpp"
+#include "traces/formulas/of_pieces.hpp"
+
+namespace zstep::formulas {
+
+namespace detail {
+
+/// A step that numbers say the side of: nothing lies in front that has no value in front. Which sign is in front is the
+/// method's; how near to a plane is on it, too.
+inline bool may_be(Side side, double least, double greatest) {
+  switch (side) {
+    case Side::front:
+    case Side::behind:
+      return least != 0 || greatest != 0;
+    case Side::crossing:
+      return least < 0 && greatest > 0;
+    case Side::on:
+      break;
+  }
+  return true;
+}
+
+inline Rounded value_of_plane(const PlaneEquation& plane, const glm::dvec3& p) {
+  return plane_value<Rounded>(plane.plane_a, plane.plane_b, plane.plane_c, plane.plane_d, p.x, p.y, p.z);
+}
+
+}  // namespace detail
+
+template <class Out>
+void derive(const PlaneEquation& e, const Situation& at, Out& out) {
+  // A part lies in the plane of the whole that it was cut from.
+  const Piece* whole = at.piece(e.piece);
+  while (whole && at.piece(whole->parent)) whole = at.piece(whole->parent);
+  if (!whole) return;
+  for (const std::int32_t vertex : whole->outline) {
+    if (!detail::cutting_point(at, vertex)) return;
+    out.reads(Place{Place::In::vertex, vertex});
+  }
+  const auto plane = plane_of_corners(whole->outline.size(),
+                                      [&](std::size_t i) { return *detail::cutting_point(at, whole->outline[i]); });
+  if (!plane) return;
+  const CornersPlane as_it = plane->as_long_as({e.plane_a, e.plane_b, e.plane_c});
+  out.near(&PlaneEquation::plane_a, as_it.normal.x), out.near(&PlaneEquation::plane_b, as_it.normal.y);
+  out.near(&PlaneEquation::plane_c, as_it.normal.z), out.near(&PlaneEquation::plane_d, as_it.d);
+}
+
+template <class Out>
+void derive(const SideTest& e, const Situation& at, Out& out) {
+  out.rule(Rule::side_is_right, e.least <= e.greatest && detail::may_be(e.side, e.least, e.greatest));
+  const Piece *piece = at.piece(e.piece), *plane_of = at.piece(e.plane_of);
+  if (!piece || !plane_of || !plane_of->plane || piece->outline.empty()) return;
+  out.reads(Place{Place::In::piece, e.plane_of});
+  // Corners as they lie, or as their own plane has them; and the plane either way round.
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Rounded least[2] = {far, far}, greatest[2] = {-far, -far};
+  for (const std::int32_t vertex : piece->outline) {
+    auto corner = detail::cutting_point(at, vertex);
+    if (!corner) return;
+    out.reads(Place{Place::In::vertex, vertex});
+    for (const int own : {0, 1}) {
+      if (own == 1 && piece->plane && piece->plane->plane_c != 0)
+        corner->z = plane_depth(piece->plane->plane_a, piece->plane->plane_b, piece->plane->plane_c,
+                                piece->plane->plane_d, corner->x, corner->y);
+      const Rounded value = detail::value_of_plane(*plane_of->plane, *corner);
+      if (value.value < least[own].value) least[own] = value;
+      if (value.value > greatest[own].value) greatest[own] = value;
+    }
+  }
+  out.near(&SideTest::least, nearest_of(e.least, {least[0], least[1], -greatest[0], -greatest[1]}));
+  out.near(&SideTest::greatest, nearest_of(e.greatest, {greatest[0], greatest[1], -least[0], -least[1]}));
+}
+
+template <class Out>
+void derive(const OverlapTest& e, const Situation& at, Out& out) {
+  const Piece *one = at.piece(e.piece), *other = at.piece(e.other);
+  if (!one || !other || !one->extent || !other->extent) return;
+  if (!e.overlap) return out.rule(Rule::point_in_both, std::isnan(e.x_at) && std::isnan(e.y_at));
+  const auto lies_in = [&](const Extent& extent) {
+    return extent.x_min <= e.x_at && e.x_at <= extent.x_max && extent.y_min <= e.y_at && e.y_at <= extent.y_max;
+  };
+  out.rule(Rule::point_in_both, lies_in(*one->extent) && lies_in(*other->extent));
+}
+
+template <class Out>
+void derive(const PieceMake& e, const Situation& at, Out& out) {
+  if (const Piece* parent = at.piece(e.parent)) out.is(&PieceMake::polygon, parent->polygon);
+  else if (at.method().polygon != no_polygon) out.is(&PieceMake::polygon, at.method().polygon);
+}
+template <class Out>
+void derive(const PieceDraw& e, const Situation& at, Out& out) {
+  if (const Piece* piece = at.piece(e.piece)) out.is(&PieceDraw::polygon, piece->polygon);
+}
+
+template <class Out>
+void derive(const NodeMake& e, const Situation& at, Out& out) {
+  const auto parent = static_cast<std::size_t>(e.parent);
+  if (e.parent < 0) return out.rule(Rule::node_is_free, at.method().tree.empty());
+  if (parent >= at.method().tree.size()) return;
+  const TreeNode& node = at.method().tree[parent];
+  out.rule(Rule::node_is_free, (e.front ? node.front_child : node.back_child) == -1);
+}
+
+template <class Out>
+void derive(const EyeSide& e, const Situation& at, Out& out) {
+  out.is(&EyeSide::front, e.value > 0);
+  const auto number = static_cast<std::size_t>(e.node);
+  if (e.node < 0 || number >= at.method().tree.size() || !at.camera) return;
+  const Piece* piece = at.piece(at.method().tree[number].pieces.front());
+  if (!piece || !piece->plane) return;
+  out.reads(Place{Place::In::piece, at.method().tree[number].pieces.front()});
+  // From afar it is the direction towards the eye that counts.
+  PlaneEquation plane = *piece->plane;
+  if (at.camera->kind != Camera::Kind::perspective) plane.plane_d = 0;
+  out.near(&EyeSide::value, detail::value_of_plane(plane, at.on_screen() ? glm::dvec3(0, 0, -1) : at.camera->eye));
+}
+
+template <class Out>
+void derive(const NodeSkip& e, const Situation&, Out& out) {
+  out.rule(Rule::node_skip_side, e.front ? e.value < 0 : e.value > 0);
+}
+
+}  // namespace zstep::formulas
