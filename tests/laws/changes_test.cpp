@@ -1,5 +1,5 @@
 // Law: in any golden trace, one value of one step changed, or one step left out, is named by `check` or `diff` as the
-// first cause, at its step.
+// first cause, at its step. What neither can notice, or only at a later step, is listed with the reason.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -29,6 +29,49 @@ constexpr std::array<const char*, 8> change_words{"a digit from the ninth upward
                                                   "a neighbour's value",            "a whole number beside it",
                                                   "another step's number",          "a number that nothing has",
                                                   "another verdict",                "left out"};
+
+/// What shows nowhere, or only at a later step. A name alone is a step that is left out.
+struct Undetectable {
+  std::string_view name, reason;
+};
+constexpr std::string_view silent = "a program may pass over in silence what it does nothing with",
+                           alike = "of several steps about the same thing, as of two parts of a polygon, the last is missed",
+                           idle = "an edge that ends may be moved once more, or not",
+                           later = "a list that is out of order may yet be sorted: it shows where it is used",
+                           either = "edges at one x may stand either way";
+constexpr std::array undetectable{
+    Undetectable{"clip_test", alike},
+    Undetectable{"color_write", alike},
+    Undetectable{"edge_enter.place", either},
+    Undetectable{"edge_step", idle},
+    Undetectable{"edge_step.edge", idle},
+    Undetectable{"edge_swap", later},
+    Undetectable{"edge_table_insert", alike},
+    Undetectable{"edge_table_skip", alike},
+    Undetectable{"horizon_move", alike},
+    Undetectable{"horizon_move.upper", alike},
+    Undetectable{"list_remove.piece", alike},
+    Undetectable{"outline_vertex", alike},
+    Undetectable{"outline_vertex.vertex", alike},
+    Undetectable{"pair_begin", alike},
+    Undetectable{"piece_make", alike},
+    Undetectable{"plane_depth", alike},
+    Undetectable{"polygon_begin", silent},
+    Undetectable{"polygon_begin.facet", "which facet of its polygon is meant shows at its first test"},
+    Undetectable{"polygon_reject", silent},
+    Undetectable{"saved", alike},
+    Undetectable{"scan_line_begin", silent},
+    Undetectable{"scan_line_begin.y", "a program may begin above the first edge"},
+    Undetectable{"side_test", alike},
+    Undetectable{"span_begin", alike},
+    Undetectable{"vertex_side", alike},
+    Undetectable{"vertex_side.vertex", alike},
+};
+std::string_view reason_for(const std::string& name) {
+  const auto found = std::find_if(undetectable.begin(), undetectable.end(),
+                                  [&](const Undetectable& one) { return one.name == name; });
+  return found == undetectable.end() ? std::string_view{} : found->reason;
+}
 
 /// One run, taken apart.
 struct Run {
@@ -129,16 +172,14 @@ bool can_be_read(const Event& event, const Scene& scene) {
 }
 
 struct Counts {
-  int changes = 0, refused = 0, by_check = 0, by_diff = 0;
+  int changes = 0, refused = 0, by_check = 0, by_diff = 0, once = 0;
 };
 
 TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, at its step") {
   constexpr int changes_a_trace = 200;
   std::mt19937_64 random(16);
   Counts all;
-  std::map<std::string, std::pair<int, int>> unnoticed;  // by field: how often, of how many
-  std::map<std::string, std::string> example;
-  std::map<std::string, std::pair<int, int>> checked;  // by field: how often `check` alone names it
+  std::map<std::string, std::pair<int, std::string>> unnoticed;  // by field: how often, and the last one
   test::for_each_golden([&](const std::string& golden, const Trace& trace) {
     const Run run(trace);
     for (int made = 0, tries = 0; made < changes_a_trace && tries < 10 * changes_a_trace; ++tries) {
@@ -159,37 +200,36 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
       const auto at = static_cast<std::int64_t>(step) + 1;
       const Trace wrong = run.with(step, how == Change::left_out ? nullptr : &event);
       const CheckReport report = check(wrong);
-      const bool checks = !report.causes.empty() && report.causes.front().first.step == at;
-      ++checked[field].second, checked[field].first += checks;
-      if (checks) {
+      if (!report.causes.empty() && report.causes.front().first.step == at) {
         ++all.by_check;
         continue;
       }
       const diff::DiffReport parts = diff::compare(trace, wrong);
-      const bool differs =
-          !parts.causes.empty() && (parts.causes.front().first.a == at || parts.causes.front().first.b == at);
-      all.by_diff += differs;
-      ++unnoticed[field].second;
-      if (differs) continue;
+      const diff::Cause* cause = parts.causes.empty() ? nullptr : &parts.causes.front();
+      if (cause && (cause->first.a == at || cause->first.b == at)) {
+        ++all.by_diff;
+        continue;
+      }
+      if (how == Change::left_out && run.by_kind[event.index()].size() == 1) {
+        ++all.once;
+        continue;
+      }
       ++unnoticed[field].first;
-      example[field] = fmt::format("{} at step {} of {}: {}", change_words[static_cast<std::size_t>(how)], at, golden,
-                                   parts.causes.empty() ? "nothing" : fmt::format("{} {}", parts.causes.front().first.a,
-                                                                                 parts.causes.front().first.b));
+      unnoticed[field].second =
+          fmt::format("{}, at step {} of {}", change_words[static_cast<std::size_t>(how)], at, golden);
     }
   });
-  for (const auto& [field, counts] : unnoticed) {
-    if (counts.first == 0) continue;
-    MESSAGE(field, ": ", counts.first, " of ", counts.second, ", as ", example[field]);
-  }
-  std::string alone;
-  for (const auto& [field, counts] : checked)
-    if (10 * counts.first < 9 * counts.second) alone += fmt::format("{} {}/{}  ", field, counts.first, counts.second);
-  MESSAGE("check alone seldom: ", alone);
   const int named = all.refused + all.by_check + all.by_diff;
   MESSAGE("of ", all.changes, " changes ", named, " are named: ", all.refused, " cannot be read, ", all.by_check,
-          " by check, ", all.by_diff, " by diff alone");
+          " by check, ", all.by_diff, " by diff alone; ", all.once,
+          " leave out what a run does once only, which it may as well never say");
+  for (const auto& [field, which] : unnoticed) {
+    const std::string_view reason = reason_for(field);
+    MESSAGE(which.first, " x ", field, " (", which.second, "): ", std::string(reason.empty() ? "UNKNOWN" : reason));
+    if (reason.empty()) FAIL_CHECK(field << " goes unnoticed: " << which.second);
+  }
   CHECK(all.changes >= 10'000);
-  CHECK(named >= 0.96 * all.changes);
+  CHECK(named >= 0.98 * all.changes);
 }
 
 }  // namespace
