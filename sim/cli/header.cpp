@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
@@ -19,6 +20,7 @@ struct HeaderOptions {
   RunOptions run;
   std::string writer = "a program", nearer, ties, out;
   std::optional<double> initial_depth;
+  bool as_computed = false;
 };
 
 int write(const HeaderOptions& options) {
@@ -34,7 +36,13 @@ int write(const HeaderOptions& options) {
         static_cast<Comparison::Nearer>(choice("--nearer", options.nearer, {"smaller", "greater"}));
   header.comparison.ties = static_cast<Comparison::Ties>(choice("--ties", options.ties, {"first", "last"}));
   header.initial_depth = options.initial_depth;
-  const std::string line = jsonl_header(header, run.scene) + "\n";
+  std::string line = jsonl_header(header, run.scene);
+  if (options.as_computed) {
+    auto all = nlohmann::ordered_json::parse(line);
+    all["conventions"]["number_format"] = "as computed";
+    line = all.dump();
+  }
+  line += '\n';
   if (options.out.empty()) {
     fmt::print("{}", line);
     return exit_code::done;
@@ -60,6 +68,10 @@ void add_header(CLI::App& app, Action& action) {
   command->add_option("--ties", options->ties, "Which of two equal depths does (default first)")
       ->type_name("first|last");
   add_number(*command, "--initial-depth", options->initial_depth, "What its depth buffer holds at first");
+  command
+      ->add_flag("--as-computed", options->as_computed,
+                 "What the numbers are computed in is not known: zstep finds it out from their digits")
+      ->excludes(command->get_option("--number-format"));
   command->add_option("-o,--output", options->out, "The file to write (default: print it)")->type_name("FILE.jsonl");
   command->footer(
       "Scene, conventions and pseudo-code as one line of JSON. Write it as the first line of your program's output, "

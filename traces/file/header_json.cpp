@@ -17,6 +17,15 @@ constexpr std::array<std::string_view, 1> centre_words{"integer"};
 constexpr std::array<std::string_view, 2> nearer_words{"smaller", "greater"};
 constexpr std::array<std::string_view, 2> tie_words{"first", "last"};
 
+/// Which numbers they are is then found out from their digits, as where the header has none.
+constexpr std::string_view as_computed = "as computed";
+constexpr auto number_words = [] {
+  std::array<std::string_view, words_of<NumberFormat>.size() + 1> words{};
+  std::copy(words_of<NumberFormat>.begin(), words_of<NumberFormat>.end(), words.begin());
+  words.back() = as_computed;
+  return words;
+}();
+
 /// In the order in which a header has them.
 constexpr std::array<std::string_view, 8> convention_keys{"depth",         "interpolation", "coverage", "cull",
                                                           "number_format", "pixel_centre",  "nearer",   "ties"};
@@ -64,7 +73,12 @@ void read_conventions(const json& in, Header& header) {
                                        "positions", "pixel_centre", "nearer", "ties", "initial_depth", "options"});
   });
   for_each_convention([&]<class E>(const char* key, E Conventions::*member) {
-    parts.read([&] { c.*member = word_or(in, key, words_of<E>, c.*member); });
+    parts.read([&] {
+      if constexpr (!std::is_same_v<E, NumberFormat>) c.*member = word_or(in, key, words_of<E>, c.*member);
+      else if (const auto number = word_or(in, key, number_words, std::size_t{0}); number < words_of<E>.size())
+        c.*member = static_cast<E>(number);
+      else header.undeclared |= static_cast<std::uint8_t>(1u << static_cast<unsigned>(Convention::number_format));
+    });
   });
   parts.read([&] { c.cull = truth_or(in, "cull", c.cull); });
   parts.read([&] { word_or(in, "pixel_centre", centre_words, 0); });

@@ -230,6 +230,12 @@ TEST_CASE("jsonl: a header is obeyed and kept, or refused with the words that th
     CHECK(dumped(*read(out).trace) == out);
     return first.trace->header();
   };
+  // What is computed in is found out from the numbers then, as where nothing is said of it.
+  const Read unknown = read(with_conventions(R"({"number_format": "as computed", "nearer": "greater"})"));
+  REQUIRE(unknown.error == "");
+  CHECK(!unknown.trace->header().declares(Convention::number_format));
+  CHECK(unknown.trace->header().declares(Convention::nearer));
+  refused(R"({"number_format": "as comuted"})", "did you mean \"as computed\"?");
   const Header none = kept("{}");
   CHECK(!none.declares(Convention::nearer));
   CHECK(!none.declares(Convention::depth));
