@@ -35,7 +35,7 @@ struct Undetectable {
   std::string_view name, reason;
 };
 constexpr std::string_view silent = "a program may pass over in silence what it does nothing with",
-                           alike = "of several steps about the same thing, as of two parts of a polygon, the last is missed",
+                           alike = "of several steps about one thing, as of two parts of a polygon, the last is missed",
                            idle = "an edge that ends may be moved once more, or not",
                            later = "a list that is out of order may yet be sorted: it shows where it is used",
                            either = "edges at one x may stand either way";
@@ -50,6 +50,7 @@ constexpr std::array undetectable{
     Undetectable{"edge_table_skip", alike},
     Undetectable{"horizon_move", alike},
     Undetectable{"horizon_move.upper", alike},
+    Undetectable{"line_piece", alike},
     Undetectable{"list_remove.piece", alike},
     Undetectable{"outline_vertex", alike},
     Undetectable{"outline_vertex.vertex", alike},
