@@ -75,13 +75,13 @@ std::string_view reason_for(const std::string& name) {
 }
 
 /// One run, taken apart.
-struct Run {
+struct TakenApart {
   const Trace& trace;
   std::vector<RecordedEvent> events = {};
   std::array<std::vector<std::size_t>, kind_count> by_kind = {};
   std::vector<std::uint8_t> kinds = {};
 
-  explicit Run(const Trace& whole) : trace(whole) {
+  explicit TakenApart(const Trace& whole) : trace(whole) {
     trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& event) {
       by_kind[event.event.index()].push_back(events.size());
       events.push_back(event);
@@ -118,7 +118,7 @@ struct Run {
 };
 
 /// Changes a value of the step; its name, "kind.field", or "" where it has none that can be changed so.
-std::string change(Event& event, Change how, const Run& run, std::size_t step, std::mt19937_64& random) {
+std::string change(Event& event, Change how, const TakenApart& run, std::size_t step, std::mt19937_64& random) {
   std::vector<std::pair<std::string_view, std::function<void()>>> ways;
   const Event& beside = run.events[run.neighbour(step)].event;
   const Event& any = run.events[run.any_of_kind(step, random)].event;
@@ -182,7 +182,7 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
   Counts all;
   std::map<std::string, std::pair<int, std::string>> unnoticed;  // by field: how often, and the last one
   test::for_each_golden([&](const std::string& golden, const Trace& trace) {
-    const Run run(trace);
+    const TakenApart run(trace);
     for (int made = 0, tries = 0; made < changes_a_trace && tries < 10 * changes_a_trace; ++tries) {
       const auto how = static_cast<Change>(random() % static_cast<std::size_t>(Change::count));
       const std::size_t step = run.any_step(random);
