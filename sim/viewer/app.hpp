@@ -63,6 +63,8 @@ class App {
   /// To the next or previous step that is marked, and to the first pixel in which two runs part.
   void to_marked(int direction);
   void to_pixel_apart();
+  /// To the next or previous difference in the same fields.
+  void to_alike(int direction);
 
   /// Frames after a change until nothing moves any more.
   static constexpr int frames_to_settle = 4;

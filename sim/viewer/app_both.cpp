@@ -31,14 +31,14 @@ void App::draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size) {
 }
 
 /// The frames of both side by side, and their depth buffers, in one row or two, whichever shows larger pixels; below
-/// them the slice with both.
+/// them what the method lives by, with what both have of it.
 void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
   const Header &header = session_.header(), &other = against_->session().header();
   const bool depths = depth_pane.serves(header) && depth_pane.serves(other);
   const bool narrow = size.x < ui_.em * 44 || size.y < ui_.em * 21;
-  const bool sliced = slice_pane.serves(header) && slice_pane.serves(other) && !narrow;
+  const bool structures = !structures_.empty() && !narrow;
   const float left = narrow ? 0 : std::round(size.x * l.left);
   if (!narrow) {
     // A class needs no code beside two runs.
@@ -55,7 +55,7 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
     l.left = std::clamp(l.left, 0.1f, 0.55f);
   }
   const float x = narrow ? at.x : at.x + left + gap, middle = at.x + size.x - x;
-  const float upper = sliced ? std::round((size.y - gap) * l.buffers) : size.y;
+  const float upper = structures ? std::round((size.y - gap) * l.buffers) : size.y;
   std::vector<std::pair<bool, const Pane*>> panes{{true, &frame_pane}, {false, &frame_pane}};
   if (depths && !narrow) panes.insert(panes.end(), {{true, &depth_pane}, {false, &depth_pane}});
   const Raster& raster = session_.scene().raster;
@@ -75,8 +75,8 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
     const auto& [first, pane] = panes[static_cast<std::size_t>(i)];
     draw_of(first, *pane, {px, py}, {width, height});
   }
-  if (!sliced) return;
-  draw_pane(slice_pane, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
+  if (!structures) return;
+  draw_structures({x, at.y + upper + gap}, {middle, size.y - upper - gap});
   splitter("buffers", {x, at.y + upper}, {middle, gap}, false, l.buffers, size.y - gap);
 }
 

@@ -183,7 +183,9 @@ void App::draw() {
   if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
   if (!only_ && size.y > title + timeline) {
     ImGui::SetCursorScreenPos({pad, size.y - timeline - pad});
+    const std::int64_t b_was = against_ ? against_->session().position() : 0;
     draw_timeline(ui_, {width, timeline});
+    if (against_ && against_->session().position() != b_was) against_->follow_second();
   }
   ImGui::End();
   const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history ||

@@ -1,4 +1,6 @@
 // What is marked: what check found in the run, or how a second run beside it differs.
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
@@ -19,6 +21,7 @@ void App::show_against(const AgainstRun& with) {
   other_ui_ = std::make_unique<Ui>(against_->session(), renderer_);
   other_ui_->asks = false;
   ui_.other = other_ui_.get();
+  ui_.slice = slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header());
   ui_.marks = &against_->marks_of_a();
   other_ui_->marks = &against_->marks_of_b();
   session_.touch();
@@ -74,6 +77,20 @@ void App::to_pixel_apart() {
   session_.select(found->cell);
   say(fmt::format("Pixel ({}, {}) is the first from the top that differs at the end{}.", found->cell.x, found->cell.y,
                   found->place ? "; here the runs first part at it" : ""));
+}
+
+void App::to_alike(int direction) {
+  if (!against_) return say("There is no second run: zstep view FILE.ztrace --against FILE.ztrace shows two.");
+  const Session& b = against_->session();
+  const std::pair here{session_.position(), b.position()};
+  const auto found = against_->next_alike(direction);
+  if (!found) return say("The runs do not part here; . and > go to where they do.");
+  against_->go_to(found->place);
+  const bool moved = here != std::pair{session_.position(), b.position()};
+  say(moved ? fmt::format("The runs part in {}: {} of {}.", found->what,
+                          grouped(static_cast<std::int64_t>(found->number)),
+                          grouped(static_cast<std::int64_t>(found->all)))
+            : fmt::format("There is no {} difference in {}.", direction > 0 ? "later" : "earlier", found->what));
 }
 
 /// What is marked at this moment; the second run comes to it.

@@ -3,10 +3,15 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "sim/viewer/model/against.hpp"
+#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "tests/golden/golden.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/where.hpp"
 
@@ -67,6 +72,100 @@ TEST_CASE("the second run goes where the first one is: the same step, or the las
   REQUIRE(against.pixels().size() == 1);
   CHECK(against.pixels()[0].pixel == static_cast<std::int64_t>(session.state().picture.at(1, 2)));
   CHECK(against.pixels()[0].filled);
+}
+
+TEST_CASE("where the second run is brought by itself, the first one comes to the same moment") {
+  const Pair runs(true);
+  Session session(runs.a, nullptr);
+  Against against(session, runs.with);
+  const std::int64_t gone = runs.report.causes[0].first.a;
+  for (std::int64_t at = 0; at <= runs.b.size(); ++at) {
+    against.session().go_to(at);
+    against.follow_second();
+    CAPTURE(at);
+    CHECK(session.position() == (at < gone ? at : at + 1));
+    CHECK(against.session().position() == at);
+  }
+}
+
+TEST_CASE("keys go through the differences of one field, there and back") {
+  const Trace a = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  // All depths that are interpolated part, and one slope.
+  bool slope = false;
+  const Trace b = test::changed(a, [&](std::int64_t, Event& event) {
+    if (holds<DepthInterpolate>(event)) event.as<DepthInterpolate>().z += 0.25;
+    if (holds<EdgeTableInsert>(event) && !std::exchange(slope, true)) event.as<EdgeTableInsert>().dx_dy += 1;
+    return true;
+  });
+  const diff::DiffReport report = diff::compare(a, b);
+  const AgainstRun with{&b, &report, true};
+  App app(a, nullptr, {}, 1280, 720);
+  app.show_against(with);
+  (void)test::picture(app);
+  Session& s = app.session();
+  test::send_text(app, ";");
+  CHECK(s.message.find("do not part here") != std::string::npos);
+  std::vector<std::int64_t> depths;
+  for (const diff::Difference& one : report.alignment.differences)
+    if (one.kind == kind_of<DepthInterpolate>) depths.push_back(one.a);
+  REQUIRE(depths.size() > 3);
+  REQUIRE(depths.size() < report.alignment.differences.size());
+  s.go_to(depths[0]);
+  (void)test::picture(app);
+  for (std::size_t i = 1; i < depths.size(); ++i) {
+    test::send_text(app, ";");
+    CHECK(s.position() == depths[i]);
+  }
+  CHECK(s.message == fmt::format("The runs part in z of interpolate_z: {0} of {0}.", depths.size()));
+  test::send_text(app, ";");
+  CHECK(s.message == "There is no later difference in z of interpolate_z.");
+  test::send_text(app, ":");
+  CHECK(s.position() == depths[depths.size() - 2]);
+}
+
+namespace {
+
+std::vector<TableRow> edges_of(Ui& ui) {
+  std::vector<TableRow> rows;
+  for (const EdgeTableInsert& edge : ui.session.state().machine.edge_table) {
+    TableRow row;
+    row.cells = {TableCell("edge"), TableCell(edge.x_edge), TableCell(edge.dx_dy)};
+    row.about = about_edge(edge);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("below a row of a table is what the second run has otherwise, and nothing where it has the same") {
+  const Trace a = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  std::int64_t first = 0, second = 0;
+  const Trace b = test::changed(a, [&](std::int64_t step, Event& event) {
+    if (!holds<EdgeTableInsert>(event)) return true;
+    if (first == 0) return first = step, event.as<EdgeTableInsert>().dx_dy += 1, true;
+    if (second == 0) return second = step, false;
+    return true;
+  });
+  REQUIRE(second > first);
+  Renderer renderer(16, 16);
+  Session of_a(a, nullptr), of_b(b, nullptr);
+  Ui ui(of_a, renderer), other(of_b, renderer);
+  of_a.go_to(second), of_b.go_to(second - 1);
+  CHECK(rows_of_both(ui, edges_of).size() == 2);
+  ui.other = &other;
+  const std::vector<TableRow> rows = rows_of_both(ui, edges_of);
+  REQUIRE(rows.size() == 4);
+  CHECK(rows[1].look == TableRow::Look::other);
+  CHECK(rows[1].cells[0].text == "\u2260 B");
+  CHECK(!rows[1].cells[1].value);
+  CHECK(*rows[1].cells[2].value == *rows[0].cells[2].value + 1);
+  CHECK(rows[3].cells[0].text == "\u2260 B: not in it");
+  // And the other way round: what only the second run has comes last.
+  ui.other = nullptr, other.other = &ui;
+  const std::vector<TableRow> turned = rows_of_both(other, edges_of);
+  REQUIRE(turned.size() == 3);
+  CHECK(turned[2].cells[0].text == "\u2260 B: edge");
 }
 
 TEST_CASE("keys lead to the next cause, the next difference and the first pixel that differs") {

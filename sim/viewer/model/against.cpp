@@ -7,6 +7,7 @@
 #include "sim/words/derived.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/diff/buffers.hpp"
+#include "traces/events/slots.hpp"
 #include "traces/formulas/situation_of.hpp"
 
 namespace zstep::viewer {
@@ -35,6 +36,14 @@ void Against::go_to(const Place& place) {
   b_.go_to(place.b);
   followed_ = a_.position();
   a_.touch();
+}
+
+void Against::follow_second() {
+  const std::int64_t at = b_.position();
+  const diff::Alignment& both = report_.alignment;
+  const std::int64_t partner = at == 0 ? 0 : at == b_.size() ? a_.size() : both.in_a(at);
+  a_.playing = false;
+  go_to({partner != 0 || at == 0 ? partner : both.before_in_a(at), at});
 }
 
 namespace {
@@ -67,6 +76,43 @@ std::optional<Against::Place> Against::next_difference(int direction) const {
   const auto next = std::lower_bound(parted_.begin(), parted_.end(), now,
                                      [](const Parted& one, const Place& place) { return one.place < place; });
   return next == parted_.begin() ? std::nullopt : std::optional(std::prev(next)->place);
+}
+
+std::optional<Against::Alike> Against::next_alike(int direction) {
+  if (alike_at_ != here()) {
+    const Parted* parted = parted_here();
+    if (!parted) return std::nullopt;
+    alike_ = parted->number;
+  }
+  const std::vector<diff::Difference>& all = report_.alignment.differences;
+  const diff::Difference& like = all[alike_];
+  Alike found{here(), fields_of(like), 0, 0};
+  bool beyond_here = false;
+  for (const Parted& one : parted_) {
+    const diff::Difference& other = all[one.number];
+    if (other.kind != like.kind || (like.fields == 0 ? other.fields != 0 : (other.fields & like.fields) == 0)) continue;
+    ++found.all;
+    const bool before = one.place < here(), after = one.place > here();
+    const bool take = direction > 0 ? after && !beyond_here : before;
+    if (take || (found.number == 0 && one.place == here())) found.place = one.place, found.number = found.all;
+    beyond_here = beyond_here || after;
+  }
+  alike_at_ = found.place;
+  return found;
+}
+
+std::string Against::fields_of(const diff::Difference& difference) const {
+  std::string fields;
+  for_each_kind([&]<class E>() {
+    if (kind_of<E> != difference.kind) return;
+    for_each_index<E>([&]<std::size_t I>() {
+      if ((difference.fields >> I & 1) != 0) fields += (fields.empty() ? "" : ", ") + std::string(field_at<E, I>.name);
+    });
+  });
+  const Trace& trace = difference.only_a() ? a_.trace() : b_.trace();
+  const StepInfo* step = find_step(trace.header().page, difference.line);
+  const std::string name = step ? step->name : "the step";
+  return fields.empty() ? name + " in one run alone" : fields + " of " + name;
 }
 
 const Against::Parted* Against::parted_here() const {

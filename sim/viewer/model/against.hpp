@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/viewer/model/step_marks.hpp"
@@ -30,6 +31,16 @@ class Against {
   std::optional<Place> next_cause(int direction) const;
   std::optional<Place> next_difference(int direction) const;
   void go_to(const Place& place);
+  /// The second run was brought somewhere by itself: the first one comes to the same moment.
+  void follow_second();
+  /// The next or previous difference in the fields in which the runs part here or, where this was gone to from another
+  /// such place, parted there; and which one it is of how many.
+  struct Alike {
+    Place place;
+    std::string what;  ///< "z of write_depth"
+    std::size_t number = 0, all = 0;
+  };
+  std::optional<Alike> next_alike(int direction);
   /// The first pixel from the top in which the pictures differ at the end, and the first step that is not the same in
   /// both and touches it.
   struct PixelApart {
@@ -66,6 +77,7 @@ class Against {
   Place here() const { return {a_.position(), b_.position()}; }
   Place place_of(const diff::Difference& difference) const;
   const Parted* parted_here() const;
+  std::string fields_of(const diff::Difference& difference) const;
 
   Session& a_;
   const diff::DiffReport& report_;
@@ -73,6 +85,8 @@ class Against {
   std::optional<std::int64_t> followed_;  ///< where the first run was then
   std::vector<Parted> parted_;            ///< by place
   std::vector<Place> causes_;             ///< as the report has them
+  std::size_t alike_ = 0;          ///< the difference whose fields are gone through
+  std::optional<Place> alike_at_;  ///< where going through them has led
   std::vector<PixelMark> pixels_;
   std::optional<Place> pixels_at_;
   bool looked_for_pixel_ = false;

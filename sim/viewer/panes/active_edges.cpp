@@ -74,6 +74,7 @@ std::vector<TableRow> waiting_rows(const Session& s) {
     row.look = insert && insert->edge == e.edge ? TableRow::Look::now : TableRow::Look::gone;
     row.lit = s.lit_edge() == e.edge;
     row.key = e.edge;
+    row.about = about_edge(e);
     rows.push_back(std::move(row));
   }
   return rows;
@@ -99,10 +100,11 @@ TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   row.look = mark.now ? TableRow::Look::now : TableRow::Look::plain;
   row.lit = s.lit_edge() == active.edge;
   row.key = active.edge;
+  if (entry) row.about = about_edge(*entry);
   return row;
 }
 
-void draw(Ui& ui) {
+std::vector<TableRow> rows_of(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   std::vector<TableRow> rows;
@@ -125,6 +127,13 @@ void draw(Ui& ui) {
     }
   if (machine.keeps_all && machine.piece == -1)
     for (TableRow& row : waiting_rows(s)) rows.push_back(std::move(row));
+  return rows;
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const MethodState& machine = s.state().machine;
+  const std::vector<TableRow> rows = rows_of_both(ui, rows_of);
   if (rows.empty())
     return say_empty(ui, machine.scan_line
                              ? fmt::format("Empty: no edge crosses scan line {} at this moment.", *machine.scan_line)

@@ -41,16 +41,9 @@ std::string state_sign(EdgeStage stage, bool now, const RecordedEvent* event) {
   return word.substr(0, word.find(' '));
 }
 
-void draw(Ui& ui) {
+std::vector<TableRow> rows_of(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
-  if (machine.polygon == no_polygon)
-    return say_empty(ui, "Empty: no polygon is at work yet. Each polygon fills it with its own edges.");
-  if (machine.edge_table.empty())
-    return say_empty(ui, machine.rejected ? fmt::format("Empty: polygon {} was dropped before it got here.",
-                                                        polygon_label(s.scene(), machine.polygon))
-                                          : fmt::format("Empty: the edges of polygon {} are not in it yet.",
-                                                        polygon_label(s.scene(), machine.polygon)));
   std::vector<const EdgeTableInsert*> order;
   for (const EdgeTableInsert& entry : machine.edge_table) order.push_back(&entry);
   std::stable_sort(order.begin(), order.end(), [](const EdgeTableInsert* a, const EdgeTableInsert* b) {
@@ -87,8 +80,24 @@ void draw(Ui& ui) {
     out.trust = trust_of(ui, formulas::Place::In::edge_table, e.edge);
     out.lit = s.lit_edge() == e.edge;
     out.key = e.edge;
+    out.about = about_edge(e);
+    out.name = 1;
     rows.push_back(std::move(out));
   }
+  return rows;
+}
+
+void draw(Ui& ui) {
+  const Session& s = ui.session;
+  const MethodState& machine = s.state().machine;
+  if (machine.polygon == no_polygon)
+    return say_empty(ui, "Empty: no polygon is at work yet. Each polygon fills it with its own edges.");
+  if (machine.edge_table.empty())
+    return say_empty(ui, machine.rejected ? fmt::format("Empty: polygon {} was dropped before it got here.",
+                                                        polygon_label(s.scene(), machine.polygon))
+                                          : fmt::format("Empty: the edges of polygon {} are not in it yet.",
+                                                        polygon_label(s.scene(), machine.polygon)));
+  const std::vector<TableRow> rows = rows_of_both(ui, rows_of);
   const std::string z = symbol_along(s.scene(), s.header().conventions);
   const TableResult result = number_table(ui, "edges", {"y", "edge", "leaves", "x", "1/m", z, "dz/dy", "of", ""}, rows);
   if (result.hovered) {

@@ -113,7 +113,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     if (row.lit) frame_box(ui, at, end, c.selected);
     if (hovered && row.key >= 0) result.hovered = row.key;
     bool on_number = false;
-    const ImU32 color = row.trust != Findings::Trust::right ? c.bad
+    const ImU32 color = row.trust != Findings::Trust::right || row.look == TableRow::Look::other ? c.bad
                         : row.look == TableRow::Look::gone  ? c.muted
                                                             : c.text;
     x = at.x + gap / 2;

@@ -22,12 +22,14 @@ struct TableCell {
 };
 
 struct TableRow {
-  enum class Look { plain, now, gone, waiting };
+  enum class Look { plain, now, gone, waiting, other };  ///< other: what the second run has in place of the row above
   std::vector<TableCell> cells;
   Look look = Look::plain;
   Findings::Trust trust = Findings::Trust::right;  ///< of what is wrong the text is red, and a sign says which it is
   bool lit = false;       ///< selected or pointed at, here or in another pane
   int key = -1;           ///< what click and hover report; −1: nothing
+  std::string about;      ///< by which the row is found in the second run's table; empty: it is not looked for there
+  std::size_t name = 0;   ///< the cell that names it
 };
 
 struct TableResult {
@@ -38,5 +40,10 @@ struct TableResult {
 /// Draws headings and rows at the cursor. Decimals shrink, then gaps, before anything would be cut.
 TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>& headings,
                          const std::vector<TableRow>& rows);
+
+/// A table's rows and, below each whose numbers the second run has otherwise, by more than rounding, those of it.
+std::vector<TableRow> rows_of_both(Ui& ui, std::vector<TableRow> (*rows_of)(Ui&));
+/// What a row of an edge is about: numbers of edges are each run's own.
+std::string about_edge(const EdgeTableInsert& edge);
 
 }  // namespace zstep::viewer

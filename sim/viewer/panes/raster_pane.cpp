@@ -233,38 +233,66 @@ std::optional<int> decimals_that_fit(int most, double room, const std::function<
 
 namespace {
 
-/// Pixels that are wrong, or part from the other run's: in the lower left corner a triangle, filled or hollow; around a
-/// small pixel a box, or a dot on it.
+/// Pixels that are wrong, or part from the other run's: in the lower left corner a triangle, filled or hollow. On pixels
+/// too small for that a box around the one and a dot on the other, with lines that a class sees and an edge of the
+/// pane's colour, so that they stand out from whatever is drawn below.
 void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   if (!ui.pixel_marks) return;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Picture& picture = ui.session.picture();
   if (picture.width < 1) return;
-  for (const PixelMark& mark : *ui.pixel_marks) {
-    const Cell cell{static_cast<std::int32_t>(mark.pixel % picture.width),
-                    static_cast<std::int32_t>(mark.pixel / picture.width)};
-    const float left = origin.x + static_cast<float>(map.column_begin(cell.x)),
-                foot = origin.y + static_cast<float>(map.row_end(cell.y)) - 1;
-    if (left < origin.x - 20 || left > origin.x + static_cast<float>(map.box_width) || foot < origin.y ||
-        foot > origin.y + static_cast<float>(map.box_height) + 20)
-      continue;
-    if (map.cell < 8) {
-      const float right = std::max(left + 2, origin.x + static_cast<float>(map.column_begin(cell.x + 1))),
-                  top = std::min(foot - 1, origin.y + static_cast<float>(map.row_begin(cell.y)));
-      if (!mark.filled)
-        list->AddRectFilled({left, foot - (foot - top) / 2}, {left + (right - left) / 2, foot + 1}, c.bad);
-      if (mark.filled) frame_box(ui, {left - 3, top - 3}, {right + 3, foot + 4}, c.bad, 2);
-      continue;
+  constexpr double small = 12;
+  const float thick = std::max(3.0f, std::round(3 * ui.thin)), edge = std::max(1.0f, ui.thin);
+  const auto each = [&](auto&& use) {
+    for (const PixelMark& mark : *ui.pixel_marks) {
+      const Cell cell{static_cast<std::int32_t>(mark.pixel % picture.width),
+                      static_cast<std::int32_t>(mark.pixel / picture.width)};
+      const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)),
+                     origin.y + static_cast<float>(map.row_begin(cell.y))};
+      const ImVec2 b{origin.x + static_cast<float>(map.column_begin(cell.x + 1)),
+                     origin.y + static_cast<float>(map.row_end(cell.y))};
+      const bool seen = b.x > origin.x - 20 && a.x < origin.x + static_cast<float>(map.box_width) + 20 &&
+                        b.y > origin.y - 20 && a.y < origin.y + static_cast<float>(map.box_height) + 20;
+      if (seen) use(mark, a, b);
     }
-    const float size = std::max(7.0f, std::round(static_cast<float>(map.cell) * 0.4f));
-    list->AddTriangleFilled({left, foot - size - 2}, {left, foot}, {left + size + 2, foot}, c.pane);
+  };
+  if (map.cell < small) {
+    const auto box = [&](ImVec2 a, ImVec2 b, float out, float line, ImU32 color) {
+      a = {a.x - out, a.y - out}, b = {b.x + out, b.y + out};
+      list->AddRectFilled(a, {b.x, a.y + line}, color);
+      list->AddRectFilled({a.x, b.y - line}, b, color);
+      list->AddRectFilled({a.x, a.y + line}, {a.x + line, b.y - line}, color);
+      list->AddRectFilled({b.x - line, a.y + line}, {b.x, b.y - line}, color);
+    };
+    const auto dot = [&](ImVec2 a, ImVec2 b, float half, ImU32 color) {
+      const ImVec2 m{std::floor((a.x + b.x) / 2), std::floor((a.y + b.y) / 2)};
+      list->AddRectFilled({m.x - half, m.y - half}, {m.x + half, m.y + half}, color);
+    };
+    // All edges below all marks: neighbours are one patch then, and what is a cause lies on top.
+    const float half = std::max(std::ceil(thick / 2), std::floor(static_cast<float>(map.cell) * 0.25f));
+    for (const bool edges : {true, false})
+      each([&](const PixelMark& mark, ImVec2 a, ImVec2 b) {
+        if (!mark.filled) dot(a, b, edges ? half + edge : half, edges ? c.pane : c.bad);
+      });
+    for (const bool edges : {true, false})
+      each([&](const PixelMark& mark, ImVec2 a, ImVec2 b) {
+        if (!mark.filled) return;
+        if (edges) box(a, b, thick + 2 * edge, thick + 2 * edge, c.pane);
+        else box(a, b, thick + edge, thick, c.bad);
+      });
+    return;
+  }
+  each([&](const PixelMark& mark, ImVec2 a, ImVec2 b) {
+    const float left = a.x, foot = b.y - 1;
+    const float size = std::max(3 * thick, std::round(static_cast<float>(map.cell) * 0.4f));
+    list->AddTriangleFilled({left, foot - size - 2 * edge}, {left, foot}, {left + size + 2 * edge, foot}, c.pane);
     list->AddTriangleFilled({left, foot - size}, {left, foot}, {left + size, foot}, c.bad);
     const float inner = size * 0.42f, in = std::max(1.0f, size * 0.17f);
     if (!mark.filled)
       list->AddTriangleFilled({left + in, foot - in - inner}, {left + in, foot - in}, {left + in + inner, foot - in},
                               c.pane);
-  }
+  });
 }
 
 }  // namespace

@@ -333,12 +333,13 @@ StripSizes strip_sizes(const Ui& ui) {
 
 float timeline_height(const Ui& ui) {
   const auto [height, gap] = strip_sizes(ui);
-  return std::round(2 * (height + gap) + ui.em * 1.75f);
+  return std::round((ui.other ? 3 : 2) * (height + gap) + ui.em * 1.75f);
 }
 
 void draw_timeline(Ui& ui, ImVec2 size) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const auto [strip_height, gap] = strip_sizes(ui);
+  const StripSizes sizes = strip_sizes(ui);
+  const float strip_height = sizes.height, gap = sizes.gap;
   ScanLineMarks::Interval interval = ui.lines.at(ui.session.trace(), ui.session.position());
   const Sections sections = sections_of(ui);
   if (!sections.all.empty()) {
@@ -346,13 +347,31 @@ void draw_timeline(Ui& ui, ImVec2 size) {
     interval.first = next == 0 ? 0 : sections.all[next - 1].position;
     interval.last = next == sections.all.size() ? ui.session.size() : sections.all[next].position;
   }
-  const Strip whole{{origin.x, origin.y}, size.x, strip_height, 0, ui.session.size()};
-  const Strip polygon{{origin.x, origin.y + strip_height + gap}, size.x, strip_height, interval.first, interval.last};
+  // With a second run each has its name in front.
+  const float named = ui.other ? std::round(ui.em * 1.2f) : 0;
+  float y = origin.y;
+  const auto next_strip = [&](const char* name, std::int64_t first, std::int64_t last) {
+    const Strip strip{{origin.x + named, y}, size.x - named, strip_height, first, last};
+    if (ui.other)
+      draw_text(ui, {origin.x, y + std::round((strip_height - ui.fonts.bold->FontSize) / 2) - 1}, ui.fonts.bold,
+                ui.colors().text, name);
+    y += strip_height + gap;
+    return strip;
+  };
+  const Strip whole = next_strip("A", 0, ui.session.size());
   scrub(ui, "whole", whole, true);
   draw_whole(ui, whole, sections);
+  if (Ui* b = ui.other) {
+    const Strip of_b = next_strip("B", 0, b->session.size());
+    b->mouse_help.clear();
+    scrub(*b, "whole of B", of_b, false);
+    if (!b->mouse_help.empty()) ui.mouse_help = b->mouse_help;
+    draw_whole(*b, of_b, sections_of(*b));
+  }
+  const Strip polygon = next_strip("A", interval.first, interval.last);
   scrub(ui, "polygon", polygon, false);
   draw_polygon(ui, polygon, interval, sections);
-  ImGui::SetCursorScreenPos({origin.x, origin.y + 2 * (strip_height + gap)});
+  ImGui::SetCursorScreenPos({origin.x, y});
   draw_transport(ui);
   ImGui::SameLine(0, ui.em);
   // What the mouse does here, else where this is; only when there is room for all of it.
@@ -362,8 +381,8 @@ void draw_timeline(Ui& ui, ImVec2 size) {
                : "0 %";
   const float room = origin.x + size.x - ImGui::GetCursorScreenPos().x;
   const float right = text_size(ui, ui.fonts.mono, percent).x;
-  const float y = ImGui::GetCursorScreenPos().y + std::round(ui.em * 0.3f);
-  draw_text(ui, {origin.x + size.x - right, y}, ui.fonts.mono, ui.colors().text, percent);
+  const float line = ImGui::GetCursorScreenPos().y + std::round(ui.em * 0.3f);
+  draw_text(ui, {origin.x + size.x - right, line}, ui.fonts.mono, ui.colors().text, percent);
   const bool lines = has_step_of<ScanLineBegin>(s.header()) || !sections.all.empty(),
              polygons = !s.trace().polygons().empty();
   const std::string every =
@@ -373,7 +392,7 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   for (const std::string& hint : {ui.mouse_help, every, std::string("\u2192 step    Shift+\u2192 pixel    ? all keys"),
                                   std::string("? all keys")})
     if (!hint.empty() && text_size(ui, ui.fonts.text, hint).x + right + ui.em < room) {
-      draw_text(ui, {ImGui::GetCursorScreenPos().x, y}, ui.fonts.text, ui.colors().muted, hint);
+      draw_text(ui, {ImGui::GetCursorScreenPos().x, line}, ui.fonts.text, ui.colors().muted, hint);
       break;
     }
 }
