@@ -63,7 +63,8 @@ void App::to_marked(int direction) {
   }
   if (!findings_)
     return say(
-        "Nothing was checked or compared: zstep check FILE --view does, or zstep view FILE.ztrace --against FILE.ztrace.");
+        "Nothing was checked or compared: zstep check FILE --view does, or zstep view FILE.ztrace --against "
+        "FILE.ztrace.");
   const auto step = findings_->next_marked(session_.position(), direction);
   if (step) session_.go_to(*step);
   else say(direction > 0 ? "No later step is marked." : "No earlier step is marked.");

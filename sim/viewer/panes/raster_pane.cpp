@@ -233,9 +233,9 @@ std::optional<int> decimals_that_fit(int most, double room, const std::function<
 
 namespace {
 
-/// Pixels that are wrong, or part from the other run's: in the lower left corner a triangle, filled or hollow. On pixels
-/// too small for that a box around the one and a dot on the other, with lines that a class sees and an edge of the
-/// pane's colour, so that they stand out from whatever is drawn below.
+/// Pixels that are wrong, or part from the other run's: in the lower left corner a triangle, filled or hollow. On
+/// pixels too small for that a box around the one and a dot on the other, with lines that a class sees and an edge of
+/// the pane's colour, so that they stand out from whatever is drawn below.
 void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   if (!ui.pixel_marks) return;
   const Theme& c = ui.colors();
