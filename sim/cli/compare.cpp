@@ -1,11 +1,11 @@
 #include "sim/cli/compare.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "sim/cli/chart_file.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
@@ -49,33 +49,17 @@ std::vector<std::string> parts_of(const std::string& text, char between) {
 }
 
 std::vector<std::string> compare_outputs(const CompareOptions& options) {
-  std::vector<std::string> files;
-  for (const std::string& path : {options.csv, options.plot})
-    if (!path.empty()) files.push_back(path);
-#if !ZSTEP_HAS_VIEWER
-  if (!options.plot.empty())
-    throw InputError("--plot", "this zstep was built without the viewer, which draws charts",
-                     "leave it out, or build again with -DZSTEP_VIEWER=ON");
-#endif
+  std::vector<std::string> files = chart_outputs(options.plot);
+  if (!options.csv.empty()) files.insert(files.begin(), options.csv);
   return files;
 }
-
-namespace {
-bool is_svg(const std::string& path) { return std::filesystem::path(path).extension() == ".svg"; }
-}  // namespace
 
 void write_comparison(const CompareOptions& options, const std::string& csv, const std::function<Drawing()>& chart) {
   if (!options.csv.empty()) {
     write_file(options.csv, std::vector<std::uint8_t>(csv.begin(), csv.end()));
     say_written(options.csv, "the numbers");
   }
-  if (!options.plot.empty()) {
-    const Drawing drawing = chart();
-    if (is_svg(options.plot))
-      write_file(options.plot, std::vector<std::uint8_t>(drawing.svg.begin(), drawing.svg.end()));
-    else write_png(options.plot, drawing.width, drawing.height, drawing.rgb);
-    say_written(options.plot, fmt::format("the chart, {}x{} pixels", drawing.width, drawing.height));
-  }
+  if (!options.plot.empty()) say_written(options.plot, write_chart(options.plot, chart()));
 }
 
 #if ZSTEP_HAS_VIEWER

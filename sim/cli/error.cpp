@@ -10,6 +10,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/interpolation/interpolation.hpp"
 #include "sim/cli/budget.hpp"
+#include "sim/cli/chart_file.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/rows.hpp"
@@ -24,6 +25,9 @@
 #include "traces/error.hpp"
 #include "traces/oracle/errors.hpp"
 #include "traces/text.hpp"
+#if ZSTEP_HAS_VIEWER
+#include "sim/viewer/charts/chart.hpp"
+#endif
 
 namespace zstep::cli {
 namespace {
@@ -32,7 +36,7 @@ using Json = nlohmann::ordered_json;
 using oracle::ErrorOf, oracle::Errors;
 
 struct ErrorOptions {
-  std::string trace, picture, table;
+  std::string trace, picture, table, plot;
   bool all = false, json = false;
 };
 
@@ -78,9 +82,8 @@ std::string buffer_text(const Trace& trace) {
 void print_text(const Trace& trace, const ErrorOptions& options, const Errors& errors,
                 const std::optional<Allowed>& allowed) {
   const Header& header = trace.header();
-  const std::string format =
-      std::string(word_of(header.conventions.number_format)) +
-      (header.declares(Convention::number_format) ? "" : ", which its header does not declare");
+  const std::string format = std::string(word_of(header.conventions.number_format)) +
+                             (header.declares(Convention::number_format) ? "" : ", which its header does not declare");
   fmt::print("{}: {} held against the exact ones, in last digits of {}\n", printable(trace.name()),
              counted(errors.all.depths, "depth", "depths"), format);
   if (errors.not_judged > 0)
@@ -143,8 +146,13 @@ void print_json(const Trace& trace, const Errors& errors, const std::optional<Al
     polygons.push_back(one);
   }
   for (const oracle::WrongDecision& wrong : errors.decisions)
-    decisions.push_back(Json{{"step", wrong.step}, {"x", wrong.x}, {"y", wrong.y}, {"polygon", wrong.polygon},
-                             {"z", wrong.z}, {"stored", wrong.stored}, {"z_exact", wrong.z_exact},
+    decisions.push_back(Json{{"step", wrong.step},
+                             {"x", wrong.x},
+                             {"y", wrong.y},
+                             {"polygon", wrong.polygon},
+                             {"z", wrong.z},
+                             {"stored", wrong.stored},
+                             {"z_exact", wrong.z_exact},
                              {"stored_exact", wrong.stored_exact}});
   all["polygons"] = polygons;
   all["decisions"] = decisions;
@@ -167,16 +175,41 @@ Image picture_of(const std::vector<double>& errors, const Raster& raster) {
   return image;
 }
 
+#if ZSTEP_HAS_VIEWER
+/// The errors as they grow along spans and edges; n pixels from the beginning at n + 1, as the axis is logarithmic.
+Drawing drift_of(const Trace& trace, const Errors& errors) {
+  LineChart chart;
+  chart.title = fmt::format("{}: how errors of depth add up", printable(trace.name()));
+  chart.subtitle = fmt::format("The largest error of all depths as far from the beginning, in last digits of {}.",
+                               word_of(trace.header().conventions.number_format));
+  chart.x_title = "1 + pixels from the first of the span, or lines from the first of its left edge";
+  chart.y_title = "last digits";
+  const auto add = [&](const char* name, int look, const std::vector<double>& largest) {
+    LineChart::Line line{name, {}, look != 0, look};
+    for (std::size_t n = 0; n < largest.size(); ++n)
+      if (largest[n] > 0) line.points.emplace_back(static_cast<double>(n + 1), largest[n]);
+    if (!line.points.empty()) chart.lines.push_back(std::move(line));
+  };
+  add("along spans", 0, errors.along_spans);
+  add("along edges", 1, errors.along_edges);
+  for (std::size_t tick = 1; tick <= std::max(errors.along_spans.size(), errors.along_edges.size()); tick *= 2)
+    chart.x_ticks.push_back(static_cast<double>(tick));
+  return draw_chart(chart);
+}
+#else
+Drawing drift_of(const Trace&, const Errors&) { return {}; }
+#endif
+
 int run(const ErrorOptions& options) {
-  std::vector<std::string> outputs;
+  std::vector<std::string> outputs = chart_outputs(options.plot);
   for (const std::string& path : {options.picture, options.table})
     if (!path.empty()) outputs.push_back(path);
   check_outputs({}, {options.trace}, outputs);
   const Trace trace = open_trace(options.trace);
   Watch watch;
   const Errors errors = oracle::errors_of(trace, [&](std::int64_t step) {
-    watch.show(fmt::format("comparing with exact depths: step {} of {} (Ctrl-C stops)", grouped(step),
-                           grouped(trace.size())));
+    watch.show(
+        fmt::format("comparing with exact depths: step {} of {} (Ctrl-C stops)", grouped(step), grouped(trace.size())));
     return false;
   });
   watch.clear_line();
@@ -194,12 +227,16 @@ int run(const ErrorOptions& options) {
   }
   if (!options.table.empty()) {
     const auto same = [](double value) { return value; };
-    write_npy(options.table,
-              std::span<const double>(
-                  top_row_first<double>(errors.of_pixel, raster.width, raster.height, raster.y_up, same)),
-              raster.height, raster.width);
+    write_npy(
+        options.table,
+        std::span<const double>(top_row_first<double>(errors.of_pixel, raster.width, raster.height, raster.y_up, same)),
+        raster.height, raster.width);
     if (!options.json)
       say_written(options.table, fmt::format("errors in last digits, float64 [{},{}]", raster.height, raster.width));
+  }
+  if (!options.plot.empty()) {
+    const std::string said = write_chart(options.plot, drift_of(trace, errors));
+    if (!options.json) say_written(options.plot, said);
   }
   return errors.all.decided_wrong + errors.wrong_pixels == 0 ? exit_code::done : exit_code::finding;
 }
@@ -216,6 +253,8 @@ void add_error(CLI::App& app, Action& action) {
   command->add_option("--save", options->picture, "Write a picture of the errors")->type_name("FILE.png");
   command->add_option("--save-errors", options->table, "Write them as a table: float64 [H,W], NaN where there is none")
       ->type_name("FILE.npy");
+  command->add_option("--plot", options->plot, "Draw how the errors grow along spans and edges")
+      ->type_name("FILE.png|.svg");
   command->footer(
       "From the vertices that the trace has on the raster each span's depth follows without rounding, in whole "
       "numbers\n"
@@ -224,7 +263,8 @@ void add_error(CLI::App& app, Action& action) {
       "\n"
       "Examples:\n"
       "  zstep error run.ztrace\n"
-      "  zstep error run.ztrace --save error.png");
+      "  zstep error run.ztrace --save error.png\n"
+      "  zstep error run.ztrace --plot drift.png");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

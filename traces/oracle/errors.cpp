@@ -209,6 +209,21 @@ class Judge {
       of->largest_view = std::max(of->largest_view, std::abs(off_view));
       of->sum_of_squares_view += off_view * off_view;
     }
+    note_drift(at, e.x, e.y);
+  }
+  void note_drift(const Situation& at, std::int32_t x, std::int32_t y) {
+    const auto& span = at.method().span;
+    if (!span || span->y != y) return;
+    const auto keep = [&](std::vector<double>& largest, std::int32_t from, std::int32_t to, std::int32_t most) {
+      if (from < 0 || from > to || to >= most) return;
+      const auto n = static_cast<std::size_t>(to - from);
+      if (n >= largest.size()) largest.resize(n + 1);
+      largest[n] = std::max(largest[n], std::abs(error_));
+    };
+    const Raster& raster = trace_.scene().raster;
+    keep(found_.along_spans, span->first, x, raster.width);
+    if (const EdgeTableInsert* edge = x == span->first ? at.edge(span->left_edge) : nullptr)
+      keep(found_.along_edges, edge->first_row, y, raster.height);
   }
   std::int32_t polygon_of(const Situation& at) const {
     if (at.method().polygon != no_polygon && !at.method().keeps_all) return at.method().polygon;
