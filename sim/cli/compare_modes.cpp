@@ -61,19 +61,19 @@ Words mode_words(const std::vector<std::string>& given) {
 std::string error_text(double value) { return value == 0 ? "0" : fmt::format("{:.2g}", value); }
 std::string count_text(double value) { return fmt::format("{:.2f}", value); }
 
-struct Row {
+struct ModeRow {
   Mode mode;
   ModeErrors errors;
   double seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
-void print_rows(const Scene& scene, const std::vector<Row>& rows) {
+void print_rows(const Scene& scene, const std::vector<ModeRow>& rows) {
   using enum Table::Align;
   fmt::print("{}, {}x{} pixels; {} depths. Errors are of z_v, off the polygons themselves.\n\n", scene.name,
              scene.raster.width, scene.raster.height, grouped(rows.front().errors.depths));
   Table table({left, right, right, right, right, right, right, right, right, right, right});
   table.row({"MODE", "LARGEST", "RMS", "ROUNDING", "BOUND", "WRONG", "TURNED", "+", "\u00d7", "\u00f7", "TIME"});
-  for (const Row& row : rows) {
+  for (const ModeRow& row : rows) {
     const ModeErrors& e = row.errors;
     const compare::Operations& o = e.operations;
     table.row({row.mode.text, error_text(e.largest), error_text(e.rms), error_text(e.rounding_depth),
@@ -91,13 +91,13 @@ void print_rows(const Scene& scene, const std::vector<Row>& rows) {
 }
 
 std::string csv_of(const std::string& scene, const std::string& swept, const std::vector<double>& values,
-                   const std::vector<std::vector<Row>>& runs) {
+                   const std::vector<std::vector<ModeRow>>& runs) {
   std::string text = fmt::format(
       "scene,mode,{}depths,largest,rms,rounding,bound,wrong_pixels,turned_pixels,additions,"
       "multiplications,divisions,time_s\n",
       swept.empty() ? "" : swept + ",");
   for (std::size_t k = 0; k < runs.size(); ++k)
-    for (const Row& row : runs[k]) {
+    for (const ModeRow& row : runs[k]) {
       const ModeErrors& e = row.errors;
       const compare::Operations& o = e.operations;
       text += fmt::format("{},{},{}{},{},{},{},{},{},{},{},{},{},{}\n", compare::csv_cell(scene),
@@ -109,15 +109,15 @@ std::string csv_of(const std::string& scene, const std::string& swept, const std
   return text;
 }
 
-std::vector<Row> rows_of(const Scene& scene, const Conventions& conventions, const Words& words, bool timed,
+std::vector<ModeRow> rows_of(const Scene& scene, const Conventions& conventions, const Words& words, bool timed,
                          double limit, Watch& watch, const std::string& where, bool first) {
   std::vector<std::string> left_out;
-  std::vector<Row> rows;
+  std::vector<ModeRow> rows;
   for (Mode& mode : compare::modes_of(scene, conventions, words, left_out)) rows.push_back({std::move(mode), {}});
   if (first)
     for (const std::string& why : left_out) complain("note: without " + why);
   std::size_t done = 0;
-  for (Row& row : rows) {
+  for (ModeRow& row : rows) {
     const auto show = [&] {
       watch.show(fmt::format("{}{} of {} modes: {} (Ctrl-C stops)", where, ++done, rows.size(), row.mode.text));
     };
@@ -163,7 +163,7 @@ Sweep sweep_of(const std::string& text) {
 
 /// Where the wrong pixels begin: by formula, where the depth buffer cannot tell the nearest two polygons apart.
 void print_beginnings(const Sweep& sweep, const std::vector<double>& values,
-                      const std::vector<std::vector<Row>>& runs) {
+                      const std::vector<std::vector<ModeRow>>& runs) {
   const bool near = sweep.name == "near";  // a smaller near plane makes it worse, a larger far plane does
   for (std::size_t mode = 0; mode < runs.front().size(); ++mode) {
     std::optional<double> measured, predicted;
@@ -190,7 +190,7 @@ std::vector<double> decades(double from, double to) {
 }
 
 /// How far apart the depths are that each mode's buffer can hold, from the near plane to the far one.
-Drawing chart_of(const Scene& scene, const std::vector<Row>& rows) {
+Drawing chart_of(const Scene& scene, const std::vector<ModeRow>& rows) {
   const double near = scene.camera.near, far = scene.camera.far;
   LineChart chart;
   chart.title = fmt::format("{}: which depths a buffer can tell apart, near = {:g}, far = {:g}", scene.name, near, far);
@@ -213,7 +213,7 @@ Drawing chart_of(const Scene& scene, const std::vector<Row>& rows) {
 }
 
 Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<double>& values,
-                 const std::vector<std::vector<Row>>& runs) {
+                 const std::vector<std::vector<ModeRow>>& runs) {
   LineChart chart;
   chart.title = fmt::format("{}: errors of z_v while the {} plane moves", scene.name, sweep.name);
   chart.subtitle = "Solid: the largest error measured. Dashed: one unit of the depth buffer, in z_v, by formula.";
@@ -236,8 +236,8 @@ Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<doubl
   return draw_chart(chart);
 }
 #else
-Drawing chart_of(const Scene&, const std::vector<Row>&) { return {}; }
-Drawing chart_of(const Sweep&, const Scene&, const std::vector<double>&, const std::vector<std::vector<Row>>&) {
+Drawing chart_of(const Scene&, const std::vector<ModeRow>&) { return {}; }
+Drawing chart_of(const Sweep&, const Scene&, const std::vector<double>&, const std::vector<std::vector<ModeRow>>&) {
   return {};
 }
 #endif
@@ -254,7 +254,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
   constexpr std::size_t points = 17;
   Watch watch;
   std::vector<double> values;
-  std::vector<std::vector<Row>> runs;
+  std::vector<std::vector<ModeRow>> runs;
   RunOptions run_options = options.run;
   Scene scene;
   for (std::size_t k = 0; k < points; ++k) {
@@ -273,7 +273,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
   using enum Table::Align;
   std::vector<Table::Align> columns{right};
   std::vector<std::string> head{sweep.name};
-  for (const Row& row : runs.front()) {
+  for (const ModeRow& row : runs.front()) {
     columns.insert(columns.end(), {right, right});
     head.insert(head.end(), {row.mode.text, "WRONG"});
   }
@@ -281,7 +281,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
   table.row(head);
   for (std::size_t k = 0; k < values.size(); ++k) {
     std::vector<std::string> cells{fmt::format("{:.3g}", values[k])};
-    for (const Row& row : runs[k])
+    for (const ModeRow& row : runs[k])
       cells.insert(cells.end(), {error_text(row.errors.largest), grouped(row.errors.wrong_pixels)});
     table.row(cells);
   }
@@ -307,7 +307,7 @@ int compare_modes(const CompareOptions& options) {
   std::vector<std::string> left_out;
   if (!options.plot.empty())
     allow_modes("--plot", compare::modes_of(run.scene, run.conventions, words, left_out).size(), 4);
-  std::vector<Row> rows = rows_of(run.scene, run.conventions, words, true, options.limit, watch, "", true);
+  std::vector<ModeRow> rows = rows_of(run.scene, run.conventions, words, true, options.limit, watch, "", true);
   watch.clear_line();
   if (rows.empty()) throw InputError("--modes", "none of these can be drawn", "give others");
   print_rows(run.scene, rows);

@@ -25,7 +25,7 @@ inline std::string value_text(bool value) { return value ? "true" : "false"; }
 template <class Enumeration>
   requires std::is_enum_v<Enumeration>
 std::string value_text(Enumeration value) {
-  return std::string(words_of<Enumeration>.at(static_cast<std::size_t>(value)));
+  return std::string(zstep::words_of<Enumeration>.at(static_cast<std::size_t>(value)));
 }
 
 /// "x=3 y=2 z=4.25 nearer=true"

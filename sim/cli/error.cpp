@@ -180,19 +180,20 @@ Image picture_of(const std::vector<double>& errors, const Raster& raster) {
 Drawing drift_of(const Trace& trace, const Errors& errors) {
   LineChart chart;
   chart.title = fmt::format("{}: how errors of depth add up", printable(trace.name()));
-  chart.subtitle = fmt::format("The largest error of all depths as far from the beginning, in last digits of {}.",
-                               word_of(trace.header().conventions.number_format));
-  chart.x_title = "1 + pixels from the first of the span, or lines from the first of its left edge";
+  chart.subtitle = fmt::format(
+      "Errors along the longest span, and of the first pixels along the longest edge, in last digits of {}.",
+      word_of(trace.header().conventions.number_format));
+  chart.x_title = "1 + pixels from the first of the span, or lines from the first of the edge";
   chart.y_title = "last digits";
-  const auto add = [&](const char* name, int look, const std::vector<double>& largest) {
+  const auto add = [&](const char* name, int look, const std::vector<double>& all) {
     LineChart::Line line{name, {}, look != 0, look};
-    for (std::size_t n = 0; n < largest.size(); ++n)
-      if (largest[n] > 0) line.points.emplace_back(static_cast<double>(n + 1), largest[n]);
+    for (std::size_t n = 0; n < all.size(); ++n)
+      if (all[n] > 0) line.points.emplace_back(static_cast<double>(n + 1), all[n]);
     if (!line.points.empty()) chart.lines.push_back(std::move(line));
   };
-  add("along spans", 0, errors.along_spans);
-  add("along edges", 1, errors.along_edges);
-  for (std::size_t tick = 1; tick <= std::max(errors.along_spans.size(), errors.along_edges.size()); tick *= 2)
+  add("along the span", 0, errors.along_span);
+  add("along the edge", 1, errors.along_edge);
+  for (std::size_t tick = 1; tick <= std::max(errors.along_span.size(), errors.along_edge.size()); tick *= 2)
     chart.x_ticks.push_back(static_cast<double>(tick));
   return draw_chart(chart);
 }
@@ -253,7 +254,7 @@ void add_error(CLI::App& app, Action& action) {
   command->add_option("--save", options->picture, "Write a picture of the errors")->type_name("FILE.png");
   command->add_option("--save-errors", options->table, "Write them as a table: float64 [H,W], NaN where there is none")
       ->type_name("FILE.npy");
-  command->add_option("--plot", options->plot, "Draw how the errors grow along spans and edges")
+  command->add_option("--plot", options->plot, "Draw how the errors grow along a span and an edge")
       ->type_name("FILE.png|.svg");
   command->footer(
       "From the vertices that the trace has on the raster each span's depth follows without rounding, in whole "

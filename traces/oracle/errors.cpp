@@ -69,6 +69,8 @@ class Judge {
     for (const Known& stored : stored_) found_.polygon_of_pixel.push_back(stored.polygon);
     found_.fighting_pixels = std::count(fighting_.begin(), fighting_.end(), true);
     for (const auto& [polygon, errors] : polygons_) found_.polygons.push_back(errors);
+    for (auto& [edge, errors] : along_edges_)
+      if (errors.size() > found_.along_edge.size()) found_.along_edge = std::move(errors);
     return std::move(found_);
   }
 
@@ -214,16 +216,20 @@ class Judge {
   void note_drift(const Situation& at, std::int32_t x, std::int32_t y) {
     const auto& span = at.method().span;
     if (!span || span->y != y) return;
-    const auto keep = [&](std::vector<double>& largest, std::int32_t from, std::int32_t to, std::int32_t most) {
+    const auto put = [&](std::vector<double>& errors, std::int32_t from, std::int32_t to, std::int32_t most) {
       if (from < 0 || from > to || to >= most) return;
       const auto n = static_cast<std::size_t>(to - from);
-      if (n >= largest.size()) largest.resize(n + 1);
-      largest[n] = std::max(largest[n], std::abs(error_));
+      if (n >= errors.size()) errors.resize(n + 1);
+      errors[n] = std::abs(error_);
     };
     const Raster& raster = trace_.scene().raster;
-    keep(found_.along_spans, span->first, x, raster.width);
-    if (const EdgeTableInsert* edge = x == span->first ? at.edge(span->left_edge) : nullptr)
-      keep(found_.along_edges, edge->first_row, y, raster.height);
+    if (x == span->first) {
+      along_span_.clear();
+      const EdgeTableInsert* edge = at.edge(span->left_edge);
+      if (edge) put(along_edges_[span->left_edge], edge->first_row, y, raster.height);
+    }
+    put(along_span_, span->first, x, raster.width);
+    if (along_span_.size() > found_.along_span.size()) found_.along_span = along_span_;
   }
   std::int32_t polygon_of(const Situation& at) const {
     if (at.method().polygon != no_polygon && !at.method().keeps_all) return at.method().polygon;
@@ -285,6 +291,8 @@ class Judge {
   double error_ = 0, off_ = 0;
   std::shared_ptr<const ExactDepth> span_;
   const std::shared_ptr<const ExactDepth> none_;
+  std::vector<double> along_span_;
+  std::map<std::int32_t, std::vector<double>> along_edges_;
   bool tried_ = false;
 };
 

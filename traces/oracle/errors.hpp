@@ -43,9 +43,9 @@ struct Errors {
   std::int64_t fighting_pixels = 0;     ///< in which a compare was decided otherwise
   std::optional<double> least_gap;      ///< the smallest z_v by which two polygons that met in a pixel differ
   double gap_at = 0;                    ///< and the z_v of the nearer of them
-  /// The largest error in last digits n pixels from the first of a span, and of the first pixels of spans n lines from
-  /// the first of their left edge: what increments add up.
-  std::vector<double> along_spans, along_edges;
+  /// Errors in last digits of the pixels of the longest span, and of the first pixels of spans on the lines of the longest
+  /// left edge: what increments add up.
+  std::vector<double> along_span, along_edge;
   std::vector<std::int32_t> polygon_of_pixel;  ///< [height*width], whose depth is stored at the end
   std::vector<double> depth_error_of_pixel;    ///< and its error in units of depth; NaN: none
   std::vector<double> of_pixel;  ///< [height*width], Picture::at: error of the stored depth in last digits; NaN: none

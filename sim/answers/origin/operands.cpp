@@ -12,8 +12,6 @@ namespace {
 
 using formulas::Place;
 
-Axis3 axis_of(std::string_view field) { return field[0] == 'x' ? Axis3::x : field[0] == 'y' ? Axis3::y : Axis3::z; }
-
 const EdgeTableInsert* row_of(const Work& work, std::int32_t edge) {
   const auto at = static_cast<std::size_t>(edge);
   return edge >= 0 && at < work.machine().edge_table.size() ? &work.machine().edge_table[at] : nullptr;

@@ -11,8 +11,6 @@
 namespace zstep::answers {
 namespace {
 
-Axis3 axis_of(std::string_view field) { return field[0] == 'x' ? Axis3::x : field[0] == 'y' ? Axis3::y : Axis3::z; }
-
 constexpr const char* extent_fields[3][2] = {{"x_min", "x_max"}, {"y_min", "y_max"}, {"z_min", "z_max"}};
 
 std::optional<double> extent_value(const Work& work, std::int32_t piece, std::size_t axis, bool most) {

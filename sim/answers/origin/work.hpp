@@ -173,6 +173,10 @@ class Work {
 };
 
 using Axis3 = Work::Axis3;
+/// Of a field: "x_w", "z_max".
+inline Axis3 axis_of(std::string_view field) {
+  return field[0] == 'x' ? Axis3::x : field[0] == 'y' ? Axis3::y : Axis3::z;
+}
 
 /// Of a colour channel, the shares of a pixel that intervals of a line cover; false where none are told there.
 bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, std::int32_t y, int which);

@@ -1,6 +1,7 @@
 // The exact oracle, against depths that were found in another way: by the plane through three points, in fractions.
 #include "traces/oracle/exact_depth.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -25,7 +26,7 @@ namespace {
 /// z of the plane through a, b, c at (x, y), by Cramer's rule.
 Fraction depth_of_plane(const oracle::Vertex& a, const oracle::Vertex& b, const oracle::Vertex& c, int x, int y) {
   const Fraction ax(a.x), ay(a.y), az(a.z), ux = Fraction(b.x) - ax, uy = Fraction(b.y) - ay, uz = Fraction(b.z) - az,
-                 vx = Fraction(c.x) - ax, vy = Fraction(c.y) - ay, vz = Fraction(c.z) - az;
+                                            vx = Fraction(c.x) - ax, vy = Fraction(c.y) - ay, vz = Fraction(c.z) - az;
   const Fraction normal_x = uy * vz - uz * vy, normal_y = uz * vx - ux * vz, normal_z = ux * vy - uy * vx;
   return az - (normal_x * (Fraction(x) - ax) + normal_y * (Fraction(y) - ay)) / normal_z;
 }
@@ -60,8 +61,7 @@ TEST_CASE("exact: on 10 000 random triangles the depth between two edges is that
 TEST_CASE("exact: two depths are told apart where doubles are not, and an upright crossing has one depth") {
   // Two planes that differ by 2⁻⁸⁰ at x = 5.
   const double tiny = std::ldexp(1.0, -80);
-  const oracle::Edge left{{0, 0, 1}, {0, 10, 1}}, right{{10, 0, 2}, {10, 10, 2}},
-      raised{{10, 0, 2}, {10, 10, 2}};
+  const oracle::Edge left{{0, 0, 1}, {0, 10, 1}}, right{{10, 0, 2}, {10, 10, 2}}, raised{{10, 0, 2}, {10, 10, 2}};
   const oracle::Edge lifted{{0, 0, tiny}, {0, 10, tiny}}, flat{{10, 0, -tiny}, {10, 10, -tiny}};
   const auto one = oracle::ExactDepth::between(left, right, 3), same = oracle::ExactDepth::between(left, raised, 3),
              a = oracle::ExactDepth::between(lifted, flat, 3);
@@ -80,12 +80,14 @@ TEST_CASE("exact: two depths are told apart where doubles are not, and an uprigh
   CHECK(!oracle::ExactDepth::between({{0, 0, std::nan("")}, {4, 1, 0}}, right, 1));
 }
 
-oracle::Errors errors_of_run(const char* scene_name, Conventions::Interpolation interpolation) {
+oracle::Errors errors_of_run(const char* scene_name, Conventions::Interpolation interpolation,
+                             NumberFormat format = NumberFormat::float64) {
   ViewOptions view;
   view.width = 64, view.height = 48;
   const Scene scene = look_at_scene(load_scene(scene_name).scene, view);
   Conventions conventions;
   conventions.interpolation = interpolation;
+  conventions.number_format = format;
   return oracle::errors_of(test::recorded_by("z-buffer", scene, conventions));
 }
 
@@ -94,7 +96,7 @@ TEST_CASE(
   for (const char* scene : {"pyramid-behind", "teapot:3", "intersecting", "dodecahedron"}) {
     CAPTURE(scene);
     const oracle::Errors direct = errors_of_run(scene, Conventions::Interpolation::direct),
-                        steps = errors_of_run(scene, Conventions::Interpolation::increments);
+                         steps = errors_of_run(scene, Conventions::Interpolation::increments);
     CHECK(direct.all.depths > 100);
     CHECK(direct.not_judged == 0);
     CHECK(direct.all.depths == steps.all.depths);
@@ -106,6 +108,22 @@ TEST_CASE(
     std::int64_t depths = 0;
     for (const oracle::ErrorOf& polygon : direct.polygons) depths += polygon.depths;
     CHECK(depths == direct.all.depths);
+  }
+}
+
+TEST_CASE(
+    "error: increments in fixed point add up along the longest span and edge, as many units as they are long at most") {
+  const oracle::Errors direct =
+                           errors_of_run("pyramid-behind", Conventions::Interpolation::direct, NumberFormat::fixed16),
+                       steps = errors_of_run("pyramid-behind", Conventions::Interpolation::increments,
+                                             NumberFormat::fixed16);
+  for (const auto along : {&oracle::Errors::along_span, &oracle::Errors::along_edge}) {
+    const std::vector<double>&one = direct.*along, &other = steps.*along;
+    REQUIRE(one.size() == other.size());
+    REQUIRE(one.size() > 20);
+    CHECK(*std::max_element(one.begin(), one.end()) < 4);
+    CHECK(*std::max_element(other.begin(), other.end()) > 2 * *std::max_element(one.begin(), one.end()));
+    for (std::size_t n = 0; n < other.size(); ++n) CHECK(other[n] < 100);
   }
 }
 
@@ -164,8 +182,8 @@ TEST_CASE("exact: t of a ray is also what Cramer's rule gives for X_0 + t dX = a
                    y_p = w_y - (Fraction(y) + Fraction(1, 2)) * 2 * w_y / 20;
     Exact3 along;
     for (int axis = 0; axis < 3; ++axis)
-      along[static_cast<std::size_t>(axis)] = x_p * camera.view[axis][0] + y_p * camera.view[axis][1] +
-                                              Fraction(camera.d) * camera.view[axis][2];
+      along[static_cast<std::size_t>(axis)] =
+          x_p * camera.view[axis][0] + y_p * camera.view[axis][1] + Fraction(camera.d) * camera.view[axis][2];
     const Exact3 a = as_fractions(corners[0]), u = minus(as_fractions(corners[1]), a),
                  v = minus(as_fractions(corners[2]), a), away = minus(a, as_fractions(camera.eye));
     const Exact3 minus_u{-u[0], -u[1], -u[2]}, minus_v{-v[0], -v[1], -v[2]};
