@@ -17,6 +17,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/hex.hpp"
 #include "traces/error.hpp"
 #include "traces/text.hpp"
 
@@ -103,7 +104,7 @@ std::string text_of(const answers::Chain& chain, const Exactness& exactness) {
       const answers::ChainValue& value = link.values[i];
       const bool asked = at == 0 && i == 0;
       const std::string hex =
-          asked && !value.condition && value.word.empty() ? fmt::format("   ({:a})", value.value) : "";
+          asked && !value.condition && value.word.empty() ? "   (" + hex_text(value.value) + ")" : "";
       text += fmt::format("{:>{}}    {}{}{}\n", "", width, indent, answers::line_text(value), hex);
       if (const std::string doubt = answers::doubt_text(value); !doubt.empty())
         text += fmt::format("{:>{}}    {}{}\n", "", width, indent, doubt);
@@ -142,7 +143,7 @@ nlohmann::ordered_json json_of(const answers::Chain& chain, const Exactness& exa
         operands.push_back({{"symbol", operand.symbol}, {"value", json_number(operand.value)}, {"link", operand.link}});
       values.push_back({{"name", value.name},
                         {"value", json_number(value.value)},
-                        {"hex", fmt::format("{:a}", value.value)},
+                        {"hex", hex_text(value.value)},
                         {"formula", value.formula},
                         {"numbers", answers::numbers_text(value)},
                         {"note", value.note},

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/overlays.hpp"
+#include "sim/words/hex.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
@@ -66,7 +67,7 @@ void draw_explain(App& app) {
   flow(ui,
        fmt::format("Where {} {} {}{} comes from. Enter or a click goes there; Esc closes.", asked.name,
                    measured ? "=" : "is", answers::result_text(asked),
-                   measured ? fmt::format(" ({:a})", asked.value) : ""),
+                   measured ? " (" + hex_text(asked.value) + ")" : ""),
        heading);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   std::optional<std::size_t> clicked;

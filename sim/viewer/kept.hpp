@@ -97,9 +97,9 @@ inline void take(Fingerprint& print, const HeatMap& heat) {
 template <class T>
 using KeptThings = std::map<std::string, Kept<T>>;
 
-/// The thing of this name, made anew when an input differs from what it was made from.
+/// The thing of this name, made anew when an input differs from what it was made from; never null.
 template <class T, class... Inputs>
-const Kept<T>& keep(KeptThings<T>& things, const std::string& name, void (*make)(T&, const Inputs&...),
+const Kept<T>* keep(KeptThings<T>& things, const std::string& name, void (*make)(T&, const Inputs&...),
                     const std::type_identity_t<Inputs>&... inputs) {
   Fingerprint print;
   (take(print, inputs), ...);
@@ -109,12 +109,12 @@ const Kept<T>& keep(KeptThings<T>& things, const std::string& name, void (*make)
     make(kept.made, inputs...);
     kept.key = key;
   }
-  return kept;
+  return &kept;
 }
 
 /// The canvas of this name and size.
 template <class... Inputs>
-const Kept<Canvas>& keep_canvas(KeptThings<Canvas>& canvases, const std::string& name, int width, int height,
+const Kept<Canvas>* keep_canvas(KeptThings<Canvas>& canvases, const std::string& name, int width, int height,
                                 void (*paint)(Canvas&, const Inputs&...),
                                 const std::type_identity_t<Inputs>&... inputs) {
   Fingerprint print;
@@ -128,7 +128,7 @@ const Kept<Canvas>& keep_canvas(KeptThings<Canvas>& canvases, const std::string&
     paint(kept.made, inputs...);
     kept.key = key;
   }
-  return kept;
+  return &kept;
 }
 
 }  // namespace zstep::viewer

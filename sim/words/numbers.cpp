@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/words/hex.hpp"
+
 namespace zstep {
 namespace {
 
@@ -108,7 +110,7 @@ std::string exact(double value) {
     decimal = fmt::format("{:.{}g}", value, digits);
     if (std::strtod(decimal.c_str(), nullptr) == value) break;
   }
-  return with_minus(decimal) + " (" + fmt::format("{:a}", value) + ")";
+  return with_minus(decimal) + " (" + hex_text(value) + ")";
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> numbers_in(std::string_view text) {

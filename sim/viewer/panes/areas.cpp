@@ -15,7 +15,9 @@ namespace {
 
 constexpr std::size_t most_outlines = 200;
 
-struct Box { int left, top, right, bottom; };
+struct Box {
+  int left, top, right, bottom;
+};
 
 Box box_of(const RasterMap& map, const AreaBegin& a) {
   const int top = std::min(map.row_begin(a.first_row), map.row_begin(a.end_row - 1));
@@ -157,7 +159,7 @@ void draw(Ui& ui) {
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width - 4, height - 4);
   const Kept<Canvas>& canvas =
-      keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint, map, ui.moment(), ui.colors(), ui.thin);
+      *keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});

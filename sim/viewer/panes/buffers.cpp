@@ -85,8 +85,8 @@ void draw_frame(Ui& ui) {
   const Scene& scene = s.scene();
   const float bottom = ImGui::GetCursorScreenPos().y + ImGui::GetContentRegionAvail().y;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const Kept<Cells>& cells = ui.heat ? keep(ui.cells, "heat", color_heat, *ui.heat, scene, ui.depth_scale)
-                                     : keep(ui.cells, "frame", color_frame, ui.moment());
+  const Kept<Cells>& cells = ui.heat ? *keep(ui.cells, "heat", color_heat, *ui.heat, scene, ui.depth_scale)
+                                     : *keep(ui.cells, "frame", color_frame, ui.moment());
   draw_raster(
       ui, "frame", ui.presenter && !ui.heat ? 0 : legend_height(ui), cells,
       [&](std::size_t at, int) {
@@ -154,7 +154,7 @@ void draw_depth(Ui& ui) {
   };
   draw_raster(
       ui, "depth", legend_height(ui) + (spread ? histogram_height(ui) : 0.0f),
-      keep(ui.cells, "depth", color_depths, ui.moment(), range, ui.depth_scale),
+      *keep(ui.cells, "depth", color_depths, ui.moment(), range, ui.depth_scale),
       [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); },
       [&](Cell cell) { return about_cell(ui, cell); }, talk);
   ImGui::SetCursorScreenPos(corner);

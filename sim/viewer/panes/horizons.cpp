@@ -123,8 +123,8 @@ void draw(Ui& ui) {
   const int width = static_cast<int>(avail.x), height = static_cast<int>(avail.y - legend);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width, height);
-  const Kept<Canvas>& canvas = keep_canvas(ui.canvases, "horizons", width, height, paint, map, ui.moment(),
-                                           ui.curves.of(s.trace()), ui.colors(), ui.thin);
+  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "horizons", width, height, paint, map, ui.moment(),
+                                            ui.curves.of(s.trace()), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});

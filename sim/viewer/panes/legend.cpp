@@ -42,10 +42,16 @@ std::pair<std::string, std::string> ends_of(const DepthRange& range, bool by_han
   const int decimals = std::min(4, decimals_needed(ends, std::abs(range.far - range.near) < 0.1 ? 4 : 2));
   // Set by hand, the ends stand for what lies beyond them, too.
   const bool rises = range.near < range.far;
-  return {fmt::format("{}{}{}", range.named ? "near " : "", !by_hand ? "" : rises ? "\u2264 " : "\u2265 ",
+  return {fmt::format("{}{}{}", range.named ? "near " : "",
+                      !by_hand ? ""
+                      : rises  ? "\u2264 "
+                               : "\u2265 ",
                       number(range.near, decimals)),
-          fmt::format("{}{}{}", !by_hand ? "" : rises ? "\u2265 " : "\u2264 ", number(range.far, decimals),
-                      range.named ? " far" : "")};
+          fmt::format("{}{}{}",
+                      !by_hand ? ""
+                      : rises  ? "\u2265 "
+                               : "\u2264 ",
+                      number(range.far, decimals), range.named ? " far" : "")};
 }
 
 void paint_scale(Canvas& canvas, const DepthScale& scale) {
@@ -72,7 +78,7 @@ void draw_scale(Ui& ui, float bottom, const std::string& before, const std::stri
   draw_text(ui, at, font, c.muted, before);
   const int width = static_cast<int>(bar.right - bar.left), height = static_cast<int>(box);
   const Kept<Canvas>& canvas =
-      keep_canvas(ui.canvases, fmt::format("scale {}", width), width, height, paint_scale, ui.depth_scale);
+      *keep_canvas(ui.canvases, fmt::format("scale {}", width), width, height, paint_scale, ui.depth_scale);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), {bar.left, at.y + 1},
                                        {bar.left + static_cast<float>(width), at.y + 1 + box});
   draw_text(ui, {bar.right + gap, at.y}, font, c.muted, after);

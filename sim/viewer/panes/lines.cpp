@@ -13,7 +13,9 @@
 namespace zstep::viewer {
 namespace {
 
-struct Ends { double x0, y0, x1, y1; };
+struct Ends {
+  double x0, y0, x1, y1;
+};
 
 std::optional<Ends> ends_of(const Moment& s, const RasterMap& map, const LineBegin& line) {
   const auto a = on_raster(s.scene(), s.state(), line.vertex_0), b = on_raster(s.scene(), s.state(), line.vertex_1);
@@ -95,11 +97,12 @@ void draw_table(Ui& ui) {
   const auto at = static_cast<std::size_t>(m.line);
   if (m.line < 0 || at >= m.lines.size()) return say_empty(ui, "An edge's intervals stand here once it is at work.");
   const LineRow& row = m.lines[at];
-  flow(ui, fmt::format("Edge {}: {}\u2013{}, {}", m.line, row.entry.vertex_0, row.entry.vertex_1,
-                       words_of<LineKind>[static_cast<std::size_t>(row.entry.kind)]), {.font = ui.fonts.bold});
+  flow(ui,
+       fmt::format("Edge {}: {}\u2013{}, {}", m.line, row.entry.vertex_0, row.entry.vertex_1,
+                   words_of<LineKind>[static_cast<std::size_t>(row.entry.kind)]),
+       {.font = ui.fonts.bold});
   const RecordedEvent* event = s.event();
-  const bool hides_now = event && holds<LineHide>(event->event),
-             cuts_now = event && holds<LinePiece>(event->event);
+  const bool hides_now = event && holds<LineHide>(event->event), cuts_now = event && holds<LinePiece>(event->event);
   std::vector<TableRow> rows;
   for (std::size_t i = 0; i < row.hidden.size(); ++i) {
     const LineHide& hidden = row.hidden[i];
@@ -151,7 +154,7 @@ void draw(Ui& ui) {
   map.left = std::floor((width - map.width * map.cell) / 2);
   map.top = std::floor((height - map.height * map.cell) / 2);
   const Kept<Canvas>& canvas =
-      keep_canvas(ui.canvases, "lines", width, height, paint, map, ui.moment(), ui.colors(), ui.thin);
+      *keep_canvas(ui.canvases, "lines", width, height, paint, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});

@@ -47,8 +47,8 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
     if (std::abs(place - middle) > half * 0.6f) continue;
     if (line && y != *line && std::abs(map.py(y) - map.py(*line)) < font->FontSize) continue;
     const std::string text = std::to_string(y);
-    draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + place - half}, font,
-              line == y ? c.now : c.muted, text);
+    draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + place - half}, font, line == y ? c.now : c.muted,
+              text);
   }
   if (line && map.py(*line) >= 0 && map.py(*line) <= map.box_height) {
     // The scan line at work: its number and an arrow, wherever it stands.
@@ -190,9 +190,11 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const auto find = static_cast<void (*)(std::vector<LabelSpot>&, const RasterMap&, const Moment&)>(find_label_spots);
   const ImFont* font = ui.fonts.bold;
   const float halo = std::round(2 * ui.thin);
-  struct Box { float left, top, right, bottom; };
+  struct Box {
+    float left, top, right, bottom;
+  };
   std::vector<Box> taken;
-  for (const LabelSpot& spot : keep(ui.spots, "frame", find, map, ui.moment()).made) {
+  for (const LabelSpot& spot : keep(ui.spots, "frame", find, map, ui.moment())->made) {
     const std::string label = polygon_label(ui.session.scene(), spot.polygon);
     const ImVec2 size = text_size(ui, font, label);
     // What is seen of it must be as large as its letter.
@@ -362,7 +364,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, ui.view, width, height);
   const Kept<Canvas>& canvas =
-      keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
+      *keep_canvas(ui.canvases, id, width, height, paint, map, cells, ui.moment(), s.lit_edge(), ui.colors(), ui.thin);
   const ImVec2 end{origin.x + static_cast<float>(width), origin.y + static_cast<float>(height)};
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), origin, end);
 
@@ -380,10 +382,10 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     const auto asks = ui.asks && talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
     ui.mouse_help =
         !ui.asks ? fmt::format("Click: select this pixel in both runs. {}", moves)
-        : asks ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
-             : fmt::format(
-                   "Click: select this pixel; F goes to the next step that touches it. Right click: its history. {}",
-                   moves);
+        : asks   ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
+                 : fmt::format(
+                       "Click: select this pixel; F goes to the next step that touches it. Right click: its history. {}",
+                       moves);
     if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
       if (asks) ui.asked = asks;
       else s.select(s.selected == under ? std::nullopt : under);

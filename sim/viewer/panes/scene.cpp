@@ -151,9 +151,9 @@ void draw(Ui& ui) {
     return m;
   }();
   const Kept<Canvas>& wires =
-      keep_canvas(ui.canvases, "wires", width, height, paint_wireframe, map, s.scene(), ui.colors(), ui.thin);
-  const Kept<Canvas>& shown = keep_canvas(ui.canvases, "scene", width, height, paint_scene, map, wires, ui.moment(),
-                                          s.lit_edge(), ui.colors(), ui.thin);
+      *keep_canvas(ui.canvases, "wires", width, height, paint_wireframe, map, s.scene(), ui.colors(), ui.thin);
+  const Kept<Canvas>& shown = *keep_canvas(ui.canvases, "scene", width, height, paint_scene, map, wires, ui.moment(),
+                                           s.lit_edge(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});

@@ -54,7 +54,7 @@ void draw(Ui& ui) {
   if (width < 16 || height < 16) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(Raster{state.light.width, state.light.height, false}, {}, width, height);
   const Kept<Canvas>& canvas =
-      keep_canvas(ui.canvases, "shadow", width, height, paint, map, ui.moment(), ui.colors(), ui.depth_scale);
+      *keep_canvas(ui.canvases, "shadow", width, height, paint, map, ui.moment(), ui.colors(), ui.depth_scale);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});

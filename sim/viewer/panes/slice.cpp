@@ -201,8 +201,8 @@ void draw(Ui& ui) {
   std::vector<SliceMarker> markers = markers_of(ui, plot, slice, parts ? "A: " : "");
   if (parts)
     for (SliceMarker& marker : markers_of(ui, plot, lines.runs[1], "B: ")) markers.push_back(std::move(marker));
-  const Kept<Canvas>& base = keep_canvas(ui.canvases, "slice lines", plot.width, plot.height, paint_slice, lines,
-                                         ui.session.scene(), ui.colors(), ui.thin);
+  const Kept<Canvas>& base = *keep_canvas(ui.canvases, "slice lines", plot.width, plot.height, paint_slice, lines,
+                                          ui.session.scene(), ui.colors(), ui.thin);
   Canvas& canvas = ui.canvases["slice"].made;
   canvas = base.made;
   paint_markers(ui, canvas, markers);
@@ -217,7 +217,8 @@ void draw(Ui& ui) {
   if (parts) {
     const std::string other = slice_sentence(ui.other->moment(), lines.runs[1]);
     if (!sentence.empty()) sentence = "Run A: " + sentence;
-    if (!other.empty() && keyed) draw_text(ui, {corner.x, below - 1}, ui.fonts.bold, ui.colors().text, "Run B: " + other);
+    if (!other.empty() && keyed)
+      draw_text(ui, {corner.x, below - 1}, ui.fonts.bold, ui.colors().text, "Run B: " + other);
   }
   const float sentence_at = corner.x + text_size(ui, font, upwards(ui)).x + 1.5f * ui.em;
   if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
