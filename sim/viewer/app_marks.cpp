@@ -55,6 +55,9 @@ void App::to_cause(int direction) {
   else say(none);
 }
 
+static constexpr const char* no_second_run =
+    "There is no second run: zstep view FILE.ztrace --against FILE.ztrace shows two.";
+
 void App::to_marked(int direction) {
   if (against_) {
     const auto place = against_->next_difference(direction);
@@ -63,15 +66,15 @@ void App::to_marked(int direction) {
   }
   if (!findings_)
     return say(
-        "Nothing was checked or compared: zstep check FILE --view does, or zstep view FILE.ztrace --against "
-        "FILE.ztrace.");
+        "Nothing was checked or compared: zstep check FILE --view does, "
+        "or zstep view FILE.ztrace --against FILE.ztrace.");
   const auto step = findings_->next_marked(session_.position(), direction);
   if (step) session_.go_to(*step);
   else say(direction > 0 ? "No later step is marked." : "No earlier step is marked.");
 }
 
 void App::to_pixel_apart() {
-  if (!against_) return say("There is no second run: zstep view FILE.ztrace --against FILE.ztrace shows two.");
+  if (!against_) return say(no_second_run);
   const auto& found = against_->first_pixel_apart();
   if (!found) return say("The pictures of both runs are the same at the end.");
   if (found->place) against_->go_to(*found->place);
@@ -81,7 +84,7 @@ void App::to_pixel_apart() {
 }
 
 void App::to_alike(int direction) {
-  if (!against_) return say("There is no second run: zstep view FILE.ztrace --against FILE.ztrace shows two.");
+  if (!against_) return say(no_second_run);
   const Session& b = against_->session();
   const std::pair here{session_.position(), b.position()};
   const auto found = against_->next_alike(direction);
