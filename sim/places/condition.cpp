@@ -8,9 +8,10 @@
 #include "sim/classroom/evaluate.hpp"
 
 namespace zstep::places {
-namespace {
 
 using Kind = classroom::Expression::Kind;
+
+namespace {
 
 /// Does the event write a colour or a depth to a pixel?
 bool writes(const Event& event) {

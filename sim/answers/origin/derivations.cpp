@@ -74,13 +74,13 @@ Formula Formula::within(double limit) const {
 }
 
 Formula Formula::joined(const Formula& a, const Formula& b, Binding how, const std::string& sign, double result) {
-  const auto side = [](const std::string& text, bool in_parentheses) {
+  const auto bracketed = [](const std::string& text, bool in_parentheses) {
     return in_parentheses ? "(" + text + ")" : text;
   };
   Formula all(result);
   all.binding_ = how;
   const bool too_long = a.text_.empty() || b.text_.empty();
-  all.text_ = too_long ? "" : side(a.text_, a.binding_ < how) + sign + side(b.text_, b.binding_ <= how);
+  all.text_ = too_long ? "" : bracketed(a.text_, a.binding_ < how) + sign + bracketed(b.text_, b.binding_ <= how);
   all.operands_ = a.operands_;
   for (const Operand& operand : b.operands_)
     if (std::none_of(all.operands_.begin(), all.operands_.end(),
