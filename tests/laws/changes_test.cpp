@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "tests/golden/golden.hpp"
+#include "tests/sparse.hpp"
 #include "traces/check/check.hpp"
 #include "traces/diff/diff.hpp"
 #include "traces/events/slots.hpp"
@@ -177,7 +178,7 @@ struct Counts {
 };
 
 TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, at its step") {
-  constexpr int changes_a_trace = 200;
+  constexpr int changes_a_trace = 200 / (test::sparse * test::sparse);
   std::mt19937_64 random(16);
   Counts all;
   std::map<std::string, std::pair<int, std::string>> unnoticed;  // by field: how often, and the last one
@@ -229,8 +230,8 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
     MESSAGE(which.first, " x ", field, " (", which.second, "): ", std::string(reason.empty() ? "UNKNOWN" : reason));
     if (reason.empty()) FAIL_CHECK(field << " goes unnoticed: " << which.second);
   }
-  CHECK(all.changes >= 10'000);
-  CHECK(named >= 0.98 * all.changes);
+  CHECK(all.changes >= 10'000 / (test::sparse * test::sparse));
+  CHECK(named >= (test::sparse > 1 ? 0.97 : 0.98) * all.changes);  // of fewer, luck has a larger share
 }
 
 }  // namespace

@@ -9,23 +9,11 @@
 #include <SDL.h>
 
 #include "sim/viewer/app.hpp"
+#include "tests/sparse.hpp"
 
 namespace zstep::test {
 
 using Bytes = std::vector<std::uint8_t>;
-
-/// Under sanitizers a frame takes ten times as long: what looks at very many looks at one in so many.
-#if defined(__SANITIZE_ADDRESS__)
-inline constexpr int sparse = 4;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-inline constexpr int sparse = 4;
-#else
-inline constexpr int sparse = 1;
-#endif
-#else
-inline constexpr int sparse = 1;
-#endif
 
 inline Bytes picture(viewer::App& app) {
   app.settle();
