@@ -230,7 +230,7 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
     MESSAGE(which.first, " x ", field, " (", which.second, "): ", std::string(reason.empty() ? "UNKNOWN" : reason));
     if (reason.empty()) FAIL_CHECK(field << " goes unnoticed: " << which.second);
   }
-  CHECK(all.changes >= 10'000 / (test::sparse * test::sparse));
+  CHECK(all.changes >= 50 * changes_a_trace);  // 10,000 without sanitizers
   CHECK(named >= (test::sparse > 1 ? 0.97 : 0.98) * all.changes);  // of fewer, luck has a larger share
 }
 
