@@ -9,6 +9,7 @@
 
 #include "algorithms/catalog/option.hpp"
 #include "algorithms/shadow_buffer/steps.hpp"
+#include "traces/formulas/light.hpp"
 #include "traces/record/recorder.hpp"
 #include "traces/scene.hpp"
 
@@ -20,8 +21,7 @@ inline constexpr std::array options{
            1000},
 };
 
-/// How much of its colour a polygon keeps in shadow.
-inline constexpr double in_shadow = 0.4;
+using formulas::in_shadow;
 
 /// Both passes, then the compare at each pixel. For scenes with a light. The picture's ink is set where there is
 /// shadow; polygons and depths are the eye's.

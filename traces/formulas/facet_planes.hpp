@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include <glm/vec3.hpp>
 
+#include "traces/formulas/planes.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/vectors.hpp"
 
@@ -59,11 +61,18 @@ std::optional<CornersPlane> plane_of_corners(std::size_t count, Corner&& corner)
 }
 
 /// Of what a number may be, the one that is nearest to what is recorded.
-inline Rounded nearest_of(double recorded, std::initializer_list<Rounded> all) {
-  const Rounded* best = all.begin();
+inline Rounded nearest_of(double recorded, std::span<const Rounded> all) {
+  const Rounded* best = &all.front();
   for (const Rounded& one : all)
     if (one.value == recorded || std::abs(one.value - recorded) < std::abs(best->value - recorded)) best = &one;
   return *best;
+}
+inline Rounded nearest_of(double recorded, std::initializer_list<Rounded> all) {
+  return nearest_of(recorded, std::span(all.begin(), all.size()));
+}
+
+inline Rounded value_of_plane(const PlaneEquation& plane, const glm::dvec3& p) {
+  return plane_value<Rounded>(plane.plane_a, plane.plane_b, plane.plane_c, plane.plane_d, p.x, p.y, p.z);
 }
 
 }  // namespace zstep::formulas

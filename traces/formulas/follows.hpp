@@ -63,7 +63,7 @@ inline constexpr std::array<FollowsOf, kind_count> follows_of{{
     {"side_test", "least greatest", "piece plane_of", "side"},
     {"extent_test", "low high other_low other_high overlap", "piece other axis", ""},
     {"overlap_test", "", "piece other", "overlap x_at y_at"},
-    {"split_vertex", "x_cut y_cut z_cut", "vertex_0 vertex_1 vertex space", "t"},
+    {"split_vertex", "t x_cut y_cut z_cut", "vertex_0 vertex_1 vertex space", ""},
     {"piece_draw", "polygon", "piece", ""},
     {"saved", "", "coherence tests", ""},
     {"list_insert", "", "piece place", ""},
@@ -100,9 +100,9 @@ inline constexpr std::array<FollowsOf, kind_count> follows_of{{
     {"horizon_cross", "", "upper", "x_at y_at"},
     {"line_begin", "", "line vertex_0 vertex_1 left_facet right_facet", "kind"},
     {"line_against", "", "line facet", "outcome"},
-    {"line_cross", "x_at y_at", "line facet in_space", "t"},
-    {"line_hide", "", "line facet", "t_0 t_1"},
-    {"line_piece", "t_0 visible", "line", "t_1"},
+    {"line_cross", "t x_at y_at", "line facet in_space", ""},
+    {"line_hide", "t_0 t_1", "line facet", ""},
+    {"line_piece", "t_0 t_1 visible", "line", ""},
 }};
 // clang-format on
 

@@ -1,4 +1,4 @@
-// The floating horizon (004, "Some of the methods of hidden surface elimination"), and edges as lines of the picture.
+// The floating horizon (004, "Some of the methods of hidden surface elimination").
 #pragma once
 
 #include <algorithm>
@@ -54,39 +54,6 @@ void derive(const HorizonMove& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const HorizonCross& e, const Situation& at, Out& out) {
   if (const auto& test = at.method().horizon.test) out.rule(Rule::cross_beside, std::abs(e.x_at - test->x) <= 1);
-}
-
-/// Parts of a line follow one another, and those that a face hides are not seen.
-template <class Out>
-void derive(const LinePiece& e, const Situation& at, Out& out) {
-  const auto line = static_cast<std::size_t>(e.line);
-  if (e.line < 0 || line >= at.method().lines.size()) return;
-  const LineRow& row = at.method().lines[line];
-  out.is(&LinePiece::t_0, row.pieces.empty() ? 0.0 : row.pieces.back().t_1);
-  out.rule(Rule::hides_of_line, e.t_0 <= e.t_1 && e.t_1 <= 1);
-  const double middle = (e.t_0 + e.t_1) / 2;
-  const bool hidden = std::any_of(row.hidden.begin(), row.hidden.end(),
-                                  [&](const LineHide& hide) { return hide.t_0 <= middle && middle <= hide.t_1; });
-  // Edges between faces that all face away are dropped as a whole.
-  if (at.has_step<LineHide>() && row.entry.kind != LineKind::back) out.is(&LinePiece::visible, !hidden);
-}
-
-template <class Out>
-void derive(const LineHide& e, const Situation&, Out& out) {
-  out.rule(Rule::hides_of_line, 0 <= e.t_0 && e.t_0 <= e.t_1 && e.t_1 <= 1);
-}
-
-template <class Out>
-void derive(const LineCross& e, const Situation& at, Out& out) {
-  const auto line = static_cast<std::size_t>(e.line);
-  if (e.line < 0 || line >= at.method().lines.size()) return;
-  const LineBegin& entry = at.method().lines[line].entry;
-  const auto a = at.on_raster(entry.vertex_0), b = at.on_raster(entry.vertex_1);
-  if (!a || !b) return;
-  const Place from{Place::In::vertex, entry.vertex_0}, to{Place::In::vertex, entry.vertex_1};
-  const auto t = out.number("t", e.t, Place{});
-  out.gives(&LineCross::x_at, part_of_way(out.number("x_0", a->x, from["x_s"]), out.number("x_1", b->x, to["x_s"]), t));
-  out.gives(&LineCross::y_at, part_of_way(out.number("y_0", a->y, from["y_s"]), out.number("y_1", b->y, to["y_s"]), t));
 }
 
 }  // namespace zstep::formulas

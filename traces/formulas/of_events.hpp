@@ -2,8 +2,11 @@
 #pragma once
 
 #include "traces/formulas/of_areas.hpp"
+#include "traces/formulas/of_colors.hpp"
 #include "traces/formulas/of_curves.hpp"
 #include "traces/formulas/of_edges.hpp"
+#include "traces/formulas/of_light.hpp"
+#include "traces/formulas/of_lines.hpp"
 #include "traces/formulas/of_orders.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/of_pixels.hpp"

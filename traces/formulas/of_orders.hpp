@@ -26,24 +26,17 @@ inline bool may_be(Side side, double least, double greatest) {
   return true;
 }
 
-inline Rounded value_of_plane(const PlaneEquation& plane, const glm::dvec3& p) {
-  return plane_value<Rounded>(plane.plane_a, plane.plane_b, plane.plane_c, plane.plane_d, p.x, p.y, p.z);
-}
-
 }  // namespace detail
 
 template <class Out>
 void derive(const PlaneEquation& e, const Situation& at, Out& out) {
-  // A part lies in the plane of the whole that it was cut from.
-  const Piece* whole = at.piece(e.piece);
-  while (whole && at.piece(whole->parent)) whole = at.piece(whole->parent);
+  const Piece* whole = detail::whole_of(at, at.piece(e.piece));
   if (!whole) return;
   for (const std::int32_t vertex : whole->outline) {
     if (!detail::cutting_point(at, vertex)) return;
     out.reads(Place{Place::In::vertex, vertex});
   }
-  const auto plane = plane_of_corners(whole->outline.size(),
-                                      [&](std::size_t i) { return *detail::cutting_point(at, whole->outline[i]); });
+  const auto plane = detail::own_plane(at, *whole);
   if (!plane) return;
   const CornersPlane as_it = plane->as_long_as({e.plane_a, e.plane_b, e.plane_c});
   out.near(&PlaneEquation::plane_a, as_it.normal.x), out.near(&PlaneEquation::plane_b, as_it.normal.y);
@@ -67,7 +60,7 @@ void derive(const SideTest& e, const Situation& at, Out& out) {
       if (own == 1 && piece->plane && piece->plane->plane_c != 0)
         corner->z = plane_depth(piece->plane->plane_a, piece->plane->plane_b, piece->plane->plane_c,
                                 piece->plane->plane_d, corner->x, corner->y);
-      const Rounded value = detail::value_of_plane(*plane_of->plane, *corner);
+      const Rounded value = value_of_plane(*plane_of->plane, *corner);
       if (value.value < least[own].value) least[own] = value;
       if (value.value > greatest[own].value) greatest[own] = value;
     }
@@ -117,7 +110,7 @@ void derive(const EyeSide& e, const Situation& at, Out& out) {
   // From afar it is the direction towards the eye that counts.
   PlaneEquation plane = *piece->plane;
   if (at.camera->kind != Camera::Kind::perspective) plane.plane_d = 0;
-  out.near(&EyeSide::value, detail::value_of_plane(plane, at.on_screen() ? glm::dvec3(0, 0, -1) : at.camera->eye));
+  out.near(&EyeSide::value, value_of_plane(plane, at.on_screen() ? glm::dvec3(0, 0, -1) : at.camera->eye));
 }
 
 template <class Out>

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
+#include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/lines.hpp"
 #include "traces/formulas/planes.hpp"
 #include "traces/formulas/vectors.hpp"
@@ -103,11 +105,74 @@ void derive(const ExtentTest& e, const Situation& at, Out& out) {
   out.is(&ExtentTest::overlap, e.low < e.other_high && e.other_low < e.high);
 }
 
+namespace detail {
+
+/// A part lies in the plane of the whole that it was cut from.
+inline const Piece* whole_of(const Situation& at, const Piece* piece) {
+  while (piece && at.piece(piece->parent)) piece = at.piece(piece->parent);
+  return piece;
+}
+/// The plane that the corners of a piece are in, where all are known.
+inline std::optional<CornersPlane> own_plane(const Situation& at, const Piece& piece) {
+  for (const std::int32_t vertex : piece.outline)
+    if (!cutting_point(at, vertex)) return std::nullopt;
+  return plane_of_corners(piece.outline.size(),
+                          [&](std::size_t i) { return *cutting_point(at, piece.outline[i]); });
+}
+inline bool has_side(const Piece& piece, std::int32_t one, std::int32_t other) {
+  for (std::size_t i = 0; i < piece.outline.size(); ++i) {
+    const std::int32_t here = piece.outline[i], next = piece.outline[i + 1 < piece.outline.size() ? i + 1 : 0];
+    if ((here == one && next == other) || (here == other && next == one)) return true;
+  }
+  return false;
+}
+
+/// Where an edge from a to b is cut: by the plane of the node at work, or of a piece of the pair at work. Corners may
+/// be taken as they lie in their own plane, and in a ring of pieces it is another one that cuts: which one, the step
+/// does not say, so that of these the nearest counts (in a run of many pieces nothing is said then).
+inline std::optional<Rounded> where_cut(const SplitVertex& e, const Situation& at, const glm::dvec3& a,
+                                        const glm::dvec3& b) {
+  const MethodState& method = at.method();
+  std::vector<Rounded> all;
+  const auto add = [&](const Rounded& d_0, const Rounded& d_1) {
+    if (const Rounded t = where_zero(d_0, d_1); std::isfinite(t.value)) all.push_back(t);
+  };
+  const auto by_plane_of = [&](std::int32_t number) {
+    const Piece* piece = at.piece(number);
+    if (piece && piece->plane) add(value_of_plane(*piece->plane, a), value_of_plane(*piece->plane, b));
+  };
+  const auto node = static_cast<std::size_t>(method.node);
+  if (method.node >= 0 && node < method.tree.size()) by_plane_of(method.tree[node].pieces.front());
+  if (method.pair) by_plane_of(method.pair->piece), by_plane_of(method.pair->other);
+  if (!all.empty() && gives(nearest_of(e.t, all), e.t, rounding_of_float64)) return nearest_of(e.t, all);
+
+  constexpr std::size_t most_pieces = 4096;
+  if (method.pieces.size() > most_pieces) return std::nullopt;
+  std::vector<CornersPlane> own;
+  for (const Piece& piece : method.pieces)
+    if (!piece.cut && has_side(piece, e.vertex_0, e.vertex_1))
+      if (const auto plane = own_plane(at, *whole_of(at, &piece))) own.push_back(*plane);
+  for (const Piece& piece : method.pieces) {
+    if (!piece.plane) continue;
+    const Rounded d_0 = value_of_plane(*piece.plane, a), d_1 = value_of_plane(*piece.plane, b);
+    add(d_0, d_1);
+    const Vector<Rounded> normal{piece.plane->plane_a, piece.plane->plane_b, piece.plane->plane_c};
+    for (const CornersPlane& in : own) {
+      const Rounded cosine = dot(in.normal, normal);
+      add(d_0 - cosine * (dot(in.normal, rounded(a)) + in.d), d_1 - cosine * (dot(in.normal, rounded(b)) + in.d));
+    }
+  }
+  return all.empty() ? std::nullopt : std::optional(nearest_of(e.t, all));
+}
+
+}  // namespace detail
+
 template <class Out>
 void derive(const SplitVertex& e, const Situation& at, Out& out) {
   out.rule(Rule::cut_in_edge, e.t >= 0 && e.t <= 1);
   const auto from = detail::cutting_point(at, e.vertex_0), to = detail::cutting_point(at, e.vertex_1);
   if (!from || !to) return;
+  if (const auto t = detail::where_cut(e, at, *from, *to)) out.near(&SplitVertex::t, *t);
   const Stage& stage = detail::cutting_stage(at);
   const auto a = vector_of(out, "_0", *from, Place{Place::In::vertex, e.vertex_0}, stage),
              b = vector_of(out, "_1", *to, Place{Place::In::vertex, e.vertex_1}, stage);

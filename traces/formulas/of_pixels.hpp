@@ -150,11 +150,6 @@ void derive_painted_by_ray(const PixelPaint& e, const Situation& at, Out& out) {
                     : pseudodepth(near, pseudodepth_a(near, far), pseudodepth_b(near, far), z_v));
 }
 
-/// One byte of a colour: rounded to the nearest one, or cut off.
-inline std::int32_t shade_of(std::int32_t recorded, double value) {
-  return std::abs(recorded - value) < 1 ? recorded : static_cast<std::int32_t>(std::lround(value));
-}
-
 }  // namespace detail
 
 template <class Out>
@@ -166,87 +161,6 @@ void derive(const PixelPaint& e, const Situation& at, Out& out) {
   }
   detail::derive_painted_by_plane(e, at, out);
   detail::derive_painted_by_ray(e, at, out);
-}
-
-/// A pixel's point as the light sees it. How much nearer than the light's picture it may be and still be in shadow is
-/// the program's own.
-template <class Out>
-void derive(const ShadowCompare& e, const Situation& at, Out& out) {
-  if (!at.camera || !at.lamp || at.on_screen() || !at.header.declares(Convention::depth)) return;
-  const Camera &camera = *at.camera, &lamp = *at.lamp;
-  const Raster& raster = at.scene.raster;
-  const Conventions& conventions = at.header.conventions;
-  out.reads(at.depth_place(e.x, e.y));
-  const double z_v = view_depth(camera, conventions, at.stored(e.x, e.y));
-  if (!std::isfinite(z_v)) return;
-  const double w_x = camera.window * raster.width / raster.height;
-  const double per_plane = camera.kind == Camera::Kind::orthographic ? 1 : z_v / camera.d;
-  const glm::dvec4 point = glm::inverse(camera.view) *
-                           glm::dvec4((2 * (e.x + 0.5) / raster.width - 1) * w_x * per_plane,
-                                      (1 - 2 * (e.y + 0.5) / raster.height) * camera.window * per_plane, z_v, 1);
-  const glm::dvec4 seen = lamp.view * point;
-  const double lamp_x = lamp.window * raster.width / raster.height;
-  const double x = screen_x<double>(projected<double>(lamp.d, seen.x, seen.z), lamp_x, raster.width),
-               y = screen_y<double>(projected<double>(lamp.d, seen.y, seen.z), lamp.window, raster.height);
-  const double z = buffer_depth(lamp, conventions, seen.z);
-  if (!(seen.z > 0)) return;
-  // There and back through two cameras some digits are lost.
-  const double lost = 1 + std::abs(z_v / seen.z) + std::abs(seen.z / lamp.near);
-  out.near(&ShadowCompare::x_light, Rounded(x, 8 * lost * (std::abs(x) + raster.width)));
-  out.near(&ShadowCompare::y_light, Rounded(y, 8 * lost * (std::abs(y) + raster.height)));
-  out.near(&ShadowCompare::z_light, Rounded(z, 8 * lost * (std::abs(z) + 1)));
-  const double column = std::round(e.x_light), row = std::round(e.y_light);
-  const bool on_raster = column >= 0 && column < raster.width && row >= 0 && row < raster.height;
-  if (!on_raster || at.before.light.depth.empty()) return;
-  const std::size_t pixel = at.before.light.at(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row));
-  const double stored = view_depth(lamp, conventions, at.before.light.depth[pixel]);
-  constexpr double some = 0.1;
-  if (seen.z >= lamp.near && seen.z < stored * (1 - rounding_of_float32)) out.is(&ShadowCompare::lit, true);
-  if (seen.z * (1 - some) > stored) out.is(&ShadowCompare::lit, false);
-}
-
-/// Light on the way back along a ray, or the shares of a pixel.
-template <class Out>
-void derive(const ColorWrite& e, const Situation& at, Out& out) {
-  const auto& tree = at.method().rays.tree;
-  const auto& covered = at.method().sweep.covered;
-  double shades[3] = {0, 0, 0};
-  if (!tree.empty() && tree.front().end) {
-    const RayEnd& end = *tree.front().end;
-    out.rule(Rule::ray_paints_own, tree.front().entry.x == e.x && tree.front().entry.y == e.y);
-    shades[0] = 255 * end.red, shades[1] = 255 * end.green, shades[2] = 255 * end.blue;
-  } else if (!covered.empty() && covered.front().x == e.x && covered.front().y == e.y) {
-    for (const CoverageAdd& share : covered) {
-      const auto owner = static_cast<std::size_t>(share.owner);
-      const Color color = share.owner < 0 || owner >= at.scene.polygons.size() ? at.scene.background
-                                                                                : at.scene.polygons[owner].color;
-      shades[0] += share.coverage * color.red, shades[1] += share.coverage * color.green;
-      shades[2] += share.coverage * color.blue;
-    }
-  } else {
-    return;
-  }
-  out.is(&ColorWrite::r8, detail::shade_of(e.r8, shades[0]));
-  out.is(&ColorWrite::g8, detail::shade_of(e.g8, shades[1]));
-  out.is(&ColorWrite::b8, detail::shade_of(e.b8, shades[2]));
-}
-
-/// Glass: opacity times the polygon's colour, and the rest of what is behind it.
-template <class Out>
-void derive(const ColorBlend& e, const Situation& at, Out& out) {
-  if (at.method().polygon != no_polygon) out.is(&ColorBlend::polygon, at.method().polygon);
-  const auto number = static_cast<std::size_t>(e.polygon);
-  if (e.polygon < 0 || number >= at.scene.polygons.size()) return;
-  const Polygon& polygon = at.scene.polygons[number];
-  out.is(&ColorBlend::opacity, polygon.material->opacity);
-  const Color under = color_at(at.before.picture, at.scene, static_cast<std::size_t>(at.pixel(e.x, e.y)));
-  out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
-  const auto shade = [&](std::int32_t recorded, std::uint8_t top, std::uint8_t bottom) {
-    return detail::shade_of(recorded, e.opacity * top + (1 - e.opacity) * bottom);
-  };
-  out.is(&ColorBlend::r8, shade(e.r8, polygon.color.red, under.red));
-  out.is(&ColorBlend::g8, shade(e.g8, polygon.color.green, under.green));
-  out.is(&ColorBlend::b8, shade(e.b8, polygon.color.blue, under.blue));
 }
 
 template <class Out>

@@ -1,5 +1,4 @@
-// Rays: how they are cast, the boxes and cells that they pass, the plane of a facet and the point on it (002, "Simple
-// Ray Tracing").
+// Rays: the boxes and cells that they pass, the plane of a facet and the point on it (002, "Simple Ray Tracing").
 #pragma once
 
 #include <algorithm>
@@ -191,60 +190,6 @@ void derive(const CellHold& e, const Situation& at, Out& out) {
                                  meets(e.cell_z, grid->cells_z, grid->z_min, grid->z_max, 2));
 }
 
-/// A ray from the eye goes through the centre of its pixel; a shadow ray goes from a point to the light. Which length a
-/// ray has, and where on it t = 0, is the program's own.
-template <class Out>
-void derive(const RayBegin& e, const Situation& at, Out& out) {
-  const RayWork& rays = at.method().rays;
-  out.rule(Rule::number_is_next, e.ray == (rays.tree.empty() ? 0 : rays.tree.back().entry.ray + 1));
-  glm::dvec3 from(0), way(0, 0, 1);
-  bool any_length = true;
-  const glm::dvec3 recorded(e.dir_x, e.dir_y, e.dir_z);
-  if (e.role == RayRole::eye) {
-    if (!at.camera) return;
-    const Camera& camera = *at.camera;
-    const Raster& raster = at.scene.raster;
-    from = {e.x, e.y, 0};
-    if (!at.on_screen()) {
-      const glm::dmat4& view = camera.view;
-      const glm::dvec3 right{view[0][0], view[1][0], view[2][0]}, up{view[0][1], view[1][1], view[2][1]},
-          away{view[0][2], view[1][2], view[2][2]}, origin(view[3]);
-      const double w_x = camera.window * raster.width / raster.height;
-      const glm::dvec3 across = ((e.x + 0.5) * 2 * w_x / raster.width - w_x) * right +
-                                (camera.window - (e.y + 0.5) * 2 * camera.window / raster.height) * up;
-      const bool parallel = camera.kind == Camera::Kind::orthographic;
-      from = parallel ? -(origin.x * right + origin.y * up + origin.z * away) + across : camera.eye;
-      way = parallel ? away : across + camera.d * away;
-    }
-  } else {
-    // Its brothers begin at the same point; the first one where the ray before it ends.
-    const auto brother = std::find_if(rays.tree.begin(), rays.tree.end(), [&](const RayRow& row) {
-      return row.entry.parent == e.parent && row.entry.role != RayRole::eye;
-    });
-    const RayHit* hit = !rays.tree.empty() && rays.tree.back().entry.ray == e.parent ? detail::kept_hit(at) : nullptr;
-    if (brother == rays.tree.end() && !hit) return;
-    from = hit ? glm::dvec3(hit->x_hit, hit->y_hit, hit->z_hit)
-               : glm::dvec3(brother->entry.x_0, brother->entry.y_0, brother->entry.z_0);
-    any_length = false;
-    way = e.role == RayRole::shadow && at.scene.light ? at.scene.light->position - from : recorded;
-  }
-  const glm::dvec3 off = glm::dvec3(e.x_0, e.y_0, e.z_0) - from;
-  const auto dot_of = [](const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
-  if (any_length) {
-    constexpr double near = 1e-3;
-    const double square = dot_of(way, way);
-    const double longer = std::sqrt(dot_of(recorded, recorded) / square), ahead = dot_of(off, way) / square;
-    if (!(std::abs(longer - 1) < near)) way *= longer;
-    if (std::abs(ahead) > near) from += ahead * way;
-  }
-  // What it is made of lets each coordinate be off by as much as the largest one.
-  const auto size = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  const double spread = 4 * size(from), way_spread = 4 * size(way) + (e.role == RayRole::shadow ? spread : 0);
-  out.near(&RayBegin::x_0, Rounded(from.x, spread)), out.near(&RayBegin::y_0, Rounded(from.y, spread));
-  out.near(&RayBegin::z_0, Rounded(from.z, spread)), out.near(&RayBegin::dir_x, Rounded(way.x, way_spread));
-  out.near(&RayBegin::dir_y, Rounded(way.y, way_spread)), out.near(&RayBegin::dir_z, Rounded(way.z, way_spread));
-}
-
 template <class Out>
 void derive(const CellVisit& e, const Situation& at, Out& out) {
   const RayBegin* ray = detail::ray_cast_last(at);
@@ -339,28 +284,6 @@ void derive(const RayHit& e, const Situation& at, Out& out) {
   if (detail::ray_cast_last(at) != ray || !e.inside || !(e.t >= reach.least && e.t <= reach.most)) return;
   const RayHit* kept = detail::kept_hit(at);
   if (!kept || e.t != kept->t) out.is(&RayHit::nearest, !kept || e.t < kept->t);
-}
-
-template <class Out>
-void derive(const RayEnd& e, const Situation& at, Out& out) {
-  // Of a shadow ray any hit will do; of others the nearest that was kept is the end.
-  const RayBegin* ray = detail::ray_cast_last(at);
-  if (!ray || ray->ray != e.ray) return;
-  if (at.records<RayPlane>()) out.is(&RayEnd::tests, static_cast<std::int32_t>(at.method().rays.planes_tested));
-  if (ray->role == RayRole::shadow || !at.records<RayHit>()) return;
-  const RayHit* kept = detail::kept_hit(at);
-  if (kept) out.is(&RayEnd::nearest_facet, kept->facet);
-  if (kept) out.is(&RayEnd::t, kept->t);
-  if (!kept) out.is(&RayEnd::nearest_facet, -1);
-  // Without light it brings back the colour of what it meets; a program to which colours are nothing leaves them 0.
-  const bool says_colors = e.red != 0 || e.green != 0 || e.blue != 0;
-  if (ray->role != RayRole::eye || at.has_step<ColorWrite>() || !says_colors) return;
-  const auto facet = static_cast<std::size_t>(e.nearest_facet);
-  const bool met = e.nearest_facet >= 0 && facet < at.scene.facets.size();
-  const Color color =
-      met ? at.scene.polygons[static_cast<std::size_t>(at.scene.facets[facet].polygon)].color : at.scene.background;
-  out.is(&RayEnd::red, color.red / 255.0), out.is(&RayEnd::green, color.green / 255.0);
-  out.is(&RayEnd::blue, color.blue / 255.0);
 }
 
 }  // namespace zstep::formulas

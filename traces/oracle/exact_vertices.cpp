@@ -33,6 +33,7 @@ struct Asked {
   bool equal(double one, double other) const { return one == other; }
   void rule(formulas::Rule, bool) {}
   void gives(formulas::Follows<E, double> field, const Number& formula) { given[field.name] = formula; }
+  void near(formulas::Follows<E, double>, const formulas::Rounded&) {}
   template <class Value>
   void is(std::type_identity_t<formulas::Follows<E, Value>>, Value) {}
 };

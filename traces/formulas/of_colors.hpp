@@ -1,0 +1,203 @@
+// Colours: what rays bring back (002, "Simple Ray Tracing"), and what becomes of a colour in shadow (004) and behind
+// glass.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "traces/formulas/light.hpp"
+#include "traces/formulas/of_rays.hpp"
+#include "traces/formulas/viewing.hpp"
+
+namespace zstep::formulas {
+
+namespace detail {
+
+using Light = std::array<Rounded, 3>;
+inline std::array<double, 3> channels(const Color& color) {
+  return {static_cast<double>(color.red), static_cast<double>(color.green), static_cast<double>(color.blue)};
+}
+inline Light light_of(const RayEnd& end) { return {end.red, end.green, end.blue}; }
+
+/// How dark a shadow is is the program's own where it is not nearly the formula's; but it is the same for all channels,
+/// and no light is added. `full` without shadow, `rest` besides, `step` what the numbers are rounded to.
+inline double shadow_factor(const std::array<double, 3>& recorded, const std::array<double, 3>& full,
+                            const std::array<double, 3>& rest, double step) {
+  const auto largest = static_cast<std::size_t>(std::max_element(full.begin(), full.end()) - full.begin());
+  if (!(full[largest] > 0)) return in_shadow;
+  const double factor = (recorded[largest] - rest[largest]) / full[largest];
+  constexpr double near = 0.02;
+  if (std::abs(factor - in_shadow) <= std::max(near, step / full[largest])) return in_shadow;
+  return std::clamp(factor, 0.0, 1.0);
+}
+
+/// What comes back along a ray: of what it meets the own colour, and by its material what came along the rays that
+/// were cast from there. Nothing where one of these has not ended.
+inline std::optional<Light> light_back(const RayEnd& e, const Situation& at) {
+  const auto& tree = at.method().rays.tree;
+  const auto facet = static_cast<std::size_t>(e.nearest_facet);
+  const bool met = e.nearest_facet >= 0 && facet < at.scene.facets.size();
+  if (!met) {
+    const auto background = channels(at.scene.background);
+    return Light{background[0] / 255, background[1] / 255, background[2] / 255};
+  }
+  const Polygon& polygon = at.scene.polygons[static_cast<std::size_t>(at.scene.facets[facet].polygon)];
+  const RayEnd *mirror = nullptr, *through = nullptr;
+  bool dark = false;
+  for (auto row = tree.rbegin(); row != tree.rend() && row->entry.ray > e.ray; ++row) {
+    if (row->entry.parent != e.ray) continue;
+    if (!row->end) return std::nullopt;
+    if (row->entry.role == RayRole::shadow) dark = row->end->nearest_facet >= 0;
+    else (row->entry.role == RayRole::reflected ? mirror : through) = &*row->end;
+  }
+  const Material& material = *polygon.material;
+  const double passes = (1 - material.reflectance) * (1 - material.opacity);
+  // Where rays go no deeper a polygon has its own colour alone.
+  const double own_part = mirror || through ? (1 - material.reflectance) * material.opacity : 1;
+  // What cannot leave is mirrored, too.
+  const double mirror_part = material.reflectance + (through ? 0 : passes);
+  Light light;
+  std::array<double, 3> full{}, rest{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (mirror) light[k] = Rounded(mirror_part) * light_of(*mirror)[k];
+    if (through) light[k] = light[k] + Rounded(passes) * light_of(*through)[k];
+    full[k] = own_part * (channels(polygon.color)[k] / 255), rest[k] = light[k].value;
+  }
+  const double kept = dark ? shadow_factor({e.red, e.green, e.blue}, full, rest, 0) : 1;
+  for (std::size_t k = 0; k < 3; ++k) light[k] = light[k] + Rounded(kept * full[k]);
+  return light;
+}
+
+}  // namespace detail
+
+template <class Out>
+void derive(const RayEnd& e, const Situation& at, Out& out) {
+  const RayBegin* ray = detail::ray_at_work(at);
+  if (!ray || ray->ray != e.ray) return;
+  // Of a shadow ray any hit will do; of others the nearest that was kept is the end. Boxes, planes and hits are at hand
+  // of the ray cast last.
+  if (ray == detail::ray_cast_last(at)) {
+    if (at.records<RayPlane>()) out.is(&RayEnd::tests, static_cast<std::int32_t>(at.method().rays.planes_tested));
+    if (ray->role != RayRole::shadow && at.records<RayHit>()) {
+      const RayHit* kept = detail::kept_hit(at);
+      out.is(&RayEnd::nearest_facet, kept ? kept->facet : -1);
+      if (kept) out.is(&RayEnd::t, kept->t);
+    }
+  }
+  // A program to which colours are nothing leaves them 0; how much of the light glass lets through is its own.
+  const bool says_colors = e.red != 0 || e.green != 0 || e.blue != 0;
+  if (ray->role == RayRole::shadow || !says_colors) return;
+  const auto light = detail::light_back(e, at);
+  if (!light) return;
+  out.near(&RayEnd::red, (*light)[0]), out.near(&RayEnd::green, (*light)[1]), out.near(&RayEnd::blue, (*light)[2]);
+}
+
+namespace detail {
+
+/// One byte of a colour: rounded to the nearest one, or cut off.
+inline std::int32_t shade_of(std::int32_t recorded, double value) {
+  return std::abs(recorded - value) < 1 ? recorded : static_cast<std::int32_t>(std::lround(value));
+}
+
+}  // namespace detail
+
+/// A pixel's point as the light sees it. How much nearer than the light's picture it may be and still be in shadow is
+/// the program's own.
+template <class Out>
+void derive(const ShadowCompare& e, const Situation& at, Out& out) {
+  if (!at.camera || !at.lamp || at.on_screen() || !at.header.declares(Convention::depth)) return;
+  const Camera &camera = *at.camera, &lamp = *at.lamp;
+  const Raster& raster = at.scene.raster;
+  const Conventions& conventions = at.header.conventions;
+  out.reads(at.depth_place(e.x, e.y));
+  const double z_v = view_depth(camera, conventions, at.stored(e.x, e.y));
+  if (!std::isfinite(z_v)) return;
+  const double w_x = camera.window * raster.width / raster.height;
+  const double per_plane = camera.kind == Camera::Kind::orthographic ? 1 : z_v / camera.d;
+  const glm::dvec4 point = glm::inverse(camera.view) *
+                           glm::dvec4((2 * (e.x + 0.5) / raster.width - 1) * w_x * per_plane,
+                                      (1 - 2 * (e.y + 0.5) / raster.height) * camera.window * per_plane, z_v, 1);
+  const glm::dvec4 seen = lamp.view * point;
+  const double lamp_x = lamp.window * raster.width / raster.height;
+  const double x = screen_x<double>(projected<double>(lamp.d, seen.x, seen.z), lamp_x, raster.width),
+               y = screen_y<double>(projected<double>(lamp.d, seen.y, seen.z), lamp.window, raster.height);
+  const double z = buffer_depth(lamp, conventions, seen.z);
+  if (!(seen.z > 0)) return;
+  // There and back through two cameras some digits are lost.
+  const double lost = 1 + std::abs(z_v / seen.z) + std::abs(seen.z / lamp.near);
+  out.near(&ShadowCompare::x_light, Rounded(x, 8 * lost * (std::abs(x) + raster.width)));
+  out.near(&ShadowCompare::y_light, Rounded(y, 8 * lost * (std::abs(y) + raster.height)));
+  out.near(&ShadowCompare::z_light, Rounded(z, 8 * lost * (std::abs(z) + 1)));
+  const double column = std::round(e.x_light), row = std::round(e.y_light);
+  const bool on_raster = column >= 0 && column < raster.width && row >= 0 && row < raster.height;
+  if (!on_raster || at.before.light.depth.empty()) return;
+  const std::size_t pixel = at.before.light.at(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row));
+  const double stored = view_depth(lamp, conventions, at.before.light.depth[pixel]);
+  constexpr double some = 0.1;
+  if (seen.z >= lamp.near && seen.z < stored * (1 - rounding_of_float32)) out.is(&ShadowCompare::lit, true);
+  if (seen.z * (1 - some) > stored) out.is(&ShadowCompare::lit, false);
+}
+
+/// Light on the way back along a ray, the shares of a pixel, or a polygon's colour where the light does not reach it.
+template <class Out>
+void derive(const ColorWrite& e, const Situation& at, Out& out) {
+  const auto& tree = at.method().rays.tree;
+  const auto& covered = at.method().sweep.covered;
+  const auto& shadow = at.method().shadow;
+  std::array<double, 3> shades{};
+  if (!tree.empty() && tree.front().end) {
+    const RayEnd& end = *tree.front().end;
+    out.rule(Rule::ray_paints_own, tree.front().entry.x == e.x && tree.front().entry.y == e.y);
+    shades[0] = 255 * end.red, shades[1] = 255 * end.green, shades[2] = 255 * end.blue;
+  } else if (!covered.empty() && covered.front().x == e.x && covered.front().y == e.y) {
+    for (const CoverageAdd& share : covered) {
+      const auto owner = static_cast<std::size_t>(share.owner);
+      const Color color = share.owner < 0 || owner >= at.scene.polygons.size() ? at.scene.background
+                                                                                : at.scene.polygons[owner].color;
+      shades[0] += share.coverage * color.red, shades[1] += share.coverage * color.green;
+      shades[2] += share.coverage * color.blue;
+    }
+  } else if (shadow && shadow->x == e.x && shadow->y == e.y) {
+    const auto pixel = static_cast<std::size_t>(at.pixel(e.x, e.y));
+    const auto polygon = static_cast<std::size_t>(at.before.picture.polygon[pixel]);
+    if (polygon >= at.scene.polygons.size()) return;
+    out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
+    const std::array<double, 3> recorded{static_cast<double>(e.r8), static_cast<double>(e.g8),
+                                         static_cast<double>(e.b8)};
+    shades = detail::channels(at.scene.polygons[polygon].color);
+    const double kept = shadow->lit ? 1 : detail::shadow_factor(recorded, shades, {}, 1);
+    for (double& shade : shades) shade *= kept;
+    if (kept != 1 && kept != in_shadow)  // of which the byte that tells it leaves one digit open
+      for (std::size_t k = 0; k < 3; ++k)
+        if (std::abs(recorded[k] - shades[k]) < 2) shades[k] = recorded[k];
+  } else {
+    return;
+  }
+  out.is(&ColorWrite::r8, detail::shade_of(e.r8, shades[0]));
+  out.is(&ColorWrite::g8, detail::shade_of(e.g8, shades[1]));
+  out.is(&ColorWrite::b8, detail::shade_of(e.b8, shades[2]));
+}
+
+/// Glass: opacity times the polygon's colour, and the rest of what is behind it.
+template <class Out>
+void derive(const ColorBlend& e, const Situation& at, Out& out) {
+  if (at.method().polygon != no_polygon) out.is(&ColorBlend::polygon, at.method().polygon);
+  const auto number = static_cast<std::size_t>(e.polygon);
+  if (e.polygon < 0 || number >= at.scene.polygons.size()) return;
+  const Polygon& polygon = at.scene.polygons[number];
+  out.is(&ColorBlend::opacity, polygon.material->opacity);
+  const Color under = color_at(at.before.picture, at.scene, static_cast<std::size_t>(at.pixel(e.x, e.y)));
+  out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
+  const auto shade = [&](std::int32_t recorded, std::uint8_t top, std::uint8_t bottom) {
+    return detail::shade_of(recorded, e.opacity * top + (1 - e.opacity) * bottom);
+  };
+  out.is(&ColorBlend::r8, shade(e.r8, polygon.color.red, under.red));
+  out.is(&ColorBlend::g8, shade(e.g8, polygon.color.green, under.green));
+  out.is(&ColorBlend::b8, shade(e.b8, polygon.color.blue, under.blue));
+}
+
+}  // namespace zstep::formulas
