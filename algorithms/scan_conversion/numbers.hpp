@@ -115,6 +115,10 @@ RoundingOf rounding_of_result(const T& result) {
 }
 template <Conventions::Rounding rounding>
 RoundingOf rounding_of_result(const Fixed<rounding>& result) {
+  // What is out of range stays at its end, however far off that is. With what it is added to, it is beyond half of it.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (std::abs(static_cast<double>(result)) >= detail::most_units / 2 * result.unit())
+    return {infinity, infinity, infinity};
   const double off = rounding == Conventions::Rounding::nearest ? result.unit() / 2 : result.unit();
   return {0, 0, off};
 }
@@ -141,6 +145,8 @@ struct Bounded {
 namespace detail {
 template <class T>
 double size_of(const Bounded<T>& of) { return std::abs(static_cast<double>(of.value)); }
+/// 0 times a number that has no bound has none.
+inline double bound(double off) { return std::isnan(off) ? std::numeric_limits<double>::infinity() : off; }
 }  // namespace detail
 
 template <class A, class B>
@@ -159,15 +165,15 @@ template <class A>
 auto operator*(const Bounded<A>& a, const Bounded<A>& b) {
   const auto value = a.value * b.value;
   return Bounded<std::remove_cv_t<decltype(value)>>{
-      value, detail::size_of(a) * b.error + detail::size_of(b) * a.error + a.error * b.error +
-                 rounding_of_result(value).product};
+      value, detail::bound(detail::size_of(a) * b.error + detail::size_of(b) * a.error + a.error * b.error +
+                           rounding_of_result(value).product)};
 }
 template <class A, class B>
 auto operator/(const Bounded<A>& a, const Bounded<B>& b) {
   const auto value = a.value / b.value;
   const double below = detail::size_of(b) - b.error, ratio = detail::size_of(a) / detail::size_of(b);
   const double off = below > 0 ? (a.error + ratio * b.error) / below : std::numeric_limits<double>::infinity();
-  return Bounded<std::remove_cv_t<decltype(value)>>{value, off + rounding_of_result(value).quotient};
+  return Bounded<std::remove_cv_t<decltype(value)>>{value, detail::bound(off + rounding_of_result(value).quotient)};
 }
 
 namespace scan_conversion {
