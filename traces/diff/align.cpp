@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "traces/diff/in_step.hpp"
 #include "traces/diff/parting.hpp"
-#include "traces/diff/waiting.hpp"
-#include "traces/file/trace_impl.hpp"
 
 namespace zstep::diff {
 
@@ -28,93 +27,70 @@ bool may_record(const Trace& trace, std::uint8_t kind) {
          std::any_of(page.begin(), page.end(), [&](const StepInfo& step) { return step.kind == kind; });
 }
 
-/// One run, read ahead a little, with what its steps are about.
-class Reader {
- public:
-  /// From the step after `position`.
-  Reader(const Trace& trace, const Both& both, std::int64_t position, Identity identity, Begun begun)
-      : trace_(trace), both_(both), identity_(std::move(identity)), begun_(std::move(begun)), position_(position) {}
-
-  /// The next step, until it is asked for again; nullptr at the end.
-  const Keyed* next() {
-    while (next_ == ahead_.size()) {
-      if (position_ >= trace_.size()) return nullptr;
-      ahead_.clear(), next_ = 0;
-      // Each block is decoded from its beginning: a part of it would cost as much.
-      const auto& block = trace_.impl().blocks[trace_.impl().block_of(position_ + 1)].info;
-      const std::int64_t end = block.first_position + static_cast<std::int64_t>(block.count);
-      trace_.each(position_, end, [&](std::int64_t position, const RecordedEvent& event) {
-        if (!both_[event.event.index()]) return true;
-        const Identity::Known known = identity_.of(event.event);
-        if (!begun_.again(event.event)) ahead_.push_back({known, position, event});
-        return true;
-      });
-      position_ = end;
-    }
-    return &ahead_[next_++];
-  }
-  std::int64_t position() const { return position_; }
-
- private:
-  const Trace& trace_;
-  const Both& both_;
-  Identity identity_;
-  Begun begun_;
-  std::vector<Keyed> ahead_;
-  std::size_t next_ = 0;
-  std::int64_t position_;
-};
+Both recorded_by_both(const Trace& a, const Trace& b) {
+  Both both{};
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    both[kind] = may_record(a, static_cast<std::uint8_t>(kind)) && may_record(b, static_cast<std::uint8_t>(kind));
+  // One list of all polygons' edges is another list than that of each polygon.
+  if (a.has(kind_of<TablesBegin>) != b.has(kind_of<TablesBegin>))
+    for (const std::uint8_t kind : {kind_of<ScanLineBegin>, kind_of<EdgeEnter>, kind_of<EdgeSwap>}) both[kind] = false;
+  return both;
+}
 
 class Aligner {
  public:
-  Aligner(const Trace& a, const Trace& b) : a_(a), b_(b) {
-    for (std::size_t kind = 0; kind < kind_count; ++kind)
-      both_[kind] = may_record(a, static_cast<std::uint8_t>(kind)) && may_record(b, static_cast<std::uint8_t>(kind));
-    // One list of all polygons' edges is another list than that of each polygon.
-    if (a.has(kind_of<TablesBegin>) != b.has(kind_of<TablesBegin>))
-      for (const std::uint8_t kind : {kind_of<ScanLineBegin>, kind_of<EdgeEnter>, kind_of<EdgeSwap>})
-        both_[kind] = false;
-  }
+  Aligner(const Trace& a, const Trace& b, bool plain)
+      : both_(recorded_by_both(a, b)), a_(a, both_), b_(b, both_), in_step_(a_, b_, found_, plain), plain_(plain) {}
 
+  /// In step as far as that goes; then each step by what it is about, until the runs are in step again. Which steps are
+  /// pairs does not hang on that: of steps about the same, the first is the partner of the first, and so on.
   Alignment run(const std::function<bool(double)>& on_way) {
-    InStep begun = go_in_step(a_, b_, both_, found_, on_way);
-    found_.identical = begun.identical;
-    found_.complete = !begun.told_to_end;
-    if (found_.complete && !found_.identical) {
-      Reader read_a(a_, both_, begun.a, std::move(begun.of_a), begun.begun);
-      Reader read_b(b_, both_, begun.b, std::move(begun.of_b), begun.begun);
-      match(read_a, read_b, on_way);
-      if (found_.complete) leave_over();
-    }
+    do {
+      if (in_step_.go_on(on_way)) continue;
+      found_.complete = false;
+      break;
+    } while (apart(on_way));
+    found_.identical = found_.complete && in_step_.identical();
+    if (found_.complete) leave_over();
     return finish();
   }
 
  private:
-  /// By what the steps are about.
-  void match(Reader& read_a, Reader& read_b, const std::function<bool(double)>& on_way) {
-    const double all = static_cast<double>(std::max<std::int64_t>(a_.size() + b_.size(), 1));
-    for (std::int64_t round = 0;; ++round) {
-      const Keyed *a = read_a.next(), *b = read_b.next();
-      if (!a && !b) return;
-      if (a && b && a->known.about == b->known.about && wait_a_.empty() && wait_b_.empty()) {
-        pair(*a, *b);
-      } else {
-        if (a) meet(*a, wait_b_, wait_a_, [&](const Keyed& one, const Keyed& other) { pair(one, other); });
-        if (b) meet(*b, wait_a_, wait_b_, [&](const Keyed& one, const Keyed& other) { pair(other, one); });
-      }
-      const bool too_many = wait_a_.size() + wait_b_.size() > most_waiting ||
+  /// By what the steps are about; true where both runs are in step again.
+  bool apart(const std::function<bool(double)>& on_way) {
+    in_step_.part();
+    const double all = static_cast<double>(std::max<std::int64_t>(a_.trace.size() + b_.trace.size(), 1));
+    bool turn_of_a = true;
+    for (std::int64_t round = 1;; ++round) {
+      const bool too_many = a_.waiting.size() + b_.waiting.size() > most_waiting ||
                             found_.differences.size() > most_differences;
       if (too_many || (round % 16384 == 0 && on_way &&
-                       on_way(static_cast<double>(read_a.position() + read_b.position()) / all))) {
-        found_.complete = false;
-        return;
-      }
+                       on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all)))
+        return found_.complete = false;
+      // Whose steps come later than their partners catches up first.
+      Turn a, b;
+      if (turn_of_a) a = take_turn(a_, b_);
+      if (!a.paired) b = take_turn(b_, a_);
+      if ((a.in_step || b.in_step) && !plain_) return true;
+      if (turn_of_a && !a.read && !b.read) return false;
+      turn_of_a = !b.paired;
     }
   }
-  template <class Pair>
-  void meet(const Keyed& step, Waiting& others, Waiting& own, Pair&& pair) {
-    if (const auto partner = others.take(step.known.about)) pair(step, *partner);
-    else own.put(step);
+
+  struct Turn {
+    bool read = false, paired = false;
+    bool in_step = false;  ///< with the step that the other run did last
+  };
+  Turn take_turn(Run& own, Run& other) {
+    const std::optional<Keyed> step = own.read();
+    if (!step) return {};
+    own.last = step->position;
+    if (const auto partner = other.waiting.take(step->known.about)) {
+      &own == &a_ ? pair(*step, *partner) : pair(*partner, *step);
+      return {true, true, partner->position == other.last};
+    }
+    own.waiting.put(*step);
+    return {true, false, false};
   }
 
   void pair(const Keyed& a, const Keyed& b) {
@@ -136,8 +112,8 @@ class Aligner {
   }
 
   void leave_over() {
-    wait_b_.each([&](const Keyed& step) { only(0, step.position, step); });
-    wait_a_.each([&](const Keyed& step) { only(step.position, 0, step); });
+    b_.waiting.each([&](const Keyed& step) { only(0, step.position, step); });
+    a_.waiting.each([&](const Keyed& step) { only(step.position, 0, step); });
   }
   void only(std::int64_t a, std::int64_t b, const Keyed& step) {
     const auto kind = static_cast<std::uint8_t>(step.event.event.index());
@@ -174,10 +150,11 @@ class Aligner {
     return std::move(found_);
   }
 
-  const Trace &a_, &b_;
-  Both both_{};
-  Waiting wait_a_, wait_b_;
+  const Both both_;
+  Run a_, b_;
   Alignment found_{};
+  InStep in_step_;
+  bool plain_;
 };
 
 }  // namespace
@@ -214,8 +191,8 @@ std::int64_t Alignment::before_in_a(std::int64_t step) const {
   return partner_before<&Match::b, &Match::a>(by_b, step);
 }
 
-Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way) {
-  return Aligner(a, b).run(on_way);
+Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way) {
+  return Aligner(a, b, way == Way::plain).run(on_way);
 }
 
 }  // namespace zstep::diff

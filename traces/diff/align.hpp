@@ -45,8 +45,12 @@ struct Alignment {
   std::int64_t before_in_a(std::int64_t b) const;
 };
 
+/// Fast: together where the runs do the same. Plain: every step for itself, which gives the same (tests compare both).
+enum class Way : std::uint8_t { fast, plain };
+
 /// Matches the steps of two runs by what they are about: steps may be missing, additional or in another order. Kinds
 /// that one of them never records are left out. `on_way` is told now and then which share is done; true ends it.
-Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr);
+Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
+                Way way = Way::fast);
 
 }  // namespace zstep::diff

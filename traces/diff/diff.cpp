@@ -13,13 +13,13 @@ std::int64_t DiffReport::differences() const {
   return all;
 }
 
-DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way) {
+DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way) {
   DiffReport report;
   bool told_to_end = false;
   const auto part_of = [&](double from, double share) {
     return [&, from, share](double done) { return on_way && (told_to_end = on_way(from + share * done)); };
   };
-  report.alignment = align(a, b, part_of(0, 0.5));
+  report.alignment = align(a, b, part_of(0, 0.5), way);
   const Precision of_a = precision_of(a), of_b = precision_of(b);
   const bool a_coarser = of_a.relative > of_b.relative || of_a.absolute > of_b.absolute;
   report.precision = a_coarser ? of_a : of_b;
@@ -33,19 +33,24 @@ DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(doub
 
   std::vector<Finding> in_a(report.alignment.differences.size()), in_b = in_a;
   std::vector<Elsewhere> elsewhere;
+  const auto at_step = [&](const Trace& trace, double from, double share) {
+    return [&, on_share = part_of(from, share)](std::int64_t position) {
+      return on_share(static_cast<double>(position) / static_cast<double>(trace.size()));
+    };
+  };
+  const BeforeFirst begin_a = go_to_first(a, true, report, at_step(a, 0.5, 0.1), way);
+  const BeforeFirst begin_b = go_to_first(b, false, report, at_step(b, 0.6, 0.1), way);
   const auto go_through = [&](bool of_a_run, double from) {
     if (told_to_end) return;
     const Trace& trace = of_a_run ? a : b;
-    const auto on_step = part_of(from, 0.16);
-    elsewhere = follow(trace, of_a_run, report, elsewhere, of_a_run ? in_a : in_b, [&](std::int64_t position) {
-      return on_step(static_cast<double>(position) / static_cast<double>(trace.size()));
-    });
+    elsewhere = follow(trace, of_a_run, report, of_a_run ? begin_a : begin_b, elsewhere, of_a_run ? in_a : in_b,
+                       at_step(trace, from, 0.1), way);
   };
   // What only one run does is not seen in going through the other: so the one that was gone through first is gone
   // through again.
-  go_through(true, 0.5);
-  go_through(false, 0.66);
-  go_through(true, 0.82);
+  go_through(true, 0.7);
+  go_through(false, 0.8);
+  go_through(true, 0.9);
   if (told_to_end) report.alignment.complete = false;
   find_causes(report, in_a, in_b);
   return report;

@@ -39,6 +39,7 @@ struct DiffReport {
 };
 
 /// Compares two runs. `on_way` is told now and then which share is done; true ends it, and the report is not complete.
-DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr);
+DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
+                   Way way = Way::fast);
 
 }  // namespace zstep::diff

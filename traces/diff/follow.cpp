@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "traces/diff/witness.hpp"
+#include "traces/file/visit.hpp"
 #include "traces/formulas/of_events.hpp"
-#include "traces/formulas/walk.hpp"
+#include "traces/formulas/situation_of.hpp"
 
 namespace zstep::diff {
 
@@ -41,41 +44,75 @@ constexpr std::size_t begins() {
 /// Goes through one of the two runs and follows what is different from step to step.
 class Follow {
  public:
-  Follow(const Trace& trace, bool of_a, const DiffReport& report, const std::vector<Elsewhere>& elsewhere,
-         std::vector<Finding>& findings)
+  Follow(const Trace& trace, bool of_a, const DiffReport& report, const BeforeFirst& before,
+         const std::vector<Elsewhere>& elsewhere, std::vector<Finding>& findings, GoOn go_on, bool plain)
       : trace_(trace),
         of_a_(of_a),
         report_(report),
         elsewhere_(elsewhere),
         findings_(findings),
-        identity_(trace) {
+        run_(trace, before.state),
+        at_(formulas::situation_of(trace, run_.state())),
+        identity_(before.identity),
+        go_on_(go_on),
+        plain_(plain),
+        rows_(static_cast<std::size_t>(trace.scene().raster.height)) {
     const auto& all = report.alignment.differences;
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (own_step(all[i]) != 0) own_.push_back(static_cast<std::int32_t>(i));
-    std::sort(own_.begin(), own_.end(), [&](std::int32_t one, std::int32_t other) {
-      return own_step(all[static_cast<std::size_t>(one)]) < own_step(all[static_cast<std::size_t>(other)]);
-    });
+      if (own_step(all[i], of_a_) != 0) own_.push_back(static_cast<std::int32_t>(i));
+    const auto step_of = [&](std::int32_t number) { return own_step(all[static_cast<std::size_t>(number)], of_a_); };
+    std::sort(own_.begin(), own_.end(),
+              [&](std::int32_t one, std::int32_t other) { return step_of(one) < step_of(other); });
     scopes_.fill(no_difference);
   }
 
-  /// Returns what the other run does not have, as places.
-  std::vector<Elsewhere> run(const std::function<bool(std::int64_t)>& on_way) {
-    constexpr std::int64_t now_and_then = 1 << 16;
-    std::size_t next_elsewhere = 0;
-    formulas::walk(
-        trace_,
-        [&](std::int64_t position, const auto& e, const formulas::Situation& at) {
-          for (; next_elsewhere < elsewhere_.size() && elsewhere_[next_elsewhere].before < position; ++next_elsewhere)
-            missing(elsewhere_[next_elsewhere]);
-          step(position, e, at);
-          return !(on_way && position % now_and_then == 0 && on_way(position));
-        },
-        [](std::int64_t, const Impossible&) {});  // `check` says so
-    return std::move(alone_);
+  template <class E>
+  bool operator()(std::int64_t position, std::uint8_t, const E& e) {
+    for (; next_missing() < position; ++next_elsewhere_) missing(elsewhere_[next_elsewhere_]);
+    at_.look();
+    step(position, e);
+    run_.apply(position, e);
+    return go_on_(position);
   }
+  bool operator()(std::int64_t position, const codec::FragmentRun& pixels) { return pass(position, pixels); }
+  bool operator()(std::int64_t position, const codec::PaintRun& pixels) { return pass(position, pixels); }
+
+  /// What the other run does not have, as places.
+  std::vector<Elsewhere> take_alone() { return std::move(alone_); }
 
  private:
-  std::int64_t own_step(const Difference& difference) const { return of_a_ ? difference.a : difference.b; }
+  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+  std::int64_t next_missing() const {
+    return next_elsewhere_ < elsewhere_.size() ? elsewhere_[next_elsewhere_].before : never;
+  }
+  std::int64_t next_difference() const {
+    return next_own_ < own_.size()
+               ? own_step(report_.alignment.differences[static_cast<std::size_t>(own_[next_own_])], of_a_)
+               : never;
+  }
+
+  /// Pixels at which nothing is different are passed at once.
+  template <class Run>
+  bool pass(std::int64_t position, const Run& pixels) {
+    const std::int64_t end = position + pixels.events();
+    const bool here = next_missing() < end || next_difference() <= end;
+    if (!here && !plain_ && !fragment_ && !rows_[static_cast<std::size_t>(pixels.y)]) {
+      run_.apply_pixels(position, pixels);
+      return go_on_(position);
+    }
+    const bool going_on = pixels.expand([&](std::uint8_t line, const auto& e) { return (*this)(++position, line, e); });
+    const Place fragment{Place::In::fragment, 0};
+    fragment_ = different_.of(fragment) != no_difference || rounding_.of(fragment) != no_difference;
+    return going_on;
+  }
+  /// There is, or was, something different here.
+  void mark(const Place& place) {
+    if (place.in == Place::In::fragment) fragment_ = true;
+    if (place.in != Place::In::depth_buffer && place.in != Place::In::light_buffer && place.in != Place::In::frame)
+      return;
+    const auto row = static_cast<std::size_t>(place.number / trace_.scene().raster.width);
+    if (row < rows_.size()) rows_[row] = true;
+  }
 
   /// The other run has written something there that this one has not.
   void missing(const Elsewhere& what) {
@@ -87,22 +124,19 @@ class Follow {
     }
     (findings_[static_cast<std::size_t>(what.difference)].rounding ? rounding_ : different_)
         .set(place, what.difference);
+    mark(place);
   }
 
   template <class E>
-  void step(std::int64_t position, const E& e, const formulas::Situation& at) {
-    std::int32_t number = no_difference;
-    if (next_own_ < own_.size() &&
-        own_step(report_.alignment.differences[static_cast<std::size_t>(own_[next_own_])]) == position)
-      number = own_[next_own_++];
-    const bool recorded_by_both = report_.alignment.kinds[kind_of<E>].pairs > 0 || number != no_difference;
-    if (number != no_difference) judge(e, at, number);
+  void step(std::int64_t position, const E& e) {
+    const std::int32_t number = next_difference() == position ? own_[next_own_++] : no_difference;
+    if (number != no_difference) judge(e, number);
     const bool by_rounding = number != no_difference && findings_[static_cast<std::size_t>(number)].rounding;
     if (number != no_difference || !different_.empty() || !rounding_.empty())
-      for_each_place_written(e, at, [&](const Place& place) {
+      for_each_place_written(e, at_, [&](const Place& place) {
         different_.set(place, by_rounding ? no_difference : number);
         rounding_.set(place, by_rounding ? number : no_difference);
-        if (number != no_difference) note_alone(number, place);
+        if (number != no_difference) note_alone(number, place), mark(place);
       });
     if constexpr (std::is_same_v<E, EdgeRetire>)
       if (number != no_difference) note_alone(number, Place{Place::In::active_edge, e.edge});
@@ -111,11 +145,12 @@ class Follow {
     if constexpr (begins<E>() > 0)
       for (std::size_t rank = begins<E>(); rank < scopes_.size(); ++rank)
         scopes_[rank] = rank == begins<E>() ? number : no_difference;
-    if (recorded_by_both) identity_.of(e);
+    if (report_.alignment.kinds[kind_of<E>].pairs > 0 || number != no_difference) identity_.take_note_of(e);
   }
 
   template <class E>
-  void judge(const E& e, const formulas::Situation& at, std::int32_t number) {
+  void judge(const E& e, std::int32_t number) {
+    const formulas::Situation& at = at_;
     const Difference& difference = report_.alignment.differences[static_cast<std::size_t>(number)];
     Finding& finding = findings_[static_cast<std::size_t>(number)];
     finding = {};
@@ -184,8 +219,7 @@ class Follow {
   void note_alone(std::int32_t number, const Place& place) {
     const Difference& difference = report_.alignment.differences[static_cast<std::size_t>(number)];
     if (!difference.only_a() && !difference.only_b()) return;
-    const std::int64_t before =
-        of_a_ ? report_.alignment.before_in_b(difference.a) : report_.alignment.before_in_a(difference.b);
+    const std::int64_t before = step_before(report_.alignment, difference, !of_a_);
     Identity::Key name = 0;
     if (const Thing thing = thing_in(place.in); thing != Thing::none)
       name = identity_.name_of(thing, static_cast<std::int32_t>(place.number));
@@ -197,20 +231,28 @@ class Follow {
   const DiffReport& report_;
   const std::vector<Elsewhere>& elsewhere_;
   std::vector<Finding>& findings_;
+  Replaying run_;
+  formulas::Situation at_;
+  Identity identity_;
+  GoOn go_on_;
+  bool plain_;
   std::vector<Elsewhere> alone_;
   std::vector<std::int32_t> own_;  ///< differences by this run's steps
-  std::size_t next_own_ = 0;
+  std::size_t next_own_ = 0, next_elsewhere_ = 0;
   Inheritance different_, rounding_;
+  bool fragment_ = false;   ///< the pixel at work may be in one of these
+  std::vector<bool> rows_;  ///< some pixel of the scan line may be
   std::array<std::int32_t, 4> scopes_{};
-  Identity identity_;
 };
 
 }  // namespace
 
-std::vector<Elsewhere> follow(const Trace& trace, bool of_a, const DiffReport& report,
+std::vector<Elsewhere> follow(const Trace& trace, bool of_a, const DiffReport& report, const BeforeFirst& before,
                               const std::vector<Elsewhere>& elsewhere, std::vector<Finding>& findings,
-                              const std::function<bool(std::int64_t)>& on_way) {
-  std::vector<Elsewhere> alone = Follow(trace, of_a, report, elsewhere, findings).run(on_way);
+                              const std::function<bool(std::int64_t)>& on_way, Way way) {
+  Follow following(trace, of_a, report, before, elsewhere, findings, GoOn(on_way), way == Way::plain);
+  trace.visit(before.position, before.last, following);
+  std::vector<Elsewhere> alone = following.take_alone();
   std::stable_sort(alone.begin(), alone.end(),
                    [](const Elsewhere& one, const Elsewhere& other) { return one.before < other.before; });
   return alone;

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "traces/check/inheritance.hpp"
-#include "traces/diff/diff.hpp"
-#include "traces/diff/identity.hpp"
+#include "traces/diff/before_first.hpp"
 
 namespace zstep::diff {
 
@@ -34,8 +33,8 @@ struct Elsewhere {
 
 /// Goes through A or B and says of each of its differences what it finds; what another difference only the other run
 /// has is in `elsewhere`, by `before`. Returns the same of this run, for going through the other one.
-std::vector<Elsewhere> follow(const Trace& trace, bool of_a, const DiffReport& report,
+std::vector<Elsewhere> follow(const Trace& trace, bool of_a, const DiffReport& report, const BeforeFirst& before,
                               const std::vector<Elsewhere>& elsewhere, std::vector<Finding>& findings,
-                              const std::function<bool(std::int64_t)>& on_way);
+                              const std::function<bool(std::int64_t)>& on_way, Way way);
 
 }  // namespace zstep::diff

@@ -18,12 +18,17 @@ Key spread(Key key) {
 Key mix(Key key, Key more) { return spread(key ^ spread(more)); }
 Key whole(std::int64_t number) { return static_cast<Key>(number); }
 
-template <class E>
-constexpr std::size_t things_among_results() {
+template <std::size_t most>
+struct Parts {
+  std::array<Key, most> part;
   std::size_t count = 0;
-  for_each_index<E>([&]<std::size_t I>() { count += is_result<E, I>() && thing_at<E, I>() != Thing::none; });
-  return count;
-}
+  void add(Key one) { part[count++] = one; }
+  Key key() const {
+    Key key = part[0];
+    for (std::size_t i = 1; i < count; ++i) key = mix(key, part[i]);
+    return key;
+  }
+};
 
 }  // namespace
 
@@ -34,9 +39,8 @@ Key Identity::name_of(Thing thing, std::int32_t number) const {
   if (number < 0) return kind ^ spread(whole(number));
   // The scene's vertices have one number for all.
   if (thing == Thing::vertex && static_cast<std::size_t>(number) < points_) return kind ^ whole(number);
-  const auto& names = names_[static_cast<std::size_t>(thing)];
-  const auto found = names.find(number);
-  return found == names.end() ? kind ^ spread(whole(number) + (Key{1} << 40)) : found->second;
+  const Key name = names_[static_cast<std::size_t>(thing)][number];
+  return name != 0 ? name : kind ^ spread(whole(number) + (Key{1} << 40));
 }
 
 std::optional<std::int32_t> Identity::number_of(Thing thing, Key name) const {
@@ -49,34 +53,35 @@ std::optional<std::int32_t> Identity::number_of(Thing thing, Key name) const {
 }
 
 std::int32_t Identity::next_row(std::int32_t edge) const {
-  const auto found = edges_.find(edge);
-  return found == edges_.end() ? 0 : found->second.next_row;
+  return edges_[edge].next_row;
 }
 
 void Identity::edge_used(std::int32_t edge, std::int32_t row) {
-  Edge& known = edges_[edge];
+  Edge& known = edges_.edit(edge);
   known.beyond = row + 1;
   known.next_row = std::max(known.next_row, row + 1);
 }
 
 void Identity::edge_enters(std::int32_t edge) {
-  edges_[edge] = Edge{0, 0, false, edges_[edge].polygon};
+  edges_.edit(edge) = Edge{0, 0, false, edges_[edge].polygon};
   edge_used(edge, scan_line_);
 }
 
+/// What a step is about, number by number.
 template <class E>
-Key Identity::key(const E& e) {
+auto Identity::parts(const E& e) {
   constexpr About it = about<E>;
+  Parts<1 + 6 + it.fields.size() + 1> found;  // kind, what it belongs to, fields, and a scan line
   // Where lines hold several polygons, a span says whose turn it is.
   if constexpr (std::is_same_v<E, SpanBegin>)
     if (const std::int32_t owner = edges_[e.left_edge].polygon; owner != no_polygon) polygon_ = owner;
-  Key key = kind_of<E> + 1u + (static_cast<Key>(pass_) << 8);
-  if constexpr (it.within & polygon) key = mix(key, whole(polygon_));
-  if constexpr (it.within & scan_line) key = mix(key, whole(scan_line_));
-  if constexpr (it.within & area) key = mix(key, area_);
-  if constexpr (it.within & ray) key = mix(key, ray_);
-  if constexpr (it.within & curve) key = mix(key, curve_);
-  if constexpr (it.within & node) key = mix(key, node_);
+  found.add(kind_of<E> + 1u + (static_cast<Key>(pass_) << 8));
+  if constexpr (it.within & polygon) found.add(whole(polygon_));
+  if constexpr (it.within & scan_line) found.add(whole(scan_line_));
+  if constexpr (it.within & area) found.add(area_);
+  if constexpr (it.within & ray) found.add(ray_);
+  if constexpr (it.within & curve) found.add(curve_);
+  if constexpr (it.within & node) found.add(node_);
   Key ends = 0;
   for_each_index<E>([&]<std::size_t I>() {
     constexpr const auto& field = field_at<E, I>;
@@ -88,15 +93,47 @@ Key Identity::key(const E& e) {
       else name = whole(static_cast<std::int64_t>(e.*field.member));
       constexpr bool end = field.name == "vertex_0" || field.name == "vertex_1";
       if constexpr (it.either_way && end) ends += spread(name);
-      else key = mix(key, name);
+      else found.add(name);
     }
   });
-  if constexpr (it.either_way) key = mix(key, ends);
+  if constexpr (it.either_way) found.add(ends);
   // An edge moves once to each of its scan lines, and leaves the list before the first one that it does not meet.
-  if constexpr (std::is_same_v<E, EdgeStep>) key = mix(key, whole(edges_[e.edge].next_row));
-  if constexpr (std::is_same_v<E, EdgeRetire>)
-    if (const Edge& edge = edges_[e.edge]; edge.in_span) key = mix(key, whole(std::max(edge.beyond, scan_line_)));
-  return key;
+  if constexpr (std::is_same_v<E, EdgeStep>) found.add(whole(edges_[e.edge].next_row));
+  if constexpr (std::is_same_v<E, EdgeRetire>) {
+    const Edge edge = edges_[e.edge];
+    found.add(edge.in_span ? whole(std::max(edge.beyond, scan_line_)) : ~Key{0} >> 1);
+  }
+  return found;
+}
+
+template <class E>
+bool Identity::same_about(const E& e, Identity& other, const E& its) {
+  const auto mine = parts(e), theirs = other.parts(its);
+  for (std::size_t i = 0; i < mine.count; ++i)
+    if (mine.part[i] != theirs.part[i]) return false;
+  return true;
+}
+
+template <class E>
+Identity::Hint Identity::hint(const E& e) {
+  constexpr std::uint32_t kind = kind_of<E> * 0x9e3779b1u;
+  if constexpr (about<E>.names("y")) return static_cast<Hint>(static_cast<std::uint32_t>(e.y) ^ kind >> 16);
+  const auto all = parts(e);
+  Key found = 0;
+  for (std::size_t i = 0; i < all.count; ++i) found = (found ^ all.part[i]) * 0x9e3779b97f4a7c15u;
+  return static_cast<Hint>(found >> 48);
+}
+
+template <class E>
+Identity::Known Identity::known(const E& e) {
+  Known found{parts(e).key(), {}, hint(e)};
+  static_assert(things_among_results<E>() <= std::tuple_size_v<decltype(found.results)>);
+  std::size_t results = 0;
+  for_each_index<E>([&]<std::size_t I>() {
+    if constexpr (is_result<E, I>() && thing_at<E, I>() != Thing::none)
+      found.results[results++] = name_of(thing_at<E, I>(), e.*field_at<E, I>.member);
+  });
+  return found;
 }
 
 template <class E>
@@ -114,9 +151,9 @@ void Identity::take_note(const E& e, Key key) {
     else if constexpr (made == Thing::curve) number = e.curve;
     else number = e.line;
     const Key name = mix(key, whole(made_[key]++));
-    names_[static_cast<std::size_t>(made)][number] = name;
+    names_[static_cast<std::size_t>(made)].edit(number) = name;
     numbers_[static_cast<std::size_t>(made)][name] = number;
-    if constexpr (made == Thing::edge) edges_[number] = Edge{0, 0, false, e.polygon};
+    if constexpr (made == Thing::edge) edges_.edit(number) = Edge{0, 0, false, e.polygon};
   }
   if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) polygon_ = e.polygon, turns_ = true;
   if constexpr (std::is_same_v<E, SpanWinner>) polygon_ = trace_->polygon_of_piece(e.piece);
@@ -135,19 +172,23 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, AreaDecide>) polygon_ = trace_->polygon_of_piece(e.piece);
   if constexpr (std::is_same_v<E, EdgeEnter>) edge_enters(e.edge);
   if constexpr (std::is_same_v<E, SpanBegin>) edge_used(e.left_edge, e.y), edge_used(e.right_edge, e.y),
-      edges_[e.left_edge].in_span = edges_[e.right_edge].in_span = true;
+      edges_.edit(e.left_edge).in_span = true, edges_.edit(e.right_edge).in_span = true;
   if constexpr (std::is_same_v<E, FlagFlip>) edge_used(e.edge, scan_line_);
-  if constexpr (std::is_same_v<E, EdgeStep>) ++edges_[e.edge].next_row;
+  if constexpr (std::is_same_v<E, EdgeStep>) ++edges_.edit(e.edge).next_row;
 }
 
 template <class E>
 void Identity::take_note_of(const E& e) {
   constexpr bool by_key =
       made_by<E>() != Thing::none || std::is_same_v<E, CurveSegment> || std::is_same_v<E, SpanBegin>;
-  if constexpr (by_key) take_note(e, key(e));
+  if constexpr (by_key) take_note(e, parts(e).key());
   else take_note(e, 0);
 }
-#define ZSTEP_INSTANTIATE(E) template void Identity::take_note_of(const E&);
+#define ZSTEP_INSTANTIATE(E)                                               \
+  template void Identity::take_note_of(const E&);                          \
+  template bool Identity::same_about(const E&, Identity&, const E&);       \
+  template Identity::Hint Identity::hint(const E&);                        \
+  template Identity::Known Identity::known(const E&);
 ZSTEP_EVERY_KIND(ZSTEP_INSTANTIATE)
 #undef ZSTEP_INSTANTIATE
 
@@ -160,15 +201,9 @@ Identity Identity::of_same_run(const Trace& trace) const {
 Identity::Known Identity::of(const Event& event) {
   return visit_event(
       [&]<class E>(const E& e) {
-        Known known{key(e), {}};
-        static_assert(things_among_results<E>() <= std::tuple_size_v<decltype(known.results)>);
-        std::size_t results = 0;
-        for_each_index<E>([&]<std::size_t I>() {
-          if constexpr (is_result<E, I>() && thing_at<E, I>() != Thing::none)
-            known.results[results++] = name_of(thing_at<E, I>(), e.*field_at<E, I>.member);
-        });
-        take_note(e, known.about);
-        return known;
+        const Known found = known(e);
+        take_note(e, found.about);
+        return found;
       },
       event);
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "traces/diff/by_number.hpp"
 #include "traces/events/about.hpp"
 #include "traces/file/trace.hpp"
 
@@ -28,13 +29,22 @@ constexpr bool is_result() {
   return name == "parent" || thing_at<E, I>() == Thing::none || thing_at<E, I>() != made_by<E>();
 }
 
+template <class E>
+constexpr std::size_t things_among_results() {
+  std::size_t count = 0;
+  for_each_index<E>([&]<std::size_t I>() { count += is_result<E, I>() && thing_at<E, I>() != Thing::none; });
+  return count;
+}
+
 /// Follows one run and says of each step what it is about.
 class Identity {
  public:
   using Key = std::uint64_t;
+  using Hint = std::uint16_t;
   struct Known {
     Key about = 0;
     std::array<Key, 3> results{};  ///< the names of the things among the step's results, in the order of its fields
+    Hint hint = 0;
   };
 
   explicit Identity(const Trace& trace);
@@ -45,6 +55,18 @@ class Identity {
   /// The same for who need not know.
   template <class E>
   void take_note_of(const E& e);
+
+  /// Is this step, which comes next, about the same as the one that comes next in the other run?
+  template <class E>
+  bool same_about(const E& e, Identity& other, const E& its);
+  /// The same of pixels of the polygon at work, if they are at the same place.
+  bool same_pixels(const Identity& other) const { return polygon_ == other.polygon_ && pass_ == other.pass_; }
+  /// What `of` will say of the step that comes next.
+  template <class E>
+  Known known(const E& e);
+  /// Found faster: steps of a kind about the same have the same. Of a pixel it is that of its scan line.
+  template <class E>
+  Hint hint(const E& e);
   /// Another trace's, whose run has done the same up to here.
   Identity of_same_run(const Trace& trace) const;
 
@@ -62,17 +84,17 @@ class Identity {
     std::int32_t polygon = no_polygon;
   };
   template <class E>
-  Key key(const E& e);
+  auto parts(const E& e);
   template <class E>
   void take_note(const E& e, Key key);
   void edge_used(std::int32_t edge, std::int32_t row);
   void edge_enters(std::int32_t edge);
 
   std::size_t points_;
-  std::array<std::unordered_map<std::int32_t, Key>, static_cast<std::size_t>(Thing::count)> names_;
+  std::array<ByNumber<Key>, static_cast<std::size_t>(Thing::count)> names_;  ///< 0: none
   std::array<std::unordered_map<Key, std::int32_t>, static_cast<std::size_t>(Thing::count)> numbers_;
   std::unordered_map<Key, std::int32_t> made_;  ///< how many things were made that look alike
-  std::unordered_map<std::int32_t, Edge> edges_;
+  ByNumber<Edge> edges_;
   std::int32_t polygon_ = no_polygon, scan_line_ = -1;
   Pass pass_ = Pass::eye;
   Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;

@@ -1,7 +1,7 @@
 #include "traces/diff/in_step.hpp"
 
+#include <algorithm>
 #include <bit>
-#include <utility>
 
 #include "traces/diff/parting.hpp"
 #include "traces/file/visit.hpp"
@@ -10,144 +10,23 @@ namespace zstep::diff {
 
 namespace {
 
-std::int64_t end_of_block(const Trace::Impl::Block& block) {
-  return block.info.first_position + static_cast<std::int64_t>(block.info.count);
+/// So many pixels at the beginning of both have the same depths.
+template <class OneRun>
+std::uint32_t same_depths(const OneRun& a, const OneRun& b, std::uint32_t most) {
+  if (same(*a.span, *b.span) && a.increments == b.increments && (!a.increments || same(a.before, b.before)))
+    return most;
+  std::array<double, codec::run_limit> of_a, of_b;
+  codec::depths_along(*a.span, a.increments, a.x, most, a.before, of_a.data());
+  codec::depths_along(*b.span, b.increments, b.x, most, b.before, of_b.data());
+  std::uint32_t pixels = 0;
+  while (pixels < most && same(of_a[pixels], of_b[pixels])) ++pixels;
+  return pixels;
 }
 
-/// Goes through B, block by block, and reads A along with it; of a block that both have, byte for byte, only B's.
-class Walk {
- public:
-  Walk(const Trace& a, const Trace& b, const Both& both, Alignment& found)
-      : a_(a),
-        b_(b),
-        both_(both),
-        found_(found),
-        identity_(a),
-        one_code_(a.header() == b.header() && a.scene() == b.scene()) {}
-
-  InStep run(const std::function<bool(double)>& on_way) {
-    const double all = static_cast<double>(std::max<std::int64_t>(a_.size() + b_.size(), 1));
-    bool identical = true, told_to_end = false;
-    while (goes_on_ && !told_to_end && read_b_ < b_.size()) {
-      const std::size_t block = b_.impl().block_of(read_b_ + 1);
-      const std::int64_t end = end_of_block(b_.impl().blocks[block]);
-      equal_ = equal_blocks(block);
-      identical = identical && equal_;
-      if (equal_) {
-        shift_ = read_a_ - read_b_;
-        next_ = ahead_.size();
-        read_a_ = end + shift_;
-      }
-      b_.visit(read_b_, end, *this);
-      read_b_ = end;
-      if (found_.differences.size() > most_differences) goes_on_ = false;
-      told_to_end = on_way && on_way(static_cast<double>(last_a_ + last_b_) / all);
-    }
-    identical = identical && goes_on_ && !told_to_end && read_a_ == a_.size();
-    return {last_a_, last_b_, identity_, identity_.of_same_run(b_), std::move(begun_), identical, told_to_end};
-  }
-
-  template <class E>
-  bool operator()(std::int64_t position, std::uint8_t step, const E& b) {
-    if (!both_[kind_of<E>]) return true;
-    if (equal_) {
-      take<E>(position + shift_, position, 1);
-    } else {
-      const Read* a = next_of_a();
-      const E* its = a ? get_if<E>(&a->event) : nullptr;
-      if (!its || !same_names(*its, b)) return goes_on_ = false;
-      const Parting parted = same(*its, b) ? Parting{} : parting(*its, b, [](std::size_t) { return true; });
-      take<E>(a->position, position, parted.fields == 0 ? 1 : 0);
-      if (parted.fields != 0)
-        found_.differences.push_back(
-            {a->position, position, parted.fields, static_cast<std::uint8_t>(kind_of<E>), step, parted.off});
-      ++next_;
-    }
-    identity_.take_note_of(b);
-    if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, BuffersClear> || std::is_same_v<E, PassBegin>)
-      begun_.again(b);
-    return true;
-  }
-  // Of pixels there is nothing to take note of.
-  bool operator()(std::int64_t position, const codec::FragmentRun& run) {
-    if (!equal_) return one_by_one(position, run);
-    const std::int64_t written = run.nearer == 0 ? 0 : std::popcount(run.nearer);
-    count<DepthInterpolate>(run.count, run.count), count<DepthCompare>(run.count, run.count);
-    count<DepthWrite>(written, written), count<PixelWrite>(written, written);
-    match(position + 1, run.events());
-    return true;
-  }
-  bool operator()(std::int64_t position, const codec::PaintRun& run) {
-    if (!equal_) return one_by_one(position, run);
-    count<PixelPaint>(run.count, run.count);
-    match(position + 1, run.events());
-    return true;
-  }
-
- private:
-  struct Read {
-    std::int64_t position;
-    Event event;
-  };
-
-  template <class Run>
-  bool one_by_one(std::int64_t position, const Run& run) {
-    return run.expand([&](std::uint8_t step, const auto& event) { return (*this)(++position, step, event); });
-  }
-
-  /// Is this block of B, to the byte, the one that comes next in A?
-  bool equal_blocks(std::size_t block_b) const {
-    if (!one_code_ || next_ != ahead_.size() || read_a_ >= a_.size()) return false;
-    const std::size_t block_a = a_.impl().block_of(read_a_ + 1);
-    const auto &one = a_.impl().blocks[block_a].info, &other = b_.impl().blocks[block_b].info;
-    if (one.first_position != read_a_ || one.count != other.count) return false;
-    const Bytes *mine = a_.impl().packed(block_a), *its = b_.impl().packed(block_b);
-    return mine && its && *mine == *its;
-  }
-
-  const Read* next_of_a() {
-    while (next_ == ahead_.size()) {
-      if (read_a_ >= a_.size()) return nullptr;
-      const std::int64_t end = end_of_block(a_.impl().blocks[a_.impl().block_of(read_a_ + 1)]);
-      ahead_.clear(), next_ = 0;
-      a_.each(read_a_, end, [&](std::int64_t position, const RecordedEvent& recorded) {
-        if (both_[recorded.event.index()]) ahead_.push_back({position, recorded.event});
-        return true;
-      });
-      read_a_ = end;
-    }
-    return &ahead_[next_];
-  }
-
-  template <class E>
-  void count(std::int64_t pairs, std::int64_t equal) {
-    KindCount& kind = found_.kinds[kind_of<E>];
-    kind.pairs += pairs, kind.equal += equal;
-  }
-  void match(std::int64_t b, std::int64_t steps) {
-    extend(found_.by_b, b + shift_, b, steps);
-    last_a_ = b + shift_ + steps - 1, last_b_ = b + steps - 1;
-  }
-  template <class E>
-  void take(std::int64_t a, std::int64_t b, std::int64_t equal) {
-    count<E>(1, equal);
-    extend(found_.by_b, a, b, 1);
-    last_a_ = a, last_b_ = b;
-  }
-
-  const Trace &a_, &b_;
-  const Both& both_;
-  Alignment& found_;
-  Identity identity_;
-  bool one_code_;  ///< the same bytes mean the same in both
-  Begun begun_;
-  std::vector<Read> ahead_;  ///< of A, of the kinds that both record
-  std::size_t next_ = 0;
-  std::int64_t read_a_ = 0, read_b_ = 0;  ///< steps that were read
-  std::int64_t last_a_ = 0, last_b_ = 0;  ///< the last that are the same
-  std::int64_t shift_ = 0;                ///< from a step of B to that of A, where blocks are equal
-  bool equal_ = false, goes_on_ = true;
-};
+std::uint32_t same_verdicts(const codec::FragmentRun& a, const codec::FragmentRun& b) {
+  return static_cast<std::uint32_t>(std::countr_zero(a.nearer ^ b.nearer));
+}
+std::uint32_t same_verdicts(const codec::PaintRun&, const codec::PaintRun&) { return codec::run_limit; }
 
 }  // namespace
 
@@ -158,11 +37,209 @@ void extend(std::vector<Match>& matches, std::int64_t a, std::int64_t b, std::in
   matches.push_back({a, b, count});
 }
 
-InStep go_in_step(const Trace& a, const Trace& b, const Both& both, Alignment& found,
-                  const std::function<bool(double)>& on_way) {
-  // Vertices beyond those of the scene are known by how they were made.
-  if (a.scene().points.size() != b.scene().points.size()) return {0, 0, Identity(a), Identity(b), {}, false, false};
-  return Walk(a, b, both, found).run(on_way);
+std::optional<Keyed> Run::read() {
+  for (;;) {
+    const Steps::Next next = steps.next();
+    if (next == Steps::Next::end) return std::nullopt;
+    if (next != Steps::Next::step) steps.open(1);
+    if (pass_repeated()) continue;
+    Keyed read = with_kind(steps.kind(), [this]<class E>() {
+      const E event = steps.event<E>();
+      begun.again(event);
+      return Keyed{identity.of(event), steps.position(), {steps.line(), event}};
+    });
+    steps.skip();
+    return read;
+  }
+}
+
+bool Run::pass_repeated() {
+  if (steps.kind() != kind_of<PolygonBegin>) return false;
+  const auto begin = steps.event<PolygonBegin>();
+  if (!begun.has(begin)) return false;
+  identity.take_note_of(begin);
+  steps.skip();
+  return true;
+}
+
+InStep::InStep(Run& a, Run& b, Alignment& found, bool plain)
+    : a_(a),
+      b_(b),
+      found_(found),
+      plain_(plain),
+      one_code_(a.trace.header() == b.trace.header() && a.trace.scene() == b.trace.scene()),
+      // Vertices beyond those of the scene are known by how they were made.
+      one_identity_(a.trace.scene().points.size() == b.trace.scene().points.size()) {}
+
+void InStep::part() {
+  if (!one_identity_) return;
+  one_identity_ = false;
+  b_.identity = a_.identity.of_same_run(b_.trace);
+  b_.begun = a_.begun;
+}
+
+bool InStep::go_on(const std::function<bool(double)>& on_way) {
+  constexpr std::int64_t now_and_then = 1 << 14;
+  const double all = static_cast<double>(std::max<std::int64_t>(a_.trace.size() + b_.trace.size(), 1));
+  for (std::int64_t round = 0;; ++round) {
+    if (round % now_and_then == 0 && on_way &&
+        on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all))
+      return false;
+    if (found_.differences.size() > most_differences) return true;
+    if (pass_equal_block()) continue;
+    if (!along()) return true;
+  }
+}
+
+/// A block that both have: it is read once.
+struct InStep::EqualBlock {
+  InStep& self;
+  std::int64_t shift;  ///< from a step of B to that of A
+
+  template <class E>
+  bool operator()(std::int64_t position, std::uint8_t, const E& event) {
+    self.count<E>(1, 1);
+    extend(self.found_.by_b, position + shift, position, 1);
+    self.a_.identity.take_note_of(event);
+    self.a_.begun.again(event);
+    return true;
+  }
+  // Of pixels there is nothing to take note of.
+  bool operator()(std::int64_t position, const codec::FragmentRun& run) { return pixels(position, run); }
+  bool operator()(std::int64_t position, const codec::PaintRun& run) { return pixels(position, run); }
+
+ private:
+  bool pixels(std::int64_t position, const auto& run) {
+    self.count_run(run);
+    extend(self.found_.by_b, position + shift + 1, position + 1, run.events());
+    return true;
+  }
+};
+
+bool InStep::pass_equal_block() {
+  if (!one_code_ || !one_identity_ || plain_ || !a_.steps.at_block() || !b_.steps.at_block()) return false;
+  const std::int64_t at_a = a_.steps.read(), at_b = b_.steps.read();
+  if (at_a >= a_.trace.size() || at_b >= b_.trace.size()) return false;
+  const std::size_t block_a = a_.trace.impl().block_of(at_a + 1), block_b = b_.trace.impl().block_of(at_b + 1);
+  const auto &one = a_.trace.impl().blocks[block_a].info, &other = b_.trace.impl().blocks[block_b].info;
+  if (one.first_position != at_a || other.first_position != at_b || one.count != other.count) return false;
+  const Bytes *mine = a_.trace.impl().packed(block_a), *its = b_.trace.impl().packed(block_b);
+  if (!mine || !its || *mine != *its) return false;
+  const std::int64_t count = one.count;
+  EqualBlock equal{*this, at_a - at_b};
+  b_.trace.visit(at_b, at_b + count, equal);
+  a_.steps.skip_block(at_a + count), b_.steps.skip_block(at_b + count);
+  equal_ += count;
+  return true;
+}
+
+template <class E>
+void InStep::count(std::int64_t pairs, std::int64_t equal) {
+  KindCount& kind = found_.kinds[kind_of<E>];
+  kind.pairs += pairs, kind.equal += equal;
+}
+
+void InStep::count_run(const codec::FragmentRun& run) {
+  const std::int64_t written = run.nearer == 0 ? 0 : std::popcount(run.nearer);
+  count<DepthInterpolate>(run.count, run.count), count<DepthCompare>(run.count, run.count);
+  count<DepthWrite>(written, written), count<PixelWrite>(written, written);
+}
+void InStep::count_run(const codec::PaintRun& run) { count<PixelPaint>(run.count, run.count); }
+
+template <class E>
+bool InStep::waits(const E& event) {
+  constexpr std::uint8_t kind = kind_of<E>;
+  if (a_.waiting.empty() && b_.waiting.empty()) return false;
+  const Identity::Hint hint = a_.identity.hint(event);
+  if (!a_.waiting.may_have(kind, hint) && !b_.waiting.may_have(kind, hint)) return false;
+  const Identity::Key key = a_.identity.known(event).about;
+  return a_.waiting.has(key) || b_.waiting.has(key);
+}
+
+/// How many pixels both runs can go along at once.
+template <class OneRun>
+std::uint32_t InStep::pixels_along(const OneRun& a, const OneRun& b) {
+  if (plain_ || a.x != b.x || a.y != b.y || a.polygon != b.polygon) return 0;
+  if (!one_identity_ && !a_.identity.same_pixels(b_.identity)) return 0;
+  const auto may_wait = [&]<class... E>(const E&... events) {
+    return ((a_.waiting.may_have(kind_of<E>, a_.identity.hint(events)) ||
+             b_.waiting.may_have(kind_of<E>, a_.identity.hint(events))) || ...);
+  };
+  if (!a_.waiting.empty() || !b_.waiting.empty()) {
+    if constexpr (std::is_same_v<OneRun, codec::PaintRun>) {
+      if (may_wait(PixelPaint{a.x, a.y, 0, 0})) return 0;
+    } else if (may_wait(DepthInterpolate{a.x, a.y, 0}, DepthCompare{a.x, a.y, 0, false}, DepthWrite{a.x, a.y, 0},
+                        PixelWrite{a.x, a.y, 0})) {
+      return 0;
+    }
+  }
+  return same_depths(a, b, std::min({a.count, b.count, same_verdicts(a, b)}));
+}
+
+/// As many pixels of two runs as are the same; where the first is not, both are taken apart.
+template <class OneRun>
+bool InStep::go_along(const OneRun& a, const OneRun& b) {
+  const std::uint32_t pixels = pixels_along(a, b);
+  if (pixels == 0) {
+    const std::uint32_t both = std::min(a.count, b.count);
+    a_.steps.open(both), b_.steps.open(both);
+    return false;
+  }
+  OneRun same = a;
+  same.count = pixels;
+  if constexpr (std::is_same_v<OneRun, codec::FragmentRun>)
+    same.nearer &= pixels < codec::run_limit ? (std::uint64_t{1} << pixels) - 1 : ~std::uint64_t{0};
+  count_run(same);
+  extend(found_.by_b, a_.steps.run_position(), b_.steps.run_position(), same.events());
+  a_.steps.skip_pixels(pixels), b_.steps.skip_pixels(pixels);
+  return true;
+}
+
+/// One step further in both, or several pixels; false where they part.
+bool InStep::along() {
+  using Next = Steps::Next;
+  const Next next_a = a_.steps.next(), next_b = b_.steps.next();
+  if (next_a == Next::end || next_b == Next::end) return false;
+  if (next_a != Next::step && next_a == next_b) {
+    if (next_a == Next::fragments ? go_along(a_.steps.fragments(), b_.steps.fragments())
+                                  : go_along(a_.steps.paints(), b_.steps.paints()))
+      return true;
+  } else {
+    if (next_a != Next::step) a_.steps.open(1);
+    if (next_b != Next::step) b_.steps.open(1);
+  }
+  if (!one_identity_ && (a_.pass_repeated() || b_.pass_repeated())) return true;
+  if (a_.steps.kind() != b_.steps.kind()) return false;
+  return with_kind(a_.steps.kind(), [this]<class E>() { return step_along<E>(); });
+}
+
+template <class E>
+bool InStep::step_along() {
+  const E a = a_.steps.event<E>(), b = b_.steps.event<E>();
+  Parting parted;
+  if (one_identity_ && !same_names(a, b)) part();
+  if (one_identity_) {
+    if (!same(a, b)) parted = parting(a, b, [](std::size_t) { return true; });
+  } else {
+    if (!a_.identity.same_about(a, b_.identity, b) || waits(a)) return false;
+    if constexpr (things_among_results<E>() > 0) {
+      const auto of_a = a_.identity.known(a).results, of_b = b_.identity.known(b).results;
+      parted = parting(a, b, [&](std::size_t thing) { return of_a[thing] == of_b[thing]; });
+    } else if (!same(a, b)) {
+      parted = parting(a, b, [](std::size_t) { return true; });
+    }
+    b_.identity.take_note_of(b);
+    b_.begun.again(b);
+  }
+  a_.identity.take_note_of(a);
+  a_.begun.again(a);
+  count<E>(1, parted.fields == 0 ? 1 : 0);
+  const std::int64_t at_a = a_.steps.position(), at_b = b_.steps.position();
+  extend(found_.by_b, at_a, at_b, 1);
+  if (parted.fields != 0)
+    found_.differences.push_back({at_a, at_b, parted.fields, kind_of<E>, b_.steps.line(), parted.off});
+  a_.steps.skip(), b_.steps.skip();
+  return true;
 }
 
 }  // namespace zstep::diff

@@ -1,7 +1,10 @@
 // Steps of a run that wait for their partner in the other one.
 #pragma once
 
+#include <array>
+#include <bitset>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -22,7 +25,17 @@ class Waiting {
  public:
   bool empty() const { return chains_.empty(); }
   std::size_t size() const { return steps_.size() - free_.size(); }
+  bool has(Identity::Key key) const { return chains_.contains(key); }
+  /// Can a step of this kind with this hint be among them? Mostly not, and then nothing else needs to be asked.
+  bool may_have(std::uint8_t kind, Identity::Hint hint) const { return of_kind_[kind] != 0 && hinted_[hint]; }
   void put(const Keyed& step) {
+    if (++put_ > few + 2 * size()) {
+      put_ = 0;
+      hinted_.reset();
+      each([&](const Keyed& other) { hinted_.set(other.known.hint); });
+    }
+    hinted_.set(step.known.hint);
+    ++of_kind_[step.event.event.index()];
     std::uint32_t place = 0;
     if (free_.empty()) {
       place = static_cast<std::uint32_t>(steps_.size());
@@ -42,6 +55,7 @@ class Waiting {
     if (chain == chains_.end()) return std::nullopt;
     const std::uint32_t place = chain->second.first;
     free_.push_back(place);
+    --of_kind_[steps_[place].step.event.event.index()];
     if (place == chain->second.last) chains_.erase(chain);
     else chain->second.first = steps_[place].next;
     return steps_[place].step;
@@ -54,6 +68,7 @@ class Waiting {
 
  private:
   static constexpr std::uint32_t end = 0xffffffff;
+  static constexpr std::size_t few = 4096;
   struct Place {
     Keyed step;
     std::uint32_t next = end;
@@ -64,6 +79,9 @@ class Waiting {
   std::vector<Place> steps_;
   std::vector<std::uint32_t> free_;
   std::unordered_map<Identity::Key, Chain> chains_;
+  std::array<std::uint32_t, kind_count> of_kind_{};
+  std::bitset<std::size_t{std::numeric_limits<Identity::Hint>::max()} + 1> hinted_;  ///< also of some that have left
+  std::size_t put_ = 0;  ///< since those were forgotten
 };
 
 }  // namespace zstep::diff

@@ -1,11 +1,15 @@
 // zstep diff: equal runs are equal, and what parts is named. (tests/laws/changes_test.cpp changes anything anywhere.)
 #include "traces/diff/diff.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "tests/golden/golden.hpp"
+#include "tests/sparse.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
 #include "traces/diff/buffers.hpp"
@@ -123,6 +127,96 @@ TEST_CASE("diff: runs of several blocks are the same however they are packed, an
       CHECK(left_out.alignment.in_b(right.size()) == right.size() - 1);
     }
   }
+}
+
+/// All that a report says of steps, so that two can be held against each other.
+std::string all_of(const diff::DiffReport& report) {
+  const diff::Alignment& alignment = report.alignment;
+  std::string all = fmt::format("complete {}\n", alignment.complete);
+  for (const auto* matches : {&alignment.by_a, &alignment.by_b})
+    for (const diff::Match& match : *matches) all += fmt::format("match {} {} {}\n", match.a, match.b, match.count);
+  for (const diff::Difference& one : alignment.differences)
+    all += fmt::format("{} {} {} {} {} {}\n", one.a, one.b, one.fields, one.kind, one.line, one.off);
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
+    const diff::KindDifference& count = report.kinds[kind];
+    all += fmt::format("kind {} {} {} {} {} {}\n", kind, count.same, count.rounding, count.different, count.only_a,
+                       count.only_b);
+  }
+  for (const diff::Cause& cause : report.causes)
+    all += fmt::format("cause {} {} {} {} {} {} {} {}\n", cause.first.a, cause.first.b,
+                       cause.part == diff::Part::rounding, cause.wrong_a, cause.wrong_b, cause.again, cause.symptoms,
+                       cause.pixels);
+  return all;
+}
+
+/// Changes, leaves out, repeats or moves some steps of a run.
+std::string plant(std::vector<RecordedEvent>& steps, std::mt19937_64& random) {
+  const std::size_t at = random() % steps.size();
+  const auto here = steps.begin() + static_cast<std::ptrdiff_t>(at);
+  const auto some = static_cast<std::ptrdiff_t>(std::min<std::size_t>(1 + random() % 100, steps.size() - at));
+  const auto way = random() % 6;
+  if (way == 0) {
+    steps.erase(here);
+  } else if (way == 1) {
+    steps.erase(here, here + some);
+  } else if (way == 2) {
+    const std::vector<RecordedEvent> again(here, here + some);
+    steps.insert(here, again.begin(), again.end());
+  } else if (way == 3) {
+    std::rotate(here, here + 1, here + some);
+  } else if (way == 4) {
+    std::rotate(here, here + some, steps.end());
+  } else {
+    visit_event(
+        [&]<class E>(E& event) {
+          for_each_field<E>([&](const auto& field) {
+            using Value = typename std::remove_cvref_t<decltype(field)>::value_type;
+            if constexpr (std::is_same_v<Value, double>) event.*field.member *= random() % 2 == 0 ? 1.5 : 1 + 1e-15;
+          });
+        },
+        steps[at].event);
+  }
+  return fmt::format("{} at step {}, {} steps", way, at + 1, some);
+}
+
+TEST_CASE("diff: going along with both runs finds what matching every step for itself finds") {
+  std::mt19937_64 random(8);
+  int differ = 0, apart = 0;
+  const auto compare_both_ways = [&](const Trace& a, const Trace& b) {
+    const diff::DiffReport fast = diff::compare(a, b);
+    CHECK(all_of(fast) == all_of(diff::compare(a, b, nullptr, diff::Way::plain)));
+    differ += !fast.alignment.differences.empty();
+    apart += fast.alignment.by_b.size() > 1;
+  };
+  const auto plants = [&](const std::string& name, const Trace& trace, int times) {
+    CAPTURE(name);
+    for (int time = 0; time < times; ++time) {
+      std::vector<RecordedEvent> steps;
+      trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& step) {
+        steps.push_back(step);
+        return true;
+      });
+      std::string planted;
+      for (auto left = 1 + random() % 3; left > 0 && !steps.empty(); --left) planted += plant(steps, random) + "; ";
+      CAPTURE(planted);
+      Header header = trace.header();
+      if (random() % 2 == 0) header.title = "another";  // then equal bytes are not looked for
+      TraceRecorder recorder(header, trace.scene());
+      for (const RecordedEvent& step : steps) record_any(recorder, step.step, step.event);
+      recorder.finish();
+      const Trace other = Trace::from_bytes(recorder.take_bytes(), "planted");
+      compare_both_ways(trace, other);
+      compare_both_ways(other, trace);
+    }
+  };
+  int runs = 0;
+  test::for_each_golden([&](const std::string& name, const Trace& trace) {
+    plants(name, trace, 6 / test::sparse);
+    ++runs;
+  });
+  plants("several blocks", test::recorded_by("z-buffer", test::large_scene(), {}), 6 / test::sparse);
+  CHECK(differ > runs);
+  CHECK(apart > runs);
 }
 
 TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is told apart") {
