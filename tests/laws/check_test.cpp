@@ -1,14 +1,23 @@
 // Law: no run of zstep's own is doubted, whatever method, scene and conventions, and its formulas give every bit.
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/laws/agreement/n_gons.hpp"
+#include "tests/sparse.hpp"
+#include "tests/where.hpp"
 #include "traces/check/check.hpp"
 #include "traces/error.hpp"
 #include "traces/record/trace_recorder.hpp"
@@ -16,20 +25,32 @@
 namespace zstep {
 namespace {
 
-/// False where the method cannot draw the scene so.
-bool is_right(const Method& method, const Scene& scene, const Conventions& conventions) {
+/// False where the method cannot draw the scene so. `as_computed`: its header does not say in which numbers.
+bool is_right(const Method& method, const Scene& scene, const Conventions& conventions, bool as_computed = false) {
   try {
     check_run(method, scene, conventions);
   } catch (const InputError&) {
     return false;
   }
-  TraceRecorder recorder(header_for(method, conventions), scene);
+  Header header = header_for(method, conventions);
+  if (as_computed) {
+    header.undeclared |= std::uint8_t{1} << static_cast<unsigned>(Convention::number_format);
+    header.conventions.number_format = {}, header.conventions.rounding = {};
+  }
+  TraceRecorder recorder(header, scene);
   method.record(scene, conventions, recorder);
   recorder.finish();
   const Trace trace = Trace::from_bytes(recorder.take_bytes(), scene.name);
   const CheckReport report = check(trace);
   CAPTURE(method.id);
   CAPTURE(scene.name);
+  CAPTURE(as_computed);
+  CAPTURE(report.precision.text);
+  std::string words;
+  for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
+    words += fmt::format("{}={} ", key, word_of(conventions.*member));
+  });
+  CAPTURE(words);
   for (const Cause& cause : report.causes) {
     const StepInfo* step = find_step(trace.header().page, cause.first.line);
     FAIL_CHECK(step->name << " at step " << cause.first.step << ": " << cause.first.field << cause.first.impossible
@@ -37,8 +58,6 @@ bool is_right(const Method& method, const Scene& scene, const Conventions& conve
   }
   // Formulas are evaluated in float64: what a run computes in other numbers they give but for rounding.
   // Where 1/z_v is added to, the trace has the reciprocal alone: the last digit may differ.
-  CAPTURE(word_of(conventions.depth));
-  CAPTURE(word_of(conventions.interpolation));
   const bool reciprocals = conventions.depth == Conventions::Depth::corrected && adds_slopes(conventions);
   if (conventions.number_format == NumberFormat::float64 && !reciprocals) CHECK(report.exact == report.numbers);
   return true;
@@ -118,6 +137,74 @@ TEST_CASE("law: check doubts no run with any options, on random meshes and all t
   MESSAGE(runs, " runs on ", scenes, " scenes");
   CHECK(scenes >= 200);
   CHECK(runs >= 5 * scenes);
+}
+
+/// Meshes of every kind as files, and all that the tests and the lessons have.
+std::vector<Scene> meshes_from_files() {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  const fs::path folder = fs::temp_directory_path() / fmt::format("zstep_meshes_{}", ::getpid());
+  fs::create_directories(folder);
+  for (const test::NGonKind& kind : test::n_gon_kinds())
+    for (std::uint64_t seed = 100; seed < 103; ++seed) {
+      files.push_back((folder / fmt::format("{} {}.off", kind.name, seed)).string());
+      std::ofstream(files.back()) << kind.file(seed);
+    }
+  // By hand: a folder of other meshes.
+  const char* more = std::getenv("ZSTEP_CHECK_MESHES");
+  for (const std::string& of : {test::in_checkout("tests/data"), test::in_checkout("lessons/scenes"),
+                                std::string(more ? more : "")})
+    if (!of.empty())
+      for (const auto& entry : fs::recursive_directory_iterator(of))
+        for (const char* ending : {".obj", ".off", ".ply", ".stl", ".toml"})
+          if (entry.path().extension() == ending) files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  std::vector<Scene> scenes;
+  for (const std::string& file : files) {
+    ViewOptions view;
+    view.width = 24, view.height = 20;
+    view.fit = !file.ends_with(".toml");
+    try {
+      scenes.push_back(look_at_scene(load_scene(file).scene, view));
+    } catch (const InputError&) {
+      CHECK(file.find("hostile") != std::string::npos);
+    }
+  }
+  fs::remove_all(folder);
+  return scenes;
+}
+
+TEST_CASE("law: check doubts no run on meshes from files, in any numbers, however they are interpolated") {
+  // By hand: every way, and not one in many.
+  const bool all = std::getenv("ZSTEP_CHECK_ALL") != nullptr;
+  std::mt19937_64 random(20);
+  int runs = 0;
+  const std::vector<Scene> scenes = meshes_from_files();
+  CHECK(scenes.size() >= 48);
+  for (const Scene& scene : scenes)
+    for (const Method& method : methods()) {
+      runs += is_right(method, scene, any_way(method, random));
+      if (!method.in_any_way) continue;
+      for (std::size_t number = 0; number < 2 * words_of<NumberFormat>.size(); ++number)
+        for (std::size_t how = 0; how < words_of<Conventions::Interpolation>.size(); ++how)
+          for (std::size_t coverage = 0; coverage < words_of<Conventions::Coverage>.size(); ++coverage) {
+            const auto any = random();
+            Conventions c;
+            c.number_format = static_cast<NumberFormat>(number / 2);
+            c.rounding = static_cast<Conventions::Rounding>(number % 2);
+            c.interpolation = static_cast<Conventions::Interpolation>(how);
+            c.coverage = static_cast<Conventions::Coverage>(coverage);
+            if (!all && any % (8 * test::sparse) != 0) continue;
+            for (std::size_t depth = 0; depth < words_of<Conventions::Depth>.size(); ++depth) {
+              if (!all && depth != (any >> 8) % words_of<Conventions::Depth>.size()) continue;
+              c.depth = static_cast<Conventions::Depth>(depth);
+              c.positions = static_cast<Conventions::Positions>(any >> 16 & 1);
+              runs += is_right(method, scene, c, (any >> 20) % 4 == 0);
+            }
+          }
+    }
+  MESSAGE(runs, " runs on ", scenes.size(), " meshes and scenes from files");
+  CHECK(runs > static_cast<int>(scenes.size()) * 10);
 }
 
 }  // namespace

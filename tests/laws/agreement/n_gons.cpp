@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "algorithms/scene/builder.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
 
@@ -34,6 +36,17 @@ struct Mesh {
   void round_to(double digits) {
     const double unit = std::pow(10, -digits);
     for (glm::dvec3& at : soup.points) at = glm::round(at / unit) * unit;
+  }
+  std::string file() const {
+    std::string text = fmt::format("OFF\n{} {} 0\n", soup.points.size(), soup.outlines.size());
+    for (const glm::dvec3& at : soup.points) text += fmt::format("{} {} {}\n", at.x, at.y, at.z);
+    for (const Facet& outline : soup.outlines) {
+      text += std::to_string(outline.corner_count);
+      for (std::int32_t k = 0; k < outline.corner_count; ++k)
+        text += fmt::format(" {}", soup.corners[static_cast<std::size_t>(outline.first_corner + k)]);
+      text += '\n';
+    }
+    return text;
   }
   Scene scene() && {
     scene::SceneBuilder builder({});
@@ -66,36 +79,36 @@ Ring star_near(Numbers& random, double spread, double radius) {
   return random_star(random, centre, radius, whole(random, 3, 9));
 }
 
-Scene not_planar(std::uint64_t seed) {
+Mesh not_planar(std::uint64_t seed) {
   Numbers random(seed);
   Mesh mesh;
   for (int i = whole(random, 2, 6); i > 0; --i) {
     Ring ring = star_near(random, 0.5, 0.9);
     mesh.polygon(bent(random, std::move(ring), 0.3));
   }
-  return std::move(mesh).scene();
+  return mesh;
 }
 
 /// On both sides of the bound at which a polygon counts as planar.
-Scene nearly_planar(std::uint64_t seed) {
+Mesh nearly_planar(std::uint64_t seed) {
   Numbers random(seed);
   Mesh mesh;
   for (int i = whole(random, 2, 6); i > 0; --i) {
     Ring ring = star_near(random, 0.4, 1);
     mesh.polygon(bent(random, std::move(ring), power(random, -8, -4)));
   }
-  return std::move(mesh).scene();
+  return mesh;
 }
 
-Scene concave(std::uint64_t seed) {
+Mesh concave(std::uint64_t seed) {
   Numbers random(seed);
   Mesh mesh;
   for (int i = whole(random, 2, 8); i > 0; --i) mesh.polygon(star_near(random, 0.6, 0.9));
   mesh.round_to(random.between(4, 9));
-  return std::move(mesh).scene();
+  return mesh;
 }
 
-Scene thin(std::uint64_t seed) {
+Mesh thin(std::uint64_t seed) {
   Numbers random(seed);
   Mesh mesh;
   for (int i = whole(random, 4, 12); i > 0; --i) {
@@ -106,11 +119,11 @@ Scene thin(std::uint64_t seed) {
     mesh.polygon(ring);
   }
   mesh.round_to(random.between(5, 12));
-  return std::move(mesh).scene();
+  return mesh;
 }
 
 /// All about one point, some through it.
-Scene through_each_other(std::uint64_t seed) {
+Mesh through_each_other(std::uint64_t seed) {
   Numbers random(seed);
   Mesh mesh;
   const glm::dvec3 middle = random.in_box(0.2);
@@ -120,11 +133,11 @@ Scene through_each_other(std::uint64_t seed) {
     mesh.polygon(ring);
   }
   mesh.round_to(random.between(6, 14));
-  return std::move(mesh).scene();
+  return mesh;
 }
 
 /// Each a little off one plane, and tilted a little.
-Scene nearly_coplanar(std::uint64_t seed) {
+Mesh nearly_coplanar(std::uint64_t seed) {
   Numbers random(seed);
   Mesh mesh;
   const glm::dvec3 normal = glm::normalize(random.in_box(1) + glm::dvec3(1e-6));
@@ -143,12 +156,12 @@ Scene nearly_coplanar(std::uint64_t seed) {
     }
     mesh.polygon(ring);
   }
-  return std::move(mesh).scene();
+  return mesh;
 }
 
 /// Pages of a book: planar but for the rounding of their corners, and all share the edge at which they are bound, some
 /// of them with corners of their own on it.
-Scene pages(std::uint64_t seed) {
+Mesh pages(std::uint64_t seed) {
   Numbers random(seed);
   Mesh mesh;
   const glm::dvec3 axis = glm::normalize(random.in_box(1) + glm::dvec3(1e-6));
@@ -168,11 +181,11 @@ Scene pages(std::uint64_t seed) {
     mesh.polygon(corners);
   }
   mesh.round_to(random.between(4, 7));
-  return std::move(mesh).scene();
+  return mesh;
 }
 
 /// Squares joined to n-gons that share all edges: bent to a bow, waved, and rough.
-Scene sheet(Numbers& random, double fold, double wave, double rough) {
+Mesh sheet(Numbers& random, double fold, double wave, double rough) {
   Mesh mesh;
   constexpr int side = 6;
   const glm::dvec3 lean = random.in_box(0.5);
@@ -206,32 +219,42 @@ Scene sheet(Numbers& random, double fold, double wave, double rough) {
     }
   }
   mesh.round_to(random.between(5, 9));
-  return std::move(mesh).scene();
+  return mesh;
 }
 
 /// Folded over, so that its polygons hide each other.
-Scene folded_sheet(std::uint64_t seed) {
+Mesh folded_sheet(std::uint64_t seed) {
   Numbers random(seed);
   const double wave = power(random, -7, 0), fold = random.between(0, 3);
   return sheet(random, fold, wave, power(random, -8, -1));
 }
 
 /// So flat that every polygon almost lies in the plane of every other.
-Scene flat_sheet(std::uint64_t seed) {
+Mesh flat_sheet(std::uint64_t seed) {
   Numbers random(seed);
   const double wave = power(random, -7, -4);
   return sheet(random, 0, wave, power(random, -8, -5));
+}
+
+template <Mesh (*mesh)(std::uint64_t)>
+NGonKind kind_of(std::string name) {
+  return {std::move(name), [](std::uint64_t seed) { return mesh(seed).scene(); },
+          [](std::uint64_t seed) { return mesh(seed).file(); }};
 }
 
 }  // namespace
 
 const std::vector<NGonKind>& n_gon_kinds() {
   static const std::vector<NGonKind> kinds{
-      {"not planar", not_planar},           {"nearly planar", nearly_planar},
-      {"concave", concave},                 {"thin", thin},
-      {"through each other", through_each_other}, {"nearly coplanar", nearly_coplanar},
-      {"pages of a book", pages},           {"a sheet", folded_sheet},
-      {"an almost flat sheet", flat_sheet}};
+      kind_of<not_planar>("not planar"),
+      kind_of<nearly_planar>("nearly planar"),
+      kind_of<concave>("concave"),
+      kind_of<thin>("thin"),
+      kind_of<through_each_other>("through each other"),
+      kind_of<nearly_coplanar>("nearly coplanar"),
+      kind_of<pages>("pages of a book"),
+      kind_of<folded_sheet>("a sheet"),
+      kind_of<flat_sheet>("an almost flat sheet")};
   return kinds;
 }
 
