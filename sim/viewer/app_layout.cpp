@@ -74,6 +74,8 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
   // A pane that would be too narrow to read is left out until there is room. The last pane, the scene, always stays,
   // unless a plan of the scene does.
   std::vector<Pane> shown = structures_;
+  // Beside the frame is the second run's then.
+  if (against_ && beside_.id != depth_pane.id) shown.insert(shown.begin(), beside_);
   if (ui_.slice && slice_pane.serves(session_.header())) {
     // The slice is wide: of the others one stays, the active edges where there are such.
     const auto beside = std::find_if(shown.begin(), shown.end(),

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/model/against.hpp"
-#include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/tables.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
@@ -166,6 +166,98 @@ TEST_CASE("below a row of a table is what the second run has otherwise, and noth
   const std::vector<TableRow> turned = rows_of_both(other, edges_of);
   REQUIRE(turned.size() == 3);
   CHECK(turned[2].cells[0].text == "\u2260 B: edge");
+}
+
+TEST_CASE("of rows about the same the first is the first in the second run, and words that are results count") {
+  const Trace a = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  Renderer renderer(16, 16);
+  Session of_a(a, nullptr), of_b(a, nullptr);
+  Ui ui(of_a, renderer), other(of_b, renderer);
+  ui.other = &other;
+  of_b.go_to(1);
+  const std::vector<TableRow> rows = rows_of_both(ui, [](Ui& of) {
+    const bool is_b = of.session.position() == 1;
+    std::vector<TableRow> table(3);
+    for (TableRow& row : table) {
+      row.about = "A";
+      row.cells = {TableCell("A"), TableCell::result_of("out"), TableCell(is_b ? "now" : "then")};
+    }
+    if (is_b) table[1].cells[1] = TableCell::result_of("in", "i");
+    return table;
+  });
+  REQUIRE(rows.size() == 4);
+  CHECK(rows[2].look == TableRow::Look::other);
+  CHECK(rows[2].cells[1].text == "in");
+  CHECK(rows[2].cells[1].brief == "i");
+  CHECK(rows[2].cells[2].text.empty());
+}
+
+namespace {
+
+/// The tables of two runs, the second with one change, at the last step where a row is shown to differ.
+template <class Change>
+std::vector<TableRow> rows_where_they_part(const char* golden, std::vector<TableRow> (*rows_of)(Ui&), Change&& change) {
+  const Trace a = open_jsonl(test::in_checkout(fmt::format("tests/golden/{}.jsonl", golden)));
+  bool changed = false;
+  const Trace b = test::changed(a, [&](std::int64_t, Event& event) {
+    changed = changed || change(event);
+    return true;
+  });
+  Renderer renderer(16, 16);
+  Session of_a(a, nullptr), of_b(b, nullptr);
+  Ui ui(of_a, renderer), other(of_b, renderer);
+  std::vector<TableRow> parted;
+  for (std::int64_t step = 1; step <= a.size(); ++step) {
+    of_a.go_to(step), of_b.go_to(step);
+    ui.other = nullptr;
+    const std::size_t alone = rows_of(ui).size();
+    ui.other = &other;
+    std::vector<TableRow> both = rows_of_both(ui, rows_of);
+    CHECK(both.size() >= alone);
+    if (both.size() > alone) parted = std::move(both);
+  }
+  return parted;
+}
+
+/// The line of the second run; its text cells by their text, a number as "number".
+std::vector<std::string> line_of_b(const std::vector<TableRow>& rows) {
+  std::vector<std::string> texts;
+  for (const TableRow& row : rows)
+    if (row.look == TableRow::Look::other && texts.empty())
+      for (const TableCell& cell : row.cells) texts.push_back(cell.value ? "number" : cell.text);
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("the tables of the sweep, the lines, the rays and the tree show what the second run has otherwise") {
+  using Texts = std::vector<std::string>;
+  const std::string b = "\u2260 B";
+  const auto once = [](auto&& apply) {
+    return [apply, done = false](Event& event) mutable { return done || (done = apply(event)); };
+  };
+  CHECK(line_of_b(rows_where_they_part("scan-line", polygon_rows, once([](Event& event) {
+          if (holds<PlaneEquation>(event)) event.as<PlaneEquation>().plane_c += 1;
+          return holds<PlaneEquation>(event);
+        }))) == Texts{b, "", "", "", "number", ""});
+  CHECK(line_of_b(rows_where_they_part("hidden-line", interval_rows, once([](Event& event) {
+          if (holds<LineHide>(event)) event.as<LineHide>().t_1 += 0.125;
+          return holds<LineHide>(event);
+        }))) == Texts{b, "", "number"});
+  CHECK(line_of_b(rows_where_they_part("ray-casting", ray_test_rows, once([](Event& event) {
+          if (holds<RayHit>(event)) event.as<RayHit>().t += 0.125;
+          return holds<RayHit>(event);
+        })))[1] == "number");
+  CHECK(line_of_b(rows_where_they_part("ray-tracing", ray_tree_rows, once([](Event& event) {
+          const auto* end = get_if<RayEnd>(&event);
+          if (!end || end->nearest_facet < 0) return false;
+          event.as<RayEnd>().t += 0.125;
+          return true;
+        }))) == Texts{b, "", "number", ""});
+  CHECK(line_of_b(rows_where_they_part("bsp", path_rows, once([](Event& event) {
+          if (holds<EyeSide>(event)) event.as<EyeSide>().value += 1;
+          return holds<EyeSide>(event);
+        }))) == Texts{"", b, "", "number", "", ""});
 }
 
 TEST_CASE("keys lead to the next cause, the next difference and the first pixel that differs") {

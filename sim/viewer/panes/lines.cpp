@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -91,16 +91,20 @@ std::string face_label(const Scene& scene, std::int32_t facet) {
   return polygon_label(scene, scene.facets[static_cast<std::size_t>(facet)].polygon);
 }
 
-void draw_table(Ui& ui) {
-  const Session& s = ui.session;
-  const MethodState& m = s.state().machine;
+const LineRow* line_at_work(const MethodState& m) {
   const auto at = static_cast<std::size_t>(m.line);
-  if (m.line < 0 || at >= m.lines.size()) return say_empty(ui, "An edge's intervals stand here once it is at work.");
-  const LineRow& row = m.lines[at];
-  flow(ui,
-       fmt::format("Edge {}: {}\u2013{}, {}", m.line, row.entry.vertex_0, row.entry.vertex_1,
-                   words_of<LineKind>[static_cast<std::size_t>(row.entry.kind)]),
-       {.font = ui.fonts.bold});
+  return m.line < 0 || at >= m.lines.size() ? nullptr : &m.lines[at];
+}
+
+}  // namespace
+
+std::vector<TableRow> interval_rows(Ui& ui) {
+  const Session& s = ui.session;
+  const LineRow* at_work = line_at_work(s.state().machine);
+  if (!at_work) return {};
+  const LineRow& row = *at_work;
+  const auto [first, last] = std::minmax(row.entry.vertex_0, row.entry.vertex_1);
+  const std::string edge = fmt::format("{}-{} ", first, last);
   const RecordedEvent* event = s.event();
   const bool hides_now = event && holds<LineHide>(event->event), cuts_now = event && holds<LinePiece>(event->event);
   std::vector<TableRow> rows;
@@ -115,6 +119,7 @@ void draw_table(Ui& ui) {
     TableRow shown;
     shown.cells = {"hidden by " + face_label(s.scene(), hidden.facet), TableCell(hidden.t_0, asks("t_0", hidden.t_0)),
                    TableCell(hidden.t_1, asks("t_1", hidden.t_1))};
+    shown.about = edge + shown.cells[0].text;
     if (hides_now && i + 1 == row.hidden.size()) shown.look = TableRow::Look::now;
     rows.push_back(std::move(shown));
   }
@@ -128,9 +133,25 @@ void draw_table(Ui& ui) {
     TableRow shown;
     shown.cells = {std::string(piece.visible ? "\u2500\u2500 visible" : "- - hidden"),
                    TableCell(piece.t_0, asks("t_0", piece.t_0)), TableCell(piece.t_1, asks("t_1", piece.t_1))};
+    shown.about = edge + shown.cells[0].text;
     if (cuts_now && i + 1 == row.pieces.size()) shown.look = TableRow::Look::now;
     rows.push_back(std::move(shown));
   }
+  return rows;
+}
+
+namespace {
+
+void draw_table(Ui& ui) {
+  const Session& s = ui.session;
+  const MethodState& m = s.state().machine;
+  const LineRow* row = line_at_work(m);
+  if (!row) return say_empty(ui, "An edge's intervals stand here once it is at work.");
+  flow(ui,
+       fmt::format("Edge {}: {}\u2013{}, {}", m.line, row->entry.vertex_0, row->entry.vertex_1,
+                   words_of<LineKind>[static_cast<std::size_t>(row->entry.kind)]),
+       {.font = ui.fonts.bold});
+  const std::vector<TableRow> rows = rows_of_both(ui, interval_rows);
   if (!rows.empty()) {
     number_table(ui, "intervals", {"", "t from", "to"}, rows);
     return;

@@ -15,10 +15,16 @@ struct TableCell {
   ImU32 chip = 0;               ///< a swatch of this colour before the text
   std::optional<answers::Question> question;  ///< of a number: what a click asks
   std::string brief;            ///< instead of the text where room is scarce; a sign
+  bool result = false;          ///< the text is a result as numbers are: the second run's is shown where it is another
   TableCell(std::string t = {}) : text(std::move(t)) {}
   TableCell(double v) : value(v) {}
   TableCell(double v, answers::Question q) : value(v), question(std::move(q)) {}
   TableCell(std::string t, ImU32 color) : text(std::move(t)), chip(color) {}
+  static TableCell result_of(std::string t, std::string in_brief = {}) {
+    TableCell cell(std::move(t));
+    cell.brief = std::move(in_brief), cell.result = true;
+    return cell;
+  }
 };
 
 struct TableRow {
@@ -28,7 +34,9 @@ struct TableRow {
   Findings::Trust trust = Findings::Trust::right;  ///< of what is wrong the text is red, and a sign says which it is
   bool lit = false;       ///< selected or pointed at, here or in another pane
   int key = -1;           ///< what click and hover report; −1: nothing
-  std::string about;      ///< by which the row is found in the second run's table; empty: it is not looked for there
+  /// By which the row is found in the second run's table, of several rows about the same in their order; empty: it is
+  /// not looked for there.
+  std::string about = {};
   std::size_t name = 0;   ///< the cell that names it
 };
 

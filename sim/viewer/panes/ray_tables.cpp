@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -20,10 +20,20 @@ std::string facet_label(const Scene& scene, std::int32_t facet) {
 template <class E>
 bool just(const Session& s) { return s.event() && holds<E>(s.event()->event); }
 
-void draw_tests(Ui& ui) {
+/// What the ray at work is about: where it was cast, and what for.
+std::string ray_at_work(const RayWork& rays) {
+  for (const RayRow& ray : rays.tree)
+    if (ray.entry.ray == rays.ray)
+      return fmt::format("{},{} {} ", ray.entry.x, ray.entry.y, words_of<RayRole>[static_cast<std::size_t>(ray.entry.role)]);
+  return "";
+}
+
+}  // namespace
+
+std::vector<TableRow> ray_test_rows(Ui& ui) {
   const Session& s = ui.session;
   const RayWork& rays = s.state().machine.rays;
-  if (rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
+  const std::string ray = ray_at_work(rays);
   std::vector<TableRow> rows;
   for (const CellVisit& visit : rays.cells) {
     TableRow row;
@@ -34,6 +44,7 @@ void draw_tests(Ui& ui) {
     row.cells = {fmt::format("cell {},{},{}", visit.cell_x, visit.cell_y, visit.cell_z),
                  TableCell(visit.t_enter, asks("t_enter")), TableCell(visit.t_leave, asks("t_leave")),
                  std::string("entered")};
+    row.about = ray + row.cells[0].text;
     if (just<CellVisit>(s) && &visit == &rays.cells.back()) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
   }
@@ -45,9 +56,10 @@ void draw_tests(Ui& ui) {
     };
     row.cells = {fmt::format("box {}", test.box), TableCell(test.t_enter, asks("t_enter")),
                  TableCell(test.t_leave, asks("t_leave")),
-                 std::string(test.hit ? "met"
-                             : meets  ? "too far"
-                                      : "missed")};
+                 TableCell::result_of(test.hit ? "met"
+                                      : meets  ? "too far"
+                                               : "missed")};
+    row.about = ray + row.cells[0].text;
     if (!test.hit) row.look = TableRow::Look::gone;
     if (just<BoxTest>(s) && &test == &rays.boxes.back()) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
@@ -57,16 +69,28 @@ void draw_tests(Ui& ui) {
     TableRow row;
     row.cells = {facet_label(s.scene(), hit.facet),
                  TableCell(hit.t, answers::made_by<RayHit>(s.position(), "t", {{"facet", hit.facet}})), std::string(),
-                 std::string(hit.nearest     ? "nearest so far"
-                             : !hit.inside   ? "outside"
-                             : hit.t == kept ? "inside, as near"
-                                             : "inside, farther")};
-    row.cells.back().brief = hit.nearest ? "nearest" : !hit.inside ? "outside" : hit.t == kept ? "as near" : "farther";
+                 TableCell::result_of(hit.nearest     ? "nearest so far"
+                                      : !hit.inside   ? "outside"
+                                      : hit.t == kept ? "inside, as near"
+                                                      : "inside, farther",
+                                      hit.nearest     ? "nearest"
+                                      : !hit.inside   ? "outside"
+                                      : hit.t == kept ? "as near"
+                                                      : "farther")};
+    row.about = ray + row.cells[0].text;
     if (hit.nearest) kept = hit.t;
     if (!hit.nearest) row.look = TableRow::Look::gone;
     if (just<RayHit>(s) && &hit == &rays.hits.back()) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
   }
+  return rows;
+}
+
+namespace {
+
+void draw_tests(Ui& ui) {
+  if (ui.session.state().machine.rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
+  const std::vector<TableRow> rows = rows_of_both(ui, ray_test_rows);
   if (rows.empty()) return say_empty(ui, "Empty: the ray met nothing yet between the near and the far plane.");
   number_table(ui, "ray_tests", {"", "t", "t_leave", ""}, rows);
 }
@@ -87,10 +111,11 @@ int depth_in(const RayWork& rays, const RayRow& row) {
   return depth;
 }
 
-void draw_tree(Ui& ui) {
+}  // namespace
+
+std::vector<TableRow> ray_tree_rows(Ui& ui) {
   const Session& s = ui.session;
   const RayWork& rays = s.state().machine.rays;
-  if (rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
   constexpr const char* roles[] = {"eye", "mirrored", "through", "to the light"};
   constexpr const char* brief_roles[] = {"eye", "mirror", "through", "light"};
   std::vector<TableRow> rows;
@@ -101,19 +126,21 @@ void draw_tree(Ui& ui) {
     const auto role = static_cast<std::size_t>(ray.entry.role);
     row.cells = {branch + roles[role]};
     row.cells.back().brief = branch + brief_roles[role];
+    row.about = fmt::format("{},{} {}", ray.entry.x, ray.entry.y, row.cells[0].text);
     if (ray.end) {
-      row.cells.emplace_back(facet_label(s.scene(), ray.end->nearest_facet));
+      row.cells.push_back(TableCell::result_of(facet_label(s.scene(), ray.end->nearest_facet)));
       if (ray.end->nearest_facet >= 0)
         row.cells.emplace_back(ray.end->t, answers::made_by<RayEnd>(s.position(), "t", {{"ray", ray.entry.ray}}));
       else row.cells.emplace_back(std::string());
       if (ray.entry.role == RayRole::shadow) {
-        row.cells.emplace_back(std::string(ray.end->nearest_facet >= 0 ? "dark" : "lit"));
+        row.cells.push_back(TableCell::result_of(ray.end->nearest_facet >= 0 ? "dark" : "lit"));
       } else {
         const auto part = [](double v) {
           return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0)));
         };
         const Color color{part(ray.end->red), part(ray.end->green), part(ray.end->blue)};
         row.cells.emplace_back(fmt::format("{} {} {}", color.red, color.green, color.blue), to_im(opaque(color)));
+        row.cells.back().result = true;
         row.cells.back().brief = fmt::format("{:02x}{:02x}{:02x}", color.red, color.green, color.blue);
       }
     } else {
@@ -122,7 +149,14 @@ void draw_tree(Ui& ui) {
     if (rays.ray == ray.entry.ray) row.look = TableRow::Look::now;
     rows.push_back(std::move(row));
   }
-  number_table(ui, "ray_tree", {"ray", "meets", "t", "colour"}, rows);
+  return rows;
+}
+
+namespace {
+
+void draw_tree(Ui& ui) {
+  if (ui.session.state().machine.rays.tree.empty()) return say_empty(ui, "Empty: no ray was cast yet.");
+  number_table(ui, "ray_tree", {"ray", "meets", "t", "colour"}, rows_of_both(ui, ray_tree_rows));
 }
 
 std::string note_tree(Ui& ui) {

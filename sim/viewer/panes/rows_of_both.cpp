@@ -1,4 +1,4 @@
-// What a second run has in a table: below each row the numbers that it has otherwise.
+// What a second run has in a table: below each row the results that it has otherwise.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -22,14 +22,23 @@ TableRow line_of_b(std::size_t cells, std::size_t name, std::string text) {
   return line;
 }
 
-/// The numbers of `b` that are not those of `a`; nothing where all are.
+/// A result without what a row names it by.
+TableCell result_of(const TableCell& cell) {
+  return cell.value ? TableCell(*cell.value) : TableCell::result_of(cell.text, cell.brief);
+}
+
+bool same_result(const TableCell& a, const TableCell& b, double rounding) {
+  if (a.value && b.value) return *a.value == *b.value || formulas::gives(formulas::Rounded(*a.value), *b.value, rounding);
+  return (!a.result && !b.result) || (!a.value && !b.value && a.text == b.text);
+}
+
+/// The results of `b` that are not those of `a`; nothing where all are.
 std::optional<TableRow> apart(const TableRow& a, const TableRow& b, double rounding) {
   TableRow line = line_of_b(a.cells.size(), a.name, sign_of_b);
   bool any = false;
   for (std::size_t k = 0; k < std::min(a.cells.size(), b.cells.size()); ++k) {
-    const auto &mine = a.cells[k].value, &its = b.cells[k].value;
-    if (!mine || !its || *mine == *its || formulas::gives(formulas::Rounded(*mine), *its, rounding)) continue;
-    line.cells[k] = TableCell(*its);
+    if (same_result(a.cells[k], b.cells[k], rounding)) continue;
+    line.cells[k] = result_of(b.cells[k]);
     any = true;
   }
   return any ? std::optional(std::move(line)) : std::nullopt;
@@ -40,28 +49,38 @@ std::optional<TableRow> apart(const TableRow& a, const TableRow& b, double round
 std::vector<TableRow> rows_of_both(Ui& ui, std::vector<TableRow> (*rows_of)(Ui&)) {
   std::vector<TableRow> rows = rows_of(ui);
   if (!ui.other) return rows;
+  // Several rows may be about the same: the first of them is the first in the other run, too.
+  using About = std::pair<std::string, int>;
+  const auto abouts = [](const std::vector<TableRow>& table) {
+    std::map<std::string, int> so_far;
+    std::vector<About> found;
+    for (const TableRow& row : table) found.emplace_back(row.about, so_far[row.about]++);
+    return found;
+  };
   const std::vector<TableRow> others = rows_of(*ui.other);
-  std::map<std::string, const TableRow*> in_b;
-  for (const TableRow& row : others)
-    if (!row.about.empty()) in_b.emplace(row.about, &row);
+  const std::vector<About> about_mine = abouts(rows), about_others = abouts(others);
+  std::map<About, const TableRow*> in_b;
+  for (std::size_t k = 0; k < others.size(); ++k)
+    if (!others[k].about.empty()) in_b.emplace(about_others[k], &others[k]);
   const double rounding = std::max(formulas::rounding_of(ui.session.header()),
                                    formulas::rounding_of(ui.other->session.header()));
   std::vector<TableRow> all;
-  for (TableRow& row : rows) {
-    all.push_back(std::move(row));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    all.push_back(std::move(rows[k]));
     const TableRow& mine = all.back();
     if (mine.about.empty()) continue;
-    const auto its = in_b.find(mine.about);
+    const auto its = in_b.find(about_mine[k]);
     std::optional<TableRow> line;
     if (its == in_b.end()) line = line_of_b(mine.cells.size(), mine.name, fmt::format("{}: not in it", sign_of_b));
     else line = apart(mine, *its->second, rounding), in_b.erase(its);
     if (line) all.push_back(std::move(*line));
   }
-  for (const TableRow& row : others) {
-    if (row.about.empty() || !in_b.contains(row.about)) continue;
+  for (std::size_t other = 0; other < others.size(); ++other) {
+    const TableRow& row = others[other];
+    if (!in_b.contains(about_others[other])) continue;
     TableRow line = line_of_b(row.cells.size(), row.name, fmt::format("{}: {}", sign_of_b, row.cells[row.name].text));
     for (std::size_t k = 0; k < row.cells.size(); ++k)
-      if (row.cells[k].value) line.cells[k] = TableCell(*row.cells[k].value);
+      if (row.cells[k].value || row.cells[k].result) line.cells[k] = result_of(row.cells[k]);
     all.push_back(std::move(line));
   }
   return all;

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -147,7 +147,9 @@ bool is_active(const MethodState& m, std::int32_t polygon) {
   });
 }
 
-void draw_table(Ui& ui) {
+}  // namespace
+
+std::vector<TableRow> polygon_rows(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const bool line_buffer = with_line_buffer(s);
@@ -163,10 +165,11 @@ void draw_table(Ui& ui) {
     if (m.pieces.size() > whole_table && !in && !is_now) continue;
     TableRow row;
     row.cells = {TableCell(piece_label(s.scene(), m, piece), color_of(s.scene(), m.pieces[k].polygon, 0)),
-                 std::string(line_buffer ? (in ? "\u25cf active" : "\u00b7")
-                             : in        ? "\u25cf in"
-                                         : "\u00b7 out")};
-    row.cells.back().brief = in ? "\u25cf" : "\u00b7";
+                 TableCell::result_of(line_buffer ? (in ? "\u25cf active" : "\u00b7")
+                                      : in        ? "\u25cf in"
+                                                  : "\u00b7 out",
+                                      in ? "\u25cf" : "\u00b7")};
+    row.about = row.cells[0].text;
     if (const auto& plane = m.pieces[k].plane)
       for (const auto& [field, value] : {std::pair{"plane_a", plane->plane_a},
                                          {"plane_b", plane->plane_b},
@@ -176,8 +179,16 @@ void draw_table(Ui& ui) {
     row.look = is_now ? TableRow::Look::now : in ? TableRow::Look::plain : TableRow::Look::gone;
     rows.push_back(std::move(row));
   }
-  if (rows.empty()) return say_empty(ui, fmt::format("Of {} polygons none is in here.", m.pieces.size()));
-  number_table(ui, "polygons", {"P", line_buffer ? "" : "flag", "A", "B", "C", "D"}, rows);
+  return rows;
+}
+
+namespace {
+
+void draw_table(Ui& ui) {
+  const std::vector<TableRow> rows = rows_of_both(ui, polygon_rows);
+  if (rows.empty())
+    return say_empty(ui, fmt::format("Of {} polygons none is in here.", ui.session.state().machine.pieces.size()));
+  number_table(ui, "polygons", {"P", with_line_buffer(ui.session) ? "" : "flag", "A", "B", "C", "D"}, rows);
 }
 
 void draw(Ui& ui) {

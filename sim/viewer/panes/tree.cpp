@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/number_table.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
 
@@ -148,7 +148,9 @@ void draw_whole(Ui& ui) {
     }
 }
 
-void draw_path(Ui& ui) {
+}  // namespace
+
+std::vector<TableRow> path_rows(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const std::vector<std::int32_t> sizes = subtree_sizes(m.tree);
@@ -166,7 +168,9 @@ void draw_path(Ui& ui) {
     TableRow row;
     const char* hangs = one.parent < 0 ? "root" : m.tree[at(one.parent)].front_child == node ? "+" : "\u2212";
     row.cells = {TableCell(std::string(hangs)), TableCell(name_of(s, one), color_of_node(s, one))};
-    row.cells.emplace_back(one.eye ? std::string(one.eye->front ? "front" : "behind") : std::string());
+    row.cells.push_back(TableCell::result_of(one.eye ? one.eye->front ? "front" : "behind" : ""));
+    row.about = row.cells[1].text;
+    row.name = 1;
     if (one.eye)
       row.cells.emplace_back(one.eye->value, answers::made_by<EyeSide>(s.position(), "value", {{"node", node}}));
     else row.cells.emplace_back();
@@ -175,16 +179,22 @@ void draw_path(Ui& ui) {
     row.look = node == now ? TableRow::Look::now : TableRow::Look::plain;
     rows.push_back(std::move(row));
   }
-  number_table(ui, "path", {"side", "node", "the eye", "value", "nodes +", "nodes \u2212"}, rows);
+  return rows;
 }
+
+namespace {
 
 void draw(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.tree.empty()) return say_empty(ui, "Empty: the tree grows once all polygons are gathered.");
-  if (m.tree.size() <= largest_drawn &&
+  const std::vector<TableRow> rows = rows_of_both(ui, path_rows);
+  // Where the two runs differ, the table says how.
+  const bool differ =
+      std::any_of(rows.begin(), rows.end(), [](const TableRow& row) { return row.look == TableRow::Look::other; });
+  if (m.tree.size() <= largest_drawn && !differ &&
       ImGui::GetContentRegionAvail().x > ui.em * 1.1f * static_cast<float>(m.tree.size()))
     draw_whole(ui);
-  else draw_path(ui);
+  else number_table(ui, "path", {"side", "node", "the eye", "value", "nodes +", "nodes \u2212"}, rows);
 }
 
 std::string note(Ui& ui) {

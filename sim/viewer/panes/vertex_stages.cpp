@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/exact_line.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -97,6 +98,7 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
   const float x = top.x + ui.em * 0.4f;
   draw_text(ui, {x, top.y + 1}, ui.fonts.bold, now ? c.now : c.text, fmt::format("vertex {}", vertex));
   std::vector<std::string> tips;
+  std::string under_mouse;  // the number there without rounding
   float y = top.y + title;
   for (const StageRow& row : rows) {
     draw_text(ui, {x, y}, font, c.muted, row.stage);
@@ -106,14 +108,18 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
                          y + (how.across == 1 ? height * static_cast<float>(k) : 0.0f)};
       const float width = text_size(ui, font, text).x;
       draw_text(ui, {right.x - width, right.y}, font, c.text, text);
-      if (!row.field.empty())
-        number_at(ui, {right.x - width - 2, right.y}, {right.x + 2, right.y + height},
-                  answers::of_vertex(s.position(), vertex, k == 2 && row.field == "_p" ? "z" : "xyz"[k] + row.field));
+      if (!row.field.empty()) {
+        const answers::Question question =
+            answers::of_vertex(s.position(), vertex, k == 2 && row.field == "_p" ? "z" : "xyz"[k] + row.field);
+        if (number_at(ui, {right.x - width - 2, right.y}, {right.x + 2, right.y + height}, question))
+          under_mouse = exact_line(s.trace(), question);
+      }
       tips.push_back(fmt::format("{} {} = {}", row.stage, "xyz"[k], exact((*row.at)[k])));
     }
     y += height * static_cast<float>(lines_of(row));
   }
   ImGui::Dummy({std::max(1.0f, how.name + static_cast<float>(how.across) * how.column + ui.em * 0.4f), block});
+  if (!under_mouse.empty()) tips.push_back(under_mouse);
   if (ImGui::IsItemHovered()) tooltip(ui, tips);
   if (now) follow(ui, top.y, block);
 }
