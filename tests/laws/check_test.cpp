@@ -25,13 +25,8 @@
 namespace zstep {
 namespace {
 
-/// False where the method cannot draw the scene so. `as_computed`: its header does not say in which numbers.
-bool is_right(const Method& method, const Scene& scene, const Conventions& conventions, bool as_computed = false) {
-  try {
-    check_run(method, scene, conventions);
-  } catch (const InputError&) {
-    return false;
-  }
+/// A run; `as_computed`: its header does not say in which numbers.
+Trace recorded(const Method& method, const Scene& scene, const Conventions& conventions, bool as_computed) {
   Header header = header_for(method, conventions);
   if (as_computed) {
     header.undeclared |= std::uint8_t{1} << static_cast<unsigned>(Convention::number_format);
@@ -40,7 +35,17 @@ bool is_right(const Method& method, const Scene& scene, const Conventions& conve
   TraceRecorder recorder(header, scene);
   method.record(scene, conventions, recorder);
   recorder.finish();
-  const Trace trace = Trace::from_bytes(recorder.take_bytes(), scene.name);
+  return Trace::from_bytes(recorder.take_bytes(), scene.name);
+}
+
+/// False where the method cannot draw the scene so.
+bool is_right(const Method& method, const Scene& scene, const Conventions& conventions, bool as_computed = false) {
+  try {
+    check_run(method, scene, conventions);
+  } catch (const InputError&) {
+    return false;
+  }
+  const Trace trace = recorded(method, scene, conventions, as_computed);
   const CheckReport report = check(trace);
   CAPTURE(method.id);
   CAPTURE(scene.name);
@@ -205,6 +210,18 @@ TEST_CASE("law: check doubts no run on meshes from files, in any numbers, howeve
     }
   MESSAGE(runs, " runs on ", scenes.size(), " meshes and scenes from files");
   CHECK(runs > static_cast<int>(scenes.size()) * 10);
+}
+
+TEST_CASE("check: where the header does not say in which numbers a run computes, the numbers do") {
+  ViewOptions view;
+  view.width = 32, view.height = 24;
+  const Scene scene = look_at_scene(load_scene("pyramid-behind").scene, view);
+  for (std::size_t k = 0; k < words_of<NumberFormat>.size(); ++k) {
+    Conventions conventions;
+    conventions.number_format = static_cast<NumberFormat>(k);
+    const Trace trace = recorded(method("z-buffer"), scene, conventions, true);
+    CHECK(check(trace).precision.text == fmt::format("{}, as the numbers look", words_of<NumberFormat>[k]));
+  }
 }
 
 }  // namespace

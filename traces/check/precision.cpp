@@ -71,76 +71,83 @@ struct Seen {
   }
 };
 
-/// How many of some numbers are whole multiples of a unit, and of these how many of no larger one.
+bool is_float32(double value) { return static_cast<double>(static_cast<float>(value)) == value; }
+
+/// Are some numbers whole multiples of a unit? Those do not tell that are multiples of 64 units, as short ones are of a
+/// small unit, or that float32 would have as well: it counts in such units from 2^23 of them on.
 struct Multiples {
-  std::size_t numbers = 0, multiples = 0, odd = 0;
+  std::size_t telling = 0, multiples = 0;
 
   Multiples(const std::vector<double>& values, double unit) {
     for (const double value : values) {
-      if (unit < 1 && value == std::trunc(value)) continue;  // what is whole says nothing
-      ++numbers;
       constexpr double near = 1e-5;
+      constexpr int coarse = 64;
       const double units = value / unit, whole = std::round(units);
-      if (std::abs(units - whole) > near) continue;
-      ++multiples;
-      odd += std::fmod(whole, 2) != 0;
+      const bool multiple = std::abs(units - whole) <= near;
+      if (multiple && (std::fmod(whole, coarse) == 0 || (std::abs(whole) >= 0x1p23 && is_float32(value)))) continue;
+      ++telling, multiples += multiple;
     }
   }
-  bool nearly_all() const { return 10 * multiples >= 9 * numbers; }
-  bool some_odd() const { return 10 * odd >= numbers; }
+  bool tell() const { return telling > 0; }
+  bool nearly_all() const { return 10 * multiples >= 9 * telling; }
+};
+
+/// The numbers that a program interpolates: depths and positions, and slopes of both.
+struct Interpolated {
+  std::vector<double> depths, positions;
+
+  explicit Interpolated(const Trace& trace) {
+    constexpr std::size_t enough = 2000;
+    const auto add = [](std::vector<double>& to, double value) {
+      if (std::isfinite(value) && (to.empty() || to.back() != value)) to.push_back(value);  // again, it says nothing
+    };
+    // Of `corrected` depths edges and spans have 1/z_v.
+    const bool same = trace.header().conventions.depth != Conventions::Depth::corrected;
+    trace.each(0, std::min(trace.size(), most_events), [&](std::int64_t, const RecordedEvent& recorded) {
+      const auto along = [&](double z) {
+        if (same) add(depths, z);
+      };
+      if (const auto* found = get_if<DepthInterpolate>(&recorded.event)) add(depths, found->z);
+      else if (const auto* compared = get_if<DepthCompare>(&recorded.event)) add(depths, compared->z);
+      else if (const auto* edge = get_if<EdgeTableInsert>(&recorded.event))
+        add(positions, edge->x_edge), add(positions, edge->dx_dy), along(edge->z_edge), along(edge->dz_dy);
+      else if (const auto* moved = get_if<EdgeStep>(&recorded.event))
+        add(positions, moved->x_edge), along(moved->z_edge);
+      else if (const auto* span = get_if<SpanBegin>(&recorded.event)) along(span->dz_dx);
+      else if (const auto* plane = get_if<PlaneSlopes>(&recorded.event)) along(plane->dz_dx), along(plane->dz_dy);
+      return depths.size() < enough;
+    });
+  }
+  /// Numbers of float32 have 24 bits; not all of them have fewer, as short ones of float64 have.
+  bool look_like_float32() const {
+    std::size_t narrow = 0, some_long = 0;
+    for (const auto* of : {&depths, &positions})
+      for (const double value : *of) {
+        constexpr int some = 20;
+        int exponent = 0;
+        const double bits = std::ldexp(std::frexp(value, &exponent), some);
+        const bool is_long = bits != std::trunc(bits);
+        some_long += is_long, narrow += is_long && is_float32(value);
+      }
+    return some_long > 0 && 10 * narrow >= 9 * some_long;
+  }
 };
 
 /// What a program interpolates in, where other numbers of its trace are computed in float64, as those of vertices are.
-/// Fixed-point depths are whole multiples of a unit: the largest one of which nearly all are, if some are of no larger
-/// one, or if positions are fixed-point numbers, too.
+/// Fixed-point numbers are whole multiples of a unit: the largest one of which nearly all are that tell.
 std::optional<NumberFormat> format_of_depths(const Trace& trace) {
-  constexpr std::size_t enough = 2000, fewest = 4;
-  constexpr double few = 0.1;
-  std::vector<double> depths, positions;
-  const auto add = [](std::vector<double>& to, double value) {
-    if (std::isfinite(value) && (to.empty() || to.back() != value)) to.push_back(value);  // again, it says nothing
-  };
-  const bool edges_too = trace.header().conventions.depth != Conventions::Depth::corrected;  // else they have 1/z_v
-  trace.each(0, std::min(trace.size(), most_events), [&](std::int64_t, const RecordedEvent& recorded) {
-    const auto add_edge = [&](double x, double z) {
-      add(positions, x);
-      if (edges_too) add(depths, z);
-    };
-    if (const auto* found = get_if<DepthInterpolate>(&recorded.event)) add(depths, found->z);
-    else if (const auto* compared = get_if<DepthCompare>(&recorded.event)) add(depths, compared->z);
-    else if (const auto* edge = get_if<EdgeTableInsert>(&recorded.event)) add_edge(edge->x_edge, edge->z_edge);
-    else if (const auto* moved = get_if<EdgeStep>(&recorded.event)) add_edge(moved->x_edge, moved->z_edge);
-    return depths.size() < enough;
-  });
-  if (depths.size() + positions.size() < fewest) return std::nullopt;
-  const auto is_narrow = [](double value) { return static_cast<double>(static_cast<float>(value)) == value; };
-  const auto is_long = [](double value) {
-    constexpr int some = 20;
-    int exponent = 0;
-    const double bits = std::ldexp(std::frexp(value, &exponent), some);
-    return bits != std::trunc(bits);
-  };
-  const auto share = [](const std::vector<double>& of, auto&& is) {
-    return static_cast<double>(std::count_if(of.begin(), of.end(), is)) / static_cast<double>(of.size());
-  };
-  const Multiples of_position(positions, 1 / fixed_positions_a_pixel);
-  const bool fixed_positions = of_position.odd > 0 && of_position.nearly_all() && of_position.some_odd();
-  for (std::size_t k = 0; k < words_of<NumberFormat>.size(); ++k) {
+  const Interpolated numbers(trace);
+  const Multiples positions(numbers.positions, 1 / fixed_positions_a_pixel);
+  const auto in_units = [&](NumberFormat format) {
     Conventions conventions = trace.header().conventions;
-    conventions.number_format = static_cast<NumberFormat>(k);
-    const double unit = depth_unit(trace.scene(), conventions);
-    if (unit == 0) continue;
-    int exponent = 0;
-    const bool is_power_of_two = std::frexp(unit, &exponent) == 0.5;  // then short numbers are multiples anyway
-    const Multiples of_unit(depths, unit);
-    const bool tells = of_unit.numbers >= fewest &&
-                       (of_unit.some_odd() || (!is_power_of_two && share(depths, is_long) >= few));
-    if (of_unit.nearly_all() && (tells || fixed_positions)) return conventions.number_format;
-  }
-  depths.insert(depths.end(), positions.begin(), positions.end());
-  // Numbers of float32 have 24 bits; not all of them have fewer, as short ones of float64 have.
-  if (share(depths, is_narrow) >= 1 - few && share(depths, is_long) >= few) return NumberFormat::float32;
-  return std::nullopt;
+    conventions.number_format = format;
+    const Multiples depths(numbers.depths, depth_unit(trace.scene(), conventions));
+    return (depths.tell() || positions.tell()) && depths.nearly_all() && positions.nearly_all();
+  };
+  using enum NumberFormat;
+  for (const NumberFormat format : {fixed16, fixed18, fixed20, fixed24, fixed32})
+    if (in_units(format)) return format;
+  return numbers.look_like_float32() ? std::optional(float32) : std::nullopt;
 }
 
 Precision precision_of_fixed(const Trace& trace, NumberFormat format, const char* why) {
