@@ -95,6 +95,31 @@ TEST_CASE("keys go from cause to cause and from mark to mark, and the pane says 
   CHECK(s.message == "No earlier step is marked.");
 }
 
+TEST_CASE("what is said of a step that is wrong ends in one full stop, whether a rule says it or a formula") {
+  int by_rule = 0, by_formula = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(test::in_checkout("tests/data/foreign"))) {
+    if (entry.path().extension() != ".jsonl") continue;
+    CAPTURE(entry.path().filename().string());
+    std::string impossible;
+    const Trace trace = open_jsonl(entry.path(), &impossible);
+    const CheckedRun run = judge_run(trace, nullptr, true);
+    if (run.report.causes.empty()) continue;
+    App app(trace, nullptr, {}, 640, 360);
+    app.show_findings(run);
+    for (const Cause& cause : run.report.causes) {
+      app.session().go_to(cause.first.step);
+      for (const std::string& line : app.ui().marks->told(app.session()).lines) {
+        CAPTURE(line);
+        CHECK(line.ends_with('.'));
+        CHECK_FALSE(line.ends_with(".."));
+      }
+      ++(cause.first.rule ? by_rule : by_formula);
+    }
+  }
+  CHECK(by_rule > 0);
+  CHECK(by_formula > 0);
+}
+
 TEST_CASE("an entry of the edge table that is wrong is marked as long as it stands there") {
   const Trace trace = wrong_slope();
   const CheckedRun run = judge_run(trace, nullptr, true);

@@ -94,8 +94,10 @@ const StepMarks::Told& Findings::told(Session& session) {
     session.look_elsewhere([&](Replay& replay) {
       replay.go_to(step - 1);
       const formulas::Situation before = formulas::situation_of(trace_, replay.state());
-      for (auto fault = first; fault != faults.end() && fault->step == step; ++fault)
-        told_.lines.push_back(what_is_wrong(*fault, fault_text(*fault, event, before)) + ".");
+      for (auto fault = first; fault != faults.end() && fault->step == step; ++fault) {
+        told_.lines.push_back(what_is_wrong(*fault, fault_text(*fault, event, before)));
+        if (!told_.lines.back().ends_with('.')) told_.lines.back() += '.';  // what a rule says is a whole sentence
+      }
     });
   }
   if (const CheckMarks::Step* mark = mark_of(step)) {
