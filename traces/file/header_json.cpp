@@ -185,7 +185,7 @@ ordered_json header_to_json(const Header& header) {
   return out;
 }
 
-Header header_from_json(const json& in) {
+Header header_from_json(const json& in, const Header* defaults) {
   const std::int32_t version = whole(in, "ztrace");
   Header header;
   header.writer = text_or(in, "writer", "an unnamed program");
@@ -197,13 +197,17 @@ Header header_from_json(const json& in) {
     known_keys(in, "a trace's header", {"ztrace", "writer", "algorithm", "title", "conventions", "steps", "scene"});
   });
   parts.read([&] {
-    header.algorithm = text(in, "algorithm");
+    header.algorithm = defaults ? text_or(in, "algorithm", defaults->algorithm) : text(in, "algorithm");
     header.title = text_or(in, "title", header.algorithm);
   });
   static const json none = json::object();
   parts.read([&] { read_conventions(in.contains("conventions") ? in.at("conventions") : none, header); });
   std::array<bool, step_limit> taken{};
   parts.read([&] {
+    if (defaults && !in.contains("steps")) {
+      header.page = defaults->page;
+      return;
+    }
     for (const json& entry : list(in, "steps"))
       parts.read([&] { header.page.push_back(step_from_json(entry, header.writer, taken)); });
   });

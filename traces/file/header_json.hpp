@@ -34,7 +34,8 @@ struct MalformedParts : MalformedJson {
 nlohmann::ordered_json header_to_json(const Header& header);
 /// Throws MalformedParts for anything missing, of the wrong type, or that this zstep does not know: nothing is passed
 /// over.
-Header header_from_json(const nlohmann::json& json);
+/// `defaults`: what method and steps are where the header leaves them out; without them it may not.
+Header header_from_json(const nlohmann::json& json, const Header* defaults = nullptr);
 
 nlohmann::ordered_json scene_to_json(const Scene& scene);
 /// Throws MalformedJson; the scene it returns has been checked (check_scene).

@@ -112,14 +112,14 @@ std::optional<std::string> import_jsonl(const std::filesystem::path& from, const
   return cut;
 }
 
-Trace open_jsonl(const std::filesystem::path& path, std::string* impossible) {
+Trace open_jsonl(const std::filesystem::path& path, std::string* impossible, GivenRun* given) {
   std::ifstream in = opened(path);
   Scene kept;
   std::optional<TraceRecorder> recorder;
   const auto cut = read_jsonl(in, path.string(), [&](const Header& header, Scene scene) -> TraceRecorder& {
     kept = std::move(scene);
     return recorder.emplace(header, kept);
-  }, impossible);
+  }, impossible, given);
   recorder->finish(!cut);
   return Trace::from_bytes(recorder->take_bytes(), path.string(), cut.value_or(""));
 }

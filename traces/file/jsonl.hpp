@@ -22,6 +22,16 @@ inline constexpr const char* cut_off_key = "cut_off";
 /// The whole trace.
 void write_jsonl(const Trace& trace, std::ostream& out);
 
+/// For who judges a run of a scene of their own: the scene that the run brings along is not looked at, and its header is
+/// what `review` lets through of it. A header may leave out method and steps, which are then these; or there is none,
+/// which declares nothing.
+struct GivenRun {
+  const Header* header = nullptr;
+  const Scene* scene = nullptr;
+  std::function<Header(const Header& declared)> review;
+  bool without_header = false;  ///< what was found
+};
+
 /// Reads JSONL and hands header and scene to `begin`, which returns the recorder that takes the events. It keeps the
 /// scene for as long as the recorder lives.
 /// What the file of a program that crashed ends with, a line that was torn off or a message, is quoted in what is
@@ -31,12 +41,13 @@ void write_jsonl(const Trace& trace, std::ostream& out);
 /// of a polygon that there is not, ends the reading without an error and is told there, as NAME:LINE:COLUMN.
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
                                       const std::function<TraceRecorder&(const Header&, Scene)>& begin,
-                                      std::string* impossible = nullptr);
+                                      std::string* impossible = nullptr, GivenRun* given = nullptr);
 
 /// JSONL file to trace file. Nothing is left behind when it fails. Returns what read_jsonl() does; such a trace has no
 /// end, as that of a recording that was killed.
 std::optional<std::string> import_jsonl(const std::filesystem::path& from, const std::filesystem::path& to);
-/// JSONL file to a trace in memory. Of a file that was cut off the trace warns. `impossible`: as in read_jsonl().
-Trace open_jsonl(const std::filesystem::path& path, std::string* impossible = nullptr);
+/// JSONL file to a trace in memory. Of a file that was cut off the trace warns. `impossible`, `given`: as in
+/// read_jsonl().
+Trace open_jsonl(const std::filesystem::path& path, std::string* impossible = nullptr, GivenRun* given = nullptr);
 
 }  // namespace zstep

@@ -33,8 +33,9 @@ struct ImpossibleStep : MalformedJson {
 class Reader {
  public:
   using Begin = std::function<TraceRecorder&(const Header&, Scene)>;
-  Reader(std::istream& in, const std::string& name, const Begin& begin, std::string* impossible)
-      : lines_(in), name_(name), begin_(begin), impossible_(impossible) {}
+  Reader(std::istream& in, const std::string& name, const Begin& begin, std::string* impossible,
+         GivenRun* given)
+      : lines_(in), name_(name), begin_(begin), given_(given), impossible_(impossible) {}
 
   std::optional<std::string> read() {
     std::string line;
@@ -209,20 +210,28 @@ class Reader {
   }
 
   void begin(const json& document) {
-    if (document.contains("step") && !document.contains("ztrace"))
+    const bool no_header = document.contains("step") && !document.contains("ztrace");
+    if (no_header && given_ == nullptr)
       throw MalformedJson("the header line is missing: this is an event already", mend_header);
     json_members::Parts parts;
     Scene scene;
-    parts.read([&] { header_ = header_from_json(document); });
-    parts.read([&] {
+    if (!no_header) parts.read([&] { header_ = header_from_json(document, given_ ? given_->header : nullptr); });
+    if (given_ == nullptr) parts.read([&] {
       if (!document.contains("scene")) throw MalformedJson("\"scene\" is missing");
       scene = scene_from_json(document.at("scene"));
     });
     parts.done();
+    if (given_ != nullptr) {
+      given_->without_header = no_header;
+      if (no_header) header_ = *given_->header, header_.undeclared = 0xff;
+      header_ = given_->review(header_);
+      scene = *given_->scene;
+    }
     check_.emplace(scene);
     for (const StepInfo& step : header_.page) step_names_.push_back(step.name);
     quick_.emplace(header_.page);
     recorder_ = &begin_(header_, std::move(scene));
+    if (no_header) record(document);
   }
 
   void record(const json& document) {
@@ -247,6 +256,7 @@ class Reader {
   TextLines lines_;
   const std::string& name_;
   const Begin& begin_;
+  GivenRun* given_;
   std::optional<std::string> ahead_;
   std::int64_t number_ = 0;  ///< of the line that was read last
   Header header_;
@@ -267,8 +277,8 @@ class Reader {
 
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
                                       const std::function<TraceRecorder&(const Header&, Scene)>& begin,
-                                      std::string* impossible) {
-  return Reader(in, name, begin, impossible).read();
+                                      std::string* impossible, GivenRun* given) {
+  return Reader(in, name, begin, impossible, given).read();
 }
 
 }  // namespace zstep
