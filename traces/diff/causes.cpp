@@ -82,7 +82,11 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
       const Difference& difference = differences[i];
       const std::int32_t root = roots.of(d);
       if ((root != d) != symptoms) continue;
-      if (!symptoms && (may_be_missing(difference) || in_a[i].idle || in_b[i].idle) && !followed[i]) continue;
+      if (!symptoms && (may_be_missing(difference) || in_a[i].idle || in_b[i].idle) && !followed[i]) {
+        report.kinds[difference.kind].idle_a += difference.only_a();
+        report.kinds[difference.kind].idle_b += difference.only_b();
+        continue;
+      }
       if (!symptoms) {
         const Part part = roots.by_rounding(d, difference) ? Part::rounding : Part::different;
         const Sort sort{difference.kind, difference.fields, difference.only_a(), difference.only_b(), part};

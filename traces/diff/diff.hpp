@@ -28,6 +28,7 @@ struct Cause {
 /// Of a kind of event: steps that are to the bit the same, part by rounding, part otherwise, or are only in one run.
 struct KindDifference {
   std::int64_t same = 0, rounding = 0, different = 0, only_a = 0, only_b = 0;
+  std::int64_t idle_a = 0, idle_b = 0;  ///< of the last two: steps that right programs do or leave out, as they like
 };
 
 struct DiffReport {

@@ -1,0 +1,122 @@
+// Law: who computes right gets all points, whatever the program is like; who does not loses some, and the first wrong
+// step is named; and what follows correctly from a mistake keeps the points of its computation.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "tests/golden/golden.hpp"
+#include "tests/zoo/programs.hpp"
+#include "tests/zoo/runs.hpp"
+#include "traces/grade/grade.hpp"
+
+using namespace zstep;
+using grade::Level, grade::Part;
+
+namespace {
+
+std::vector<Part> parts() {
+  return {{"buffers", Level::buffers, {}, 0, 8},
+          {"compares", Level::matched, {kind_of<DepthCompare>, kind_of<DepthWrite>, kind_of<PixelWrite>}, 4, 4},
+          {"spans", Level::matched, {kind_of<SpanBegin>, kind_of<DepthInterpolate>}, 4, 4},
+          {"edge table", Level::matched, {kind_of<EdgeTableInsert>, kind_of<EdgeTableSkip>}, 4, 4},
+          {"active edges", Level::matched, {kind_of<EdgeEnter>, kind_of<EdgeStep>, kind_of<EdgeRetire>}, 4, 4}};
+}
+constexpr std::size_t compares = 1, spans = 2, edge_table = 3;
+
+std::vector<zoo::Task> tasks() {
+  return {test::triangles(3, 3, 18), test::triangles(6, 6, 22), test::triangles(11, 10, 26)};
+}
+
+struct Judged {
+  grade::Judgement found;
+  double points = 0, most = 0;
+};
+Judged judged(const zoo::Task& task, const std::string& text, const char* number_format, const char* interpolation) {
+  std::string impossible;
+  const Trace run = test::trace_of(test::head(task, number_format, interpolation) + text, &impossible);
+  const Trace reference = test::recorded_by("z-buffer", run.scene(), run.header().conventions);
+  const std::vector<Part> all = parts();
+  Judged result{grade::judge(reference, run, all)};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const grade::PartCount& count = result.found.parts[k];
+    CHECK(count.computed <= count.expected);
+    CHECK(count.same <= count.expected);
+    CHECK(count.same >= 0);
+    CHECK(count.computed >= 0);
+    result.points += count.computation_points(all[k]) + count.value_points(all[k]);
+    result.most += all[k].points();
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("grade: right programs of two structures get all points, and no step is named") {
+  for (const zoo::Task& task : tasks()) {
+    const Judged by_increments = judged(task, zoo::edge_table(task), "float64", "increments");
+    CHECK(by_increments.points == doctest::Approx(by_increments.most));
+    CHECK_FALSE(by_increments.found.first);
+  }
+  // What a program does not do, here an edge table, it gets no points for; what it does is right all the same.
+  for (const zoo::Task& task : tasks()) {
+    const Judged by_half_planes = judged(task, zoo::half_planes(task), "float64", "direct");
+    CHECK_FALSE(by_half_planes.found.first);
+    const std::vector<grade::PartCount>& counts = by_half_planes.found.parts;
+    CHECK(counts[0].same == counts[0].all());
+    CHECK(counts[compares].same == counts[compares].all());
+    CHECK(counts[edge_table].same == 0);
+    CHECK(counts[edge_table].expected > 0);
+  }
+}
+
+TEST_CASE("grade: a wrong program loses points, and its first wrong step is named where it shows") {
+  int wrong = 0, named = 0;
+  for (const char* mistake :
+       {"z_not_swapped", "slope_inverted", "z_slope_of_x", "x_at_vertex", "ends_one_late", "compare_reversed",
+        "compare_or_equal", "written_before_test", "colour_always", "depth_not_written", "right_end_included",
+        "z_not_to_centre", "never_retired", "not_sorted", "buffer_begins_at_0", "buffer_reset"}) {
+    for (zoo::Task& task : std::vector<zoo::Task>(tasks())) {
+      const std::string right = zoo::edge_table(task);
+      task.mistake = mistake;
+      const std::string text = zoo::edge_table(task);
+      const std::int64_t first = test::first_difference(right, text);
+      if (first == 0) continue;
+      CAPTURE(mistake);
+      ++wrong;
+      const Judged result = judged(task, text, "float64", "increments");
+      CHECK(result.points < result.most - 1e-9);
+      REQUIRE(result.found.first);
+      std::string impossible;
+      const Trace run = test::trace_of(test::head(task, "float64", "increments") + text, &impossible);
+      named += first <= result.found.first->step && result.found.first->step <= test::shown_at(run, first);
+    }
+  }
+  MESSAGE("the first wrong step is named in ", named, " of ", wrong, " runs");
+  CHECK(wrong > 40);
+  CHECK(named >= 0.95 * wrong);
+}
+
+TEST_CASE("grade: what follows from a wrong slope is computed right, and only its values are wrong") {
+  zoo::Task task = test::triangles(3, 1, 18);
+  task.mistake = "z_slope_of_x";
+  const Judged result = judged(task, zoo::edge_table(task), "float64", "increments");
+  const std::vector<grade::PartCount>& counts = result.found.parts;
+  CHECK(counts[edge_table].computed < counts[edge_table].all());
+  CHECK(counts[spans].computed == counts[spans].all());
+  CHECK(counts[spans].same < counts[spans].all());
+}
+
+TEST_CASE("grade: steps in another order count where the order is free, and not where it is graded") {
+  const zoo::Task task = test::triangles(6, 6, 22);
+  std::string impossible;
+  const Trace run =
+      test::trace_of(test::head(task, "float64", "direct") + zoo::half_planes(task), &impossible);  // by columns
+  const Trace reference = test::recorded_by("z-buffer", run.scene(), run.header().conventions);
+  const std::vector<std::uint8_t> kinds{kind_of<DepthCompare>};
+  const grade::Judgement found =
+      grade::judge(reference, run, {{"free", Level::matched, kinds, 1, 1}, {"in order", Level::ordered, kinds, 1, 1}});
+  CHECK(found.parts[0].same == found.parts[0].all());
+  CHECK(found.parts[1].same < found.parts[1].all());
+  CHECK(found.parts[1].same > 0);
+}

@@ -1,0 +1,162 @@
+#include "traces/grade/grade.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "traces/diff/buffers.hpp"
+#include "traces/formulas/walk.hpp"
+
+namespace zstep::grade {
+
+namespace {
+
+/// The length of the longest run of ascending numbers that others may stand between.
+std::int64_t longest_ascending(const std::vector<std::int64_t>& numbers) {
+  std::vector<std::int64_t> ends;  // the least last number of a run of each length
+  for (const std::int64_t number : numbers) {
+    const auto place = std::lower_bound(ends.begin(), ends.end(), number);
+    if (place == ends.end()) ends.push_back(number);
+    else *place = number;
+  }
+  return static_cast<std::int64_t>(ends.size());
+}
+
+std::array<std::int64_t, kind_count> steps_by_kind(const Trace& trace) {
+  std::array<std::int64_t, kind_count> counts{};
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    ++counts[recorded.event.index()];
+    return true;
+  });
+  return counts;
+}
+
+class Counter {
+ public:
+  Counter(const Trace& reference, const Trace& run, const diff::DiffReport& difference, const CheckMarks& marks)
+      : run_(run), difference_(difference), expected_(steps_by_kind(reference)) {
+    std::int64_t last = 0;
+    for (const Fault& fault : marks.faults) {
+      if (fault.step == last || difference.alignment.in_a(fault.step) == 0) continue;
+      last = fault.step;
+      ++miscomputed_[fault.kind];
+    }
+  }
+
+  PartCount steps(const Part& part) const {
+    PartCount count;
+    for (const std::uint8_t kind : part.kinds) {
+      const diff::KindDifference& of = difference_.kinds[kind];
+      count.expected += expected_[kind] - of.idle_a;
+      count.additional += of.only_b - of.idle_b;
+      count.same += of.same + of.rounding;
+      count.computed += of.same + of.rounding + of.different - miscomputed_[kind];
+    }
+    if (part.level == Level::ordered) {
+      const std::int64_t moved = out_of_order(part);
+      count.same = std::max<std::int64_t>(0, count.same - moved);
+      count.computed = std::max<std::int64_t>(0, count.computed - moved);
+    }
+    return count;
+  }
+
+ private:
+  /// How many of a part's steps would have to be moved for the rest to be in the reference's order.
+  std::int64_t out_of_order(const Part& part) const {
+    const std::set<std::uint8_t> kinds(part.kinds.begin(), part.kinds.end());
+    std::vector<std::int64_t> matched;
+    run_.each(0, run_.size(), [&](std::int64_t position, const RecordedEvent& recorded) {
+      if (!kinds.contains(static_cast<std::uint8_t>(recorded.event.index()))) return true;
+      if (const std::int64_t a = difference_.alignment.in_a(position); a != 0) matched.push_back(a);
+      return true;
+    });
+    return static_cast<std::int64_t>(matched.size()) - longest_ascending(matched);
+  }
+
+  const Trace& run_;
+  const diff::DiffReport& difference_;
+  std::array<std::int64_t, kind_count> expected_, miscomputed_{};
+};
+
+/// What is in the buffers at the end. A step that cannot be does nothing.
+Picture picture_of(const Trace& trace) {
+  return formulas::walk(
+             trace, [](std::int64_t, const auto&, const formulas::Situation&) { return true; },
+             [](std::int64_t, const Impossible&) {})
+      .picture;
+}
+
+std::vector<bool> drawn(const Picture& picture) {
+  std::vector<bool> pixels(picture.depth.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = picture.polygon[i] != no_polygon;
+  return pixels;
+}
+
+/// The first of what parts and what is computed wrongly, in the order of the run.
+std::optional<Divergence> first_divergence(const Judgement& found) {
+  std::optional<Divergence> first;
+  for (const diff::Cause& cause : found.difference.causes) {
+    if (cause.part != diff::Part::different) continue;
+    const std::int64_t step =
+        cause.first.only_a() ? found.difference.alignment.before_in_b(cause.first.a) + 1 : cause.first.b;
+    if (!first || step < first->step) first = Divergence{cause.first, std::nullopt, step};
+  }
+  if (!found.checked.causes.empty()) {
+    const Fault& fault = found.checked.causes.front().first;
+    if (!first || fault.step < first->step) first = Divergence{std::nullopt, fault, fault.step};
+    else if (fault.step == first->step) first->fault = fault;
+  }
+  return first;
+}
+
+}  // namespace
+
+PartCount count_pixels(const std::vector<bool>& reference, const std::vector<bool>& other,
+                       const std::vector<float>& apart) {
+  PartCount count;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    count.expected += reference[i];
+    count.additional += other[i] && !reference[i];
+    count.same += reference[i] && apart[i] == 0;
+  }
+  count.computed = count.same;
+  return count;
+}
+
+Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts) {
+  Judgement found;
+  CheckMarks marks;
+  found.checked = check(run, nullptr, nullptr, &marks);
+  found.difference = diff::compare(reference, run);
+  const Counter counter(reference, run, found.difference, marks);
+  for (const Part& part : parts) {
+    if (part.level != Level::buffers) {
+      found.parts.push_back(counter.steps(part));
+      continue;
+    }
+    const Picture ours = picture_of(reference), theirs = picture_of(run);
+    const diff::BufferDifference apart =
+        diff::compare_pictures(ours, reference.scene(), theirs, run.scene(), found.difference.precision);
+    found.parts.push_back(count_pixels(drawn(ours), drawn(theirs), apart.apart));
+  }
+  found.first = first_divergence(found);
+  return found;
+}
+
+GivenRun given_run(const Header& reference, const Scene& scene, std::vector<std::string> free) {
+  return {&reference, &scene, [&reference, free = std::move(free)](const Header& declared) {
+            Header header = reference;
+            const bool any_format = std::find(free.begin(), free.end(), "number_format") != free.end();
+            if (any_format && !declared.declares(Convention::number_format))
+              header.undeclared |= 1u << static_cast<unsigned>(Convention::number_format);
+            header.page = declared.page;
+            header.writer = declared.writer;
+            for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
+              if (std::find(free.begin(), free.end(), key) != free.end())
+                header.conventions.*member = declared.conventions.*member;
+            });
+            return header;
+          }};
+}
+
+}  // namespace zstep::grade
