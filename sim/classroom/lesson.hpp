@@ -69,6 +69,8 @@ Trace run_lesson(Lesson& lesson);
 /// Resolves a loaded lesson against a trace that exists already (a student's, say). run_lesson does it against its own.
 void resolve_lesson(Lesson& lesson, const Trace& trace);
 
+/// Where lessons, and what homework is made from, may lie: $ZSTEP_LESSONS, beside the program, in the source tree.
+std::vector<std::filesystem::path> lesson_folders();
 /// All lessons, in teaching order. Looks in $ZSTEP_LESSONS, then beside the program, then in the source tree.
 std::vector<Lesson> all_lessons();
 /// By id, or by path; throws InputError naming the lessons there are.

@@ -12,11 +12,9 @@ namespace zstep {
 
 using namespace classroom;
 
-namespace {
-
 namespace fs = std::filesystem;
 
-std::vector<fs::path> places() {
+std::vector<fs::path> lesson_folders() {
   std::vector<fs::path> found;
   if (const char* named = std::getenv("ZSTEP_LESSONS"); named && *named) return {fs::path(named)};
   std::error_code error;
@@ -29,9 +27,11 @@ std::vector<fs::path> places() {
   return found;
 }
 
+namespace {
+
 /// The lesson files of the first folder that has any, in the order of their names: 1-…, 2-….
 std::vector<fs::path> lesson_files() {
-  for (const fs::path& folder : places()) {
+  for (const fs::path& folder : lesson_folders()) {
     std::error_code error;
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder, error)) {

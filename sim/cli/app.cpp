@@ -42,6 +42,8 @@ void declare(CLI::App& app, Action& action) {
   add_explain(app, action);
   add_check(app, action);
   add_diff(app, action);
+  add_homework(app, action);
+  add_grade(app, action);
   add_error(app, action);
   add_header(app, action);
   add_query(app, action);

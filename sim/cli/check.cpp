@@ -7,11 +7,11 @@
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
-#include "sim/cli/file_lines.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/words/file_lines.hpp"
 #include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"

@@ -23,6 +23,8 @@ void add_why_not(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_diff(CLI::App& app, Action& action);
+void add_homework(CLI::App& app, Action& action);
+void add_grade(CLI::App& app, Action& action);
 void add_error(CLI::App& app, Action& action);
 void add_header(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);

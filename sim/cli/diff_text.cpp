@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/cli/diff.hpp"
-#include "sim/cli/file_lines.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/words/derived.hpp"
+#include "sim/words/file_lines.hpp"
 #include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"

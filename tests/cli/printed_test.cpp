@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 const std::set<std::string> commands{
     "list",    "lesson",  "view",  "render", "record",          "info",      "dump", "import", "find", "history",
     "why-not", "explain", "query", "export", "compare-methods", "completion", "check",
-    "diff",    "header", "error"};
+    "diff",    "header", "error", "homework", "grade"};
 /// Those of the launcher, which tests/launcher tries.
 const std::set<std::string> of_launcher{"test", "bench", "build", "clean", "packages", "help"};
 
@@ -47,6 +47,14 @@ void furnish(const Folder& clone) {
   fs::copy_file(in_checkout("lessons/scenes/wall.toml"), clone / "my.toml");
   write_text(clone / "my-lesson.md", all_matches_replaced(text_of(in_checkout("lessons/5-worked-example.md")),
                                                           "scene = .*", "scene = \"delhi\""));
+  REQUIRE(run(clone, "homework new z-buffer hw3").code == 0);
+  fs::create_directory(clone / "runs");
+  for (const std::string scene : {"hw3/scenes/triangle", "hw3/scenes/crossing", "hw3/scenes/neighbours", "hw3/hidden/overlap"}) {
+    const std::string name = fs::path(scene).filename().string();
+    REQUIRE(run(clone, "record " + scene + ".toml -o " + name + ".ztrace").code == 0);
+    REQUIRE(run(clone, "dump " + name + ".ztrace --jsonl > runs/" + name + ".jsonl").code == 0);
+  }
+  fs::copy_file(clone / "runs/triangle.jsonl", clone / "triangle.jsonl");
   for (const char* folder : {"docs", ".config/fish/completions"}) fs::create_directories(clone / folder);
   fs::create_directories(clone / ".local/share/bash-completion/completions");
 }

@@ -5,11 +5,12 @@
 #include <fstream>
 #include <string>
 
-namespace zstep::cli {
+namespace zstep {
 
 class FileLines {
  public:
-  explicit FileLines(const std::string& path);
+  /// `header`: whether the first object is one, and not a step.
+  explicit FileLines(const std::string& path, bool header = true);
   /// 0 in a file of another kind. Steps must be asked for in order.
   std::int64_t of(std::int64_t step);
 
@@ -17,7 +18,7 @@ class FileLines {
   void look_at(char c);
 
   std::ifstream in_;
-  std::int64_t line_ = 0, objects_ = 0;
+  std::int64_t line_ = 0, objects_;  ///< objects: the header, there or not, is one
   int depth_ = 0;
   bool in_text_ = false, escaped_ = false;
 };
@@ -25,4 +26,4 @@ class FileLines {
 /// "run.jsonl:12" for step 11, or "run.ztrace, step 11".
 std::string place_of_step(const std::string& path, FileLines& lines, std::int64_t step);
 
-}  // namespace zstep::cli
+}  // namespace zstep

@@ -1,4 +1,4 @@
-#include "sim/cli/file_lines.hpp"
+#include "sim/words/file_lines.hpp"
 
 #include <filesystem>
 
@@ -6,15 +6,15 @@
 
 #include "traces/text.hpp"
 
-namespace zstep::cli {
+namespace zstep {
 
-FileLines::FileLines(const std::string& path) {
+FileLines::FileLines(const std::string& path, bool header) : objects_(header ? 0 : 1) {
   if (std::filesystem::path(path).extension() == ".jsonl") in_.open(path);
 }
 
 std::int64_t FileLines::of(std::int64_t step) {
   std::string text;
-  while (in_ && objects_ < step + 1 && std::getline(in_, text)) {  // the first object is the header
+  while (in_ && objects_ < step + 1 && std::getline(in_, text)) {
     ++line_;
     for (const char c : text) look_at(c);
   }
@@ -40,4 +40,4 @@ std::string place_of_step(const std::string& path, FileLines& lines, std::int64_
   return line > 0 ? fmt::format("{}:{}", printable(path), line) : fmt::format("{}, step {}", printable(path), step);
 }
 
-}  // namespace zstep::cli
+}  // namespace zstep

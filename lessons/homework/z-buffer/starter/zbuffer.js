@@ -1,0 +1,29 @@
+// The Z-buffer with edge table and active edge list.
+//
+// node zbuffer.js SCENE.txt > SCENE.jsonl
+//
+// What is marked TODO is yours. handout.md says what each step is; emit.js writes it down.
+const fs = require("fs");
+const emit = require("./emit.js");
+
+// {width, height, polygons}; a polygon is a list of {number, x, y, z} of its vertices.
+function readScene(path) {
+  const words = fs.readFileSync(path, "utf8").split(/\s+/).map(Number);
+  let at = 0;
+  const next = () => words[at++];
+  const width = next(), height = next();
+  const points = Array.from({ length: next() }, (_, number) => ({ number, x: next(), y: next(), z: next() }));
+  const polygons = Array.from({ length: next() }, () => Array.from({ length: next() }, () => points[next()]));
+  return { width, height, polygons };
+}
+
+const { width, height, polygons } = readScene(process.argv[2]);
+const depth = new Array(width * height).fill(Infinity);
+emit.clear(Infinity);
+polygons.forEach((vertices, polygon) => {
+  emit.polygon(polygon, polygon);
+  // TODO: the edge table: emit.insert_edge(…) or emit.skip_edge(…) for each edge of the polygon
+  // TODO: for each scan line: emit.scan_line(y); move, enter and retire active edges
+  // TODO: for each pair of active edges: emit.span(…)
+  // TODO: for each pixel of the span: emit.interpolate_z(…), emit.compare(…), and what follows from it
+});

@@ -1,0 +1,38 @@
+"""The Z-buffer with edge table and active edge list.
+
+usage: python3 zbuffer.py SCENE.txt > SCENE.jsonl
+
+What is marked TODO is yours. handout.md says what each step is; emit.py writes it down.
+"""
+import math
+import sys
+
+import emit
+
+
+def read_scene(path):
+    """(width, height, polygons); a polygon is a list of (number, x, y, z) of its vertices."""
+    with open(path) as file:
+        words = iter(file.read().split())
+    width, height = int(next(words)), int(next(words))
+    points = [tuple(float(next(words)) for _ in "xyz") for _ in range(int(next(words)))]
+    polygons = []
+    for _ in range(int(next(words))):
+        corners = [int(next(words)) for _ in range(int(next(words)))]
+        polygons.append([(corner, *points[corner]) for corner in corners])
+    return width, height, polygons
+
+
+def main():
+    width, height, polygons = read_scene(sys.argv[1])
+    depth = [[math.inf] * width for _ in range(height)]
+    emit.clear(math.inf)
+    for polygon, vertices in enumerate(polygons):
+        emit.polygon(polygon, polygon)
+        # TODO: the edge table: emit.insert_edge(…) or emit.skip_edge(…) for each edge of the polygon
+        # TODO: for each scan line: emit.scan_line(y); move, enter and retire active edges
+        # TODO: for each pair of active edges: emit.span(…)
+        # TODO: for each pixel of the span: emit.interpolate_z(…), emit.compare(…), and what follows from it
+
+
+main()

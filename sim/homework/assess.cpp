@@ -1,0 +1,171 @@
+#include "sim/homework/assess.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "sim/words/derived.hpp"
+#include "sim/words/file_lines.hpp"
+#include "sim/words/judged.hpp"
+#include "traces/error.hpp"
+#include "traces/file/jsonl.hpp"
+#include "traces/formulas/situation_of.hpp"
+#include "traces/record/trace_recorder.hpp"
+#include "traces/replay/replay.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 30;
+
+Trace reference_of(const Method& method, const Scene& scene, const Conventions& conventions) {
+  TraceRecorder recorder(header_for(method, conventions), scene);
+  method.record(scene, conventions, recorder);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "the reference");
+}
+
+/// A step of a run: the state before it, and what its fields are and follow from.
+struct Side {
+  std::string name, subject;
+  std::vector<std::string> fields;
+};
+Side side_of(const Trace& trace, std::int64_t step, std::uint16_t fields) {
+  Replay replay(trace);
+  replay.go_to(step - 1);
+  const formulas::Situation before = formulas::situation_of(trace, replay.state());
+  const RecordedEvent recorded = trace.event(step);
+  const StepInfo* info = find_step(trace.header().page, recorded.step);
+  return {info ? info->name : "", subject_of(recorded.event, before), field_texts(recorded.event, before, fields)};
+}
+
+FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std::string& file) {
+  FirstWrong words;
+  words.at = std::min(first.step, runs.submission.size());
+  if (const auto& parts = first.parts) {
+    if (!parts->only_b()) {
+      const Side ours = side_of(runs.reference, parts->a, parts->fields);
+      words.step = ours.name, words.subject = ours.subject, words.expected = ours.fields;
+    }
+    if (!parts->only_a()) {
+      const Side theirs = side_of(runs.submission, parts->b, parts->fields);
+      words.step = theirs.name, words.subject = theirs.subject, words.found = theirs.fields;
+    }
+    words.what = parts->only_a()   ? "This step is missing."
+                 : parts->only_b() ? "This step should not be there."
+                                   : "This step has other numbers than it should.";
+  }
+  if (first.fault) {
+    Replay replay(runs.submission);
+    replay.go_to(first.step - 1);
+    const formulas::Situation before = formulas::situation_of(runs.submission, replay.state());
+    const Event event = runs.submission.event(first.step).event;
+    const FaultText text = fault_text(*first.fault, event, before);
+    if (words.step.empty()) {
+      const StepInfo* info = find_step(runs.submission.header().page, first.fault->line);
+      words.step = info ? info->name : "", words.subject = text.subject;
+    }
+    words.what = what_is_wrong(*first.fault, text);
+    if (!words.what.ends_with('.')) words.what += '.';
+  }
+  if (!first.parts || !first.parts->only_a()) {
+    FileLines lines(file, runs.had_header);
+    words.where = place_of_step(file, lines, words.at);
+  }
+  return words;
+}
+
+Graded grade_task(const Homework& homework, const Task& task, const fs::path& file) {
+  Graded graded;
+  graded.task = &task;
+  if (file.empty()) {
+    graded.why = fmt::format("there is no {}.jsonl", task.name);
+    return graded;
+  }
+  graded.file = file.string();
+  try {
+    const Runs runs = runs_of(homework, task, file);
+    const grade::Judgement found = grade::judge(runs.reference, runs.submission, homework.parts);
+    graded.state = Graded::State::judged;
+    graded.steps = runs.submission.size();
+    graded.counts = found.parts;
+    if (!runs.impossible.empty()) graded.why = "the run is judged up to a step that cannot be: " + runs.impossible;
+    else if (!runs.submission.warnings().empty()) graded.why = runs.submission.warnings().front();
+    if (found.first) graded.first = in_words(runs, *found.first, graded.file);
+  } catch (const InputError& error) {
+    graded.state = Graded::State::unreadable;
+    graded.why = error.what();
+  }
+  return graded;
+}
+
+}  // namespace
+
+fs::path run_of(const fs::path& submission, const Homework& homework, const Task& task) {
+  std::error_code ignored;
+  if (fs::is_directory(submission, ignored)) {
+    const fs::path file = submission / (task.name + ".jsonl");
+    return fs::is_regular_file(file, ignored) ? file : fs::path();
+  }
+  if (!fs::is_regular_file(submission, ignored))
+    throw InputError(submission.string(), "there is no such file or folder",
+                     fmt::format("give the run, as {}.jsonl, or the folder that holds it", task.name));
+  if (homework.tasks.size() == 1) return submission;
+  std::string names;
+  for (const Task& one : homework.tasks) {
+    if (submission.stem().string() == one.name) return &one == &task ? submission : fs::path();
+    names += (names.empty() ? "" : ", ") + one.name + ".jsonl";
+  }
+  throw InputError(submission.string(), "its name says of no scene of the homework",
+                   fmt::format("call it as one of these, or give the folder: {}", names));
+}
+
+Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
+  std::error_code ignored;
+  if (fs::file_size(file, ignored) > most_bytes)
+    throw InputError(file.string(), "is larger than 1 GiB", "print each step once, and nothing else");
+  const Header header = header_for(*homework.method, task.conventions);
+  GivenRun given = grade::given_run(header, task.scene, homework.free);
+  std::string impossible;
+  Trace submission = open_jsonl(file, &impossible, &given);
+  const Conventions& conventions = submission.header().conventions;
+  check_run(*homework.method, task.scene, conventions, file.string());
+  Trace reference = reference_of(*homework.method, task.scene, conventions);
+  return {std::move(reference), std::move(submission), !given.without_header, impossible};
+}
+
+double Assessment::most(const Graded& task, std::size_t part) const {
+  return homework->share(*task.task) * homework->parts[part].points();
+}
+double Assessment::points(const Graded& task, std::size_t part) const {
+  if (task.counts.empty()) return 0;
+  const grade::Part& of = homework->parts[part];
+  const grade::PartCount& count = task.counts[part];
+  return homework->share(*task.task) * (count.computation_points(of) + count.value_points(of));
+}
+double Assessment::points() const {
+  double all = 0;
+  for (const Graded& task : tasks)
+    for (std::size_t part = 0; part < homework->parts.size(); ++part) all += points(task, part);
+  return all;
+}
+bool Assessment::gradable() const {
+  return std::any_of(tasks.begin(), tasks.end(),
+                     [](const Graded& task) { return task.state == Graded::State::judged; });
+}
+
+Assessment assess(const Homework& homework, const fs::path& submission, const std::string& only,
+                  const std::function<void(const Task&)>& on_task) {
+  Assessment all{&homework, submission.string(), {}};
+  for (const Task& task : homework.tasks) {
+    if (!only.empty() && task.name != only) continue;
+    if (on_task) on_task(task);
+    all.tasks.push_back(grade_task(homework, task, run_of(submission, homework, task)));
+  }
+  return all;
+}
+
+}  // namespace zstep::homework

@@ -1,0 +1,69 @@
+// What a submission earns, and where each of its runs first goes wrong.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/homework/homework.hpp"
+
+namespace zstep::homework {
+
+/// The first step of a run that is wrong, in words.
+struct FirstWrong {
+  std::int64_t at = 0;                       ///< the step of the run, for a viewer
+  std::string step, subject;                 ///< "insert_edge", "edge e1 (1–2)"
+  std::string where;                         ///< "one.jsonl:12"; empty where the run lacks the step
+  std::string what;                          ///< one sentence
+  std::vector<std::string> expected, found;  ///< what the reference has, and the run, a field a line
+};
+
+/// One task's run.
+struct Graded {
+  enum class State : std::uint8_t {
+    judged,
+    missing,     ///< nothing was handed in
+    unreadable,  ///< what was handed in is not a run
+  };
+  const Task* task = nullptr;
+  State state = State::missing;
+  std::string file;  ///< that was handed in
+  std::string why;   ///< it is missing or unreadable, or ends early
+  std::int64_t steps = 0;
+  std::vector<grade::PartCount> counts;  ///< by part; empty unless judged
+  std::optional<FirstWrong> first;
+};
+
+struct Assessment {
+  const Homework* homework = nullptr;
+  std::string submission;
+  std::vector<Graded> tasks;
+
+  /// Of a part on a task, computation and value together.
+  double points(const Graded& task, std::size_t part) const;
+  double most(const Graded& task, std::size_t part) const;
+  double points() const;
+  /// Whether any run could be judged, or was left out by choice. What cannot be graded is not worth 0: it has no grade.
+  bool gradable() const;
+};
+
+/// The run of a task that a submission has: a file of its name in a folder; or the one file. Empty where there is none.
+/// Throws InputError where a single file belongs to none of several tasks.
+std::filesystem::path run_of(const std::filesystem::path& submission, const Homework& homework, const Task& task);
+
+/// The two runs of a task. `had_header`: whether the submission's has one.
+struct Runs {
+  Trace reference, submission;
+  bool had_header = true;
+  std::string impossible;  ///< why the run's next step cannot be
+};
+/// Throws InputError where the file is no run.
+Runs runs_of(const Homework& homework, const Task& task, const std::filesystem::path& file);
+
+/// Grades all of it, or the task of this name alone. `on_task` is told before each.
+Assessment assess(const Homework& homework, const std::filesystem::path& submission, const std::string& only = "",
+                  const std::function<void(const Task&)>& on_task = nullptr);
+
+}  // namespace zstep::homework

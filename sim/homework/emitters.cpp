@@ -1,0 +1,198 @@
+#include "sim/homework/emitters.hpp"
+
+#include <cctype>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "traces/events/slots.hpp"
+#include "traces/events/vocabulary.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+enum class Type : std::uint8_t { whole, real, truth, word };
+struct Parameter {
+  std::string name;
+  Type type;
+};
+struct Function {
+  std::string step, meaning;
+  std::vector<Parameter> parameters;
+};
+
+Function function_of(const StepInfo& step) {
+  Function function{step.name, "", {}};
+  std::uint8_t kind = 0;
+  for_each_kind([&]<class E>() {
+    if (kind++ != step.kind) return;
+    function.meaning = kind_text<E>.meaning;
+    for_each_index<E>([&]<std::size_t I>() {
+      using Value = FieldValue<E, I>;
+      const Type type = std::is_enum_v<Value>           ? Type::word
+                        : std::is_same_v<Value, bool>   ? Type::truth
+                        : std::is_same_v<Value, double> ? Type::real
+                                                        : Type::whole;
+      function.parameters.push_back({std::string(field_at<E, I>.name), type});
+    });
+  });
+  return function;
+}
+
+/// "int x, int y, double z" — or without types.
+template <class Text>
+std::string listed(const std::vector<Parameter>& parameters, Text&& text, std::string_view between = ", ") {
+  std::string all;
+  for (const Parameter& one : parameters) all += (all.empty() ? "" : std::string(between)) + text(one);
+  return all;
+}
+std::string name_of(const Parameter& one) { return one.name; }
+
+std::string in_c(const Function& f) {
+  constexpr std::array<std::string_view, 4> types{"int", "double", "int", "const char*"};
+  const std::string parameters = listed(f.parameters, [&](const Parameter& one) {
+    return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
+  });
+  const std::string fields = listed(
+      f.parameters,
+      [](const Parameter& one) { return fmt::format("{}:{}", one.name, "irbw"[static_cast<std::size_t>(one.type)]); },
+      " ");
+  return fmt::format("static inline void emit_{}({}) {{\n  emit_step(\"{}\", \"{}\"{}{});\n}}\n", f.step,
+                     parameters.empty() ? "void" : parameters, f.step, fields, f.parameters.empty() ? "" : ", ",
+                     listed(f.parameters, name_of));
+}
+
+std::string in_python(const Function& f) {
+  return fmt::format("def {}({}):\n    \"\"\"{}\"\"\"\n    _step(\"{}\"{}{})\n\n", f.step,
+                     listed(f.parameters, name_of), f.meaning, f.step, f.parameters.empty() ? "" : ", ",
+                     listed(f.parameters, [](const Parameter& one) { return one.name + "=" + one.name; }));
+}
+
+std::string in_javascript(const Function& f) {
+  return fmt::format("exports.{} = ({}) => step(\"{}\", {{ {} }});\n", f.step, listed(f.parameters, name_of), f.step,
+                     listed(f.parameters, name_of));
+}
+
+std::string in_java(const Function& f) {
+  constexpr std::array<std::string_view, 4> types{"int", "double", "boolean", "String"};
+  std::string name;
+  for (std::size_t i = 0; i < f.step.size(); ++i)
+    if (f.step[i] != '_')
+      name += i > 0 && f.step[i - 1] == '_' ? static_cast<char>(std::toupper(static_cast<unsigned char>(f.step[i])))
+                                            : f.step[i];
+  const std::string parameters = listed(f.parameters, [&](const Parameter& one) {
+    return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
+  });
+  return fmt::format("  static void {}({}) {{\n    step(\"{}\"{}{});\n  }}\n", name, parameters, f.step,
+                     f.parameters.empty() ? "" : ", ",
+                     listed(f.parameters, [](const Parameter& one) { return fmt::format("\"{0}\", {0}", one.name); }));
+}
+
+constexpr std::string_view c_begin =
+    R"(/* Writes a run, a line a step, to standard output; zstep grades it. Depths may be INFINITY. C99 and C++. */
+#ifndef EMIT_H
+#define EMIT_H
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+/* fields: "x:i z:r nearer:b why:w": int, double, 0 or 1, text */
+static inline void emit_step(const char* step, const char* fields, ...) {
+  va_list values;
+  va_start(values, fields);
+  printf("{\"step\":\"%s\"", step);
+  while (*fields) {
+    printf(",\"");
+    while (*fields != ':') putchar(*fields++);
+    printf("\":");
+    if (fields[1] == 'i') printf("%d", va_arg(values, int));
+    if (fields[1] == 'b') printf(va_arg(values, int) ? "true" : "false");
+    if (fields[1] == 'w') printf("\"%s\"", va_arg(values, const char*));
+    if (fields[1] == 'r') {
+      double value = va_arg(values, double);
+      if (isinf(value)) printf(value > 0 ? "\"inf\"" : "\"-inf\"");
+      else if (isnan(value)) printf("\"nan\"");
+      else printf("%.17g", value);
+    }
+    fields += fields[2] == ' ' ? 3 : 2;
+  }
+  va_end(values);
+  printf("}\n");
+}
+
+)";
+constexpr std::string_view python_begin =
+    R"("""Writes a run, a line a step, to standard output; zstep grades it. Depths may be math.inf."""
+import json
+import math
+
+
+def _step(name, **fields):
+    for key, value in fields.items():
+        if isinstance(value, float) and not math.isfinite(value):
+            fields[key] = str(value)
+    print(json.dumps({"step": name, **fields}))
+
+
+)";
+constexpr std::string_view javascript_begin =
+    R"(// Writes a run, a line a step, to standard output; zstep grades it. Depths may be Infinity.
+const numbers = { Infinity: "inf", "-Infinity": "-inf", NaN: "nan" };
+
+function step(name, fields) {
+  const line = JSON.stringify({ step: name, ...fields }, (key, value) =>
+    typeof value === "number" && !Number.isFinite(value) ? numbers[value] : value);
+  process.stdout.write(line + "\n");
+}
+
+)";
+constexpr std::string_view java_begin =
+    R"(/** Writes a run, a line a step, to standard output; zstep grades it. Depths may be infinite. */
+final class Emit {
+  private Emit() {}
+
+  private static String text(Object value) {
+    if (value instanceof String) return "\"" + value + "\"";
+    if (!(value instanceof Double)) return value.toString();
+    double real = (Double) value;
+    if (Double.isNaN(real)) return "\"nan\"";
+    return Double.isInfinite(real) ? (real > 0 ? "\"inf\"" : "\"-inf\"") : value.toString();
+  }
+  private static void step(String name, Object... fields) {
+    StringBuilder line = new StringBuilder("{\"step\":\"" + name + "\"");
+    for (int i = 0; i < fields.length; i += 2) line.append(",\"" + fields[i] + "\":" + text(fields[i + 1]));
+    System.out.println(line.append("}"));
+  }
+
+)";
+
+}  // namespace
+
+std::string emitter(Language language, const std::vector<StepInfo>& steps) {
+  std::string text;
+  const auto all = [&](std::string_view begin, auto function, std::string_view end) {
+    text = begin;
+    for (const StepInfo& step : steps) text += function(function_of(step));
+    text += end;
+  };
+  switch (language) {
+    case Language::c:
+      all(c_begin, in_c, "\n#endif\n");
+      break;
+    case Language::python:
+      all(python_begin, in_python, "");
+      break;
+    case Language::javascript:
+      all(javascript_begin, in_javascript, "");
+      break;
+    case Language::java:
+      all(java_begin, in_java, "}\n");
+      break;
+  }
+  while (text.ends_with("\n\n")) text.pop_back();
+  return text;
+}
+
+}  // namespace zstep::homework

@@ -1,0 +1,26 @@
+// One small file by which a student's program writes its run: a function for each step, made from the vocabulary.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "traces/record/step.hpp"
+
+namespace zstep::homework {
+
+enum class Language : std::uint8_t { c, python, javascript, java };
+
+struct LanguageText {
+  std::string_view name, file;  ///< "Python", "emit.py"
+};
+inline constexpr std::array<LanguageText, 4> languages{
+    {{"C and C++", "emit.h"}, {"Python", "emit.py"}, {"JavaScript", "emit.js"}, {"Java", "Emit.java"}}};
+
+/// The file: a function for each of these steps of a page, called by the step's name, with its fields in the order of
+/// the vocabulary. It needs nothing but the language.
+std::string emitter(Language language, const std::vector<StepInfo>& steps);
+
+}  // namespace zstep::homework

@@ -1,0 +1,108 @@
+#include "sim/homework/new_homework.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "sim/classroom/lesson.hpp"
+#include "sim/homework/emitters.hpp"
+#include "sim/homework/homework.hpp"
+#include "traces/error.hpp"
+#include "traces/near_word.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folders homework/METHOD of the first place that has any.
+std::vector<fs::path> templates() {
+  for (const fs::path& place : lesson_folders()) {
+    std::vector<fs::path> found;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(place / "homework", none))
+      if (fs::exists(entry.path() / "homework.toml", none)) found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+void write(const fs::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw InputError(path.string(), "cannot be written", "check the folder and the room on the disk");
+}
+
+/// What a program reads: width and height, the points, and each polygon as the number of its vertices and these.
+std::string plain_numbers(const Scene& scene) {
+  std::string text = fmt::format("{} {}\n{}\n", scene.raster.width, scene.raster.height, scene.points.size());
+  for (const glm::dvec3& p : scene.points) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+  text += fmt::format("{}\n", scene.facets.size());
+  for (const Facet& facet : scene.facets) {
+    text += fmt::format("{}", facet.corner_count);
+    for (std::int32_t k = 0; k < facet.corner_count; ++k)
+      text += fmt::format(" {}", scene.corners[static_cast<std::size_t>(facet.first_corner + k)]);
+    text += '\n';
+  }
+  return text;
+}
+
+void fill(const fs::path& from, const fs::path& folder) {
+  fs::copy(from, folder, fs::copy_options::recursive);
+  const Homework homework = load_homework(folder);
+  for (const Task& task : homework.tasks)
+    write(fs::path(task.scene.source).replace_extension(".txt"), plain_numbers(task.scene));
+  for (std::size_t k = 0; k < languages.size(); ++k) {
+    const std::string text = emitter(static_cast<Language>(k), homework.steps);
+    for (const char* place : {"starter", "solution"}) write(folder / place / languages[k].file, text);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> homework_methods() {
+  std::vector<std::string> names;
+  for (const fs::path& folder : templates()) names.push_back(folder.filename().string());
+  return names;
+}
+
+std::vector<std::string> new_homework(const std::string& method, const fs::path& folder) {
+  const std::vector<fs::path> all = templates();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const fs::path& one) { return one.filename().string() == method; });
+  if (found == all.end()) {
+    const std::vector<std::string> names = homework_methods();
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    throw InputError(method, "there is no homework of this method",
+                     words.empty() ? "set ZSTEP_LESSONS to the folder of the lessons"
+                                   : near_word_or_list(method, words, "there are"));
+  }
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && !(fs::is_directory(folder, ignored) && fs::is_empty(folder, ignored)))
+    throw InputError(folder.string(), "is there already", "give the name of a new folder");
+  const fs::path partial = (folder / "").parent_path().string() + ".part";
+  if (fs::exists(partial, ignored))
+    throw InputError(partial.string(), "is in the way: the folder is made under this name", "move it away");
+  std::vector<std::string> written;
+  try {
+    fill(*found, partial);
+    fs::remove(folder, ignored);  // an empty one
+    fs::rename(partial, folder);
+  } catch (const fs::filesystem_error& error) {
+    fs::remove_all(partial, ignored);
+    throw InputError(folder.string(), "cannot be made: " + error.code().message(), "check the folder it lies in");
+  } catch (...) {
+    fs::remove_all(partial, ignored);
+    throw;
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) written.push_back(fs::relative(entry.path(), folder).generic_string());
+  std::sort(written.begin(), written.end());
+  return written;
+}
+
+}  // namespace zstep::homework

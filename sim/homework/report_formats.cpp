@@ -1,0 +1,176 @@
+// The formats in which courses read results. Of a hidden scene they hold the points, and no numbers of its run.
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/homework/reports.hpp"
+#include "sim/words/markup.hpp"
+#include "sim/words/numbers.hpp"
+#include "traces/text.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dumped(const Json& json) {
+  return printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+const char* word_of_state(Graded::State state) {
+  switch (state) {
+    case Graded::State::judged:
+      return "judged";
+    case Graded::State::missing:
+      return "missing";
+    default:
+      return "unreadable";
+  }
+}
+
+std::string first_text(const FirstWrong& first) {
+  std::string text = first.where + (first.where.empty() ? "" : ": ") + first.step;
+  if (!first.subject.empty()) text += ", " + first.subject;
+  text += "\n" + first.what + "\n";
+  for (const std::string& line : first.expected) text += "expected  " + line + "\n";
+  for (const std::string& line : first.found) text += "yours     " + line + "\n";
+  return text;
+}
+
+/// What is said of a part on a task, in one line.
+std::string message(const Assessment& all, const Graded& task, std::size_t part) {
+  if (task.state != Graded::State::judged) return task.why;
+  const grade::PartCount& count = task.counts[part];
+  const grade::Part& of = all.homework->parts[part];
+  const std::string steps = of.level == grade::Level::buffers ? "pixels" : "steps";
+  std::string text = fmt::format("{} of {} {} are right", count.same, count.all(), steps);
+  if (of.computation > 0) text += fmt::format(", {} follow from their own operands", count.computed);
+  return text;
+}
+
+/// Calls visit(name, task, part) for each part of each task.
+template <class Visit>
+void for_each_test(const Assessment& all, Visit&& visit) {
+  for (const Graded& task : all.tasks)
+    for (std::size_t part = 0; part < all.homework->parts.size(); ++part)
+      visit(fmt::format("{}: {}", task.task->name, all.homework->parts[part].name), task, part);
+}
+
+/// The first thing that is wrong and may be shown, or why nothing could be graded.
+std::string overview(const Assessment& all) {
+  const std::string begin =
+      all.homework->left_out > 0 ? "The hidden scenes are not here; their points are not counted.\n" : "";
+  for (const Graded& task : all.tasks)
+    if (task.first && !task.task->hidden)
+      return begin + fmt::format("The first thing to look at, in {}:\n{}", task.task->name, first_text(*task.first));
+  for (const Graded& task : all.tasks)
+    if (!task.why.empty()) return begin + fmt::format("{}: {}", task.task->name, task.why);
+  return begin + (all.points() > 0 ? "Every step that is shown is right." : "");
+}
+
+}  // namespace
+
+std::string report_json(const Assessment& all) {
+  Json tasks = Json::array();
+  for (const Graded& task : all.tasks) {
+    Json one{{"scene", task.task->name},
+             {"hidden", task.task->hidden},
+             {"state", word_of_state(task.state)},
+             {"file", task.file},
+             {"steps", task.steps}};
+    if (!task.why.empty()) one["why"] = task.why;
+    Json parts = Json::array();
+    for (std::size_t part = 0; part < task.counts.size(); ++part) {
+      const grade::PartCount& count = task.counts[part];
+      parts.push_back({{"name", all.homework->parts[part].name},
+                       {"expected", count.expected},
+                       {"additional", count.additional},
+                       {"computed", count.computed},
+                       {"right", count.same},
+                       {"points", all.points(task, part)},
+                       {"of", all.most(task, part)}});
+    }
+    one["parts"] = parts;
+    if (task.first)
+      one["first"] = {{"at", task.first->at},       {"step", task.first->step}, {"subject", task.first->subject},
+                      {"where", task.first->where}, {"what", task.first->what}, {"expected", task.first->expected},
+                      {"found", task.first->found}};
+    tasks.push_back(one);
+  }
+  return dumped({{"homework", all.homework->title},
+                 {"submission", all.submission},
+                 {"gradable", all.gradable()},
+                 {"hidden_left_out", all.homework->left_out},
+                 {"points", all.points()},
+                 {"of", all.homework->points()},
+                 {"scenes", tasks}});
+}
+
+std::string report_gradescope(const Assessment& all, double seconds) {
+  Json tests = Json::array();
+  for_each_test(all, [&](const std::string& name, const Graded& task, std::size_t part) {
+    const double points = all.points(task, part), most = all.most(task, part);
+    tests.push_back({{"name", name},
+                     {"score", points},
+                     {"max_score", most},
+                     {"status", points >= most ? "passed" : "failed"},
+                     {"output", task.task->hidden ? "" : message(all, task, part)},
+                     {"output_format", "text"},
+                     {"visibility", "visible"}});
+  });
+  return dumped({{"score", all.points()},
+                 {"execution_time", seconds},
+                 {"output", overview(all)},
+                 {"output_format", "text"},
+                 {"visibility", "visible"},
+                 {"stdout_visibility", "hidden"},
+                 {"tests", tests},
+                 {"extra_data", {{"gradable", all.gradable()}}}});
+}
+
+std::string report_prairielearn(const Assessment& all) {
+  if (!all.gradable()) {
+    Json errors = Json::array();
+    for (const Graded& task : all.tasks) errors.push_back(fmt::format("{}: {}", task.task->name, task.why));
+    return dumped({{"gradable", false}, {"format_errors", errors}, {"message", "Nothing could be graded."}});
+  }
+  Json tests = Json::array();
+  for_each_test(all, [&](const std::string& name, const Graded& task, std::size_t part) {
+    tests.push_back({{"name", name},
+                     {"points", all.points(task, part)},
+                     {"max_points", all.most(task, part)},
+                     {"message", task.task->hidden ? "" : message(all, task, part)}});
+  });
+  return dumped({{"gradable", true},
+                 {"score", all.points() / all.homework->points()},
+                 {"message", fmt::format("{} of {} points", number(all.points(), 2, true),
+                                         number(all.homework->points(), 2, true))},
+                 {"output", overview(all)},
+                 {"tests", tests}});
+}
+
+std::string report_junit(const Assessment& all) {
+  std::string cases;
+  int failures = 0, errors = 0, count = 0;
+  for_each_test(all, [&](const std::string&, const Graded& task, std::size_t part) {
+    ++count;
+    const bool unread = task.state != Graded::State::judged;
+    const bool right = all.points(task, part) >= all.most(task, part);
+    cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", markup(task.task->name),
+                         markup(all.homework->parts[part].name));
+    if (right && !unread) {
+      cases += "/>\n";
+      return;
+    }
+    (unread ? errors : failures)++;
+    const std::string more = task.task->hidden || !task.first ? "" : first_text(*task.first);
+    cases += fmt::format("><{0} message=\"{1}\">{2}</{0}></testcase>\n", unread ? "error" : "failure",
+                         markup(printable(message(all, task, part))), markup(printable_lines(more)));
+  });
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n{}</testsuite>\n",
+      markup(printable(all.homework->title)), count, failures, errors, cases);
+}
+
+}  // namespace zstep::homework

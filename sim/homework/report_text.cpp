@@ -1,0 +1,79 @@
+// The report that a student reads: one page, by which the points can be worked out by hand.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/homework/reports.hpp"
+#include "sim/words/numbers.hpp"
+#include "sim/words/shell_word.hpp"
+#include "traces/text.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+std::string points_text(double points) { return number(points, 2, true); }
+
+/// "computed 12 of 15: 4 of 5; right 10 of 15: 3.33 of 5"
+std::string shares_text(const Homework& homework, const Graded& task, std::size_t index) {
+  const grade::Part& part = homework.parts[index];
+  const grade::PartCount& count = task.counts[index];
+  const double share = homework.share(*task.task);
+  std::string text;
+  const auto add = [&](const char* word, std::int64_t of, double points, double most) {
+    if (most > 0)
+      text += fmt::format("{}{} {} of {}: {} of {}", text.empty() ? "" : "; ", word, of, count.all(),
+                          points_text(share * points), points_text(share * most));
+  };
+  add("computed", count.computed, count.computation_points(part), part.computation);
+  add(part.level == grade::Level::buffers ? "right pixels" : "right", count.same, count.value_points(part), part.value);
+  return text;
+}
+
+std::string task_text(const Assessment& all, const Graded& task) {
+  const Homework& homework = *all.homework;
+  double points = 0, most = 0;
+  for (std::size_t part = 0; part < homework.parts.size(); ++part)
+    points += all.points(task, part), most += all.most(task, part);
+  std::string text =
+      fmt::format("{}: {} of {} points\n", printable(task.task->name), points_text(points), points_text(most));
+  if (task.state == Graded::State::missing) return text + fmt::format("  Nothing was handed in: {}.\n", task.why);
+  if (task.state == Graded::State::unreadable)
+    return text + fmt::format("  This cannot be graded:\n  {}\n", printable_lines(task.why));
+  if (!task.why.empty()) text += fmt::format("  {}\n", printable_lines(task.why));
+  for (std::size_t part = 0; part < homework.parts.size(); ++part)
+    text += fmt::format("  {} {:<22} {}\n", all.points(task, part) >= all.most(task, part) ? "ok" : "  ",
+                        printable(homework.parts[part].name), shares_text(homework, task, part));
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const Assessment& all, const std::string& command) {
+  const Homework& homework = *all.homework;
+  double most = 0;
+  for (const Graded& task : all.tasks)
+    for (std::size_t part = 0; part < homework.parts.size(); ++part) most += all.most(task, part);
+  std::string text = fmt::format("{}: {}\n{} of {} points\n\n", printable(homework.title), printable(all.submission),
+                                 points_text(all.points()), points_text(most));
+  if (homework.left_out > 0) text += "The hidden scenes are not here; their points are not counted.\n\n";
+  for (const Graded& task : all.tasks) text += task_text(all, task) + "\n";
+  const auto wrong = std::find_if(all.tasks.begin(), all.tasks.end(),
+                                  [](const Graded& task) { return task.first && !task.task->hidden; });
+  if (wrong == all.tasks.end()) {
+    const bool right = std::all_of(all.tasks.begin(), all.tasks.end(), [](const Graded& task) {
+      return task.state == Graded::State::judged && !task.first && task.why.empty();
+    });
+    return text + (right ? "Every step is right.\n" : "");
+  }
+  const FirstWrong& first = *wrong->first;
+  text += fmt::format("The first thing to look at, in {}{}:\n  {}{}\n  {}\n", printable(wrong->task->name),
+                      first.where.empty() ? "" : ", " + first.where, first.step,
+                      first.subject.empty() ? "" : ", " + first.subject, first.what);
+  for (const std::string& line : first.expected) text += fmt::format("  expected  {}\n", line);
+  for (const std::string& line : first.found) text += fmt::format("  yours     {}\n", line);
+  return text + fmt::format("  {} --scene {} --view\n", command, shell_word(wrong->task->name));
+}
+
+}  // namespace zstep::homework
