@@ -13,14 +13,13 @@
 #include <glm/vec3.hpp>
 
 #include "traces/events/vocabulary.hpp"
+#include "traces/formulas/rectangles.hpp"
 
 namespace zstep::warnock {
 
 struct Area {
   std::int32_t first_column, first_row, end_column, end_row;
 
-  glm::dvec2 low() const { return {first_column - 0.5, first_row - 0.5}; }
-  glm::dvec2 high() const { return {end_column - 0.5, end_row - 0.5}; }
   bool is_pixel() const { return end_column - first_column == 1 && end_row - first_row == 1; }
 };
 
@@ -35,28 +34,19 @@ class Shape {
 
   /// The bin of this polygon in an area. With `boxes`, its bounding box is asked first: it knows the disjoint ones that
   /// lie well away, and all contained ones.
-  struct Judgement {
-    Bin bin;
-    std::int32_t crossings = -1, corners_inside = -1;  ///< -1: the box decided
+  struct Judgement : formulas::Crossed {  ///< counts are -1 where the box decided
     bool by_box = false;
   };
   Judgement judge(const Area& area, bool boxes) const;
 
-  bool covers(double x,
-              double y) const;  ///< is the point in it? Even-odd rule; of edges, the left and upper ones count
+  bool covers(double x, double y) const { return formulas::covers(edges_, x, y); }
   /// Where edges cross the line of centres of row y, from left to right: it covers the centres x with
   /// crossings[0] <= x < crossings[1] and so on.
   void find_crossings(std::int32_t y, std::vector<double>& crossings) const;
   std::int32_t edge_count() const { return static_cast<std::int32_t>(edges_.size()); }
 
  private:
-  struct Edge {
-    glm::dvec2 start, end;  // from smaller to larger y, so that polygons that share the edge compute the same bits
-    bool meets_row(double y) const { return start.y <= y && y < end.y; }
-    double x_at(double y) const { return start.x + (end.x - start.x) * (y - start.y) / (end.y - start.y); }
-    bool meets(glm::dvec2 low, glm::dvec2 high) const;
-  };
-  std::vector<Edge> edges_;
+  std::vector<formulas::Segment> edges_;
   glm::dvec2 low_, high_;
 };
 

@@ -100,7 +100,7 @@ class Subdivision {
 
   using Depths = std::array<double, 4>;
   Depths corner_depths(const Area& area, std::int32_t piece) {
-    const glm::dvec2 low = area.low(), high = area.high();
+    const auto [low, high] = formulas::rectangle_of(area);
     const glm::dvec2 corners[] = {low, {high.x, low.y}, {low.x, high.y}, high};
     Depths depths{};
     for (std::size_t i = 0; i < 4; ++i) {

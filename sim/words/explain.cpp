@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "algorithms/viewing/camera.hpp"
 #include "sim/words/explain_parts.hpp"
 
 namespace zstep {
@@ -13,10 +12,6 @@ std::string polygon_label(const Scene& scene, std::int32_t polygon) {
   const auto at = static_cast<std::size_t>(polygon);
   if (at < scene.polygons.size() && !scene.polygons[at].name->empty()) return *scene.polygons[at].name;
   return fmt::format("P{}", polygon);
-}
-
-Camera camera_at_work(const Scene& scene, const MethodState& machine) {
-  return machine.pass == Pass::light && scene.light ? viewing::camera_of(*scene.light) : scene.camera;
 }
 
 std::int32_t polygon_at_work(const MethodState& machine) {
@@ -68,16 +63,6 @@ std::string depth_symbol(const Scene& scene, const Conventions& conventions) {
 std::string symbol_along(const Scene& scene, const Conventions& conventions) {
   const bool inverse = conventions.depth == Conventions::Depth::corrected;
   return inverse && scene.camera.kind == Camera::Kind::perspective ? "1/z_v" : depth_symbol(scene, conventions);
-}
-
-std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::int32_t vertex) {
-  const auto at = static_cast<std::size_t>(vertex);
-  if (vertex < 0) return std::nullopt;
-  if (scene.camera.kind == Camera::Kind::screen && at < scene.points.size())
-    return OnRaster{scene.points[at].x, scene.points[at].y, scene.points[at].z};
-  if (at >= state.vertices.size() || state.vertices[at].stage < VertexStages::on_raster) return std::nullopt;
-  const VertexStages& way = state.vertices[at];
-  return OnRaster{way.raster.x, way.raster.y, way.plane.z};
 }
 
 Explanation explain(const Trace& trace, const State& after, const RecordedEvent event) {

@@ -8,6 +8,7 @@
 
 #include "traces/file/trace.hpp"
 #include "traces/replay/state.hpp"
+#include "traces/replay/vertex_points.hpp"
 
 namespace zstep {
 
@@ -22,9 +23,6 @@ struct Explanation {
 /// Uses the trace's conventions for names (z*, z_v or z) and for formulas (direct, or by increments).
 /// Looks back in the trace, so `event` is a copy: what Trace::event() refers to may go away meanwhile.
 Explanation explain(const Trace& trace, const State& after, RecordedEvent event);
-
-/// By which the scene is being drawn: its own, or that of its light while the run is in the light's pass.
-Camera camera_at_work(const Scene& scene, const MethodState& machine);
 
 /// Whose pixels are being found: the polygon at work; of a method that goes through all at once, that of the span's
 /// edge.
@@ -46,11 +44,5 @@ std::string undeclared_text(const Header& header, bool tie);
 std::string depth_symbol(const Scene& scene, const Conventions& conventions);
 /// And what is interpolated to get it: the same, but 1/z_v where z_v is its reciprocal.
 std::string symbol_along(const Scene& scene, const Conventions& conventions);
-
-/// Where a vertex is on the raster and how deep, whether it came through a camera or was given in screen coordinates.
-struct OnRaster {
-  double x = 0, y = 0, z = 0;
-};
-std::optional<OnRaster> on_raster(const Scene& scene, const State& state, std::int32_t vertex);
 
 }  // namespace zstep

@@ -1,5 +1,6 @@
 // Warnock's areas: the four bins and the four cases (002, "Warnock's Algorithm").
 #include "sim/words/explain_parts.hpp"
+#include "traces/formulas/of_areas.hpp"
 
 namespace zstep::words {
 namespace {
@@ -11,9 +12,11 @@ std::string columns_and_rows(const AreaBegin& a) {
   return range("column", "columns", a.first_column, a.end_column) + ", " + range("row", "rows", a.first_row, a.end_row);
 }
 
-const AreaBegin* area_of(const Telling& t, std::int32_t area) {
-  const auto at = static_cast<std::size_t>(area);
-  return area >= 0 && at < t.machine.areas.size() ? &t.machine.areas[at].entry : nullptr;
+/// From where to where the squares of its pixels go, in x and in y.
+using Form = fmt::format_string<std::string, std::string, std::string, std::string>;
+std::string squares(Form form, const AreaBegin& area) {
+  const auto [low, high] = formulas::rectangle_of(area);
+  return fmt::format(form, number(low.x), number(high.x), number(low.y), number(high.y));
 }
 
 std::string named(const Telling& t, Bin bin) {
@@ -29,9 +32,7 @@ void tell(Telling& t, const AreaBegin& e) {
   const std::string where = columns_and_rows(e);
   if (e.parent < 0) t.say(fmt::format("The first area is the whole picture: {}.", where));
   else t.say(fmt::format("Area {} is a quarter of area {}: {}.", e.area, e.parent, where));
-  t.formula(fmt::format("the squares of its pixels: {} \u2264 x \u2264 {}, {} \u2264 y \u2264 {}",
-                        number(e.first_column - 0.5), number(e.end_column - 0.5), number(e.first_row - 0.5),
-                        number(e.end_row - 0.5)));
+  t.formula(squares("the squares of its pixels: {} \u2264 x \u2264 {}, {} \u2264 y \u2264 {}", e));
 }
 
 void tell(Telling& t, const AreaBin& e) {
@@ -40,19 +41,17 @@ void tell(Telling& t, const AreaBin& e) {
     t.say(fmt::format("{} surrounds the area around this one, so it surrounds this one, too: no test is needed.", who));
     return t.formula("a part of what is surrounded is surrounded");
   }
-  const AreaBegin* area = area_of(t, t.machine.area);
-  const auto at = static_cast<std::size_t>(e.piece);
   if (e.by_box) {
+    const AreaBegin* area = formulas::detail::area_at_work(t.at);
+    const Piece* piece = t.at.piece(e.piece);
     t.say(e.bin == Bin::disjoint
               ? fmt::format("The box of {} misses the area: {} is disjoint, and its edges need no test.", who, who)
               : fmt::format("The box of {} lies in the area: {} is contained, and its edges need no test.", who, who));
-    if (area && at < t.machine.pieces.size() && t.machine.pieces[at].extent) {
-      const Extent& box = *t.machine.pieces[at].extent;
+    if (area && piece && piece->extent) {
+      const Extent& box = *piece->extent;
       t.formula(fmt::format("its box: x {} to {}, y {} to {}", number(box.x_min), number(box.x_max), number(box.y_min),
                             number(box.y_max)));
-      t.formula(fmt::format("the area: x {} to {}, y {} to {}", number(area->first_column - 0.5),
-                            number(area->end_column - 0.5), number(area->first_row - 0.5),
-                            number(area->end_row - 0.5)));
+      t.formula(squares("the area: x {} to {}, y {} to {}", *area));
     }
     return;
   }

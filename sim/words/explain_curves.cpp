@@ -56,8 +56,8 @@ std::string row_of(const std::string& number) { return "row " + number; }
 void tell_y(Telling& t, const HorizonTest& e, const Passage& now) {
   t.derive(e);
   if (t.follows("y", "y_curve", e.y_curve) || !t.machine.horizon.segment) return;
-  const auto a = on_raster(t.scene, t.after, t.machine.horizon.segment->vertex_0);
-  const auto b = on_raster(t.scene, t.after, t.machine.horizon.segment->vertex_1);
+  const auto a = t.at.on_raster(t.machine.horizon.segment->vertex_0);
+  const auto b = t.at.on_raster(t.machine.horizon.segment->vertex_1);
   if (!a || !b || a->x == b->x) return;
   // Seen edge-on between two columns: the curve's samples stand on the nearest one.
   const OnRaster& end = now.y == a->y ? *a : *b;
@@ -84,7 +84,7 @@ void tell(Telling& t, const CurveBegin& e) {
 }
 
 void tell(Telling& t, const CurveSegment& e) {
-  const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
+  const auto a = t.at.on_raster(e.vertex_0), b = t.at.on_raster(e.vertex_1);
   const std::string way = fmt::format("from {} to {}", place(e.vertex_0, a), place(e.vertex_1, b));
   if (t.step() == "side")
     t.say(fmt::format(

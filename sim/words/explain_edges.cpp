@@ -3,17 +3,14 @@
 
 #include <algorithm>
 
+#include "traces/formulas/of_edges.hpp"
+
 namespace zstep::words {
 
 namespace {
 
-const EdgeTableInsert* entry_of(const Telling& t, std::int32_t edge) {
-  const auto at = static_cast<std::size_t>(edge);
-  return edge >= 0 && at < t.machine.edge_table.size() ? &t.machine.edge_table[at] : nullptr;
-}
-
 std::string named(const Telling& t, std::int32_t edge) {
-  const EdgeTableInsert* entry = entry_of(t, edge);
+  const EdgeTableInsert* entry = t.at.edge(edge);
   if (!entry) return fmt::format("edge e{}", edge);
   const std::string label = edge_label(t.scene, *entry);
   return label[0] != 'e' ? "edge " + label
@@ -22,7 +19,7 @@ std::string named(const Telling& t, std::int32_t edge) {
 
 /// The same without "edge" and without its ends.
 std::string brief(const Telling& t, std::int32_t edge) {
-  const EdgeTableInsert* entry = entry_of(t, edge);
+  const EdgeTableInsert* entry = t.at.edge(edge);
   return entry ? edge_label(t.scene, *entry) : fmt::format("e{}", edge);
 }
 
@@ -46,7 +43,7 @@ std::optional<Before> before_step(const Telling& t, std::int32_t edge) {
     if (const auto* step = get_if<EdgeStep>(&event); step && step->edge == edge)
       return Before{step->x_edge, step->z_edge};
     if (const auto* enter = get_if<EdgeEnter>(&event); enter && enter->edge == edge)
-      if (const EdgeTableInsert* entry = entry_of(t, edge)) return Before{entry->x_edge, entry->z_edge};
+      if (const EdgeTableInsert* entry = t.at.edge(edge)) return Before{entry->x_edge, entry->z_edge};
     if (holds<PolygonBegin>(event)) break;
   }
   return std::nullopt;
@@ -79,8 +76,8 @@ void tell(Telling& t, const EdgeTableInsert& e) {
     t.say(
         fmt::format("The trace lets e{} begin at scan line {} and leave at {}; its ends are at y = {} and {}, so it "
                     "should begin at {} and leave at {}.",
-                    edge, e.first_row, e.end_row, number(on_raster(t.scene, t.after, e.vertex_0)->y),
-                    number(on_raster(t.scene, t.after, e.vertex_1)->y), *t.derived_of("first_row")->within,
+                    edge, e.first_row, e.end_row, number(t.at.on_raster(e.vertex_0)->y),
+                    number(t.at.on_raster(e.vertex_1)->y), *t.derived_of("first_row")->within,
                     *t.derived_of("end_row")->within));
   t.value("x", e.x_edge);
   t.value("1/m", e.dx_dy);
@@ -94,7 +91,7 @@ void tell(Telling& t, const EdgeTableSkip& e) {
   const bool horizontal = e.why == EdgeSkip::horizontal;
   t.say(horizontal ? fmt::format("The {} is horizontal: it meets no scan line in one point and is left out.", edge)
                    : fmt::format("The {} lies between two scan lines and meets none: it is left out.", edge));
-  const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
+  const auto a = t.at.on_raster(e.vertex_0), b = t.at.on_raster(e.vertex_1);
   if (!a || !b) return;
   const double from = std::min(a->y, b->y), to = std::max(a->y, b->y), height = t.scene.raster.height;
   // Half-open: an edge that ends on a scan line does not meet it.
@@ -129,9 +126,7 @@ void tell(Telling& t, const EdgeEnter& e) {
                                named(t, e.edge), e.place)));
   const auto place = static_cast<std::size_t>(e.place);
   const auto& active = t.machine.active;
-  const auto out_of_order = [&](std::size_t left) {
-    return left + 1 < active.size() && active[left].x > active[left + 1].x;
-  };
+  const auto out_of_order = [&](std::size_t left) { return formulas::detail::out_of_order(active, left); };
   if (out_of_order(place) || (place > 0 && out_of_order(place - 1))) {
     const ActiveEdge &one = active[out_of_order(place) ? place : place - 1],
                      &other = active[out_of_order(place) ? place + 1 : place];
@@ -140,7 +135,7 @@ void tell(Telling& t, const EdgeEnter& e) {
         "{} is left of {} at x = {}.",
         named(t, e.edge), e.place, brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x))));
   }
-  if (const EdgeTableInsert* entry = entry_of(t, e.edge)) {
+  if (const EdgeTableInsert* entry = t.at.edge(e.edge)) {
     t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.along, number(entry->z_edge),
                           entry->end_row));
     t.value("x", entry->x_edge);
@@ -150,7 +145,7 @@ void tell(Telling& t, const EdgeEnter& e) {
 
 void tell(Telling& t, const EdgeRetire& e) {
   t.say(with_capital(fmt::format("{} ends here and leaves the active edge list.", named(t, e.edge))));
-  const EdgeTableInsert* entry = entry_of(t, e.edge);
+  const EdgeTableInsert* entry = t.at.edge(e.edge);
   if (!entry || !t.machine.scan_line) return;
   const std::int32_t y = *t.machine.scan_line, end = entry->end_row;
   t.formula(y >= end ? fmt::format("y = {}; it leaves at y = {}", y, end)
@@ -160,7 +155,7 @@ void tell(Telling& t, const EdgeRetire& e) {
         "{} leaves the active edge list at scan line {}, though it is to leave at {}.", named(t, e.edge), y, end)));
   if (y == end) return;
   const auto goes_on = [&](const ActiveEdge& active) {
-    const EdgeTableInsert* other = entry_of(t, active.edge);
+    const EdgeTableInsert* other = t.at.edge(active.edge);
     return other && other->end_row > end;
   };
   const bool last_of_all = std::none_of(t.machine.active.begin(), t.machine.active.end(), goes_on);
@@ -173,7 +168,7 @@ void tell(Telling& t, const EdgeRetire& e) {
 void tell(Telling& t, const EdgeStep& e) {
   const std::int32_t y = t.machine.scan_line.value_or(0);
   t.say(with_capital(fmt::format("{} moves to scan line {}.", named(t, e.edge), y)));
-  const EdgeTableInsert* entry = entry_of(t, e.edge);
+  const EdgeTableInsert* entry = t.at.edge(e.edge);
   if (entry && adds_slopes(t.conventions)) {
     if (const auto before = before_step(t, e.edge)) {
       t.gives("x", Shown("x", before->x) + Shown("1/m", entry->dx_dy), e.x_edge);
@@ -194,7 +189,7 @@ void tell(Telling& t, const EdgeSwap& e) {
                     e.place + 1));
   t.formula(list_of_active(t));
   const auto left = static_cast<std::size_t>(e.place);
-  if (left + 1 >= t.machine.active.size() || t.machine.active[left].x <= t.machine.active[left + 1].x) return;
+  if (!formulas::detail::out_of_order(t.machine.active, left)) return;
   const ActiveEdge &one = t.machine.active[left], &other = t.machine.active[left + 1];
   t.contradict(
       fmt::format("Places {} and {} of the active edge list change, though they were in order: now {} at x = {} is "

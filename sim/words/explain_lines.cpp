@@ -41,7 +41,7 @@ const PlaneEquation* plane_of(const Telling& t, std::int32_t facet) {
 
 /// Signed distance of a vertex from the plane, positive behind it.
 std::optional<double> distance_behind(const Telling& t, const PlaneEquation& plane, std::int32_t vertex) {
-  const auto at = on_raster(t.scene, t.after, vertex);
+  const auto at = t.at.on_raster(vertex);
   if (!at) return std::nullopt;
   const double value = plane.plane_a * at->x + plane.plane_b * at->y + plane.plane_c * at->z + plane.plane_d;
   return plane.plane_c > 0 ? value : -value;
@@ -71,7 +71,7 @@ void tell(Telling& t, const LineBegin& e) {
       t.say(two ? fmt::format("{}. Its faces {} both face away.", edge, both)
                 : fmt::format("{}. Its face {} faces away.", edge, both));
   }
-  const auto a = on_raster(t.scene, t.after, e.vertex_0), b = on_raster(t.scene, t.after, e.vertex_1);
+  const auto a = t.at.on_raster(e.vertex_0), b = t.at.on_raster(e.vertex_1);
   if (!a || !b) return;
   t.formula(fmt::format("t = 0 at ({}, {}), {} = {}", number(a->x), number(a->y), t.z, number(a->z)));
   t.formula(fmt::format("t = 1 at ({}, {}), {} = {}", number(b->x), number(b->y), t.z, number(b->z)));

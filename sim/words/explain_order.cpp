@@ -8,7 +8,7 @@ namespace zstep::words {
 namespace {
 
 const Extent* extent_of(const Telling& t, std::int32_t number) {
-  const Piece* piece = t.piece_at(number);
+  const Piece* piece = t.at.piece(number);
   return piece && piece->extent ? &*piece->extent : nullptr;
 }
 
@@ -33,10 +33,10 @@ std::string equation(const PlaneEquation& p) {
 void hold_extremes(Telling& t, const SideTest& e, const PlaneEquation& p) {
   const double far = std::numeric_limits<double>::infinity();
   formulas::Rounded least(far, 0), greatest(-far, 0);
-  const Piece* piece = t.piece_at(e.piece);
+  const Piece* piece = t.at.piece(e.piece);
   if (!piece) return;
   for (const std::int32_t vertex : piece->outline) {
-    const auto corner = on_raster(t.scene, t.after, vertex);
+    const auto corner = t.at.on_raster(vertex);
     if (!corner) return;
     const auto value = formulas::plane_value<formulas::Rounded>(p.plane_a, p.plane_b, p.plane_c, p.plane_d, corner->x,
                                                                 corner->y, corner->z);
@@ -109,7 +109,7 @@ void tell(Telling& t, const SideTest& e) {
     t.out.sentence += passed ? fmt::format(" So {} may be drawn first.", earlier) : " This test cannot decide.";
   }
   // A vertex on the plane leaves digits of rounding, on either side of it.
-  const Piece* of = t.piece_at(e.plane_of);
+  const Piece* of = t.at.piece(e.plane_of);
   const double size = of && of->plane ? std::abs(of->plane->plane_d) : 0;
   const double rounding =
       std::max(1e-6 * std::max(std::abs(e.least), std::abs(e.greatest)), 1e-9 * std::max(1.0, size));
@@ -140,7 +140,7 @@ void tell(Telling& t, const OverlapTest& e) {
                     number(e.y_at)));
   t.value("x", e.x_at);
   t.value("y", e.y_at);
-  const Piece *p = t.piece_at(e.piece), *q = t.piece_at(e.other);
+  const Piece *p = t.at.piece(e.piece), *q = t.at.piece(e.other);
   if (!p || !q || !p->plane || !q->plane) return;
   const double z_p = depth_of(*p->plane, e.x_at, e.y_at), z_q = depth_of(*q->plane, e.x_at, e.y_at);
   const auto [shown_p, shown_q] = tell_apart(z_p, z_q);
@@ -158,7 +158,7 @@ void tell(Telling& t, const ListInsert& e) {
 }
 
 void tell(Telling& t, const ListRemove& e) {
-  const Piece* piece = t.piece_at(e.piece);
+  const Piece* piece = t.at.piece(e.piece);
   const std::string name = t.piece(e.piece);
   if (piece && piece->cut) return t.say(fmt::format("{} leaves the list: its parts take over.", name));
   if (t.step() == "remove")

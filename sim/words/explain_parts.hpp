@@ -23,7 +23,7 @@ struct Telling {
   const State& after;
   const Scene& scene;
   const Conventions& conventions;
-  Camera camera;  ///< by which the scene is being drawn: the light's in its pass
+  const formulas::Situation at;  ///< the state that the event led to
   const MethodState& machine;
   std::string z;      ///< what depths are called
   std::string along;  ///< what is interpolated to get them
@@ -35,7 +35,7 @@ struct Telling {
         after(after_),
         scene(trace_.scene()),
         conventions(trace_.header().conventions),
-        camera(camera_at_work(trace_.scene(), after_.machine)),
+        at(formulas::situation_of(trace_, after_)),
         machine(after_.machine),
         z(depth_symbol(trace_.scene(), trace_.header().conventions)),
         along(symbol_along(trace_.scene(), trace_.header().conventions)) {}
@@ -51,12 +51,6 @@ struct Telling {
   std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
   std::string here() const { return label(polygon_at_work(machine)); }
   std::string piece(std::int32_t number) const { return piece_label(scene, machine, number); }
-  /// A row of the table of pieces; nullptr where there is none.
-  const Piece* piece_at(std::int32_t number) const {
-    return number >= 0 && static_cast<std::size_t>(number) < machine.pieces.size()
-               ? &machine.pieces[static_cast<std::size_t>(number)]
-               : nullptr;
-  }
   /// The name of the step that recorded the event, "" in a trace whose page lacks it.
   std::string step() const {
     const StepInfo* found = find_step(trace.header().page, trace.event(after.position).step);
@@ -82,8 +76,6 @@ struct Telling {
   }
   /// Finds what the formulas give for the event's fields: of those whose operands the event leaves as they were.
   void derive(const Event& event) {
-    formulas::Situation at = formulas::situation_of(trace, after);
-    at.camera = &camera;
     derived = derived_fields(event, at);
   }
   const DerivedField* derived_of(std::string_view field) const {

@@ -125,7 +125,7 @@ void tell(Telling& t, const OutlineVertex& e) {
   if (step && step->module == "cutting")
     t.say(fmt::format("Vertex {} is corner {} of the part.", e.vertex, t.machine.outline.size()));
   else t.say(fmt::format("Vertex {} is corner {} of {} as it is drawn.", e.vertex, t.machine.outline.size(), t.here()));
-  if (const auto p = on_raster(t.scene, t.after, e.vertex)) {
+  if (const auto p = t.at.on_raster(e.vertex)) {
     t.formula(fmt::format("(x_s, y_s) = ({}, {}), {} = {}", number(p->x), number(p->y), t.z, number(p->z)));
     t.value("x_s", p->x);
     t.value("y_s", p->y);

@@ -18,7 +18,7 @@ std::string names_inside(const Telling& t) {
 
 /// z = -(A x + B y + D)/C with numbers, and whether it gives what was recorded.
 void depth_formula(Telling& t, std::int32_t piece, double x, double y, double z) {
-  const Piece* row = t.piece_at(piece);
+  const Piece* row = t.at.piece(piece);
   if (!row || !row->plane) return;
   const PlaneEquation& p = *row->plane;
   t.gives(fmt::format("{} of {}", t.z, t.piece(piece)),

@@ -30,8 +30,8 @@ void tell_depth(Telling& t, const Projection& e) {
     return;
   }
   if (!t.follows(t.along, "z", e.z)) return t.formula(fmt::format("{} = {}", t.along, number(e.z)));
-  if (t.conventions.depth != Conventions::Depth::pseudodepth || t.camera.kind == Camera::Kind::orthographic) return;
-  const Shown f("f", t.camera.near), F("F", t.camera.far);
+  if (t.conventions.depth != Conventions::Depth::pseudodepth || t.at.camera->kind == Camera::Kind::orthographic) return;
+  const Shown f("f", t.at.camera->near), F("F", t.at.camera->far);
   const Shown a = formulas::pseudodepth_a(f, F), b = formulas::pseudodepth_b(f, F);
   t.formula(fmt::format("a = {} = {}, b = {} = {}; near f = {}, far F = {}", a.symbols(), number(a.value()),
                         b.symbols(), number(b.value()), f.numbers(), F.numbers()));
@@ -59,7 +59,7 @@ void tell(Telling& t, const ViewTransform& e) {
   const glm::dvec3* p = world(t, e.vertex);
   if (p) t.formula(fmt::format("T_v \u00b7 ({}, {}, {})", number(p->x), number(p->y), number(p->z)));
   for (int row = 0; row < 3; ++row) {
-    const glm::dmat4& m = t.camera.view;
+    const glm::dmat4& m = t.at.camera->view;
     if (p) {
       t.gives(names[row], row_times_point(m, row, *p), out[row]);
     } else {
@@ -70,7 +70,7 @@ void tell(Telling& t, const ViewTransform& e) {
 }
 
 void tell(Telling& t, const Projection& e) {
-  const bool perspective = t.camera.kind == Camera::Kind::perspective;
+  const bool perspective = t.at.camera->kind == Camera::Kind::perspective;
   t.say(
       perspective
           ? fmt::format("Vertex {} is projected: divided by its distance z_v, so what is far becomes small.", e.vertex)

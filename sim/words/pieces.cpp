@@ -2,20 +2,6 @@
 
 namespace zstep {
 
-std::optional<glm::dvec3> cutting_point(const Scene& scene, const State& state, std::int32_t vertex) {
-  const auto at = static_cast<std::size_t>(vertex);
-  if (vertex < 0) return std::nullopt;
-  if (!state.machine.tree.empty() && scene.camera.kind != Camera::Kind::screen) {
-    if (at < scene.points.size()) return scene.points[at];
-    if (at < state.vertices.size()) return state.vertices[at].world;
-    return std::nullopt;
-  }
-  if (scene.camera.kind == Camera::Kind::screen && at < scene.points.size()) return scene.points[at];
-  if (at >= state.vertices.size() || state.vertices[at].stage < VertexStages::on_raster) return std::nullopt;
-  const VertexStages& way = state.vertices[at];
-  return glm::dvec3(way.raster, way.plane.z);
-}
-
 const PlaneEquation* plane_of_node(const MethodState& machine, std::int32_t node) {
   if (node < 0 || static_cast<std::size_t>(node) >= machine.tree.size()) return nullptr;
   const TreeNode& at = machine.tree[static_cast<std::size_t>(node)];

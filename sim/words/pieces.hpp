@@ -1,17 +1,11 @@
-// Where the vertices of pieces lie, and the nodes of the tree that they belong to.
+// The nodes of the tree that pieces belong to.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
-#include <glm/vec3.hpp>
-
-#include "traces/replay/state.hpp"
+#include "traces/replay/vertex_points.hpp"
 
 namespace zstep {
-
-/// Where a vertex lies in the space in which pieces are cut: the world where the run builds a tree, else the raster.
-std::optional<glm::dvec3> cutting_point(const Scene& scene, const State& state, std::int32_t vertex);
 
 /// The plane of a node of the tree; none where the trace does not tell.
 const PlaneEquation* plane_of_node(const MethodState& machine, std::int32_t node);

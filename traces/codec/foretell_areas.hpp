@@ -10,59 +10,17 @@ namespace zstep::codec {
 
 // --- Areas
 
-namespace detail {
-
-/// The rectangle of an area's pixels, half a pixel wider than their centres. Without jumps, as none could be foretold.
-struct Rectangle {
-  double left, right, top, bottom;
-
-  explicit Rectangle(const AreaBegin& area)
-      : left(area.first_column - 0.5),
-        right(area.end_column - 0.5),
-        top(area.first_row - 0.5),
-        bottom(area.end_row - 0.5) {}
-  bool holds(glm::dvec2 point) const {
-    return (left <= point.x) & (point.x <= right) & (top <= point.y) & (point.y <= bottom);
-  }
-  bool meets(const PieceSides::Side& side) const {
-    const glm::dvec2 &start = side.start, &end = side.end, along = end - start;
-    const double x_least = std::min(start.x, end.x), x_most = std::max(start.x, end.x);
-    const bool overlaps = (x_most >= left) & (x_least <= right) & (end.y >= top) & (start.y <= bottom);
-    const bool holds_start = holds(start), holds_end = holds(end);
-    // On which side of its line the corners lie.
-    const double up = along.x * (top - start.y), down = along.x * (bottom - start.y),
-                 to_left = along.y * (left - start.x), to_right = along.y * (right - start.x);
-    const double least = std::min(std::min(up - to_left, up - to_right), std::min(down - to_left, down - to_right));
-    const double most = std::max(std::max(up - to_left, up - to_right), std::max(down - to_left, down - to_right));
-    return overlaps & (holds_start | holds_end | ((least <= 0) & (most >= 0)));
-  }
-};
-
-/// Is the point in it? By the even-odd rule.
-inline bool covers(const PieceSides& outline, double x, double y) {
-  bool inside = false;
-  for (std::uint32_t i = 0; i < outline.count; ++i) {
-    const auto& [start, end] = outline.sides[i];
-    inside ^= (start.y <= y) & (y < end.y) & (start.x + (end.x - start.x) * (y - start.y) / (end.y - start.y) <= x);
-  }
-  return inside;
-}
-
-}  // namespace detail
-
 template <>
 inline void Foreteller::note(const AreaBegin& event) {
   areas_.begin(event);
   painted_ = -1;
-  const detail::Rectangle area(event);
+  const auto [low, high] = formulas::rectangle_of(event);
   const bool is_pixel =
       std::int64_t{event.end_column} - event.first_column == 1 && std::int64_t{event.end_row} - event.first_row == 1;
   if (is_pixel)
     begin_depths(false, {{{static_cast<double>(event.first_column), static_cast<double>(event.first_row)}}}, 1);
   else
-    begin_depths(false,
-                 {{{area.left, area.top}, {area.right, area.top}, {area.left, area.bottom}, {area.right, area.bottom}}},
-                 4);
+    begin_depths(false, {{{low.x, low.y}, {high.x, low.y}, {low.x, high.y}, {high.x, high.y}}}, 4);
 }
 
 inline void Foreteller::tell(AreaBin& event) const {
@@ -78,26 +36,12 @@ inline void Foreteller::evaluate(AreaBin& event) {
   }
   const PieceExtent* extent = areas_.at_work() ? facts_->extent_of_piece(event.piece) : nullptr;
   if (extent == nullptr) return;
-  const detail::Rectangle area(areas_.area());
-  const glm::dvec3 &low = extent->low, &high = extent->high;
-  if (high.x < area.left || low.x > area.right || high.y < area.top || low.y > area.bottom) return;
+  const formulas::Rectangle area = formulas::rectangle_of(areas_.area());
+  if (area.is_apart(extent->low, extent->high)) return;
   const PieceSides* outline = facts_->sides_of_piece(event.piece);
   if (outline == nullptr) return;
-  if (area.holds(glm::dvec2(low)) && area.holds(glm::dvec2(high))) {
-    event.crossings = static_cast<std::int32_t>(outline->count), event.bin = Bin::contained;
-    return;
-  }
-  for (std::uint32_t i = 0; i < outline->count; ++i) event.crossings += area.meets(outline->sides[i]);
-  const auto covers = [&](double x, double y) {
-    return ((low.x <= x) & (x <= high.x) & (low.y <= y) & (y <= high.y)) && detail::covers(*outline, x, y);
-  };
-  if (event.crossings > 0) {
-    for (const double x : {area.left, area.right})
-      for (const double y : {area.top, area.bottom}) event.corners_inside += covers(x, y);
-    event.bin = Bin::intersecting;
-  } else if (covers(areas_.area().first_column, areas_.area().first_row)) {
-    event.corners_inside = 4, event.bin = Bin::surrounding;
-  }
+  const auto crossed = formulas::crossed_by(area, {outline->sides.data(), outline->count});
+  event.crossings = crossed.crossings, event.corners_inside = crossed.corners_inside, event.bin = crossed.bin;
 }
 
 template <>

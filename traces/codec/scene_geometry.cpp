@@ -257,10 +257,8 @@ bool SceneGeometry::find_out(std::int32_t piece, PieceSides& sides) const {
   if (corners.empty()) return false;
   sides.piece = piece;
   sides.count = corners.size() <= PieceSides::most ? static_cast<std::uint32_t>(corners.size()) : 0;
-  for (std::size_t i = 0; i < sides.count; ++i) {
-    PieceSides::Side& side = sides.sides[i] = {corners[i], corners[i + 1 < sides.count ? i + 1 : 0]};
-    if (side.start.y > side.end.y) std::swap(side.start, side.end);
-  }
+  for (std::size_t i = 0; i < sides.count; ++i)
+    sides.sides[i] = formulas::Segment::between(corners[i], corners[i + 1 < sides.count ? i + 1 : 0]);
   return true;
 }
 

@@ -19,6 +19,7 @@
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
 #include "traces/formulas/planes.hpp"
+#include "traces/formulas/rectangles.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::codec {
@@ -60,15 +61,12 @@ struct TableEdge : EdgeLine {
   std::int32_t edge = -1, piece = -1;
 };
 
-/// A piece's sides on the raster, (x_s, y_s), each from its end with the smaller y; of those with few corners.
+/// A piece's sides on the raster, (x_s, y_s); of those with few corners.
 struct PieceSides {
   static constexpr std::size_t most = 4;
-  struct Side {
-    glm::dvec2 start, end;
-  };
   std::int32_t piece = -1;
   std::uint32_t count = 0;  ///< 0 where it has more
-  std::array<Side, most> sides{};
+  std::array<formulas::Segment, most> sides{};
 };
 
 /// From where to where a piece goes on the raster, (x_s, y_s, depth); with nothing else in its line of memory.

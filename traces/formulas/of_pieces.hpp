@@ -14,19 +14,10 @@ namespace zstep::formulas {
 
 namespace detail {
 
-/// Are pieces cut in the world, as those of a tree are, and not on the raster with its depth?
-inline bool cuts_in_world(const Situation& at) { return !at.method().tree.empty() && !at.on_screen(); }
+inline bool cuts_in_world(const Situation& at) { return zstep::cuts_in_world(at.scene, at.method()); }
 inline const Stage& cutting_stage(const Situation& at) { return cuts_in_world(at) ? world_stage : raster_stage; }
-
-/// Where a vertex lies in the space in which pieces are cut.
 inline std::optional<glm::dvec3> cutting_point(const Situation& at, std::int32_t vertex) {
-  if (cuts_in_world(at)) {
-    if (at.is_point(vertex)) return at.scene.points[static_cast<std::size_t>(vertex)];
-    const VertexStages* found = at.vertex(vertex);
-    return found ? std::optional(found->world) : std::nullopt;
-  }
-  const auto found = at.on_raster(vertex);
-  return found ? std::optional(glm::dvec3(found->x, found->y, found->z)) : std::nullopt;
+  return zstep::cutting_point(at.scene, at.before, vertex);
 }
 
 /// The plane A x + B y + C z + D of a piece.

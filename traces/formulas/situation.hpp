@@ -25,6 +25,7 @@
 
 #include "traces/file/header.hpp"
 #include "traces/replay/state.hpp"
+#include "traces/replay/vertex_points.hpp"
 
 namespace zstep::formulas {
 
@@ -144,19 +145,7 @@ struct Situation {
     const VertexStages* found = vertex(number);
     return found && found->stage >= VertexStages::viewed ? found : nullptr;
   }
-  /// A vertex as (x_s, y_s, depth), however it came there.
-  struct OnRaster {
-    double x, y, z;
-  };
-  std::optional<OnRaster> on_raster(std::int32_t number) const {
-    if (on_screen() && is_point(number)) {
-      const glm::dvec3& point = scene.points[static_cast<std::size_t>(number)];
-      return OnRaster{point.x, point.y, point.z};
-    }
-    const VertexStages* found = vertex(number);
-    if (!found || found->stage < VertexStages::on_raster) return std::nullopt;
-    return OnRaster{found->raster.x, found->raster.y, found->plane.z};
-  }
+  std::optional<OnRaster> on_raster(std::int32_t number) const { return zstep::on_raster(scene, before, number); }
   const EdgeTableInsert* edge(std::int32_t number) const {
     const auto at = static_cast<std::size_t>(number);
     return number >= 0 && at < method().edge_table.size() ? &method().edge_table[at] : nullptr;

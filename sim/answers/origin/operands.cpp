@@ -193,11 +193,7 @@ const std::vector<Derivation>& Work::derivations(std::int64_t step, const Event&
   const auto [known, is_new] = derivations_.try_emplace(step);
   if (!is_new) return known->second;
   replay_.go_to(step - 1);
-  formulas::Situation before = formulas::situation_of(trace, replay_.state());
-  // The camera of the light is not in the trace; it follows from the lamp.
-  const Camera camera = camera_at_work(scene, replay_.state().machine);
-  before.camera = &camera;
-  return known->second = derivations_of(event, before);
+  return known->second = derivations_of(event, formulas::situation_of(trace, replay_.state()));
 }
 
 void Work::tell_formula(Datum& datum, std::int64_t step, const Event& event, std::string_view field,
