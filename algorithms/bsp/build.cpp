@@ -7,6 +7,7 @@
 #include <random>
 
 #include "algorithms/pieces/split.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::bsp {
@@ -64,12 +65,6 @@ Tree gather(const Scene& scene, std::span<const std::int32_t> facets, R& record)
   return tree;
 }
 
-Side side_of(double least, double greatest, double tolerance) {
-  if (least < -tolerance && greatest > tolerance) return Side::crossing;
-  if (least < -tolerance) return Side::behind;
-  return greatest > tolerance ? Side::front : Side::on;
-}
-
 // 001: "Test all the vertices of all the other polygons to determine if they are in front of, behind, or in the same
 // plane as T."
 template <Recorder R>
@@ -79,11 +74,11 @@ Side hold_against(const Tree& tree, std::int32_t piece, std::int32_t root, R& re
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   for (const std::int32_t vertex : tree.piece(piece).outline) {
     const double value = plane.value(tree.point(vertex));
-    record(step::vertex_side, VertexSide{vertex, root, value, side_of(value, value, near)});
+    record(step::vertex_side, VertexSide{vertex, root, value, formulas::side_of(value, value, near)});
     least = std::fmin(least, value);
     greatest = std::fmax(greatest, value);
   }
-  const Side side = side_of(least, greatest, near);
+  const Side side = formulas::side_of(least, greatest, near);
   record(step::side, SideTest{piece, root, least, greatest, side});
   return side;
 }

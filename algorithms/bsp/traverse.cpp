@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "algorithms/viewing/camera.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::bsp {
 
@@ -36,9 +37,8 @@ Reach reach_of(const Eye& eye, const pieces::Plane& plane) {
 
 std::optional<Reject> turned_away(const Tree& tree, const Node& node, const Piece& piece, double value, glm::dvec4 eye,
                                   bool cull) {
-  constexpr double edge_on_sine = 1e-12;
   const double distance = eye.w == 0 ? 1 : glm::length(glm::dvec3(eye) - tree.point(piece.outline[0]));
-  if (std::abs(value) <= edge_on_sine * distance) return Reject::edge_on;
+  if (std::abs(value) <= formulas::edge_on_sine * distance) return Reject::edge_on;
   const bool same_way = glm::dot(piece.plane.normal(), node.plane.normal()) > 0;
   if (cull && same_way != (value > 0)) return Reject::back_facing;
   return std::nullopt;

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "algorithms/depth_sort/overlap.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::depth_sort {
 
@@ -25,9 +26,7 @@ SideTest side_test(const pieces::Pieces& all, std::int32_t piece, std::int32_t p
     greatest = std::max(greatest, value);
   }
   const double near = tolerance + all[piece].bend;
-  const bool before = least < -near, behind = greatest > near;
-  const Side side = before && behind ? Side::crossing : before ? Side::front : behind ? Side::behind : Side::on;
-  return {piece, plane_of, least, greatest, side};
+  return {piece, plane_of, least, greatest, formulas::side_of(-greatest, -least, near)};  // the eye: where it is < 0
 }
 
 OverlapTest overlap_test(const pieces::Pieces& all, std::int32_t p, std::int32_t q) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
+
 namespace zstep::hidden_line {
 
 namespace {
@@ -23,7 +26,7 @@ std::vector<double> crossings_on_picture(const lines::Line& line, std::span<cons
     const glm::dvec3 start = face[i], end = face[i + 1 < face.size() ? i + 1 : 0];
     const double side_0 = side(start), side_1 = side(end);
     if ((side_0 > 0) == (side_1 > 0)) continue;
-    const glm::dvec3 point = start + side_0 / (side_0 - side_1) * (end - start);
+    const glm::dvec3 point = formulas::part_of_way(start, end, formulas::where_zero(side_0, side_1));
     crossings.push_back(glm::dot(glm::dvec2(point) - from, along) / (length * length));
   }
   std::sort(crossings.begin(), crossings.end());
@@ -42,7 +45,7 @@ Cover find_cover(const lines::Line& line, std::span<const glm::dvec3> face, cons
   Cover cover{LineFace::behind, {}, {}};
   Interval behind{0, 1};
   if (d_0 < 0 || d_1 < 0) {
-    const double t = d_0 / (d_0 - d_1);
+    const double t = formulas::where_zero(d_0, d_1);
     (d_0 < 0 ? behind.t_0 : behind.t_1) = t;
     cover.crossings.push_back({t, true});
   }

@@ -9,6 +9,8 @@
 
 #include "algorithms/pieces/plane.hpp"
 #include "algorithms/viewing/clip.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::pieces {
 
@@ -59,9 +61,9 @@ Halves split(const clipping::Outline& outline, const Plane& own, double bend, co
 
     const bool down = distance[i] > 0;  // from the positive end, so that neighbours cut at the same point
     const std::size_t from = down ? i : next, to = down ? next : i;
-    const double t = distance[from] / (distance[from] - distance[to]);
-    const glm::dvec3 start = corner(outline[from]), point = start + t * (corner(outline[to]) - start);
-    const std::int32_t made = make(outline[from], outline[to], t, point);
+    const double t = formulas::where_zero(distance[from], distance[to]);
+    const glm::dvec3 start = corner(outline[from]), end = corner(outline[to]);
+    const std::int32_t made = make(outline[from], outline[to], t, formulas::part_of_way(start, end, t));
     halves.positive.push_back(made);
     halves.negative.push_back(made);
   }

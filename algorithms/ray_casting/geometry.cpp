@@ -11,23 +11,16 @@
 namespace zstep::ray_casting {
 
 EyeRays::EyeRays(const Scene& scene, Conventions::Depth depth)
-    : lens_(scene.camera, scene.raster, depth), screen_(scene.camera.kind == Camera::Kind::screen) {
-  const glm::dmat4& view = scene.camera.view;
-  right_ = {view[0][0], view[1][0], view[2][0]};
-  up_ = {view[0][1], view[1][1], view[2][1]};
-  away_ = {view[0][2], view[1][2], view[2][2]};
-  const glm::dvec3 origin(view[3]);  // of the world, in viewing coordinates
-  eye_ = lens_.orthographic ? -(origin.x * right_ + origin.y * up_ + origin.z * away_) : scene.camera.eye;
-}
+    : rays_(scene.camera, scene.raster),
+      lens_(scene.camera, scene.raster, depth),
+      screen_(scene.camera.kind == Camera::Kind::screen) {}
 
 Ray EyeRays::through(std::int32_t x, std::int32_t y) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (screen_) return {{x, y, 0}, {0, 0, 1}, -infinity, infinity};
-  const double x_p = (x + 0.5) * 2 * lens_.window_x / lens_.width - lens_.window_x;
-  const double y_p = lens_.window_y - (y + 0.5) * 2 * lens_.window_y / lens_.height;
-  const glm::dvec3 across = x_p * right_ + y_p * up_;
-  if (lens_.orthographic) return {eye_ + across, away_, lens_.near, lens_.far};
-  return {eye_, across + lens_.d * away_, lens_.near / lens_.d, lens_.far / lens_.d};
+  const auto [from, along] = rays_.through(x, y);
+  if (screen_) return {from, along, -infinity, infinity};
+  const double unit = lens_.orthographic ? 1 : lens_.d;
+  return {from, along, lens_.near / unit, lens_.far / unit};
 }
 
 double EyeRays::depth(double t) const {
@@ -62,11 +55,10 @@ Target target_of(const Scene& scene, std::int32_t facet) {
     target.corners.push_back(scene.points[static_cast<std::size_t>(corner)]);
   }
   if (target.corners.size() < 3) return target;
-  target.plane = pieces::plane_of(target.corners);
-  // Through the mean once more, added up before it is divided: facets at z = 5 get planes at 5, and not one beside it.
-  glm::dvec3 sum(0);
-  for (const glm::dvec3& corner : target.corners) sum += corner;
-  target.plane.d = -glm::dot(target.plane.normal(), sum / static_cast<double>(target.corners.size()));
+  // The mean is added up before it is divided: facets at z = 5 get planes at 5, and not one beside it.
+  const auto corner = [&](std::size_t i) { return target.corners[i]; };
+  const auto [normal, d] = formulas::plane_through(target.corners.size(), corner, formulas::Mean::of_sum);
+  target.plane = {normal.x, normal.y, normal.z, d};
   if (target.plane.normal() == glm::dvec3(0)) target.plane = plane_of_crossing(target.corners);
   return target;
 }

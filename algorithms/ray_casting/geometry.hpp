@@ -12,12 +12,13 @@
 
 #include "algorithms/pieces/plane.hpp"
 #include "algorithms/viewing/camera.hpp"
+#include "traces/formulas/eye_rays.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::ray_casting {
 
-/// X = X_0 + t dX (002). A ray from the eye has t = 0 at the centre of projection and t = 1 on the projection plane;
-/// parallel rays count t = z_v, those of a screen scene its z.
+/// X = X_0 + t dX (002).
 struct Ray {
   glm::dvec3 from, along;  ///< X_0 and dX, world
   double t_least, t_most;  ///< what lies before or beyond is not met: near and far plane
@@ -25,7 +26,7 @@ struct Ray {
   glm::dvec3 at(double t) const { return from + t * along; }
 };
 
-/// The rays through the centres of a picture's pixels.
+/// The rays through the centres of a picture's pixels, from the near to the far plane.
 class EyeRays {
  public:
   EyeRays(const Scene& scene, Conventions::Depth depth);
@@ -34,9 +35,9 @@ class EyeRays {
   double depth(double t) const;
 
  private:
+  formulas::EyeRays rays_;
   viewing::Lens lens_;
   bool screen_;
-  glm::dvec3 eye_, right_, up_, away_;  // the axes of viewing coordinates in the world
 };
 
 /// A facet's plane, all zero if it has none, and its corners; in the world.
@@ -52,17 +53,11 @@ Target target_of(const Scene& scene, std::int32_t facet);
 /// a screen scene's facets are taken as they are.
 bool can_be_met(const Scene& scene, const Target& target);
 
-/// Where a ray meets a plane: t = -(A X_0 + B Y_0 + C Z_0 + D)/(A dX + B dY + C dZ), NaN where it runs along it: where
-/// the sine of the angle between them is that of a facet seen edge-on.
-struct Crossing {
-  double numerator, denominator, t;
-};
+/// Where a ray meets a plane, NaN where it runs along it: where the sine of the angle between them is that of a facet
+/// seen edge-on.
+using Crossing = formulas::RayCrossing;
 inline Crossing cross(const Ray& ray, const pieces::Plane& plane) {
-  const double numerator = -plane.value(ray.from);
-  const double denominator = plane.a * ray.along.x + plane.b * ray.along.y + plane.c * ray.along.z;
-  constexpr double edge_on_sine = 1e-12;  // the plane's normal has length 1
-  const bool along = denominator * denominator <= edge_on_sine * edge_on_sine * glm::dot(ray.along, ray.along);
-  return {numerator, denominator, along ? std::numeric_limits<double>::quiet_NaN() : numerator / denominator};
+  return formulas::ray_crossing(ray.from, ray.along, plane.normal(), plane.d);
 }
 
 /// Points as they are seen along a ray: the coordinate along which it runs fastest is projected away, and the ray is

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "traces/formulas/outlines.hpp"
+
 namespace zstep::scene {
 
 namespace {
@@ -28,11 +30,8 @@ glm::dvec2 flatten(glm::dvec3 p, glm::dvec3 normal) {
 }  // namespace
 
 glm::dvec3 newell_normal(std::span<const glm::dvec3> points, std::span<const std::int32_t> corners) {
-  glm::dvec3 sum(0);
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    sum += glm::cross(at(points, corners[i]) - at(points, corners[0]),
-                      at(points, corners[i + 1]) - at(points, corners[0]));
-  return sum;
+  return formulas::newell_normal(glm::dvec3(0), corners.size(),
+                                 [&](std::size_t i) { return at(points, corners[i]); });
 }
 
 bool is_planar(std::span<const glm::dvec3> points, std::span<const std::int32_t> corners) {

@@ -5,15 +5,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::clipping {
 
 namespace {
 
-// Sines below this are rounding: a facet is seen edge-on, an area is none.
-constexpr double edge_on_sine = 1e-12;
-constexpr double zero_area = 1e-14;
+constexpr double zero_area = 1e-14;  // below it is rounding
 
 bool orthographic(const Scene& scene) { return scene.camera.kind == Camera::Kind::orthographic; }
 
@@ -30,26 +29,20 @@ glm::dvec3 line_of_sight(const Scene& scene, Corners corners) {
 }  // namespace
 
 glm::dvec3 newell_normal(const Scene& scene, Corners corners) {
-  const glm::dvec3 origin = nth(scene.points, corners, 0);
-  glm::dvec3 normal(0);
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    normal += glm::cross(nth(scene.points, corners, i) - origin, nth(scene.points, corners, i + 1) - origin);
-  }
-  return normal;
+  return formulas::newell_normal(glm::dvec3(0), corners.size(),
+                                 [&](std::size_t i) { return nth(scene.points, corners, i); });
 }
 
 double determinant(const Scene& scene, Corners corners, const viewing::Vertices& vertices) {
-  glm::dvec3 sum(0);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    sum += glm::cross(nth(vertices, corners, i).view, nth(vertices, corners, i + 1).view);
-  }
-  return glm::dot(orthographic(scene) ? glm::dvec3(0, 0, 1) : nth(vertices, corners, 0).view, sum);
+  const auto view = [&](std::size_t i) { return nth(vertices, corners, i).view; };
+  const glm::dvec3 sum = formulas::newell_about_origin(glm::dvec3(0), corners.size(), view);
+  return glm::dot(orthographic(scene) ? glm::dvec3(0, 0, 1) : view(0), sum);
 }
 
 double plane_at_eye(const Scene& scene, Corners corners) {
   const glm::dvec3 abc = newell_normal(scene, corners), eye = scene.camera.eye;
   const double d = orthographic(scene) ? 0 : -glm::dot(abc, nth(scene.points, corners, 0));
-  return abc.x * eye.x + abc.y * eye.y + abc.z * eye.z + d;
+  return formulas::plane_value(abc.x, abc.y, abc.z, d, eye.x, eye.y, eye.z);
 }
 
 double view_dot_normal(const Scene& scene, Corners corners) {
@@ -57,13 +50,12 @@ double view_dot_normal(const Scene& scene, Corners corners) {
 }
 
 double projected_normal_z(const Scene& scene, Corners corners, const viewing::Vertices& vertices) {
-  double normal_z = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const viewing::Vertex &here = nth(vertices, corners, i), &next = nth(vertices, corners, i + 1);
-    if (!(here.view.z >= scene.camera.near)) return std::numeric_limits<double>::quiet_NaN();
-    normal_z += here.raster.x * next.raster.y - next.raster.x * here.raster.y;
-  }
-  return normal_z;
+  const auto vertex = [&](std::size_t i) -> const viewing::Vertex& { return nth(vertices, corners, i); };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (!(vertex(i).view.z >= scene.camera.near)) return std::numeric_limits<double>::quiet_NaN();
+  return formulas::newell_z(
+      0.0, corners.size(), [&](std::size_t i) { return vertex(i).raster.x; },
+      [&](std::size_t i) { return vertex(i).raster.y; });
 }
 
 bool degenerate(const Scene& scene, Corners corners) {
@@ -83,8 +75,8 @@ Facing test_facing(const Scene& scene, Corners corners, const viewing::Vertices&
                   projected_normal_z(scene, corners, vertices), Facing::edge_on};
 
   const double scale = glm::length(line_of_sight(scene, corners)) * glm::length(newell_normal(scene, corners));
-  if (test.view_dot_normal > edge_on_sine * scale) test.facing = Facing::back;
-  if (test.view_dot_normal < -edge_on_sine * scale) test.facing = Facing::front;
+  if (test.view_dot_normal > formulas::edge_on_sine * scale) test.facing = Facing::back;
+  if (test.view_dot_normal < -formulas::edge_on_sine * scale) test.facing = Facing::front;
   record(step::facing, test);
   return test.facing;
 }

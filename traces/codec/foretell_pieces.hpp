@@ -9,16 +9,6 @@
 
 namespace zstep::codec {
 
-namespace detail {
-
-/// Where something lies whose values of a plane go from `least` to `greatest`.
-inline Side side_of(double least, double greatest, double tolerance) {
-  const bool behind = least < -tolerance, front = greatest > tolerance;
-  return behind ? (front ? Side::crossing : Side::behind) : front ? Side::front : Side::on;
-}
-
-}  // namespace detail
-
 // --- What pieces are
 
 inline void Foreteller::evaluate(PlaneEquation& event) {
@@ -66,8 +56,9 @@ inline void Foreteller::evaluate(VertexSide& event) {
   else
     for (const Cut& cut : cuts_)
       if (cut.vertex == event.vertex) point = cut.point;
-  event.value = plane.normal.x * point.x + plane.normal.y * point.y + plane.normal.z * point.z + plane.d;
-  event.side = detail::side_of(event.value, event.value, facts_->tolerance());
+  const glm::dvec3& normal = plane.normal;
+  event.value = formulas::plane_value(normal.x, normal.y, normal.z, plane.d, point.x, point.y, point.z);
+  event.side = formulas::side_of(event.value, event.value, facts_->tolerance());
 }
 
 template <>
@@ -85,7 +76,7 @@ inline void Foreteller::tell(SideTest& event) const {
 inline void Foreteller::evaluate(SideTest& event) {
   event.least = sides_ > 0 ? least_ : real_[slot_of("least")];
   event.greatest = sides_ > 0 ? greatest_ : real_[slot_of("greatest")];
-  event.side = detail::side_of(event.least, event.greatest, facts_->tolerance());
+  event.side = formulas::side_of(event.least, event.greatest, facts_->tolerance());
 }
 
 template <>
@@ -160,12 +151,8 @@ inline void Foreteller::evaluate(RayPlane& event) {
   event.numerator = event.denominator = event.t = 0;
   if (event.facet < 0 || static_cast<std::size_t>(event.facet) >= facts_->scene().facets.size()) return;
   const FacetPlane& plane = facts_->plane(event.facet);
-  const glm::dvec3 &normal = plane.normal, &from = ray_from_, &along = ray_along_;
-  event.numerator = -(normal.x * from.x + normal.y * from.y + normal.z * from.z + plane.d);
-  event.denominator = normal.x * along.x + normal.y * along.y + normal.z * along.z;
-  constexpr double edge_on_sine = 1e-12;
-  const bool in_plane = event.denominator * event.denominator <= edge_on_sine * edge_on_sine * glm::dot(along, along);
-  event.t = in_plane ? std::numeric_limits<double>::quiet_NaN() : event.numerator / event.denominator;
+  const auto crossing = formulas::ray_crossing(ray_from_, ray_along_, plane.normal, plane.d);
+  event.numerator = crossing.numerator, event.denominator = crossing.denominator, event.t = crossing.t;
 }
 
 inline void Foreteller::evaluate(RayHit& event) {

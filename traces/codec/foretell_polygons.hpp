@@ -127,24 +127,22 @@ inline void Foreteller::evaluate(FacingTest& event) {
   const bool orthographic = scene.camera.kind == Camera::Kind::orthographic;
   const std::size_t count = corners_.size();
   const auto point = [&](std::size_t i) { return scene.points[static_cast<std::size_t>(corners_[i])]; };
-  const glm::dvec3 first = point(0), eye = scene.camera.eye;
-
-  glm::dvec3 sum(0), normal(0);
-  double normal_z = 0;
-  bool before_eye = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    const VertexGeometry &here = corner_facts_[i], &next = corner_facts_[i + 1 < count ? i + 1 : 0];
-    sum += glm::cross(here.view, next.view);
-    if (i > 0 && i + 1 < count) normal += glm::cross(point(i) - first, point(i + 1) - first);
-    before_eye = before_eye && here.view.z >= scene.camera.near;
-    normal_z += here.raster.x * next.raster.y - next.raster.x * here.raster.y;
-  }
-  const glm::dvec3 sight = orthographic ? -eye : first - eye;
-  event.determinant = glm::dot(orthographic ? glm::dvec3(0, 0, 1) : corner_facts_[0].view, sum);
+  const auto view = [&](std::size_t i) { return corner_facts_[i].view; };
+  const glm::dvec3 first = point(0), eye = scene.camera.eye, sight = orthographic ? -eye : first - eye;
+  const glm::dvec3 normal = formulas::newell_normal(glm::dvec3(0), count, point);
   const double d = orthographic ? 0 : -glm::dot(normal, first);
-  event.plane_at_eye = normal.x * eye.x + normal.y * eye.y + normal.z * eye.z + d;
+  event.determinant = glm::dot(orthographic ? glm::dvec3(0, 0, 1) : view(0),
+                               formulas::newell_about_origin(glm::dvec3(0), count, view));
+  event.plane_at_eye = formulas::plane_value(normal.x, normal.y, normal.z, d, eye.x, eye.y, eye.z);
   event.view_dot_normal = glm::dot(sight, normal);
-  event.projected_normal_z = before_eye ? normal_z : std::numeric_limits<double>::quiet_NaN();
+  const bool before_eye = std::all_of(corner_facts_.begin(), corner_facts_.end(), [&](const VertexGeometry& corner) {
+    return corner.view.z >= scene.camera.near;
+  });
+  event.projected_normal_z = std::numeric_limits<double>::quiet_NaN();
+  if (before_eye)
+    event.projected_normal_z = formulas::newell_z(
+        0.0, count, [&](std::size_t i) { return corner_facts_[i].raster.x; },
+        [&](std::size_t i) { return corner_facts_[i].raster.y; });
   event.facing = event.view_dot_normal > 0 ? Facing::back : Facing::front;
 }
 

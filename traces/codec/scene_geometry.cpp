@@ -45,17 +45,15 @@ glm::dvec2 SceneGeometry::to_viewport(double x_p, double y_p) const {
   return {formulas::screen_x<double>(x_p, window_x_, width_), formulas::screen_y<double>(y_p, window_y_, height_)};
 }
 
-std::array<double, 6> SceneGeometry::distances_inside(glm::dvec3 view) const {
-  const double x_c = orthographic_ ? view.x / window_x_ : d_ * view.x / window_x_;
-  const double y_c = orthographic_ ? view.y / window_y_ : d_ * view.y / window_y_;
-  const double w_c = orthographic_ ? 1 : view.z;
-  return {view.z - near_, far_ - view.z, w_c + x_c, w_c - x_c, w_c + y_c, w_c - y_c};
+double SceneGeometry::distance_inside(glm::dvec3 view, std::size_t plane) const {
+  const formulas::ViewVolume<double> volume{orthographic_, near_, far_, d_, window_x_, window_y_};
+  return formulas::distance_inside(volume, static_cast<ClipPlane>(plane), view.x, view.y, view.z);
 }
 
 std::int32_t SceneGeometry::outcode(glm::dvec3 view) const {
-  const std::array<double, 6> inside = distances_inside(view);
   std::int32_t outside = 0;
-  for (std::size_t plane = 0; plane < 6; ++plane) outside |= static_cast<std::int32_t>(!(inside[plane] >= 0)) << plane;
+  for (std::size_t plane = 0; plane < clip_planes; ++plane)
+    outside |= static_cast<std::int32_t>(!(distance_inside(view, plane) >= 0)) << plane;
   return outside;
 }
 
@@ -90,62 +88,31 @@ std::span<const std::int32_t> SceneGeometry::corners(std::int32_t facet) const {
 const FacetPlane& SceneGeometry::plane(std::int32_t facet) const {
   FacetPlane& plane = facet_planes_.at(facet);
   if (plane.facet == facet) return plane;
-  plane = {facet, glm::dvec3(0), 0};
   const std::span<const std::int32_t> of_facet = corners(facet);
-  if (of_facet.size() < 3) return plane;
-  const auto point = [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; };
-  const glm::dvec3 first = point(0);
-  glm::dvec3 normal(0), sum(0);
-  for (std::size_t i = 0; i < of_facet.size(); ++i) {
-    normal += glm::cross(point(i) - first, point(i + 1 < of_facet.size() ? i + 1 : 0) - first);
-    sum += point(i);
-  }
-  const double length = glm::length(normal);
-  if (!(length > 0)) return plane;
-  plane.normal = normal / length;
-  plane.d = -glm::dot(plane.normal, sum / static_cast<double>(of_facet.size()));
-  return plane;
+  const auto [normal, d] = formulas::plane_through(of_facet.size(), points_of(of_facet), formulas::Mean::of_sum);
+  return plane = {facet, normal, d};
 }
-
-namespace {
-
-FacetPlane plane_through(std::int32_t number, std::size_t count, const auto& corner) {
-  FacetPlane plane{number, glm::dvec3(0), 0};
-  if (count < 3) return plane;
-  const glm::dvec3 first = corner(0);
-  glm::dvec3 normal(0), mean(0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const glm::dvec3 here = corner(i);
-    normal += glm::cross(here - first, corner(i + 1 < count ? i + 1 : 0) - first);
-    mean += here / static_cast<double>(count);
-  }
-  const double length = glm::length(normal);
-  if (!(length > 0)) return plane;
-  plane.normal = normal / length;
-  plane.d = -glm::dot(plane.normal, mean);
-  return plane;
-}
-
-}  // namespace
 
 FacetPlane SceneGeometry::plane_by_parts(std::int32_t facet) const {
   const std::span<const std::int32_t> of_facet = corners(facet);
-  return plane_through(facet, of_facet.size(),
-                       [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; });
+  const auto [normal, d] = formulas::plane_through(of_facet.size(), points_of(of_facet), formulas::Mean::of_parts);
+  return {facet, normal, d};
 }
 
 std::vector<glm::dvec3> SceneGeometry::clipped(std::span<const std::int32_t> outline, std::int32_t outside_some) const {
   std::vector<glm::dvec3> polygon;
   for (const std::int32_t corner : outline) polygon.push_back(of_point(corner).view);
-  for (std::size_t plane = 0; plane < 6; ++plane) {
+  for (std::size_t plane = 0; plane < clip_planes; ++plane) {
     if ((outside_some >> plane & 1) == 0) continue;
     std::vector<glm::dvec3> kept;  // Sutherland and Hodgman
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const glm::dvec3 here = polygon[i], next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-      const double at_here = distances_inside(here)[plane], at_next = distances_inside(next)[plane];
+      const double at_here = distance_inside(here, plane), at_next = distance_inside(next, plane);
       if (at_here >= 0) kept.push_back(here);
-      if (at_here > 0 && at_next < 0) kept.push_back(here + at_here / (at_here - at_next) * (next - here));
-      if (at_here < 0 && at_next > 0) kept.push_back(next + at_next / (at_next - at_here) * (here - next));
+      if (at_here > 0 && at_next < 0)
+        kept.push_back(formulas::part_of_way(here, next, formulas::where_zero(at_here, at_next)));
+      if (at_here < 0 && at_next > 0)
+        kept.push_back(formulas::part_of_way(next, here, formulas::where_zero(at_next, at_here)));
     }
     polygon = std::move(kept);
   }
@@ -159,7 +126,7 @@ bool SceneGeometry::in_view(std::span<const std::int32_t> outline) const {
 }
 
 SceneGeometry::Outside SceneGeometry::outside_of(std::span<const std::int32_t> outline) const {
-  Outside outside{0, (1 << 6) - 1};
+  Outside outside{0, (1 << clip_planes) - 1};
   for (const std::int32_t corner : outline) {
     const std::int32_t of_corner = of_point(corner).outside;
     outside.some |= of_corner, outside.all &= of_corner;
@@ -174,12 +141,9 @@ void SceneGeometry::number_pieces() const {
     const std::span<const std::int32_t> of_facet = corners(facet);
     if (of_facet.size() < 3) continue;
     if (viewed_) {
-      const auto point = [&](std::size_t i) { return scene_->points[static_cast<std::size_t>(of_facet[i])]; };
-      const glm::dvec3 first = point(0);
-      glm::dvec3 normal(0);
-      for (std::size_t i = 0; i < of_facet.size(); ++i)
-        normal += glm::cross(point(i) - first, point(i + 1 < of_facet.size() ? i + 1 : 0) - first);
-      const double along = glm::dot(orthographic_ ? -scene_->camera.eye : first - scene_->camera.eye, normal);
+      const auto point = points_of(of_facet);
+      const glm::dvec3 normal = formulas::newell_normal(glm::dvec3(0), of_facet.size(), point);
+      const double along = glm::dot(orthographic_ ? -scene_->camera.eye : point(0) - scene_->camera.eye, normal);
       if (along == 0 || (cull_ && along > 0) || !in_view(of_facet)) continue;
     }
     facets_of_pieces_.push_back(facet);
@@ -195,7 +159,9 @@ std::span<const std::int32_t> SceneGeometry::corners_of_piece(std::int32_t piece
 bool SceneGeometry::find_out(std::int32_t piece, FacetPlane& plane) const {
   const std::span<const glm::dvec3> corners = raster_outline(piece);
   if (corners.empty()) return false;
-  plane = plane_through(piece, corners.size(), [&](std::size_t i) { return corners[i]; });
+  const auto corner = [&](std::size_t i) { return corners[i]; };
+  const auto [normal, d] = formulas::plane_through(corners.size(), corner, formulas::Mean::of_parts);
+  plane = {piece, normal, d};
   return true;
 }
 

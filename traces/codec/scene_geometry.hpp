@@ -18,7 +18,7 @@
 #include "traces/file/header.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
-#include "traces/formulas/planes.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rectangles.hpp"
 #include "traces/scene.hpp"
 
@@ -137,7 +137,8 @@ class SceneGeometry {
 
  private:
   std::int32_t outcode(glm::dvec3 view) const;
-  std::array<double, 6> distances_inside(glm::dvec3 view) const;  ///< of the six planes of the view volume
+  static constexpr std::size_t clip_planes = 6;
+  double distance_inside(glm::dvec3 view, std::size_t plane) const;  ///< of the view volume
   /// Which planes some of the corners lie outside, and which all of them.
   struct Outside {
     std::int32_t some, all;
@@ -149,6 +150,9 @@ class SceneGeometry {
   void number_pieces() const;
   /// The corners of the facet that is this piece; none where there are not so many.
   std::span<const std::int32_t> corners_of_piece(std::int32_t piece) const;
+  auto points_of(std::span<const std::int32_t> corners) const {
+    return [this, corners](std::size_t i) { return scene_->points[static_cast<std::size_t>(corners[i])]; };
+  }
   /// What clipping leaves of it, (x_s, y_s, depth); until the next is asked for.
   std::span<const glm::dvec3> raster_outline(std::int32_t piece) const;
   /// Calls each(edge) for the edges of a piece that meet a row.

@@ -1,5 +1,5 @@
-// The plane of a polygon by its corners: Newell's normal, through their mean (M. E. Newell, after Sutherland, Sproull
-// and Schumacker, 1974). Programs make it of any length and either way round; that does not make it another plane.
+// The plane of a polygon by its corners: Newell's normal, through their mean. Programs make it of any length and either
+// way round; that does not make it another plane.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "traces/formulas/planes.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/vectors.hpp"
 
@@ -45,13 +45,10 @@ struct CornersPlane {
 template <class Corner>
 std::optional<CornersPlane> plane_of_corners(std::size_t count, Corner&& corner) {
   if (count < 3) return std::nullopt;
-  Vector<Rounded> sum{0.0, 0.0, 0.0}, mean{0.0, 0.0, 0.0};
-  const Vector<Rounded> first = rounded(corner(0));
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vector<Rounded> here = rounded(corner(i));
-    mean = mean + here;
-    if (i > 0 && i + 1 < count) sum = sum + cross(here - first, rounded(corner(i + 1)) - first);
-  }
+  const Vector<Rounded> none{0.0, 0.0, 0.0};
+  const Vector<Rounded> sum = newell_normal(none, count, [&](std::size_t i) { return rounded(corner(i)); });
+  Vector<Rounded> mean = none;
+  for (std::size_t i = 0; i < count; ++i) mean = mean + rounded(corner(i));
   const Rounded length = sqrt(dot(sum, sum));
   if (!(length.value > 0)) return std::nullopt;
   CornersPlane plane{{sum.x / length, sum.y / length, sum.z / length}, {}, length.value};
@@ -69,10 +66,6 @@ inline Rounded nearest_of(double recorded, std::span<const Rounded> all) {
 }
 inline Rounded nearest_of(double recorded, std::initializer_list<Rounded> all) {
   return nearest_of(recorded, std::span(all.begin(), all.size()));
-}
-
-inline Rounded value_of_plane(const PlaneEquation& plane, const glm::dvec3& p) {
-  return plane_value<Rounded>(plane.plane_a, plane.plane_b, plane.plane_c, plane.plane_d, p.x, p.y, p.z);
 }
 
 }  // namespace zstep::formulas

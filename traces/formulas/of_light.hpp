@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/mat4x4.hpp>
-
+#include "traces/formulas/eye_rays.hpp"
 #include "traces/formulas/light.hpp"
 #include "traces/formulas/of_rays.hpp"
 
@@ -34,20 +33,7 @@ inline double factor_of_length(const glm::dvec3& recorded, const glm::dvec3& way
 
 /// From the eye through the centre of the pixel. How long its direction is and where on it t = 0 is the program's own.
 inline Course course_from_eye(const RayBegin& e, const Situation& at) {
-  const Camera& camera = *at.camera;
-  const Raster& raster = at.scene.raster;
-  glm::dvec3 from(e.x, e.y, 0), way(0, 0, 1);
-  if (!at.on_screen()) {
-    const glm::dmat4& view = camera.view;
-    const glm::dvec3 right{view[0][0], view[1][0], view[2][0]}, up{view[0][1], view[1][1], view[2][1]},
-        away{view[0][2], view[1][2], view[2][2]}, origin(view[3]);
-    const double w_x = camera.window * raster.width / raster.height;
-    const glm::dvec3 across = ((e.x + 0.5) * 2 * w_x / raster.width - w_x) * right +
-                              (camera.window - (e.y + 0.5) * 2 * camera.window / raster.height) * up;
-    const bool parallel = camera.kind == Camera::Kind::orthographic;
-    from = parallel ? -(origin.x * right + origin.y * up + origin.z * away) + across : camera.eye;
-    way = parallel ? away : across + camera.d * away;
-  }
+  auto [from, way] = EyeRays(*at.camera, at.scene.raster).through(e.x, e.y);
   constexpr double near = 1e-3;
   const double ahead = product(glm::dvec3(e.x_0, e.y_0, e.z_0) - from, way) / product(way, way);
   if (std::abs(ahead) > near) from += ahead * way;

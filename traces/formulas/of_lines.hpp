@@ -31,7 +31,7 @@ inline void cross_piece(Crossings& crossings, const Situation& at, const Piece& 
   const auto point = [](const Vector<Rounded>& v) { return glm::dvec3(v.x.value, v.y.value, v.z.value); };
   if (piece.plane)
     keep(crossings.in_space,
-         where_zero(value_of_plane(*piece.plane, point(a)), value_of_plane(*piece.plane, point(b))));
+         where_zero(plane_value<Rounded>(*piece.plane, point(a)), plane_value<Rounded>(*piece.plane, point(b))));
   const Rounded along_x = b.x - a.x, along_y = b.y - a.y, square = along_x * along_x + along_y * along_y;
   const double allowed = beside_line * std::sqrt(square.value);
   const auto side = [&](const Vector<Rounded>& corner) {

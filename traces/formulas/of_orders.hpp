@@ -58,9 +58,8 @@ void derive(const SideTest& e, const Situation& at, Out& out) {
     out.reads(Place{Place::In::vertex, vertex});
     for (const int own : {0, 1}) {
       if (own == 1 && piece->plane && piece->plane->plane_c != 0)
-        corner->z = plane_depth(piece->plane->plane_a, piece->plane->plane_b, piece->plane->plane_c,
-                                piece->plane->plane_d, corner->x, corner->y);
-      const Rounded value = value_of_plane(*plane_of->plane, *corner);
+        corner->z = plane_depth(*piece->plane, corner->x, corner->y);
+      const Rounded value = plane_value<Rounded>(*plane_of->plane, *corner);
       if (value.value < least[own].value) least[own] = value;
       if (value.value > greatest[own].value) greatest[own] = value;
     }
@@ -104,13 +103,16 @@ void derive(const EyeSide& e, const Situation& at, Out& out) {
   out.is(&EyeSide::front, e.value > 0);
   const auto number = static_cast<std::size_t>(e.node);
   if (e.node < 0 || number >= at.method().tree.size() || !at.camera) return;
-  const Piece* piece = at.piece(at.method().tree[number].pieces.front());
-  if (!piece || !piece->plane) return;
-  out.reads(Place{Place::In::piece, at.method().tree[number].pieces.front()});
-  // From afar it is the direction towards the eye that counts.
-  PlaneEquation plane = *piece->plane;
-  if (at.camera->kind != Camera::Kind::perspective) plane.plane_d = 0;
-  out.near(&EyeSide::value, value_of_plane(plane, at.on_screen() ? glm::dvec3(0, 0, -1) : at.camera->eye));
+  const auto plane = detail::plane_of(out, at, at.method().tree[number].pieces.front());
+  if (!plane) return;
+  // From afar it is the direction towards the eye that counts, and w is 0.
+  const glm::dvec3 eye = at.on_screen() ? glm::dvec3(0, 0, -1) : at.camera->eye;
+  const auto of_eye = [&](std::string_view name, double value) {
+    return out.number(name, value, Place{Place::In::scene, 0});
+  };
+  const auto w = of_eye("w", at.camera->kind == Camera::Kind::perspective ? 1 : 0);
+  out.gives(&EyeSide::value, plane_value(plane->a, plane->b, plane->c, plane->d * w, of_eye("x", eye.x),
+                                         of_eye("y", eye.y), of_eye("z", eye.z)));
 }
 
 template <class Out>

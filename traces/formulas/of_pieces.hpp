@@ -130,7 +130,7 @@ inline std::optional<Rounded> where_cut(const SplitVertex& e, const Situation& a
   };
   const auto by_plane_of = [&](std::int32_t number) {
     const Piece* piece = at.piece(number);
-    if (piece && piece->plane) add(value_of_plane(*piece->plane, a), value_of_plane(*piece->plane, b));
+    if (piece && piece->plane) add(plane_value<Rounded>(*piece->plane, a), plane_value<Rounded>(*piece->plane, b));
   };
   const auto node = static_cast<std::size_t>(method.node);
   if (method.node >= 0 && node < method.tree.size()) by_plane_of(method.tree[node].pieces.front());
@@ -145,7 +145,7 @@ inline std::optional<Rounded> where_cut(const SplitVertex& e, const Situation& a
       if (const auto plane = own_plane(at, *whole_of(at, &piece))) own.push_back(*plane);
   for (const Piece& piece : method.pieces) {
     if (!piece.plane) continue;
-    const Rounded d_0 = value_of_plane(*piece.plane, a), d_1 = value_of_plane(*piece.plane, b);
+    const Rounded d_0 = plane_value<Rounded>(*piece.plane, a), d_1 = plane_value<Rounded>(*piece.plane, b);
     add(d_0, d_1);
     const Vector<Rounded> normal{piece.plane->plane_a, piece.plane->plane_b, piece.plane->plane_c};
     for (const CornersPlane& in : own) {

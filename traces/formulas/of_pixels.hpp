@@ -6,8 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "traces/formulas/lines.hpp"
-#include "traces/formulas/planes.hpp"
+#include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
 #include "traces/formulas/viewing.hpp"
@@ -104,10 +103,10 @@ void derive_painted_by_plane(const PixelPaint& e, const Situation& at, Out& out)
   const std::int32_t number = piece_painted(at);
   const Piece* piece = at.piece(number);
   if (!piece || !piece->plane) return;
-  const PlaneEquation& plane = *piece->plane;
-  out.reads(Place{Place::In::piece, number});
+  const auto plane = plane_of(out, at, number);
   out.is(&PixelPaint::polygon, piece->polygon);
-  out.near(&PixelPaint::z, plane_depth<Rounded>(plane.plane_a, plane.plane_b, plane.plane_c, plane.plane_d, e.x, e.y));
+  out.gives(&PixelPaint::z, plane_depth(plane->a, plane->b, plane->c, plane->d, out.number("x", e.x, Place{}),
+                                        out.number("y", e.y, Place{})));
   if (!at.method().sweep.winners.empty()) {
     const SpanWinner& winner = at.method().sweep.winners.back();
     out.rule(Rule::pixel_in_span, e.x >= winner.first && e.x <= winner.last && at.method().scan_line == e.y);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/vectors.hpp"
 #include "traces/formulas/viewing.hpp"
@@ -25,28 +26,21 @@ inline std::span<const std::int32_t> corners_of(const Situation& at, std::int32_
 
 inline constexpr int clip_planes = 6;
 
-/// How far inside a plane of the view volume a point is, in viewing coordinates.
-template <class Out, class T>
-T distance_inside(Out& out, const Situation& at, ClipPlane plane, const Vector<T>& view) {
-  const Camera& camera = *at.camera;
-  const Place scene{Place::In::scene, 0};
-  const bool parallel = camera.kind == Camera::Kind::orthographic;
-  if (plane == ClipPlane::near) return view.z - out.number("f", camera.near, scene);
-  if (plane == ClipPlane::far) return out.number("F", camera.far, scene) - view.z;
-  const bool sideways = plane == ClipPlane::left || plane == ClipPlane::right;
-  const double half = sideways ? camera.window * at.scene.raster.width / at.scene.raster.height : camera.window;
-  const T window = out.number(sideways ? "w_x" : "w_y", half, scene), along = sideways ? view.x : view.y;
-  const T scaled = parallel ? along / window : out.number("d", camera.d, scene) * along / window;
-  const T w = parallel ? out.number("1", 1, scene) : view.z;
-  return plane == ClipPlane::left || plane == ClipPlane::bottom ? w + scaled : w - scaled;
-}
+/// How far inside a plane of the view volume a vertex is.
 template <class Out>
 auto distance_of_vertex(Out& out, const Situation& at, ClipPlane plane, std::int32_t vertex, std::string_view suffix)
     -> std::optional<typename Out::Number> {
   const VertexStages* found = at.viewed(vertex);
   if (!found || !at.camera || at.on_screen()) return std::nullopt;
-  const Place place{Place::In::vertex, vertex};
-  return distance_inside(out, at, plane, vector_of(out, suffix, found->view, place, view_stage));
+  const Camera& camera = *at.camera;
+  const Place scene{Place::In::scene, 0};
+  const auto number = [&](std::string_view name, double value) { return out.number(name, value, scene); };
+  const ViewVolume<typename Out::Number> volume{
+      camera.kind == Camera::Kind::orthographic, number("f", camera.near), number("F", camera.far),
+      number("d", camera.d), number("w_x", camera.window * at.scene.raster.width / at.scene.raster.height),
+      number("w_y", camera.window)};
+  const auto view = vector_of(out, suffix, found->view, Place{Place::In::vertex, vertex}, view_stage);
+  return distance_inside(volume, plane, view.x, view.y, view.z);
 }
 
 /// Takes operands as they stand.
@@ -99,13 +93,12 @@ void derive(const FacingTest& e, const Situation& at, Out& out) {
   };
   const T zero = out.number("0", 0, scene);
   const Vector<T> first = point(0);
-  Vector<T> normal{zero, zero, zero};
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) normal = normal + cross(point(i) - first, point(i + 1) - first);
+  const Vector<T> none{zero, zero, zero}, normal = newell_normal(none, corners.size(), point);
   const Vector<T> eye = vector_of(out, "_eye", at.camera->eye, scene, world_stage);
   const Vector<T> sight = parallel ? Vector<T>{-eye.x, -eye.y, -eye.z} : first - eye;
   out.gives(&FacingTest::view_dot_normal, dot(sight, normal));
   const T d = parallel ? zero : -dot(normal, first);
-  out.gives(&FacingTest::plane_at_eye, normal.x * eye.x + normal.y * eye.y + normal.z * eye.z + d);
+  out.gives(&FacingTest::plane_at_eye, plane_value(normal.x, normal.y, normal.z, d, eye.x, eye.y, eye.z));
 
   bool all_viewed = true, on_raster = true, before_eye = true;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -114,26 +107,20 @@ void derive(const FacingTest& e, const Situation& at, Out& out) {
     on_raster = on_raster && all_viewed && vertex(i)->stage >= VertexStages::on_raster;
   }
   if (all_viewed) {
-    Vector<T> sum{zero, zero, zero};
-    for (std::size_t i = 0; i < corners.size(); ++i) sum = sum + cross(view(i), view(i + 1));
+    const Vector<T> sum = newell_about_origin(none, corners.size(), view);
     const T one = out.number("1", 1, scene);
     out.gives(&FacingTest::determinant, dot(parallel ? Vector<T>{zero, zero, one} : view(0), sum));
   }
   if (all_viewed && !before_eye) {
     out.is(&FacingTest::projected_normal_z, std::numeric_limits<double>::quiet_NaN());
   } else if (on_raster) {
-    T normal_z = zero;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const std::size_t n = i + 1 < corners.size() ? i + 1 : 0;
-      const auto x = [&](std::size_t k) {
-        return out.number("x_s" + std::to_string(k), vertex(k)->raster.x, Place{Place::In::vertex, corners[k], "x_s"});
-      };
-      const auto y = [&](std::size_t k) {
-        return out.number("y_s" + std::to_string(k), vertex(k)->raster.y, Place{Place::In::vertex, corners[k], "y_s"});
-      };
-      normal_z = normal_z + (x(i) * y(n) - x(n) * y(i));
-    }
-    out.gives(&FacingTest::projected_normal_z, normal_z);
+    const auto x = [&](std::size_t k) {
+      return out.number("x_s" + std::to_string(k), vertex(k)->raster.x, Place{Place::In::vertex, corners[k], "x_s"});
+    };
+    const auto y = [&](std::size_t k) {
+      return out.number("y_s" + std::to_string(k), vertex(k)->raster.y, Place{Place::In::vertex, corners[k], "y_s"});
+    };
+    out.gives(&FacingTest::projected_normal_z, newell_z(zero, corners.size(), x, y));
   }
 }
 

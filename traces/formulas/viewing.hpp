@@ -3,6 +3,7 @@
 #pragma once
 
 #include "traces/conventions.hpp"
+#include "traces/events/polygons.hpp"
 
 namespace zstep::formulas {
 
@@ -52,6 +53,27 @@ T other_depth(Conventions::Depth depth, bool parallel, const T& near, const T& f
     default:
       return z_v;
   }
+}
+
+/// What is in view: from the near to the far plane, and within a window of half width w_x and half height w_y at
+/// distance d.
+template <class T>
+struct ViewVolume {
+  bool parallel;
+  T near, far, d, w_x, w_y;
+};
+/// How far inside a plane of the view volume a point in viewing coordinates is, up to a positive factor: the clip
+/// coordinates' -w_c <= x_c <= w_c as a difference. For z they are near <= z_v <= far times a factor; so written it is
+/// exact for a face on the plane itself.
+template <class T>
+T distance_inside(const ViewVolume<T>& volume, ClipPlane plane, const T& x, const T& y, const T& z) {
+  if (plane == ClipPlane::near) return z - volume.near;
+  if (plane == ClipPlane::far) return volume.far - z;
+  const bool sideways = plane == ClipPlane::left || plane == ClipPlane::right;
+  const T &window = sideways ? volume.w_x : volume.w_y, &along = sideways ? x : y;
+  const T scaled = volume.parallel ? along / window : volume.d * along / window;
+  const T w = volume.parallel ? T(1) : z;
+  return plane == ClipPlane::left || plane == ClipPlane::bottom ? w + scaled : w - scaled;
 }
 
 /// The window of half width w_x and half height w_y becomes the raster; pixel centres are at whole numbers.

@@ -1,0 +1,50 @@
+// The rays through the centres of a picture's pixels, X = X_0 + t dX in the world (002): from the eye, with t = 1 on
+// the projection plane; parallel ones have t = z_v, those of a screen scene its z.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "traces/scene.hpp"
+
+namespace zstep::formulas {
+
+class EyeRays {
+ public:
+  EyeRays(const Camera& camera, const Raster& raster)
+      : kind_(camera.kind),
+        d_(camera.d),
+        window_x_(camera.window * raster.width / raster.height),
+        window_y_(camera.window),
+        width_(raster.width),
+        height_(raster.height) {
+    const glm::dmat4& view = camera.view;
+    right_ = {view[0][0], view[1][0], view[2][0]};
+    up_ = {view[0][1], view[1][1], view[2][1]};
+    away_ = {view[0][2], view[1][2], view[2][2]};
+    const glm::dvec3 origin(view[3]);  // of the world, in viewing coordinates
+    const bool parallel = kind_ == Camera::Kind::orthographic;
+    eye_ = parallel ? -(origin.x * right_ + origin.y * up_ + origin.z * away_) : camera.eye;
+  }
+
+  struct Ray {
+    glm::dvec3 from, along;
+  };
+  Ray through(std::int32_t x, std::int32_t y) const {
+    if (kind_ == Camera::Kind::screen) return {{x, y, 0}, {0, 0, 1}};
+    const double x_p = (x + 0.5) * 2 * window_x_ / width_ - window_x_;
+    const double y_p = window_y_ - (y + 0.5) * 2 * window_y_ / height_;
+    const glm::dvec3 across = x_p * right_ + y_p * up_;
+    if (kind_ == Camera::Kind::orthographic) return {eye_ + across, away_};
+    return {eye_, across + d_ * away_};
+  }
+
+ private:
+  Camera::Kind kind_;
+  double d_, window_x_, window_y_, width_, height_;
+  glm::dvec3 eye_, right_, up_, away_;  // the axes of viewing coordinates in the world
+};
+
+}  // namespace zstep::formulas
