@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "sim/answers/origin/fields.hpp"
+#include "sim/answers/origin/find.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
-#include "traces/file/records.hpp"
 
 namespace zstep::answers {
 
@@ -21,18 +21,6 @@ bool matches(const Event& event, const Question& question) {
 
 bool asks_for(const Question& question, std::uint8_t kind) {
   return std::find(question.kinds.begin(), question.kinds.end(), kind) != question.kinds.end();
-}
-
-/// A depth that a pixel has may be a line's of the other buffer; it is the picture's of the pass at work.
-bool light_at_work(const Trace& trace, std::int64_t at) {
-  if (!trace.scene().light) return false;
-  const auto marks = trace.polygons();
-  const std::size_t facets = trace.scene().facets.size();
-  const bool passes = records<PassBegin>(trace.header());
-  if (!passes || facets == 0 || marks.size() <= facets) return passes;
-  const auto eye =
-      find_last<PassBegin>(trace, marks[facets].position, [](const PassBegin& e) { return e.pass == Pass::eye; });
-  return eye && at < *eye;
 }
 
 /// In what order the links are read: a link, then what it asked for.
@@ -89,7 +77,7 @@ Step step_of_coordinate(const VertexSteps& steps, const std::string& field) {
 std::optional<Place> find_place(const Trace& trace, Replay& replay, const Question& question) {
   const std::int64_t at = std::min(question.at, trace.size());
   if (question.pixel) {
-    const Step wrote = step_of_depth(trace, at, *question.pixel, question.light || light_at_work(trace, at));
+    const Step wrote = step_of_depth(trace, at, *question.pixel, question.light || at < begin_of_eye_pass(trace));
     return wrote ? std::optional(Place{*wrote, "z"}) : std::nullopt;
   }
   Step step = at;

@@ -142,22 +142,14 @@ std::vector<Visit> visits_of(const Trace& trace, Trace::Pixel pixel, std::int64_
       here.emplace_back(step, recorded.event);
     return true;
   });
-  const auto add_all = [&](std::uint8_t kind) {
-    trace.scan(Trace::Among({}, kind), [&](std::int64_t step, const RecordedEvent& recorded) {
-      here.emplace_back(step, recorded.event);
-      return true;
-    });
-  };
-  if (records<BuffersClear>(trace)) add_all(kind_of<BuffersClear>);
-  if (records<PassBegin>(trace)) add_all(kind_of<PassBegin>);
+  for (const std::int64_t step : trace.clears()) here.emplace_back(step, trace.event(step).event);
   std::stable_sort(here.begin(), here.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 
   Reading reading(trace);
-  Pass pass = Pass::eye;
+  const std::int64_t eye = begin_of_eye_pass(trace);
   for (const auto& [step, event] : here) {
-    if (const auto* begin = get_if<PassBegin>(&event)) pass = begin->pass, reading.close();
-    else if (pass == Pass::light) continue;  // another picture
-    else if (const auto* clear = get_if<BuffersClear>(&event)) reading.clear(clear->z);
+    if (step < eye) continue;  // another picture
+    if (const auto* clear = get_if<BuffersClear>(&event)) reading.clear(clear->z);
     else reading.take(step, event);
   }
   std::erase_if(reading.all, [after](const Visit& visit) { return visit.step <= after; });

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/answers/why_not_parts.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -96,7 +97,7 @@ Verdict why_behind(Asked& q, const Line& line, const std::vector<Row>& rows) {
   const Row& row =
       *std::find_if(rows.begin(), rows.end(), [&](const Row& one) { return one.piece == line.in.front(); });
   const PlaneEquation& p = row.plane;
-  const double z = -(p.plane_a * q.pixel.x + p.plane_b * q.pixel.y + p.plane_d) / p.plane_c, gap = z - line.z;
+  const double z = formulas::plane_depth(p, q.pixel.x, q.pixel.y), gap = z - line.z;
   const std::string other = q.label(line.owner);
   // As the method has it: planes that slant give large numbers that cancel.
   const double rounding = 2e-13 *

@@ -7,6 +7,7 @@
 
 #include "sim/classroom/names.hpp"
 #include "traces/error.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::classroom {
 namespace {
@@ -107,9 +108,7 @@ glm::dvec3 on_raster(const Moment& moment, double vertex) {
 }
 
 double plane_value(const Moment& moment, double number, double vertex) {
-  const PlaneEquation& p = plane(moment, number);
-  const glm::dvec3 at = on_raster(moment, vertex);
-  return p.plane_a * at.x + p.plane_b * at.y + p.plane_c * at.z + p.plane_d;
+  return formulas::plane_value(plane(moment, number), on_raster(moment, vertex));
 }
 
 double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }

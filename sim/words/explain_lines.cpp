@@ -1,5 +1,6 @@
 // Edges as lines of the picture, cut into visible and hidden pieces (002, 004; Roberts 1963).
 #include "sim/words/explain_parts.hpp"
+#include "traces/formulas/of_lines.hpp"
 
 namespace zstep::words {
 namespace {
@@ -10,13 +11,8 @@ std::string facet_label(const Telling& t, std::int32_t facet) {
                                                   : fmt::format("facet {}", facet);
 }
 
-const LineRow* row_of(const Telling& t, std::int32_t line) {
-  const auto at = static_cast<std::size_t>(line);
-  return line >= 0 && at < t.machine.lines.size() ? &t.machine.lines[at] : nullptr;
-}
-
 std::string edge_label(const Telling& t, std::int32_t line) {
-  const LineRow* row = row_of(t, line);
+  const LineRow* row = formulas::detail::line_row(t.at, line);
   return row ? fmt::format("edge {} ({}\u2013{})", line, row->entry.vertex_0, row->entry.vertex_1)
              : fmt::format("edge {}", line);
 }
@@ -43,7 +39,7 @@ const PlaneEquation* plane_of(const Telling& t, std::int32_t facet) {
 std::optional<double> distance_behind(const Telling& t, const PlaneEquation& plane, std::int32_t vertex) {
   const auto at = t.at.on_raster(vertex);
   if (!at) return std::nullopt;
-  const double value = plane.plane_a * at->x + plane.plane_b * at->y + plane.plane_c * at->z + plane.plane_d;
+  const double value = formulas::plane_value(plane, {at->x, at->y, at->z});
   return plane.plane_c > 0 ? value : -value;
 }
 
@@ -97,7 +93,7 @@ void tell(Telling& t, const LineAgainst& e) {
     default:
       t.say(fmt::format("{} hides a part of {}.", face, edge));
   }
-  const LineRow* row = row_of(t, e.line);
+  const LineRow* row = formulas::detail::line_row(t.at, e.line);
   const PlaneEquation* plane = plane_of(t, e.facet);
   if (!row || !plane) return;
   const auto d_0 = distance_behind(t, *plane, row->entry.vertex_0),
@@ -113,7 +109,7 @@ void tell(Telling& t, const LineCross& e) {
   t.say(e.in_space ? fmt::format("{} goes through the plane of {} at t = {}.", capital(edge), face, number(e.t))
                    : fmt::format("On the picture {} crosses an edge of {} at t = {}.", edge, face, number(e.t)));
   t.value("t", e.t);
-  const LineRow* row = row_of(t, e.line);
+  const LineRow* row = formulas::detail::line_row(t.at, e.line);
   if (!row) return;
   const PlaneEquation* plane = plane_of(t, e.facet);
   if (e.in_space && plane) {
@@ -138,7 +134,7 @@ void tell(Telling& t, const LineHide& e) {
 
 void tell(Telling& t, const LinePiece& e) {
   const std::string edge = edge_label(t, e.line);
-  const LineRow* row = row_of(t, e.line);
+  const LineRow* row = formulas::detail::line_row(t.at, e.line);
   const bool whole = e.t_0 == 0 && e.t_1 == 1;
   if (whole && e.visible) t.say(fmt::format("All of {} is drawn.", edge));
   else if (whole && row && row->entry.kind == LineKind::back)

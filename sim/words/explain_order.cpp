@@ -20,10 +20,6 @@ PlaneEquation turned(PlaneEquation plane) {
   return {plane.piece, -plane.plane_a, -plane.plane_b, -plane.plane_c, -plane.plane_d};
 }
 
-double depth_of(const PlaneEquation& p, double x, double y) {
-  return -(p.plane_a * x + p.plane_b * y + p.plane_d) / p.plane_c;
-}
-
 std::string equation(const PlaneEquation& p) {
   return fmt::format("f(x, y, z) = {} x + {} y + {} z + {}", operand(p.plane_a, factor(p.plane_a)),
                      operand(p.plane_b, factor(p.plane_b)), operand(p.plane_c, factor(p.plane_c)), operand(p.plane_d));
@@ -38,8 +34,7 @@ void hold_extremes(Telling& t, const SideTest& e, const PlaneEquation& p) {
   for (const std::int32_t vertex : piece->outline) {
     const auto corner = t.at.on_raster(vertex);
     if (!corner) return;
-    const auto value = formulas::plane_value<formulas::Rounded>(p.plane_a, p.plane_b, p.plane_c, p.plane_d, corner->x,
-                                                                corner->y, corner->z);
+    const auto value = formulas::plane_value<formulas::Rounded>(p, {corner->x, corner->y, corner->z});
     if (value.value < least.value) least = value;
     if (value.value > greatest.value) greatest = value;
   }
@@ -142,7 +137,7 @@ void tell(Telling& t, const OverlapTest& e) {
   t.value("y", e.y_at);
   const Piece *p = t.at.piece(e.piece), *q = t.at.piece(e.other);
   if (!p || !q || !p->plane || !q->plane) return;
-  const double z_p = depth_of(*p->plane, e.x_at, e.y_at), z_q = depth_of(*q->plane, e.x_at, e.y_at);
+  const double z_p = formulas::plane_depth(*p->plane, e.x_at, e.y_at), z_q = formulas::plane_depth(*q->plane, e.x_at, e.y_at);
   const auto [shown_p, shown_q] = tell_apart(z_p, z_q);
   t.formula(fmt::format("there {} of {} = {}, of {} = {}", t.z, one, shown_p, other, shown_q));
 }

@@ -12,7 +12,7 @@
 #include "sim/words/shown.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
-#include "traces/formulas/planes.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation_of.hpp"
 

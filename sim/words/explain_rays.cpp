@@ -1,5 +1,6 @@
 // Rays: boxes and cells, the plane of a facet, the point on it, and what a ray brings back (002, "Simple Ray Tracing").
 #include "sim/words/explain_parts.hpp"
+#include "traces/formulas/of_rays.hpp"
 
 namespace zstep::words {
 namespace {
@@ -9,12 +10,6 @@ std::string point(double x, double y, double z) { return fmt::format("({}, {}, {
 std::string facet_name(const Telling& t, std::int32_t facet) {
   if (facet < 0 || static_cast<std::size_t>(facet) >= t.scene.facets.size()) return "nothing";
   return t.label(t.scene.facets[static_cast<std::size_t>(facet)].polygon);
-}
-
-const RayRow* ray_now(const Telling& t) {
-  for (const RayRow& row : t.machine.rays.tree)
-    if (t.machine.rays.ray == row.entry.ray) return &row;
-  return nullptr;
 }
 
 std::string box_name(std::int32_t box) { return fmt::format("box {}", box); }
@@ -145,13 +140,13 @@ std::string why_kept(Telling& t, const RayHit& e, const std::string& who) {
 /// Where what is kept and the numbers part.
 void check_kept(Telling& t, const RayHit& e) {
   const RayHit* kept = kept_before(t);
-  const RayRow* row = ray_now(t);
+  const RayBegin* ray = formulas::detail::ray_at_work(t.at);
   const std::string who = facet_name(t, e.facet);
   if (e.nearest && !e.inside)
     return t.contradict(fmt::format("The point lies outside {}, and yet the trace keeps it.", who));
   if (!e.inside) return;
   if (kept == nullptr) {
-    const bool should = !e.nearest && row && row->entry.role == RayRole::eye;
+    const bool should = !e.nearest && ray && ray->role == RayRole::eye;
     if (should)
       t.contradict(
           fmt::format("The point lies inside {}, and nothing nearer is known, but the trace does not keep it.", who));

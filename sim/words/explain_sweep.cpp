@@ -5,9 +5,8 @@ namespace zstep::words {
 namespace {
 
 std::string edge(const Telling& t, std::int32_t number) {
-  const auto at = static_cast<std::size_t>(number);
-  return number >= 0 && at < t.machine.edge_table.size() ? edge_label(t.scene, t.machine.edge_table[at])
-                                                         : fmt::format("e{}", number);
+  const EdgeTableInsert* entry = t.at.edge(number);
+  return entry ? edge_label(t.scene, *entry) : fmt::format("e{}", number);
 }
 
 std::string names_inside(const Telling& t) {
@@ -16,16 +15,10 @@ std::string names_inside(const Telling& t) {
   return names;
 }
 
-/// z = -(A x + B y + D)/C with numbers, and whether it gives what was recorded.
+/// The depth of a piece's plane, held against what was recorded.
 void depth_formula(Telling& t, std::int32_t piece, double x, double y, double z) {
-  const Piece* row = t.at.piece(piece);
-  if (!row || !row->plane) return;
-  const PlaneEquation& p = *row->plane;
-  t.gives(fmt::format("{} of {}", t.z, t.piece(piece)),
-          formulas::plane_depth(Shown("A", p.plane_a, factor(p.plane_a)), Shown("B", p.plane_b, factor(p.plane_b)),
-                                Shown("C", p.plane_c, factor(p.plane_c)), Shown("D", p.plane_d), Shown("x", x),
-                                Shown("y", y)),
-          z);
+  t.derive(PlaneDepth{piece, x, y, z});
+  t.follows(fmt::format("{} of {}", t.z, t.piece(piece)), "z", z);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // The BSP tree (001, 002, 003): roots, nodes, the eye's side of each plane, subtrees passed over.
 #include "sim/words/explain_parts.hpp"
 
-#include "sim/words/pieces.hpp"
-
 namespace zstep::words {
 namespace {
 
@@ -50,16 +48,9 @@ void tell(Telling& t, const EyeSide& e) {
     t.contradict(fmt::format("The trace takes the eye for {} the plane of {}, but its value there, {}, says {}.", near,
                              node_name(t, e.node), number(e.value), far));
   t.value("at the eye", e.value);
-  const PlaneEquation* plane = plane_of_node(t.machine, e.node);
-  if (!plane) return;
   const bool direction = t.scene.camera.kind != Camera::Kind::perspective;
-  const glm::dvec3 eye = t.scene.camera.kind == Camera::Kind::screen ? glm::dvec3(0, 0, -1) : t.scene.camera.eye;
-  const double w = direction ? 0 : 1;
-  const Shown D("D", plane->plane_d), W("w", w);
-  t.gives("the value",
-          formulas::plane_value(Shown("A", plane->plane_a), Shown("B", plane->plane_b), Shown("C", plane->plane_c),
-                                D * W, Shown("x", eye.x), Shown("y", eye.y), Shown("z", eye.z)),
-          e.value);
+  t.derive(e);
+  if (!t.follows("the value", "value", e.value)) return;
   if (direction) t.formula("w = 0: the eye is infinitely far away, in the direction (x, y, z)");
 }
 

@@ -5,6 +5,8 @@
 #include "sim/answers/origin/planes.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -110,9 +112,8 @@ std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegi
   for (std::size_t i = 0; a && b && i < work.machine().pieces.size(); ++i) {
     const Piece& piece = work.machine().pieces[i];
     if (piece.polygon != work.scene.facets[at].polygon || !piece.plane) continue;
-    const PlaneEquation& p = *piece.plane;
-    const double x = a->x + t * (b->x - a->x), y = a->y + t * (b->y - a->y), z = a->z + t * (b->z - a->z);
-    const double off = std::abs(p.plane_a * x + p.plane_b * y + p.plane_c * z + p.plane_d);
+    const double off = std::abs(formulas::plane_value(
+        *piece.plane, formulas::part_of_way(glm::dvec3(a->x, a->y, a->z), glm::dvec3(b->x, b->y, b->z), t)));
     if (off < least) least = off, best = static_cast<std::int32_t>(i);
   }
   return best;

@@ -29,7 +29,7 @@ std::int64_t begin_of_eye_pass(const Trace& trace) {
     const auto* pass = get_if<PassBegin>(&recorded.event);
     return pass && pass->pass == Pass::eye;
   });
-  return step.value_or(trace.size());
+  return step.value_or(trace.size() + 1);
 }
 
 std::int64_t begin_of_picture(const Trace& trace) {

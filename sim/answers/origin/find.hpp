@@ -104,7 +104,8 @@ std::optional<std::int64_t> numbered(const Trace& trace, std::int64_t from, std:
   return found && found->event.*number == wanted ? std::optional(found->step) : std::nullopt;
 }
 
-/// The step after which the buffers are the eye's: 0, unless the run draws what its light sees first.
+/// The step after which the buffers are the eye's: 0, unless the run draws what its light sees first; beyond the end
+/// where it comes no further.
 std::int64_t begin_of_eye_pass(const Trace& trace);
 /// The step after which the picture grew that is there in the end: that of the last clear, not before the eye's turn.
 std::int64_t begin_of_picture(const Trace& trace);

@@ -142,19 +142,14 @@ Step step_of_plane(const MethodState& machine, std::int32_t piece) {
 }
 
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light) {
-  const bool passes = trace.scene().light && records<PassBegin>(trace.header());
   const auto writes = [&](const RecordedEvent& recorded) {
     if (const auto* depth = get_if<DepthWrite>(&recorded.event)) return depth->x == pixel.x && depth->y == pixel.y;
     if (const auto* paint = get_if<PixelPaint>(&recorded.event)) return paint->x == pixel.x && paint->y == pixel.y;
     return false;
   };
-  const auto marks = trace.polygons();
-  const auto facets = trace.scene().facets.size();
-  const bool two =
-      passes && marks.size() > facets && facets > 0;  // the eye's pass begins before the second round of polygons
-  const std::int64_t eye = two ? marks[facets].position : trace.size() + 1;
-  const auto found = trace.previous(light && two ? std::min(at + 1, eye) : at + 1, writes, pixel);
-  if (found && two && !light && *found < eye) return std::nullopt;
+  const std::int64_t eye = begin_of_eye_pass(trace);
+  const auto found = trace.previous(light ? std::min(at + 1, eye) : at + 1, writes, pixel);
+  if (found && !light && *found < eye) return std::nullopt;
   const auto cleared = std::upper_bound(trace.clears().begin(), trace.clears().end(), at);
   if (found && cleared != trace.clears().begin() && *std::prev(cleared) > *found) return std::nullopt;
   return found;

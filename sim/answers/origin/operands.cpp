@@ -162,13 +162,17 @@ struct Source {
   }
 };
 
-/// What a whole number's formula says of a pixel or a scan line that an edge meets at its very centre.
-std::string_view note_on_coverage(const Event& event, std::string_view field, const std::string& formula) {
+/// What a whole number's formula says of a pixel or a scan line that an edge meets at its very centre; what stands for
+/// the eye.
+std::string_view note_on(const Scene& scene, const Event& event, std::string_view field, const std::string& formula) {
   const bool down = formula.find("\u230a") != std::string::npos, rounds = formula.find("0.5") != std::string::npos;
   if (holds<SpanBegin>(event) && field == "last")
     return !down    ? "a pixel on x_R belongs to what lies to the right"
            : rounds ? "coverage goes to round(x_R)"
                     : "coverage is inclusive: a pixel on x_R belongs to the span";
+  if (holds<EyeSide>(event))
+    return scene.camera.kind == Camera::Kind::perspective ? "(x, y, z) is the eye, w = 1"
+                                                          : "(x, y, z) is the direction of the eye, w = 0";
   const bool goes_on = down && holds<EdgeTableInsert>(event) && field == "end_row";
   return goes_on ? "coverage is inclusive, and the edge goes on as far as y_1" : "";
 }
@@ -220,7 +224,7 @@ bool Work::tell_derived(Datum& datum, std::int64_t step, const Event& event, std
   if (found == all.end()) return false;
   const Formula formula = found->formula;
   tell_formula(datum, step, event, field, formula);
-  if (const std::string_view note = note_on_coverage(event, field, formula.text()); !note.empty())
+  if (const std::string_view note = note_on(scene, event, field, formula.text()); !note.empty())
     datum.note(std::string(note));
   return true;
 }

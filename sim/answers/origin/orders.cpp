@@ -7,6 +7,7 @@
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/file/records.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -28,7 +29,7 @@ std::int32_t corner_with(const Work& work, const Piece& piece, const PlaneEquati
   for (const std::int32_t vertex : piece.outline) {
     const auto at = cutting_point(work.scene, work.state(), vertex);
     if (!at) continue;
-    const double here = plane.plane_a * at->x + plane.plane_b * at->y + plane.plane_c * at->z + plane.plane_d;
+    const double here = formulas::plane_value(plane, *at);
     for (const bool other : {false, true}) {
       const double off = std::abs((other ? -here : here) - value);
       if (off < least) least = off, best = vertex, turned = other;
@@ -145,20 +146,8 @@ Number node_plane(Work& work, std::int32_t node, char letter) {
 
 }  // namespace
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide& e, std::string_view field) {
-  if (field == "front") return datum.holds_if("value > 0", {{"value", work.field(step, "value")}});
-  if (field != "value") return;
-  const glm::dvec4 eye = bsp::eye_of(work.scene.camera, work.scene.raster, false).at;
-  const auto plane = [&](char letter) { return node_plane(work, e.node, letter); };
-  datum.is("A*x + B*y + C*z + D*w", {{"A", plane('A')},
-                                     {"x", eye.x},
-                                     {"B", plane('B')},
-                                     {"y", eye.y},
-                                     {"C", plane('C')},
-                                     {"z", eye.z},
-                                     {"D", plane('D')},
-                                     {"w", eye.w}});
-  datum.note(eye.w == 0 ? "(x, y, z) is the direction of the eye, w = 0" : "(x, y, z) is the eye, w = 1");
+static void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide&, std::string_view field) {
+  if (field == "front") datum.holds_if("value > 0", {{"value", work.field(step, "value")}});
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string_view field) {

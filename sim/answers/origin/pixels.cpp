@@ -6,14 +6,6 @@
 namespace zstep::answers {
 namespace {
 
-/// The piece that a pixel is painted with where depths come from planes; -1 where they come from spans.
-std::int32_t piece_of_plane(const Work& work) {
-  const MethodState& m = work.machine();
-  const auto area = static_cast<std::size_t>(m.area);
-  if (m.area >= 0 && area < m.areas.size()) return m.areas[area].decided ? m.areas[area].decided->piece : -1;
-  return m.piece == -1 && !m.sweep.winners.empty() ? m.sweep.winners.back().piece : -1;
-}
-
 void tell_along_ray(Datum& datum, Work& work, std::int64_t step) {
   const Step end = find_last<RayEnd>(
       work.trace, step, [&](const RayEnd& e) { return e.ray == work.machine().rays.tree.front().entry.ray; });
@@ -34,15 +26,8 @@ void tell_along_ray(Datum& datum, Work& work, std::int64_t step) {
 
 }  // namespace
 
-static void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint& e, std::string_view field) {
-  if (field != "z") return;
-  const MethodState& m = work.machine();
-  if (!m.rays.tree.empty()) return tell_along_ray(datum, work, step);
-  if (const std::int32_t piece = piece_of_plane(work); piece >= 0) {
-    const auto plane = [&](char letter) { return work.plane(piece, letter); };
-    datum.is("-(A*x + B*y + D)/C",
-             {{"A", plane('A')}, {"x", e.x}, {"B", plane('B')}, {"y", e.y}, {"D", plane('D')}, {"C", plane('C')}});
-  }
+static void tell(Datum& datum, Work& work, std::int64_t step, const PixelPaint&, std::string_view field) {
+  if (field == "z" && !work.machine().rays.tree.empty()) tell_along_ray(datum, work, step);
 }
 
 namespace {

@@ -11,7 +11,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/file/visit.hpp"
-#include "traces/formulas/planes.hpp"
+#include "traces/formulas/outlines.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -24,9 +24,7 @@ std::int64_t key_of(const SliceAt& at) {
 
 /// Depths of a plane between two columns of a scan line.
 SliceSpan along_plane(const PlaneEquation& plane, double y, double x_left, double x_right) {
-  const auto depth = [&](double x) {
-    return formulas::plane_depth(plane.plane_a, plane.plane_b, plane.plane_c, plane.plane_d, x, y);
-  };
+  const auto depth = [&](double x) { return formulas::plane_depth(plane, x, y); };
   return {0, no_polygon, x_left, depth(x_left), x_right, depth(x_right)};
 }
 
