@@ -1,5 +1,5 @@
 // Prints what judging a run costs: reading JSON Lines, check, diff against decoding alone, and exact depths. Medians of
-// runs that take turns, all in one process, as one table in Markdown.
+// runs that take turns, all in one process, as one table in Markdown; seconds are the processor's.
 #include <algorithm>
 #include <sstream>
 #include <string>
@@ -31,6 +31,20 @@ Trace recorded(const char* scene, int width, int height) {
   return Trace::from_bytes(recorder.take_bytes(), scene);
 }
 
+/// The same steps under another title, which a reader cannot tell from other steps by their bytes; without the step at
+/// `missing`, if that is not 0.
+Trace once_more(const Trace& trace, std::int64_t missing) {
+  Header header = trace.header();
+  header.title = "once more";
+  TraceRecorder recorder(header, trace.scene());
+  trace.each(0, trace.size(), [&](std::int64_t step, const RecordedEvent& recorded) {
+    if (step != missing) record_any(recorder, recorded.step, recorded.event);
+    return true;
+  });
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), header.title);
+}
+
 std::int64_t decode(const Trace& trace) {
   std::int64_t steps = 0;
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
@@ -44,6 +58,7 @@ std::int64_t decode(const Trace& trace) {
 
 int main() {
   const Trace run = recorded("teapot:4", 800, 600), same = recorded("teapot:4", 800, 600);
+  const Trace other_bytes = once_more(run, 0), shorter = once_more(run, run.size() / 2);
   std::ostringstream out;
   write_jsonl(run, out);
   const std::string lines = out.str();
@@ -54,10 +69,11 @@ int main() {
     std::vector<double> seconds;
   };
   Work reading{"JSON Lines", {}}, checking{"check", {}}, decoding{"decoding two traces", {}},
-      comparing{"diff of two equal traces", {}}, exact{"exact depths", {}};
+      comparing{"diff of two equal traces", {}}, comparing_steps{"diff of equal steps in other bytes", {}},
+      missing{"diff where one step is missing", {}}, exact{"exact depths", {}};
   std::int64_t depths = 0;
   for (int turn = 0; turn < 7; ++turn) {
-    reading.seconds.push_back(seconds_of([&] {
+    reading.seconds.push_back(processor_seconds_of([&] {
       std::istringstream in(lines);
       Scene kept;  // a recorder looks at it as long as it lives
       std::optional<TraceRecorder> recorder;
@@ -67,10 +83,12 @@ int main() {
       });
       recorder->finish();
     }));
-    checking.seconds.push_back(seconds_of([&] { check(run); }));
-    decoding.seconds.push_back(seconds_of([&] { decode(run), decode(same); }));
-    comparing.seconds.push_back(seconds_of([&] { diff::compare(run, same); }));
-    exact.seconds.push_back(seconds_of([&] { depths = oracle::errors_of(run).all.depths; }));
+    checking.seconds.push_back(processor_seconds_of([&] { check(run); }));
+    decoding.seconds.push_back(processor_seconds_of([&] { decode(run), decode(same); }));
+    comparing.seconds.push_back(processor_seconds_of([&] { diff::compare(run, same); }));
+    comparing_steps.seconds.push_back(processor_seconds_of([&] { diff::compare(run, other_bytes); }));
+    missing.seconds.push_back(processor_seconds_of([&] { diff::compare(run, shorter); }));
+    exact.seconds.push_back(processor_seconds_of([&] { depths = oracle::errors_of(run).all.depths; }));
   }
   const auto median = [](Work& work) {
     std::sort(work.seconds.begin(), work.seconds.end());
@@ -82,8 +100,9 @@ int main() {
              static_cast<double>(lines.size()) / 1e6 / median(reading));
   fmt::print("| {} | {:.3f} | {:.1f} million steps/s |\n", checking.name, median(checking),
              steps / 1e6 / median(checking));
-  fmt::print("| {} | {:.3f} | {:.1f} times decoding both |\n", comparing.name, median(comparing),
-             median(comparing) / median(decoding));
+  for (Work* diff : {&comparing, &comparing_steps, &missing})
+    fmt::print("| {} | {:.3f} | {:.2f} times decoding both |\n", diff->name, median(*diff),
+               median(*diff) / median(decoding));
   fmt::print("| {} | {:.3f} | {:.0f} depths/s |\n", exact.name, median(exact),
              static_cast<double>(depths) / median(exact));
 }

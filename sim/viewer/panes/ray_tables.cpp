@@ -24,7 +24,8 @@ bool just(const Session& s) { return s.event() && holds<E>(s.event()->event); }
 std::string ray_at_work(const RayWork& rays) {
   for (const RayRow& ray : rays.tree)
     if (ray.entry.ray == rays.ray)
-      return fmt::format("{},{} {} ", ray.entry.x, ray.entry.y, words_of<RayRole>[static_cast<std::size_t>(ray.entry.role)]);
+      return fmt::format("{},{} {} ", ray.entry.x, ray.entry.y,
+                         words_of<RayRole>[static_cast<std::size_t>(ray.entry.role)]);
   return "";
 }
 

@@ -28,7 +28,8 @@ TableCell result_of(const TableCell& cell) {
 }
 
 bool same_result(const TableCell& a, const TableCell& b, double rounding) {
-  if (a.value && b.value) return *a.value == *b.value || formulas::gives(formulas::Rounded(*a.value), *b.value, rounding);
+  if (a.value && b.value)
+    return *a.value == *b.value || formulas::gives(formulas::Rounded(*a.value), *b.value, rounding);
   return (!a.result && !b.result) || (!a.value && !b.value && a.text == b.text);
 }
 
