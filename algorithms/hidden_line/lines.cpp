@@ -6,6 +6,8 @@
 
 #include "algorithms/scene/mesh.hpp"
 #include "algorithms/viewing/back_face.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::lines {
@@ -109,8 +111,8 @@ bool bring_into_view(Edge& edge, const Scene& scene, const viewing::Lens& lens, 
 
     std::int32_t& outer = d_0 >= 0 ? edge.vertex_1 : edge.vertex_0;
     const std::int32_t inside = d_0 >= 0 ? edge.vertex_0 : edge.vertex_1;
-    const double t = d_0 >= 0 ? d_0 / (d_0 - d_1) : d_1 / (d_1 - d_0);
-    const glm::dvec3 start = vertex(inside).view, view = start + t * (vertex(outer).view - start);
+    const double t = d_0 >= 0 ? formulas::where_zero(d_0, d_1) : formulas::where_zero(d_1, d_0);
+    const glm::dvec3 view = formulas::part_of_way(vertex(inside).view, vertex(outer).view, t);
     const auto made = static_cast<std::int32_t>(vertices.size());
     record(step::clip, ClipCross{which, inside, outer, t, made, view.x, view.y, view.z});
     vertices.push_back({view, {}, 0});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traces/formulas/lines.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::scan_line {
@@ -47,7 +48,7 @@ bool before(const Candidate& one, const Candidate& other) {
 // Where `other`, which is not in front at the left end, comes to the front of `seen`.
 double crossing(const Candidate& seen, const Candidate& other, const Interval& interval) {
   const double left = std::max(0.0, other.left.z - seen.left.z), right = other.right.z - seen.right.z;
-  return interval.x_left + left / (left - right) * (interval.x_right - interval.x_left);
+  return formulas::part_of_way(interval.x_left, interval.x_right, formulas::where_zero(left, right));
 }
 
 // The first pixel right of an implied edge. One whose centre is on it, to rounding, stays with the left piece if that

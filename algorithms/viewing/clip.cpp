@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "traces/formulas/lines.hpp"
+#include "traces/formulas/outlines.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::clipping {
@@ -25,8 +27,8 @@ std::int32_t cross(const Lens& lens, ClipPlane plane, std::int32_t inside, std::
                    R& record) {
   const glm::dvec3 from = vertex_at(vertices, inside).view, to = vertex_at(vertices, outside).view;
   const double d_in = viewing::distance_inside(lens, from, plane), d_out = viewing::distance_inside(lens, to, plane);
-  const double t = d_in / (d_in - d_out);
-  const glm::dvec3 view = from + t * (to - from);
+  const double t = formulas::where_zero(d_in, d_out);
+  const glm::dvec3 view = formulas::part_of_way(from, to, t);
 
   const auto made = static_cast<std::int32_t>(vertices.size());
   record(step::clip_cross, ClipCross{plane, inside, outside, t, made, view.x, view.y, view.z});
