@@ -73,7 +73,7 @@ std::vector<std::string> fields_of_step(const Trace& trace, std::int64_t step);
 std::string field_called(const Trace& trace, std::int64_t step, const std::string& name);
 /// The field of a step whose value is written so in a sentence, rounded: "z" for "0.3333". Empty where there is none.
 std::string field_shown_as(const Trace& trace, std::int64_t step, std::string_view number);
-/// The link that tells of the number written so in the formulas of the first one: of an operand, or of what was asked
+/// The link that explains the number written so in the formulas of the first one: of an operand, or of what was asked
 /// for. 0 where none does, as the number is a plain one.
 std::size_t link_shown_as(const Chain& chain, std::string_view number);
 

@@ -66,7 +66,7 @@ class PixelCounts {
   std::int64_t spacing_;
   std::size_t most_moments_;
   bool comes_back_ = false;  ///< a pixel may meet one polygon, another, and the first again
-  bool rays_ = false;        ///< what a ray met is told by its hits
+  bool rays_ = false;        ///< what a ray met is known from its hits
   Moment now_;
   std::vector<Moment> moments_;   ///< far apart, by position; the first is the beginning
   std::optional<Moment> recent_;  ///< a little before where one was last

@@ -47,7 +47,7 @@ struct Visit {
   // What the history of the pixel adds.
   std::string sentence;               ///< why, in words, once tell() was asked
   std::vector<std::string> formulas;  ///< and in numbers
-  std::string remark;                 ///< what is not as a compare and its writes should be: "step 205 writes A"
+  std::string remark;                 ///< how compare and writes differ from what they should be: "step 205 writes A"
   std::string reason;                 ///< of a rejected one: "back-facing"; of one that was cut off, how
   std::optional<std::int64_t> wiped;  ///< the step that cleared the pixel while it was this polygon's
   std::optional<std::size_t> over;    ///< the visit that next took the pixel from this one, by its place in the history

@@ -1,4 +1,4 @@
-// What a command says besides its answer, and how its end is told by an exit code.
+// What a command says besides its answer, and the exit code that it ends with.
 #pragma once
 
 #include <string>

@@ -112,7 +112,7 @@ class Foreteller {
 #define ZSTEP_FORETELL(E)     \
   void tell(E& event) const; \
   void evaluate(E& event);
-  ZSTEP_EVERY_KIND(ZSTEP_FORETELL)  // fields that are told before the event, and fields by formula
+  ZSTEP_EVERY_KIND(ZSTEP_FORETELL)  // Guess::told: before its other fields are known; Guess::formula
 #undef ZSTEP_FORETELL
   template <class E>
   void note(const E&) {}  ///< what the event changes besides its registers

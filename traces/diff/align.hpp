@@ -49,7 +49,7 @@ struct Alignment {
 enum class Way : std::uint8_t { fast, plain };
 
 /// Matches the steps of two runs by what they are about: steps may be missing, additional or in another order. Kinds
-/// that one of them never records are left out. `on_way` is told now and then which share is done; true ends it.
+/// that one of them never records are left out. `on_way` is called now and then with the share done; true ends it.
 Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
                 Way way = Way::fast);
 

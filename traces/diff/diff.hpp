@@ -2,7 +2,7 @@
 //
 // Steps are matched by what they are about (align.hpp). Where a step's numbers part, it is a cause if its operands did
 // not part before, or if one of the two runs computes wrongly from the operands it has; else it is a symptom of what
-// its operands come from. What rounding explains under the number formats of both is told apart from what it does not.
+// its operands come from. What rounding explains under the number formats of both is kept apart from what it does not.
 #pragma once
 
 #include <functional>
@@ -39,7 +39,7 @@ struct DiffReport {
   std::int64_t differences() const;  ///< all that rounding does not explain
 };
 
-/// Compares two runs. `on_way` is told now and then which share is done; true ends it, and the report is not complete.
+/// Compares two runs. `on_way` is called now and then with the share done; if it returns true, the report is partial.
 DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
                    Way way = Way::fast);
 

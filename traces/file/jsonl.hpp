@@ -38,7 +38,7 @@ struct GivenRun {
 /// returned, or that its last line is the mark of a recording that was cut off; nothing where the file is whole. Throws
 /// InputError for what is wrong elsewhere, the first ten mistakes, each as NAME:LINE:COLUMN.
 /// `impossible`: for who judges a run. Then a step that no run on this scene can have, at a pixel outside the raster or
-/// of a polygon that there is not, ends the reading without an error and is told there, as NAME:LINE:COLUMN.
+/// of a polygon that there is not, ends the reading without an error and is reported there, as NAME:LINE:COLUMN.
 std::optional<std::string> read_jsonl(std::istream& in, const std::string& name,
                                       const std::function<TraceRecorder&(const Header&, Scene)>& begin,
                                       std::string* impossible = nullptr, GivenRun* given = nullptr);

@@ -20,7 +20,7 @@ namespace zstep {
 /// without end, so both are bounded: what comes from others may be made to fill the machine.
 inline constexpr std::size_t line_limit = std::size_t{24} << 20;
 
-inline constexpr std::size_t most_faults = 10;  ///< that are told of one file
+inline constexpr std::size_t most_faults = 10;  ///< that are reported of one file
 
 /// A file's lines, of at most line_limit + 1 characters each: what comes from others may have no line end at all.
 class TextLines {

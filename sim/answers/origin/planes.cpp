@@ -52,7 +52,7 @@ void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& 
     std::vector<Number> some;
     for (std::size_t i = 0; i < std::min<std::size_t>(count, 3); ++i)
       for (const Axis3 axis : {Axis3::x, Axis3::y, Axis3::z}) some.push_back(corner(i, axis));
-    return datum.comes_of(fmt::format("by Newell, over {} corners, of which three are told", count), some);
+    return datum.comes_of(fmt::format("by Newell's formula over {} vertices, of which three are shown", count), some);
   }
   const auto side = [&](char name, char u, char v, Axis3 first, Axis3 second) {
     const auto n = corners_along(count, corner, {first, second});

@@ -35,7 +35,7 @@ struct Given {
   Number number;
 };
 
-inline constexpr std::size_t most_corners = 6;  ///< of an outline; of more, only that they are there is told
+inline constexpr std::size_t most_corners = 6;  ///< of an outline that are shown one by one
 
 inline double channel(Color color, int which) { return which == 0 ? color.red : which == 1 ? color.green : color.blue; }
 
@@ -102,7 +102,7 @@ class Work {
   Number field(std::int64_t step, std::string_view name);
   /// The same, plain where the step is not known.
   Number field(const Step& step, std::string_view name, double otherwise);
-  /// Tells of a field what a formula of traces/formulas says; false where none gives it.
+  /// Explains a field by its formula in traces/formulas; false where it has none.
   bool tell_derived(Datum& datum, std::int64_t step, const Event& event, std::string_view field);
   void tell_formula(Datum& datum, std::int64_t step, const Event& event, std::string_view field,
                     const Formula& formula);
@@ -178,7 +178,7 @@ inline Axis3 axis_of(std::string_view field) {
   return field[0] == 'x' ? Axis3::x : field[0] == 'y' ? Axis3::y : Axis3::z;
 }
 
-/// Of a colour channel, the shares of a pixel that intervals of a line cover; false where none are told there.
+/// Of a colour channel, the shares of a pixel that intervals of a line cover; false where the trace has none.
 bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, std::int32_t y, int which);
 
 /// The ray that is held against things at a step: the one begun last before it. And the plane it was held against last.
@@ -191,7 +191,7 @@ std::string what_happens(const Work& work, const Event& event);
 // --- Where the fields come from that no formula of traces/formulas gives. What is not listed names something, or
 // counts.
 
-/// Tells of a field of the kinds of event that it knows, and says nothing of others.
+/// Explains a field of an event, if it is of one of the kinds of its theme; else it leaves the datum as it is.
 using TellTheme = void(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view field);
 TellTheme tell_boxes, tell_curves, tell_light, tell_orders, tell_pixels, tell_planes, tell_polygons, tell_rays,
     tell_sweep, tell_vertices;

@@ -1,4 +1,4 @@
-// A stretch of the trace laid out from left to right: where a step stands on it, and which step a place of it is.
+// A part of the trace laid out from left to right: the place of each step on it, and the step at each place.
 #pragma once
 
 #include <algorithm>
