@@ -1,8 +1,10 @@
 // zstep check: does each step of a run follow from its own operands?
 #include <algorithm>
 #include <memory>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "sim/cli/budget.hpp"
@@ -16,6 +18,7 @@
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/check/check.hpp"
+#include "traces/check/depths.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::cli {
@@ -31,20 +34,42 @@ struct CheckOptions {
 
 constexpr std::size_t most_causes = 10;
 
+/// "compare": by the names of the pseudo-code, the steps whose depths could not be judged.
+std::vector<std::string> not_judged(const Trace& trace) {
+  const std::vector<std::uint8_t> kinds = depths_not_judged(trace);
+  std::vector<std::string> names;
+  for (const StepInfo& step : trace.header().page)
+    if (std::find(kinds.begin(), kinds.end(), step.kind) != kinds.end()) names.push_back(step.name);
+  return names;
+}
+
 void print_text(const Trace& trace, const CheckOptions& options, const CheckedRun& checked, const std::string& hint) {
   const CheckReport& report = checked.report;
   const Precision& precision = report.precision;
-  fmt::print("{}: {} ({}), of which {} have a formula or a rule\n", printable(trace.name()),
+  fmt::print("{}: {} ({}); {} of them can be judged by a formula or a rule\n", printable(trace.name()),
              counted(report.steps, "step", "steps"), precision.text, grouped(report.judged));
-  fmt::print("{} numbers: {} exact, {} rounded (at most {} last digits of {})\n\n",
-             grouped(report.numbers), grouped(report.exact), grouped(report.rounded),
-             number(report.largest_rounding, 1, true),
-             precision.every_digit ? std::string(word_of(precision.format)) : "what is written");
+  const std::string at_most =
+      report.rounded == 0
+          ? ""
+          : fmt::format(", by at most {} {}", number(report.largest_rounding, 1, true),
+                        precision.every_digit
+                            ? fmt::format("ulps (units in the last place) of {}", word_of(precision.format))
+                            : "units of the last digit that is written");
+  fmt::print("{} numbers: {} exact, {} rounded{}\n\n", grouped(report.numbers), grouped(report.exact),
+             grouped(report.rounded), at_most);
   const std::string end =
       checked.impossible.empty()
           ? ""
-          : fmt::format("The run is judged up to a step that cannot be:\n{}\n", checked.impossible);
-  if (report.causes.empty()) return fmt::print("{}", end.empty() ? "Nothing is wrong.\n" : end);
+          : fmt::format("The run is judged up to a step that is impossible:\n{}\n", checked.impossible);
+  if (const std::vector<std::string> left = not_judged(trace); !left.empty())
+    fmt::print(
+        "Not judged: the depths of {}, as the trace does not have the spans or planes that they follow from.\n"
+        "To find a mistake in them, compare the run with a right one: zstep diff.\n\n",
+        fmt::join(left, ", "));
+  if (report.causes.empty()) {
+    const std::string right = report.judged == 0 ? "Nothing could be judged.\n" : "Nothing is wrong.\n";
+    return fmt::print("{}", end.empty() ? right : end);
+  }
   fmt::print("{}: {} wrong, {} more follow from {}\n\n",
              counted(static_cast<std::int64_t>(report.causes.size()), "cause", "causes"),
              counted(report.wrong_steps, "step is", "steps are"), grouped(report.inherited),
@@ -89,6 +114,7 @@ void print_json(const Trace& trace, const CheckOptions& options, const CheckedRu
                  {"numbers", report.numbers},   {"exact", report.exact},     {"rounded", report.rounded},
                  {"format", report.precision.text}, {"wrong", report.wrong_steps}, {"inherited", report.inherited},
                  {"causes", causes}};
+  if (const std::vector<std::string> left = not_judged(trace); !left.empty()) all["depths_not_judged"] = left;
   if (!checked.impossible.empty()) all["impossible"] = checked.impossible;
   if (!hint.empty()) all["hint"] = hint;
   fmt::print("{}\n", all.dump(2));
@@ -100,7 +126,7 @@ std::string other_convention(const Trace& trace, const CheckReport& report) {
   if (report.causes.empty() || trace.size() > most_steps) return "";
   const auto other = convention_it_follows(trace, report);
   if (!other) return "";
-  return fmt::format("With \"{}\": \"{}\" in its header {} would be wrong: the program's mistake, or the header's.",
+  return fmt::format("With \"{}\": \"{}\" in its header {} would be wrong. Either its header or the program is wrong.",
                      other->key, other->word,
                      other->wrong_steps == 0 ? "nothing" : "only " + counted(other->wrong_steps, "step", "steps"));
 }
@@ -145,13 +171,12 @@ void add_check(CLI::App& app, Action& action) {
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   command->add_flag("--all", options->all, "Print all causes, not ten");
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
-  command->add_flag("--view", options->view, "Then open the viewer at the first cause, with all marked")
+  command->add_flag("--view", options->view, "Then open the viewer at the first cause, with all causes marked")
       ->excludes(json);
   add_show_options(*command, options->show);
   command->footer(
-      "Holds every number against the formula it must follow from, with the trace's own operands and under the\n"
-      "conventions that its header declares, and every step against the rules of the method. Exit code 0: nothing is\n"
-      "wrong; 1: something is.\n"
+      "Compares every number with what its formula gives for the trace's own operands, under the conventions in its\n"
+      "header, and checks every step against the rules of the method. Exit code 0: nothing is wrong; 1: something is.\n"
       "\n"
       "Examples:\n"
       "  zstep check run.jsonl\n"

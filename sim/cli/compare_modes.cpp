@@ -69,7 +69,7 @@ struct ModeRow {
 
 void print_rows(const Scene& scene, const std::vector<ModeRow>& rows) {
   using enum Table::Align;
-  fmt::print("{}, {}x{} pixels; {} depths. Errors are of z_v, off the polygons themselves.\n\n", scene.name,
+  fmt::print("{}, {}x{} pixels; {} depths. Errors of z_v are distances from the polygons themselves.\n\n", scene.name,
              scene.raster.width, scene.raster.height, grouped(rows.front().errors.depths));
   Table table({left, right, right, right, right, right, right, right, right, right, right});
   table.row({"MODE", "LARGEST", "RMS", "ROUNDING", "BOUND", "WRONG", "TURNED", "+", "\u00d7", "\u00f7", "TIME"});
@@ -83,11 +83,10 @@ void print_rows(const Scene& scene, const std::vector<ModeRow>& rows) {
   }
   fmt::print("{}\n", table.text(0));
   fmt::print(
-      "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error that rounding alone makes of a\n"
-      "depth that stays in the buffer, in its own units; BOUND: what theory allows it. WRONG: pixels that show "
-      "another\n"
-      "polygon than the nearest; TURNED: pixels in which a compare went the other way. +, \u00d7, \u00f7: additions,\n"
-      "multiplications and divisions a pixel. TIME: of the processor, a run without recording.\n");
+      "LARGEST, RMS: error of z_v at the pixels' centres. ROUNDING: the largest error by rounding alone of a\n"
+      "depth that stays in the buffer, in the buffer's own units; BOUND: the most that theory allows. WRONG: pixels\n"
+      "that do not show the nearest polygon; TURNED: pixels where rounding turned a compare. +, \u00d7, \u00f7:\n"
+      "additions, multiplications, divisions per pixel. TIME: processor time of a run without recording.\n");
 }
 
 std::string csv_of(const std::string& scene, const std::string& swept, const std::vector<double>& values,
@@ -286,7 +285,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
     table.row(cells);
   }
   fmt::print(
-      "{}, {}x{} pixels: the largest error of z_v, and pixels that show another polygon than the nearest\n\n{}\n",
+      "{}, {}x{} pixels: the largest error of z_v, and how many pixels do not show the nearest polygon\n\n{}\n",
       scene.name, scene.raster.width, scene.raster.height, table.text(0));
   print_beginnings(sweep, values, runs);
   write_comparison(options, csv_of(scene.name, sweep.name, values, runs),
@@ -302,7 +301,7 @@ int compare_modes(const CompareOptions& options) {
   Watch watch;
   const Run run = prepare_for_modes(options.run, true);
   if (!options.plot.empty() && run.scene.camera.kind == Camera::Kind::screen)
-    throw InputError("--plot", "draws depths between the near and the far plane, but this scene has none",
+    throw InputError("--plot", "draws depths between the near and the far plane, but this scene has no such planes",
                      "leave it out, or give a scene with a camera");
   std::vector<std::string> left_out;
   if (!options.plot.empty())

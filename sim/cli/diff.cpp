@@ -54,7 +54,7 @@ int runs(const DiffOptions& options) {
       diff::compare_pictures(picture_a, a.scene(), picture_b, b.scene(), report.precision), {}, {}, {}};
   DiffText text = diff_text(a, b, options, report, pictures.difference);
   for (const std::string& impossible : {impossible_a, impossible_b})
-    if (!impossible.empty()) text.notes.push_back("compared up to a step that cannot be: " + impossible);
+    if (!impossible.empty()) text.notes.push_back("compared up to a step that is impossible: " + impossible);
   if (!options.page.empty()) {
     PicturePair drawn = pictures;
     drawn.a = image_of(picture_a, a.scene(), 1);
@@ -69,7 +69,8 @@ int runs(const DiffOptions& options) {
     if (const int code = show(a, options.show, {.against = &with}); code != exit_code::done) return code;
   }
   if (!report.alignment.complete) {
-    complain_incomplete("the runs part too often, or their orders do: what is said is of their beginnings");
+    complain_incomplete(
+        "the runs differ too often, or do too much in another order: only their beginnings were compared");
     return exit_code::incomplete;
   }
   const bool same = impossible_a.empty() && impossible_b.empty() && report.differences() == 0 &&
@@ -83,7 +84,7 @@ int run(const DiffOptions& options) {
   const std::string extension = std::filesystem::path(options.b).extension().string();
   const bool picture = extension == ".png" || extension == ".npy" || extension == ".pfm";
   if (picture && options.view)
-    throw InputError("--view", "shows two runs, and a picture is none",
+    throw InputError("--view", "shows two runs, but this is a run and a picture",
                      "leave it out; --html FILE.html shows pictures");
   check_view(options.view, options.show, {options.a, options.b});
   return picture ? diff_with_picture(options) : runs(options);
@@ -106,14 +107,14 @@ void add_diff(CLI::App& app, Action& action) {
       ->required();
   command->add_flag("--all", options->all, "Print all causes, not ten");
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
-  command->add_flag("--view", options->view, "Then open the viewer where the runs first part, with both in it")
+  command->add_flag("--view", options->view, "Then open the viewer with both runs, where they first part")
       ->excludes(json);
   add_show_options(*command, options->show);
   command->add_option("--html", options->page, "Write one page with the pictures")->type_name("FILE.html");
   command->footer(
       "Steps are matched by what they are about (the same edge, pixel, polygon, ray), not by their order or number.\n"
-      "Where numbers part, it is a cause if their operands did not part before; the rest follows from a cause. Exit\n"
-      "code 0: the same, but for rounding; 1: not.\n"
+      "A step that differs though its operands do not is a cause; other differences follow from a cause. Exit code 0:\n"
+      "the runs are the same, but for rounding; 1: they are not.\n"
       "\n"
       "Examples:\n"
       "  zstep diff right.ztrace run.jsonl\n"

@@ -25,7 +25,7 @@ void check_sizes(std::int32_t width_a, std::int32_t height_a, std::int32_t width
                  const std::string& b) {
   if (width_a == width_b && height_a == height_b) return;
   throw InputError(b, fmt::format("is {}x{} pixels, but A is {}x{}", width_b, height_b, width_a, height_a),
-                   "compare pictures of one size");
+                   "compare runs and pictures of the same size");
 }
 
 void write_diff_page(const DiffOptions& options, const DiffText& text, const diff::DiffReport& report,

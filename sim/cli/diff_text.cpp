@@ -70,11 +70,11 @@ std::vector<std::string> notes_of(const Trace& a, const Trace& b) {
   };
   parts(Convention::depth, h.conventions.depth != k.conventions.depth, "which z is interpolated");
   parts(Convention::interpolation, h.conventions.interpolation != k.conventions.interpolation,
-        "directly, or by increments");
+        "how depths are interpolated");
   parts(Convention::coverage, h.conventions.coverage != k.conventions.coverage, "which pixels a span covers");
-  parts(Convention::cull, h.conventions.cull != k.conventions.cull, "back faces are culled, or not");
+  parts(Convention::cull, h.conventions.cull != k.conventions.cull, "whether back faces are culled");
   parts(Convention::number_format, h.conventions.number_format != k.conventions.number_format, "the number format");
-  parts(Convention::nearer, h.comparison != k.comparison, "which depth is nearer, or what wins a tie");
+  parts(Convention::nearer, h.comparison != k.comparison, "which depth is nearer, or which one wins a tie");
   return notes;
 }
 
@@ -102,7 +102,7 @@ std::string pictures_text(const diff::BufferDifference& found) {
                ? fmt::format("The pictures are the same, all {} pixels.", grouped(found.pixels))
                : fmt::format("The pictures are the same; {} of {} depths differ by rounding.",
                              grouped(found.depths_rounded), grouped(found.pixels));
-  return fmt::format("The pictures: of {} pixels {} have another colour, {} another depth (by at most {}).",
+  return fmt::format("The pictures differ: of {} pixels {} have another colour, {} another depth (by at most {}).",
                      grouped(found.pixels), grouped(found.colors), grouped(found.depths), number(found.farthest));
 }
 
@@ -147,7 +147,7 @@ void print_diff(const DiffText& text, const DiffReport& report, bool all) {
       std::count_if(report.causes.begin(), report.causes.end(),
                     [](const diff::Cause& cause) { return cause.part == Part::different; }));
   if (report.causes.empty()) fmt::print("All steps that both have are the same, to the last bit.\n");
-  else if (different == 0) fmt::print("The runs part by rounding alone ({}).\n", report.precision.text);
+  else if (different == 0) fmt::print("The runs differ only by rounding ({}).\n", report.precision.text);
   else
     fmt::print("{}, {} in all\n", counted(different, "cause", "causes"),
                counted(report.differences(), "difference", "differences"));

@@ -74,8 +74,8 @@ std::string digits(double value) { return value < 1e5 ? number(value, 2, true) :
 std::string buffer_text(const Trace& trace) {
   const Conventions& conventions = trace.header().conventions;
   const double unit = depth_unit(trace.scene(), conventions);
-  if (unit == 0) return "one last digit is the last bit of the depth buffer at that depth";
-  return fmt::format("one last digit is the last bit of the depth buffer: {:.3g}, 1/2^{} of its range", unit,
+  if (unit == 0) return "one ulp is the last bit of the depth buffer at that depth";
+  return fmt::format("one ulp is the last bit of the depth buffer: {:.3g}, 1/2^{} of its range", unit,
                      bits_of(conventions.number_format));
 }
 
@@ -84,7 +84,7 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
   const Header& header = trace.header();
   const std::string format = std::string(word_of(header.conventions.number_format)) +
                              (header.declares(Convention::number_format) ? "" : ", which its header does not declare");
-  fmt::print("{}: {} held against the exact ones, in last digits of {}\n", printable(trace.name()),
+  fmt::print("{}: {} compared with the exact ones, in ulps (units in the last place) of {}\n", printable(trace.name()),
              counted(errors.all.depths, "depth", "depths"), format);
   if (errors.not_judged > 0)
     fmt::print("{} have no span, plane or ray in the trace and are left out\n", grouped(errors.not_judged));
@@ -92,13 +92,13 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
              digits(errors.all.root_mean_square()), errors.all.largest_depth, errors.steepest_step);
   fmt::print("{}\n", buffer_text(trace));
   if (allowed)
-    fmt::print("rounding may do at most {:.3g} in depth; {}\n", allowed->largest,
-               allowed->beyond == 0 ? "no stored depth is beyond its own bound"
-                                    : fmt::format("{} beyond their own bound: that is not rounding alone",
+    fmt::print("rounding can change a depth by at most {:.3g}; {}\n", allowed->largest,
+               allowed->beyond == 0 ? "every stored depth is within its own bound"
+                                    : fmt::format("{} beyond its bound, which rounding alone does not explain",
                                                   counted(allowed->beyond, "stored depth is", "stored depths are")));
-  fmt::print("{} decided otherwise than the exact depths; {} another polygon than the exactly nearest\n\n",
-             counted(errors.all.decided_wrong, "compare is", "compares are"),
-             counted(errors.wrong_pixels, "pixel shows", "pixels show"));
+  fmt::print("with exact depths {} go the other way, and {} show another polygon\n\n",
+             counted(errors.all.decided_wrong, "compare would", "compares would"),
+             counted(errors.wrong_pixels, "pixel would", "pixels would"));
   for (const oracle::WrongDecision& wrong : errors.decisions) {
     if (&wrong - errors.decisions.data() >= 3 && !options.all) break;
     fmt::print("pixel ({}, {}), {}: {} against {}; exactly {} against {}\n  zstep view {} --at {}\n", wrong.x, wrong.y,
@@ -181,10 +181,10 @@ Drawing drift_of(const Trace& trace, const Errors& errors) {
   LineChart chart;
   chart.title = fmt::format("{}: how errors of depth add up", printable(trace.name()));
   chart.subtitle = fmt::format(
-      "Errors along the longest span, and of the first pixels along the longest edge, in last digits of {}.",
+      "Errors along the longest span, and of the first pixels along the longest edge, in ulps of {}.",
       word_of(trace.header().conventions.number_format));
   chart.x_title = "1 + pixels from the first of the span, or lines from the first of the edge";
-  chart.y_title = "last digits";
+  chart.y_title = "ulps";
   const auto add = [&](const char* name, int look, const std::vector<double>& all) {
     LineChart::Line line{name, {}, look != 0, look};
     for (std::size_t n = 0; n < all.size(); ++n)
@@ -215,8 +215,8 @@ int run(const ErrorOptions& options) {
   });
   watch.clear_line();
   if (errors.all.depths == 0)
-    throw InputError(options.trace, "has no depths of spans, planes or rays",
-                     "record a method that has them, as the Z-buffer or ray casting");
+    throw InputError(options.trace, "has no spans, planes or rays, from which exact depths follow",
+                     "record them: edge_table_insert and span_begin of a Z-buffer, or rays");
   const Raster& raster = trace.scene().raster;
   const std::optional<Allowed> allowed = allowed_in(trace, errors);
   if (options.json) print_json(trace, errors, allowed);
@@ -233,7 +233,7 @@ int run(const ErrorOptions& options) {
         std::span<const double>(top_row_first<double>(errors.of_pixel, raster.width, raster.height, raster.y_up, same)),
         raster.height, raster.width);
     if (!options.json)
-      say_written(options.table, fmt::format("errors in last digits, float64 [{},{}]", raster.height, raster.width));
+      say_written(options.table, fmt::format("errors in ulps, float64 [{},{}]", raster.height, raster.width));
   }
   if (!options.plot.empty()) {
     const std::string said = write_chart(options.plot, drift_of(trace, errors));
@@ -257,10 +257,9 @@ void add_error(CLI::App& app, Action& action) {
   command->add_option("--plot", options->plot, "Draw how the errors grow along a span and an edge")
       ->type_name("FILE.png|.svg");
   command->footer(
-      "From the vertices that the trace has on the raster each span's depth follows without rounding, in whole "
-      "numbers\n"
-      "of any size; so do a piece's vertices and a ray's t. Every depth and every compare is held against them.\n"
-      "Exit code 1: a compare was decided otherwise, or a pixel shows another polygon than the exactly nearest.\n"
+      "Computes the depths of spans again, without rounding, from the vertices that the trace has on the raster;\n"
+      "so too the vertices of pieces and the t of rays. It compares every depth and every decision with these.\n"
+      "Exit code 1: with exact depths a compare would go the other way, or a pixel would show another polygon.\n"
       "\n"
       "Examples:\n"
       "  zstep error run.ztrace\n"

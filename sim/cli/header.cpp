@@ -63,20 +63,22 @@ void add_header(CLI::App& app, Action& action) {
   command->add_option("--writer", options->writer, "The name of the program")->type_name("NAME");
   command
       ->add_option("--nearer", options->nearer,
-                   "Which of two depths wins a pixel (default: as --depth has it, mostly smaller)")
+                   "Which of two depths is nearer (default: the smaller one, but for some choices of --depth)")
       ->type_name("smaller|greater");
-  command->add_option("--ties", options->ties, "Which of two equal depths does (default first)")
+  command
+      ->add_option("--ties", options->ties,
+                   "Which of two polygons with equal depths stays: the one drawn first (default), or last")
       ->type_name("first|last");
-  add_number(*command, "--initial-depth", options->initial_depth, "What its depth buffer holds at first");
+  add_number(*command, "--initial-depth", options->initial_depth, "What the depth buffer is cleared to");
   command
       ->add_flag("--as-computed", options->as_computed,
-                 "What the numbers are computed in is not known: zstep finds it out from their digits")
+                 "Say that the number format is not known: zstep infers it from the digits")
       ->excludes(command->get_option("--number-format"));
   command->add_option("-o,--output", options->out, "The file to write (default: print it)")->type_name("FILE.jsonl");
   command->footer(
       "Scene, conventions and pseudo-code as one line of JSON. Write it as the first line of your program's output, "
       "then\n"
-      "a line a step, each with the name of a line of the pseudo-code: docs/trace-format.md.\n"
+      "one line for each step, which names a line of the pseudo-code: docs/trace-format.md.\n"
       "\n"
       "Examples:\n"
       "  zstep header delhi -o run.jsonl\n"

@@ -71,12 +71,12 @@ void add_why_not(CLI::App& app, Action& action) {
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   add_budget_options(*command);
   command->add_option("polygon", options->polygon, "The polygon, by name or number")->type_name("POLYGON")->required();
-  command->add_option("x", options->x, "The pixel's column, from 0; without a pixel the whole picture is told of")
+  command->add_option("x", options->x, "The pixel's column, from 0; without a pixel the whole picture is examined")
       ->type_name("X");
   command->add_option("y", options->y, "Its row")->type_name("Y");
   command->footer(
-      "The sentence comes first, then the numbers, then the steps that led there. A polygon that is seen is told, "
-      "too.\n"
+      "The sentence comes first, then the numbers, then the steps that led there. Visible polygons are explained as\n"
+      "well.\n"
       "\n"
       "Examples:\n"
       "  zstep why-not run.ztrace B 15 12\n"

@@ -24,6 +24,14 @@ std::string value_text(const Value& value) {
   else return fmt::format("{}", value);
 }
 
+/// "z = 0.5" of 0.5: a number that was taken over as it is.
+template <class Value>
+bool only_repeats(const std::string& formula, const Value& value) {
+  const std::size_t equals = formula.find(" = ");
+  return equals != formula.npos && equals == formula.rfind(" = ") &&
+         formula.substr(equals + 3) == number(static_cast<double>(value));
+}
+
 }  // namespace
 
 FaultText fault_text(const Fault& fault, const Event& event, const formulas::Situation& before) {
@@ -32,7 +40,7 @@ FaultText fault_text(const Fault& fault, const Event& event, const formulas::Sit
 }
 
 std::string what_is_wrong(const Fault& fault, const FaultText& text) {
-  if (!fault.impossible.empty()) return fmt::format("this step cannot be: {}", fault.impossible);
+  if (!fault.impossible.empty()) return fmt::format("this step is impossible: {}", fault.impossible);
   if (fault.rule) return std::string(rule_text(*fault.rule).broken);
   const auto [is, ought] = tell_apart(fault.recorded, fault.expected);
   if (text.formula.empty()) return fmt::format("{} = {}, but the trace has {}", fault.field, ought, is);
@@ -68,17 +76,19 @@ std::string why_cause(const diff::Cause& cause) {
   if (cause.first.only_a()) return "A has this step, B does not";
   if (cause.first.only_b()) return "B has this step, A does not";
   if (cause.part == diff::Part::rounding)
-    return "no more than rounding, and its operands are the same or part by no more";
-  if (cause.wrong_b && !cause.wrong_a) return "B computes it wrongly from its own operands";
-  if (cause.wrong_a && !cause.wrong_b) return "A computes it wrongly from its own operands";
-  return "its operands are the same in both";
+    return "only rounding: its operands are the same, or differ by rounding";
+  if (cause.wrong_a && cause.wrong_b) return "both compute it wrongly from their own operands";
+  if (cause.wrong_b) return "B computes it wrongly from its own operands";
+  if (cause.wrong_a) return "A computes it wrongly from its own operands";
+  return "its operands are the same in both runs, its result is not";
 }
 
 std::string what_follows(const diff::Cause& cause) {
   std::string text;
-  if (cause.again > 0) add(text, how_many(cause.again, "later step parts", "later steps part") + " in the same way");
+  if (cause.again > 0) add(text, how_many(cause.again, "later step differs", "later steps differ") + " likewise");
   if (cause.symptoms > 0) add(text, how_many(cause.symptoms, "difference follows", "differences follow") + " from it");
-  if (cause.pixels > 0) add(text, how_many(cause.pixels, "write to a pixel", "writes to pixels") + " among them");
+  if (cause.pixels > 0)
+    add(text, how_many(cause.pixels, "differing step writes a pixel", "differing steps write pixels"));
   return text;
 }
 
@@ -90,8 +100,9 @@ std::vector<std::string> field_texts(const Event& event, const formulas::Situati
           if ((fields >> I & 1) == 0) return;
           const std::string name(field_at<E, I>.name), value = value_text(e.*field_at<E, I>.member);
           const auto formula = derived_formula(event, before, name);
-          texts.push_back(formula ? fmt::format("{} = {}   from {}", name, value, *formula)
-                                  : fmt::format("{} = {}", name, value));
+          const bool says_more = formula && !only_repeats(*formula, e.*field_at<E, I>.member);
+          texts.push_back(says_more ? fmt::format("{} = {}   from {}", name, value, *formula)
+                                    : fmt::format("{} = {}", name, value));
         });
       },
       event);

@@ -36,7 +36,7 @@ CheckedRun judge_run(const Trace& trace, const OnChecked& on_checked, bool with_
 
 /// Why a step at which two runs part is a cause.
 std::string why_cause(const diff::Cause& cause);
-/// "28 later steps part in the same way; 3 differences follow from it"; may be empty.
+/// "28 later steps differ likewise; 3 differences follow from it"; may be empty.
 std::string what_follows(const diff::Cause& cause);
 /// Of each of these fields: "dx_dy = 1.5   from (x_1 − x_0)/(y_1 − y_0) = … = 1.5".
 std::vector<std::string> field_texts(const Event& event, const formulas::Situation& before, std::uint16_t fields);

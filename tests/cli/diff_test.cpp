@@ -25,7 +25,7 @@ TEST_CASE("diff: the same is exit code 0, rounding too, a difference is 1, what 
   CHECK(has(same.out, "All steps that both have are the same, to the last bit."));
   const Outcome rounding = run(folder, "diff a.ztrace b.ztrace");
   CHECK(rounding.code == 0);
-  CHECK(has(rounding.out, "The runs part by rounding alone"));
+  CHECK(has(rounding.out, "The runs differ only by rounding"));
   const Outcome other = run(folder, "diff a.ztrace c.ztrace");
   CHECK(other.code == 1);
   CHECK(has(other.out, "the vertices of the two scenes differ"));
@@ -115,11 +115,11 @@ TEST_CASE("check and diff go up to a step that cannot be, and name it") {
   REQUIRE(run(folder, "dump a.ztrace --jsonl | sed '40s/\"y\":[0-9]*/\"y\":99/' > b.jsonl").code == 0);
   const Outcome check = run(folder, "check b.jsonl");
   CHECK(check.code == 1);
-  CHECK(has(check.out, "The run is judged up to a step that cannot be:\nb.jsonl:40:"));
+  CHECK(has(check.out, "The run is judged up to a step that is impossible:\nb.jsonl:40:"));
   CHECK(has(check.out, "row 99 lies outside the raster"));
   const Outcome diff = run(folder, "diff a.ztrace b.jsonl");
   CHECK(diff.code == 1);
-  CHECK(has(diff.out, "compared up to a step that cannot be: b.jsonl:40:"));
+  CHECK(has(diff.out, "compared up to a step that is impossible: b.jsonl:40:"));
   CHECK(run(folder, "info b.jsonl").code == 2);
 }
 

@@ -1,6 +1,7 @@
 #include "traces/check/check.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "traces/check/depths.hpp"
 #include "traces/check/inheritance.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/formulas/follows.hpp"
@@ -24,6 +26,13 @@ namespace {
 
 using formulas::Follows, formulas::Place, formulas::Rounded, formulas::Rule, formulas::Situation;
 
+/// Kinds of event with the depth of a pixel, and those of them whose depth was held against a formula.
+struct Depths {
+  std::bitset<kind_count> seen{}, judged{};
+};
+template <class E>
+constexpr bool has_depth = requires(E e) { e.x, e.y, e.z; };
+
 struct Checker {
   const Trace& trace;
   const Header& header;  ///< by which it is judged
@@ -37,6 +46,7 @@ struct Checker {
   std::int64_t step = 0;
   std::uint8_t line = 0;
   bool any_judged = false, any_fault = false;
+  Depths depths{};
   std::int32_t inherited = Inheritance::clean;
   const Situation* at = nullptr;
   Event held{};  ///< what is wrong, for who wants to see it
@@ -95,7 +105,6 @@ struct Checker {
   }
   /// Counts a number that is right; false where it is not.
   bool holds(const Rounded& formula, double recorded) {
-    any_judged = true;
     ++report.numbers;
     if (recorded == formula.value || (std::isnan(recorded) && std::isnan(formula.value))) return ++report.exact, true;
     if (!within_rounding(formula, recorded)) return false;
@@ -128,10 +137,11 @@ struct Judge {
   bool equal(double one, double other) const { return checker.within_rounding(Rounded(one), other); }
 
   void gives(Follows<E, double> field, const Number& formula) {
+    judges(field);
     if (!checker.holds(formula, e.*field.member)) wrong(field, e.*field.member, formula.value);
   }
   void near(Follows<E, double> field, const Rounded& number) {
-    checker.any_judged = true;
+    judges(field);
     const double recorded = e.*field.member;
     if (!checker.within_rounding(number, recorded)) wrong(field, recorded, number.value);
   }
@@ -173,6 +183,10 @@ struct Judge {
   }
 
  private:
+  void judges(const Follows<E, double>& field) {
+    checker.any_judged = true;
+    if (has_depth<E> && field.name == "z") checker.depths.judged.set(kind_of<E>);
+  }
   template <class Value>
   void wrong(const Follows<E, Value>& field, double recorded, double expected) {
     Fault fault;
@@ -184,7 +198,7 @@ struct Judge {
 };
 
 CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked,
-                     CheckMarks* marks = nullptr) {
+                     CheckMarks* marks = nullptr, Depths* depths = nullptr) {
   const Beginning beginning(trace);
   State state = beginning.state();
   Checker checker{trace, header, on_cause, {}, {}, {}};
@@ -199,6 +213,7 @@ CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on
     checker.begin(position, line);
     at.look();
     Judge<E> judge{checker, e};
+    if constexpr (has_depth<E>) checker.depths.seen.set(kind_of<E>);
     if constexpr (formulas::Derived<E, Judge<E>>) formulas::derive(e, at, judge);
     if constexpr (std::is_same_v<E, EdgeEnter>) judge.reads({Place::In::edge_table, e.edge});
     if constexpr (std::is_same_v<E, BuffersClear>)
@@ -225,6 +240,7 @@ CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on
     ++checker.report.steps;
     return !(on_checked && position % now_and_then == 0 && on_checked(position));
   });
+  if (depths) *depths = checker.depths;
   return std::move(checker.report);
 }
 
@@ -255,6 +271,16 @@ std::vector<Otherwise> all_others() {
 
 CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked, CheckMarks* marks) {
   return check_by(trace.header(), trace, on_cause, on_checked, marks);
+}
+
+std::vector<std::uint8_t> depths_not_judged(const Trace& trace) {
+  constexpr std::int64_t enough = 200'000;
+  Depths depths;
+  check_by(trace.header(), trace, nullptr, [](std::int64_t done) { return done >= enough; }, nullptr, &depths);
+  std::vector<std::uint8_t> left;
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    if (depths.seen[kind] && !depths.judged[kind]) left.push_back(static_cast<std::uint8_t>(kind));
+  return left;
 }
 
 std::optional<OtherConvention> convention_it_follows(const Trace& trace, const CheckReport& report) {

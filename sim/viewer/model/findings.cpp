@@ -112,7 +112,7 @@ const StepMarks::Told& Findings::told(Session& session) {
     }
   }
   if (step == session.size() && !checked_.impossible.empty())
-    told_.note += fmt::format("{}The run is judged up to here. The step that comes next cannot be: {}",
+    told_.note += fmt::format("{}The run is judged up to here. The next step is impossible: {}",
                               told_.note.empty() ? "" : " ", checked_.impossible);
   else if (!checked_.marks.complete && checked_.marks.steps.back().step < step)
     told_.note = "So much is wrong before this step that what comes here is not marked.";

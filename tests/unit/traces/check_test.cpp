@@ -12,6 +12,7 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
+#include "traces/check/depths.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/jsonl.hpp"
 
@@ -47,6 +48,15 @@ TEST_CASE("check: each step of every golden trace follows from its own operands,
     numbers += report.numbers;
   });
   CHECK(numbers > 15'000);
+}
+
+TEST_CASE("check: depths of which the trace does not have the operands are said not to be judged") {
+  // No spans: of a depth that is compared nothing says what it should be.
+  const Trace whole = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  const Trace without_spans = test::changed(whole, [](std::int64_t, const Event& event) {
+    return !holds<SpanBegin>(event) && !holds<DepthInterpolate>(event);
+  });
+  CHECK(depths_not_judged(without_spans) == std::vector<std::uint8_t>{kind_of<DepthCompare>});
 }
 
 TEST_CASE("check: of foreign traces the first wrong step is named, and right ones are not doubted") {
@@ -148,6 +158,44 @@ TEST_CASE("check: numbers that a program writes with few digits are not doubted,
     REQUIRE(stepped);
     CHECK(causes_of(rounded(0.01, *stepped)).starts_with(fmt::format("step_edge.x_edge@{}", *stepped)));
   }
+}
+
+/// The same run under a header that is changed.
+template <class Change, class ChangeEvent>
+Trace under(const Trace& right, Change&& change, ChangeEvent&& change_event) {
+  Header header = right.header();
+  change(header);
+  TraceRecorder recorder(header, right.scene());
+  for (std::int64_t step = 1; step <= right.size(); ++step) {
+    RecordedEvent recorded = right.event(step);
+    change_event(step, recorded.event);
+    record_any(recorder, recorded.step, recorded.event);
+  }
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "under");
+}
+
+TEST_CASE("check: the convention that a run follows otherwise than its header says is named, unless much is wrong still") {
+  const Trace right = open_jsonl(test::in_checkout("tests/golden/delhi.jsonl"));
+  const auto followed = [&](auto&& change, int wrong_depths) {
+    int left = wrong_depths;
+    const Trace trace = under(right, change, [&](std::int64_t, Event& event) {
+      if (auto* depth = get_if<DepthInterpolate>(&event); depth && left > 0) depth->z += 100, --left;
+    });
+    const CheckReport report = check(trace);
+    REQUIRE(report.wrong_steps > 0);
+    const auto found = convention_it_follows(trace, report);
+    return found ? fmt::format("{} {} {}", found->key, found->word, found->wrong_steps) : "none";
+  };
+  const auto greater = [](Header& header) { header.comparison.nearer = Comparison::Nearer::greater; };
+  CHECK(followed(greater, 0) == "nearer smaller 0");
+  CHECK(followed([](Header& header) { header.comparison.ties = Comparison::Ties::last; }, 0) == "ties first 0");
+  const std::int64_t wrong = check(under(right, greater, [](std::int64_t, Event&) {})).wrong_steps;
+  REQUIRE(wrong > 20);
+  // Depths that are wrong under any convention: fewer than a tenth of all that is, and about a fifth.
+  CHECK(followed(greater, 1).starts_with("nearer smaller "));
+  CHECK(followed(greater, static_cast<int>(wrong / 4)) == "none");
+  CHECK(followed([](Header&) {}, 1) == "none");
 }
 
 /// Fields that a formula gives in every golden trace of the Z-buffer where they occur.
