@@ -14,6 +14,8 @@
 #include "tests/golden/golden.hpp"
 #include "tests/zoo/runs.hpp"
 #include "tests/unit/algorithms/scenes.hpp"
+#include "tests/where.hpp"
+#include "traces/file/jsonl.hpp"
 #include "traces/oracle/errors.hpp"
 #include "traces/oracle/exact_rays.hpp"
 #include "traces/replay/replay.hpp"
@@ -158,6 +160,49 @@ TEST_CASE("error: a decision that rounding turned is found, and a depth that is 
   const oracle::Errors flat =
       oracle::errors_of(test::trace_of(test::head(task, "float64", "increments") + zoo::edge_table(task)));
   CHECK(flat.all.largest == 0);
+}
+
+TEST_CASE("error: the smallest gap, the steepest step and the compares that are counted, of planes that are known") {
+  // Three planes at one z each, the last of them again as deep as the first.
+  zoo::Task task;
+  task.width = 16, task.height = 14;
+  for (const double z : {0.5, 0.25, 0.75, 0.5})
+    for (const auto& [x, y] : {std::pair(1.0, 1.0), {13.5, 2.0}, {4.0, 12.5}}) task.points.push_back({x, y, z});
+  task.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}, {2, {6, 7, 8}}, {3, {9, 10, 11}}};
+  const std::string run = test::head(task, "float64", "direct") + zoo::edge_table(task);
+  const oracle::Errors flat = oracle::errors_of(test::trace_of(run));
+  const std::int64_t pixels = flat.all.depths / 4;
+  CHECK(flat.all.depths == 4 * pixels);
+  CHECK(flat.compares == 3 * pixels);  // the first of each pixel meets the empty buffer
+  REQUIRE(flat.least_gap);
+  CHECK(*flat.least_gap == 0.25);
+  CHECK(flat.gap_at == 0.25);
+  CHECK(flat.wrong_pixels == 0);
+
+  // One depth is wrong, by far more than rounding does; the polygon drawn later has it right.
+  std::string wrong = run;
+  const std::size_t at = wrong.find("\"z\":0.5", wrong.size() / 8);
+  REQUIRE(at != std::string::npos);
+  wrong.replace(at, 7, "\"z\":0.4");
+  const Trace trace = test::trace_of(wrong);
+  const oracle::Errors off = oracle::errors_of(trace);
+  CHECK(off.all.largest_depth == doctest::Approx(0.1));
+  const Event steepest = trace.event(off.steepest_step).event;
+  CHECK((holds<DepthInterpolate>(steepest) ? get<DepthInterpolate>(steepest).z : get<DepthCompare>(steepest).z) == 0.4);
+}
+
+TEST_CASE("error: of a shadow buffer's run only the eye's pass is judged") {
+  const Trace trace = open_jsonl(test::in_checkout("tests/golden/shadow-buffer.jsonl"));
+  std::int64_t of_eye = 0;
+  Pass pass = Pass::eye;
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (const auto* begun = get_if<PassBegin>(&recorded.event)) pass = begun->pass;
+    of_eye += pass == Pass::eye && holds<DepthInterpolate>(recorded.event);
+    return true;
+  });
+  REQUIRE(of_eye > 0);
+  const oracle::Errors errors = oracle::errors_of(trace);
+  CHECK(errors.all.depths + errors.not_judged == of_eye);
 }
 
 using Exact3 = std::array<Fraction, 3>;
