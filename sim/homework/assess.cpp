@@ -69,6 +69,8 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
       words.step = info ? info->name : "", words.subject = text.subject;
     }
     words.what = what_is_wrong(*first.fault, text);
+    // What it should follow from stands in that sentence; it does not follow.
+    for (std::string& line : words.found) line = line.substr(0, line.find("   from "));
     if (!words.what.ends_with('.')) words.what += '.';
   }
   if (!first.parts || !first.parts->only_a()) {
