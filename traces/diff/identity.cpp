@@ -18,6 +18,10 @@ Key spread(Key key) {
 Key mix(Key key, Key more) { return spread(key ^ spread(more)); }
 Key whole(std::int64_t number) { return static_cast<Key>(number); }
 
+}  // namespace
+
+/// Numbers that together say what a step is about. (It has a name outside this file, as templates with names outside
+/// have members of this type.)
 template <std::size_t most>
 struct Parts {
   std::array<Key, most> part;
@@ -29,8 +33,6 @@ struct Parts {
     return key;
   }
 };
-
-}  // namespace
 
 Identity::Identity(const Trace& trace) : points_(trace.scene().points.size()), trace_(&trace) {}
 
