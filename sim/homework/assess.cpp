@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 30;
+constexpr std::uintmax_t largest_run = std::uintmax_t{1} << 30;
 
 Trace reference_of(const Method& method, const Scene& scene, const Conventions& conventions) {
   TraceRecorder recorder(header_for(method, conventions), scene);
@@ -127,7 +127,7 @@ fs::path run_of(const fs::path& submission, const Homework& homework, const Task
 
 Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
   std::error_code ignored;
-  if (fs::file_size(file, ignored) > most_bytes)
+  if (fs::file_size(file, ignored) > largest_run)
     throw InputError(file.string(), "is larger than 1 GiB", "print each step once, and nothing else");
   const Header header = header_for(*homework.method, task.conventions);
   GivenRun given = grade::given_run(header, task.scene, homework.free);

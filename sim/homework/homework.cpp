@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using scene::fail_at, scene::Keys;
 
-constexpr std::size_t most_bytes = 1 << 20;
+constexpr std::size_t largest_homework_file = 1 << 20;
 constexpr std::size_t most_tasks = 200, most_parts = 50;
 
 std::string text_of(const fs::path& path) {
@@ -32,7 +32,7 @@ std::string text_of(const fs::path& path) {
     throw InputError(path.string(), "cannot be opened",
                      "give the folder of a homework; make one with: zstep homework new z-buffer FOLDER");
   std::string text((std::istreambuf_iterator<char>(in)), {});
-  if (text.size() > most_bytes)
+  if (text.size() > largest_homework_file)
     throw InputError(path.string(), "is larger than 1 MiB", "a homework takes a few hundred lines");
   return text;
 }
