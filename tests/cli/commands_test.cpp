@@ -20,7 +20,6 @@ using zstep::read_png;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 Outcome must(const Folder& folder, const std::string& arguments) {
   const Outcome outcome = run(folder, arguments);

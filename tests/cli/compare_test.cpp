@@ -11,7 +11,6 @@ using namespace zstep::test;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 void check_refused(const std::string& arguments, const std::string& part) {
   const Folder folder;

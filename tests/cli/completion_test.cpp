@@ -20,7 +20,7 @@ std::string offered(const Folder& folder, const std::string& words) {
   return "\n" + outcome.out;
 }
 
-bool has(const std::string& text, const std::string& line) {
+bool has_line(const std::string& text, const std::string& line) {
   return text.find("\n" + line + "\n") != std::string::npos;
 }
 
@@ -30,18 +30,18 @@ TEST_CASE("bash completes commands, options, values, scenes and files") {
   const Folder folder;
   if (!have(folder, "bash")) return;
   REQUIRE(shell(folder, "\"$zstep\" completion bash > zstep.bash && bash -n zstep.bash").code == 0);
-  CHECK(has(offered(folder, "re"), "render"));
-  CHECK(has(offered(folder, "re"), "record"));
-  CHECK_FALSE(has(offered(folder, "re"), "list"));
-  CHECK(has(offered(folder, "record --si"), "--size"));
-  CHECK(has(offered(folder, "record pyramid --depth ''"), "pseudodepth"));
-  CHECK(has(offered(folder, "record pyramid --algorithm z"), "z-buffer"));
-  CHECK(has(offered(folder, "render teap"), "teapot"));
-  CHECK(has(offered(folder, "lesson z-"), "z-buffer"));
-  CHECK(has(offered(folder, "completion f"), "fish"));
+  CHECK(has_line(offered(folder, "re"), "render"));
+  CHECK(has_line(offered(folder, "re"), "record"));
+  CHECK_FALSE(has_line(offered(folder, "re"), "list"));
+  CHECK(has_line(offered(folder, "record --si"), "--size"));
+  CHECK(has_line(offered(folder, "record pyramid --depth ''"), "pseudodepth"));
+  CHECK(has_line(offered(folder, "record pyramid --algorithm z"), "z-buffer"));
+  CHECK(has_line(offered(folder, "render teap"), "teapot"));
+  CHECK(has_line(offered(folder, "lesson z-"), "z-buffer"));
+  CHECK(has_line(offered(folder, "completion f"), "fish"));
   write_text(folder / "teapot of mine.obj", "");
-  CHECK(has(offered(folder, "render teap"), "teapot of mine.obj"));
-  CHECK(has(offered(folder, "record pyramid -o teap"), "teapot of mine.obj"));
+  CHECK(has_line(offered(folder, "render teap"), "teapot of mine.obj"));
+  CHECK(has_line(offered(folder, "record pyramid -o teap"), "teapot of mine.obj"));
 }
 
 TEST_CASE("zsh and fish accept their scripts") {

@@ -12,7 +12,6 @@ using namespace zstep::test;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST_CASE("diff: the same is exit code 0, rounding too, a difference is 1, what cannot be compared is 2") {
   const Folder folder;

@@ -20,7 +20,6 @@ using namespace zstep;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 void must(const Folder& folder, const std::string& arguments, const std::string& says) {
   CAPTURE(arguments);

@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string hostile(const std::string& name) { return in_checkout("tests/data/hostile/" + name); }
 

@@ -10,7 +10,6 @@ using namespace zstep::test;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string foreign(const std::string& name) { return text_of(in_checkout("tests/data/foreign/") + name); }
 

@@ -12,7 +12,6 @@ using namespace zstep::test;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Every file with what is in it.
 std::vector<std::pair<std::string, std::string>> contents(const Folder& folder) {

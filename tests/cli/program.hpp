@@ -35,6 +35,8 @@ Outcome shell(const Folder& folder, const std::string& line);
 
 std::string text_of(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
+/// Whether a part is in a text.
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 /// How often `part` stands in `text`.
 int times(const std::string& text, const std::string& part);
 
