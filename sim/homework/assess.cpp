@@ -164,8 +164,10 @@ Assessment assess(const Homework& homework, const fs::path& submission, const st
   Assessment all{&homework, submission.string(), {}};
   for (const Task& task : homework.tasks) {
     if (!only.empty() && task.name != only) continue;
+    const fs::path file = run_of(submission, homework, task);
+    if (file.empty() && fs::is_regular_file(submission)) continue;  // it is another scene's
     if (on_task) on_task(task);
-    all.tasks.push_back(grade_task(homework, task, run_of(submission, homework, task)));
+    all.tasks.push_back(grade_task(homework, task, file));
   }
   return all;
 }

@@ -4,10 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traces/file/records.hpp"
 #include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/of_pieces.hpp"
 
 namespace zstep::formulas {
+
+/// Does this run cut polygons in the world, and not on the raster? Vertices are then followed from there.
+inline bool run_cuts_in_world(const Header& header, const Scene& scene) {
+  return records<NodeMake>(header) && scene.camera.kind != Camera::Kind::screen;
+}
 
 namespace detail {
 

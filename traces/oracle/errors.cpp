@@ -10,6 +10,7 @@
 #include "traces/oracle/exact_depth.hpp"
 #include "traces/oracle/exact_rays.hpp"
 #include "traces/oracle/exact_vertices.hpp"
+#include "traces/formulas/of_orders.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/walk.hpp"
 
@@ -35,8 +36,9 @@ class Judge {
         along_(along_of(trace, truth)),
         format_(trace.header().conventions.number_format),
         unit_(depth_unit(trace.scene(), trace.header().conventions)),
-        cuts_(trace.has(kind_of<SplitVertex>) || in_world(trace)),
-        vertices_(in_world(trace) ? ExactVertices::From::world : ExactVertices::From::vertices),
+        cuts_(trace.has(kind_of<SplitVertex>) || formulas::run_cuts_in_world(trace.header(), trace.scene())),
+        vertices_(formulas::run_cuts_in_world(trace.header(), trace.scene()) ? ExactVertices::From::world
+                                                                              : ExactVertices::From::vertices),
         rays_(trace.scene(), trace.header().conventions.depth) {
     const Raster& raster = trace.scene().raster;
     const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
@@ -100,10 +102,6 @@ class Judge {
     if (depth == Conventions::Depth::corrected) return Along::reciprocal;
     const bool bent = depth == Conventions::Depth::view && truth == Truth::surface;
     return bent ? Along::through_inverses : Along::depth;
-  }
-  /// Are polygons cut in the world? Then vertices are followed from there, else they count as they lie on the raster.
-  static bool in_world(const Trace& trace) {
-    return trace.has(kind_of<NodeMake>) && trace.scene().camera.kind != Camera::Kind::screen;
   }
   std::optional<ExactDepth> between_edges(const Situation& at, const SpanBegin& span) const {
     if (cuts_) return between_parts(at, span);

@@ -7,6 +7,7 @@
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/pieces.hpp"
 #include "traces/file/records.hpp"
+#include "traces/formulas/of_orders.hpp"
 #include "traces/formulas/outlines.hpp"
 
 namespace zstep::answers {
@@ -41,7 +42,7 @@ std::int32_t corner_with(const Work& work, const Piece& piece, const PlaneEquati
 }  // namespace
 
 bool cuts_in_world(const Work& work) {
-  return work.scene.camera.kind != Camera::Kind::screen && records<NodeMake>(work.trace.header());
+  return formulas::run_cuts_in_world(work.trace.header(), work.scene);
 }
 
 Number Work::extent(std::int32_t number, std::string_view name) {
