@@ -42,6 +42,7 @@ void furnish(const Folder& clone) {
   REQUIRE(run(clone, "record pyramid-behind -o run.ztrace").code == 0);
   REQUIRE(run(clone, "dump run.ztrace --jsonl > run.jsonl").code == 0);
   fs::copy_file(clone / "run.jsonl", clone / "homework.jsonl");
+  fs::copy_file(clone / "run.jsonl", clone / "head.jsonl");
   fs::copy_file(clone / "run.ztrace", clone / "right.ztrace");
   REQUIRE(run(clone, "render pyramid-behind --save picture.png --save-depth-raw depths.npy").code == 0);
   fs::copy_file(in_checkout("lessons/scenes/wall.toml"), clone / "my.toml");

@@ -107,6 +107,7 @@ TEST_CASE("what is said of a step that is wrong ends in one full stop, whether a
     App app(trace, nullptr, {}, 640, 360);
     app.show_findings(run);
     for (const Cause& cause : run.report.causes) {
+      if (!cause.first.impossible.empty()) break;  // no replay goes through a step that cannot be
       app.session().go_to(cause.first.step);
       for (const std::string& line : app.ui().marks->told(app.session()).lines) {
         CAPTURE(line);
