@@ -71,9 +71,14 @@ Pictures::Pictures(const Trace& trace, const PictureOptions& options) {
 
 Pictures::~Pictures() = default;
 
+void go_to_or_throw(viewer::Session& session, std::int64_t position) {
+  session.go_to(position);
+  if (session.position() < std::min(position, session.size())) throw InputError({session.message});
+}
+
 Image Pictures::at(std::int64_t position) {
   Session& session = impl_->app.session();
-  if (position >= 0) session.go_to(position);
+  if (position >= 0) go_to_or_throw(session, position);
   else if (impl_->app.opens_at_cause()) impl_->app.to_first_cause();
   else if (session.lesson() && !session.lesson()->stops.empty()) session.to_stop(0);
   impl_->app.settle();
@@ -82,7 +87,7 @@ Image Pictures::at(std::int64_t position) {
 
 Pictures::Caption Pictures::caption(std::int64_t position) {
   Session& session = impl_->app.session();
-  session.go_to(position);
+  go_to_or_throw(session, position);
   const RecordedEvent* event = session.event();
   if (!event) return {"step 0", "Before the first step."};
   const StepInfo* step = find_step(session.header().page, event->step);

@@ -26,6 +26,12 @@ struct PictureOptions {
 /// The panes that a trace has, by the names that PictureOptions takes.
 std::vector<std::string> pane_names(const Trace& trace, bool with_lesson = false);
 
+namespace viewer {
+class Session;
+}
+/// Goes to a step that was asked for by its number. Throws InputError where one before it cannot be.
+void go_to_or_throw(viewer::Session& session, std::int64_t position);
+
 class Pictures {
  public:
   /// The trace must outlive it. Throws InputError where it has no such pane.

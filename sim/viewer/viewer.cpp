@@ -25,7 +25,7 @@ std::string place_key(const Trace& trace) {
 
 void go_to_start(App& app, const Trace& trace, const ViewerOptions& options) {
   Session& s = app.session();
-  if (options.at >= 0) return s.go_to(options.at);
+  if (options.at >= 0) return go_to_or_throw(s, options.at);
   if (app.opens_at_cause()) return app.to_first_cause();
   if (const auto place = app.settings().place(place_key(trace))) return s.go_to(*place);
   if (options.lesson && !options.lesson->stops.empty()) s.to_stop(0);

@@ -10,6 +10,7 @@
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/where.hpp"
+#include "traces/error.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;
@@ -119,6 +120,27 @@ TEST_CASE("what is said of a step that is wrong ends in one full stop, whether a
   }
   CHECK(by_rule > 0);
   CHECK(by_formula > 0);
+}
+
+TEST_CASE("a step that cannot be ends the way there, and the window stays open before it") {
+  const Trace trace = open_jsonl(test::in_checkout("tests/data/foreign/retire_early.jsonl"));
+  App app(trace, nullptr, {}, 640, 360);
+  Session& s = app.session();
+  for (const bool by_steps : {false, true}) {
+    CAPTURE(by_steps);
+    s.go_to(0);
+    if (by_steps) while (s.position() < 120 && s.message.empty()) s.go_to(s.position() + 1);
+    else s.go_to(s.size());
+    CHECK(s.position() == 108);
+    CHECK(s.message.find("step 109 cannot be: edge 0 is not in the active edge list") != std::string::npos);
+    const State there = s.state();
+    s.go_to(50);
+    CHECK(s.position() == 50);
+    s.go_to(108);
+    CHECK(s.state().picture == there.picture);
+    CHECK(s.message.empty());
+  }
+  CHECK_THROWS_AS(go_to_or_throw(s, 200), InputError);
 }
 
 TEST_CASE("an entry of the edge table that is wrong is marked as long as it stands there") {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/words/numbers.hpp"
+#include "traces/error.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/replay/units.hpp"
 
@@ -51,13 +52,19 @@ void Session::go_to(std::int64_t position, Unit unit) {
   const std::int64_t from = this->position(), to = std::clamp<std::int64_t>(position, 0, size());
   if (to == from && unit == unit_ && message.empty()) return;
   unit_ = unit;
+  std::string refused;
   if (to != from) {
-    replay_.go_to(to, on_way);
+    try {
+      replay_.go_to(to, on_way);
+    } catch (const InputError& error) {
+      refused = error.what();  // a step that cannot be: this is the state before it
+    }
     selected_edge.reset();
     stop_ = stop_at(this->position());
   }
   arrived();
-  if (this->position() != to) message = fmt::format("The way to step {} was ended here.", grouped(to));
+  if (!refused.empty()) message = refused;
+  else if (this->position() != to) message = fmt::format("The way to step {} was ended here.", grouped(to));
 }
 
 void Session::arrived() {
