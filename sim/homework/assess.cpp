@@ -9,6 +9,7 @@
 #include "sim/words/judged.hpp"
 #include "traces/error.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/file/output.hpp"
 #include "traces/formulas/situation_of.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
@@ -121,11 +122,12 @@ fs::path run_of(const fs::path& submission, const Homework& homework, const Task
     if (submission.stem().string() == one.name) return &one == &task ? submission : fs::path();
     names += (names.empty() ? "" : ", ") + one.name + ".jsonl";
   }
-  throw InputError(submission.string(), "its name says of no scene of the homework",
+  throw InputError(submission.string(), "is named after no scene of the homework",
                    fmt::format("call it as one of these, or give the folder: {}", names));
 }
 
 Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
+  note_input(file);
   std::error_code ignored;
   if (fs::file_size(file, ignored) > largest_run)
     throw InputError(file.string(), "is larger than 1 GiB", "print each step once, and nothing else");

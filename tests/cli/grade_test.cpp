@@ -208,6 +208,18 @@ TEST_CASE("grade: a student without the hidden scenes grades the others, and is 
   CHECK(run(folder, "grade --homework hw runs").code == 2);
 }
 
+TEST_CASE("grade: no report is written over a run or a scene") {
+  if (!there_is("python3")) return;
+  const Folder folder;
+  set_up(folder);
+  for (const std::string file : {"runs/crossing.jsonl", "hw/scenes/crossing.toml", "hw/homework.toml"}) {
+    CAPTURE(file);
+    const std::string before = text_of(folder / file);
+    CHECK(run(folder, "grade --homework hw runs -o " + file).code == 2);
+    CHECK(text_of(folder / file) == before);
+  }
+}
+
 TEST_CASE("grade: numbers of a hidden scene stay hidden") {
   if (!there_is("python3")) return;
   const Folder folder;
