@@ -74,7 +74,7 @@ TEST_CASE("grade: a wrong program loses points, and its first wrong step is name
   int wrong = 0, named = 0;
   for (const char* mistake :
        {"z_not_swapped", "slope_inverted", "z_slope_of_x", "x_at_vertex", "ends_one_late", "compare_reversed",
-        "compare_or_equal", "written_before_test", "colour_always", "depth_not_written", "right_end_included",
+        "equal_wins", "written_before_test", "colour_always", "depth_not_written", "right_end_included",
         "z_not_to_centre", "never_retired", "not_sorted", "buffer_begins_at_0", "buffer_reset"}) {
     for (zoo::Task& task : std::vector<zoo::Task>(tasks())) {
       const std::string right = zoo::edge_table(task);

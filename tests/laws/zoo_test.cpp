@@ -35,10 +35,7 @@ std::vector<Named> scenes() {
   one.points = {{1, 1, 0.25}, {12.5, 4, 0.75}, {4, 10.5, 0.5}};
   one.polygons = {{0, {0, 1, 2}}};
   all.push_back({"one triangle", one});
-  zoo::Task ties = one;  // two in one plane, and one that shares a border
-  ties.points = {{1, 1, 0.5}, {12, 1, 0.5}, {1, 10, 0.5}, {3, 2, 0.5}, {12, 9, 0.5}, {2, 9, 0.5}, {12, 10, 0.5}};
-  ties.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}, {2, {1, 6, 2}}};
-  all.push_back({"ties", ties});
+  all.push_back({"ties", ties()});
   zoo::Task through = one;
   through.points = {{1, 1, 0.125}, {12, 2, 0.875}, {6, 10, 0.5}, {2, 9, 0.25}, {12.5, 8, 0.375}, {7, 1, 0.75}};
   through.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}};
@@ -47,15 +44,6 @@ std::vector<Named> scenes() {
   all.push_back({"six triangles", triangles(6, 6, 22)});
   all.push_back({"ten triangles", triangles(11, 10, 26)});
   return all;
-}
-/// One that is concave, and one whose edges cross.
-zoo::Task concave() {
-  zoo::Task task;
-  task.width = 20, task.height = 16;
-  task.points = {{2, 3, 0.25}, {7, 1, 0.5},  {13, 5, 0.25}, {13, 11, 0.75}, {7, 7, 0.5},
-                 {2, 9, 0.25}, {1, 2, 0.75}, {18, 4, 0.25}, {10, 14, 0.5},  {9, 5, 0.5}};
-  task.polygons = {{0, {0, 1, 2, 3, 4, 5}}, {1, {6, 9, 7, 8}}, {2, {0, 2, 3, 4}}, {3, {1, 8, 2, 5}}};
-  return task;
 }
 
 /// What zstep itself does with the scene.
@@ -96,8 +84,8 @@ struct Program {
 const std::vector<Program>& programs() {
   static const std::vector<Program> all{
       {"edge table", zoo::edge_table, "float64", "increments",
-       {"z_not_swapped", "slope_inverted", "integer_slope", "z_slope_of_x", "x_at_vertex", "ends_one_late",
-        "compare_reversed", "compare_or_equal", "written_before_test", "colour_always", "depth_not_written",
+       {"z_not_swapped", "slope_inverted", "slope_whole", "z_slope_of_x", "x_at_vertex", "ends_one_late",
+        "compare_reversed", "equal_wins", "written_before_test", "colour_always", "depth_not_written",
         "colour_not_written", "right_end_included", "ends_rounded", "z_not_to_centre", "z_by_slope_of_x",
         "never_retired", "rounded_then_stepped", "z_not_carried", "stepped_twice", "not_sorted", "entered_in_front",
         "buffer_begins_at_0", "buffer_reset", "buffer_of_one_line"}},

@@ -20,7 +20,10 @@ struct Program {
   std::vector<double> depth;
   int edges = 0, steps = 0, roundings = 0, retirements = 0, inserted = 0;  // places where a mistake can be made once
 
-  bool is(const char* mistake) const { return task.mistake == mistake; }
+  /// Several mistakes are written as "one+other".
+  bool is(const std::string& mistake) const {
+    return ("+" + task.mistake + "+").find("+" + mistake + "+") != std::string::npos;
+  }
   bool once(const char* mistake, int& counter) {
     if (!is(mistake)) return false;
     return counter++ == task.nth;
@@ -44,6 +47,12 @@ struct Program {
     for (std::size_t i = 0; i < n; ++i) {
       int a = polygon.corners[i], b = polygon.corners[(i + 1) % n];
       Point p = task.points[static_cast<std::size_t>(a)], q = task.points[static_cast<std::size_t>(b)];
+      if (p.y == q.y && is("horizontal_inserted") && line_from(p.y) >= 0 && line_from(p.y) < task.height) {
+        Edge edge{number++, a, b, line_from(p.y), line_from(p.y) + 1, p.x, 0, p.z, 0};
+        insert(polygon, edge);
+        buckets[static_cast<std::size_t>(edge.y_first)].push_back(edge);
+        continue;
+      }
       if (p.y == q.y) {
         say("{\"step\":\"skip\",\"vertex_0\":%d,\"vertex_1\":%d,\"why\":\"horizontal\"}", a, b);
         continue;
@@ -57,6 +66,7 @@ struct Program {
       Edge edge{};
       edge.from = a, edge.to = b;
       edge.y_first = std::max(0, line_from(p.y)), edge.y_end = std::min(task.height, line_from(q.y));
+      if (is("starts_one_early")) edge.y_first = std::max(0, static_cast<int>(std::floor(p.y)));
       if (edge.y_first >= edge.y_end) {
         say("{\"step\":\"skip\",\"vertex_0\":%d,\"vertex_1\":%d,\"why\":\"between_rows\"}", a, b);
         continue;
@@ -64,44 +74,59 @@ struct Program {
       edge.number = number++;
       edge.dx = (q.x - p.x) / (q.y - p.y);
       if (is("slope_inverted") && q.x != p.x) edge.dx = (q.y - p.y) / (q.x - p.x);
-      if (is("integer_slope")) edge.dx = std::trunc(edge.dx);
+      if (is("slope_whole")) edge.dx = std::trunc(edge.dx);
       if (once("slope_ulp", edges)) edge.dx = std::nextafter(edge.dx, 1e9);
+      if (is("slope_negative")) edge.dx = -edge.dx;
       edge.dz = (q.z - p.z) / (q.y - p.y);
+      if (is("z_slope_halved")) edge.dz /= 2;
       if (is("z_slope_of_x")) edge.dz = edge.dx;
       edge.x = p.x + edge.dx * (edge.y_first - p.y);
       if (is("x_at_vertex")) edge.x = p.x;
       edge.z = p.z + edge.dz * (edge.y_first - p.y);
+      if (is("z_at_vertex")) edge.z = p.z;
       if (is("ends_one_late")) ++edge.y_end;
-      say("{\"step\":\"insert\",\"edge\":%d,\"polygon\":%d,\"vertex_0\":%d,\"vertex_1\":%d,\"first_row\":%d,"
-          "\"end_row\":%d,\"x_edge\":%.17g,\"dx_dy\":%.17g,\"z_edge\":%.17g,\"dz_dy\":%.17g}",
-          edge.number, polygon.number, a, b, edge.y_first, edge.y_end, edge.x, edge.dx, edge.z, edge.dz);
+      insert(polygon, edge);
       buckets[static_cast<std::size_t>(edge.y_first)].push_back(edge);
     }
     return buckets;
   }
 
+  void insert(const Polygon& polygon, const Edge& edge) {
+    say("{\"step\":\"insert\",\"edge\":%d,\"polygon\":%d,\"vertex_0\":%d,\"vertex_1\":%d,\"first_row\":%d,"
+        "\"end_row\":%d,\"x_edge\":%.17g,\"dx_dy\":%.17g,\"z_edge\":%.17g,\"dz_dy\":%.17g}",
+        edge.number, polygon.number, edge.from, edge.to, edge.y_first, edge.y_end, edge.x, edge.dx, edge.z, edge.dz);
+  }
+
   void pixel(const Polygon& polygon, int x, int y, double z) {
+    if (is("y_upside_down")) y = task.height - 1 - y;
     say("{\"step\":\"z\",\"x\":%d,\"y\":%d,\"z\":%.17g}", x, y, z);
     double& stored = depth[static_cast<std::size_t>((is("buffer_of_one_line") ? 0 : y * task.width) + x)];
     bool nearer = z < stored;
     if (is("compare_reversed")) nearer = z > stored || std::isinf(stored);
-    if (is("compare_or_equal")) nearer = z <= stored;
+    if (is("equal_wins")) nearer = z <= stored;
     if (is("written_before_test")) stored = z, say("{\"step\":\"wz\",\"x\":%d,\"y\":%d,\"z\":%.17g}", x, y, z);
     say("{\"step\":\"compare\",\"x\":%d,\"y\":%d,\"z\":%.17g,\"nearer\":%s}", x, y, z, nearer ? "true" : "false");
-    if (!nearer && !is("colour_always")) return;
-    if (nearer && !is("depth_not_written") && !is("written_before_test")) {
+    if (!nearer && !is("colour_always") && !is("depth_always")) return;
+    if ((nearer || is("depth_always")) && !is("depth_not_written") && !is("written_before_test")) {
       stored = z;
       say("{\"step\":\"wz\",\"x\":%d,\"y\":%d,\"z\":%.17g}", x, y, z);
     }
+    if (!nearer && is("depth_always")) return;
     if (is("colour_not_written") && polygon.number > 0) return;
-    say("{\"step\":\"wp\",\"x\":%d,\"y\":%d,\"polygon\":%d}", x, y, polygon.number);
+    if (is("x_y_exchanged") && x < task.height && y < task.width) std::swap(x, y);
+    const int drawn = is("first_polygon_always") ? 0 : polygon.number;
+    say("{\"step\":\"wp\",\"x\":%d,\"y\":%d,\"polygon\":%d}", x, y, drawn);
   }
 
   void span(const Polygon& polygon, const Edge& left, const Edge& right, int y) {
+    if (is("spans_of_even_lines") && y % 2 == 1) return;
     const double dz = right.x != left.x ? (right.z - left.z) / (right.x - left.x) : 0;
     int first = std::max(0, static_cast<int>(std::ceil(left.x)));
     int last = std::min(task.width, static_cast<int>(std::ceil(right.x))) - 1;
     if (is("right_end_included")) last = std::min(task.width - 1, static_cast<int>(std::floor(right.x) + 1));
+    if (is("left_end_excluded")) first = std::max(0, static_cast<int>(std::floor(left.x)) + 1);
+    if (is("ends_truncated"))
+      first = std::max(0, static_cast<int>(left.x)), last = std::min(task.width - 1, static_cast<int>(right.x));
     if (is("ends_rounded"))
       first = std::max(0, static_cast<int>(std::lround(left.x))), last = static_cast<int>(std::lround(right.x));
     if (once("wrong_rounding", roundings)) first = std::max(0, static_cast<int>(std::floor(left.x)) - 1);
@@ -110,9 +135,13 @@ struct Program {
         left.number, right.number, y, first, last, left.x, left.z, right.x, right.z, dz);
     double z = left.z + dz * (first - left.x);
     if (is("z_not_to_centre")) z = left.z;
+    if (is("z_stepped_before_use")) z += dz;
+    if (is("mean_depth")) z = (left.z + right.z) / 2;
     for (int x = first; x <= last && x < task.width; ++x) {
       if (x >= 0) pixel(polygon, x, y, z);
-      z += is("z_by_slope_of_x") ? left.dx : dz;
+      if (is("depth_doubled_at_ends") && x == last) z *= 2;
+      z += is("z_by_slope_of_x") ? left.dx : is("z_by_slope_of_edge") ? left.dz : dz;
+      if (is("adds_in_float32")) z = static_cast<float>(z);
     }
   }
 
@@ -125,7 +154,7 @@ struct Program {
       if (active.empty() && fresh.empty()) continue;
       say("{\"step\":\"line\",\"y\":%d}", y);
       for (auto edge = active.begin(); edge != active.end();) {
-        if (edge->y_end <= y && !is("never_retired") && !once("missing_retirement", retirements)) {
+        if (edge->y_end + is("retired_one_late") <= y && !is("never_retired") && !once("missing_retirement", retirements)) {
           say("{\"step\":\"retire\",\"edge\":%d}", edge->number);
           edge = active.erase(edge);
         } else {
@@ -137,6 +166,9 @@ struct Program {
         for (Edge& edge : active) step(edge);
       sort(active);
       for (const Edge& edge : fresh) enter(active, edge);
+      if (is("stepped_too_early"))
+        for (Edge& edge : active)
+          if (edge.y_first == y) step(edge);
       fresh.clear();
       for (auto edge = active.begin(); edge != active.end() && std::next(edge) != active.end(); std::advance(edge, 2)) {
         span(polygon, *edge, *std::next(edge), y);

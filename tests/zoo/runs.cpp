@@ -28,6 +28,23 @@ zoo::Task triangles(std::uint64_t seed, int count, int size) {
   return task;
 }
 
+zoo::Task ties() {
+  zoo::Task task;
+  task.width = 14, task.height = 12;
+  task.points = {{1, 1, 0.5}, {12, 1, 0.5}, {1, 10, 0.5}, {3, 2, 0.5}, {12, 9, 0.5}, {2, 9, 0.5}, {12, 10, 0.5}};
+  task.polygons = {{0, {0, 1, 2}}, {1, {3, 4, 5}}, {2, {1, 6, 2}}};
+  return task;
+}
+
+zoo::Task concave() {
+  zoo::Task task;
+  task.width = 20, task.height = 16;
+  task.points = {{2, 3, 0.25}, {7, 1, 0.5},  {13, 5, 0.25}, {13, 11, 0.75}, {7, 7, 0.5},
+                 {2, 9, 0.25}, {1, 2, 0.75}, {18, 4, 0.25}, {10, 14, 0.5},  {9, 5, 0.5}};
+  task.polygons = {{0, {0, 1, 2, 3, 4, 5}}, {1, {6, 9, 7, 8}}, {2, {0, 2, 3, 4}}, {3, {1, 8, 2, 5}}};
+  return task;
+}
+
 std::string head(const zoo::Task& task, const char* number_format, const char* interpolation) {
   using nlohmann::ordered_json;
   ordered_json steps = ordered_json::array(), points = ordered_json::array(), polygons = ordered_json::array(),

@@ -12,6 +12,10 @@ namespace zstep::test {
 
 /// Triangles whose vertices lie on eighths of a pixel, so that which centres lie on an edge is exact in float32, too.
 zoo::Task triangles(std::uint64_t seed, int count, int size);
+/// Two triangles in one plane, and one that shares a border with one of them.
+zoo::Task ties();
+/// Polygons that are concave, and whose edges cross.
+zoo::Task concave();
 /// What all the programs say of themselves: the first line of a run.
 std::string head(const zoo::Task& task, const char* number_format, const char* interpolation);
 /// A run as it was printed, header and all; up to a step that cannot be, where `impossible` is there to be told of it.

@@ -6,6 +6,7 @@
 
 #include "traces/diff/buffers.hpp"
 #include "traces/formulas/walk.hpp"
+#include "traces/mistakes/name.hpp"
 
 namespace zstep::grade {
 
@@ -92,13 +93,17 @@ std::vector<bool> drawn(const Picture& picture) {
   return pixels;
 }
 
+/// Where a cause of a difference shows in the run: at its step, or before the one where something is missing.
+std::int64_t shows_at(const Judgement& found, const diff::Cause& cause) {
+  return cause.first.only_a() ? found.difference.alignment.before_in_b(cause.first.a) + 1 : cause.first.b;
+}
+
 /// The first of what parts and what is computed wrongly, in the order of the run.
 std::optional<Divergence> first_divergence(const Judgement& found) {
   std::optional<Divergence> first;
   for (const diff::Cause& cause : found.difference.causes) {
     if (cause.part != diff::Part::different) continue;
-    const std::int64_t step =
-        cause.first.only_a() ? found.difference.alignment.before_in_b(cause.first.a) + 1 : cause.first.b;
+    const std::int64_t step = shows_at(found, cause);
     if (!first || step < first->step) first = Divergence{cause.first, std::nullopt, step};
   }
   if (!found.checked.causes.empty()) {
@@ -141,6 +146,18 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
   }
   found.first = first_divergence(found);
   return found;
+}
+
+std::optional<mistakes::Mistake> mistake_in(const Trace& run, const Judgement& found) {
+  if (!found.first) return std::nullopt;
+  std::int64_t next = 0;
+  const auto look_at = [&](std::int64_t step) {
+    if (step > found.first->step && (next == 0 || step < next)) next = step;
+  };
+  for (const diff::Cause& cause : found.difference.causes)
+    if (cause.part == diff::Part::different) look_at(shows_at(found, cause));
+  for (const Cause& cause : found.checked.causes) look_at(cause.first.step);
+  return mistakes::mistake_of(run, found.first->step, next);
 }
 
 GivenRun given_run(const Header& reference, const Scene& scene, std::vector<std::string> free) {

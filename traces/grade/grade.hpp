@@ -16,6 +16,7 @@
 #include "traces/diff/diff.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace.hpp"
+#include "traces/mistakes/mistake.hpp"
 
 namespace zstep::grade {
 
@@ -67,6 +68,9 @@ struct Judgement {
 
 /// Judges a run of the reference's scene.
 Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts);
+
+/// The known mistake that the run goes wrong by, where one is found to make its very numbers.
+std::optional<mistakes::Mistake> mistake_in(const Trace& run, const Judgement& found);
 
 /// What is counted of a picture that a program printed instead of its steps: by pixel, whether something was drawn by
 /// the reference and by the program, and whether the two differ.

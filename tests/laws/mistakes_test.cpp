@@ -1,0 +1,140 @@
+// Law: a mistake of the catalogue is named where a program makes it, another one never is, and a program that makes
+// none is not said to.
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/golden/golden.hpp"
+#include "tests/zoo/programs.hpp"
+#include "tests/zoo/runs.hpp"
+#include "traces/grade/grade.hpp"
+#include "traces/mistakes/name.hpp"
+
+using namespace zstep;
+using mistakes::Mistake;
+
+namespace {
+
+std::vector<zoo::Task> tasks() {
+  return {test::triangles(3, 3, 18),
+          test::triangles(6, 6, 22),
+          test::triangles(11, 10, 26),
+          test::triangles(20, 8, 34),
+          test::triangles(31, 5, 40),
+          test::ties(),
+          test::concave()};
+}
+
+/// The name that a run of this program gets; "" where it gets none, "-" where the run is the right one's.
+std::string named(zoo::Task task, const std::string& mistake) {
+  const std::string right = zoo::edge_table(task);
+  task.mistake = mistake;
+  const std::string text = zoo::edge_table(task);
+  if (!mistake.empty() && test::first_difference(right, text) == 0) return "-";
+  std::string impossible;
+  const Trace run = test::trace_of(test::head(task, "float64", "increments") + text, &impossible);
+  const Trace reference = test::recorded_by("z-buffer", run.scene(), run.header().conventions);
+  const grade::Judgement found = grade::judge(reference, run, {});
+  const auto name = grade::mistake_in(run, found);
+  return name ? std::string(mistakes::text_of(*name).id) : "";
+}
+
+}  // namespace
+
+TEST_CASE("mistakes: each has a text, and its id is the one that the code has for it") {
+  std::set<std::string_view> ids;
+  for (std::size_t k = 0; k < mistakes::mistake_count; ++k) {
+    const mistakes::MistakeText& text = mistakes::text_of(static_cast<Mistake>(k));
+    CAPTURE(text.id);
+    CHECK(ids.insert(text.id).second);
+    CHECK(mistakes::mistake_called(text.id) == static_cast<Mistake>(k));
+    CHECK(text.name.ends_with('.'));
+    CHECK(text.question.ends_with('?'));
+  }
+  CHECK(ids.size() >= 40);
+  CHECK(mistakes::text_of(Mistake::slope_inverted).id == "slope_inverted");
+  CHECK(mistakes::text_of(Mistake::equal_wins).id == "equal_wins");
+  CHECK(mistakes::text_of(Mistake::not_interpolated).id == "not_interpolated");
+}
+
+constexpr const char* of_z_buffer[] = {
+    "horizontal_inserted", "ends_one_late",        "starts_one_early",   "slope_inverted",       "slope_whole",
+    "z_slope_of_x",        "z_not_swapped",        "x_at_vertex",        "z_at_vertex",          "stepped_too_early",
+    "stepped_twice",       "rounded_then_stepped", "z_not_carried",      "retired_one_late",     "never_retired",
+    "not_sorted",          "right_end_included",   "left_end_excluded",  "ends_rounded",         "ends_truncated",
+    "z_by_slope_of_x",     "z_by_slope_of_edge",   "z_not_to_centre",    "z_stepped_before_use", "adds_in_float32",
+    "compare_reversed",    "equal_wins",           "buffer_begins_at_0", "buffer_reset",         "buffer_of_one_line",
+    "written_before_test", "depth_not_written",    "depth_always",       "colour_not_written",   "colour_always",
+    "x_y_exchanged",       "y_upside_down"};
+
+TEST_CASE("mistakes: those of the Z-buffer are named as what they are") {
+  int right = 0, none = 0, wrong = 0;
+  std::string table;
+  for (const char* mistake : of_z_buffer) {
+    std::map<std::string, int> names;
+    for (const zoo::Task& task : tasks()) ++names[named(task, mistake)];
+    CAPTURE(mistake);
+    CHECK(names[mistake] > 0);
+    for (const auto& [name, times] : names) {
+      if (name == "-") continue;
+      (name == mistake ? right : name.empty() ? none : wrong) += times;
+      if (times > 0 && name != mistake)
+        table += std::string("\n") + mistake + ": " + (name.empty() ? "no name" : name) + " " + std::to_string(times);
+    }
+  }
+  MESSAGE(right, " of ", right + none + wrong, " named rightly, ", none, " not, ", wrong, " wrongly", table);
+  CHECK(right >= 0.95 * (right + none + wrong));
+}
+
+TEST_CASE("mistakes: of two in one program the earlier one is named") {
+  // The earlier one is the one whose first wrong step, alone, comes first; where both do at one step, either will do.
+  int right = 0, none = 0, wrong = 0;
+  std::string table;
+  std::uint32_t turn = 0;
+  for (const char* one : of_z_buffer) {
+    for (const char* other : of_z_buffer) {
+      turn = turn * 1664525 + 1013904223;
+      if (std::string(one) >= other || turn >> 24 > 60) continue;
+      zoo::Task task = tasks()[turn >> 8 & 3u];
+      const std::string text = zoo::edge_table(task);
+      std::int64_t shows[2];
+      const char* const both[2] = {one, other};
+      for (const int k : {0, 1}) {
+        zoo::Task wrong_task = task;
+        wrong_task.mistake = both[k];
+        shows[k] = test::first_difference(text, zoo::edge_table(wrong_task));
+      }
+      if (shows[0] == 0 || shows[1] == 0) continue;
+      const std::string name = named(task, std::string(one) + "+" + other);
+      const bool is_right = (name == one && shows[0] <= shows[1]) || (name == other && shows[1] <= shows[0]);
+      (is_right ? right : name.empty() ? none : wrong)++;
+      if (!is_right) table += std::string("\n") + one + "+" + other + ": " + (name.empty() ? "no name" : name);
+    }
+  }
+  MESSAGE(right, " of ", right + none + wrong, " pairs named rightly, ", none, " not, ", wrong, " wrongly", table);
+  CHECK(right + none + wrong > 60);
+  CHECK(right >= 0.85 * (right + none + wrong));
+}
+
+TEST_CASE("mistakes: a right program makes none, and of one that is not in the catalogue no name is given") {
+  for (const zoo::Task& task : tasks()) CHECK(named(task, "").empty());
+  int seen = 0, wrongly = 0;
+  std::string table;
+  for (const char* mistake :
+       {"swapped_vertex", "dropped_increment", "wrong_rounding", "missing_retirement", "entered_in_front", "mean_depth",
+        "depth_doubled_at_ends", "spans_of_even_lines", "slope_negative", "z_slope_halved", "first_polygon_always"}) {
+    for (const zoo::Task& task : tasks()) {
+      const std::string name = named(task, mistake);
+      seen += name != "-";
+      if (name == "-" || name.empty()) continue;
+      ++wrongly;
+      table += std::string("\n") + mistake + ": " + name;
+    }
+  }
+  MESSAGE(wrongly, " of ", seen, " runs with other mistakes get a name", table);
+  CHECK(seen > 30);
+  CHECK(wrongly == 0);
+}

@@ -1,0 +1,185 @@
+// Mistakes with the edge table, the active edge list and spans (000, "The algorithm" and "Double interpolation").
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "traces/formulas/coverage.hpp"
+#include "traces/formulas/lines.hpp"
+#include "traces/mistakes/supposed.hpp"
+
+namespace zstep::mistakes {
+
+namespace {
+
+using formulas::Rounded, formulas::Situation;
+using enum Mistake;
+
+/// The edge goes upwards in its outline, so that its ends have to be exchanged; false where that is not known.
+bool is_turned(const Situation& at, std::int32_t upper, std::int32_t lower) {
+  std::span<const std::int32_t> outline = at.method().outline;
+  const std::int32_t facet = at.method().facet;
+  if (outline.empty() && facet >= 0 && static_cast<std::size_t>(facet) < at.scene.facets.size()) {
+    const Facet& of = at.scene.facets[static_cast<std::size_t>(facet)];
+    outline = std::span(at.scene.corners)
+                  .subspan(static_cast<std::size_t>(of.first_corner), static_cast<std::size_t>(of.corner_count));
+  }
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    if (outline[i] == lower && outline[(i + 1) % outline.size()] == upper) return true;
+  return false;
+}
+
+std::int32_t whole_of(double x) { return static_cast<std::int32_t>(std::clamp(x, -1e9, 1e9)); }
+
+/// Edges in the list that have ended by so many scan lines, or more, when work on a line begins.
+bool any_ended(const Situation& at, std::int32_t y, std::int32_t lines) {
+  const auto& active = at.method().active;
+  return std::any_of(active.begin(), active.end(), [&](const ActiveEdge& one) {
+    const EdgeTableInsert* entry = at.edge(one.edge);
+    return entry && entry->end_row + lines <= y;
+  });
+}
+
+/// The list is out of order, and the span lies between two neighbours as if it were not.
+bool paired_unsorted(const Situation& at, const SpanBegin& e) {
+  const auto& active = at.method().active;
+  const bool sorted =
+      std::is_sorted(active.begin(), active.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  for (std::size_t place = 0; !sorted && place + 1 < active.size(); place += 2)
+    if (active[place].edge == e.left_edge && active[place + 1].edge == e.right_edge) return true;
+  return false;
+}
+
+void suppose_ends(const SpanBegin& e, const Situation& at, Supposed& out) {
+  const std::int32_t width = at.scene.raster.width;
+  const Conventions::Coverage coverage = at.header.conventions.coverage;
+  const std::int32_t first = std::max(0, formulas::limited_column(formulas::first_pixel(e.x_left, coverage), width)),
+                     last = formulas::limited_column(formulas::last_pixel(e.x_right, coverage) + 1, width) - 1;
+  const auto is = [&](std::int32_t recorded, double whole) {
+    const std::int32_t made = whole_of(whole);
+    return recorded == made || recorded == std::clamp(made, 0, width - 1);
+  };
+  const bool right = e.first == first && e.last == last;
+  out.says(right_end_included,
+           e.first == first &&
+               (is(e.last, last + 1) || is(e.last, std::floor(e.x_right)) || is(e.last, std::floor(e.x_right) + 1)),
+           right);
+  out.says(left_end_excluded, (is(e.first, first + 1) || is(e.first, std::floor(e.x_left) + 1)) && e.last == last,
+           right);
+  out.says(
+      ends_rounded,
+      is(e.first, std::round(e.x_left)) && (is(e.last, std::round(e.x_right)) || is(e.last, std::round(e.x_right) - 1)),
+      right);
+  out.says(
+      ends_truncated,
+      is(e.first, std::trunc(e.x_left)) && (is(e.last, std::trunc(e.x_right)) || is(e.last, std::trunc(e.x_right) - 1)),
+      right);
+}
+
+}  // namespace
+
+void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out) {
+  const auto a = at.on_raster(e.vertex_0), b = at.on_raster(e.vertex_1);
+  if (!a || !b) return;
+  if (a->y == b->y) return out.says(horizontal_inserted, true, false);
+  const bool other_way = a->y > b->y;
+  const OnRaster &p = other_way ? *b : *a, &q = other_way ? *a : *b;
+  const std::int32_t upper = other_way ? e.vertex_1 : e.vertex_0, lower = other_way ? e.vertex_0 : e.vertex_1;
+  const std::int32_t height = at.scene.raster.height;
+
+  const std::int32_t end = formulas::row_from(q.y, height);
+  const std::int32_t past =
+      formulas::may_include_end(at.header) ? formulas::row_from(std::floor(q.y) + 1, height) : end;
+  if (past == end || at.header.declares(Convention::coverage))
+    out.whole(ends_one_late, e.end_row, {end + 1, whole_of(std::floor(q.y)) + 1}, {end, past});
+  const std::int32_t begin = formulas::row_from(p.y, height);
+  out.whole(starts_one_early, e.first_row, {std::max(0, whole_of(std::floor(p.y))), std::max(0, begin - 1)}, {begin});
+
+  const Rounded x_0 = p.x, y_0 = p.y, z_0 = p.z, x_1 = q.x, y_1 = q.y, z_1 = q.z, row = e.first_row;
+  const Rounded dx_dy = formulas::slope(x_0, x_1, y_0, y_1), dz_dy = formulas::slope(z_0, z_1, y_0, y_1);
+  if (p.x != q.x) out.number(slope_inverted, e.dx_dy, {formulas::slope(y_0, y_1, x_0, x_1)}, dx_dy);
+  out.number(
+      slope_whole, e.dx_dy,
+      {std::trunc(dx_dy.value), std::floor(dx_dy.value), std::trunc(std::trunc(q.x - p.x) / std::trunc(q.y - p.y))},
+      dx_dy);
+  out.number(z_slope_of_x, e.dz_dy, {Rounded(e.dx_dy)}, dz_dy);
+  const Rounded z = formulas::on_line(z_0, z_1, row, y_0, y_1);
+  if (is_turned(at, upper, lower)) {
+    out.number(z_not_swapped, e.dz_dy, {-dz_dy}, dz_dy);
+    out.number(z_not_swapped, e.z_edge, {formulas::on_line(z_1, z_0, row, y_0, y_1)}, z);
+  }
+  out.number(x_at_vertex, e.x_edge, {x_0}, formulas::on_line(x_0, x_1, row, y_0, y_1));
+  out.number(z_at_vertex, e.z_edge, {z_0}, z);
+  const VertexStages *from = at.viewed(upper), *to = at.viewed(lower);
+  if (!from || !to || !at.camera) return;
+  if (at.header.conventions.depth != Conventions::Depth::view)
+    out.number(z_v_for_depth, e.z_edge, {formulas::on_line(Rounded(from->view.z), Rounded(to->view.z), row, y_0, y_1)},
+               z);
+  const bool before = std::min(from->view.z, to->view.z) < at.camera->near * (1 - formulas::rounding_of_float32);
+  out.says(not_clipped_near, before, !before);
+}
+
+void suppose(const EdgeTableSkip& e, const Situation&, Supposed& out) {
+  if (e.why == EdgeSkip::horizontal) out.says(horizontal_inserted, false, true);
+}
+
+void suppose(const ScanLineBegin& e, const Situation& at, Supposed& out) {
+  if (any_ended(at, e.y, 1)) out.says(never_retired, true, false);
+}
+
+void suppose(const EdgeRetire& e, const Situation& at, Supposed& out) {
+  const EdgeTableInsert* entry = at.edge(e.edge);
+  if (!entry || !at.method().scan_line) return;
+  const std::int32_t y = *at.method().scan_line;
+  out.says(never_retired, false, true);
+  out.says(retired_one_late, y == entry->end_row + 1, y == entry->end_row || y + 1 == entry->end_row);
+}
+
+void suppose(const EdgeStep& e, const Situation& at, Supposed& out) {
+  const EdgeTableInsert* entry = at.edge(e.edge);
+  const ActiveEdge* active = at.active(e.edge);
+  if (!entry || !active || !at.method().scan_line) return;
+  if (*at.method().scan_line == entry->first_row) out.says(stepped_too_early, true, false);
+  const Rounded x = active->x, dx = entry->dx_dy, z = active->z, dz = entry->dz_dy;
+  Rounded right_x = x + dx, right_z = z + dz;
+  if (!at.adds_slopes()) {
+    const auto a = at.on_raster(entry->vertex_0), b = at.on_raster(entry->vertex_1);
+    if (!a || !b) return;
+    const Rounded y = *at.method().scan_line;
+    right_x = formulas::on_line(Rounded(a->x), Rounded(b->x), y, Rounded(a->y), Rounded(b->y));
+    right_z = formulas::on_line(Rounded(a->z), Rounded(b->z), y, Rounded(a->y), Rounded(b->y));
+  }
+  out.number(rounded_then_stepped, e.x_edge,
+             {std::round((x + dx).value), std::trunc((x + dx).value), std::floor((x + dx).value)}, right_x);
+  out.number(z_not_carried, e.z_edge, {z}, right_z);
+  out.sum_in_float32(e.x_edge, active->x, entry->dx_dy, right_x);
+  out.sum_in_float32(e.z_edge, active->z, entry->dz_dy, right_z);
+}
+
+void suppose(const EdgeSwap&, const Situation&, Supposed& out) { out.says(not_sorted, false, true); }
+
+void suppose(const SpanBegin& e, const Situation& at, Supposed& out) {
+  if (paired_unsorted(at, e)) out.says(not_sorted, true, false);
+  for (const Mistake mistake : {retired_one_late, never_retired})
+    if (any_ended(at, e.y, 0)) out.says(mistake, true, false);
+  suppose_ends(e, at, out);
+  const EdgeTableInsert* left = nullptr;
+  for (const std::int32_t edge : {e.right_edge, e.left_edge}) {
+    const ActiveEdge* active = at.active(edge);
+    const EdgeTableInsert* entry = at.edge(edge);
+    if (!active || !entry) return;
+    left = entry;
+    if (entry->dx_dy == 0) continue;
+    const double rows = e.y - entry->first_row;
+    if (rows == 0)
+      out.says(stepped_too_early, !out.equal(active->x, entry->x_edge), out.equal(active->x, entry->x_edge));
+    const Rounded x = entry->x_edge, dx = entry->dx_dy;
+    if (rows > 0) out.number(stepped_twice, active->x, {x + Rounded(2 * rows) * dx}, x + Rounded(rows) * dx);
+  }
+  if (e.x_left == e.x_right) return;
+  const Rounded dz_dx = formulas::slope(Rounded(e.z_left), Rounded(e.z_right), Rounded(e.x_left), Rounded(e.x_right));
+  const EdgeTableInsert* right = at.edge(e.right_edge);
+  out.shows(z_by_slope_of_x, e.dz_dx, {Rounded(left->dx_dy), Rounded(right->dx_dy)}, dz_dx);
+  out.shows(z_by_slope_of_edge, e.dz_dx, {Rounded(left->dz_dy), Rounded(right->dz_dy)}, dz_dx);
+}
+
+}  // namespace zstep::mistakes

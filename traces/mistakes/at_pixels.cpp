@@ -1,0 +1,128 @@
+// Mistakes with the depth of a pixel, the compare and the two writes (000, "The algorithm").
+#include <cmath>
+
+#include "traces/formulas/lines.hpp"
+#include "traces/mistakes/supposed.hpp"
+
+namespace zstep::mistakes {
+
+namespace {
+
+using formulas::Rounded, formulas::Situation;
+using enum Mistake;
+
+/// Before another pixel's turn comes: were depth and colour of the last one written if, and only if, it was nearer?
+void suppose_last_written(const Situation& at, Supposed& out) {
+  const auto& last = at.method().fragment;
+  if (!last || !last->nearer || at.method().keeps_all || at.method().polygon == no_polygon) return;
+  const auto pixel = static_cast<std::size_t>(at.pixel(last->x, last->y));
+  const bool drawn = at.before.picture.polygon[pixel] == at.method().polygon;
+  const bool stored = at.before.picture.depth[pixel] == last->z;
+  const bool was_drawn = last->stored_polygon == at.method().polygon, was_stored = last->stored == last->z;
+  if (*last->nearer) {
+    if (!was_stored && at.has_step<DepthWrite>()) out.says(depth_not_written, !stored && drawn, stored);
+    if (!was_drawn && at.has_step<PixelWrite>()) out.says(colour_not_written, !drawn && stored, drawn);
+    return;
+  }
+  if (!was_drawn) out.says(colour_always, drawn, !drawn);
+  if (!was_stored) out.says(depth_always, stored, !stored);
+}
+
+/// The depth that the span at work has at this pixel, and what mistakes make of it.
+template <class E>
+void suppose_depth(const E& e, const Situation& at, Supposed& out) {
+  const auto& span = at.method().span;
+  if (!span) return;
+  const std::int32_t other_way = at.scene.raster.height - 1 - span->y;
+  if (other_way != span->y) out.says(y_upside_down, e.y == other_way, e.y == span->y);
+  using enum Conventions::Interpolation;
+  const auto how = at.header.conventions.interpolation;
+  const bool by_span = how == direct || how == increments;
+  if (e.y != span->y || span->x_left == span->x_right || !by_span ||
+      at.header.conventions.depth == Conventions::Depth::corrected)
+    return;
+  const Rounded z_left = span->z_left, z_right = span->z_right, x_left = span->x_left, x_right = span->x_right, x = e.x,
+                dz_dx = span->dz_dx;
+  const Rounded directly = formulas::on_line(z_left, z_right, x, x_left, x_right);
+  const Fragment* last = at.fragment(e.x - 1, e.y);
+  const bool adds = how == increments && last;
+  const Rounded right = adds ? Rounded(last->z) + dz_dx : directly;
+  if (!adds) {
+    const Rounded from_first = z_left + (z_right - z_left) * (x - Rounded(span->first)) / (x_right - x_left);
+    out.number(z_not_to_centre, e.z, {from_first}, right);
+    out.number(z_stepped_before_use, e.z, {directly + dz_dx}, right);
+  }
+  if (!last || e.x <= span->first) return;
+  const Rounded z = last->z;
+  if (const EdgeTableInsert* left = at.edge(span->left_edge), *beyond = at.edge(span->right_edge); left && beyond) {
+    out.number(z_by_slope_of_x, e.z, {z + Rounded(left->dx_dy), z + Rounded(beyond->dx_dy)}, right);
+    out.number(z_by_slope_of_edge, e.z, {z + Rounded(left->dz_dy), z + Rounded(beyond->dz_dy)}, right);
+  }
+  out.sum_in_float32(e.z, last->z, span->dz_dx, right);
+}
+
+/// Is a write at the pixel whose depth was compared, or with x and y exchanged?
+template <class E>
+void suppose_place(const E& e, const Situation& at, Supposed& out) {
+  const auto& fragment = at.method().fragment;
+  if (!fragment || fragment->x == fragment->y) return;
+  if (e.x == fragment->y && e.y == fragment->x) out.says(x_y_exchanged, true, false);
+}
+
+}  // namespace
+
+void suppose(const PolygonBegin&, const Situation& at, Supposed& out) { suppose_last_written(at, out); }
+
+void suppose(const BuffersClear& e, const Situation& at, Supposed& out) {
+  const double empty = at.header.empty_depth();
+  if (empty != 0) out.says(buffer_begins_at_0, e.z == 0, e.z == empty);
+  if (at.before.position > 0 && at.method().polygon != no_polygon) out.says(buffer_reset, true, false);
+}
+
+void suppose(const DepthInterpolate& e, const Situation& at, Supposed& out) {
+  suppose_last_written(at, out);
+  suppose_depth(e, at, out);
+}
+
+void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
+  if (!at.records<DepthInterpolate>()) {
+    suppose_last_written(at, out);
+    suppose_depth(e, at, out);
+  }
+  const double stored = at.stored(e.x, e.y);
+  const Comparison& comparison = at.header.comparison;
+  const bool wins = comparison.wins(e.z, stored), right = e.nearer == wins;
+  const bool tie = e.z == stored || out.equal(e.z, Rounded(stored));
+  const std::int32_t drawn = at.before.picture.polygon[static_cast<std::size_t>(at.pixel(e.x, e.y))];
+  out.says(equal_wins, tie ? e.nearer : right, right);
+  auto& line = out.one_line;
+  if (line.empty()) line.assign(static_cast<std::size_t>(at.scene.raster.width), at.header.empty_depth());
+  double& last = line[static_cast<std::size_t>(e.x)];
+  const bool wins_on_line = comparison.wins(e.z, last);
+  if (wins_on_line) last = e.z;
+  out.says(buffer_of_one_line, e.nearer == wins_on_line, right);
+  if (tie) return;
+  if (drawn != no_polygon) out.says(compare_reversed, !right, right);
+  else if (e.nearer != comparison.wins(e.z, 0)) out.rules_out(buffer_begins_at_0);
+  else out.says(buffer_begins_at_0, true, right);
+  const bool of_other = drawn != no_polygon && drawn != at.method().polygon;
+  out.says(buffer_reset, of_other ? e.nearer : right, right);
+}
+
+void suppose(const DepthWrite& e, const Situation& at, Supposed& out) {
+  suppose_place(e, at, out);
+  const Fragment* fragment = at.fragment(e.x, e.y);
+  if (!fragment) return;
+  out.says(written_before_test, !fragment->nearer, fragment->nearer.has_value());
+  if (fragment->nearer) out.says(depth_always, true, *fragment->nearer);
+}
+
+void suppose(const PixelWrite& e, const Situation& at, Supposed& out) {
+  suppose_place(e, at, out);
+  const Fragment* fragment = at.fragment(e.x, e.y);
+  if (!fragment || !fragment->nearer) return;
+  out.says(colour_always, true, *fragment->nearer);
+  out.says(colour_not_written, false, true);
+}
+
+}  // namespace zstep::mistakes

@@ -1,0 +1,35 @@
+// Mistakes with rays: which of the points that a ray meets is kept, and which boxes it is thought to meet (002).
+#include "traces/formulas/of_rays.hpp"
+#include "traces/mistakes/supposed.hpp"
+
+namespace zstep::mistakes {
+
+using formulas::Situation;
+using enum Mistake;
+
+void suppose(const BoxTest& e, const Situation& at, Supposed& out) {
+  const RayBegin* ray = formulas::detail::ray_cast_last(at);
+  const auto box = static_cast<std::size_t>(e.box);
+  if (!ray || e.box < 0 || box >= at.method().boxes.size()) return;
+  const std::array<double, 3> way = formulas::detail::way_of(*ray);
+  if (std::find(way.begin(), way.end(), 0.0) == way.end()) return;
+  const formulas::detail::Passage passage = formulas::detail::passage_of(*ray, at.method().boxes[box].entry);
+  const formulas::detail::Reach reach = formulas::detail::reach_of(at, *ray);
+  const RayHit* kept = formulas::detail::kept_hit(at);
+  const bool met = passage.enter.value < passage.leave.value && passage.leave.value > reach.least &&
+                   passage.enter.value < (kept ? kept->t : reach.most);
+  if (met) out.says(box_misses_at_0, !e.hit, e.hit);
+}
+
+void suppose(const RayHit& e, const Situation& at, Supposed& out) {
+  const RayBegin* ray = formulas::detail::ray_at_work(at);
+  if (!ray || formulas::detail::ray_cast_last(at) != ray || !e.inside) return;
+  const formulas::detail::Reach reach = formulas::detail::reach_of(at, *ray);
+  const RayHit* kept = formulas::detail::kept_hit(at);
+  const bool nearer = !kept || e.t < kept->t;
+  if (e.t < reach.least || e.t < 0) out.says(negative_t, e.nearest == nearer, !e.nearest);
+  if (e.t < reach.least || e.t > reach.most || (kept && e.t == kept->t)) return;
+  out.says(nearest_by_index, e.nearest, e.nearest == nearer);
+}
+
+}  // namespace zstep::mistakes

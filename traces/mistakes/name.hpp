@@ -1,0 +1,21 @@
+// Which known mistake did the program make that wrote a run?
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "traces/file/trace.hpp"
+#include "traces/mistakes/mistake.hpp"
+#include "traces/mistakes/supposed.hpp"
+
+namespace zstep::mistakes {
+
+/// How each mistake fits the run. Goes through it once.
+std::array<Fit, mistake_count> fits_of(const Trace& run);
+
+/// The mistake that a run goes wrong by, where one of the catalogue makes the run's own numbers from there on. `first`
+/// is the step at which it first goes wrong, `next` the first one that is wrong for another reason; 0 where none is.
+/// The mistake must show before that: what shows later may be another's doing.
+std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next);
+
+}  // namespace zstep::mistakes

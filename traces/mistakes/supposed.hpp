@@ -1,0 +1,144 @@
+// What a step would be like if its program made a mistake.
+//
+// For the kinds of event in which mistakes show there is one function, `suppose(e, at, out)`, in the files beside this
+// one. From the state that the run itself has it says, for each mistake that would show in this step, what the mistake
+// would have made of it, and what a right program makes of it:
+//
+//   out.number(Mistake::slope_inverted, e.dx_dy, {dy / dx}, dx / dy);      a number
+//   out.shows(…)                                                           a number that may be right all the same
+//   out.whole(Mistake::ends_one_late, e.end_row, {end + 1}, {end});       a whole number
+//   out.says(Mistake::equal_wins, tie && e.nearer, e.nearer == wins);     anything else: is the step as the mistake
+//   would
+//                                                                         have it, and is it as it should be?
+//
+// Where the two are alike, the step says nothing of the mistake.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "traces/check/precision.hpp"
+#include "traces/formulas/rounding.hpp"
+#include "traces/formulas/situation.hpp"
+#include "traces/mistakes/mistake.hpp"
+
+namespace zstep::mistakes {
+
+/// How a mistake fits a run.
+struct Fit {
+  std::int64_t first = 0;    ///< the first step that is as the mistake would have it, and wrong; 0 where none is
+  std::int64_t as_made = 0;  ///< all of them
+  std::int64_t against_before = 0, against_after = 0;  ///< steps that the mistake would have made otherwise
+
+  /// Does the mistake make the numbers of the run, from where it shows on?
+  bool holds() const {
+    constexpr std::int64_t many = 3;
+    return as_made > 0 && against_after == 0 && (against_before == 0 || as_made >= many);
+  }
+};
+
+class Supposed {
+ public:
+  explicit Supposed(const Precision& precision) : precision_(precision) {}
+
+  void begin(std::int64_t step) { step_ = step; }
+  std::optional<SideTest> side;     ///< the last one, until the next test
+  std::vector<double> one_line;     ///< a depth buffer of a single line, by column
+  std::set<std::int32_t> spanning;  ///< pieces that were found on both sides of a plane, and not cut yet
+  const Fit& fit(Mistake mistake) const { return fits_[static_cast<std::size_t>(mistake)]; }
+
+  bool equal(double recorded, const formulas::Rounded& formula) const {
+    return formulas::gives(formula, recorded, precision_.relative) ||
+           std::abs(recorded - formula.value) <= precision_.absolute;
+  }
+  void says(Mistake mistake, bool as_made, bool as_right) {
+    if (as_made && as_right) return;
+    Fit& fit = fits_[static_cast<std::size_t>(mistake)];
+    if (as_made) {
+      if (fit.first == 0) fit.first = step_;
+      ++fit.as_made;
+    } else {
+      ++(fit.first == 0 ? fit.against_before : fit.against_after);
+    }
+  }
+  /// The mistake is not made: it would have shown from the beginning.
+  void rules_out(Mistake mistake) { ++fits_[static_cast<std::size_t>(mistake)].against_after; }
+  void number(Mistake mistake, double recorded, std::initializer_list<formulas::Rounded> made,
+              const formulas::Rounded& right) {
+    says(mistake, std::any_of(made.begin(), made.end(), [&](const auto& one) { return equal(recorded, one); }),
+         equal(recorded, right));
+  }
+  /// The same where a program may do without this number: then it says nothing against the mistake.
+  void shows(Mistake mistake, double recorded, std::initializer_list<formulas::Rounded> made,
+             const formulas::Rounded& right) {
+    if (!equal(recorded, right)) number(mistake, recorded, made, right);
+  }
+  /// A sum that a variable with few digits keeps, or two such variables.
+  void sum_in_float32(double recorded, double one, double other, const formulas::Rounded& right) {
+    const float kept = static_cast<float>(one + other), both = static_cast<float>(one) + static_cast<float>(other);
+    shows(Mistake::adds_in_float32, recorded, {static_cast<double>(kept), static_cast<double>(both)}, right);
+  }
+  void whole(Mistake mistake, std::int32_t recorded, std::initializer_list<std::int32_t> made,
+             std::initializer_list<std::int32_t> right) {
+    const auto is_one = [&](std::int32_t one) { return one == recorded; };
+    says(mistake, std::any_of(made.begin(), made.end(), is_one), std::any_of(right.begin(), right.end(), is_one));
+  }
+
+ private:
+  Precision precision_;
+  std::int64_t step_ = 0;
+  std::array<Fit, mistake_count> fits_{};
+};
+
+// Vertices and polygons.
+void suppose(const ViewTransform& e, const formulas::Situation& at, Supposed& out);
+void suppose(const Projection& e, const formulas::Situation& at, Supposed& out);
+void suppose(const ViewportTransform& e, const formulas::Situation& at, Supposed& out);
+void suppose(const FacingTest& e, const formulas::Situation& at, Supposed& out);
+void suppose(const ClipCross& e, const formulas::Situation& at, Supposed& out);
+// Edges and spans.
+void suppose(const EdgeTableInsert& e, const formulas::Situation& at, Supposed& out);
+void suppose(const EdgeTableSkip& e, const formulas::Situation& at, Supposed& out);
+void suppose(const ScanLineBegin& e, const formulas::Situation& at, Supposed& out);
+void suppose(const EdgeRetire& e, const formulas::Situation& at, Supposed& out);
+void suppose(const EdgeStep& e, const formulas::Situation& at, Supposed& out);
+void suppose(const EdgeSwap& e, const formulas::Situation& at, Supposed& out);
+void suppose(const SpanBegin& e, const formulas::Situation& at, Supposed& out);
+// Pixels.
+void suppose(const PolygonBegin& e, const formulas::Situation& at, Supposed& out);
+void suppose(const BuffersClear& e, const formulas::Situation& at, Supposed& out);
+void suppose(const DepthInterpolate& e, const formulas::Situation& at, Supposed& out);
+void suppose(const DepthCompare& e, const formulas::Situation& at, Supposed& out);
+void suppose(const DepthWrite& e, const formulas::Situation& at, Supposed& out);
+void suppose(const PixelWrite& e, const formulas::Situation& at, Supposed& out);
+// The scan-line method.
+void suppose(const SpanFlags& e, const formulas::Situation& at, Supposed& out);
+void suppose(const SpanWinner& e, const formulas::Situation& at, Supposed& out);
+// Lists and trees.
+void suppose(const ListInsert& e, const formulas::Situation& at, Supposed& out);
+void suppose(const PairBegin& e, const formulas::Situation& at, Supposed& out);
+void suppose(const SideTest& e, const formulas::Situation& at, Supposed& out);
+void suppose(const OverlapTest& e, const formulas::Situation& at, Supposed& out);
+void suppose(const PieceMake& e, const formulas::Situation& at, Supposed& out);
+void suppose(const PieceDraw& e, const formulas::Situation& at, Supposed& out);
+void suppose(const NodeMake& e, const formulas::Situation& at, Supposed& out);
+void suppose(const NodeAdd& e, const formulas::Situation& at, Supposed& out);
+void suppose(const EyeSide& e, const formulas::Situation& at, Supposed& out);
+/// After the last step.
+void suppose_at_end(const formulas::Situation& at, Supposed& out);
+// Areas.
+void suppose(const AreaBegin& e, const formulas::Situation& at, Supposed& out);
+void suppose(const AreaDecide& e, const formulas::Situation& at, Supposed& out);
+// Rays.
+void suppose(const BoxTest& e, const formulas::Situation& at, Supposed& out);
+void suppose(const RayHit& e, const formulas::Situation& at, Supposed& out);
+// Curves.
+void suppose(const HorizonTest& e, const formulas::Situation& at, Supposed& out);
+
+}  // namespace zstep::mistakes
