@@ -10,6 +10,7 @@
 #include "sim/cli/commands.hpp"
 #include "sim/cli/table.hpp"
 #include "sim/cli/words.hpp"
+#include "traces/mistakes/mistake.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -47,10 +48,20 @@ std::string scenes_text() {
   return table.text();
 }
 
+std::string mistakes_text() {
+  Table table({left, left, left});
+  for (std::size_t k = 0; k < mistakes::mistake_count; ++k) {
+    const mistakes::MistakeText& text = mistakes::text_of(static_cast<mistakes::Mistake>(k));
+    table.row({std::string(text.id), std::string(text.name), std::string(text.lesson)});
+  }
+  return table.text();
+}
+
 int list(const std::string& what) {
   const bool all = what.empty();
   if (all || what == "methods") fmt::print("{}{}", all ? "Methods (--algorithm NAME)\n" : "", methods_text());
   if (what == "options") fmt::print("{}", options_text());
+  if (what == "mistakes") fmt::print("{}", mistakes_text());
   if (all || what == "lessons") fmt::print("{}{}", all ? "\nLessons (zstep lesson NAME)\n" : "", lessons_text());
   if (all || what == "scenes") {
     fmt::print("{}{}", all ? "\nScenes (zstep render NAME, record NAME, view NAME)\n" : "", scenes_text());
@@ -66,12 +77,12 @@ int list(const std::string& what) {
 void add_list(CLI::App& app, Action& action) {
   const auto what = std::make_shared<std::string>();
   CLI::App* command =
-      app.add_subcommand("list", "Name the methods and their options, the lessons and the scenes there are");
+      app.add_subcommand("list", "Name the methods and their options, the lessons, the scenes and the mistakes there are");
   const auto take = [what](const std::string& text) {
-    const std::vector<std::string> words{"methods", "options", "lessons", "scenes"};
+    const std::vector<std::string> words{"methods", "options", "lessons", "scenes", "mistakes"};
     *what = words.at(parse_choice("zstep list", text, words));
   };
-  command->add_option_function<std::string>("what", take, "Only these")->type_name("methods|options|lessons|scenes");
+  command->add_option_function<std::string>("what", take, "Only these")->type_name("methods|options|lessons|scenes|mistakes");
   command->footer("Examples:\n  zstep list\n  zstep list lessons");
   command->callback([what, &action] { action = [what] { return list(*what); }; });
 }

@@ -97,7 +97,10 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& fi
     graded.counts = found.parts;
     if (!runs.impossible.empty()) graded.why = "the run is judged up to a step that cannot be: " + runs.impossible;
     else if (!runs.submission.warnings().empty()) graded.why = runs.submission.warnings().front();
-    if (found.first) graded.first = in_words(runs, *found.first, graded.file);
+    if (found.first) {
+      graded.first = in_words(runs, *found.first, graded.file);
+      graded.first->mistake = grade::mistake_in(runs.submission, found);
+    }
   } catch (const InputError& error) {
     graded.state = Graded::State::unreadable;
     graded.why = error.what();
@@ -106,6 +109,13 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& fi
 }
 
 }  // namespace
+
+std::vector<std::string> mistake_lines(const FirstWrong& first) {
+  if (!first.mistake) return {};
+  const mistakes::MistakeText& text = mistakes::text_of(*first.mistake);
+  return {fmt::format("Likely: {}", text.name), std::string(text.question),
+          fmt::format("“{}” in: zstep lesson {}", text.stop, text.lesson)};
+}
 
 fs::path run_of(const fs::path& submission, const Homework& homework, const Task& task) {
   std::error_code ignored;

@@ -34,6 +34,7 @@ std::string first_text(const FirstWrong& first) {
   text += "\n" + first.what + "\n";
   for (const std::string& line : first.expected) text += "expected  " + line + "\n";
   for (const std::string& line : first.found) text += "yours     " + line + "\n";
+  for (const std::string& line : mistake_lines(first)) text += line + "\n";
   return text;
 }
 
@@ -95,6 +96,11 @@ std::string report_json(const Assessment& all) {
       one["first"] = {{"at", task.first->at},       {"step", task.first->step}, {"subject", task.first->subject},
                       {"where", task.first->where}, {"what", task.first->what}, {"expected", task.first->expected},
                       {"found", task.first->found}};
+    if (task.first && task.first->mistake) {
+      const mistakes::MistakeText& text = mistakes::text_of(*task.first->mistake);
+      one["mistake"] = {{"id", text.id}, {"name", text.name}, {"question", text.question}, {"lesson", text.lesson},
+                        {"stop", text.stop}};
+    }
     tasks.push_back(one);
   }
   return dumped({{"homework", all.homework->title},

@@ -73,6 +73,7 @@ std::string report_text(const Assessment& all, const std::string& command) {
                       first.subject.empty() ? "" : ", " + first.subject, first.what);
   for (const std::string& line : first.expected) text += fmt::format("  expected  {}\n", line);
   for (const std::string& line : first.found) text += fmt::format("  yours     {}\n", line);
+  for (const std::string& line : mistake_lines(first)) text += fmt::format("  {}\n", line);
   return text + fmt::format("  {} --scene {} --view\n", command, shell_word(wrong->task->name));
 }
 

@@ -2,12 +2,16 @@
 // none is not said to.
 #include <doctest/doctest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "tests/golden/golden.hpp"
+#include "tests/where.hpp"
 #include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
 #include "traces/grade/grade.hpp"
@@ -26,6 +30,17 @@ std::vector<zoo::Task> tasks() {
           test::triangles(31, 5, 40),
           test::ties(),
           test::concave()};
+}
+
+/// The text of lessons/NUMBER-NAME.md.
+std::string lesson_called(const std::string& name) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::in_checkout("lessons"))) {
+    const std::string file = entry.path().stem().string();
+    if (file.substr(file.find('-') + 1) != name) continue;
+    std::ifstream in(entry.path());
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  return {};
 }
 
 /// The name that a run of this program gets; "" where it gets none, "-" where the run is the right one's.
@@ -53,6 +68,8 @@ TEST_CASE("mistakes: each has a text, and its id is the one that the code has fo
     CHECK(mistakes::mistake_called(text.id) == static_cast<Mistake>(k));
     CHECK(text.name.ends_with('.'));
     CHECK(text.question.ends_with('?'));
+    const std::string lesson = lesson_called(std::string(text.lesson));
+    CHECK(lesson.find("\n## " + std::string(text.stop) + " {") != std::string::npos);
   }
   CHECK(ids.size() >= 40);
   CHECK(mistakes::text_of(Mistake::slope_inverted).id == "slope_inverted");

@@ -75,7 +75,8 @@ void suppose(const PolygonBegin&, const Situation& at, Supposed& out) { suppose_
 
 void suppose(const BuffersClear& e, const Situation& at, Supposed& out) {
   const double empty = at.header.empty_depth();
-  if (empty != 0) out.says(buffer_begins_at_0, e.z == 0, e.z == empty);
+  if (e.z == 0 && empty != 0) out.says(buffer_begins_at_0, true, false);
+  if (e.z == empty && empty != 0) out.rules_out(buffer_begins_at_0);
   if (at.before.position > 0 && at.method().polygon != no_polygon) out.says(buffer_reset, true, false);
 }
 
@@ -102,9 +103,10 @@ void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   if (wins_on_line) last = e.z;
   out.says(buffer_of_one_line, e.nearer == wins_on_line, right);
   if (tie) return;
-  if (drawn != no_polygon) out.says(compare_reversed, !right, right);
-  else if (e.nearer != comparison.wins(e.z, 0)) out.rules_out(buffer_begins_at_0);
-  else out.says(buffer_begins_at_0, true, right);
+  const bool empty = drawn == no_polygon;
+  if (!empty || !right) out.says(compare_reversed, !right, right);
+  if (empty && e.nearer == comparison.wins(e.z, 0)) out.says(buffer_begins_at_0, true, right);
+  else if (empty) out.rules_out(buffer_begins_at_0);
   const bool of_other = drawn != no_polygon && drawn != at.method().polygon;
   out.says(buffer_reset, of_other ? e.nearer : right, right);
 }
