@@ -104,6 +104,9 @@ void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   out.says(buffer_of_one_line, e.nearer == wins_on_line, right);
   if (tie) return;
   const bool empty = drawn == no_polygon;
+  // Against nothing, a reversed compare either always loses or has a case of its own.
+  if (empty) (e.nearer ? out.won_empty : out.lost_empty) = true;
+  if (out.won_empty && out.lost_empty) out.rules_out(compare_reversed);
   if (!empty || !right) out.says(compare_reversed, !right, right);
   if (empty && e.nearer == comparison.wins(e.z, 0)) out.says(buffer_begins_at_0, true, right);
   else if (empty) out.rules_out(buffer_begins_at_0);

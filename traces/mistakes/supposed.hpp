@@ -49,6 +49,7 @@ class Supposed {
 
   void begin(std::int64_t step) { step_ = step; }
   std::optional<SideTest> side;     ///< the last one, until the next test
+  bool won_empty = false, lost_empty = false;  ///< a pixel where nothing was drawn yet
   std::vector<double> one_line;     ///< a depth buffer of a single line, by column
   std::set<std::int32_t> spanning;  ///< pieces that were found on both sides of a plane, and not cut yet
   const Fit& fit(Mistake mistake) const { return fits_[static_cast<std::size_t>(mistake)]; }
