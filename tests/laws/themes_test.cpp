@@ -85,9 +85,11 @@ std::string recorded_in(const std::string& kind) {
   return text;
 }
 
-/// Where a theme's kinds have their place: the vocabulary, formulas, replay, panes, and the methods that record them.
+/// Where a theme's kinds have their place: the vocabulary, formulas, the mistakes that are made with them, replay, panes,
+/// and the methods that record them.
 bool at_home(const std::string& file) {
-  for (const char* folder : {"algorithms/", "traces/events/", "traces/formulas/", "traces/replay/", "sim/viewer/panes/"})
+  for (const char* folder : {"algorithms/", "traces/events/", "traces/formulas/", "traces/mistakes/", "traces/replay/",
+                             "sim/viewer/panes/"})
     if (file.starts_with(folder)) return true;
   return false;
 }

@@ -1,6 +1,14 @@
 #include "traces/mistakes/name.hpp"
 
 #include "traces/formulas/walk.hpp"
+#include "traces/mistakes/of_areas.hpp"
+#include "traces/mistakes/of_curves.hpp"
+#include "traces/mistakes/of_edges.hpp"
+#include "traces/mistakes/of_orders.hpp"
+#include "traces/mistakes/of_pixels.hpp"
+#include "traces/mistakes/of_rays.hpp"
+#include "traces/mistakes/of_sweep.hpp"
+#include "traces/mistakes/of_vertices.hpp"
 
 namespace zstep::mistakes {
 

@@ -1,8 +1,8 @@
 // What a step would be like if its program made a mistake.
 //
-// For the kinds of event in which mistakes show there is one function, `suppose(e, at, out)`, in the files beside this
-// one. From the state that the run itself has it says, for each mistake that would show in this step, what the mistake
-// would have made of it, and what a right program makes of it:
+// For the kinds of event in which mistakes show there is one function, `suppose(e, at, out)`, in the headers beside
+// this one. From the state that the run itself has it says, for each mistake that would show in this step, what the
+// mistake would have made of it, and what a right program makes of it:
 //
 //   out.number(Mistake::slope_inverted, e.dx_dy, {dy / dx}, dx / dy);      a number
 //   out.shows(…)                                                           a number that may be right all the same
@@ -30,6 +30,9 @@
 
 namespace zstep::mistakes {
 
+using formulas::Rounded, formulas::Situation;
+using enum Mistake;
+
 /// How a mistake fits a run.
 struct Fit {
   std::int64_t first = 0;    ///< the first step that is as the mistake would have it, and wrong; 0 where none is
@@ -48,13 +51,13 @@ class Supposed {
   explicit Supposed(const Precision& precision) : precision_(precision) {}
 
   void begin(std::int64_t step) { step_ = step; }
-  std::optional<SideTest> side;     ///< the last one, until the next test
+  std::optional<SideTest> side;                ///< the last one, until the next test
   bool won_empty = false, lost_empty = false;  ///< a pixel where nothing was drawn yet
-  std::vector<double> one_line;     ///< a depth buffer of a single line, by column
-  std::set<std::int32_t> spanning;  ///< pieces that were found on both sides of a plane, and not cut yet
+  std::vector<double> one_line;                ///< a depth buffer of a single line, by column
+  std::set<std::int32_t> spanning;             ///< pieces that were found on both sides of a plane, and not cut yet
   const Fit& fit(Mistake mistake) const { return fits_[static_cast<std::size_t>(mistake)]; }
 
-  bool equal(double recorded, const formulas::Rounded& formula) const {
+  bool equal(double recorded, const Rounded& formula) const {
     return formulas::gives(formula, recorded, precision_.relative) ||
            std::abs(recorded - formula.value) <= precision_.absolute;
   }
@@ -70,18 +73,16 @@ class Supposed {
   }
   /// The mistake is not made: it would have shown from the beginning.
   void rules_out(Mistake mistake) { ++fits_[static_cast<std::size_t>(mistake)].against_after; }
-  void number(Mistake mistake, double recorded, std::initializer_list<formulas::Rounded> made,
-              const formulas::Rounded& right) {
+  void number(Mistake mistake, double recorded, std::initializer_list<Rounded> made, const Rounded& right) {
     says(mistake, std::any_of(made.begin(), made.end(), [&](const auto& one) { return equal(recorded, one); }),
          equal(recorded, right));
   }
   /// The same where a program may do without this number: then it says nothing against the mistake.
-  void shows(Mistake mistake, double recorded, std::initializer_list<formulas::Rounded> made,
-             const formulas::Rounded& right) {
+  void shows(Mistake mistake, double recorded, std::initializer_list<Rounded> made, const Rounded& right) {
     if (!equal(recorded, right)) number(mistake, recorded, made, right);
   }
   /// A sum that a variable with few digits keeps, or two such variables.
-  void sum_in_float32(double recorded, double one, double other, const formulas::Rounded& right) {
+  void sum_in_float32(double recorded, double one, double other, const Rounded& right) {
     const float kept = static_cast<float>(one + other), both = static_cast<float>(one) + static_cast<float>(other);
     shows(Mistake::adds_in_float32, recorded, {static_cast<double>(kept), static_cast<double>(both)}, right);
   }
@@ -96,50 +97,5 @@ class Supposed {
   std::int64_t step_ = 0;
   std::array<Fit, mistake_count> fits_{};
 };
-
-// Vertices and polygons.
-void suppose(const ViewTransform& e, const formulas::Situation& at, Supposed& out);
-void suppose(const Projection& e, const formulas::Situation& at, Supposed& out);
-void suppose(const ViewportTransform& e, const formulas::Situation& at, Supposed& out);
-void suppose(const FacingTest& e, const formulas::Situation& at, Supposed& out);
-void suppose(const ClipCross& e, const formulas::Situation& at, Supposed& out);
-// Edges and spans.
-void suppose(const EdgeTableInsert& e, const formulas::Situation& at, Supposed& out);
-void suppose(const EdgeTableSkip& e, const formulas::Situation& at, Supposed& out);
-void suppose(const ScanLineBegin& e, const formulas::Situation& at, Supposed& out);
-void suppose(const EdgeRetire& e, const formulas::Situation& at, Supposed& out);
-void suppose(const EdgeStep& e, const formulas::Situation& at, Supposed& out);
-void suppose(const EdgeSwap& e, const formulas::Situation& at, Supposed& out);
-void suppose(const SpanBegin& e, const formulas::Situation& at, Supposed& out);
-// Pixels.
-void suppose(const PolygonBegin& e, const formulas::Situation& at, Supposed& out);
-void suppose(const BuffersClear& e, const formulas::Situation& at, Supposed& out);
-void suppose(const DepthInterpolate& e, const formulas::Situation& at, Supposed& out);
-void suppose(const DepthCompare& e, const formulas::Situation& at, Supposed& out);
-void suppose(const DepthWrite& e, const formulas::Situation& at, Supposed& out);
-void suppose(const PixelWrite& e, const formulas::Situation& at, Supposed& out);
-// The scan-line method.
-void suppose(const SpanFlags& e, const formulas::Situation& at, Supposed& out);
-void suppose(const SpanWinner& e, const formulas::Situation& at, Supposed& out);
-// Lists and trees.
-void suppose(const ListInsert& e, const formulas::Situation& at, Supposed& out);
-void suppose(const PairBegin& e, const formulas::Situation& at, Supposed& out);
-void suppose(const SideTest& e, const formulas::Situation& at, Supposed& out);
-void suppose(const OverlapTest& e, const formulas::Situation& at, Supposed& out);
-void suppose(const PieceMake& e, const formulas::Situation& at, Supposed& out);
-void suppose(const PieceDraw& e, const formulas::Situation& at, Supposed& out);
-void suppose(const NodeMake& e, const formulas::Situation& at, Supposed& out);
-void suppose(const NodeAdd& e, const formulas::Situation& at, Supposed& out);
-void suppose(const EyeSide& e, const formulas::Situation& at, Supposed& out);
-/// After the last step.
-void suppose_at_end(const formulas::Situation& at, Supposed& out);
-// Areas.
-void suppose(const AreaBegin& e, const formulas::Situation& at, Supposed& out);
-void suppose(const AreaDecide& e, const formulas::Situation& at, Supposed& out);
-// Rays.
-void suppose(const BoxTest& e, const formulas::Situation& at, Supposed& out);
-void suppose(const RayHit& e, const formulas::Situation& at, Supposed& out);
-// Curves.
-void suppose(const HorizonTest& e, const formulas::Situation& at, Supposed& out);
 
 }  // namespace zstep::mistakes

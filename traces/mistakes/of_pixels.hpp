@@ -1,4 +1,6 @@
 // Mistakes with the depth of a pixel, the compare and the two writes (000, "The algorithm").
+#pragma once
+
 #include <cmath>
 
 #include "traces/formulas/lines.hpp"
@@ -6,13 +8,10 @@
 
 namespace zstep::mistakes {
 
-namespace {
-
-using formulas::Rounded, formulas::Situation;
-using enum Mistake;
+namespace detail {
 
 /// Before another pixel's turn comes: were depth and colour of the last one written if, and only if, it was nearer?
-void suppose_last_written(const Situation& at, Supposed& out) {
+inline void suppose_last_written(const Situation& at, Supposed& out) {
   const auto& last = at.method().fragment;
   if (!last || !last->nearer || at.method().keeps_all || at.method().polygon == no_polygon) return;
   const auto pixel = static_cast<std::size_t>(at.pixel(last->x, last->y));
@@ -30,7 +29,7 @@ void suppose_last_written(const Situation& at, Supposed& out) {
 
 /// The depth that the span at work has at this pixel, and what mistakes make of it.
 template <class E>
-void suppose_depth(const E& e, const Situation& at, Supposed& out) {
+inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
   const auto& span = at.method().span;
   if (!span) return;
   const std::int32_t other_way = at.scene.raster.height - 1 - span->y;
@@ -63,32 +62,32 @@ void suppose_depth(const E& e, const Situation& at, Supposed& out) {
 
 /// Is a write at the pixel whose depth was compared, or with x and y exchanged?
 template <class E>
-void suppose_place(const E& e, const Situation& at, Supposed& out) {
+inline void suppose_place(const E& e, const Situation& at, Supposed& out) {
   const auto& fragment = at.method().fragment;
   if (!fragment || fragment->x == fragment->y) return;
   if (e.x == fragment->y && e.y == fragment->x) out.says(x_y_exchanged, true, false);
 }
 
-}  // namespace
+}  // namespace detail
 
-void suppose(const PolygonBegin&, const Situation& at, Supposed& out) { suppose_last_written(at, out); }
+inline void suppose(const PolygonBegin&, const Situation& at, Supposed& out) { detail::suppose_last_written(at, out); }
 
-void suppose(const BuffersClear& e, const Situation& at, Supposed& out) {
+inline void suppose(const BuffersClear& e, const Situation& at, Supposed& out) {
   const double empty = at.header.empty_depth();
   if (e.z == 0 && empty != 0) out.says(buffer_begins_at_0, true, false);
   if (e.z == empty && empty != 0) out.rules_out(buffer_begins_at_0);
   if (at.before.position > 0 && at.method().polygon != no_polygon) out.says(buffer_reset, true, false);
 }
 
-void suppose(const DepthInterpolate& e, const Situation& at, Supposed& out) {
-  suppose_last_written(at, out);
-  suppose_depth(e, at, out);
+inline void suppose(const DepthInterpolate& e, const Situation& at, Supposed& out) {
+  detail::suppose_last_written(at, out);
+  detail::suppose_depth(e, at, out);
 }
 
-void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
+inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   if (!at.records<DepthInterpolate>()) {
-    suppose_last_written(at, out);
-    suppose_depth(e, at, out);
+    detail::suppose_last_written(at, out);
+    detail::suppose_depth(e, at, out);
   }
   const double stored = at.stored(e.x, e.y);
   const Comparison& comparison = at.header.comparison;
@@ -114,16 +113,16 @@ void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   out.says(buffer_reset, of_other ? e.nearer : right, right);
 }
 
-void suppose(const DepthWrite& e, const Situation& at, Supposed& out) {
-  suppose_place(e, at, out);
+inline void suppose(const DepthWrite& e, const Situation& at, Supposed& out) {
+  detail::suppose_place(e, at, out);
   const Fragment* fragment = at.fragment(e.x, e.y);
   if (!fragment) return;
   out.says(written_before_test, !fragment->nearer, fragment->nearer.has_value());
   if (fragment->nearer) out.says(depth_always, true, *fragment->nearer);
 }
 
-void suppose(const PixelWrite& e, const Situation& at, Supposed& out) {
-  suppose_place(e, at, out);
+inline void suppose(const PixelWrite& e, const Situation& at, Supposed& out) {
+  detail::suppose_place(e, at, out);
   const Fragment* fragment = at.fragment(e.x, e.y);
   if (!fragment || !fragment->nearer) return;
   out.says(colour_always, true, *fragment->nearer);

@@ -1,4 +1,6 @@
 // Mistakes with the floating horizon (004).
+#pragma once
+
 #include <algorithm>
 
 #include "traces/formulas/lines.hpp"
@@ -6,10 +8,7 @@
 
 namespace zstep::mistakes {
 
-using formulas::Rounded, formulas::Situation;
-using enum Mistake;
-
-void suppose(const HorizonTest& e, const Situation& at, Supposed& out) {
+inline void suppose(const HorizonTest& e, const Situation& at, Supposed& out) {
   const HorizonWork& work = at.method().horizon;
   const auto column = static_cast<std::size_t>(e.x);
   if (work.segment) {

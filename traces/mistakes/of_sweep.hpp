@@ -1,4 +1,6 @@
 // Mistakes of the scan-line method: its flags, and which of the polygons that are in is seen (002).
+#pragma once
+
 #include <algorithm>
 #include <set>
 
@@ -7,13 +9,10 @@
 
 namespace zstep::mistakes {
 
-namespace {
-
-using formulas::Rounded, formulas::Situation;
-using enum Mistake;
+namespace detail {
 
 /// Does the polygon of this piece have two of these edges at one x, as at a vertex that they share?
-bool shares_vertex(const Situation& at, std::span<const ActiveEdge> passed, std::int32_t polygon) {
+inline bool shares_vertex(const Situation& at, std::span<const ActiveEdge> passed, std::int32_t polygon) {
   std::set<double> places;
   for (const ActiveEdge& one : passed)
     if (const EdgeTableInsert* entry = at.edge(one.edge); entry && entry->polygon == polygon)
@@ -21,9 +20,9 @@ bool shares_vertex(const Situation& at, std::span<const ActiveEdge> passed, std:
   return false;
 }
 
-}  // namespace
+}  // namespace detail
 
-void suppose(const SpanFlags&, const Situation& at, Supposed& out) {
+inline void suppose(const SpanFlags&, const Situation& at, Supposed& out) {
   const auto& active = at.method().active;
   const auto& flip = at.method().sweep.flip;
   if (!flip) return;
@@ -40,12 +39,12 @@ void suppose(const SpanFlags&, const Situation& at, Supposed& out) {
   for (const std::int32_t number : at.method().sweep.inside)
     if (const Piece* piece = at.piece(number)) are.insert(piece->polygon);
   for (const std::int32_t polygon : polygons)
-    if (shares_vertex(at, passed, polygon))
+    if (detail::shares_vertex(at, passed, polygon))
       out.says(flag_missed, should_be.contains(polygon) != are.contains(polygon),
                should_be.contains(polygon) == are.contains(polygon));
 }
 
-void suppose(const SpanWinner& e, const Situation& at, Supposed& out) {
+inline void suppose(const SpanWinner& e, const Situation& at, Supposed& out) {
   const auto& inside = at.method().sweep.inside;
   const Piece* seen = at.piece(e.piece);
   if (inside.size() < 2 || e.first > e.last || !at.method().scan_line || !seen || !seen->plane) return;

@@ -1,13 +1,12 @@
 // Mistakes with rays: which of the points that a ray meets is kept, and which boxes it is thought to meet (002).
+#pragma once
+
 #include "traces/formulas/of_rays.hpp"
 #include "traces/mistakes/supposed.hpp"
 
 namespace zstep::mistakes {
 
-using formulas::Situation;
-using enum Mistake;
-
-void suppose(const BoxTest& e, const Situation& at, Supposed& out) {
+inline void suppose(const BoxTest& e, const Situation& at, Supposed& out) {
   const RayBegin* ray = formulas::detail::ray_cast_last(at);
   const auto box = static_cast<std::size_t>(e.box);
   if (!ray || e.box < 0 || box >= at.method().boxes.size()) return;
@@ -21,7 +20,7 @@ void suppose(const BoxTest& e, const Situation& at, Supposed& out) {
   if (met) out.says(box_misses_at_0, !e.hit, e.hit);
 }
 
-void suppose(const RayHit& e, const Situation& at, Supposed& out) {
+inline void suppose(const RayHit& e, const Situation& at, Supposed& out) {
   const RayBegin* ray = formulas::detail::ray_at_work(at);
   if (!ray || formulas::detail::ray_cast_last(at) != ray || !e.inside) return;
   const formulas::detail::Reach reach = formulas::detail::reach_of(at, *ray);

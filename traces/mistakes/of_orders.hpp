@@ -1,4 +1,6 @@
 // Mistakes with the order of painting: depth sort's list and tests (002), the tree and the way through it (001, 003).
+#pragma once
+
 #include <algorithm>
 
 #include "traces/formulas/outlines.hpp"
@@ -6,12 +8,9 @@
 
 namespace zstep::mistakes {
 
-namespace {
+namespace detail {
 
-using formulas::Situation;
-using enum Mistake;
-
-bool was_drawn(const Situation& at, std::int32_t piece) {
+inline bool was_drawn(const Situation& at, std::int32_t piece) {
   const auto& drawn = at.method().drawn;
   for (std::size_t i = 0; i < drawn.size(); ++i)
     if (drawn[i] == piece) return true;
@@ -19,7 +18,7 @@ bool was_drawn(const Situation& at, std::int32_t piece) {
 }
 
 /// Tests 3 and 4 of a pair: what the run did after a side was found, and what it should have done.
-void suppose_after_side(const Situation& at, Supposed& out, bool passed) {
+inline void suppose_after_side(const Situation& at, Supposed& out, bool passed) {
   const auto& pair = at.method().pair;
   if (!out.side || !pair) return;
   const SideTest test = *out.side;
@@ -34,21 +33,21 @@ void suppose_after_side(const Situation& at, Supposed& out, bool passed) {
 }
 
 /// A piece gets into the tree under a plane that it is on both sides of.
-void suppose_placed(std::int32_t piece, Supposed& out) {
+inline void suppose_placed(std::int32_t piece, Supposed& out) {
   if (out.spanning.erase(piece)) out.says(spanning_not_split, true, false);
 }
 
 /// The node that holds a piece.
-const TreeNode* node_of(const Situation& at, std::int32_t piece) {
+inline const TreeNode* node_of(const Situation& at, std::int32_t piece) {
   const auto& tree = at.method().tree;
   for (std::size_t i = 0; i < tree.size(); ++i)
     if (std::find(tree[i].pieces.begin(), tree[i].pieces.end(), piece) != tree[i].pieces.end()) return &tree[i];
   return nullptr;
 }
 
-}  // namespace
+}  // namespace detail
 
-void suppose(const ListInsert& e, const Situation& at, Supposed& out) {
+inline void suppose(const ListInsert& e, const Situation& at, Supposed& out) {
   if (at.method().pair) return;  // later pieces are moved, too, and not to where they belong by depth
   const Piece* piece = at.piece(e.piece);
   const auto& list = at.method().list;
@@ -70,39 +69,42 @@ void suppose(const ListInsert& e, const Situation& at, Supposed& out) {
   if (tie) out.says(ties_unstable, after && after->z_max == own.z_max, !(after && after->z_max == own.z_max));
 }
 
-void suppose(const PairBegin&, const Situation& at, Supposed& out) { suppose_after_side(at, out, true); }
-void suppose(const OverlapTest&, const Situation& at, Supposed& out) { suppose_after_side(at, out, false); }
+inline void suppose(const PairBegin&, const Situation& at, Supposed& out) { detail::suppose_after_side(at, out, true); }
+inline void suppose(const OverlapTest&, const Situation& at, Supposed& out) {
+  detail::suppose_after_side(at, out, false);
+}
 
-void suppose(const SideTest& e, const Situation& at, Supposed& out) {
-  suppose_after_side(at, out, false);
+inline void suppose(const SideTest& e, const Situation& at, Supposed& out) {
+  detail::suppose_after_side(at, out, false);
   out.side = e;
   if (at.method().list.empty() && e.side == Side::crossing) out.spanning.insert(e.piece);
 }
 
-void suppose(const PieceMake& e, const Situation&, Supposed& out) {
+inline void suppose(const PieceMake& e, const Situation&, Supposed& out) {
   if (out.spanning.erase(e.parent)) out.says(spanning_not_split, false, true);
 }
 
-void suppose(const PieceDraw& e, const Situation& at, Supposed& out) {
-  suppose_after_side(at, out, true);
+inline void suppose(const PieceDraw& e, const Situation& at, Supposed& out) {
+  detail::suppose_after_side(at, out, true);
   if (const Piece* piece = at.piece(e.piece); piece && piece->parent >= 0) out.says(pieces_lost, false, true);
   // Of a node, all that lies on the other side than the eye is painted before, and what lies on the eye's side after.
-  const TreeNode* node = node_of(at, e.piece);
+  const TreeNode* node = detail::node_of(at, e.piece);
   if (!node || !node->eye) return;
   const std::int32_t near = node->eye->front ? node->front_child : node->back_child,
                      far = node->eye->front ? node->back_child : node->front_child;
   const auto is_painted = [&](std::int32_t child) {
     const auto at_child = static_cast<std::size_t>(child);
-    return child >= 0 && at_child < at.method().tree.size() && was_drawn(at, at.method().tree[at_child].pieces.front());
+    return child >= 0 && at_child < at.method().tree.size() &&
+           detail::was_drawn(at, at.method().tree[at_child].pieces.front());
   };
   const bool near_painted = is_painted(near), far_painted = is_painted(far);
   if (near_painted != far_painted) out.says(near_side_first, near_painted, far_painted);
 }
 
-void suppose(const NodeMake& e, const Situation&, Supposed& out) { suppose_placed(e.piece, out); }
-void suppose(const NodeAdd& e, const Situation&, Supposed& out) { suppose_placed(e.piece, out); }
+inline void suppose(const NodeMake& e, const Situation&, Supposed& out) { detail::suppose_placed(e.piece, out); }
+inline void suppose(const NodeAdd& e, const Situation&, Supposed& out) { detail::suppose_placed(e.piece, out); }
 
-void suppose(const EyeSide& e, const Situation& at, Supposed& out) {
+inline void suppose(const EyeSide& e, const Situation& at, Supposed& out) {
   const auto number = static_cast<std::size_t>(e.node);
   if (e.node < 0 || number >= at.method().tree.size() || !at.camera) return;
   const Piece* piece = at.piece(at.method().tree[number].pieces.front());
@@ -118,12 +120,12 @@ void suppose(const EyeSide& e, const Situation& at, Supposed& out) {
   out.number(side_by_normal, e.value, {value(0), c, -c}, value(perspective ? 1 : 0));
 }
 
-void suppose_at_end(const Situation& at, Supposed& out) {
+inline void suppose_at_end(const Situation& at, Supposed& out) {
   const auto& pieces = at.method().pieces;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto number = static_cast<std::int32_t>(i);
     if (pieces[i].parent >= 0 && !pieces[i].cut && at.has_step<ListInsert>() && !at.method().list.contains(number) &&
-        !was_drawn(at, number))
+        !detail::was_drawn(at, number))
       out.says(pieces_lost, true, false);
   }
 }

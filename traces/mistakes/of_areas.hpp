@@ -1,4 +1,6 @@
 // Mistakes with Warnock's areas (002, "Warnock's Algorithm").
+#pragma once
+
 #include <algorithm>
 
 #include "traces/formulas/of_areas.hpp"
@@ -7,13 +9,12 @@
 
 namespace zstep::mistakes {
 
-namespace {
+namespace detail {
 
-using formulas::Rounded, formulas::Situation, formulas::detail::Interval;
-using enum Mistake;
+using formulas::detail::Interval;
 
 /// A half that reaches one column or row into its neighbour, and one that does not.
-void suppose_half(Interval recorded, Interval parent, Supposed& out) {
+inline void suppose_half(Interval recorded, Interval parent, Supposed& out) {
   const Interval right = formulas::detail::half_of(parent, recorded);
   const bool is_right = recorded.first == right.first && recorded.end == right.end;
   const bool into_next = recorded.first == right.first && recorded.end == right.end + 1,
@@ -24,7 +25,7 @@ void suppose_half(Interval recorded, Interval parent, Supposed& out) {
 }
 
 /// Is the piece in front of all others of the area, at its four corners?
-std::optional<bool> in_front(const Situation& at, const AreaBegin& area, std::int32_t number) {
+inline std::optional<bool> in_front(const Situation& at, const AreaBegin& area, std::int32_t number) {
   const Piece* piece = at.piece(number);
   if (!piece || !piece->plane) return std::nullopt;
   for (const AreaBin& bin : at.method().bins) {
@@ -38,16 +39,16 @@ std::optional<bool> in_front(const Situation& at, const AreaBegin& area, std::in
   return true;
 }
 
-}  // namespace
+}  // namespace detail
 
-void suppose(const AreaBegin& e, const Situation& at, Supposed& out) {
+inline void suppose(const AreaBegin& e, const Situation& at, Supposed& out) {
   if (e.parent < 0 || static_cast<std::size_t>(e.parent) >= at.method().areas.size()) return;
   const AreaBegin& parent = at.method().areas[static_cast<std::size_t>(e.parent)].entry;
-  suppose_half({e.first_column, e.end_column}, {parent.first_column, parent.end_column}, out);
-  suppose_half({e.first_row, e.end_row}, {parent.first_row, parent.end_row}, out);
+  detail::suppose_half({e.first_column, e.end_column}, {parent.first_column, parent.end_column}, out);
+  detail::suppose_half({e.first_row, e.end_row}, {parent.first_row, parent.end_row}, out);
 }
 
-void suppose(const AreaDecide& e, const Situation& at, Supposed& out) {
+inline void suppose(const AreaDecide& e, const Situation& at, Supposed& out) {
   const AreaBegin* area = formulas::detail::area_at_work(at);
   if (!area) return;
   const std::int32_t columns = area->end_column - area->first_column, rows = area->end_row - area->first_row;
@@ -56,7 +57,8 @@ void suppose(const AreaDecide& e, const Situation& at, Supposed& out) {
     if (e.what == AreaCase::pixel || e.what == AreaCase::subdivide)
       out.says(stops_one_early, e.what == AreaCase::pixel, e.what == AreaCase::subdivide);
   if (e.what == AreaCase::front_surrounder)
-    if (const auto front = in_front(at, *area, e.piece); front && !*front) out.says(surrounding_unchecked, true, false);
+    if (const auto front = detail::in_front(at, *area, e.piece); front && !*front)
+      out.says(surrounding_unchecked, true, false);
   if (e.what != AreaCase::subdivide) return;
   for (const AreaBin& bin : at.method().bins)
     if (bin.bin == Bin::surrounding) return out.says(surrounding_unchecked, false, true);

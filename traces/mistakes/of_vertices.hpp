@@ -1,4 +1,6 @@
 // Mistakes on the way from the scene to the raster, and in telling front from back (000, "Viewing"; 003).
+#pragma once
+
 #include <cmath>
 
 #include "traces/formulas/viewing.hpp"
@@ -6,14 +8,7 @@
 
 namespace zstep::mistakes {
 
-namespace {
-
-using formulas::Rounded, formulas::Situation;
-using enum Mistake;
-
-}  // namespace
-
-void suppose(const ViewTransform& e, const Situation& at, Supposed& out) {
+inline void suppose(const ViewTransform& e, const Situation& at, Supposed& out) {
   if (!at.camera || at.on_screen() || !at.is_point(e.vertex)) return;
   const glm::dvec3& w = at.scene.points[static_cast<std::size_t>(e.vertex)];
   const glm::dmat4& t_v = at.camera->view;
@@ -21,7 +16,7 @@ void suppose(const ViewTransform& e, const Situation& at, Supposed& out) {
   out.number(depth_axis_reversed, e.z_v, {-z_v}, z_v);
 }
 
-void suppose(const Projection& e, const Situation& at, Supposed& out) {
+inline void suppose(const Projection& e, const Situation& at, Supposed& out) {
   const VertexStages* vertex = at.viewed(e.vertex);
   if (!vertex || !at.camera) return;
   const Rounded z_v = vertex->view.z, d = at.camera->d;
@@ -44,7 +39,7 @@ void suppose(const Projection& e, const Situation& at, Supposed& out) {
   out.number(z_v_for_depth, e.z, {z_v}, right);
 }
 
-void suppose(const ViewportTransform& e, const Situation& at, Supposed& out) {
+inline void suppose(const ViewportTransform& e, const Situation& at, Supposed& out) {
   const VertexStages* vertex = at.viewed(e.vertex);
   const Raster& raster = at.scene.raster;
   if (!at.camera || !vertex || vertex->stage < VertexStages::projected || !(at.camera->window > 0) ||
@@ -59,13 +54,13 @@ void suppose(const ViewportTransform& e, const Situation& at, Supposed& out) {
   out.number(centres_half_off, e.y_s, {y + half}, y);
 }
 
-void suppose(const FacingTest& e, const Situation&, Supposed& out) {
+inline void suppose(const FacingTest& e, const Situation&, Supposed& out) {
   if (e.facing == Facing::edge_on || e.view_dot_normal == 0) return;
   const Facing right = e.view_dot_normal > 0 ? Facing::back : Facing::front;
   out.says(clockwise_front, e.facing != right, e.facing == right);
 }
 
-void suppose(const ClipCross& e, const Situation&, Supposed& out) {
+inline void suppose(const ClipCross& e, const Situation&, Supposed& out) {
   if (e.plane == ClipPlane::near) out.says(not_clipped_near, false, true);
 }
 

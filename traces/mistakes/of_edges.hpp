@@ -1,4 +1,6 @@
 // Mistakes with the edge table, the active edge list and spans (000, "The algorithm" and "Double interpolation").
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -9,13 +11,10 @@
 
 namespace zstep::mistakes {
 
-namespace {
-
-using formulas::Rounded, formulas::Situation;
-using enum Mistake;
+namespace detail {
 
 /// The edge goes upwards in its outline, so that its ends have to be exchanged; false where that is not known.
-bool is_turned(const Situation& at, std::int32_t upper, std::int32_t lower) {
+inline bool is_turned(const Situation& at, std::int32_t upper, std::int32_t lower) {
   std::span<const std::int32_t> outline = at.method().outline;
   const std::int32_t facet = at.method().facet;
   if (outline.empty() && facet >= 0 && static_cast<std::size_t>(facet) < at.scene.facets.size()) {
@@ -28,10 +27,10 @@ bool is_turned(const Situation& at, std::int32_t upper, std::int32_t lower) {
   return false;
 }
 
-std::int32_t whole_of(double x) { return static_cast<std::int32_t>(std::clamp(x, -1e9, 1e9)); }
+inline std::int32_t whole_of(double x) { return static_cast<std::int32_t>(std::clamp(x, -1e9, 1e9)); }
 
 /// Edges in the list that have ended by so many scan lines, or more, when work on a line begins.
-bool any_ended(const Situation& at, std::int32_t y, std::int32_t lines) {
+inline bool any_ended(const Situation& at, std::int32_t y, std::int32_t lines) {
   const auto& active = at.method().active;
   return std::any_of(active.begin(), active.end(), [&](const ActiveEdge& one) {
     const EdgeTableInsert* entry = at.edge(one.edge);
@@ -40,7 +39,7 @@ bool any_ended(const Situation& at, std::int32_t y, std::int32_t lines) {
 }
 
 /// The list is out of order, and the span lies between two neighbours as if it were not.
-bool paired_unsorted(const Situation& at, const SpanBegin& e) {
+inline bool paired_unsorted(const Situation& at, const SpanBegin& e) {
   const auto& active = at.method().active;
   const bool sorted =
       std::is_sorted(active.begin(), active.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
@@ -49,7 +48,7 @@ bool paired_unsorted(const Situation& at, const SpanBegin& e) {
   return false;
 }
 
-void suppose_ends(const SpanBegin& e, const Situation& at, Supposed& out) {
+inline void suppose_ends(const SpanBegin& e, const Situation& at, Supposed& out) {
   const std::int32_t width = at.scene.raster.width;
   const Conventions::Coverage coverage = at.header.conventions.coverage;
   const std::int32_t first = std::max(0, formulas::limited_column(formulas::first_pixel(e.x_left, coverage), width)),
@@ -75,9 +74,9 @@ void suppose_ends(const SpanBegin& e, const Situation& at, Supposed& out) {
       right);
 }
 
-}  // namespace
+}  // namespace detail
 
-void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out) {
+inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out) {
   const auto a = at.on_raster(e.vertex_0), b = at.on_raster(e.vertex_1);
   if (!a || !b) return;
   if (a->y == b->y) return out.says(horizontal_inserted, true, false);
@@ -90,9 +89,10 @@ void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out) {
   const std::int32_t past =
       formulas::may_include_end(at.header) ? formulas::row_from(std::floor(q.y) + 1, height) : end;
   if (past == end || at.header.declares(Convention::coverage))
-    out.whole(ends_one_late, e.end_row, {end + 1, whole_of(std::floor(q.y)) + 1}, {end, past});
+    out.whole(ends_one_late, e.end_row, {end + 1, detail::whole_of(std::floor(q.y)) + 1}, {end, past});
   const std::int32_t begin = formulas::row_from(p.y, height);
-  out.whole(starts_one_early, e.first_row, {std::max(0, whole_of(std::floor(p.y))), std::max(0, begin - 1)}, {begin});
+  out.whole(starts_one_early, e.first_row, {std::max(0, detail::whole_of(std::floor(p.y))), std::max(0, begin - 1)},
+            {begin});
 
   const Rounded x_0 = p.x, y_0 = p.y, z_0 = p.z, x_1 = q.x, y_1 = q.y, z_1 = q.z, row = e.first_row;
   const Rounded dx_dy = formulas::slope(x_0, x_1, y_0, y_1), dz_dy = formulas::slope(z_0, z_1, y_0, y_1);
@@ -103,7 +103,7 @@ void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out) {
       dx_dy);
   out.number(z_slope_of_x, e.dz_dy, {Rounded(e.dx_dy)}, dz_dy);
   const Rounded z = formulas::on_line(z_0, z_1, row, y_0, y_1);
-  if (is_turned(at, upper, lower)) {
+  if (detail::is_turned(at, upper, lower)) {
     out.number(z_not_swapped, e.dz_dy, {-dz_dy}, dz_dy);
     out.number(z_not_swapped, e.z_edge, {formulas::on_line(z_1, z_0, row, y_0, y_1)}, z);
   }
@@ -118,15 +118,15 @@ void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out) {
   out.says(not_clipped_near, before, !before);
 }
 
-void suppose(const EdgeTableSkip& e, const Situation&, Supposed& out) {
+inline void suppose(const EdgeTableSkip& e, const Situation&, Supposed& out) {
   if (e.why == EdgeSkip::horizontal) out.says(horizontal_inserted, false, true);
 }
 
-void suppose(const ScanLineBegin& e, const Situation& at, Supposed& out) {
-  if (any_ended(at, e.y, 1)) out.says(never_retired, true, false);
+inline void suppose(const ScanLineBegin& e, const Situation& at, Supposed& out) {
+  if (detail::any_ended(at, e.y, 1)) out.says(never_retired, true, false);
 }
 
-void suppose(const EdgeRetire& e, const Situation& at, Supposed& out) {
+inline void suppose(const EdgeRetire& e, const Situation& at, Supposed& out) {
   const EdgeTableInsert* entry = at.edge(e.edge);
   if (!entry || !at.method().scan_line) return;
   const std::int32_t y = *at.method().scan_line;
@@ -134,7 +134,7 @@ void suppose(const EdgeRetire& e, const Situation& at, Supposed& out) {
   out.says(retired_one_late, y == entry->end_row + 1, y == entry->end_row || y + 1 == entry->end_row);
 }
 
-void suppose(const EdgeStep& e, const Situation& at, Supposed& out) {
+inline void suppose(const EdgeStep& e, const Situation& at, Supposed& out) {
   const EdgeTableInsert* entry = at.edge(e.edge);
   const ActiveEdge* active = at.active(e.edge);
   if (!entry || !active || !at.method().scan_line) return;
@@ -155,13 +155,13 @@ void suppose(const EdgeStep& e, const Situation& at, Supposed& out) {
   out.sum_in_float32(e.z_edge, active->z, entry->dz_dy, right_z);
 }
 
-void suppose(const EdgeSwap&, const Situation&, Supposed& out) { out.says(not_sorted, false, true); }
+inline void suppose(const EdgeSwap&, const Situation&, Supposed& out) { out.says(not_sorted, false, true); }
 
-void suppose(const SpanBegin& e, const Situation& at, Supposed& out) {
-  if (paired_unsorted(at, e)) out.says(not_sorted, true, false);
+inline void suppose(const SpanBegin& e, const Situation& at, Supposed& out) {
+  if (detail::paired_unsorted(at, e)) out.says(not_sorted, true, false);
   for (const Mistake mistake : {retired_one_late, never_retired})
-    if (any_ended(at, e.y, 0)) out.says(mistake, true, false);
-  suppose_ends(e, at, out);
+    if (detail::any_ended(at, e.y, 0)) out.says(mistake, true, false);
+  detail::suppose_ends(e, at, out);
   const EdgeTableInsert* left = nullptr;
   for (const std::int32_t edge : {e.right_edge, e.left_edge}) {
     const ActiveEdge* active = at.active(edge);
