@@ -16,10 +16,11 @@ inline void suppose_last_written(const Situation& at, Supposed& out) {
   if (!last || !last->nearer || at.method().keeps_all || at.method().polygon == no_polygon) return;
   const auto pixel = static_cast<std::size_t>(at.pixel(last->x, last->y));
   const bool drawn = at.before.picture.polygon[pixel] == at.method().polygon;
-  const bool stored = at.before.picture.depth[pixel] == last->z;
+  const double depth = at.before.picture.depth[pixel];
+  const bool stored = depth == last->z, as_before = depth == last->stored;
   const bool was_drawn = last->stored_polygon == at.method().polygon, was_stored = last->stored == last->z;
   if (*last->nearer) {
-    if (!was_stored && at.has_step<DepthWrite>()) out.says(depth_not_written, !stored && drawn, stored);
+    if (!was_stored && at.has_step<DepthWrite>()) out.says(depth_not_written, as_before && drawn, stored);
     if (!was_drawn && at.has_step<PixelWrite>()) out.says(colour_not_written, !drawn && stored, drawn);
     return;
   }
