@@ -1,5 +1,5 @@
-// Programs as students write them: each draws a scene with a depth buffer in its own way and prints what it does, a
-// JSON object a line. They share nothing with the engine, and each can be told to make a mistake.
+// Programs as students write them: each draws a scene in its own way and prints what it does, a JSON object a line. They
+// share nothing with the engine, and each can be told to make a mistake.
 #pragma once
 
 #include <string>
@@ -13,12 +13,21 @@ struct Point {
 struct Polygon {
   int number = 0;
   std::vector<int> corners;  ///< indices of points
+  Point color{};             ///< red, green, blue, 0 to 1
+};
+struct Camera {
+  bool there = false;  ///< else points are on the raster already
+  Point right, up, away, eye;
+  Point origin;  ///< of the world, in viewing coordinates
+  double d = 1, window = 1, near = 0, far = 0;
 };
 struct Task {
   int width = 0, height = 0;
   std::vector<Point> points;
   std::vector<Polygon> polygons;
-  std::string mistake;  ///< "" for none
+  Camera camera{};
+  std::string style{};    ///< what a program does in another, right way; "" for its usual one
+  std::string mistake{};  ///< "" for none
   int nth = 0;          ///< where it can be made once: at which place, from 0
 };
 
@@ -28,5 +37,7 @@ std::string edge_table(const Task& task);
 std::string crossings(const Task& task);
 /// Inside the three half-planes, depth from the plane, column by column; triangles only.
 std::string half_planes(const Task& task);
+/// Ray casting. Style "boxes": with a box around each polygon.
+std::string rays(const Task& task);
 
 }  // namespace zoo

@@ -6,8 +6,10 @@
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <glm/matrix.hpp>
 #include <nlohmann/json.hpp>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/record/trace_recorder.hpp"
 
@@ -79,6 +81,32 @@ std::string head(const zoo::Task& task, const char* number_format, const char* i
   return header.dump() + "\n";
 }
 
+zoo::Task task_of(const Scene& scene) {
+  const auto point = [](const auto& p) { return zoo::Point{p.x, p.y, p.z}; };
+  zoo::Task task;
+  task.width = scene.raster.width, task.height = scene.raster.height;
+  for (const glm::dvec3& p : scene.points) task.points.push_back(point(p));
+  for (const Facet& facet : scene.facets) {
+    const auto first = scene.corners.begin() + facet.first_corner;
+    const Color color = scene.polygons[static_cast<std::size_t>(facet.polygon)].color;
+    task.polygons.push_back({facet.polygon, {first, first + facet.corner_count},
+                             {color.red / 255.0, color.green / 255.0, color.blue / 255.0}});
+  }
+  const Camera& camera = scene.camera;
+  if (camera.kind == Camera::Kind::screen) return task;
+  REQUIRE(camera.kind == Camera::Kind::perspective);  // the programs know no other
+  const glm::dmat4 rows = glm::transpose(camera.view);
+  task.camera = {true, point(rows[0]), point(rows[1]), point(rows[2]), point(camera.eye), point(camera.view[3]),
+                 camera.d, camera.window, camera.near, camera.far};
+  return task;
+}
+
+Scene scene_of(const zoo::Task& task) { return trace_of(head(task, "float64", "direct")).scene(); }
+
+std::string head(const std::string& id, const Scene& scene, const Conventions& conventions) {
+  return jsonl_header(header_for(method(id), conventions), scene) + "\n";
+}
+
 Trace trace_of(const std::string& text, std::string* impossible) {
   std::istringstream in(text);
   std::unique_ptr<Scene> kept;
@@ -106,7 +134,9 @@ std::int64_t first_difference(const std::string& right, const std::string& wrong
 std::int64_t shown_at(const Trace& run, std::int64_t step) {
   for (++step; step <= run.size(); ++step) {
     const Event event = run.event(step).event;
-    if (holds<SpanBegin>(event) || holds<DepthInterpolate>(event) || holds<DepthCompare>(event)) return step;
+    if (holds<SpanBegin>(event) || holds<DepthInterpolate>(event) || holds<DepthCompare>(event) ||
+        holds<PixelPaint>(event) || holds<RayEnd>(event))
+      return step;
   }
   return run.size();
 }

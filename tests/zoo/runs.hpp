@@ -18,6 +18,12 @@ zoo::Task ties();
 zoo::Task concave();
 /// What all the programs say of themselves: the first line of a run.
 std::string head(const zoo::Task& task, const char* number_format, const char* interpolation);
+/// A scene as the programs are given it.
+zoo::Task task_of(const Scene& scene);
+/// What `triangles` and their like are to zstep: a scene in screen coordinates.
+Scene scene_of(const zoo::Task& task);
+/// The first line of a run of any method: its own page, so that programs may use the names of its steps.
+std::string head(const std::string& method, const Scene& scene, const Conventions& conventions);
 /// A run as it was printed, header and all; up to a step that cannot be, where `impossible` is there to be told of it.
 Trace trace_of(const std::string& text, std::string* impossible = nullptr);
 /// The first line, from 1, in which two texts differ; 0 where they do not.

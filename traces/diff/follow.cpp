@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "traces/diff/parting.hpp"
 #include "traces/diff/witness.hpp"
 #include "traces/file/visit.hpp"
 #include "traces/formulas/of_events.hpp"
@@ -179,13 +180,18 @@ class Follow {
         if (scope != no_difference && findings_[static_cast<std::size_t>(scope)].decides) from = scope;
     bool either_way = false;  // where two edges meet, either may be the left one
     if constexpr (std::is_same_v<E, SpanBegin>) either_way = witness.equal(e.x_left, e.x_right);
+    // Of a plane whose normal has another length; of opposite signs they would be off by more than the larger one.
+    const bool of_longer_normal =
+        only_as_long_as_normal<E>(difference.fields) && reads.from_rounding != no_difference && difference.off < 1;
+    const double operand_off = from == no_difference ? 0 : findings_[static_cast<std::size_t>(from)].off;
     const bool numbers_near =
-        either_way || difference.off <= std::max(written_off(e, difference.fields), witness.may_be_off);
+        either_way || of_longer_normal ||
+        difference.off <= std::max({written_off(e, difference.fields), witness.may_be_off, operand_off});
     const bool decided = exact_fields<E>(difference.fields);
     const bool any_rounding = either_way || from != no_difference || (difference.fields & ~exact_bits<E>()) != 0;
     finding.decides = alone || decided;
     finding.rounding = alone ? from != no_difference : numbers_near && (!decided || any_rounding);
-    if (finding.rounding) finding.comes_from = from;
+    if (finding.rounding) finding.comes_from = from, finding.off = of_longer_normal ? 0 : difference.off;
   }
 
   /// By what share the format alone lets the numbers of these fields be off, of the least of them.
@@ -199,6 +205,17 @@ class Follow {
           share = std::max(share, precision.relative + 2 * precision.absolute / std::abs(e.*field_at<E, I>.member));
     });
     return share;
+  }
+
+  /// Are these fields, as far as they are numbers, as long as the normal of a plane?
+  template <class E>
+  static constexpr bool only_as_long_as_normal(std::uint16_t fields) {
+    bool only = true;
+    for_each_index<E>([&]<std::size_t I>() {
+      if ((fields >> I & 1) != 0 && std::is_same_v<FieldValue<E, I>, double>)
+        only = only && as_long_as_normal<E>(field_at<E, I>.name);
+    });
+    return only && !either_way_round<E>;
   }
 
   /// The fields that are no numbers: what is decided by a number must part by more than rounding, or hang on one that

@@ -21,11 +21,41 @@ inline double share_apart(double one, double other) {
   return std::isfinite(apart) ? apart / larger : std::numeric_limits<double>::infinity();
 }
 
+/// Numbers that are as long as the normal of a plane, which programs make of any length. Those of the plane itself and
+/// of a ray that meets it mean the same the other way round, too.
+template <class E>
+constexpr bool as_long_as_normal(std::string_view field) {
+  if constexpr (std::is_same_v<E, PlaneEquation>) return field.starts_with("plane_");
+  else if constexpr (std::is_same_v<E, RayPlane>) return field == "numerator" || field == "denominator";
+  else if constexpr (std::is_same_v<E, VertexSide> || std::is_same_v<E, EyeSide>) return field == "value";
+  else if constexpr (std::is_same_v<E, SideTest>) return field == "least" || field == "greatest";
+  else return false;
+}
+template <class E>
+constexpr bool either_way_round = std::is_same_v<E, PlaneEquation> || std::is_same_v<E, RayPlane>;
+
+/// How many times as long such numbers of b are as those of a, by the largest of them; 1 where that cannot be said.
+template <class E>
+double times_as_long(const E& a, const E& b) {
+  double largest = 0, factor = 1;
+  if constexpr (either_way_round<E>) {
+    for_each_index<E>([&]<std::size_t I>() {
+      if constexpr (as_long_as_normal<E>(field_at<E, I>.name)) {
+        const double mine = a.*field_at<E, I>.member, its = b.*field_at<E, I>.member;
+        if (std::abs(mine) > largest && its != 0 && std::isfinite(its / mine))
+          largest = std::abs(mine), factor = its / mine;
+      }
+    });
+  }
+  return factor;
+}
+
 /// `same_thing(n)` says of the n-th number for a thing among the results whether it is the same thing in both runs.
 template <class E, class SameThing>
 Parting parting(const E& a, const E& b, SameThing&& same_thing) {
   Parting found;
   std::size_t thing = 0;
+  const double factor = times_as_long(a, b);
   for_each_index<E>([&]<std::size_t I>() {
     if constexpr (is_result<E, I>()) {
       const auto& mine = a.*field_at<E, I>.member;
@@ -36,7 +66,9 @@ Parting parting(const E& a, const E& b, SameThing&& same_thing) {
       if (equal) return;
       found.fields = static_cast<std::uint16_t>(found.fields | 1u << I);
       if constexpr (std::is_same_v<FieldValue<E, I>, double>)
-        found.off = std::max(found.off, static_cast<float>(share_apart(mine, its)));
+        found.off = std::max(
+            found.off,
+            static_cast<float>(share_apart(as_long_as_normal<E>(field_at<E, I>.name) ? mine * factor : mine, its)));
     }
   });
   return found;

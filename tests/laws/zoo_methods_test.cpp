@@ -1,0 +1,158 @@
+// Law: programs of any method that compute right get all points for the steps that they print; of wrong ones the first
+// wrong step is named.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "algorithms/scene/load.hpp"
+#include "tests/golden/golden.hpp"
+#include "tests/where.hpp"
+#include "tests/zoo/programs.hpp"
+#include "tests/zoo/runs.hpp"
+#include "traces/grade/grade.hpp"
+
+using namespace zstep;
+using grade::Level, grade::Part;
+
+namespace {
+
+struct Program {
+  const char* method;
+  std::string (*run)(const zoo::Task&);
+  const char* style;
+  std::vector<std::pair<std::string, std::string>> options;  ///< of the method, by which the reference does the same
+  bool cull = false;
+};
+
+Conventions conventions_of(const Program& program) {
+  Conventions conventions;
+  conventions.cull = program.cull;
+  for (const auto& [name, value] : program.options) conventions.options[name] = value;
+  return conventions;
+}
+
+std::string name_of(std::uint8_t kind) {
+  std::string_view name;
+  for_each_kind([&]<class E>() {
+    if (kind_of<E> == kind) name = kind_text<E>.name;
+  });
+  return std::string(name);
+}
+
+struct Judged {
+  grade::Judgement found;
+  std::vector<Part> parts;
+  Trace run, reference;
+};
+/// By the buffers, and by each kind of step that is printed.
+Judged judged(const Program& program, const Scene& scene, const std::string& text, std::string* impossible) {
+  const Conventions conventions = conventions_of(program);
+  Trace run = test::trace_of(test::head(program.method, scene, conventions) + text, impossible);
+  Trace reference = test::recorded_by(program.method, scene, conventions);
+  std::set<std::uint8_t> kinds;
+  run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    kinds.insert(static_cast<std::uint8_t>(recorded.event.index()));
+    return true;
+  });
+  std::vector<Part> parts{{"buffers", Level::buffers, {}, 0, 1}};
+  for (const std::uint8_t kind : kinds) parts.push_back({name_of(kind), Level::matched, {kind}, 1, 1});
+  grade::Judgement found = grade::judge(reference, run, parts);
+  return {std::move(found), std::move(parts), std::move(run), std::move(reference)};
+}
+
+std::string said_of(const grade::Divergence& first) {
+  std::string text = fmt::format("step {}", first.step);
+  if (first.fault)
+    text += fmt::format(", check: {} {} {} {}", name_of(first.fault->kind), first.fault->field, first.fault->impossible,
+                        first.fault->rule ? rule_text(*first.fault->rule).name : "");
+  if (first.parts)
+    text += fmt::format(", diff: {} a {} b {} fields {:b}", name_of(first.parts->kind), first.parts->a, first.parts->b,
+                        first.parts->fields);
+  return text;
+}
+
+void is_right(const Program& program, const std::vector<Scene>& scenes) {
+  CHECK(scenes.size() >= 5);
+  for (const Scene& scene : scenes) {
+    CAPTURE(scene.name);
+    zoo::Task task = test::task_of(scene);
+    task.style = program.style;
+    const Judged result = judged(program, scene, program.run(task), nullptr);
+    if (result.found.first) FAIL_CHECK(said_of(*result.found.first));
+    for (std::size_t k = 0; k < result.parts.size(); ++k) {
+      CAPTURE(result.parts[k].name);
+      const grade::PartCount& count = result.found.parts[k];
+      CHECK(count.expected > 0);
+      CHECK(count.same == count.all());
+      if (result.parts[k].level != Level::buffers) CHECK(count.computed == count.all());
+    }
+  }
+}
+
+void is_wrong(const Program& program, const std::vector<Scene>& scenes, const std::vector<const char*>& mistakes) {
+  for (const char* mistake : mistakes) {
+    int seen = 0, named = 0;
+    std::string missed;
+    for (const Scene& scene : scenes) {
+      zoo::Task task = test::task_of(scene);
+      task.style = program.style;
+      const std::string right = program.run(task);
+      task.mistake = mistake;
+      const std::string wrong = program.run(task);
+      const std::int64_t step = test::first_difference(right, wrong);
+      if (step == 0) continue;
+      ++seen;
+      std::string impossible;
+      const Judged result = judged(program, scene, wrong, &impossible);
+      const std::int64_t shows = test::shown_at(result.run, step);
+      bool found = result.found.first && step <= result.found.first->step && result.found.first->step <= shows;
+      const Trace without = test::trace_of(test::head(program.method, scene, conventions_of(program)) + right);
+      for (const diff::Cause& cause : result.found.difference.causes) {
+        if (cause.part != diff::Part::different) continue;
+        found = found || test::is_at(cause, result.reference, result.found.difference.alignment, without, step, shows);
+        break;
+      }
+      named += found;
+      const std::string said = result.found.first ? said_of(*result.found.first) : "nothing";
+      if (!found) missed += fmt::format("\n    {}: from step {}, shown at {}; found: {}", scene.name, step, shows, said);
+    }
+    MESSAGE(fmt::format("{}, {}: first wrong step named in {} of {}{}", program.method, mistake, named, seen, missed));
+    CAPTURE(mistake);
+    CHECK(named >= 3);
+    CHECK(named >= seen - 1);
+  }
+}
+
+Scene on_the_raster(std::uint64_t seed, int count, int size) {
+  Scene scene = test::scene_of(test::triangles(seed, count, size));
+  scene.name = fmt::format("{} triangles", count);
+  return scene;
+}
+/// A scene of zstep's as it is seen from elsewhere.
+Scene seen(const std::string& name, double theta, double phi, int width, int height, double rho = 0) {
+  ViewOptions view;
+  view.theta = theta, view.phi = phi, view.width = width, view.height = height;
+  if (rho > 0) view.rho = rho;
+  if (rho > 0) view.near = 0.25, view.far = 12;
+  const bool file = name.ends_with(".toml");
+  return look_at_scene(load_scene(file ? test::in_checkout("lessons/scenes/" + name) : name).scene, view);
+}
+
+}  // namespace
+
+TEST_CASE("zoo: ray casting") {
+  std::vector<Scene> scenes{on_the_raster(3, 3, 12), on_the_raster(6, 6, 14), on_the_raster(11, 10, 16)};
+  const Program plain{"ray-casting", zoo::rays, "", {{"boxes", "none"}}};
+  const Program boxes{"ray-casting", zoo::rays, "boxes", {{"boxes", "facet"}}};
+  is_wrong(boxes, scenes, {"box_misses_at_0"});
+  for (const double theta : {2.0, 5.0, 11.0}) scenes.push_back(seen("rays.toml", theta, 87, 9, 6));
+  scenes.push_back(seen("cyclic", 20, 60, 9, 8));
+  scenes.push_back(seen("cyclic", 25, 70, 9, 8, 1.1));  // from amidst the polygons
+  scenes.push_back(seen("pyramid-behind", 33, 62, 9, 8));
+  is_right(plain, scenes);
+  is_right(boxes, scenes);
+  is_wrong(plain, scenes, {"nearest_by_index", "negative_t", "inside_test_half"});
+}
