@@ -132,7 +132,8 @@ Scene on_the_raster(std::uint64_t seed, int count, int size) {
   return scene;
 }
 /// A scene of zstep's as it is seen from elsewhere.
-Scene seen(const std::string& name, double theta, double phi, int width, int height, double rho = 0) {
+Scene seen(const std::string& name, std::optional<double> theta, std::optional<double> phi, int width, int height,
+           double rho = 0) {
   ViewOptions view;
   view.theta = theta, view.phi = phi, view.width = width, view.height = height;
   if (rho > 0) view.rho = rho;
@@ -155,4 +156,13 @@ TEST_CASE("zoo: ray casting") {
   is_right(plain, scenes);
   is_right(boxes, scenes);
   is_wrong(plain, scenes, {"nearest_by_index", "negative_t", "inside_test_half"});
+}
+
+TEST_CASE("zoo: scan line") {
+  const std::vector<Scene> scenes{on_the_raster(3, 3, 18),   on_the_raster(6, 6, 22),
+                                  on_the_raster(11, 10, 26), seen("abc-def.toml", {}, {}, 22, 27),
+                                  seen("five-tests.toml", {}, {}, 32, 20), on_the_raster(5, 4, 16)};
+  const Program program{"scan-line", zoo::scan_line_flags, "", {}};
+  is_right(program, scenes);
+  is_wrong(program, scenes, {"flag_missed", "wrong_of_two", "slope_inverted", "not_sorted"});
 }

@@ -39,5 +39,7 @@ std::string crossings(const Task& task);
 std::string half_planes(const Task& task);
 /// Ray casting. Style "boxes": with a box around each polygon.
 std::string rays(const Task& task);
+/// The scan-line method: edges of all polygons in one table, and a flag for each polygon.
+std::string scan_line_flags(const Task& task);
 
 }  // namespace zoo

@@ -25,7 +25,8 @@ constexpr Thing thing_at() {
 template <class E, std::size_t I>
 constexpr bool is_result() {
   constexpr std::string_view name = field_at<E, I>.name;
-  if (about<E>.names(name) || name == "facet" || (std::is_same_v<E, EdgeEnter> && name == "place")) return false;
+  constexpr bool in_active_list = std::is_same_v<E, EdgeEnter> || std::is_same_v<E, EdgeSwap>;
+  if (about<E>.names(name) || name == "facet" || (in_active_list && name == "place")) return false;
   return name == "parent" || thing_at<E, I>() == Thing::none || thing_at<E, I>() != made_by<E>();
 }
 
