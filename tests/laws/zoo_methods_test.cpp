@@ -166,3 +166,15 @@ TEST_CASE("zoo: scan line") {
   is_right(program, scenes);
   is_wrong(program, scenes, {"flag_missed", "wrong_of_two", "slope_inverted", "not_sorted"});
 }
+
+TEST_CASE("zoo: viewing before the Z-buffer") {
+  std::vector<Scene> scenes{seen("cyclic", 25, 70, 12, 10, 1.5), seen("pyramid-behind", 33, 62, 12, 10, 1.2),
+                            seen("rays.toml", 40, 80, 12, 8, 2), seen("cyclic", 60, 50, 12, 10, 1.3)};
+  scenes.push_back(seen("pyramid", 33, 62, 14, 12));
+  scenes.push_back(seen("intersecting", 20, 65, 14, 12));
+  scenes.push_back(seen("dodecahedron", 20, 65, 16, 14));
+  const Program program{"z-buffer", zoo::viewing, "", {}, true};
+  is_right(program, scenes);
+  is_wrong(program, scenes,
+           {"no_divide", "divide_twice", "negative_w", "clockwise_front", "z_v_for_pseudodepth", "y_flipped"});
+}

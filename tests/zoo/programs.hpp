@@ -41,5 +41,7 @@ std::string half_planes(const Task& task);
 std::string rays(const Task& task);
 /// The scan-line method: edges of all polygons in one table, and a flag for each polygon.
 std::string scan_line_flags(const Task& task);
+/// All of viewing before a Z-buffer: needs a camera.
+std::string viewing(const Task& task);
 
 }  // namespace zoo
