@@ -116,8 +116,9 @@ void is_wrong(const Program& program, const std::vector<Scene>& scenes, const st
         break;
       }
       named += found;
-      const std::string said = result.found.first ? said_of(*result.found.first) : "nothing";
-      if (!found) missed += fmt::format("\n    {}: from step {}, shown at {}; found: {}", scene.name, step, shows, said);
+      if (!found)
+        missed += fmt::format("\n    {}: from step {}, shown at {}; found: {}", scene.name, step, shows,
+                              result.found.first ? said_of(*result.found.first) : "nothing");
     }
     MESSAGE(fmt::format("{}, {}: first wrong step named in {} of {}{}", program.method, mistake, named, seen, missed));
     CAPTURE(mistake);

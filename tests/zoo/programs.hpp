@@ -1,5 +1,5 @@
-// Programs as students write them: each draws a scene in its own way and prints what it does, a JSON object a line. They
-// share nothing with the engine, and each can be told to make a mistake.
+// Programs as students write them: each draws a scene in its own way and prints what it does, a JSON object a line.
+// They share nothing with the engine, and each can be told to make a mistake.
 #pragma once
 
 #include <string>
