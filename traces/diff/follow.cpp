@@ -207,15 +207,16 @@ class Follow {
     return share;
   }
 
-  /// Are these fields, as far as they are numbers, as long as the normal of a plane?
+  /// Are these fields, as far as they are numbers, values of a plane that are as long as its normal?
   template <class E>
   static constexpr bool only_as_long_as_normal(std::uint16_t fields) {
     bool only = true;
     for_each_index<E>([&]<std::size_t I>() {
+      constexpr std::string_view name = field_at<E, I>.name;
       if ((fields >> I & 1) != 0 && std::is_same_v<FieldValue<E, I>, double>)
-        only = only && as_long_as_normal<E>(field_at<E, I>.name);
+        only = only && as_long_as_normal(name) && !either_way_round(name);
     });
-    return only && !either_way_round<E>;
+    return only;
   }
 
   /// The fields that are no numbers: what is decided by a number must part by more than rounding, or hang on one that

@@ -21,32 +21,26 @@ inline double share_apart(double one, double other) {
   return std::isfinite(apart) ? apart / larger : std::numeric_limits<double>::infinity();
 }
 
-/// Numbers that are as long as the normal of a plane, which programs make of any length. Those of the plane itself and
-/// of a ray that meets it mean the same the other way round, too.
-template <class E>
-constexpr bool as_long_as_normal(std::string_view field) {
-  if constexpr (std::is_same_v<E, PlaneEquation>) return field.starts_with("plane_");
-  else if constexpr (std::is_same_v<E, RayPlane>) return field == "numerator" || field == "denominator";
-  else if constexpr (std::is_same_v<E, VertexSide> || std::is_same_v<E, EyeSide>) return field == "value";
-  else if constexpr (std::is_same_v<E, SideTest>) return field == "least" || field == "greatest";
-  else return false;
+/// Is a number as long as the normal of a plane, which programs make of any length? Those of the plane itself and of a
+/// ray that meets it mean the same the other way round, too.
+constexpr bool either_way_round(std::string_view field) {
+  return field.starts_with("plane_") || field == "numerator" || field == "denominator";
 }
-template <class E>
-constexpr bool either_way_round = std::is_same_v<E, PlaneEquation> || std::is_same_v<E, RayPlane>;
+constexpr bool as_long_as_normal(std::string_view field) {
+  return either_way_round(field) || field == "value" || field == "least" || field == "greatest";
+}
 
 /// How many times as long such numbers of b are as those of a, by the largest of them; 1 where that cannot be said.
 template <class E>
 double times_as_long(const E& a, const E& b) {
   double largest = 0, factor = 1;
-  if constexpr (either_way_round<E>) {
-    for_each_index<E>([&]<std::size_t I>() {
-      if constexpr (as_long_as_normal<E>(field_at<E, I>.name)) {
-        const double mine = a.*field_at<E, I>.member, its = b.*field_at<E, I>.member;
-        if (std::abs(mine) > largest && its != 0 && std::isfinite(its / mine))
-          largest = std::abs(mine), factor = its / mine;
-      }
-    });
-  }
+  for_each_index<E>([&]<std::size_t I>() {
+    if constexpr (std::is_same_v<FieldValue<E, I>, double> && either_way_round(field_at<E, I>.name)) {
+      const double mine = a.*field_at<E, I>.member, its = b.*field_at<E, I>.member;
+      if (std::abs(mine) > largest && its != 0 && std::isfinite(its / mine))
+        largest = std::abs(mine), factor = its / mine;
+    }
+  });
   return factor;
 }
 
@@ -65,10 +59,10 @@ Parting parting(const E& a, const E& b, SameThing&& same_thing) {
       else equal = mine == its || same(mine, its);  // 0 and -0, NaN and NaN
       if (equal) return;
       found.fields = static_cast<std::uint16_t>(found.fields | 1u << I);
-      if constexpr (std::is_same_v<FieldValue<E, I>, double>)
-        found.off = std::max(
-            found.off,
-            static_cast<float>(share_apart(as_long_as_normal<E>(field_at<E, I>.name) ? mine * factor : mine, its)));
+      if constexpr (std::is_same_v<FieldValue<E, I>, double>) {
+        const double as_long = either_way_round(field_at<E, I>.name) ? mine * factor : mine;
+        found.off = std::max(found.off, static_cast<float>(share_apart(as_long, its)));
+      }
     }
   });
   return found;
