@@ -155,7 +155,7 @@ class Follow {
     const Difference& difference = report_.alignment.differences[static_cast<std::size_t>(number)];
     Finding& finding = findings_[static_cast<std::size_t>(number)];
     finding = {};
-    Reads reads{different_, rounding_};
+    Reads reads{different_, rounding_, findings_};
     Witness<E> witness{e, trace_.header(), report_.precision, difference.fields, reads};
     if constexpr (formulas::Derived<E, Witness<E>>) formulas::derive(e, at, witness);
     if constexpr (std::is_same_v<E, EdgeEnter>) reads(Place{Place::In::edge_table, e.edge});
@@ -183,10 +183,9 @@ class Follow {
     // Of a plane whose normal has another length; of opposite signs they would be off by more than the larger one.
     const bool of_longer_normal =
         only_as_long_as_normal<E>(difference.fields) && reads.from_rounding != no_difference && difference.off < 1;
-    const double operand_off = from == no_difference ? 0 : findings_[static_cast<std::size_t>(from)].off;
-    const bool numbers_near =
-        either_way || of_longer_normal ||
-        difference.off <= std::max({written_off(e, difference.fields), witness.may_be_off, operand_off});
+    const double allowed =
+        std::max({written_off(e, difference.fields), witness.may_be_off_here(), double{reads.operands_off}});
+    const bool numbers_near = either_way || of_longer_normal || difference.off <= allowed;
     const bool decided = exact_fields<E>(difference.fields);
     const bool any_rounding = either_way || from != no_difference || (difference.fields & ~exact_bits<E>()) != 0;
     finding.decides = alone || decided;

@@ -17,11 +17,15 @@ using formulas::Follows, formulas::Place, formulas::Rounded, formulas::Rule;
 /// Which differences the operands of this step go back to.
 struct Reads {
   const Inheritance &different, &rounding;
+  const std::vector<Finding>& findings;
   std::int32_t from_different = no_difference, from_rounding = no_difference;
+  float operands_off = 0;  ///< how far operands are off by rounding, as a share of them, at most
 
   void operator()(const Place& place) {
     if (from_different == no_difference) from_different = different.of(place);
-    if (from_rounding == no_difference) from_rounding = rounding.of(place);
+    const std::int32_t from = rounding.of(place);
+    if (from_rounding == no_difference) from_rounding = from;
+    if (from != no_difference) operands_off = std::max(operands_off, findings[static_cast<std::size_t>(from)].off);
   }
 };
 
@@ -36,6 +40,13 @@ struct Witness {
   Reads& reads_from;
   bool wrong = false;
   double may_be_off = 0;  ///< what rounding allows a field in question, as a share of it, at most
+  /// The same where operands may be off by more than the number format has them: where they are small differences of
+  /// large numbers.
+  double may_be_off_here() const {
+    const double more = reads_from.operands_off / (2 * precision.relative);
+    constexpr double digits_of_shares = 1 + 1e-6;
+    return may_be_off * std::max(1.0, more * digits_of_shares);
+  }
   bool near_tie = false;
 
   Number number(const auto&, double value, const Place& place) {
@@ -57,8 +68,8 @@ struct Witness {
     wrong = wrong || !(formulas::gives(formula, value, precision.relative) ||
                        std::abs(value - formula.value) <= precision.absolute);
     const double size = std::max(std::abs(value), std::abs(formula.value));
-    if (size > 0)
-      may_be_off = std::max(may_be_off, (2 * precision.relative * formula.spread + precision.absolute) / size);
+    // What is 0 in one run the other run is asked about: there it has a size.
+    may_be_off = std::max(may_be_off, (2 * precision.relative * formula.spread + precision.absolute) / size);
   }
   void near(Follows<E, double> field, const Rounded& number) {
     if (in_question(field) && e.*field.member == e.*field.member) gives(field, number);
