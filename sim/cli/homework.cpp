@@ -1,38 +1,131 @@
-// zstep homework: makes the folder of a homework.
+// zstep homework: makes the folder of a homework, tries it, and runs programs of submissions.
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "sim/cli/commands.hpp"
 #include "sim/cli/messages.hpp"
+#include "sim/cli/outputs.hpp"
+#include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/homework/new_homework.hpp"
+#include "sim/homework/run_programs.hpp"
+#include "sim/homework/try_homework.hpp"
+#include "sim/words/shell_word.hpp"
+#include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::cli {
+namespace {
+
+struct HomeworkOptions {
+  std::string what, program, out;
+  std::vector<std::string> words;
+};
+
+/// The words after `what`: as many as it takes.
+const std::vector<std::string>& words_for(const HomeworkOptions& options, std::size_t count, const char* usage) {
+  if (options.words.size() == count) return options.words;
+  throw InputError("homework " + options.what,
+                   options.words.size() < count ? "too little is given" : "too much is given", usage);
+}
+
+int make_new(const HomeworkOptions& options) {
+  const auto& words = words_for(options, 2, "type zstep homework new METHOD FOLDER");
+  for (const std::string& file : homework::new_homework(words[0], words[1])) fmt::print("{}/{}\n", words[1], file);
+  return exit_code::done;
+}
+
+int refresh(const HomeworkOptions& options) {
+  const auto& words = words_for(options, 1, "type zstep homework refresh FOLDER");
+  const auto written = homework::refresh_homework(words[0]);
+  for (const std::string& file : written) fmt::print("{}/{}\n", words[0], file);
+  if (written.empty()) fmt::print("All is as it must be.\n");
+  return exit_code::done;
+}
+
+int try_it(const HomeworkOptions& options) {
+  const auto& words = words_for(options, 1, "type zstep homework try FOLDER");
+  Watch watch;
+  const bool right = homework::try_homework(
+      words[0],
+      [&](homework::Tried tried, const std::string& text) {
+        watch.clear_line();
+        fmt::print("{}  {}\n",
+                   tried == homework::Tried::right   ? "ok"
+                   : tried == homework::Tried::wrong ? "no"
+                                                     : "--",
+                   printable_lines(text));
+      },
+      [&](const std::string& work) { watch.show(fmt::format("trying: {} (Ctrl-C stops)", work)); });
+  watch.clear_line();
+  fmt::print("\n{}\n", right ? "It can be handed out." : "Mend what is marked with no.");
+  return right ? exit_code::done : exit_code::finding;
+}
+
+int run_them(const HomeworkOptions& options) {
+  const auto& words =
+      words_for(options, 2, "type zstep homework run FOLDER PROGRAM-FOLDER --program 'python3 zbuffer.py' -o RUNS");
+  if (options.out.empty()) throw InputError("homework run", "there is no place for the runs", "give -o FOLDER");
+  const homework::Homework given = homework::load_homework(words[0]);
+  if (const std::string open = homework::not_protected(); !open.empty()) fmt::print(stderr, "zstep: {}\n", open);
+  Watch watch;
+  const auto runs = homework::run_programs(
+      given, options.program, words[1], options.out,
+      [&](const homework::Task& task) { watch.show(fmt::format("running: {} (Ctrl-C stops)", task.name)); });
+  watch.clear_line();
+  bool well = true;
+  for (const homework::ProgramRun& run : runs) {
+    const bool ended_well = run.ended.how == homework::Ended::How::well;
+    well = well && ended_well;
+    fmt::print("{}: the program {}\n", run.file.string(), homework::text_of(run.ended, given.limits));
+    if (!ended_well) fmt::print("{}", printable_lines(run.ended.errors));
+  }
+  return well ? exit_code::done : exit_code::finding;
+}
+
+}  // namespace
 
 void add_homework(CLI::App& app, Action& action) {
-  struct HomeworkOptions {
-    std::string what, method, folder;
-  };
   const auto options = std::make_shared<HomeworkOptions>();
-  CLI::App* command = app.add_subcommand("homework", "Make a homework: a folder with all that it needs");
-  command->add_option("what", options->what, "What is to be done: new")->type_name("new")->required();
-  command->add_option("method", options->method, "The method: " + enumerate(homework::homework_methods(), "or"))
-      ->type_name("METHOD")
+  CLI::App* command = app.add_subcommand("homework", "Make a homework, try it, run programs on its scenes");
+  command->add_option("what", options->what, "What is to be done")->type_name("new|try|run|refresh")->required();
+  command
+      ->add_option("words", options->words,
+                   "new: the method (" + enumerate(homework::homework_methods(), "or") +
+                       ") and the folder to make. Else the homework's folder; run: and the program's")
+      ->type_name("FOLDER")
       ->required();
-  command->add_option("folder", options->folder, "The folder, which is made")->type_name("FOLDER")->required();
+  command
+      ->add_option("--program", options->program,
+                   "run: the command that runs the program; the scene's file follows it (default: homework.toml's)")
+      ->type_name("COMMAND");
+  command->add_option("-o,--output", options->out, "run: the folder for the runs")->type_name("FOLDER");
   command->footer(
-      "Scenes, what is graded and its points, hand-out, starters, and a solution apart: docs/homework.md says what is\n"
-      "what. All of it may be changed.\n"
+      "new      makes a folder: scenes, what is graded and its points, hand-out, starters, and a solution apart. All "
+      "of\n"
+      "         it may be changed; docs/homework.md says what is what.\n"
+      "try      does once all that a class will do, and says what would go wrong.\n"
+      "run      runs a student's program on each scene, with limits and where bubblewrap (bwrap) is there without\n"
+      "         network and other files; `zstep grade` then grades the runs.\n"
+      "refresh  writes anew what is made from homework.toml and the scenes: emit.* and scenes as plain numbers.\n"
       "\n"
       "Examples:\n"
-      "  zstep homework new z-buffer my-homework");
+      "  zstep homework new z-buffer my-homework\n"
+      "  zstep homework try hw3\n"
+      "  zstep homework run hw3 hw3/solution --program 'python3 zbuffer.py' -o her-runs");
   command->callback([options, &action] {
     action = [options] {
-      parse_choice("homework", options->what, std::vector<std::string>{"new"});
-      for (const std::string& file : homework::new_homework(options->method, options->folder))
-        fmt::print("{}/{}\n", options->folder, file);
-      return exit_code::done;
+      switch (parse_choice("homework", options->what, std::vector<std::string>{"new", "try", "run", "refresh"})) {
+        case 0:
+          return make_new(*options);
+        case 1:
+          return try_it(*options);
+        case 2:
+          return run_them(*options);
+        default:
+          return refresh(*options);
+      }
     };
   });
 }

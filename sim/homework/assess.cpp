@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/homework/run_programs.hpp"
 #include "sim/words/derived.hpp"
 #include "sim/words/file_lines.hpp"
 #include "sim/words/judged.hpp"
@@ -89,6 +90,7 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& fi
     return graded;
   }
   graded.file = file.string();
+  graded.ended = how_it_ended(file, task.hidden);
   try {
     const Runs runs = runs_of(homework, task, file);
     const grade::Judgement found = grade::judge(runs.reference, runs.submission, homework.parts);
@@ -136,6 +138,10 @@ fs::path run_of(const fs::path& submission, const Homework& homework, const Task
                    fmt::format("call it as one of these, or give the folder: {}", names));
 }
 
+Trace reference_of(const Homework& homework, const Task& task) {
+  return reference_of(*homework.method, task.scene, task.conventions);
+}
+
 Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
   note_input(file);
   std::error_code ignored;
@@ -149,6 +155,17 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
   check_run(*homework.method, task.scene, conventions, file.string());
   Trace reference = reference_of(*homework.method, task.scene, conventions);
   return {std::move(reference), std::move(submission), !given.without_header, impossible};
+}
+
+std::string Graded::shown() const {
+  std::string text = ended;
+  const auto add = [&](const std::string& more) {
+    if (!more.empty()) text += (text.empty() ? "" : "\n") + more;
+  };
+  if (!task->hidden || state == State::missing) add(why);
+  else if (state == State::unreadable) add("the run cannot be read");
+  else if (!why.empty()) add("the run ends early, or is judged up to a step that cannot be");
+  return text;
 }
 
 double Assessment::most(const Graded& task, std::size_t part) const {

@@ -34,9 +34,13 @@ struct Graded {
   State state = State::missing;
   std::string file;  ///< that was handed in
   std::string why;   ///< it is missing or unreadable, or ends early
+  std::string ended;  ///< how the program ended that made it, where it did not end well
   std::int64_t steps = 0;
   std::vector<grade::PartCount> counts;  ///< by part; empty unless judged
   std::optional<FirstWrong> first;
+
+  /// What of `ended` and `why` a student may read: of a hidden scene nothing that quotes its run.
+  std::string shown() const;
 };
 
 struct Assessment {
@@ -62,6 +66,9 @@ struct Runs {
   bool had_header = true;
   std::string impossible;  ///< why the run's next step cannot be
 };
+/// The right run of a task.
+Trace reference_of(const Homework& homework, const Task& task);
+
 /// Throws InputError where the file is no run.
 Runs runs_of(const Homework& homework, const Task& task, const std::filesystem::path& file);
 

@@ -56,6 +56,7 @@ class Reader {
       fail_at(*top_.find("method"), file_, fmt::format("there is no method '{}'", id), scene::suggestion(id, ids));
     page_ = homework_.method->page();
     read_free();
+    if (const toml::table* program = top_.table("program")) read_program(*program);
     const toml::array* also = top_.array("also");
     top_.find("options");  // read for each task, beside the scene's own
     const toml::array* tasks = top_.array("scene");
@@ -113,6 +114,19 @@ class Reader {
         fail_at(*node, file_, fmt::format("there is no convention '{}'", key), scene::suggestion(key, keys));
       homework_.free.push_back(key);
     }
+  }
+
+  void read_program(const toml::table& table) {
+    Keys keys(table, file_, "[program]");
+    homework_.program = needed(keys, table, "command", "command = \"python3 zbuffer.py\"");
+    Limits& limits = homework_.limits;
+    limits.seconds = keys.positive("seconds").value_or(limits.seconds);
+    const auto whole = [&](std::string_view key, int& value) {
+      value = keys.whole(key, 1, 1 << 20).value_or(value);
+    };
+    whole("memory", limits.memory), whole("output", limits.output), whole("files", limits.files);
+    whole("processes", limits.processes);
+    keys.finish();
   }
 
   void read_task(const toml::node& node) {

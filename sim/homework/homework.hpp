@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "sim/homework/sandbox.hpp"
 #include "traces/grade/grade.hpp"
 #include "traces/scene.hpp"
 
@@ -29,6 +30,9 @@ struct Homework {
   int left_out = 0;  ///< hidden scenes whose files are not here, as in a student's copy
   std::vector<grade::Part> parts;
   std::vector<StepInfo> steps;  ///< that a program prints: those of the parts, and what gives them their places
+
+  std::string program;  ///< the command that runs a submission's program on the scene that follows it; or none
+  Limits limits;        ///< of that program
 
   /// The share of all points that a task has.
   double share(const Task& task) const;

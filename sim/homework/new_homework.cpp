@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "sim/classroom/lesson.hpp"
 #include "sim/homework/emitters.hpp"
-#include "sim/homework/homework.hpp"
 #include "traces/error.hpp"
 #include "traces/near_word.hpp"
 
@@ -37,6 +37,13 @@ void write(const fs::path& path, const std::string& text) {
   if (!out) throw InputError(path.string(), "cannot be written", "check the folder and the room on the disk");
 }
 
+std::string text_of_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
 /// What a program reads: width and height, the points, and each polygon as the number of its vertices and these.
 std::string plain_numbers(const Scene& scene) {
   std::string text = fmt::format("{} {}\n{}\n", scene.raster.width, scene.raster.height, scene.points.size());
@@ -51,18 +58,28 @@ std::string plain_numbers(const Scene& scene) {
   return text;
 }
 
-void fill(const fs::path& from, const fs::path& folder) {
-  fs::copy(from, folder, fs::copy_options::recursive);
-  const Homework homework = load_homework(folder);
+std::vector<std::pair<fs::path, std::string>> made_files(const Homework& homework) {
+  std::vector<std::pair<fs::path, std::string>> files;
   for (const Task& task : homework.tasks)
-    write(fs::path(task.scene.source).replace_extension(".txt"), plain_numbers(task.scene));
-  for (std::size_t k = 0; k < languages.size(); ++k) {
-    const std::string text = emitter(static_cast<Language>(k), homework.steps);
-    for (const char* place : {"starter", "solution"}) write(folder / place / languages[k].file, text);
+    files.emplace_back(fs::path(task.scene.source).replace_extension(".txt"), plain_numbers(task.scene));
+  for (const char* place : {"starter", "solution"}) {
+    if (!fs::is_directory(homework.folder / place)) continue;
+    for (std::size_t k = 0; k < languages.size(); ++k)
+      files.emplace_back(homework.folder / place / languages[k].file,
+                         emitter(static_cast<Language>(k), homework.steps));
   }
+  std::erase_if(files, [](const auto& file) { return text_of_file(file.first) == file.second; });
+  return files;
 }
 
-}  // namespace
+std::vector<std::string> refresh_homework(const fs::path& folder) {
+  std::vector<std::string> written;
+  for (const auto& [path, text] : made_files(load_homework(folder))) {
+    write(path, text);
+    written.push_back(path.lexically_relative(folder).generic_string());
+  }
+  return written;
+}
 
 std::vector<std::string> homework_methods() {
   std::vector<std::string> names;
@@ -89,7 +106,8 @@ std::vector<std::string> new_homework(const std::string& method, const fs::path&
     throw InputError(partial.string(), "is in the way: the folder is made under this name", "move it away");
   std::vector<std::string> written;
   try {
-    fill(*found, partial);
+    fs::copy(*found, partial, fs::copy_options::recursive);
+    refresh_homework(partial);
     fs::remove(folder, ignored);  // an empty one
     fs::rename(partial, folder);
   } catch (const fs::filesystem_error& error) {

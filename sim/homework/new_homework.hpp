@@ -1,11 +1,22 @@
-// The folder of a new homework.
+// The folder of a new homework, and what in it is made from the rest.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "sim/homework/homework.hpp"
+
 namespace zstep::homework {
+
+/// What a program reads of a scene.
+std::string plain_numbers(const Scene& scene);
+/// What is made from homework.toml and the scenes, where it is missing or no longer agrees with them: the scenes in plain
+/// numbers, and the files that write steps, in starter/ and solution/; each with the text that it should have.
+std::vector<std::pair<std::filesystem::path, std::string>> made_files(const Homework& homework);
+/// Writes these. Returns what it wrote, from the folder.
+std::vector<std::string> refresh_homework(const std::filesystem::path& folder);
 
 /// The methods that there is a homework of.
 std::vector<std::string> homework_methods();

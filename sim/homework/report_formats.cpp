@@ -40,7 +40,7 @@ std::string first_text(const FirstWrong& first) {
 
 /// What is said of a part on a task, in one line.
 std::string message(const Assessment& all, const Graded& task, std::size_t part) {
-  if (task.state != Graded::State::judged) return task.why;
+  if (task.state != Graded::State::judged) return task.shown();
   const grade::PartCount& count = task.counts[part];
   const grade::Part& of = all.homework->parts[part];
   const std::string steps = of.level == grade::Level::buffers ? "pixels" : "steps";
@@ -65,7 +65,7 @@ std::string overview(const Assessment& all) {
     if (task.first && !task.task->hidden)
       return begin + fmt::format("The first thing to look at, in {}:\n{}", task.task->name, first_text(*task.first));
   for (const Graded& task : all.tasks)
-    if (!task.why.empty()) return begin + fmt::format("{}: {}", task.task->name, task.why);
+    if (const std::string why = task.shown(); !why.empty()) return begin + fmt::format("{}: {}", task.task->name, why);
   return begin + (all.points() > 0 ? "Every step that is shown is right." : "");
 }
 
@@ -80,6 +80,7 @@ std::string report_json(const Assessment& all) {
              {"file", task.file},
              {"steps", task.steps}};
     if (!task.why.empty()) one["why"] = task.why;
+    if (!task.ended.empty()) one["ended"] = task.ended;
     Json parts = Json::array();
     for (std::size_t part = 0; part < task.counts.size(); ++part) {
       const grade::PartCount& count = task.counts[part];
@@ -120,7 +121,7 @@ std::string report_gradescope(const Assessment& all, double seconds) {
                      {"score", points},
                      {"max_score", most},
                      {"status", points >= most ? "passed" : "failed"},
-                     {"output", task.task->hidden ? "" : message(all, task, part)},
+                     {"output", task.task->hidden ? task.shown() : message(all, task, part)},
                      {"output_format", "text"},
                      {"visibility", "visible"}});
   });
@@ -137,7 +138,7 @@ std::string report_gradescope(const Assessment& all, double seconds) {
 std::string report_prairielearn(const Assessment& all) {
   if (!all.gradable()) {
     Json errors = Json::array();
-    for (const Graded& task : all.tasks) errors.push_back(fmt::format("{}: {}", task.task->name, task.why));
+    for (const Graded& task : all.tasks) errors.push_back(fmt::format("{}: {}", task.task->name, task.shown()));
     return dumped({{"gradable", false}, {"format_errors", errors}, {"message", "Nothing could be graded."}});
   }
   Json tests = Json::array();
@@ -145,7 +146,7 @@ std::string report_prairielearn(const Assessment& all) {
     tests.push_back({{"name", name},
                      {"points", all.points(task, part)},
                      {"max_points", all.most(task, part)},
-                     {"message", task.task->hidden ? "" : message(all, task, part)}});
+                     {"message", task.task->hidden ? task.shown() : message(all, task, part)}});
   });
   return dumped({{"gradable", true},
                  {"score", all.points() / all.homework->points()},

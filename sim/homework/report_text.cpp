@@ -38,10 +38,10 @@ std::string task_text(const Assessment& all, const Graded& task) {
     points += all.points(task, part), most += all.most(task, part);
   std::string text =
       fmt::format("{}: {} of {} points\n", printable(task.task->name), points_text(points), points_text(most));
-  if (task.state == Graded::State::missing) return text + fmt::format("  Nothing was handed in: {}.\n", task.why);
+  if (task.state == Graded::State::missing) return text + fmt::format("  Nothing was handed in: {}.\n", task.shown());
   if (task.state == Graded::State::unreadable)
-    return text + fmt::format("  This cannot be graded:\n  {}\n", printable_lines(task.why));
-  if (!task.why.empty()) text += fmt::format("  {}\n", printable_lines(task.why));
+    return text + fmt::format("  This cannot be graded:\n  {}\n", printable_lines(task.shown()));
+  if (!task.shown().empty()) text += fmt::format("  {}\n", printable_lines(task.shown()));
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
     text += fmt::format("  {} {:<22} {}\n", all.points(task, part) >= all.most(task, part) ? "ok" : "  ",
                         printable(homework.parts[part].name), shares_text(homework, task, part));

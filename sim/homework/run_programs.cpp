@@ -1,0 +1,95 @@
+#include "sim/homework/run_programs.hpp"
+
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "sim/homework/new_homework.hpp"
+#include "sim/words/shell_word.hpp"
+#include "traces/error.hpp"
+#include "traces/text.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_noted = 4096;
+
+fs::path note_beside(const fs::path& run) { return fs::path(run).replace_extension(".ended.txt"); }
+
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path inner = fs::weakly_canonical(path, ignored), outer = fs::weakly_canonical(folder, ignored);
+  const fs::path way = inner.lexically_relative(outer);
+  return !way.empty() && *way.begin() != "..";
+}
+
+void check_folders(const Homework& homework, const fs::path& program, const fs::path& runs) {
+  std::error_code ignored;
+  if (!fs::is_directory(program, ignored))
+    throw InputError(program.string(), "is no folder", "give the folder that the program is in");
+  if (lies_in(homework.folder, program))
+    throw InputError(program.string(), "holds the homework, which the program would see",
+                     "put the program in a folder of its own");
+  if (lies_in(runs, program))
+    throw InputError(runs.string(), "lies in the program's folder", "give a folder beside it");
+  if (fs::exists(fs::symlink_status(runs, ignored)) &&
+      !(fs::is_directory(runs, ignored) && fs::is_empty(runs, ignored)))
+    throw InputError(runs.string(), "is there already", "give the name of a new folder, or remove it");
+  fs::create_directories(runs, ignored);
+  if (!fs::is_directory(runs, ignored))
+    throw InputError(runs.string(), "cannot be made", "check the folder it lies in");
+}
+
+}  // namespace
+
+std::vector<ProgramRun> run_programs(const Homework& homework, const std::string& command, const fs::path& program,
+                                     const fs::path& runs, const std::function<void(const Task&)>& on_task) {
+  const std::string& typed = command.empty() ? homework.program : command;
+  if (typed.empty())
+    throw InputError((homework.folder / "homework.toml").string(), "says of no program how it is run",
+                     "give --program 'python3 zbuffer.py', or write it under [program] as command");
+  check_folders(homework, program, runs);
+  std::vector<ProgramRun> all;
+  for (const Task& task : homework.tasks) {
+    on_task(task);
+    const fs::path file = runs / (task.name + ".jsonl");
+    const Ended ended = run_in_sandbox(typed, program, task.name, plain_numbers(task.scene), file, homework.limits,
+                                       [&] { on_task(task); });
+    if (ended.how != Ended::How::well)
+      std::ofstream(note_beside(file), std::ios::binary) << fmt::format(
+          "The program {}.\n{}", text_of(ended, homework.limits, !task.hidden), printable_lines(ended.errors));
+    all.push_back({&task, ended, file});
+  }
+  return all;
+}
+
+std::string how_it_ended(const fs::path& run, bool hidden) {
+  std::error_code ignored;
+  const fs::path note = note_beside(run);
+  if (!fs::is_regular_file(fs::symlink_status(note, ignored))) return "";
+  std::ifstream in(note, std::ios::binary);
+  std::string text(most_noted, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (hidden) text.resize(std::min(text.size(), text.find('\n')));
+  while (text.ends_with('\n')) text.pop_back();
+  return printable_lines(text);
+}
+
+std::optional<SourceCommand> command_of_source(const fs::path& source) {
+  const std::string name = source.filename().string(), word = shell_word(name), kind = source.extension().string();
+  const char* then = " -o \"$TMPDIR/program\" && \"$TMPDIR/program\"";
+  if (kind == ".py") return SourceCommand{"python3", "python3 " + word};
+  if (kind == ".js") return SourceCommand{"node", "node " + word};
+  if (kind == ".cpp") return SourceCommand{"c++", "c++ -std=c++17 -O1 " + word + then};
+  if (kind == ".c") return SourceCommand{"cc", "cc -std=c99 -O1 " + word + " -lm" + then};
+  if (kind == ".java")
+    return SourceCommand{"javac",
+                         "javac -d \"$TMPDIR\" *.java && java -cp \"$TMPDIR\" " + shell_word(source.stem().string())};
+  return std::nullopt;
+}
+
+}  // namespace zstep::homework

@@ -1,0 +1,205 @@
+#include "sim/homework/sandbox.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "sim/homework/sandbox_process.hpp"
+#include "sim/homework/sandbox_usage.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t most_errors = 8192;
+constexpr int milliseconds_between_looks = 50;
+
+struct SignalText {
+  int number;
+  const char* text;
+};
+constexpr std::array signal_texts{
+    SignalText{SIGSEGV, "SIGSEGV, as after an access to memory that is not its own"},
+    SignalText{SIGBUS, "SIGBUS, as after an access to memory that is not there"},
+    SignalText{SIGABRT, "SIGABRT, as after a failed assertion or an exception that nobody caught"},
+    SignalText{SIGFPE, "SIGFPE, as after an integer division by zero"},
+    SignalText{SIGILL, "SIGILL, as after an instruction that the processor does not have"},
+    SignalText{SIGKILL, "SIGKILL"},
+    SignalText{SIGTERM, "SIGTERM"},
+    SignalText{SIGXFSZ, "SIGXFSZ, as it wrote a file that is too large"},
+};
+
+class File {
+ public:
+  explicit File(const fs::path& path) : path_(path), file_(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0644)) {
+    if (file_ < 0) throw InputError(path.string(), "cannot be made", "give the name of a new file");
+  }
+  ~File() { close(file_); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  void write(const char* bytes, std::size_t count) {
+    while (count > 0) {
+      const ssize_t written = ::write(file_, bytes, count);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) throw InputError(path_.string(), "cannot be written", "make room on the disk");
+      bytes += written, count -= static_cast<std::size_t>(written);
+    }
+  }
+
+ private:
+  fs::path path_;
+  int file_;
+};
+
+Ended ended_as(int status, double seconds, const Limits& limits) {
+  // The shell, and bubblewrap, say of a program that was ended by a signal that its exit code is 128 and the signal.
+  Ended ended;
+  int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (code == 0) return ended;
+  ended.how = code > 128 && code < 128 + 32 ? Ended::How::signal : Ended::How::exit_code;
+  ended.code = ended.how == Ended::How::signal ? code - 128 : code;
+  if (ended.how == Ended::How::signal && (ended.code == SIGXCPU || seconds > limits.seconds))
+    ended.how = Ended::How::processor;
+  return ended;
+}
+
+Ended run_on(const Stage& stage, const std::string& command, bool walls, const fs::path& out, const Limits& limits,
+             const std::function<void()>& tick) {
+  File file(out);
+  Process process(stage, command, walls, limits);
+  const Clock::time_point begin = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  std::string errors;
+  std::uint64_t printed = 0;
+  std::array<char, 1 << 16> buffer;
+  const auto read_what_is_there = [&] {
+    for (std::size_t which = 0; which < 2; ++which) {
+      for (int blocks = 0; process.pipes()[which] >= 0 && blocks < 64; ++blocks) {
+        const ssize_t got = read(process.pipes()[which], buffer.data(), buffer.size());
+        if (got < 0) break;
+        if (got == 0) process.close_pipe(which);
+        const auto count = static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+        if (which == 1) errors.append(buffer.data(), std::min(count, most_errors - errors.size()));
+        else if ((printed += count) <= Limits::bytes(limits.output)) file.write(buffer.data(), count);
+      }
+    }
+  };
+  const auto stopped = [&](Ended::How how) {
+    process.end();
+    return Ended{how, 0, seconds(), errors};
+  };
+  double looked = 0;
+  for (;;) {
+    const bool open = process.pipes()[0] >= 0 || process.pipes()[1] >= 0;
+    std::array<pollfd, 2> ready{{{process.pipes()[0], POLLIN, 0}, {process.pipes()[1], POLLIN, 0}}};
+    poll(ready.data(), 2, open ? milliseconds_between_looks : 5);
+    const bool over = process.look();
+    read_what_is_there();
+    if (printed > Limits::bytes(limits.output)) return stopped(Ended::How::output);
+    if (over) break;
+    if (seconds() - looked < 0.001 * milliseconds_between_looks) continue;
+    looked = seconds();
+    tick();
+    const Usage usage = usage_below(getpid());
+    if (usage.memory > Limits::bytes(limits.memory)) return stopped(Ended::How::memory);
+    if (usage.processes.size() > static_cast<std::size_t>(limits.processes)) return stopped(Ended::How::processes);
+    if (usage.seconds > limits.seconds) return stopped(Ended::How::processor);
+    if (seconds() > limits.clock_seconds()) return stopped(Ended::How::clock);
+  }
+  process.end();
+  read_what_is_there();
+  Ended ended = ended_as(process.status(), process.seconds(), limits);
+  ended.seconds = seconds(), ended.errors = errors;
+  return ended;
+}
+
+bool bubblewrap_works() {
+  if (const char* wish = std::getenv("ZSTEP_SANDBOX"); wish != nullptr && std::string(wish) == "limits") return false;
+#ifdef __linux__
+  std::string pattern = (fs::temp_directory_path() / "zstep-try-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) return false;
+  const fs::path folder = pattern;
+  bool works = false;
+  try {
+    fs::create_directory(folder / "program");
+    const Stage stage(folder / "program", "try", "", {});
+    works = run_on(stage, "echo works", true, folder / "out", {}, [] {}).how == Ended::How::well &&
+            fs::file_size(folder / "out") > 0;
+  } catch (const std::exception&) {
+  }
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  return works;
+#else
+  return false;
+#endif
+}
+
+}  // namespace
+
+std::string text_of(const Ended& ended, const Limits& limits, bool exact) {
+  switch (ended.how) {
+    case Ended::How::well:
+      return "ended well";
+    case Ended::How::exit_code:
+      return !exact              ? "ended with an exit code other than 0"
+             : ended.code == 127 ? "could not be started (exit code 127)"
+                                 : fmt::format("ended with exit code {}", ended.code);
+    case Ended::How::signal:
+      if (!exact) return "was ended by a signal";
+      for (const SignalText& one : signal_texts)
+        if (one.number == ended.code) return fmt::format("was ended by {}", one.text);
+      return fmt::format("was ended by signal {}", ended.code);
+    case Ended::How::processor:
+      return fmt::format("was stopped after {} s of processor time", limits.seconds);
+    case Ended::How::clock:
+      return fmt::format("was stopped after {} s: it waited for something, or had no end", limits.clock_seconds());
+    case Ended::How::memory:
+      return fmt::format("was stopped: it took more than {} MiB of memory", limits.memory);
+    case Ended::How::processes:
+      return fmt::format("was stopped: it started more than {} processes", limits.processes);
+    case Ended::How::output:
+      break;
+  }
+  return fmt::format("was stopped: it printed more than {} MiB", limits.output);
+}
+
+bool has_walls() {
+  static const bool works = bubblewrap_works();
+  return works;
+}
+
+std::string not_protected() {
+  if (has_walls()) return "";
+  return geteuid() == 0
+             ? "bubblewrap (bwrap) does not work here: programs run as the user nobody, with limits of time, memory, "
+               "processes and output. They reach the network, read what everybody may read and write where everybody "
+               "may write. Keep the homework and the results from others (chmod -R go= …)."
+             : "bubblewrap (bwrap) does not work here: programs run as you, with limits of time, memory and output. "
+               "They "
+               "reach the network and all of your files, the homework's too. Run none that you do not trust.";
+}
+
+Ended run_in_sandbox(const std::string& command, const fs::path& program, const std::string& name,
+                     const std::string& scene, const fs::path& out, const Limits& limits,
+                     const std::function<void()>& tick) {
+  const bool walls = has_walls();
+  const Stage stage(program, name, scene, limits);
+  return run_on(stage, command, walls, out, limits, tick);
+}
+
+}  // namespace zstep::homework
