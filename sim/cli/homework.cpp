@@ -1,4 +1,4 @@
-// zstep homework: makes the folder of a homework, tries it, and runs programs of submissions.
+// zstep homework: makes the folder of a homework, tries it, runs programs of submissions, and packs it for courses.
 #include <memory>
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/homework/new_homework.hpp"
+#include "sim/homework/pack_homework.hpp"
 #include "sim/homework/run_programs.hpp"
 #include "sim/homework/try_homework.hpp"
 #include "sim/words/shell_word.hpp"
@@ -21,6 +22,7 @@ namespace {
 struct HomeworkOptions {
   std::string what, program, out;
   std::vector<std::string> words;
+  bool gradescope = false, prairielearn = false, github = false;
 };
 
 /// The words after `what`: as many as it takes.
@@ -84,12 +86,27 @@ int run_them(const HomeworkOptions& options) {
   return well ? exit_code::done : exit_code::finding;
 }
 
+int pack(const HomeworkOptions& options) {
+  const auto& words = words_for(options, 1, "type zstep homework pack FOLDER --gradescope -o autograder.zip");
+  const int services = options.gradescope + options.prairielearn + options.github;
+  if (services != 1)
+    throw InputError("homework pack", services == 0 ? "for which service?" : "there are several services",
+                     "give one of --gradescope, --prairielearn and --github");
+  if (options.out.empty())
+    throw InputError("homework pack", "there is no place for it", "give -o FILE.zip or a folder");
+  const homework::Service service = options.gradescope     ? homework::Service::gradescope
+                                    : options.prairielearn ? homework::Service::prairielearn
+                                                           : homework::Service::github;
+  for (const std::string& note : homework::pack_homework(words[0], service, options.out)) fmt::print("{}\n", note);
+  return exit_code::done;
+}
+
 }  // namespace
 
 void add_homework(CLI::App& app, Action& action) {
   const auto options = std::make_shared<HomeworkOptions>();
-  CLI::App* command = app.add_subcommand("homework", "Make a homework, try it, run programs on its scenes");
-  command->add_option("what", options->what, "What is to be done")->type_name("new|try|run|refresh")->required();
+  CLI::App* command = app.add_subcommand("homework", "Make a homework, try it, run programs, pack it for a course");
+  command->add_option("what", options->what, "What is to be done")->type_name("new|try|run|pack|refresh")->required();
   command
       ->add_option("words", options->words,
                    "new: the method (" + enumerate(homework::homework_methods(), "or") +
@@ -100,7 +117,11 @@ void add_homework(CLI::App& app, Action& action) {
       ->add_option("--program", options->program,
                    "run: the command that runs the program; the scene's file follows it (default: homework.toml's)")
       ->type_name("COMMAND");
-  command->add_option("-o,--output", options->out, "run: the folder for the runs")->type_name("FOLDER");
+  command->add_flag("--gradescope", options->gradescope, "pack: the zip of an autograder for Gradescope");
+  command->add_flag("--prairielearn", options->prairielearn, "pack: the folder of an external grader for PrairieLearn");
+  command->add_flag("--github", options->github, "pack: a folder with a workflow for GitHub Classroom");
+  command->add_option("-o,--output", options->out, "run: the folder for the runs; pack: the file or folder to make")
+      ->type_name("FILE");
   command->footer(
       "new      makes a folder: scenes, what is graded and its points, hand-out, starters, and a solution apart. All "
       "of\n"
@@ -108,21 +129,26 @@ void add_homework(CLI::App& app, Action& action) {
       "try      does once all that a class will do, and says what would go wrong.\n"
       "run      runs a student's program on each scene, with limits and where bubblewrap (bwrap) is there without\n"
       "         network and other files; `zstep grade` then grades the runs.\n"
+      "pack     makes what Gradescope, PrairieLearn or GitHub Classroom take.\n"
       "refresh  writes anew what is made from homework.toml and the scenes: emit.* and scenes as plain numbers.\n"
       "\n"
       "Examples:\n"
       "  zstep homework new z-buffer my-homework\n"
       "  zstep homework try hw3\n"
-      "  zstep homework run hw3 hw3/solution --program 'python3 zbuffer.py' -o her-runs");
+      "  zstep homework run hw3 hw3/solution --program 'python3 zbuffer.py' -o her-runs\n"
+      "  zstep homework pack hw3 --gradescope -o autograder.zip");
   command->callback([options, &action] {
     action = [options] {
-      switch (parse_choice("homework", options->what, std::vector<std::string>{"new", "try", "run", "refresh"})) {
+      switch (
+          parse_choice("homework", options->what, std::vector<std::string>{"new", "try", "run", "pack", "refresh"})) {
         case 0:
           return make_new(*options);
         case 1:
           return try_it(*options);
         case 2:
           return run_them(*options);
+        case 3:
+          return pack(*options);
         default:
           return refresh(*options);
       }

@@ -123,7 +123,8 @@ fs::path run_of(const fs::path& submission, const Homework& homework, const Task
   std::error_code ignored;
   if (fs::is_directory(submission, ignored)) {
     const fs::path file = submission / (task.name + ".jsonl");
-    return fs::is_regular_file(file, ignored) ? file : fs::path();
+    // What a link leads to is not the student's, and the report would quote it.
+    return fs::is_regular_file(fs::symlink_status(file, ignored)) ? file : fs::path();
   }
   if (!fs::is_regular_file(submission, ignored))
     throw InputError(submission.string(), "there is no such file or folder",

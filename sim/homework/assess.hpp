@@ -72,7 +72,8 @@ Trace reference_of(const Homework& homework, const Task& task);
 /// Throws InputError where the file is no run.
 Runs runs_of(const Homework& homework, const Task& task, const std::filesystem::path& file);
 
-/// Grades all of it, or the task of this name alone; of a single file the one task that it is a run of. `on_task` is called before each.
+/// Grades all of it, or the task of this name alone; of a single file the one task that it is a run of. `on_task` is
+/// called before each.
 Assessment assess(const Homework& homework, const std::filesystem::path& submission, const std::string& only = "",
                   const std::function<void(const Task&)>& on_task = nullptr);
 

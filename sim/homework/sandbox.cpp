@@ -185,7 +185,7 @@ bool has_walls() {
 
 std::string not_protected() {
   if (has_walls()) return "";
-  return geteuid() == 0
+  return runs_as_nobody()
              ? "bubblewrap (bwrap) does not work here: programs run as the user nobody, with limits of time, memory, "
                "processes and output. They reach the network, read what everybody may read and write where everybody "
                "may write. Keep the homework and the results from others (chmod -R go= …)."

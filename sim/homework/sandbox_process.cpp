@@ -27,19 +27,19 @@ void limit(int what, std::uint64_t most) {
 
 /// In the new process, up to exec: nothing here asks for memory.
 [[noreturn]] void become(char* const* words, char* const* environment, const char* folder, const int (&pipes)[2],
-                         bool walls, const Limits& limits) {
+                         bool walls, bool as_nobody, const Limits& limits) {
   setsid();
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, 0), dup2(pipes[0], 1), dup2(pipes[1], 2);
   for (int open_file = 3; open_file < 4096; ++open_file) close(open_file);
   for (const int number : {SIGINT, SIGPIPE, SIGXFSZ, SIGCHLD}) std::signal(number, SIG_DFL);
-  if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(nobody) != 0 || setuid(nobody) != 0)) _exit(126);
+  if (as_nobody && (setgroups(0, nullptr) != 0 || setgid(nobody) != 0 || setuid(nobody) != 0)) _exit(126);
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   limit(RLIMIT_DATA, Limits::bytes(limits.memory));  // what is only reserved, as Java and JavaScript do, does not count
   // All of the user's processes count; of nobody's there are few.
-  if (!walls && geteuid() == nobody) limit(RLIMIT_NPROC, static_cast<std::uint64_t>(limits.processes));
+  if (!walls && as_nobody) limit(RLIMIT_NPROC, static_cast<std::uint64_t>(limits.processes));
 #else
   limit(RLIMIT_AS, Limits::bytes(limits.memory));
 #endif
@@ -70,6 +70,7 @@ Process::Process(const Stage& stage, const std::string& command, bool walls, con
   std::vector<std::string> words = stage.words(command, walls, limits), environment = stage.environment(walls);
   const std::vector<char*> word_list = pointers(words), environment_list = pointers(environment);
   const std::string folder = stage.folder(walls).string();
+  const bool as_nobody = runs_as_nobody();
   int out[2], errors[2];
   if (pipe(out) != 0) throw InputError("the program", "cannot be run: no pipe can be had", "close other programs");
   if (pipe(errors) != 0) {
@@ -81,7 +82,7 @@ Process::Process(const Stage& stage, const std::string& command, bool walls, con
 #endif
   process_ = fork();
   if (process_ == 0)
-    become(word_list.data(), environment_list.data(), folder.c_str(), {out[1], errors[1]}, walls, limits);
+    become(word_list.data(), environment_list.data(), folder.c_str(), {out[1], errors[1]}, walls, as_nobody, limits);
   close(out[1]), close(errors[1]);
   pipes_ = {out[0], errors[0]};
   for (const int pipe : pipes_) fcntl(pipe, F_SETFL, O_NONBLOCK);

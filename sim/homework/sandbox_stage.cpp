@@ -56,6 +56,15 @@ bool lies_in_system(const fs::path& path) {
 
 }  // namespace
 
+bool runs_as_nobody() {
+  if (geteuid() != 0) return false;
+  std::ifstream users("/proc/self/uid_map");  // lines of: the first user here, the first outside, how many
+  if (!users) return true;
+  for (std::uint64_t first = 0, outside = 0, count = 0; users >> first >> outside >> count;)
+    if (first <= nobody && nobody < first + count) return true;
+  return false;
+}
+
 Stage::Stage(const fs::path& program, const std::string& name, const std::string& scene, const Limits& limits)
     : name_(name + ".txt") {
   std::string pattern = (fs::temp_directory_path() / "zstep-run-XXXXXX").string();
@@ -71,7 +80,7 @@ Stage::Stage(const fs::path& program, const std::string& name, const std::string
     fs::permissions(scene_ / name_, fs::perms(0644));
     fs::create_directory(scratch_);
     fs::permissions(scratch_, fs::perms::owner_all);
-    if (geteuid() == 0 && chown(scratch_.c_str(), nobody, nobody) != 0)
+    if (runs_as_nobody() && chown(scratch_.c_str(), nobody, nobody) != 0)
       throw InputError(scratch_.string(), "cannot be given to the user nobody", "run zstep as a plain user");
   } catch (const fs::filesystem_error& error) {
     std::error_code ignored;

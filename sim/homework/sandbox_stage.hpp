@@ -30,5 +30,7 @@ class Stage {
 
 /// The user whom programs run as where zstep runs as root: nobody, who owns nothing.
 inline constexpr unsigned nobody = 65534;
+/// Whether they are: zstep runs as root, and not as the root of a container that has no other user.
+bool runs_as_nobody();
 
 }  // namespace zstep::homework

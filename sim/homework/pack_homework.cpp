@@ -1,0 +1,137 @@
+#include "sim/homework/pack_homework.hpp"
+
+#include <cstdlib>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "sim/homework/pack_program.hpp"
+#include "sim/homework/pack_scripts.hpp"
+#include "sim/words/shell_word.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_script(const fs::path& path, const std::string& text, bool runs = true) {
+  fs::create_directories(path.parent_path());
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw InputError(path.string(), "cannot be written", "check the folder and the room on the disk");
+  if (runs) fs::permissions(path, fs::perms(0755));
+}
+
+/// The homework without solution and starters; for students without the hidden scenes, too.
+void copy_homework(const Homework& homework, const fs::path& to, bool for_students) {
+  fs::create_directories(to);
+  for (const auto& entry : fs::directory_iterator(homework.folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "solution" && name != "starter" && !name.starts_with('.'))
+      fs::copy(entry.path(), to / name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  }
+  if (!for_students) return;
+  for (const Task& task : homework.tasks)
+    if (task.hidden) {
+      const fs::path scene = to / fs::path(task.scene.source).lexically_relative(homework.folder);
+      fs::remove(scene);
+      fs::remove(fs::path(scene).replace_extension(".txt"));
+      if (fs::is_empty(scene.parent_path())) fs::remove(scene.parent_path());
+    }
+}
+
+bool call(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
+
+/// By a program that is there: writing zip files is nothing that zstep should know.
+void zip(const fs::path& folder, const fs::path& file) {
+  const std::string to = shell_word(fs::absolute(file).string()), in = "cd " + shell_word(folder.string()) + " && ";
+  if (call("zip -v") && call(in + "zip -q -r -X " + to + " .")) return;
+  if (call("python3 -m zipfile -h") && call(in + "python3 -m zipfile -c " + to + " *")) return;
+  if (call("bsdtar --version") && call(in + "bsdtar --format zip -cf " + to + " *")) return;
+  throw InputError(file.string(), "there is no program that writes zip files", "install zip: apt-get install zip");
+}
+
+void fill(const Homework& homework, Service service, const fs::path& folder) {
+  const fs::path inside = service == Service::github ? folder / ".zstep" : folder;
+  copy_homework(homework, inside / "homework", service == Service::github);
+  carry_program(inside / "zstep");
+  switch (service) {
+    case Service::gradescope:
+      write_script(folder / "setup.sh", gradescope_setup(homework));
+      write_script(folder / "run_autograder", gradescope_run(homework));
+      break;
+    case Service::prairielearn:
+      write_script(folder / "Dockerfile", prairielearn_dockerfile(homework), false);
+      write_script(folder / "grade.sh", prairielearn_run(homework));
+      write_script(folder / "info.json", prairielearn_info(homework), false);
+      break;
+    case Service::github:
+      // Students have only the scenes that are theirs, and so has the workflow in their repository.
+      write_script(folder / ".github/workflows/classroom.yml", github_workflow(load_homework(inside / "homework")),
+                   false);
+      break;
+  }
+}
+
+std::vector<std::string> notes_of(const Homework& homework, Service service, const std::string& out) {
+  std::vector<std::string> notes;
+  if (homework.program.empty())
+    notes.push_back(
+        "Students hand in runs, SCENE.jsonl. For their programs to be run, write [program] in homework.toml.");
+  switch (service) {
+    case Service::gradescope:
+      notes.push_back(fmt::format("Upload {} as the autograder of a programming assignment.", out));
+      break;
+    case Service::prairielearn:
+      notes.push_back(
+          fmt::format("In {}: docker build -t NAME . && docker push NAME; then put the lines of info.json, "
+                      "with that name, into the question's info.json.",
+                      out));
+      break;
+    case Service::github:
+      notes.push_back(
+          fmt::format("Put what is in {} into the repository that students begin from. They can read all of "
+                      "it and change it; hidden scenes are not in it.",
+                      out));
+      break;
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> pack_homework(const fs::path& folder, Service service, const fs::path& out) {
+  const Homework homework = load_homework(folder);
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(out, ignored)))
+    throw InputError(out.string(), "is there already", "give the name of a new one, or remove it");
+  if (service == Service::gradescope && out.extension() != ".zip")
+    throw InputError(out.string(), "is no zip file's name", "Gradescope takes a zip: give -o autograder.zip");
+  if (!fs::is_directory(fs::absolute(out / "").parent_path().parent_path(), ignored))
+    throw InputError(out.string(), "lies in a folder that is not there", "make the folder first");
+  const fs::path partial = (out / "").parent_path().string() + ".part";
+  if (fs::exists(partial, ignored))
+    throw InputError(partial.string(), "is in the way: the pack is made under this name", "move it away");
+  try {
+    fill(homework, service, partial);
+    if (service == Service::gradescope) {
+      zip(partial, out);
+      fs::remove_all(partial);
+    } else {
+      fs::rename(partial, out);
+    }
+  } catch (const fs::filesystem_error& error) {
+    fs::remove_all(partial, ignored);
+    throw InputError(out.string(), fmt::format("cannot be made: {}", error.code().message()),
+                     "check the folder it lies in, and the room on the disk");
+  } catch (...) {
+    fs::remove_all(partial, ignored);
+    throw;
+  }
+  return notes_of(homework, service, out.string());
+}
+
+}  // namespace zstep::homework

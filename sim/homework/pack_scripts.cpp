@@ -1,0 +1,174 @@
+#include "sim/homework/pack_scripts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/words/shell_word.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+/// The seconds that a service should give a submission.
+int seconds_for(const Homework& homework) {
+  const double programs =
+      homework.program.empty() ? 0 : homework.limits.clock_seconds() * static_cast<double>(homework.tasks.size());
+  return static_cast<int>(std::min(600.0, std::ceil(programs) + 60));
+}
+
+/// Lines that leave the runs of a submission in $runs: what its program prints, or what was handed in.
+std::string runs_lines(const Homework& homework, const std::string& folder, const std::string& submission) {
+  if (homework.program.empty()) return fmt::format("runs={}\n", submission);
+  return fmt::format(
+      "runs=$(mktemp -d)/runs\n"
+      "\"{0}/zstep/zstep\" homework run \"{0}/homework\" {1} -o \"$runs\"\n",
+      folder, submission);
+}
+
+}  // namespace
+
+std::string packages_for(const std::string& command) {
+  constexpr std::pair<const char*, const char*> known[] = {
+      {"python3", "python3"},   {"node", "nodejs"},  {"java", "default-jdk-headless"}, {"c++", "g++"}, {"g++", "g++"},
+      {"cc ", "gcc libc6-dev"}, {"make", "make g++"}};
+  std::string packages = "bubblewrap util-linux";
+  for (const auto& [word, package] : known)
+    if (command.find(word) != std::string::npos && packages.find(package) == std::string::npos)
+      packages += std::string(" ") + package;
+  return packages;
+}
+
+std::string gradescope_setup(const Homework& homework) {
+  return fmt::format(
+      "#!/usr/bin/env bash\n"
+      "# Run once, as root, where the autograder's image is made.\n"
+      "# https://gradescope-autograders.readthedocs.io/en/latest/specs/\n"
+      "{}"
+      "chmod +x /autograder/source/zstep/zstep /autograder/source/zstep/lib/zstep /autograder/source/zstep/lib/ld-*\n",
+      homework.program.empty() ? std::string()
+                               : fmt::format("# What programs of students need. Add other languages here.\n"
+                                             "apt-get update && apt-get install -y --no-install-recommends {}\n",
+                                             packages_for(homework.program)));
+}
+
+std::string gradescope_run(const Homework& homework) {
+  return "#!/usr/bin/env bash\n"
+         "# Grades what is in /autograder/submission and writes /autograder/results/results.json.\n"
+         "# https://gradescope-autograders.readthedocs.io/en/latest/specs/\n"
+         "umask 077\n"
+         "source=/autograder/source results=/autograder/results/results.json\n"
+         "# A student's program runs as another user: scenes, reference and results are not for it.\n"
+         "chmod go= \"$source\" /autograder/results\n"
+         "rm -f \"$results\"\n" +
+         runs_lines(homework, "$source", "/autograder/submission") +
+         "\"$source/zstep/zstep\" grade --homework \"$source/homework\" \"$runs\" --format gradescope -o \"$results\"\n"
+         "# 0: all right, 1: not all right, 2: it cannot be graded; the report says why. Without one the autograder "
+         "failed.\n"
+         "[ -s \"$results\" ]\n";
+}
+
+std::string prairielearn_dockerfile(const Homework& homework) {
+  return fmt::format(
+      "# The image of an external grader: docker build -t NAME . && docker push NAME\n"
+      "# https://prairielearn.readthedocs.io/en/latest/externalGrading/\n"
+      "FROM debian:stable-slim\n"
+      "RUN apt-get update && apt-get install -y --no-install-recommends bash {} && rm -rf /var/lib/apt/lists/*\n"
+      "COPY zstep /zstep/zstep\n"
+      "COPY homework /zstep/homework\n"
+      "COPY grade.sh /zstep/grade.sh\n"
+      "RUN chmod +x /zstep/grade.sh && chmod go= /zstep\n",
+      homework.program.empty() ? std::string() : packages_for(homework.program));
+}
+
+std::string prairielearn_run(const Homework& homework) {
+  return "#!/usr/bin/env bash\n"
+         "# Grades what is in /grade/student and writes /grade/results/results.json.\n"
+         "# https://prairielearn.readthedocs.io/en/latest/externalGrading/\n"
+         "umask 077\n"
+         "results=/grade/results/results.json\n"
+         "mkdir -p /grade/results && chmod go= /grade/results\n"
+         "rm -f \"$results\"\n" +
+         runs_lines(homework, "/zstep", "/grade/student") +
+         "/zstep/zstep/zstep grade --homework /zstep/homework \"$runs\" --format prairielearn -o \"$results\"\n"
+         "[ -s \"$results\" ]\n";
+}
+
+std::string prairielearn_info(const Homework& homework) {
+  return fmt::format(
+      "{{\n"
+      "  \"externalGradingOptions\": {{\n"
+      "    \"enabled\": true,\n"
+      "    \"image\": \"NAME\",\n"
+      "    \"entrypoint\": \"/zstep/grade.sh\",\n"
+      "    \"timeout\": {}\n"
+      "  }}\n"
+      "}}\n",
+      seconds_for(homework));
+}
+
+std::string github_workflow(const Homework& homework) {
+  std::string steps, runners, results;
+  for (const Task& task : homework.tasks) {
+    const std::string scene = shell_word(task.name),
+                      id = fmt::format("scene-{}",
+                                       runners.empty() ? 1 : 1 + std::count(runners.begin(), runners.end(), ',') + 1);
+    steps += fmt::format(
+        "      - name: {0}\n"
+        "        id: {1}\n"
+        "        if: always()\n"
+        "        uses: classroom-resources/autograding-command-grader@v1\n"
+        "        with:\n"
+        "          test-name: {0}\n"
+        "          command: .zstep/zstep/zstep grade --homework .zstep/homework \"$RUNNER_TEMP/runs\" --scene {2}\n"
+        "          timeout: 5\n"
+        "          max-score: {3}\n",
+        task.name, id, scene, std::lround(homework.share(task) * homework.points()));
+    std::string upper = id;
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](char c) { return static_cast<char>(std::toupper(c)); });
+    results += fmt::format("          {}_RESULTS: \"${{{{steps.{}.outputs.result}}}}\"\n", upper, id);
+    runners += (runners.empty() ? "" : ",") + id;
+  }
+  const std::string program =
+      homework.program.empty()
+          ? "      - run: cp -r . \"$RUNNER_TEMP/runs\"\n"
+          : fmt::format(
+                "      - run: sudo apt-get update && sudo apt-get install -y --no-install-recommends {}\n"
+                "      - run: |\n"
+                "          mkdir \"$RUNNER_TEMP/program\" && cp -r ./* \"$RUNNER_TEMP/program\"\n"
+                "          .zstep/zstep/zstep homework run .zstep/homework \"$RUNNER_TEMP/program\" -o "
+                "\"$RUNNER_TEMP/runs\" "
+                "|| true\n",
+                packages_for(homework.program));
+  return fmt::format(
+      "# GitHub Classroom reads the points of the scenes; the report with each part's points is in the job's summary.\n"
+      "# https://docs.github.com/en/education/manage-coursework-with-github-classroom/teach-with-github-classroom/"
+      "use-autograding\n"
+      "name: Homework\n"
+      "on: [push, workflow_dispatch, repository_dispatch]\n"
+      "permissions:\n"
+      "  checks: write\n"
+      "  actions: read\n"
+      "  contents: read\n"
+      "jobs:\n"
+      "  grade:\n"
+      "    runs-on: ubuntu-latest\n"
+      "    if: github.actor != 'github-classroom[bot]'\n"
+      "    steps:\n"
+      "      - uses: actions/checkout@v4\n"
+      "{}"
+      "      - run: |\n"
+      "          report=$(.zstep/zstep/zstep grade --homework .zstep/homework \"$RUNNER_TEMP/runs\") || true\n"
+      "          printf '```\\n%s\\n```\\n' \"$report\" >> \"$GITHUB_STEP_SUMMARY\"\n"
+      "{}"
+      "      - uses: classroom-resources/autograding-grading-reporter@v1\n"
+      "        if: always()\n"
+      "        env:\n{}"
+      "        with:\n"
+      "          runners: {}\n",
+      program, steps, results, runners);
+}
+
+}  // namespace zstep::homework

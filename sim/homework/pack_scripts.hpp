@@ -1,0 +1,21 @@
+// The scripts of the services, as text.
+#pragma once
+
+#include <string>
+
+#include "sim/homework/homework.hpp"
+
+namespace zstep::homework {
+
+/// Debian's and Ubuntu's packages by which programs are run: bubblewrap, and what the command needs.
+std::string packages_for(const std::string& command);
+
+std::string gradescope_setup(const Homework& homework);
+std::string gradescope_run(const Homework& homework);
+std::string prairielearn_dockerfile(const Homework& homework);
+std::string prairielearn_run(const Homework& homework);
+/// The part of a question's info.json.
+std::string prairielearn_info(const Homework& homework);
+std::string github_workflow(const Homework& homework);
+
+}  // namespace zstep::homework

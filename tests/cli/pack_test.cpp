@@ -1,0 +1,172 @@
+// zstep homework pack: what the services get, laid out and run as they do it.
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace zstep::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool there_is_a(const char* program) {
+  for (const char* folder : {"/usr/bin/", "/bin/", "/usr/local/bin/"})
+    if (fs::exists(std::string(folder) + program)) return true;
+  return false;
+}
+
+/// A folder hw whose programs are run by Python.
+void homework_of_programs(const Folder& folder) {
+  REQUIRE(run(folder, "homework new z-buffer hw").code == 0);
+  std::string text = text_of(folder / "hw/homework.toml");
+  const std::string before = "\n[options]\n";
+  text.replace(text.find(before), before.size(), "\n[program]\ncommand = \"python3 zbuffer.py\"\n" + before);
+  write_text(folder / "hw/homework.toml", text);
+}
+
+/// Runs a line in a root that has the system's programs and these folders, written to in place, and no network.
+Outcome in_a_root(const Folder& folder, const std::string& binds, const std::string& line) {
+  return shell(folder, "bwrap --unshare-pid --unshare-net " + std::string(geteuid() == 0 ? "--cap-add ALL " : "") +
+                           "--ro-bind /usr /usr --ro-bind-try /bin /bin --ro-bind-try /lib /lib --ro-bind-try /lib64 "
+                           "/lib64 --ro-bind-try /sbin /sbin --ro-bind-try /etc/alternatives /etc/alternatives --proc "
+                           "/proc --dev /dev --tmpfs /tmp --setenv HOME / " +
+                           binds + " -- " + line);
+}
+bool can_have_a_root(const Folder& folder) { return there_is_a("bwrap") && in_a_root(folder, "", "true").code == 0; }
+
+void check_results(const json& results, double points) {
+  CHECK(results["score"] == doctest::Approx(points));
+  CHECK(results["tests"].size() >= 15);
+}
+
+}  // namespace
+
+TEST_CASE("homework pack: Gradescope's autograder has what it needs, no more, and grades as Gradescope calls it") {
+  if (!there_is_a("zip") && !there_is_a("python3") && !there_is_a("bsdtar")) return;
+  const Folder folder;
+  homework_of_programs(folder);
+  const Outcome packed = run(folder, "homework pack hw --gradescope -o autograder.zip");
+  CAPTURE(packed.err);
+  REQUIRE(packed.code == 0);
+  CHECK(has(packed.out, "Upload autograder.zip"));
+  CHECK(folder.names() == std::vector<std::string>{"autograder.zip", "hw"});
+  CHECK(text_of(folder / "autograder.zip").starts_with("PK\3\4"));
+  if (!there_is_a("python3")) return;
+  REQUIRE(shell(folder,
+                "mkdir -p autograder/source autograder/results && /usr/bin/python3 -m zipfile -e autograder.zip "
+                "autograder/source && chmod +x autograder/source/run_autograder && cp "
+                "autograder/source/run_autograder autograder/ && cp -r hw/solution autograder/submission")
+              .code == 0);
+  for (const char* file : {"setup.sh", "run_autograder", "homework/homework.toml", "homework/hidden/overlap.toml",
+                           "zstep/zstep", "zstep/lib/zstep"})
+    CHECK_MESSAGE(fs::exists(folder / ("autograder/source/" + std::string(file))), file);
+  CHECK_FALSE(fs::exists(folder / "autograder/source/homework/solution"));
+  CHECK(shell(folder, "bash -n autograder/source/setup.sh && bash -n autograder/run_autograder").code == 0);
+  CHECK(has(text_of(folder / "autograder/source/setup.sh"), "bubblewrap"));
+  CHECK(has(text_of(folder / "autograder/source/setup.sh"), "python3"));
+  // As setup.sh does at its end; a zip does not keep what may be run everywhere.
+  REQUIRE(
+      shell(folder, "grep -v '^apt-get' autograder/source/setup.sh | sed 's|/autograder|autograder|g' | bash").code ==
+      0);
+  // Every library comes along.
+  const Outcome needs = shell(folder, "cd autograder/source/zstep/lib && ./ld-* --library-path . --list ./zstep");
+  CHECK(needs.code == 0);
+  std::istringstream lines(needs.out);
+  int libraries = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (has(line, "=>")) {
+      ++libraries;
+      CHECK_MESSAGE((has(line, "=> ./") || has(line, "ld-linux")), line);
+    }
+  CHECK(libraries > 5);
+
+  if (!can_have_a_root(folder)) return;
+  const std::string binds = "--bind autograder /autograder";
+  const Outcome graded = in_a_root(folder, binds, "sh -c 'cd /autograder && ./run_autograder'");
+  CAPTURE(graded.out);
+  CAPTURE(graded.err);
+  CHECK(graded.code == 0);
+  check_results(json::parse(text_of(folder / "autograder/results/results.json")), 65);
+  // Nothing handed in: a result, too.
+  fs::remove_all(folder / "autograder/submission");
+  fs::create_directory(folder / "autograder/submission");
+  write_text(folder / "autograder/submission/results.json", "{\"score\":65}");
+  CHECK(in_a_root(folder, binds, "sh -c 'cd /autograder && ./run_autograder'").code == 0);
+  check_results(json::parse(text_of(folder / "autograder/results/results.json")), 0);
+}
+
+TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the lines of info.json, and grades") {
+  const Folder folder;
+  homework_of_programs(folder);
+  const Outcome packed = run(folder, "homework pack hw --prairielearn -o grader");
+  CAPTURE(packed.err);
+  REQUIRE(packed.code == 0);
+  const json options = json::parse(text_of(folder / "grader/info.json"))["externalGradingOptions"];
+  CHECK(options["enabled"] == true);
+  CHECK(options["entrypoint"] == "/zstep/grade.sh");
+  CHECK(options["timeout"].get<int>() <= 600);
+  const std::string image = text_of(folder / "grader/Dockerfile");
+  for (const char* copied : {"COPY zstep ", "COPY homework ", "COPY grade.sh "}) CHECK(has(image, copied));
+  CHECK_FALSE(fs::exists(folder / "grader/homework/solution"));
+  if (!can_have_a_root(folder) || !there_is_a("python3")) return;
+  REQUIRE(shell(folder, "mkdir grade && cp -r hw/solution grade/student").code == 0);
+  const Outcome graded = in_a_root(folder, "--bind grader /zstep --bind grade /grade", "/zstep/grade.sh");
+  CAPTURE(graded.out);
+  CAPTURE(graded.err);
+  CHECK(graded.code == 0);
+  const json results = json::parse(text_of(folder / "grade/results/results.json"));
+  CHECK(results["gradable"] == true);
+  check_results(results, 1);
+}
+
+TEST_CASE("homework pack: GitHub's repository has no hidden scene and no solution, and its zstep grades") {
+  const Folder folder;
+  homework_of_programs(folder);
+  REQUIRE(run(folder, "homework pack hw --github -o repository").code == 0);
+  const std::string workflow = text_of(folder / "repository/.github/workflows/classroom.yml");
+  for (const char* part : {"actions/checkout@v4", "--scene triangle", "--scene crossing", "--scene neighbours",
+                           "runners: scene-1,scene-2,scene-3", "python3"})
+    CHECK_MESSAGE(has(workflow, part), part);
+  CHECK_FALSE(has(workflow, "overlap"));
+  CHECK(shell(folder, "find repository -name 'overlap*' -o -name solution").out.empty());
+  REQUIRE(shell(folder,
+                "mkdir runs && \"$zstep\" record hw/scenes/triangle.toml -o t.ztrace && "
+                "\"$zstep\" dump t.ztrace --jsonl > runs/triangle.jsonl")
+              .code == 0);
+  const Outcome graded =
+      shell(folder, "repository/.zstep/zstep/zstep grade --homework repository/.zstep/homework runs --scene triangle");
+  CAPTURE(graded.out);
+  CAPTURE(graded.err);
+  CHECK(graded.code == 0);
+}
+
+TEST_CASE("homework pack: what cannot be packed is refused in a line, and nothing is left behind") {
+  const Folder folder;
+  REQUIRE(run(folder, "homework new z-buffer hw").code == 0);
+  CHECK(has(run(folder, "homework pack hw --prairielearn -o grader").out, "write [program] in homework.toml"));
+  struct Refused {
+    const char *words, *message;
+  };
+  for (const Refused& one :
+       {Refused{"hw -o a.zip", "for which service?"}, Refused{"hw --gradescope --github -o a.zip", "several services"},
+        Refused{"hw --gradescope", "give -o FILE.zip or a folder"},
+        Refused{"hw --gradescope -o a.tar", "Gradescope takes a zip"},
+        Refused{"hw --prairielearn -o grader", "is there already"}, Refused{"nowhere --github -o a", "homework.toml"},
+        Refused{"hw --github -o nowhere/a/b", "nowhere"}}) {
+    const Outcome outcome = run(folder, std::string("homework pack ") + one.words);
+    CAPTURE(one.words);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(has(outcome.err, one.message));
+    CHECK(times(outcome.err, "\n") == 1);
+  }
+  CHECK(folder.names() == std::vector<std::string>{"grader", "hw"});
+}
