@@ -32,10 +32,10 @@ struct Viewer {
     if (is("no_divide")) scale = camera.d;                   // the division by z_v is forgotten
     if (is("divide_twice")) scale = camera.d / (z_v * z_v);  // once by w, and then by z_v again
     v.plane = {scale * v.view.x, scale * v.view.y, (far + near) / (far - near) - 2 * far * near / ((far - near) * z_v)};
-    if (is("z_v_for_pseudodepth")) v.plane.z = z_v;  // which is not linear on the screen
+    if (is("z_v_for_depth")) v.plane.z = z_v;  // which is not linear on the screen
     out.print("project", "vertex", number, "x_p", v.plane.x, "y_p", v.plane.y, "z", v.plane.z);
     double up = camera.window - v.plane.y;
-    if (is("y_flipped")) up = camera.window + v.plane.y;  // y grows upwards on the plane, and downwards on the screen
+    if (is("y_upside_down")) up = camera.window + v.plane.y;  // y grows upwards on the plane, and downwards on the screen
     v.screen = {(v.plane.x + window_x) / (2 * window_x) * task.width - 0.5,
                 up / (2 * camera.window) * task.height - 0.5, v.plane.z};
     v.seen = true;
@@ -49,7 +49,7 @@ struct Viewer {
       vertices.push_back({view, {}, {}});
       out.print("view_vertex", "vertex", number, "x_v", view.x, "y_v", view.y, "z_v", view.z);
       // A vertex before the near plane has no picture. Who does not clip there divides by a z_v that may be negative.
-      if (view.z >= camera.near || (is("negative_w") && view.z != 0)) to_screen(number);
+      if (view.z >= camera.near || (is("not_clipped_near") && view.z != 0)) to_screen(number);
     }
   }
 
@@ -101,7 +101,7 @@ struct Viewer {
     out.print("clip_test", "outside_some", some, "outside_all", all);
     if (all != 0) return {};
     vertices.resize(task.points.size());  // those of the polygon before are done with
-    for (std::size_t plane = is("negative_w") ? 1 : 0; plane < 6; ++plane) {
+    for (std::size_t plane = is("not_clipped_near") ? 1 : 0; plane < 6; ++plane) {
       if ((some >> plane & 1) == 0) continue;
       std::vector<int> kept;
       for (std::size_t i = 0; i < outline.size(); ++i) {

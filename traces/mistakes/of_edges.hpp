@@ -122,10 +122,6 @@ inline void suppose(const EdgeTableSkip& e, const Situation&, Supposed& out) {
   if (e.why == EdgeSkip::horizontal) out.says(horizontal_inserted, false, true);
 }
 
-inline void suppose(const ScanLineBegin& e, const Situation& at, Supposed& out) {
-  if (detail::any_ended(at, e.y, 1)) out.says(never_retired, true, false);
-}
-
 inline void suppose(const EdgeRetire& e, const Situation& at, Supposed& out) {
   const EdgeTableInsert* entry = at.edge(e.edge);
   if (!entry || !at.method().scan_line) return;

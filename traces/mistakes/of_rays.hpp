@@ -22,12 +22,16 @@ inline void suppose(const BoxTest& e, const Situation& at, Supposed& out) {
 
 inline void suppose(const RayHit& e, const Situation& at, Supposed& out) {
   const RayBegin* ray = formulas::detail::ray_at_work(at);
-  if (!ray || formulas::detail::ray_cast_last(at) != ray || !e.inside) return;
+  if (!ray || formulas::detail::ray_cast_last(at) != ray) return;
   const formulas::detail::Reach reach = formulas::detail::reach_of(at, *ray);
   const RayHit* kept = formulas::detail::kept_hit(at);
   const bool nearer = !kept || e.t < kept->t;
-  if (e.t < reach.least || e.t < 0) out.says(negative_t, e.nearest == nearer, !e.nearest);
-  if (e.t < reach.least || e.t > reach.most || (kept && e.t == kept->t)) return;
+  if (e.t < reach.least) {
+    const bool kept_on = e.nearest == (e.inside && nearer);
+    if (kept_on) out.says(negative_t, true, false);
+    else out.rules_out(negative_t);
+  }
+  if (!e.inside || e.t < reach.least || e.t > reach.most || (kept && e.t == kept->t)) return;
   out.says(nearest_by_index, e.nearest, e.nearest == nearer);
 }
 

@@ -27,6 +27,8 @@ inline void suppose(const Projection& e, const Situation& at, Supposed& out) {
     out.number(no_divide, on_plane[axis], {v, d * v}, right);
     out.number(divide_twice, on_plane[axis], {right / z_v, d * right / z_v}, right);
   }
+  const bool before = vertex->view.z < at.camera->near * (1 - formulas::rounding_of_float32);
+  if (!parallel && before) out.says(not_clipped_near, true, false);
   if (!at.header.declares(Convention::depth) || !(at.camera->near < at.camera->far)) return;
   const Rounded near = at.camera->near, far = at.camera->far;
   using enum Conventions::Depth;
@@ -61,7 +63,7 @@ inline void suppose(const FacingTest& e, const Situation&, Supposed& out) {
 }
 
 inline void suppose(const ClipCross& e, const Situation&, Supposed& out) {
-  if (e.plane == ClipPlane::near) out.says(not_clipped_near, false, true);
+  if (e.plane == ClipPlane::near) out.rules_out(not_clipped_near);
 }
 
 }  // namespace zstep::mistakes
