@@ -233,7 +233,9 @@ TEST_CASE("every command that a message names runs") {
   std::set<std::string> lines;
   for (const char* folder : {"sim", "algorithms", "traces"})
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(in_checkout(folder)))
-      if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
+      // What packed scripts run is run by tests/cli/pack_test.cpp.
+      if ((entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp") &&
+          entry.path().filename() != "pack_scripts.cpp")
         for (const std::string& line : commands_in_source(text_of(entry.path()))) lines.insert(filled_in(line));
   CHECK(lines.size() >= 10);
   for (const std::string& line : lines) {
