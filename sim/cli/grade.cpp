@@ -23,7 +23,7 @@ namespace zstep::cli {
 namespace {
 
 struct GradeOptions {
-  std::string folder, submission, scene, format = "text", out;
+  std::string folder, submission, scene, student, format = "text", out;
   bool view = false;
   ShowOptions show;
 };
@@ -44,7 +44,8 @@ std::string report(const homework::Assessment& all, const GradeOptions& options,
   switch (parse_choice("--format", options.format, grade_formats)) {
     case 0:
       return homework::report_text(
-          all, fmt::format("zstep grade --homework {} {}", shell_word(options.folder), shell_word(options.submission)));
+          all, fmt::format("zstep grade --homework {} {}", shell_word(options.folder), shell_word(options.submission)) +
+                   (options.student.empty() ? "" : " --student " + shell_word(options.student)));
     case 1:
       return homework::report_json(all);
     case 2:
@@ -59,12 +60,12 @@ std::string report(const homework::Assessment& all, const GradeOptions& options,
 /// The window with the reference and the run, at the first step that is wrong.
 int show_runs(const homework::Homework& given, const homework::Assessment& all, const GradeOptions& options) {
   const auto wrong = std::find_if(all.tasks.begin(), all.tasks.end(), [](const homework::Graded& task) {
-    return task.state == homework::Graded::State::judged && task.first;
+    return task.state == homework::Graded::State::judged && !task.from_picture && task.first;
   });
   const auto judged = wrong != all.tasks.end()
                           ? wrong
                           : std::find_if(all.tasks.begin(), all.tasks.end(), [](const homework::Graded& task) {
-                              return task.state == homework::Graded::State::judged;
+                              return task.state == homework::Graded::State::judged && !task.from_picture;
                             });
   if (judged == all.tasks.end())
     throw InputError("--view", "there is no run that can be shown", "hand in one that can be read");
@@ -79,7 +80,9 @@ int run(const GradeOptions& options) {
   if (!options.out.empty()) check_outputs({}, {options.folder + "/homework.toml", options.submission}, {options.out});
   check_view(options.view, options.show, {options.submission});
   const auto begin = std::chrono::steady_clock::now();
-  const homework::Homework given = homework::load_homework(options.folder);
+  const homework::Homework given = homework::load_homework(options.folder, options.student);
+  if (given.seeded() && options.student.empty())
+    throw InputError(options.folder, "has scenes of each student's own", "say whose they are: --student NAME");
   if (!options.scene.empty()) task_called(given, options.scene);
   Watch watch;
   const homework::Assessment all = homework::assess(
@@ -113,6 +116,8 @@ void add_grade(CLI::App& app, Action& action) {
       ->required();
   command->add_option("--homework", options->folder, "The folder with homework.toml")->type_name("FOLDER")->required();
   command->add_option("--scene", options->scene, "Grade the run of this scene alone")->type_name("NAME");
+  command->add_option("--student", options->student, "Whose submission it is, where scenes are each student's own")
+      ->type_name("NAME");
   command->add_option("--format", options->format, "The report's format (default text)")
       ->type_name("text|json|gradescope|prairielearn|junit");
   command->add_option("-o,--output", options->out, "The file to write (default: print it)")->type_name("FILE");

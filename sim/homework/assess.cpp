@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/homework/pictures.hpp"
 #include "sim/homework/run_programs.hpp"
 #include "sim/words/derived.hpp"
 #include "sim/words/file_lines.hpp"
@@ -22,13 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_run = std::uintmax_t{1} << 30;
-
-Trace reference_of(const Method& method, const Scene& scene, const Conventions& conventions) {
-  TraceRecorder recorder(header_for(method, conventions), scene);
-  method.record(scene, conventions, recorder);
-  recorder.finish();
-  return Trace::from_bytes(recorder.take_bytes(), "the reference");
-}
 
 /// A step of a run: the state before it, and what its fields are and follow from.
 struct Side {
@@ -82,16 +76,53 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
   return words;
 }
 
-Graded grade_task(const Homework& homework, const Task& task, const fs::path& file) {
+std::string names_of(const std::vector<fs::path>& files) {
+  std::string names;
+  for (const fs::path& file : files) names += (names.empty() ? "" : ", ") + file.filename().string();
+  return names;
+}
+
+/// What a run of no steps gets, but for the pixels.
+void grade_from_pictures(const Homework& homework, const Task& task, const std::vector<fs::path>& pictures,
+                         Graded& graded) {
+  check_run(*homework.method, task.scene, task.conventions, pictures.front().string());
+  const Trace reference = reference_run(*homework.method, task.scene, task.conventions);
+  TraceRecorder recorder(reference.header(), task.scene);
+  recorder.finish();
+  const Trace nothing = Trace::from_bytes(recorder.take_bytes(), "no steps");
+  const PictureGrade found = grade_pictures(reference, pictures);
+  graded.counts = grade::judge(reference, nothing, homework.parts).parts;
+  bool others = false;
+  for (std::size_t part = 0; part < homework.parts.size(); ++part)
+    if (homework.parts[part].level == grade::Level::buffers) graded.counts[part] = found.pixels;
+    else others = others || graded.counts[part].all() > 0;
+  graded.first = found.first;
+  graded.from_picture = true;
+  graded.state = Graded::State::judged;
+  if (others) graded.why = fmt::format("there are no steps in {}: only the picture is graded", names_of(pictures));
+}
+
+Graded grade_task(const Homework& homework, const Task& task, const fs::path& file,
+                  const std::vector<fs::path>& pictures) {
   Graded graded;
   graded.task = &task;
-  if (file.empty()) {
+  const bool by_pixels = std::any_of(homework.parts.begin(), homework.parts.end(), [](const grade::Part& part) {
+    return part.level == grade::Level::buffers;
+  });
+  if (file.empty() && (pictures.empty() || !by_pixels)) {
     graded.why = fmt::format("there is no {}.jsonl", task.name);
+    if (!pictures.empty()) graded.why += fmt::format("; {} cannot be graded here, only steps", names_of(pictures));
     return graded;
   }
-  graded.file = file.string();
-  graded.ended = how_it_ended(file, task.hidden);
+  graded.file = (file.empty() ? pictures.front() : file).string();
+  if (!file.empty() && !pictures.empty())
+    graded.note = fmt::format("The run is graded; {} is left aside.", names_of(pictures));
+  if (!file.empty()) graded.ended = how_it_ended(file, task.hidden);
   try {
+    if (file.empty()) {
+      grade_from_pictures(homework, task, pictures, graded);
+      return graded;
+    }
     const Runs runs = runs_of(homework, task, file);
     const grade::Judgement found = grade::judge(runs.reference, runs.submission, homework.parts);
     graded.state = Graded::State::judged;
@@ -129,10 +160,11 @@ fs::path run_of(const fs::path& submission, const Homework& homework, const Task
   if (!fs::is_regular_file(submission, ignored))
     throw InputError(submission.string(), "there is no such file or folder",
                      fmt::format("give the run, as {}.jsonl, or the folder that holds it", task.name));
+  if (!pictures_of(submission, task).empty()) return {};
   if (homework.tasks.size() == 1) return submission;
   std::string names;
   for (const Task& one : homework.tasks) {
-    if (submission.stem().string() == one.name) return &one == &task ? submission : fs::path();
+    if (scene_of(submission) == one.name) return &one == &task ? submission : fs::path();
     names += (names.empty() ? "" : ", ") + one.name + ".jsonl";
   }
   throw InputError(submission.string(), "is named after no scene of the homework",
@@ -140,7 +172,7 @@ fs::path run_of(const fs::path& submission, const Homework& homework, const Task
 }
 
 Trace reference_of(const Homework& homework, const Task& task) {
-  return reference_of(*homework.method, task.scene, task.conventions);
+  return reference_run(*homework.method, task.scene, task.conventions);
 }
 
 Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
@@ -154,7 +186,7 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
   Trace submission = open_jsonl(file, &impossible, &given);
   const Conventions& conventions = submission.header().conventions;
   check_run(*homework.method, task.scene, conventions, file.string());
-  Trace reference = reference_of(*homework.method, task.scene, conventions);
+  Trace reference = reference_run(*homework.method, task.scene, conventions);
   return {std::move(reference), std::move(submission), !given.without_header, impossible};
 }
 
@@ -163,7 +195,7 @@ std::string Graded::shown() const {
   const auto add = [&](const std::string& more) {
     if (!more.empty()) text += (text.empty() ? "" : "\n") + more;
   };
-  if (!task->hidden || state == State::missing) add(why);
+  if (!task->hidden || state == State::missing || from_picture) add(why);
   else if (state == State::unreadable) add("the run cannot be read");
   else if (!why.empty()) add("the run ends early, or is judged up to a step that cannot be");
   return text;
@@ -195,9 +227,10 @@ Assessment assess(const Homework& homework, const fs::path& submission, const st
   for (const Task& task : homework.tasks) {
     if (!only.empty() && task.name != only) continue;
     const fs::path file = run_of(submission, homework, task);
-    if (file.empty() && fs::is_regular_file(submission)) continue;  // it is another scene's
+    const std::vector<fs::path> pictures = pictures_of(submission, task);
+    if (file.empty() && pictures.empty() && fs::is_regular_file(submission)) continue;  // it is another scene's
     if (on_task) on_task(task);
-    all.tasks.push_back(grade_task(homework, task, file));
+    all.tasks.push_back(grade_task(homework, task, file, pictures));
   }
   return all;
 }

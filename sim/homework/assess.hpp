@@ -35,6 +35,8 @@ struct Graded {
   std::string file;  ///< that was handed in
   std::string why;   ///< it is missing or unreadable, or ends early
   std::string ended;  ///< how the program ended that made it, where it did not end well
+  std::string note;  ///< what else there is to know of it, and changes nothing
+  bool from_picture = false;  ///< it has no steps: only parts of level "buffers" are graded
   std::int64_t steps = 0;
   std::vector<grade::PartCount> counts;  ///< by part; empty unless judged
   std::optional<FirstWrong> first;
@@ -56,8 +58,8 @@ struct Assessment {
   bool gradable() const;
 };
 
-/// The run of a task that a submission has: a file of its name in a folder; or the one file. Empty where there is none.
-/// Throws InputError where a single file belongs to none of several tasks.
+/// The run of a task that a submission has: a file of its name in a folder; or the one file. Empty where there is none,
+/// or only pictures. Throws InputError where a single file belongs to none of several tasks.
 std::filesystem::path run_of(const std::filesystem::path& submission, const Homework& homework, const Task& task);
 
 /// The two runs of a task. `had_header`: whether the submission's has one.

@@ -43,6 +43,7 @@ std::string message(const Assessment& all, const Graded& task, std::size_t part)
   if (task.state != Graded::State::judged) return task.shown();
   const grade::PartCount& count = task.counts[part];
   const grade::Part& of = all.homework->parts[part];
+  if (task.from_picture && of.level != grade::Level::buffers && count.all() > 0) return "there are no steps";
   const std::string steps = of.level == grade::Level::buffers ? "pixels" : "steps";
   std::string text = fmt::format("{} of {} {} are right", count.same, count.all(), steps);
   if (of.computation > 0) text += fmt::format(", {} follow from their own operands", count.computed);
@@ -81,6 +82,8 @@ std::string report_json(const Assessment& all) {
              {"steps", task.steps}};
     if (!task.why.empty()) one["why"] = task.why;
     if (!task.ended.empty()) one["ended"] = task.ended;
+    if (!task.note.empty()) one["note"] = task.note;
+    if (task.from_picture) one["from_picture"] = true;
     Json parts = Json::array();
     for (std::size_t part = 0; part < task.counts.size(); ++part) {
       const grade::PartCount& count = task.counts[part];

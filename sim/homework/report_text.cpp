@@ -20,6 +20,8 @@ std::string shares_text(const Homework& homework, const Graded& task, std::size_
   const grade::Part& part = homework.parts[index];
   const grade::PartCount& count = task.counts[index];
   const double share = homework.share(*task.task);
+  if (task.from_picture && part.level != grade::Level::buffers && count.all() > 0)
+    return fmt::format("there are no steps: 0 of {}", points_text(share * part.points()));
   std::string text;
   const auto add = [&](const char* word, std::int64_t of, double points, double most) {
     if (most > 0)
@@ -42,6 +44,7 @@ std::string task_text(const Assessment& all, const Graded& task) {
   if (task.state == Graded::State::unreadable)
     return text + fmt::format("  This cannot be graded:\n  {}\n", printable_lines(task.shown()));
   if (!task.shown().empty()) text += fmt::format("  {}\n", printable_lines(task.shown()));
+  if (!task.note.empty()) text += fmt::format("  {}\n", printable_lines(task.note));
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
     text += fmt::format("  {} {:<22} {}\n", all.points(task, part) >= all.most(task, part) ? "ok" : "  ",
                         printable(homework.parts[part].name), shares_text(homework, task, part));
@@ -74,6 +77,7 @@ std::string report_text(const Assessment& all, const std::string& command) {
   for (const std::string& line : first.expected) text += fmt::format("  expected  {}\n", line);
   for (const std::string& line : first.found) text += fmt::format("  yours     {}\n", line);
   for (const std::string& line : mistake_lines(first)) text += fmt::format("  {}\n", line);
+  if (wrong->from_picture) return text;  // it has no steps that a window could show
   return text + fmt::format("  {} --scene {} --view\n", command, shell_word(wrong->task->name));
 }
 

@@ -1,11 +1,14 @@
 #include "sim/image/npy.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,7 +19,8 @@ namespace zstep {
 namespace {
 
 constexpr std::string_view magic{"\x93NUMPY\x01\x00", 8};
-constexpr std::size_t head_size = magic.size() + 2;  // two bytes of header length follow
+constexpr std::size_t magic_size = 6;                // the version follows: major, minor
+constexpr std::size_t head_size = magic.size() + 2;  // two bytes of header length follow; from version 2 on, four
 constexpr std::size_t alignment = 64;                // "the total length … is evenly divisible by 64"
 constexpr char byte_order = std::endian::native == std::endian::little ? '<' : '>';
 
@@ -76,6 +80,8 @@ class Dictionary {
         if (digits) ++count;
         digits = false;
         if (c == ')') break;
+      } else if (c != ' ' && c != '(') {
+        break;
       }
     }
     if (count != 2 || digits) fail("is not two-dimensional");
@@ -83,7 +89,7 @@ class Dictionary {
   }
 
   [[noreturn]] void fail(std::string_view what) const {
-    throw InputError(path_.string(), what, "give a two-dimensional .npy of int32, float32 or float64");
+    throw InputError(path_.string(), what, "give a two-dimensional .npy of whole numbers, float32 or float64");
   }
 
  private:
@@ -91,11 +97,28 @@ class Dictionary {
   const std::filesystem::path& path_;
 };
 
-template <class Value>
-std::vector<Value> values_of(std::span<const std::uint8_t> data, std::size_t count, const Dictionary& head) {
-  if (data.size() / sizeof(Value) < count) head.fail("is cut off");
+/// What is stored: numbers of type Stored, rows or columns first, in either byte order.
+struct Stored {
+  std::span<const std::uint8_t> data;
+  std::size_t height, width;
+  bool columns_first, swapped;
+};
+
+template <class Value, class From>
+std::vector<Value> values_as(const Stored& stored, const Dictionary& head) {
+  const std::size_t count = stored.height * stored.width;
+  if (stored.data.size() / sizeof(From) < count) head.fail("is cut off");
   std::vector<Value> values(count);
-  if (count != 0) std::memcpy(values.data(), data.data(), count * sizeof(Value));
+  std::array<std::uint8_t, sizeof(From)> bytes{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = stored.columns_first ? i % stored.width * stored.height + i / stored.width : i;
+    std::memcpy(bytes.data(), stored.data.data() + at * sizeof(From), sizeof(From));
+    if (stored.swapped) std::reverse(bytes.begin(), bytes.end());
+    const From from = std::bit_cast<From>(bytes);
+    if constexpr (std::is_same_v<Value, std::int32_t>)
+      if (!std::in_range<std::int32_t>(from)) head.fail(fmt::format("has {}, which int32 cannot hold", from));
+    values[i] = static_cast<Value>(from);
+  }
   return values;
 }
 
@@ -111,25 +134,37 @@ void write_npy(const std::filesystem::path& path, std::span<const double> values
   write(path, values, height, width);
 }
 
-Npy read_npy(const std::filesystem::path& path) {
-  const std::vector<std::uint8_t> bytes = read_file(path);
+Npy read_npy(const std::filesystem::path& path, std::uintmax_t limit) {
+  const std::vector<std::uint8_t> bytes = read_file(path, limit);
   const Dictionary nothing("", path);
-  if (bytes.size() < head_size || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0)
-    nothing.fail("is no .npy of version 1.0");
-  const std::size_t length = bytes[magic.size()] + (std::size_t{bytes[magic.size() + 1]} << 8);
-  if (bytes.size() < head_size + length) nothing.fail("is cut off");
+  if (bytes.size() < head_size || std::memcmp(bytes.data(), magic.data(), magic_size) != 0)
+    nothing.fail("is no .npy");
+  const std::uint8_t version = bytes[magic_size];
+  if (version < 1 || version > 3) nothing.fail(fmt::format("is an .npy of version {}, which is not known", version));
+  const std::size_t length_bytes = version == 1 ? 2 : 4, begin = magic.size() + length_bytes;
+  if (bytes.size() < begin) nothing.fail("is cut off");
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < length_bytes; ++i) length |= std::size_t{bytes[magic.size() + i]} << (8 * i);
+  if (bytes.size() - begin < length) nothing.fail("is cut off");
 
-  const Dictionary head(std::string_view(reinterpret_cast<const char*>(bytes.data()) + head_size, length), path);
-  if (!head.after("fortran_order").starts_with("False")) head.fail("stores columns first");
+  const Dictionary head(std::string_view(reinterpret_cast<const char*>(bytes.data()) + begin, length), path);
   const auto [height, width] = head.shape();
-  const std::size_t count = static_cast<std::size_t>(height) * static_cast<std::size_t>(width);
-  const std::span<const std::uint8_t> data = std::span(bytes).subspan(head_size + length);
-
   const std::string_view descr = head.after("descr");
-  const auto is = [&](std::string_view code) { return descr.starts_with(fmt::format("'{}{}'", byte_order, code)); };
-  if (is("i4")) return {height, width, values_of<std::int32_t>(data, count, head)};
-  if (is("f4")) return {height, width, values_of<float>(data, count, head)};
-  if (is("f8")) return {height, width, values_of<double>(data, count, head)};
+  if (descr.size() < 5 || descr[0] != '\'' || descr[4] != '\'') head.fail("has another type of numbers");
+  const Stored stored{std::span(bytes).subspan(begin + length), static_cast<std::size_t>(height),
+                      static_cast<std::size_t>(width), head.after("fortran_order").starts_with("True"),
+                      descr[1] != '|' && descr[1] != '=' && descr[1] != byte_order};
+  const std::string_view type = descr.substr(2, 2);
+  if (type == "f4") return {height, width, values_as<float, float>(stored, head)};
+  if (type == "f8") return {height, width, values_as<double, double>(stored, head)};
+  if (type == "i1") return {height, width, values_as<std::int32_t, std::int8_t>(stored, head)};
+  if (type == "i2") return {height, width, values_as<std::int32_t, std::int16_t>(stored, head)};
+  if (type == "i4") return {height, width, values_as<std::int32_t, std::int32_t>(stored, head)};
+  if (type == "i8") return {height, width, values_as<std::int32_t, std::int64_t>(stored, head)};
+  if (type == "u1") return {height, width, values_as<std::int32_t, std::uint8_t>(stored, head)};
+  if (type == "u2") return {height, width, values_as<std::int32_t, std::uint16_t>(stored, head)};
+  if (type == "u4") return {height, width, values_as<std::int32_t, std::uint32_t>(stored, head)};
+  if (type == "u8") return {height, width, values_as<std::int32_t, std::uint64_t>(stored, head)};
   head.fail("has another type of numbers");
 }
 

@@ -1,4 +1,4 @@
-// Tables of numbers as NumPy's .npy files, version 1.0 (numpy.lib.format): np.load() reads them as [height, width].
+// Tables of numbers as NumPy's .npy files (numpy.lib.format): np.load() reads them as [height, width].
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,9 @@ struct Npy {
   std::variant<std::vector<std::int32_t>, std::vector<float>, std::vector<double>> values;
 };
 
-/// Reads a two-dimensional .npy of int32, float32 or float64 in this machine's byte order, rows first.
-/// Throws InputError for anything else.
-Npy read_npy(const std::filesystem::path& path);
+/// Reads a two-dimensional .npy of format 1.0 to 3.0: whole numbers of any size as int32, float32 or float64; in either
+/// byte order, rows or columns first.
+/// Throws InputError for anything else, and for a file of more than `limit` bytes.
+Npy read_npy(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{1} << 30);
 
 }  // namespace zstep

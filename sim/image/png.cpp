@@ -13,7 +13,6 @@ namespace zstep {
 namespace {
 
 constexpr std::size_t channels = 3;
-constexpr std::size_t most_pixels = std::size_t{1} << 26;
 
 // libpng's simplified interface reports errors by return value, so no setjmp crosses C++ frames.
 struct PngImage : png_image {
@@ -48,8 +47,8 @@ void write_png(const std::filesystem::path& path, int width, int height, std::sp
   write_file(path, png_bytes(width, height, rgb));
 }
 
-Image read_png(const std::filesystem::path& path) {
-  const std::vector<std::uint8_t> bytes = read_file(path);
+Image read_png(const std::filesystem::path& path, std::uintmax_t most_bytes, std::size_t most_pixels) {
+  const std::vector<std::uint8_t> bytes = read_file(path, most_bytes);
   const auto damaged = [&](const char* message) {
     return InputError(path.string(), fmt::format("is no PNG that can be read ({})", message), "give a whole PNG file");
   };

@@ -21,7 +21,9 @@ std::vector<std::uint8_t> png_bytes(int width, int height, std::span<const std::
 /// Throws InputError when `path` cannot be written (no such folder, disk full) and leaves nothing half-written.
 void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb);
 
-/// Reads any PNG as 8-bit RGB. Throws InputError for what is no PNG, is damaged, or is larger than 2^26 pixels.
-Image read_png(const std::filesystem::path& path);
+/// Reads any PNG as 8-bit RGB. Throws InputError for what is no PNG, is damaged, or has more than so many bytes or
+/// pixels.
+Image read_png(const std::filesystem::path& path, std::uintmax_t most_bytes = std::uintmax_t{1} << 30,
+               std::size_t most_pixels = std::size_t{1} << 26);
 
 }  // namespace zstep
