@@ -1,9 +1,11 @@
-// zstep homework: makes the folder of a homework, tries it, runs programs of submissions, and packs it for courses.
+// zstep homework: makes the folder of a homework and one for each student, tries it, runs programs of submissions, and
+// packs it for courses.
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "sim/cli/commands.hpp"
+#include "sim/cli/homework_seed.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/watch.hpp"
@@ -20,7 +22,7 @@ namespace zstep::cli {
 namespace {
 
 struct HomeworkOptions {
-  std::string what, program, out;
+  std::string what, program, out, names, seed;
   std::vector<std::string> words;
   bool gradescope = false, prairielearn = false, github = false;
 };
@@ -101,12 +103,19 @@ int pack(const HomeworkOptions& options) {
   return exit_code::done;
 }
 
+int seed(const HomeworkOptions& options) {
+  const auto& words = words_for(options, 1, "type zstep homework seed FOLDER --for NAMES.txt -o STUDENTS");
+  return seed_homework(words[0], options.names, options.out, options.seed);
+}
+
 }  // namespace
 
 void add_homework(CLI::App& app, Action& action) {
   const auto options = std::make_shared<HomeworkOptions>();
   CLI::App* command = app.add_subcommand("homework", "Make a homework, try it, run programs, pack it for a course");
-  command->add_option("what", options->what, "What is to be done")->type_name("new|try|run|pack|refresh")->required();
+  command->add_option("what", options->what, "What is to be done")
+      ->type_name("new|seed|try|run|pack|refresh")
+      ->required();
   command
       ->add_option("words", options->words,
                    "new: the method (" + enumerate(homework::homework_methods(), "or") +
@@ -120,12 +129,21 @@ void add_homework(CLI::App& app, Action& action) {
   command->add_flag("--gradescope", options->gradescope, "pack: the zip of an autograder for Gradescope");
   command->add_flag("--prairielearn", options->prairielearn, "pack: the folder of an external grader for PrairieLearn");
   command->add_flag("--github", options->github, "pack: a folder with a workflow for GitHub Classroom");
-  command->add_option("-o,--output", options->out, "run: the folder for the runs; pack: the file or folder to make")
+  command->add_option("--for", options->names, "seed: a file with the students' names, one a line")
+      ->type_name("NAMES.txt");
+  command->add_option("--seed", options->seed, "seed: what the secret key is made from (default: chance)")
+      ->type_name("TEXT");
+  command
+      ->add_option("-o,--output", options->out,
+                   "seed: the folder for the students' folders; run: that for the runs; pack: the file or folder to "
+                   "make")
       ->type_name("FILE");
   command->footer(
       "new      makes a folder: scenes, what is graded and its points, hand-out, starters, and a solution apart. All "
       "of\n"
       "         it may be changed; docs/homework.md says what is what.\n"
+      "seed     makes a folder for each student, with scenes of the student's own in it. They follow from the\n"
+      "         homework's secret key and the student's name: `zstep grade --student NAME` makes them again.\n"
       "try      does once all that a class will do, and says what would go wrong.\n"
       "run      runs a student's program on each scene, with limits and where bubblewrap (bwrap) is there without\n"
       "         network and other files; `zstep grade` then grades the runs.\n"
@@ -134,13 +152,14 @@ void add_homework(CLI::App& app, Action& action) {
       "\n"
       "Examples:\n"
       "  zstep homework new z-buffer my-homework\n"
+      "  zstep homework seed hw4 --for names.txt -o students\n"
       "  zstep homework try hw3\n"
       "  zstep homework run hw3 hw3/solution --program 'python3 zbuffer.py' -o her-runs\n"
       "  zstep homework pack hw3 --gradescope -o autograder.zip");
   command->callback([options, &action] {
     action = [options] {
-      switch (
-          parse_choice("homework", options->what, std::vector<std::string>{"new", "try", "run", "pack", "refresh"})) {
+      switch (parse_choice("homework", options->what,
+                           std::vector<std::string>{"new", "try", "run", "pack", "refresh", "seed"})) {
         case 0:
           return make_new(*options);
         case 1:
@@ -149,8 +168,10 @@ void add_homework(CLI::App& app, Action& action) {
           return run_them(*options);
         case 3:
           return pack(*options);
-        default:
+        case 4:
           return refresh(*options);
+        default:
+          return seed(*options);
       }
     };
   });

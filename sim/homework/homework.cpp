@@ -13,7 +13,9 @@
 #include "algorithms/scene/scene_file/keys.hpp"
 #include "algorithms/scene/scene_file/read_view.hpp"
 #include "algorithms/scene/scene_file/toml_depth.hpp"
+#include "sim/homework/own_scenes.hpp"
 #include "traces/error.hpp"
+#include "traces/record/trace_recorder.hpp"
 
 namespace zstep::homework {
 
@@ -39,9 +41,10 @@ std::string text_of(const fs::path& path) {
 
 class Reader {
  public:
-  Reader(const fs::path& folder, const std::string& file, const toml::table& table)
-      : file_(file), table_(table), top_(table, file, "a homework") {
+  Reader(const fs::path& folder, const std::string& student, const std::string& file, const toml::table& table)
+      : student_(student), file_(file), table_(table), top_(table, file, "a homework") {
     homework_.folder = folder;
+    key_ = key_of(folder);
   }
 
   Homework read() {
@@ -66,10 +69,10 @@ class Reader {
       throw InputError(file_, "there is no scene", "add [[scene]] with file = \"scenes/one.toml\"");
     if (parts == nullptr || parts->empty())
       throw InputError(file_, "nothing is graded", "add [[part]] with a name, steps and points");
+    for (const toml::node& node : few(*parts, most_parts, "parts")) read_part(node);
     for (const toml::node& node : few(*tasks, most_tasks, "scenes")) read_task(node);
     if (homework_.tasks.empty())
       throw InputError(file_, "none of the scenes is here", "copy the files that it names beside it");
-    for (const toml::node& node : few(*parts, most_parts, "parts")) read_part(node);
     std::set<std::uint8_t> printed = graded_;
     for (const auto& [name, at] : texts(also)) printed.insert(step_called(name, *at).kind);
     for (const StepInfo& step : page_)
@@ -121,9 +124,7 @@ class Reader {
     homework_.program = needed(keys, table, "command", "command = \"python3 zbuffer.py\"");
     Limits& limits = homework_.limits;
     limits.seconds = keys.positive("seconds").value_or(limits.seconds);
-    const auto whole = [&](std::string_view key, int& value) {
-      value = keys.whole(key, 1, 1 << 20).value_or(value);
-    };
+    const auto whole = [&](std::string_view key, int& value) { value = keys.whole(key, 1, 1 << 20).value_or(value); };
     whole("memory", limits.memory), whole("output", limits.output), whole("files", limits.files);
     whole("processes", limits.processes);
     keys.finish();
@@ -132,11 +133,17 @@ class Reader {
   void read_task(const toml::node& node) {
     const toml::table& table = entry(node, "scene");
     Keys keys(table, file_, "[[scene]]");
-    const std::string name = needed(keys, table, "file", "file = \"scenes/one.toml\"");
+    keys.not_both("file", "generate", "a scene is read or made");
     Task task;
     task.hidden = keys.boolean("hidden").value_or(false);
     task.weight = keys.positive("weight").value_or(1);
+    if (keys.has("generate")) read_made(keys, table, std::move(task));
+    else read_given(keys, table, std::move(task));
+  }
+  void read_given(Keys& keys, const toml::table& table, Task task) {
+    const std::string name = needed(keys, table, "file", "file = \"scenes/one.toml\"");
     keys.finish();
+    if (task.hidden) homework_.instructors.push_back(name);
     const fs::path path = homework_.folder / name;
     std::error_code ignored;
     const bool there = fs::is_regular_file(path, ignored);
@@ -148,16 +155,54 @@ class Reader {
       fail_at(*table.get("file"), file_, fmt::format("there is no file {}", path.string()),
               "name a scene file, from the homework's folder");
     task.name = path.stem().string();
+    take_scene(*table.get("file"), load_scene(path.string()), task);
+    homework_.tasks.push_back(std::move(task));
+  }
+  void take_scene(const toml::node& at, SceneFile loaded, Task& task) {
     for (const Task& other : homework_.tasks)
       if (other.name == task.name)
-        fail_at(*table.get("file"), file_, fmt::format("two scenes are called '{}'", task.name), "rename a file");
-    SceneFile loaded = load_scene(path.string());
+        fail_at(at, file_, fmt::format("two scenes are called '{}'", task.name), "give one of them another name");
     task.conventions = loaded.conventions;
     Keys again(table_, file_, "a homework");
     scene::read_options(again, file_, false, task.conventions);
     task.scene = look_at_scene(std::move(loaded.scene), {});
     check_run(*homework_.method, task.scene, task.conventions, file_);
-    homework_.tasks.push_back(std::move(task));
+  }
+
+  /// A scene of each student's own.
+  void read_made(Keys& keys, const toml::table& table, Task task) {
+    const toml::node& at = *table.get("generate");
+    task.name = needed(keys, table, "name", "name = \"own\"");
+    if (const std::string why = why_no_name(task.name); !why.empty())
+      fail_at(*table.get("name"), file_, fmt::format("the scene's name {}", why), "write name = \"own\"");
+    const Generator how = read_generator(keys, file_);
+    keys.finish();
+    const fs::path file = homework_.folder / "scenes" / (task.name + ".toml");
+    std::error_code ignored;
+    if (!key_) {
+      const bool there = fs::is_regular_file(file, ignored);
+      if (!there && task.hidden) {
+        ++homework_.left_out;
+        return;
+      }
+      if (!there)
+        fail_at(
+            at, file_,
+            fmt::format("the scene '{}' is each student's own, and there is neither a {} nor {}", task.name, key_file,
+                        file.string()),
+            fmt::format("make both with: zstep homework seed {} --for NAMES.txt -o FOLDER", homework_.folder.string()));
+      take_scene(at, load_scene(file.string()), task);
+      homework_.tasks.push_back(std::move(task));
+      return;
+    }
+    std::vector<StepInfo> needed_steps;
+    for (const StepInfo& step : page_)
+      if (graded_.contains(step.kind)) needed_steps.push_back(step);
+    std::string why;
+    auto made = make_own_scene(how, *key_, student_, *homework_.method, needed_steps, task, why,
+                               [&](SceneFile scene, Task& into) { take_scene(at, std::move(scene), into); });
+    if (!made) fail_at(at, file_, why, "widen the ranges, or let more be tried: tries = 5000");
+    homework_.tasks.push_back(std::move(*made));
   }
 
   void read_part(const toml::node& node) {
@@ -197,8 +242,10 @@ class Reader {
     return points;
   }
 
+  const std::string& student_;
   const std::string& file_;
   const toml::table& table_;
+  std::optional<Key> key_;
   Keys top_;
   Page page_;
   std::set<std::uint8_t> graded_;
@@ -219,7 +266,18 @@ double Homework::points() const {
   return all;
 }
 
-Homework load_homework(const fs::path& folder) {
+Trace reference_run(const Method& method, const Scene& scene, const Conventions& conventions) {
+  TraceRecorder recorder(header_for(method, conventions), scene);
+  method.record(scene, conventions, recorder);
+  recorder.finish();
+  return Trace::from_bytes(recorder.take_bytes(), "the reference");
+}
+
+bool Homework::seeded() const {
+  return std::any_of(tasks.begin(), tasks.end(), [](const Task& task) { return task.made.has_value(); });
+}
+
+Homework load_homework(const fs::path& folder, const std::string& student) {
   const fs::path path = folder / "homework.toml";
   const std::string file = path.string(), text = text_of(path);
   scene::check_toml_depth(text, file);
@@ -230,7 +288,7 @@ Homework load_homework(const fs::path& folder) {
     throw InputError(fmt::format("{}:{}", file, static_cast<std::int64_t>(error.source().begin.line)),
                      fmt::format("is no TOML: {}", error.description()), "write key = value lines");
   }
-  return Reader(folder, file, table).read();
+  return Reader(folder, student, file, table).read();
 }
 
 }  // namespace zstep::homework

@@ -3,15 +3,24 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "sim/homework/generate.hpp"
 #include "sim/homework/sandbox.hpp"
 #include "traces/grade/grade.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::homework {
+
+/// A scene that was made: the scene file's text, after so many seeds, and how hard it is.
+struct Made {
+  std::string text;
+  std::int32_t tries = 0;
+  Difficulty difficulty;
+};
 
 struct Task {
   std::string name;  ///< of its file, without extension: what a submission calls its run
@@ -19,6 +28,7 @@ struct Task {
   double weight = 1;  ///< its share of all points, beside the other tasks' weights
   Scene scene;
   Conventions conventions;
+  std::optional<Made> made;  ///< where it is each student's own
 };
 
 struct Homework {
@@ -27,7 +37,10 @@ struct Homework {
   const Method* method = nullptr;
   std::vector<std::string> free;  ///< conventions that a submission chooses itself, by their keys
   std::vector<Task> tasks;
-  int left_out = 0;  ///< hidden scenes whose files are not here, as in a student's copy
+  int left_out = 0;                      ///< hidden scenes whose files are not here, as in a student's copy
+  std::vector<std::string> instructors;  ///< files of hidden scenes, from the folder
+  /// Whether a scene is made from the secret key: then a homework is loaded for each student.
+  bool seeded() const;
   std::vector<grade::Part> parts;
   std::vector<StepInfo> steps;  ///< that a program prints: those of the parts, and what gives them their places
 
@@ -39,7 +52,11 @@ struct Homework {
   double points() const;  ///< of all parts
 };
 
-/// Throws InputError, with FILE:LINE, where homework.toml or a scene is not as it must be.
-Homework load_homework(const std::filesystem::path& folder);
+/// The run that a submission is held against.
+Trace reference_run(const Method& method, const Scene& scene, const Conventions& conventions);
+
+/// With the scenes of this student, where the folder has the key that they are made from; a student's copy has no key,
+/// and the scenes themselves. Throws InputError, with FILE:LINE, where homework.toml or a scene is not as it must be.
+Homework load_homework(const std::filesystem::path& folder, const std::string& student = "");
 
 }  // namespace zstep::homework

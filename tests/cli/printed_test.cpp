@@ -49,6 +49,10 @@ void furnish(const Folder& clone) {
   write_text(clone / "my-lesson.md", all_matches_replaced(text_of(in_checkout("lessons/5-worked-example.md")),
                                                           "scene = .*", "scene = \"delhi\""));
   REQUIRE(run(clone, "homework new z-buffer hw3").code == 0);
+  REQUIRE(run(clone, "homework new z-buffer hw4").code == 0);
+  write_text(clone / "hw4/homework.toml",
+             text_of(clone / "hw4/homework.toml") + "\n[[scene]]\ngenerate = \"triangles\"\nname = \"own\"\n");
+  write_text(clone / "names.txt", "ana\nbo\n");
   fs::create_directory(clone / "runs");
   for (const std::string scene : {"hw3/scenes/triangle", "hw3/scenes/crossing", "hw3/scenes/neighbours", "hw3/hidden/overlap"}) {
     const std::string name = fs::path(scene).filename().string();

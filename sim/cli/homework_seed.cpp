@@ -1,0 +1,71 @@
+#include "sim/cli/homework_seed.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "sim/cli/messages.hpp"
+#include "sim/cli/outputs.hpp"
+#include "sim/cli/watch.hpp"
+#include "sim/homework/seeds.hpp"
+#include "sim/homework/student_folders.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string made_text(const homework::Task& task) {
+  const homework::Difficulty& is = task.made->difficulty;
+  return fmt::format("{}: seed {}, {} steps, {} compares that lose, {} crossing spans", task.name, task.made->tries,
+                     is.steps, is.losing, is.crossing);
+}
+
+}  // namespace
+
+int seed_homework(const std::string& folder, const std::string& names, const std::string& out,
+                  const std::string& seed) {
+  const char* usage = "type zstep homework seed FOLDER --for NAMES.txt -o STUDENTS";
+  if (names.empty()) throw InputError("homework seed", "has no file with the students' names", usage);
+  if (out.empty()) throw InputError("homework seed", "has no folder for the students' folders", usage);
+  const auto students = homework::names_in(names);
+  const auto key = homework::key_of(folder);
+  const homework::Key wanted = homework::new_key(seed);
+  if (key && !seed.empty() && *key != wanted)
+    throw InputError("--seed", fmt::format("{} has another key already", folder), "leave --seed out, and it is used");
+  std::error_code error;
+  const fs::path home = fs::weakly_canonical(folder, error), place = fs::weakly_canonical(out, error);
+  if (const auto from_home = place.lexically_relative(home); !from_home.empty() && *from_home.begin() != "..")
+    throw InputError(out, "lies in the folder of the homework", "choose a place beside it");
+  const fs::path key_path = fs::path(folder) / homework::key_file;
+  if (!key) homework::write_key(folder, wanted);
+  try {
+    if (!homework::load_homework(folder, students.front()).seeded())
+      throw InputError(folder, "has no scene of each student's own",
+                       "add to homework.toml: [[scene]], generate = \"triangles\", name = \"own\"");
+  } catch (...) {
+    if (!key) fs::remove(key_path, error);
+    throw;
+  }
+  if (!key) fmt::print("{}: made; keep it, and give it to nobody\n", key_path.string());
+  fs::create_directories(out, error);
+  if (error) throw InputError(out, "cannot be made: " + error.message(), "check the folder it lies in");
+  Watch watch;
+  for (const std::string& student : students) {
+    const fs::path own = fs::path(out) / student;
+    if (fs::exists(own, error)) {
+      fmt::print("{}: is there already, and stays as it is\n", own.string());
+      continue;
+    }
+    watch.show(fmt::format("making: {} (Ctrl-C stops)", student));
+    const homework::Homework made = homework::make_student_folder(folder, student, out);
+    watch.clear_line();
+    for (const homework::Task& task : made.tasks)
+      if (task.made && !task.hidden) fmt::print("{}: {}\n", own.string(), made_text(task));
+  }
+  return exit_code::done;
+}
+
+}  // namespace zstep::cli

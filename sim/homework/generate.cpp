@@ -1,0 +1,138 @@
+#include "sim/homework/generate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "traces/events/vocabulary.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+/// Positions are in quarters of a pixel, depths in 512ths: exact in every format, and some meet centres of pixels.
+constexpr std::int64_t quarters = 4, depth_parts = 512;
+
+struct Corner {
+  std::int64_t x, y, z;
+};
+
+/// Whole numbers of the generator alone, without std::uniform_int_distribution, which differs between libraries.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  std::int64_t roll(Range range) {
+    const auto count = static_cast<std::uint64_t>(range.most - range.least + 1);
+    return range.least + static_cast<std::int64_t>(engine_() % count);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+std::int64_t doubled_area(const std::vector<Corner>& corners) {
+  std::int64_t area = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    area += a.x * b.y - b.x * a.y;
+  }
+  return area < 0 ? -area : area;
+}
+
+std::vector<Corner> triangle(Dice& dice, Range x, Range y) {
+  std::vector<Corner> corners;
+  for (int i = 0; i < 3; ++i) {
+    // Some edges are horizontal, which chance alone would make too rare.
+    const bool level = i > 0 && dice.roll({1, 6}) == 1;
+    const std::int64_t at_x = dice.roll(x), at_y = level ? corners.back().y : dice.roll(y);
+    corners.push_back({at_x, at_y, 8 * dice.roll({8, 56})});
+  }
+  return corners;
+}
+
+/// Corners in the order in which they are seen from the middle: the outline does not cross itself, and may be concave.
+/// They lie in one plane.
+std::vector<Corner> polygon(Dice& dice, Range x, Range y, std::int64_t count) {
+  std::vector<Corner> corners;
+  std::int64_t middle_x = 0, middle_y = 0;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t at_x = dice.roll(x), at_y = dice.roll(y);
+    corners.push_back({at_x, at_y, 0});
+    middle_x += at_x, middle_y += at_y;
+  }
+  const auto from_middle = [&](const Corner& c) { return std::array{count * c.x - middle_x, count * c.y - middle_y}; };
+  const auto lower_half = [](const auto& d) { return d[1] > 0 || (d[1] == 0 && d[0] < 0); };
+  std::sort(corners.begin(), corners.end(), [&](const Corner& a, const Corner& b) {
+    const auto to_a = from_middle(a), to_b = from_middle(b);
+    if (lower_half(to_a) != lower_half(to_b)) return lower_half(to_b);
+    const std::int64_t turn = to_a[0] * to_b[1] - to_a[1] * to_b[0];
+    if (turn != 0) return turn > 0;
+    return std::array{a.x, a.y} < std::array{b.x, b.y};
+  });
+  const std::int64_t dz_dx = dice.roll({-3, 3}), dz_dy = dice.roll({-3, 3}), nearest = dice.roll({16, 256});
+  std::int64_t least = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners[i].z = dz_dx * corners[i].x + dz_dy * corners[i].y;
+    least = i == 0 ? corners[i].z : std::min(least, corners[i].z);
+  }
+  for (Corner& corner : corners) corner.z += nearest - least;
+  return corners;
+}
+
+}  // namespace
+
+std::string generated_scene(const Generator& generator, const std::string& name, std::uint64_t seed) {
+  Dice dice(seed);
+  const std::int64_t width = dice.roll(generator.width), height = dice.roll(generator.height);
+  std::string text = fmt::format("name = \"{}\"\ncoordinates = \"screen\"\n\n[raster]\nwidth = {}\nheight = {}\n", name,
+                                 width, height);
+  const Range x{1, quarters * (width - 1) - 1}, y{1, quarters * (height - 1) - 1};
+  const std::int64_t count = dice.roll(generator.count), least_area = 2 * (x.most * y.most) / 16;
+  for (std::int64_t i = 0; i < count; ++i) {
+    std::vector<Corner> corners;
+    for (int attempt = 0; attempt < 100 && doubled_area(corners) < least_area; ++attempt)
+      corners = generator.what == Generator::What::triangles ? triangle(dice, x, y)
+                                                             : polygon(dice, x, y, dice.roll(generator.corners));
+    text += fmt::format("\n[[polygon]]\nname = \"{}\"\npoints = [", static_cast<char>('A' + i));
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      text +=
+          fmt::format("{}[{}, {}, {}]", k == 0 ? "" : ", ", static_cast<double>(corners[k].x) / quarters,
+                      static_cast<double>(corners[k].y) / quarters, static_cast<double>(corners[k].z) / depth_parts);
+    text += "]\n";
+  }
+  return text;
+}
+
+Difficulty difficulty_of(const Trace& run) {
+  Difficulty found;
+  found.steps = run.size();
+  const Raster& raster = run.scene().raster;
+  std::vector<bool> drawn(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+  bool wins = false, loses = false;
+  const auto end_span = [&] {
+    found.crossing += wins && loses;
+    wins = loses = false;
+  };
+  run.each(0, run.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    const Event& event = recorded.event;
+    found.kinds.insert(static_cast<std::uint8_t>(event.index()));
+    const auto at = [&](const auto& e) {
+      return static_cast<std::size_t>(e.y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(e.x);
+    };
+    if (holds<SpanBegin>(event)) end_span();
+    if (const auto* compare = get_if<DepthCompare>(&event)) {
+      found.losing += !compare->nearer;
+      loses = loses || !compare->nearer;
+      wins = wins || (compare->nearer && drawn.at(at(*compare)));
+    }
+    if (const auto* write = get_if<PixelWrite>(&event)) drawn.at(at(*write)) = true;
+    return true;
+  });
+  end_span();
+  return found;
+}
+
+}  // namespace zstep::homework

@@ -1,0 +1,69 @@
+#include "sim/homework/student_folders.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "sim/homework/new_homework.hpp"
+#include "sim/homework/seeds.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a path in the folder of a homework is for students.
+bool is_for_students(const fs::path& path, const Homework& homework) {
+  for (const std::string& hidden : homework.instructors) {
+    const fs::path scene(hidden);
+    if (path == scene.lexically_normal() || path == fs::path(scene).replace_extension(".txt").lexically_normal())
+      return false;
+  }
+  const std::string first = path.begin()->string();
+  return first != "hidden" && first != "solution" && first != key_file;
+}
+
+void copy_for_students(const Homework& homework, const fs::path& to) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(homework.folder)) {
+    const fs::path path = fs::relative(entry.path(), homework.folder).lexically_normal();
+    if (!entry.is_regular_file() || entry.is_symlink() || !is_for_students(path, homework)) continue;
+    fs::create_directories((to / path).parent_path());
+    fs::copy_file(entry.path(), to / path);
+  }
+}
+
+void put_text(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  if (!out) throw InputError(path.string(), "cannot be written", "check the folder and the room on the disk");
+}
+
+}  // namespace
+
+Homework make_student_folder(const fs::path& folder, const std::string& student, const fs::path& out) {
+  Homework homework = load_homework(folder, student);
+  const fs::path partial = out / (student + ".part");
+  std::error_code ignored;
+  try {
+    copy_for_students(homework, partial);
+    for (const Task& task : homework.tasks) {
+      if (!task.made || task.hidden) continue;
+      put_text(partial / "scenes" / (task.name + ".toml"), task.made->text);
+      put_text(partial / "scenes" / (task.name + ".txt"), plain_numbers(task.scene));
+    }
+    fs::rename(partial, out / student);
+  } catch (const fs::filesystem_error& error) {
+    fs::remove_all(partial, ignored);
+    throw InputError((out / student).string(), "cannot be made: " + error.code().message(),
+                     "check the folder it lies in");
+  } catch (...) {
+    fs::remove_all(partial, ignored);
+    throw;
+  }
+  return homework;
+}
+
+}  // namespace zstep::homework

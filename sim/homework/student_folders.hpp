@@ -1,0 +1,17 @@
+// What each student of a class gets: the homework without what is the instructor's, with scenes of the student's own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sim/homework/homework.hpp"
+
+namespace zstep::homework {
+
+/// Makes OUT/STUDENT: homework.toml, hand-out, starters and the scenes that students have, those of their own among
+/// them; no solution, no hidden scenes, no key. Returns the homework as this student has it. Throws InputError, with
+/// nothing left behind.
+Homework make_student_folder(const std::filesystem::path& homework, const std::string& student,
+                             const std::filesystem::path& out);
+
+}  // namespace zstep::homework
