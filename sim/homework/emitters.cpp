@@ -1,93 +1,63 @@
 #include "sim/homework/emitters.hpp"
 
+#include <array>
 #include <cctype>
-#include <type_traits>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "traces/events/slots.hpp"
-#include "traces/events/vocabulary.hpp"
+#include "sim/homework/step_fields.hpp"
 
 namespace zstep::homework {
 
 namespace {
 
-enum class Type : std::uint8_t { whole, real, truth, word };
-struct Parameter {
-  std::string name;
-  Type type;
-};
-struct Function {
-  std::string step, meaning;
-  std::vector<Parameter> parameters;
-};
-
-Function function_of(const StepInfo& step) {
-  Function function{step.name, "", {}};
-  std::uint8_t kind = 0;
-  for_each_kind([&]<class E>() {
-    if (kind++ != step.kind) return;
-    function.meaning = kind_text<E>.meaning;
-    for_each_index<E>([&]<std::size_t I>() {
-      using Value = FieldValue<E, I>;
-      const Type type = std::is_enum_v<Value>           ? Type::word
-                        : std::is_same_v<Value, bool>   ? Type::truth
-                        : std::is_same_v<Value, double> ? Type::real
-                                                        : Type::whole;
-      function.parameters.push_back({std::string(field_at<E, I>.name), type});
-    });
-  });
-  return function;
-}
-
 /// "int x, int y, double z" — or without types.
 template <class Text>
-std::string listed(const std::vector<Parameter>& parameters, Text&& text, std::string_view between = ", ") {
+std::string listed(const std::vector<StepField>& parameters, Text&& text, std::string_view between = ", ") {
   std::string all;
-  for (const Parameter& one : parameters) all += (all.empty() ? "" : std::string(between)) + text(one);
+  for (const StepField& one : parameters) all += (all.empty() ? "" : std::string(between)) + text(one);
   return all;
 }
-std::string name_of(const Parameter& one) { return one.name; }
+std::string name_of(const StepField& one) { return one.name; }
 
-std::string in_c(const Function& f) {
+std::string in_c(const StepFields& f) {
   constexpr std::array<std::string_view, 4> types{"int", "double", "int", "const char*"};
-  const std::string parameters = listed(f.parameters, [&](const Parameter& one) {
+  const std::string parameters = listed(f.fields, [&](const StepField& one) {
     return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
   });
   const std::string fields = listed(
-      f.parameters,
-      [](const Parameter& one) { return fmt::format("{}:{}", one.name, "irbw"[static_cast<std::size_t>(one.type)]); },
+      f.fields,
+      [](const StepField& one) { return fmt::format("{}:{}", one.name, "irbw"[static_cast<std::size_t>(one.type)]); },
       " ");
   return fmt::format("static inline void emit_{}({}) {{\n  emit_step(\"{}\", \"{}\"{}{});\n}}\n", f.step,
-                     parameters.empty() ? "void" : parameters, f.step, fields, f.parameters.empty() ? "" : ", ",
-                     listed(f.parameters, name_of));
+                     parameters.empty() ? "void" : parameters, f.step, fields, f.fields.empty() ? "" : ", ",
+                     listed(f.fields, name_of));
 }
 
-std::string in_python(const Function& f) {
-  return fmt::format("def {}({}):\n    \"\"\"{}\"\"\"\n    _step(\"{}\"{}{})\n\n", f.step,
-                     listed(f.parameters, name_of), f.meaning, f.step, f.parameters.empty() ? "" : ", ",
-                     listed(f.parameters, [](const Parameter& one) { return one.name + "=" + one.name; }));
+std::string in_python(const StepFields& f) {
+  return fmt::format("def {}({}):\n    \"\"\"{}\"\"\"\n    _step(\"{}\"{}{})\n\n", f.step, listed(f.fields, name_of),
+                     f.meaning, f.step, f.fields.empty() ? "" : ", ",
+                     listed(f.fields, [](const StepField& one) { return one.name + "=" + one.name; }));
 }
 
-std::string in_javascript(const Function& f) {
-  return fmt::format("exports.{} = ({}) => step(\"{}\", {{ {} }});\n", f.step, listed(f.parameters, name_of), f.step,
-                     listed(f.parameters, name_of));
+std::string in_javascript(const StepFields& f) {
+  return fmt::format("exports.{} = ({}) => step(\"{}\", {{ {} }});\n", f.step, listed(f.fields, name_of), f.step,
+                     listed(f.fields, name_of));
 }
 
-std::string in_java(const Function& f) {
+std::string in_java(const StepFields& f) {
   constexpr std::array<std::string_view, 4> types{"int", "double", "boolean", "String"};
   std::string name;
   for (std::size_t i = 0; i < f.step.size(); ++i)
     if (f.step[i] != '_')
       name += i > 0 && f.step[i - 1] == '_' ? static_cast<char>(std::toupper(static_cast<unsigned char>(f.step[i])))
                                             : f.step[i];
-  const std::string parameters = listed(f.parameters, [&](const Parameter& one) {
+  const std::string parameters = listed(f.fields, [&](const StepField& one) {
     return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
   });
   return fmt::format("  static void {}({}) {{\n    step(\"{}\"{}{});\n  }}\n", name, parameters, f.step,
-                     f.parameters.empty() ? "" : ", ",
-                     listed(f.parameters, [](const Parameter& one) { return fmt::format("\"{0}\", {0}", one.name); }));
+                     f.fields.empty() ? "" : ", ",
+                     listed(f.fields, [](const StepField& one) { return fmt::format("\"{0}\", {0}", one.name); }));
 }
 
 constexpr std::string_view c_begin =
@@ -174,7 +144,7 @@ std::string emitter(Language language, const std::vector<StepInfo>& steps) {
   std::string text;
   const auto all = [&](std::string_view begin, auto function, std::string_view end) {
     text = begin;
-    for (const StepInfo& step : steps) text += function(function_of(step));
+    for (const StepInfo& step : steps) text += function(fields_of_step(step));
     text += end;
   };
   switch (language) {

@@ -8,7 +8,9 @@
 
 #include "sim/classroom/lesson.hpp"
 #include "sim/homework/emitters.hpp"
+#include "sim/homework/step_fields.hpp"
 #include "traces/error.hpp"
+#include "traces/formulas/eye_rays.hpp"
 #include "traces/near_word.hpp"
 
 namespace zstep::homework {
@@ -37,6 +39,17 @@ void write(const fs::path& path, const std::string& text) {
   if (!out) throw InputError(path.string(), "cannot be written", "check the folder and the room on the disk");
 }
 
+std::string rays_as_numbers(const Scene& scene) {
+  const formulas::EyeRays rays(scene.camera, scene.raster);
+  const auto first = rays.through(0, 0), right = rays.through(1, 0), down = rays.through(0, 1);
+  std::string text;
+  for (const glm::dvec3& v : {first.from, right.from - first.from, down.from - first.from, first.along,
+                              right.along - first.along, down.along - first.along})
+    text += fmt::format("{} {} {}\n", v.x, v.y, v.z);
+  const double unit = scene.camera.kind == Camera::Kind::orthographic ? 1 : scene.camera.d;
+  return text + fmt::format("{} {}\n", scene.camera.near / unit, scene.camera.far / unit);
+}
+
 std::string text_of_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -44,7 +57,6 @@ std::string text_of_file(const fs::path& path) {
 
 }  // namespace
 
-/// What a program reads: width and height, the points, and each polygon as the number of its vertices and these.
 std::string plain_numbers(const Scene& scene) {
   std::string text = fmt::format("{} {}\n{}\n", scene.raster.width, scene.raster.height, scene.points.size());
   for (const glm::dvec3& p : scene.points) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
@@ -55,19 +67,26 @@ std::string plain_numbers(const Scene& scene) {
       text += fmt::format(" {}", scene.corners[static_cast<std::size_t>(facet.first_corner + k)]);
     text += '\n';
   }
+  const auto add = [&](Color color) { text += fmt::format("{} {} {}\n", color.red, color.green, color.blue); };
+  add(scene.background);
+  for (const Facet& facet : scene.facets) add(scene.polygons[static_cast<std::size_t>(facet.polygon)].color);
+  if (scene.camera.kind != Camera::Kind::screen) text += rays_as_numbers(scene);
   return text;
 }
 
 std::vector<std::pair<fs::path, std::string>> made_files(const Homework& homework) {
   std::vector<std::pair<fs::path, std::string>> files;
   for (const Task& task : homework.tasks)
-    files.emplace_back(fs::path(task.scene.source).replace_extension(".txt"), plain_numbers(task.scene));
+    if (!task.made)
+      files.emplace_back(fs::path(task.scene.source).replace_extension(".txt"), plain_numbers(task.scene));
   for (const char* place : {"starter", "solution"}) {
     if (!fs::is_directory(homework.folder / place)) continue;
     for (std::size_t k = 0; k < languages.size(); ++k)
       files.emplace_back(homework.folder / place / languages[k].file,
                          emitter(static_cast<Language>(k), homework.steps));
   }
+  if (fs::is_directory(homework.folder / "starter"))
+    files.emplace_back(homework.folder / "starter" / "run.schema.json", run_schema(homework.steps));
   std::erase_if(files, [](const auto& file) { return text_of_file(file.first) == file.second; });
   return files;
 }

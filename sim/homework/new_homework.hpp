@@ -10,10 +10,14 @@
 
 namespace zstep::homework {
 
-/// What a program reads of a scene.
+/// A scene as programs read it: width and height, the points, each polygon as the number of its vertices and these, and
+/// the colours, for programs that draw: of the background and of each polygon. Then, of a scene in space, the rays
+/// through the pixels' centres: X_0 of pixel (0, 0), its change by a column and by a row, the same of dX, and the least
+/// and the greatest t.
 std::string plain_numbers(const Scene& scene);
-/// What is made from homework.toml and the scenes, where it is missing or no longer agrees with them: the scenes in plain
-/// numbers, and the files that write steps, in starter/ and solution/; each with the text that it should have.
+/// What is made from homework.toml and the scenes, where it is missing or no longer agrees with them: the scenes in
+/// plain numbers, the files that write steps, in starter/ and solution/, and the schema of a line; each with the text
+/// that it should have.
 std::vector<std::pair<std::filesystem::path, std::string>> made_files(const Homework& homework);
 /// Writes these. Returns what it wrote, from the folder.
 std::vector<std::string> refresh_homework(const std::filesystem::path& folder);
