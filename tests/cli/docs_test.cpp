@@ -2,6 +2,7 @@
 // page, which has the lessons in it as the clone does.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -27,6 +28,8 @@ std::vector<Example> examples_of(const std::string& page) {
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with("```")) inside = line == "```console";
     else if (inside && line.starts_with("$ ")) examples.push_back({line.substr(2), {}});
+    else if (inside && line.starts_with(">") && examples.back().lines.empty())  // as a shell asks for more lines
+      examples.back().command += "\n" + line.substr(std::min<std::size_t>(2, line.size()));
     else if (inside) examples.back().lines.push_back(line);
   }
   return examples;
@@ -58,7 +61,7 @@ bool match(const std::vector<std::string>& pattern, const std::vector<std::strin
 
 TEST_CASE("docs: every command prints what its page says") {
   for (const char* page : {"command-line.md", "querying.md", "checking-a-run.md", "comparing-runs.md", "interpolation.md",
-                           "homework.md"}) {
+                           "homework.md", "writing-a-run.md"}) {
     const Folder folder;
     std::filesystem::create_directory_symlink(in_checkout("lessons"), folder / "lessons");
     const std::vector<Example> examples = examples_of(text_of(in_checkout("docs/" + std::string(page))));
