@@ -23,7 +23,7 @@ TEST_CASE("grade: of a class of thirty, each is told the own mistake") {
   if (std::system("python3 --version >/dev/null 2>&1") != 0) return;
   const Folder folder;
   REQUIRE(run(folder, "homework new z-buffer hw").code == 0);
-  REQUIRE(in(folder, "python3 hw/solution/a_class.py class && mkdir runs"));
+  REQUIRE(in(folder, "python3 hw/class/make_class.py class && mkdir runs"));
   int students = 0, right = 0, none = 0, wrong = 0;
   std::string table;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "class")) {

@@ -1,6 +1,6 @@
 """A class of thirty to try the homework with: the solution, right or with something made wrong in it.
 
-usage: python3 a_class.py FOLDER
+usage: python3 make_class.py FOLDER
 
 makes FOLDER/01-right/zbuffer.py, FOLDER/02-compare_reversed/zbuffer.py … Each folder is named after its mistake.
 """
@@ -48,15 +48,15 @@ CLASS = [
 
 
 def main():
-    here = pathlib.Path(__file__).parent
-    solution = (here / "zbuffer.py").read_text()
+    right_one = pathlib.Path(__file__).parent.parent / "solution"
+    solution = (right_one / "zbuffer.py").read_text()
     for number, (name, right, wrong) in enumerate(CLASS, 1):
         assert right in solution, f"{name}: the solution has no line as {right!r}"
         folder = pathlib.Path(sys.argv[1]) / f"{number:02}-{name}"
         folder.mkdir(parents=True)
         at = solution.rindex(right) if name == "prints-nothing" else solution.index(right)
         (folder / "zbuffer.py").write_text(solution[:at] + wrong + solution[at + len(right):])
-        shutil.copy(here / "emit.py", folder)
+        shutil.copy(right_one / "emit.py", folder)
 
 
 main()
