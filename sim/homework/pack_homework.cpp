@@ -25,12 +25,12 @@ void write_script(const fs::path& path, const std::string& text, bool runs = tru
   if (runs) fs::permissions(path, fs::perms(0755));
 }
 
-/// The homework without solution and starters; for students without the hidden scenes, too.
+/// The homework without solution, class and starters; for students without the hidden scenes, too.
 void copy_homework(const Homework& homework, const fs::path& to, bool for_students) {
   fs::create_directories(to);
   for (const auto& entry : fs::directory_iterator(homework.folder)) {
     const std::string name = entry.path().filename().string();
-    if (name != "solution" && name != "starter" && !name.starts_with('.'))
+    if (name != "solution" && name != "class" && name != "starter" && !name.starts_with('.'))
       fs::copy(entry.path(), to / name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
   }
   if (!for_students) return;
