@@ -22,7 +22,7 @@ namespace zstep::cli {
 namespace {
 
 struct HomeworkOptions {
-  std::string what, program, out, names, seed;
+  std::string what, program, out, names, seed, student;
   std::vector<std::string> words;
   bool gradescope = false, prairielearn = false, github = false;
 };
@@ -71,7 +71,9 @@ int run_them(const HomeworkOptions& options) {
   const auto& words =
       words_for(options, 2, "type zstep homework run FOLDER PROGRAM-FOLDER --program 'python3 zbuffer.py' -o RUNS");
   if (options.out.empty()) throw InputError("homework run", "there is no place for the runs", "give -o FOLDER");
-  const homework::Homework given = homework::load_homework(words[0]);
+  const homework::Homework given = homework::load_homework(words[0], options.student);
+  if (given.seeded() && options.student.empty())
+    throw InputError(words[0], "has scenes of each student's own", "say whose program it is: --student NAME");
   if (const std::string open = homework::not_protected(); !open.empty()) fmt::print(stderr, "zstep: {}\n", open);
   Watch watch;
   const auto runs = homework::run_programs(
@@ -131,6 +133,8 @@ void add_homework(CLI::App& app, Action& action) {
   command->add_flag("--github", options->github, "pack: a folder with a workflow for GitHub Classroom");
   command->add_option("--for", options->names, "seed: a file with the students' names, one a line")
       ->type_name("NAMES.txt");
+  command->add_option("--student", options->student, "run: whose program it is, where scenes are each student's own")
+      ->type_name("NAME");
   command->add_option("--seed", options->seed, "seed: what the secret key is made from (default: chance)")
       ->type_name("TEXT");
   command

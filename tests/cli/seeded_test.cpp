@@ -137,6 +137,7 @@ TEST_CASE("seed: the grader makes the scene, whatever a submission brings") {
   const Folder folder;
   set_up_seeded(folder);
   record_own(folder, "ana", "runs/own.jsonl");
+  std::filesystem::create_directory(folder / "program");
   const std::string grade = "grade --homework hw runs --scene own --format json --student ";
   const double most = 13;
   CHECK(points_of(run(folder, grade + "ana")) == doctest::Approx(most));
@@ -151,6 +152,16 @@ TEST_CASE("seed: the grader makes the scene, whatever a submission brings") {
   const Outcome nobody = run(folder, "grade --homework hw runs");
   CHECK(nobody.code == 2);
   CHECK(has(nobody.err, "hw: has scenes of each student's own; say whose they are: --student NAME"));
+  const Outcome packed = run(folder, "homework pack hw --github -o classroom");
+  CHECK(packed.code == 2);
+  CHECK(has(packed.err, "hw: has scenes of each student's own, which cannot be packed"));
+  CHECK_FALSE(std::filesystem::exists(folder / "classroom"));
+  write_text(folder / "program/cat.sh", "cat $1\n");
+  const Outcome whose = run(folder, "homework run hw program --program 'sh cat.sh' -o printed");
+  CHECK(whose.code == 2);
+  CHECK(has(whose.err, "say whose program it is: --student NAME"));
+  CHECK(run(folder, "homework run hw program --program 'sh cat.sh' -o printed --student ana").code == 0);
+  CHECK(text_of(folder / "printed/own.jsonl") == text_of(folder / "students/ana/scenes/own.txt"));
   // At home, without the key, the student's own copy says the same, and its command needs no name.
   record_own(folder, "ana", "runs/own.jsonl");
   const Outcome home = run(folder, "grade --homework students/ana runs --scene own");
