@@ -21,7 +21,7 @@ bool is_for_students(const fs::path& path, const Homework& homework) {
       return false;
   }
   const std::string first = path.begin()->string();
-  return first != "hidden" && first != "solution" && first != key_file;
+  return first != "hidden" && first != "solution" && first != "class" && first != key_file;
 }
 
 void copy_for_students(const Homework& homework, const fs::path& to) {

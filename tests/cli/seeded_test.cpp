@@ -53,7 +53,7 @@ TEST_CASE("seed: a folder for each student, with a scene of the own and nothing 
     for (const char* file : {"homework.toml", "handout.md", "scenes/own.toml", "scenes/own.txt", "scenes/crossing.txt",
                              "starter/zbuffer.py", "starter/emit.h"})
       CHECK_FALSE(text_of(folder / (home + file)).empty());
-    for (const char* file : {"solution", "hidden", "secret.key"})
+    for (const char* file : {"solution", "hidden", "class", "secret.key"})
       CHECK_FALSE(std::filesystem::exists(folder / (home + file)));
     scenes.insert(text_of(folder / (home + "scenes/own.toml")));
   }
