@@ -124,12 +124,15 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& fi
       return graded;
     }
     const Runs runs = runs_of(homework, task, file);
-    const grade::Judgement found = grade::judge(runs.reference, runs.submission, homework.parts);
+    const grade::Judgement found = grade::judge(runs.reference, runs.submission, homework.parts, homework.digits);
     graded.state = Graded::State::judged;
     graded.steps = runs.submission.size();
     graded.counts = found.parts;
     if (!runs.impossible.empty()) graded.why = "the run is judged up to a step that cannot be: " + runs.impossible;
     else if (!runs.submission.warnings().empty()) graded.why = runs.submission.warnings().front();
+    if (const Precision& written = found.checked.precision;
+        graded.why.empty() && found.first && written.held && !precision_of(runs.reference, homework.digits).held)
+      graded.why = fmt::format("the numbers are {}: print more of their digits, as %.17g does", written.text);
     if (found.first) {
       graded.first = in_words(runs, *found.first, graded.file);
       graded.first->mistake = grade::mistake_in(runs.submission, found);

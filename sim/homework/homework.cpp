@@ -59,6 +59,7 @@ class Reader {
       fail_at(*top_.find("method"), file_, fmt::format("there is no method '{}'", id), scene::suggestion(id, ids));
     page_ = homework_.method->page();
     read_free();
+    homework_.digits = top_.whole("digits", 0, 17).value_or(homework_.digits);
     if (const toml::table* program = top_.table("program")) read_program(*program);
     const toml::array* also = top_.array("also");
     top_.find("options");  // read for each task, beside the scene's own

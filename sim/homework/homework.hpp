@@ -44,6 +44,7 @@ struct Homework {
   std::vector<grade::Part> parts;
   std::vector<StepInfo> steps;  ///< that a program prints: those of the parts, and what gives them their places
 
+  int digits = 6;       ///< or decimals, that numbers are held to, however few a run prints
   std::string program;  ///< the command that runs a submission's program on the scene that follows it; or none
   Limits limits;        ///< of that program
 

@@ -238,6 +238,34 @@ TEST_CASE("grade: numbers of a hidden scene stay hidden") {
   }
 }
 
+TEST_CASE("grade: few digits do not turn errors into rounding, and the report says what to print") {
+  if (!there_is("python3")) return;
+  const Folder folder;
+  set_up(folder);
+  // Every depth is off by 0.0004 and rounded to three decimals, which hides it.
+  const auto printed = [&](const std::string& off, const std::string& format) {
+    std::string emitter = text_of(folder / "hw/solution/emit.py");
+    const std::string before = "    print(json.dumps(";
+    REQUIRE(has(emitter, before));
+    emitter.insert(emitter.find(before), "    for key in fields:\n        if isinstance(fields[key], float) and "
+                                         "math.isfinite(fields[key]):\n            fields[key] = float('" +
+                                             format + "' % (fields[key] + (" + off + " if 'z' in key else 0)))\n");
+    REQUIRE(in(folder, "cp -r hw/solution printing"));
+    write_text(folder / "printing/emit.py", emitter);
+    REQUIRE(in(folder, "python3 printing/zbuffer.py hw/hidden/overlap.txt > overlap.jsonl && rm -r printing"));
+    return run(folder, "grade --homework hw overlap.jsonl --format json");
+  };
+  const double all = json::parse(printed("0", "%.17g").out)["points"];
+  CHECK(json::parse(printed("0", "%f").out)["points"] == doctest::Approx(all));
+  CHECK(json::parse(printed("0", "%g").out)["points"] == doctest::Approx(all));
+  const json few = json::parse(printed("0.0004", "%.3f").out);
+  CHECK(few["points"] < 0.8 * all);
+  CHECK(has(few["scenes"][0]["why"], "written with 3 decimals, held to 6: print more of their digits"));
+  std::string text = text_of(folder / "hw/homework.toml");
+  write_text(folder / "hw/homework.toml", "digits = 3\n" + text);
+  CHECK(json::parse(run(folder, "grade --homework hw overlap.jsonl --format json").out)["points"] > few["points"]);
+}
+
 TEST_CASE("homework.toml: what is wrong with it is named by its line, with the cure") {
   const Folder folder;
   REQUIRE(run(folder, "homework new z-buffer hw").code == 0);

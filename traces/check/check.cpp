@@ -198,12 +198,12 @@ struct Judge {
 };
 
 CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked,
-                     CheckMarks* marks = nullptr, Depths* depths = nullptr) {
+                     CheckMarks* marks = nullptr, Depths* depths = nullptr, int digits = 0) {
   const Beginning beginning(trace);
   State state = beginning.state();
   Checker checker{trace, header, on_cause, {}, {}, {}};
   checker.marks = marks;
-  checker.report.precision = precision_of(trace);
+  checker.report.precision = precision_of(trace, digits);
   Situation at = formulas::situation_of(trace, state, header);
   checker.at = &at;
 
@@ -269,8 +269,9 @@ std::vector<Otherwise> all_others() {
 
 }  // namespace
 
-CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked, CheckMarks* marks) {
-  return check_by(trace.header(), trace, on_cause, on_checked, marks);
+CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked, CheckMarks* marks,
+                  int digits) {
+  return check_by(trace.header(), trace, on_cause, on_checked, marks, nullptr, digits);
 }
 
 std::vector<std::uint8_t> depths_not_judged(const Trace& trace) {

@@ -159,7 +159,7 @@ Precision precision_of_fixed(const Trace& trace, NumberFormat format, const char
 
 }  // namespace
 
-Precision precision_of(const Trace& trace) {
+Precision precision_of(const Trace& trace, int digits) {
   const Header& header = trace.header();
   const bool declared = header.declares(Convention::number_format);
   if (declared && header.conventions.number_format == NumberFormat::float32)
@@ -182,11 +182,27 @@ Precision precision_of(const Trace& trace) {
     // Numbers with all their digits are not cut, whatever comes later.
     return !(seen.many_digits && seen.many_decimals && (declared || !seen.float32));
   });
-  if (const auto decimals = Seen::cut_at(seen.by_decimals, seen.numbers))
-    return {formulas::rounding_of_float64, std::pow(10.0, -*decimals), false,
-            fmt::format("written with {} decimals", *decimals), NumberFormat::float64, std::pow(10.0, -*decimals)};
-  if (const auto digits = Seen::cut_at(seen.by_digits, seen.numbers))
-    return {2 * std::pow(10.0, 1 - *digits), 0, false, fmt::format("written with {} digits", *digits)};
+  const auto written = [&](int count, const char* what) {
+    return fmt::format("written with {} {}{}", count, what, count < digits ? fmt::format(", held to {}", digits) : "");
+  };
+  if (const auto decimals = Seen::cut_at(seen.by_decimals, seen.numbers)) {
+    const double unit = std::pow(10.0, -std::max(*decimals, digits));
+    return {formulas::rounding_of_float64,
+            unit,
+            false,
+            written(*decimals, "decimals"),
+            NumberFormat::float64,
+            unit,
+            *decimals < digits};
+  }
+  if (const auto all = Seen::cut_at(seen.by_digits, seen.numbers))
+    return {2 * std::pow(10.0, 1 - std::max(*all, digits)),
+            0,
+            false,
+            written(*all, "digits"),
+            NumberFormat::float64,
+            0,
+            *all < digits};
   constexpr int digits_of_float32 = 6;
   const bool many_digits = std::any_of(seen.by_digits.begin() + digits_of_float32 + 1, seen.by_digits.end(),
                                        [](std::int64_t count) { return count > 0; });

@@ -14,10 +14,12 @@ struct Precision {
   std::string text;           ///< "float64, as the header declares"
   NumberFormat format = NumberFormat::float64;
   double unit = 0;            ///< of fixed-point depths, or of the last decimal that is written; else 0
+  bool held = false;          ///< to more digits than are written, as `digits` asks
 };
 
 /// Reads the whole trace where the header declares no number format: a program that prints "%f" or "%.6g" writes fewer
 /// digits than it computes with, and one that computes in float32 writes numbers that are float32.
-Precision precision_of(const Trace& trace);
+/// Numbers are held to `digits` digits, or decimals, however few are written.
+Precision precision_of(const Trace& trace, int digits = 0);
 
 }  // namespace zstep

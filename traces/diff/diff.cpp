@@ -13,14 +13,14 @@ std::int64_t DiffReport::differences() const {
   return all;
 }
 
-DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way) {
+DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way, int digits) {
   DiffReport report;
   bool told_to_end = false;
   const auto part_of = [&](double from, double share) {
     return [&, from, share](double done) { return on_way && (told_to_end = on_way(from + share * done)); };
   };
   report.alignment = align(a, b, part_of(0, 0.5), way);
-  const Precision of_a = precision_of(a), of_b = precision_of(b);
+  const Precision of_a = precision_of(a, digits), of_b = precision_of(b, digits);
   const bool a_coarser = of_a.relative > of_b.relative || of_a.absolute > of_b.absolute;
   report.precision = a_coarser ? of_a : of_b;
   report.precision.relative = std::max(of_a.relative, of_b.relative);

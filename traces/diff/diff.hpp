@@ -40,7 +40,8 @@ struct DiffReport {
 };
 
 /// Compares two runs. `on_way` is called now and then with the share done; if it returns true, the report is partial.
+/// Numbers are held to `digits` as in precision_of().
 DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
-                   Way way = Way::fast);
+                   Way way = Way::fast, int digits = 0);
 
 }  // namespace zstep::diff

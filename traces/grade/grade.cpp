@@ -128,11 +128,11 @@ PartCount count_pixels(const std::vector<bool>& reference, const std::vector<boo
   return count;
 }
 
-Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts) {
+Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts, int digits) {
   Judgement found;
   CheckMarks marks;
-  found.checked = check(run, nullptr, nullptr, &marks);
-  found.difference = diff::compare(reference, run);
+  found.checked = check(run, nullptr, nullptr, &marks, digits);
+  found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, digits);
   const Counter counter(reference, run, found.difference, marks);
   for (const Part& part : parts) {
     if (part.level != Level::buffers) {

@@ -66,8 +66,9 @@ struct Judgement {
   CheckReport checked;
 };
 
-/// Judges a run of the reference's scene.
-Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts);
+/// Judges a run of the reference's scene. Numbers are held to so many digits or decimals, however few are written: who
+/// prints three would have errors taken for rounding.
+Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts, int digits = 0);
 
 /// The known mistake that the run goes wrong by, where one is found to make its very numbers.
 std::optional<mistakes::Mistake> mistake_in(const Trace& run, const Judgement& found);
