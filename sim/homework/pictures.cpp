@@ -203,7 +203,8 @@ std::vector<fs::path> pictures_of(const fs::path& submission, const Task& task) 
   std::error_code ignored;
   if (fs::is_directory(submission, ignored)) {
     for (const std::string_view ending : endings)
-      if (const fs::path file = submission / (task.name + std::string(ending)); fs::is_regular_file(file, ignored))
+      if (const fs::path file = submission / (task.name + std::string(ending));
+          fs::is_regular_file(fs::symlink_status(file, ignored)))
         found.push_back(file);
   } else if (const std::string name = submission.filename().string();
              std::any_of(endings.begin(), endings.end(), [&](auto ending) { return name.ends_with(ending); }) &&

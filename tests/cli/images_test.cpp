@@ -184,6 +184,15 @@ TEST_CASE("pictures: the first wrong pixel is shown, with both sides") {
   CHECK(has(grade_pictures(folder).out, "The picture is upside down: its first row should be the top one."));
 }
 
+TEST_CASE("pictures: links in a submission are not followed") {
+  const Folder folder;
+  set_up_pictures(folder);
+  REQUIRE(shell(folder, "mv pictures/crossing.png right.png && ln -s ../right.png pictures/crossing.png").code == 0);
+  const Outcome outcome = grade_pictures(folder);
+  CHECK(outcome.code == 2);
+  CHECK(has(outcome.out, "there is no crossing.jsonl"));
+}
+
 TEST_CASE("pictures: where there is a run, it is graded, and the report says so") {
   const Folder folder;
   set_up_pictures(folder);
