@@ -25,11 +25,13 @@ struct Program {
   const char* style;
   std::vector<std::pair<std::string, std::string>> options;  ///< of the method, by which the reference does the same
   bool cull = false;
+  bool paints = true;  ///< and so is graded by its picture, too
+  NumberFormat number_format = NumberFormat::float64;
 };
 
 Conventions conventions_of(const Program& program) {
   Conventions conventions;
-  conventions.cull = program.cull;
+  conventions.cull = program.cull, conventions.number_format = program.number_format;
   for (const auto& [name, value] : program.options) conventions.options[name] = value;
   return conventions;
 }
@@ -57,7 +59,8 @@ Judged judged(const Program& program, const Scene& scene, const std::string& tex
     kinds.insert(static_cast<std::uint8_t>(recorded.event.index()));
     return true;
   });
-  std::vector<Part> parts{{"buffers", Level::buffers, {}, 0, 1}};
+  std::vector<Part> parts;
+  if (program.paints) parts.push_back({"buffers", Level::buffers, {}, 0, 1});
   for (const std::uint8_t kind : kinds) parts.push_back({name_of(kind), Level::matched, {kind}, 1, 1});
   grade::Judgement found = grade::judge(reference, run, parts);
   return {std::move(found), std::move(parts), std::move(run), std::move(reference)};
@@ -152,6 +155,14 @@ Scene seen(const std::string& name, std::optional<double> theta, std::optional<d
   return look_at_scene(load_scene(file ? test::in_checkout("lessons/scenes/" + name) : name).scene, view);
 }
 
+/// A surface in perspective.
+Scene surface(const std::string& name, double theta) {
+  ViewOptions view;
+  view.theta = theta, view.width = 18, view.height = 12, view.orthographic = false, view.d = 4, view.window = 1;
+  const bool file = name.ends_with(".toml");
+  return look_at_scene(load_scene(file ? test::in_checkout(name) : name).scene, view);
+}
+
 }  // namespace
 
 TEST_CASE("zoo: ray casting") {
@@ -190,4 +201,69 @@ TEST_CASE("zoo: viewing before the Z-buffer") {
   is_right(program, scenes);
   is_wrong(program, scenes,
            {"no_divide", "divide_twice", "not_clipped_near", "clockwise_front", "z_v_for_depth", "y_upside_down"});
+}
+
+TEST_CASE("zoo: Warnock's areas") {
+  const std::vector<Scene> scenes{on_the_raster(3, 3, 18),  on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
+                                  on_the_raster(5, 4, 16), seen("five-tests.toml", {}, {}, 32, 20),
+                                  seen("quarters.toml", {}, {}, 16, 16)};
+  const Program program{"warnock", zoo::areas, "", {}};
+  is_right(program, scenes);
+  is_wrong(program, scenes, {"surrounding_unchecked", "stops_one_early", "quarters_overlap"});
+}
+
+TEST_CASE("zoo: floating horizon") {
+  std::vector<Scene> scenes;
+  for (const double theta : {-74.0, -60.0, -95.0}) scenes.push_back(surface("lessons/scenes/ridge-valley.toml", theta));
+  for (const double theta : {-80.0, -65.0}) scenes.push_back(surface("y = sin(x) * cos(z)", theta));
+  const Program program{"floating-horizon", zoo::horizon, "", {{"sides", "off"}}, false, false};
+  is_right(program, scenes);
+  is_wrong(program, scenes, {"only_upper", "not_interpolated"});
+}
+
+TEST_CASE("zoo: depth sort") {
+  const std::vector<Scene> scenes{on_the_raster(3, 3, 18),  on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
+                                  on_the_raster(5, 4, 16), seen("five-tests.toml", {}, {}, 32, 20),
+                                  seen("five-tests-ring.toml", {}, {}, 32, 20)};
+  const Program program{"depth-sort", zoo::depth_sort, "", {}};
+  is_right(program, scenes);
+  is_wrong(program, scenes, {"sorted_by_nearest", "tests_3_4_swapped", "pieces_lost"});
+  std::vector<Scene> equal;  // many of the farthest depths are the same
+  for (const std::uint64_t seed : {3, 6, 8, 9, 10}) {
+    zoo::Task task = test::triangles(seed, 6, 18);
+    for (zoo::Point& p : task.points) p.z = std::ceil(4 * p.z) / 4;
+    equal.push_back(test::scene_of(task));
+    equal.back().name = fmt::format("equal depths {}", seed);
+  }
+  is_wrong(program, equal, {"ties_unstable"});
+}
+
+TEST_CASE("zoo: BSP tree") {
+  const std::vector<Scene> scenes{on_the_raster(3, 3, 18),
+                                  on_the_raster(6, 6, 22),
+                                  seen("cyclic", 20, 60, 9, 8),
+                                  seen("intersecting", 20, 60, 9, 8),
+                                  seen("pyramid-behind", 33, 62, 9, 8),
+                                  seen("cube", 25, 60, 9, 8)};
+  const Program program{"bsp", zoo::bsp, "", {{"root", "first"}}};
+  is_right(program, scenes);
+  is_wrong(program, scenes, {"near_side_first", "side_by_normal", "spanning_not_split"});
+}
+
+TEST_CASE("zoo: Z-buffers that are built otherwise get all points") {
+  const std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
+                                  on_the_raster(5, 4, 16), on_the_raster(8, 5, 20)};
+  const auto is_right_in = [&](NumberFormat format, const char* style) {
+    CAPTURE(style);
+    is_right({"z-buffer", zoo::variants, style, {}, false, true, format}, scenes);
+  };
+  for (const char* style :
+       {"rows crossings span", "rows crossings plane", "rows edge_functions weights", "upwards crossings weights",
+        "upwards edge_functions plane", "columns crossings plane", "columns edge_functions span",
+        "quarters edge_functions plane", "quarters crossings weights", "pixels crossings span",
+        "pixels edge_functions weights"})
+    is_right_in(NumberFormat::float64, style);
+  for (const char* style : {"float32 rows crossings span", "float32 upwards edge_functions plane",
+                            "float32 quarters edge_functions weights", "float32 pixels crossings plane"})
+    is_right_in(NumberFormat::float32, style);
 }

@@ -26,6 +26,7 @@ struct Task {
   std::vector<Point> points;
   std::vector<Polygon> polygons;
   Camera camera{};
+  int columns = 0;        ///< of a surface: points come in rows of so many, one curve each
   std::string style{};    ///< what a program does in another, right way; "" for its usual one
   std::string mistake{};  ///< "" for none
   int nth = 0;          ///< where it can be made once: at which place, from 0
@@ -43,5 +44,17 @@ std::string rays(const Task& task);
 std::string scan_line_flags(const Task& task);
 /// All of viewing before a Z-buffer: needs a camera.
 std::string viewing(const Task& task);
+/// Warnock's areas; on the raster.
+std::string areas(const Task& task);
+/// The floating horizon, with both horizons and without side edges; prints no pixels.
+std::string horizon(const Task& task);
+/// Depth sort of convex polygons on the raster.
+std::string depth_sort(const Task& task);
+/// The BSP tree with the first polygon as its root; all polygons must be in view.
+std::string bsp(const Task& task);
+/// Z-buffers that go through the pixels otherwise, and have inside and depth by other means; the style has a word for
+/// each: "rows", "upwards", "columns", "quarters" or "pixels"; "crossings" or "edge_functions"; "plane", "weights" or
+/// "span"; "float64" or "float32".
+std::string variants(const Task& task);
 
 }  // namespace zoo

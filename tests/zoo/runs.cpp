@@ -92,6 +92,7 @@ zoo::Task task_of(const Scene& scene) {
     task.polygons.push_back({facet.polygon, {first, first + facet.corner_count},
                              {color.red / 255.0, color.green / 255.0, color.blue / 255.0}});
   }
+  if (scene.surface) task.columns = scene.surface->columns;
   const Camera& camera = scene.camera;
   if (camera.kind == Camera::Kind::screen) return task;
   REQUIRE(camera.kind == Camera::Kind::perspective);  // the programs know no other

@@ -1,10 +1,13 @@
 // What programs of the zoo share, as students share a small library: printing a step as JSON, and vectors.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/zoo/programs.hpp"
 
@@ -50,5 +53,44 @@ class Output {
     add_fields(rest...);
   }
 };
+
+/// A point of the world on the raster, with its depth, through all steps of viewing; on the raster already without a
+/// camera.
+inline Point see(const Task& task, Output& out, int vertex, Point p) {
+  const Camera& camera = task.camera;
+  if (!camera.there) return p;
+  const double window_x = camera.window * task.width / task.height, range = camera.far - camera.near;
+  const Point v = camera.origin + Point{dot(camera.right, p), dot(camera.up, p), dot(camera.away, p)};
+  out.print("view_vertex", "vertex", vertex, "x_v", v.x, "y_v", v.y, "z_v", v.z);
+  const double x_p = camera.d * v.x / v.z, y_p = camera.d * v.y / v.z,
+               z = (camera.far + camera.near) / range - 2 * camera.far * camera.near / (range * v.z);
+  out.print("project", "vertex", vertex, "x_p", x_p, "y_p", y_p, "z", z);
+  const Point s{(x_p + window_x) / (2 * window_x) * task.width - 0.5,
+                (camera.window - y_p) / (2 * camera.window) * task.height - 0.5, z};
+  out.print("to_viewport", "vertex", vertex, "x_s", s.x, "y_s", s.y);
+  return s;
+}
+
+/// Calls pixel(x, y, z) for the pixels of an outline on the raster, with the depth between the two crossings.
+template <class Pixel>
+void fill(const Task& task, const std::vector<Point>& outline, Pixel&& pixel) {
+  for (int y = 0; y < task.height; ++y) {
+    std::vector<std::pair<double, double>> crossings;  // x and depth
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Point p = outline[i], q = outline[(i + 1) % outline.size()];
+      if ((p.y <= y) == (q.y <= y)) continue;
+      const double t = (y - p.y) / (q.y - p.y);
+      crossings.emplace_back(p.x + t * (q.x - p.x), p.z + t * (q.z - p.z));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      const auto [x_left, z_left] = crossings[i];
+      const auto [x_right, z_right] = crossings[i + 1];
+      const double first = std::max(0.0, std::ceil(x_left)), end = std::min<double>(task.width, std::ceil(x_right));
+      for (int x = static_cast<int>(std::min(first, end)); x < end; ++x)
+        pixel(x, y, z_left + (z_right - z_left) * (x - x_left) / (x_right - x_left));
+    }
+  }
+}
 
 }  // namespace zoo

@@ -1,8 +1,6 @@
 // From the world to the screen: viewing coordinates, back faces, clipping, projection, viewport; then a Z-buffer that
 // finds the crossings of each scan line with the polygon's edges.
-#include <algorithm>
 #include <array>
-#include <utility>
 
 #include "tests/zoo/tools.hpp"
 
@@ -126,25 +124,6 @@ struct Viewer {
     return number;
   }
 
-  void fill(const Polygon& polygon, const std::vector<int>& outline) {
-    for (int y = 0; y < task.height; ++y) {
-      std::vector<std::pair<double, double>> crossings;  // x and depth
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point p = vertex(outline[i]).screen, q = vertex(outline[(i + 1) % outline.size()]).screen;
-        if ((p.y <= y) == (q.y <= y)) continue;
-        const double t = (y - p.y) / (q.y - p.y);
-        crossings.emplace_back(p.x + t * (q.x - p.x), p.z + t * (q.z - p.z));
-      }
-      std::sort(crossings.begin(), crossings.end());
-      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-        const auto [x_left, z_left] = crossings[i];
-        const auto [x_right, z_right] = crossings[i + 1];
-        const double first = std::max(0.0, std::ceil(x_left)), end = std::min<double>(task.width, std::ceil(x_right));
-        for (int x = static_cast<int>(std::min(first, end)); x < end; ++x)
-          pixel(polygon, x, y, z_left + (z_right - z_left) * (x - x_left) / (x_right - x_left));
-      }
-    }
-  }
   void pixel(const Polygon& polygon, int x, int y, double z) {
     double& stored = depth[static_cast<std::size_t>(y * task.width + x)];
     const bool nearer = z < stored;
@@ -176,7 +155,9 @@ std::string viewing(const Task& task) {
     for (const int corner : outline)
       if (!viewer.vertex(corner).seen) viewer.to_screen(corner);
     for (const int corner : outline) viewer.out.print("outline", "vertex", corner);
-    viewer.fill(polygon, outline);
+    std::vector<Point> corners;
+    for (const int corner : outline) corners.push_back(viewer.vertex(corner).screen);
+    fill(task, corners, [&](int x, int y, double z) { viewer.pixel(polygon, x, y, z); });
   }
   return viewer.out.text;
 }

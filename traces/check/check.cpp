@@ -225,7 +225,9 @@ CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on
       ++checker.report.causes[static_cast<std::size_t>(checker.inherited)].inherited;
     }
     if (!checker.inheritance.empty() || checker.any_fault)
-      for_each_place_written(e, at, [&](const Place& place) { checker.written(place); });
+      for_each_place_written(e, at, [&](const Place& place) {
+        if (!adds_to_place<E> || checker.inherited != Inheritance::clean) checker.written(place);
+      });
     try {
       apply_stores(e, state, trace.scene().points.size(), log);
       apply_method_state(e, state.machine, position);

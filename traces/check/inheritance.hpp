@@ -44,6 +44,10 @@ class Inheritance {
   std::unordered_map<std::uint64_t, std::int32_t> wrong_;
 };
 
+/// A box is written beside the plane of its piece, and does not make a wrong plane right.
+template <class E>
+inline constexpr bool adds_to_place = std::is_same_v<E, Extent>;
+
 /// The places that an event writes to.
 template <class E, class Set>
 void for_each_place_written(const E& e, const formulas::Situation& at, Set&& set) {

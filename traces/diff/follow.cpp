@@ -135,6 +135,7 @@ class Follow {
     const bool by_rounding = number != no_difference && findings_[static_cast<std::size_t>(number)].rounding;
     if (number != no_difference || !different_.empty() || !rounding_.empty())
       for_each_place_written(e, at_, [&](const Place& place) {
+        if (adds_to_place<E> && number == no_difference) return;
         different_.set(place, by_rounding ? no_difference : number);
         rounding_.set(place, by_rounding ? number : no_difference);
         if (number != no_difference) note_alone(number, place), mark(place);

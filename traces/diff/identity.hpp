@@ -21,12 +21,14 @@ constexpr Thing thing_at() {
 }
 
 /// Is the field a result: neither what the step is about, nor a number that the run gives to something new, nor that of
-/// a facet, which only zstep numbers, nor a place in the active edge list, which hangs on what leaves it first?
+/// a facet, which only zstep numbers, nor a place in the active edge list, which hangs on what leaves it first, nor the
+/// point that shows that two pieces overlap, for which any one does?
 template <class E, std::size_t I>
 constexpr bool is_result() {
   constexpr std::string_view name = field_at<E, I>.name;
   constexpr bool in_active_list = std::is_same_v<E, EdgeEnter> || std::is_same_v<E, EdgeSwap>;
   if (about<E>.names(name) || name == "facet" || (in_active_list && name == "place")) return false;
+  if (std::is_same_v<E, OverlapTest> && name.ends_with("_at")) return false;
   return name == "parent" || thing_at<E, I>() == Thing::none || thing_at<E, I>() != made_by<E>();
 }
 
