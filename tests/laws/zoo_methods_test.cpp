@@ -232,7 +232,7 @@ TEST_CASE("zoo: depth sort") {
   is_wrong(program, scenes, {"sorted_by_nearest"});
   is_wrong(program, scenes, {"tests_3_4_swapped", "pieces_lost"}, false);
   std::vector<Scene> equal;  // many of the farthest depths are the same
-  for (const std::uint64_t seed : {3, 6, 8, 9, 10}) {
+  for (const std::uint64_t seed : {3u, 6u, 8u, 9u, 10u}) {
     zoo::Task task = test::triangles(seed, 6, 18);
     for (zoo::Point& p : task.points) p.z = std::ceil(4 * p.z) / 4;
     equal.push_back(test::scene_of(task));
