@@ -51,6 +51,11 @@ void watch_time() {
       budget().until.load(), std::ceil(10 * budget().until)));
 }
 
+std::optional<double> above_0(const char* name, std::optional<double> value) {
+  if (value && !(*value > 0)) throw InputError(name, "is not more than 0", "leave it out, or give a larger number");
+  return value;
+}
+
 [[noreturn]] void end_without_memory() {
   const std::string met = memory_budget_met();
   if (!met.empty()) end_incomplete(met);
@@ -77,9 +82,18 @@ void add_budget_options(CLI::App& command) {
 
 bool time_is_up() { return budget().until > 0 && processor_time() > budget().until - 0.5; }
 
+std::optional<double> seconds_given() { return above_0("--seconds", budget().seconds); }
+std::optional<double> memory_given() { return above_0("--memory", budget().memory); }
+
+void begin_budget(double seconds, double memory) {
+  compare::limit_heap(static_cast<std::int64_t>(std::fmin(memory_given().value_or(memory) * 1048576, 9e18)));
+  std::set_terminate(end_without_memory);
+  budget().until = processor_time() + seconds_given().value_or(seconds);
+  std::thread(watch_time).detach();
+}
+
 void begin_budget(std::optional<std::uintmax_t> file_bytes) {
-  for (const auto& [name, value] : {std::pair{"--seconds", budget().seconds}, {"--memory", budget().memory}})
-    if (value && !(*value > 0)) throw InputError(name, "is not more than 0", "leave it out, or give a larger number");
+  for (const auto& given : {seconds_given, memory_given}) given();
   const auto bytes = static_cast<double>(file_bytes.value_or(0));
   if (budget().memory || file_bytes) {
     const double most =

@@ -19,6 +19,11 @@ void add_budget_options(CLI::App& command);
 /// bytes, or than a person gave it: what it printed stays, what it has half written goes. Another file adds to it.
 /// Without a file, only what a person gave is a limit.
 void begin_budget(std::optional<std::uintmax_t> file_bytes);
+/// The same for work that has limits of its own: processor time, and MiB.
+void begin_budget(double seconds, double memory);
+/// What a person gave.
+std::optional<double> seconds_given();
+std::optional<double> memory_given();
 /// Half a second before that, for who can end better by itself.
 bool time_is_up();
 /// Work that was asked for by its number, frames of a film say, may take its time.

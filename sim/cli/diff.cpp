@@ -13,6 +13,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/image/file.hpp"
+#include "sim/pages/pictures.hpp"
 #include "traces/error.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -59,7 +60,7 @@ int runs(const DiffOptions& options) {
     PicturePair drawn = pictures;
     drawn.a = image_of(picture_a, a.scene(), 1);
     drawn.b = image_of(picture_b, b.scene(), 1);
-    drawn.map = map_of(drawn.difference, one.width, one.height, one.y_up);
+    drawn.map = map_of(drawn.difference.apart, one.width, one.height, one.y_up);
     write_diff_page(options, text, report, drawn);
   }
   if (options.json) print_diff_json(text, report, pictures.difference);

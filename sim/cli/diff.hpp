@@ -62,9 +62,6 @@ int diff_with_picture(const DiffOptions& options);
 void check_sizes(std::int32_t width_a, std::int32_t height_a, std::int32_t width_b, std::int32_t height_b,
                  const std::string& b);
 
-/// The differences of a picture as an image.
-Image map_of(const diff::BufferDifference& difference, std::int32_t width, std::int32_t height, bool y_up);
-
 /// One page with all of it, without anything from elsewhere.
 std::string diff_page(const DiffText& text, const diff::DiffReport& report, const PicturePair& pictures);
 /// Writes it to where the options have it, and says so.

@@ -8,11 +8,11 @@
 
 #include "sim/cli/diff.hpp"
 #include "sim/cli/messages.hpp"
-#include "sim/cli/outputs.hpp"
-#include "sim/cli/rows.hpp"
 #include "sim/image/file.hpp"
 #include "sim/image/npy.hpp"
 #include "sim/image/pfm.hpp"
+#include "sim/pages/pictures.hpp"
+#include "sim/pages/rows.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 #include "traces/formulas/rounding.hpp"
@@ -34,17 +34,6 @@ void write_diff_page(const DiffOptions& options, const DiffText& text, const dif
   const std::string page = diff_page(text, report, pictures);
   write_file(options.page, std::span(reinterpret_cast<const std::uint8_t*>(page.data()), page.size()));
   if (!options.json) say_written(options.page, "one page");
-}
-
-Image map_of(const diff::BufferDifference& difference, std::int32_t width, std::int32_t height, bool y_up) {
-  Image image{width, height, {}};
-  image.rgb.reserve(difference.apart.size() * 3);
-  const auto same = [](float value) { return value; };
-  for (const float apart : top_row_first<float>(difference.apart, width, height, y_up, same)) {
-    const auto light = static_cast<std::uint8_t>(std::lround(255 * (1 - std::clamp(apart, 0.0f, 1.0f))));
-    image.rgb.insert(image.rgb.end(), {light, light, light});
-  }
-  return image;
 }
 
 int diff_with_picture(const DiffOptions& options) {
@@ -83,7 +72,7 @@ int diff_with_picture(const DiffOptions& options) {
     pictures.difference = diff::compare_depths(
         top_row_first<double>(picture.depth, raster.width, raster.height, raster.y_up, same), depths, precision);
   }
-  pictures.map = map_of(pictures.difference, raster.width, raster.height, false);
+  pictures.map = map_of(pictures.difference.apart, raster.width, raster.height, false);
   diff::DiffReport report;
   report.precision = precision;
   const DiffText text{printable(a.name()), printable(options.b), {}, {}, pictures_text(pictures.difference)};

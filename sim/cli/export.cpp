@@ -12,7 +12,6 @@
 #include "sim/cli/commands.hpp"
 #include "sim/cli/export.hpp"
 #include "sim/cli/outputs.hpp"
-#include "sim/cli/rows.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
 #include "sim/cli/traces.hpp"
@@ -21,6 +20,7 @@
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "sim/image/npy.hpp"
+#include "sim/pages/rows.hpp"
 #include "traces/error.hpp"
 #include "traces/replay/replay.hpp"
 

@@ -8,10 +8,11 @@
 #include <fmt/format.h>
 
 #include "sim/cli/messages.hpp"
-#include "sim/cli/rows.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "sim/image/npy.hpp"
+#include "sim/pages/pictures.hpp"
+#include "sim/pages/rows.hpp"
 #include "traces/error.hpp"
 #include "traces/file/output.hpp"
 
@@ -70,21 +71,6 @@ void check_gives(const Outputs& outputs, const Method& method) {
     if (!path->empty())
       throw InputError(option, fmt::format("{} draws lines: no pixel has a polygon and a depth", method.id),
                        "leave it out; --save FILE.png writes the picture");
-}
-
-Image image_of(const Picture& picture, const Scene& scene, int enlarge) {
-  const auto width = static_cast<std::size_t>(picture.width), height = static_cast<std::size_t>(picture.height);
-  const auto times = static_cast<std::size_t>(enlarge);
-  Image image{picture.width * enlarge, picture.height * enlarge, {}};
-  image.rgb.reserve(width * height * times * times * 3);
-  for (std::size_t row = 0; row < height * times; ++row) {
-    const std::size_t y = scene.raster.y_up ? height - 1 - row / times : row / times;
-    for (std::size_t column = 0; column < width * times; ++column) {
-      const Color c = color_at(picture, scene, y * width + column / times);
-      image.rgb.insert(image.rgb.end(), {c.red, c.green, c.blue});
-    }
-  }
-  return image;
 }
 
 void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& scene, const Conventions& conventions) {

@@ -32,7 +32,4 @@ void check_gives(const Outputs& outputs, const Method& method);
 /// Writes what was asked for and prints a line for each file.
 void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& scene, const Conventions& conventions);
 
-/// The picture in its polygons' colours, the top row first whichever way the raster counts.
-Image image_of(const Picture& picture, const Scene& scene, int enlarge);
-
 }  // namespace zstep::cli

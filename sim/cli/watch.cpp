@@ -52,6 +52,10 @@ Watch::~Watch() {
 
 bool Watch::interrupted() const { return pressed != 0; }
 
+void Watch::check() const {
+  if (pressed != 0) throw Interrupted{0};
+}
+
 void Watch::attach(TraceRecorder& recorder) {
   recorder.on_block([this](std::int64_t events) { tick(events); });
 }

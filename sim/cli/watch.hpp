@@ -27,6 +27,8 @@ class Watch {
   void attach(TraceRecorder& recorder);
   /// Shows the line in place of the one before, if it is time; throws Interrupted if Ctrl-C was pressed.
   void show(const std::string& line) { show(line, 0); }
+  /// Throws Interrupted if Ctrl-C was pressed.
+  void check() const;
   /// Was Ctrl-C pressed?
   bool interrupted() const;
   /// Takes the line away, before something is printed for good.

@@ -43,7 +43,7 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
   words.at = std::min(first.step, runs.submission.size());
   if (const auto& parts = first.parts) {
     if (!parts->only_b()) {
-      const Side ours = side_of(runs.reference, parts->a, parts->fields);
+      const Side ours = side_of(*runs.reference, parts->a, parts->fields);
       words.step = ours.name, words.subject = ours.subject, words.expected = ours.fields;
     }
     if (!parts->only_a()) {
@@ -103,7 +103,7 @@ void grade_from_pictures(const Homework& homework, const Task& task, const std::
 }
 
 Graded grade_task(const Homework& homework, const Task& task, const fs::path& file,
-                  const std::vector<fs::path>& pictures) {
+                  const std::vector<fs::path>& pictures, const References* known) {
   Graded graded;
   graded.task = &task;
   const bool by_pixels = std::any_of(homework.parts.begin(), homework.parts.end(), [](const grade::Part& part) {
@@ -123,19 +123,20 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& fi
       grade_from_pictures(homework, task, pictures, graded);
       return graded;
     }
-    const Runs runs = runs_of(homework, task, file);
-    const grade::Judgement found = grade::judge(runs.reference, runs.submission, homework.parts, homework.digits);
+    const Runs runs = runs_of(homework, task, file, known);
+    grade::Judgement found = grade::judge(*runs.reference, runs.submission, homework.parts, homework.digits);
     graded.state = Graded::State::judged;
     graded.steps = runs.submission.size();
     graded.counts = found.parts;
     if (!runs.impossible.empty()) graded.why = "the run is judged up to a step that cannot be: " + runs.impossible;
     else if (!runs.submission.warnings().empty()) graded.why = runs.submission.warnings().front();
     if (const Precision& written = found.checked.precision;
-        graded.why.empty() && found.first && written.held && !precision_of(runs.reference, homework.digits).held)
+        graded.why.empty() && found.first && written.held && !precision_of(*runs.reference, homework.digits).held)
       graded.why = fmt::format("the numbers are {}: print more of their digits, as %.17g does", written.text);
     if (found.first) {
       graded.first = in_words(runs, *found.first, graded.file);
       graded.first->mistake = grade::mistake_in(runs.submission, found);
+      graded.ends = std::move(found.ends);
     }
   } catch (const InputError& error) {
     graded.state = Graded::State::unreadable;
@@ -153,7 +154,7 @@ std::vector<std::string> mistake_lines(const FirstWrong& first) {
           fmt::format("“{}” in: zstep lesson {}", text.stop, text.lesson)};
 }
 
-fs::path run_of(const fs::path& submission, const Homework& homework, const Task& task) {
+fs::path run_of(const fs::path& submission, const Homework& homework, const Task& task, bool meant) {
   std::error_code ignored;
   if (fs::is_directory(submission, ignored)) {
     const fs::path file = submission / (task.name + ".jsonl");
@@ -164,7 +165,7 @@ fs::path run_of(const fs::path& submission, const Homework& homework, const Task
     throw InputError(submission.string(), "there is no such file or folder",
                      fmt::format("give the run, as {}.jsonl, or the folder that holds it", task.name));
   if (!pictures_of(submission, task).empty()) return {};
-  if (homework.tasks.size() == 1) return submission;
+  if (meant || homework.tasks.size() == 1) return submission;
   std::string names;
   for (const Task& one : homework.tasks) {
     if (scene_of(submission) == one.name) return &one == &task ? submission : fs::path();
@@ -178,7 +179,17 @@ Trace reference_of(const Homework& homework, const Task& task) {
   return reference_run(*homework.method, task.scene, task.conventions);
 }
 
-Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
+References::References(const Homework& homework) {
+  for (const Task& task : homework.tasks)
+    by_task_[task.name] = std::make_shared<const Trace>(reference_of(homework, task));
+}
+
+std::shared_ptr<const Trace> References::find(const Task& task, const Conventions& conventions) const {
+  const auto found = by_task_.find(task.name);
+  return found != by_task_.end() && found->second->header().conventions == conventions ? found->second : nullptr;
+}
+
+Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, const References* known) {
   note_input(file);
   std::error_code ignored;
   if (fs::file_size(file, ignored) > largest_run)
@@ -189,7 +200,9 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file) {
   Trace submission = open_jsonl(file, &impossible, &given);
   const Conventions& conventions = submission.header().conventions;
   check_run(*homework.method, task.scene, conventions, file.string());
-  Trace reference = reference_run(*homework.method, task.scene, conventions);
+  std::shared_ptr<const Trace> reference = known ? known->find(task, conventions) : nullptr;
+  if (!reference)
+    reference = std::make_shared<const Trace>(reference_run(*homework.method, task.scene, conventions));
   return {std::move(reference), std::move(submission), !given.without_header, impossible};
 }
 
@@ -219,21 +232,26 @@ double Assessment::points() const {
     for (std::size_t part = 0; part < homework->parts.size(); ++part) all += points(task, part);
   return all;
 }
+double Assessment::most() const {
+  double all = 0;
+  for (const Graded& task : tasks) all += homework->share(*task.task) * homework->points();
+  return all;
+}
 bool Assessment::gradable() const {
   return std::any_of(tasks.begin(), tasks.end(),
                      [](const Graded& task) { return task.state == Graded::State::judged; });
 }
 
 Assessment assess(const Homework& homework, const fs::path& submission, const std::string& only,
-                  const std::function<void(const Task&)>& on_task) {
+                  const std::function<void(const Task&)>& on_task, const References* known) {
   Assessment all{&homework, submission.string(), {}};
   for (const Task& task : homework.tasks) {
     if (!only.empty() && task.name != only) continue;
-    const fs::path file = run_of(submission, homework, task);
+    const fs::path file = run_of(submission, homework, task, !only.empty());
     const std::vector<fs::path> pictures = pictures_of(submission, task);
     if (file.empty() && pictures.empty() && fs::is_regular_file(submission)) continue;  // it is another scene's
     if (on_task) on_task(task);
-    all.tasks.push_back(grade_task(homework, task, file, pictures));
+    all.tasks.push_back(grade_task(homework, task, file, pictures, known));
   }
   return all;
 }

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +42,7 @@ struct Graded {
   std::int64_t steps = 0;
   std::vector<grade::PartCount> counts;  ///< by part; empty unless judged
   std::optional<FirstWrong> first;
+  std::optional<grade::Ends> ends;  ///< where something is wrong
 
   /// What of `ended` and `why` a student may read: of a hidden scene nothing that quotes its run.
   std::string shown() const;
@@ -54,17 +57,32 @@ struct Assessment {
   double points(const Graded& task, std::size_t part) const;
   double most(const Graded& task, std::size_t part) const;
   double points() const;
+  double most() const;  ///< of what was graded: all, or one task
   /// Whether any run could be judged, or was left out by choice. What cannot be graded is not worth 0: it has no grade.
   bool gradable() const;
 };
 
 /// The run of a task that a submission has: a file of its name in a folder; or the one file. Empty where there is none,
-/// or only pictures. Throws InputError where a single file belongs to none of several tasks.
-std::filesystem::path run_of(const std::filesystem::path& submission, const Homework& homework, const Task& task);
+/// or only pictures. Throws InputError where a single file belongs to none of several tasks, unless it is `meant` for
+/// this one.
+std::filesystem::path run_of(const std::filesystem::path& submission, const Homework& homework, const Task& task,
+                             bool meant = false);
+
+/// What zstep itself records on the tasks, under their own conventions: for who grades many submissions.
+class References {
+ public:
+  explicit References(const Homework& homework);
+  /// Null where it has none under these conventions.
+  std::shared_ptr<const Trace> find(const Task& task, const Conventions& conventions) const;
+
+ private:
+  std::map<std::string, std::shared_ptr<const Trace>> by_task_;
+};
 
 /// The two runs of a task. `had_header`: whether the submission's has one.
 struct Runs {
-  Trace reference, submission;
+  std::shared_ptr<const Trace> reference;
+  Trace submission;
   bool had_header = true;
   std::string impossible;  ///< why the run's next step cannot be
 };
@@ -72,11 +90,12 @@ struct Runs {
 Trace reference_of(const Homework& homework, const Task& task);
 
 /// Throws InputError where the file is no run.
-Runs runs_of(const Homework& homework, const Task& task, const std::filesystem::path& file);
+Runs runs_of(const Homework& homework, const Task& task, const std::filesystem::path& file,
+             const References* known = nullptr);
 
 /// Grades all of it, or the task of this name alone; of a single file the one task that it is a run of. `on_task` is
 /// called before each.
 Assessment assess(const Homework& homework, const std::filesystem::path& submission, const std::string& only = "",
-                  const std::function<void(const Task&)>& on_task = nullptr);
+                  const std::function<void(const Task&)>& on_task = nullptr, const References* known = nullptr);
 
 }  // namespace zstep::homework

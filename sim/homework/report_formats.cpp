@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/homework/report_words.hpp"
 #include "sim/homework/reports.hpp"
 #include "sim/words/markup.hpp"
-#include "sim/words/numbers.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::homework {
@@ -15,17 +15,6 @@ using Json = nlohmann::ordered_json;
 
 std::string dumped(const Json& json) {
   return printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
-}
-
-const char* word_of_state(Graded::State state) {
-  switch (state) {
-    case Graded::State::judged:
-      return "judged";
-    case Graded::State::missing:
-      return "missing";
-    default:
-      return "unreadable";
-  }
 }
 
 std::string first_text(const FirstWrong& first) {
@@ -62,9 +51,8 @@ void for_each_test(const Assessment& all, Visit&& visit) {
 std::string overview(const Assessment& all) {
   const std::string begin =
       all.homework->left_out > 0 ? "The hidden scenes are not here; their points are not counted.\n" : "";
-  for (const Graded& task : all.tasks)
-    if (task.first && !task.task->hidden)
-      return begin + fmt::format("The first thing to look at, in {}:\n{}", task.task->name, first_text(*task.first));
+  if (const Graded* task = first_to_mend(all))
+    return begin + fmt::format("The first thing to look at, in {}:\n{}", task->task->name, first_text(*task->first));
   for (const Graded& task : all.tasks)
     if (const std::string why = task.shown(); !why.empty()) return begin + fmt::format("{}: {}", task.task->name, why);
   return begin + (all.points() > 0 ? "Every step that is shown is right." : "");
@@ -112,7 +100,7 @@ std::string report_json(const Assessment& all) {
                  {"gradable", all.gradable()},
                  {"hidden_left_out", all.homework->left_out},
                  {"points", all.points()},
-                 {"of", all.homework->points()},
+                 {"of", all.most()},
                  {"scenes", tasks}});
 }
 
@@ -152,9 +140,9 @@ std::string report_prairielearn(const Assessment& all) {
                      {"message", task.task->hidden ? task.shown() : message(all, task, part)}});
   });
   return dumped({{"gradable", true},
-                 {"score", all.points() / all.homework->points()},
-                 {"message", fmt::format("{} of {} points", number(all.points(), 2, true),
-                                         number(all.homework->points(), 2, true))},
+                 {"score", all.points() / all.most()},
+                 {"message", fmt::format("{} of {} points", points_text(all.points()),
+                                         points_text(all.most()))},
                  {"output", overview(all)},
                  {"tests", tests}});
 }

@@ -1,19 +1,14 @@
 // The report that a student reads: one page, by which the points can be worked out by hand.
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
+#include "sim/homework/report_words.hpp"
 #include "sim/homework/reports.hpp"
-#include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/text.hpp"
 
 namespace zstep::homework {
 
 namespace {
-
-std::string points_text(double points) { return number(points, 2, true); }
 
 /// "computed 12 of 15: 4 of 5; right 10 of 15: 3.33 of 5"
 std::string shares_text(const Homework& homework, const Graded& task, std::size_t index) {
@@ -55,21 +50,12 @@ std::string task_text(const Assessment& all, const Graded& task) {
 
 std::string report_text(const Assessment& all, const std::string& command) {
   const Homework& homework = *all.homework;
-  double most = 0;
-  for (const Graded& task : all.tasks)
-    for (std::size_t part = 0; part < homework.parts.size(); ++part) most += all.most(task, part);
   std::string text = fmt::format("{}: {}\n{} of {} points\n\n", printable(homework.title), printable(all.submission),
-                                 points_text(all.points()), points_text(most));
+                                 points_text(all.points()), points_text(all.most()));
   if (homework.left_out > 0) text += "The hidden scenes are not here; their points are not counted.\n\n";
   for (const Graded& task : all.tasks) text += task_text(all, task) + "\n";
-  const auto wrong = std::find_if(all.tasks.begin(), all.tasks.end(),
-                                  [](const Graded& task) { return task.first && !task.task->hidden; });
-  if (wrong == all.tasks.end()) {
-    const bool right = std::all_of(all.tasks.begin(), all.tasks.end(), [](const Graded& task) {
-      return task.state == Graded::State::judged && !task.first && task.why.empty();
-    });
-    return text + (right ? "Every step is right.\n" : "");
-  }
+  const Graded* wrong = first_to_mend(all);
+  if (!wrong) return text + (all_right(all) ? "Every step is right.\n" : "");
   const FirstWrong& first = *wrong->first;
   text += fmt::format("The first thing to look at, in {}{}:\n  {}{}\n  {}\n", printable(wrong->task->name),
                       first.where.empty() ? "" : ", " + first.where, first.step,

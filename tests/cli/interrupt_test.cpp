@@ -23,25 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Starts zstep with Ctrl-C at its default, as a terminal does (a shell's background jobs ignore it).
-pid_t start(const Folder& folder, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{program_path()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    signal(SIGINT, SIG_DFL);
-    const int err = open((folder / "err").c_str(), O_CREAT | O_WRONLY, 0600);
-    if (chdir(folder.path().c_str()) != 0 || err < 0) _exit(99);
-    dup2(err, STDERR_FILENO);
-    execv(argv[0], argv.data());
-    _exit(99);
-  }
-  return child;
-}
-
 // Under sanitizers a program takes its time to start. Linux tells when it has a handler for SIGINT, bit 1 of SigCgt;
 // elsewhere a second must do.
 void wait_until_it_listens(pid_t child) {

@@ -60,6 +60,8 @@ void furnish(const Folder& clone) {
     REQUIRE(run(clone, "dump " + name + ".ztrace --jsonl > runs/" + name + ".jsonl").code == 0);
   }
   fs::copy_file(clone / "runs/triangle.jsonl", clone / "triangle.jsonl");
+  fs::create_directory(clone / "submissions");
+  fs::copy(clone / "runs", clone / "submissions/ada");
   for (const char* folder : {"docs", ".config/fish/completions"}) fs::create_directories(clone / folder);
   fs::create_directories(clone / ".local/share/bash-completion/completions");
 }

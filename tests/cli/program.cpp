@@ -1,6 +1,9 @@
 #include "tests/cli/program.hpp"
 
+#include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -49,6 +52,24 @@ Outcome shell(const Folder& folder, const std::string& line) {
 }
 
 Outcome run(const Folder& folder, const std::string& arguments) { return shell(folder, "\"$zstep\" " + arguments); }
+
+pid_t start(const Folder& folder, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{program_path()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGINT, SIG_DFL);
+    const int err = open((folder / "err").c_str(), O_CREAT | O_WRONLY, 0600);
+    if (chdir(folder.path().c_str()) != 0 || err < 0) _exit(99);
+    dup2(err, STDERR_FILENO);
+    execv(argv[0], argv.data());
+    _exit(99);
+  }
+  return child;
+}
 
 std::string text_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

@@ -1,6 +1,8 @@
 // Running zstep as a person does: a command line in, exit code and text out.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,6 +34,10 @@ struct Outcome {
 Outcome run(const Folder& folder, const std::string& arguments);
 /// Runs any shell line there; $zstep is the program.
 Outcome shell(const Folder& folder, const std::string& line);
+
+/// Starts it and does not wait, with Ctrl-C at its default, as a terminal does (a shell's background jobs ignore it).
+/// What it says on standard error goes to the file `err`.
+pid_t start(const Folder& folder, const std::vector<std::string>& arguments);
 
 std::string text_of(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);

@@ -4,7 +4,6 @@
 #include <array>
 #include <set>
 
-#include "traces/diff/buffers.hpp"
 #include "traces/formulas/walk.hpp"
 #include "traces/mistakes/name.hpp"
 
@@ -133,16 +132,16 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
   CheckMarks marks;
   found.checked = check(run, nullptr, nullptr, &marks, digits);
   found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, digits);
+  Ends& ends = found.ends = {picture_of(reference), picture_of(run), {}};
+  ends.apart =
+      diff::compare_pictures(ends.reference, reference.scene(), ends.run, run.scene(), found.difference.precision);
   const Counter counter(reference, run, found.difference, marks);
   for (const Part& part : parts) {
     if (part.level != Level::buffers) {
       found.parts.push_back(counter.steps(part));
       continue;
     }
-    const Picture ours = picture_of(reference), theirs = picture_of(run);
-    const diff::BufferDifference apart =
-        diff::compare_pictures(ours, reference.scene(), theirs, run.scene(), found.difference.precision);
-    found.parts.push_back(count_pixels(drawn(ours), drawn(theirs), apart.apart));
+    found.parts.push_back(count_pixels(drawn(ends.reference), drawn(ends.run), ends.apart.apart));
   }
   found.first = first_divergence(found);
   return found;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "traces/check/check.hpp"
+#include "traces/diff/buffers.hpp"
 #include "traces/diff/diff.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace.hpp"
@@ -59,9 +60,16 @@ struct Divergence {
   std::int64_t step = 0;  ///< of the run; the one before which something is missing, where it has no such step
 };
 
+/// What is in the buffers at the end of the reference and of a run, and where these differ.
+struct Ends {
+  Picture reference, run;
+  diff::BufferDifference apart;
+};
+
 struct Judgement {
   std::vector<PartCount> parts;
   std::optional<Divergence> first;  ///< none where nothing is wrong
+  Ends ends;
   diff::DiffReport difference;
   CheckReport checked;
 };

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace zstep::cli {
+namespace zstep {
 
 /// The values [height*width] from the top row to the bottom one; `y_up`: the picture's row 0 is the bottom one.
 template <class Out, class In, class Function>
@@ -19,4 +19,4 @@ std::vector<Out> top_row_first(const std::vector<In>& values, std::int32_t width
   return result;
 }
 
-}  // namespace zstep::cli
+}  // namespace zstep

@@ -1,0 +1,26 @@
+// zstep grade: of one submission, and of a class.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sim/cli/show.hpp"
+#include "sim/homework/homework.hpp"
+
+namespace zstep::cli {
+
+struct GradeOptions {
+  std::string folder, submission, scene, student, out;
+  std::optional<std::string> format;
+  std::string batch;                 ///< a folder of submissions; then the next two may be given
+  std::optional<std::int64_t> jobs;  ///< at a time
+  std::string report;                ///< the page of the class
+  bool view = false;
+  ShowOptions show;
+};
+
+/// Grades a class; returns the exit code.
+int grade_class(const homework::Homework& given, const GradeOptions& options);
+
+}  // namespace zstep::cli

@@ -1,0 +1,225 @@
+#include "sim/homework/batch.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <new>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "sim/homework/child.hpp"
+#include "sim/homework/kept_result.hpp"
+#include "sim/homework/pictures.hpp"
+#include "sim/homework/reports.hpp"
+#include "sim/homework/run_programs.hpp"
+#include "traces/error.hpp"
+#include "traces/file/chunk.hpp"
+#include "traces/text.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int taken_over = 10;  ///< the exit code of a child that had nothing to do
+
+/// One name in the folder of the submissions.
+struct Entry {
+  fs::path path;
+  std::string name;
+  std::string refused;       ///< why it is not even opened
+  std::uintmax_t bytes = 0;  ///< of what it has
+};
+
+const char* kind_of_file(fs::file_type type) {
+  switch (type) {
+    case fs::file_type::symlink:
+      return "is a link, and links are not followed";
+    case fs::file_type::fifo:
+      return "is a pipe";
+    case fs::file_type::socket:
+      return "is a socket";
+    case fs::file_type::block:
+    case fs::file_type::character:
+      return "is a device";
+    default:
+      return "cannot be read";
+  }
+}
+
+/// Names that a shell, a table or another system would take for something else.
+bool is_plain_name(const std::string& name) { return printable(name) == name && name.find('\\') == std::string::npos; }
+
+/// Looks at a submission without opening a file of it.
+Entry look_at(const fs::directory_entry& found, const Homework& homework) {
+  Entry entry;
+  entry.path = found.path();
+  entry.name = found.path().filename().string();
+  std::error_code error;
+  if (!is_plain_name(entry.name)) {
+    entry.refused = "its name has characters that do not show, or a \\: rename it";
+    return entry;
+  }
+  const fs::file_type type = found.symlink_status(error).type();
+  if (type == fs::file_type::regular) {
+    entry.bytes = found.file_size(error);
+    return entry;
+  }
+  if (type != fs::file_type::directory) {
+    entry.refused = kind_of_file(type);
+    return entry;
+  }
+  fs::directory_iterator files(entry.path, error);
+  if (error) entry.refused = "cannot be read: " + error.message();
+  for (; !error && files != fs::directory_iterator(); files.increment(error)) {
+    const std::string file = files->path().filename().string();
+    if (std::none_of(homework.tasks.begin(), homework.tasks.end(),
+                     [&](const Task& task) { return file.starts_with(task.name + "."); }))
+      continue;
+    std::error_code ignored;
+    const fs::file_type kind = files->symlink_status(ignored).type();
+    if (kind == fs::file_type::regular) entry.bytes += files->file_size(ignored);
+    else if (kind != fs::file_type::directory)
+      entry.refused = fmt::format("{} {}", printable(file), kind_of_file(kind));
+  }
+  return entry;
+}
+
+std::string digest_of(std::string_view text) {
+  constexpr Tag digest{'D', 'I', 'G', 'E'};
+  return fmt::format("{:016x}",
+                     checksum_of(digest, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size())));
+}
+
+std::string content_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Changes when what is to be done or how it is graded does.
+std::string key_of(const Homework& homework, const std::string& scene) {
+  std::string all = ZSTEP_VERSION "\n" + scene + "\n" + content_of(homework.folder / "homework.toml");
+  for (const Task& task : homework.tasks)
+    all += task.name + "\n" + jsonl_header(header_for(*homework.method, task.conventions), task.scene) + "\n";
+  return digest_of(all);
+}
+
+/// Changes when a file of the submission does that is graded.
+std::string key_of(const Entry& entry, const Homework& homework, const std::string& scene) {
+  std::string all = entry.name + "\n";
+  for (const Task& task : homework.tasks) {
+    if (!scene.empty() && task.name != scene) continue;
+    const fs::path file = run_of(entry.path, homework, task, !scene.empty());
+    if (!file.empty())
+      all += fmt::format("{} {} {}\n", task.name, digest_of(content_of(file)), how_it_ended(file, false));
+    for (const fs::path& picture : pictures_of(entry.path, task))
+      all += fmt::format("{} {}\n", picture.filename().string(), digest_of(content_of(picture)));
+  }
+  return digest_of(all);
+}
+
+/// In the child: grades a submission, unless that was done, and keeps what it earned.
+int grade_one(const Entry& entry, const Homework& homework, const BatchOptions& options,
+              const std::string& homework_key, const fs::path& kept, const References& references) {
+  const auto refuse = [&](const std::string& key, const std::string& why) {
+    keep_refused(kept, key, why);
+    return 0;
+  };
+  std::string key = homework_key;
+  try {
+    std::optional<Homework> own;  // with the student's own scenes
+    if (homework.seeded()) {
+      own = load_homework(homework.folder, entry.path.stem().string());
+      key = key_of(*own, options.scene);
+    }
+    const Homework& graded = own ? *own : homework;
+    key += key_of(entry, graded, options.scene);
+    if (is_kept(kept, key)) return taken_over;
+    keep(kept, key, report_json(assess(graded, entry.path, options.scene, nullptr, own ? nullptr : &references)));
+    return 0;
+  } catch (const InputError& error) {
+    return refuse(key, error.what());
+  } catch (const std::bad_alloc&) {
+    return refuse(key, "needs more memory than a submission may take; --memory allows it more");
+  }
+}
+
+Result of_refused(const std::string& name, const std::string& why) {
+  Result result;
+  result.name = name, result.state = Result::State::ungradable, result.why = why;
+  return result;
+}
+
+}  // namespace
+
+Batch grade_batch(const Homework& homework, const BatchOptions& options,
+                  const std::function<void(std::size_t, std::size_t)>& on_progress) {
+  std::error_code error;
+  fs::directory_iterator folder(options.submissions, error);
+  if (error)
+    throw InputError(options.submissions.string(), "cannot be read: " + error.message(),
+                     "give the folder with one file or one folder for each student");
+  fs::create_directories(options.results, error);
+  if (error)
+    throw InputError(options.results.string(), "cannot be made: " + error.message(), "write the gradebook elsewhere");
+  Batch batch;
+  std::vector<Entry> entries;
+  for (const fs::directory_entry& found : folder) {
+    if (found.path().filename().string().starts_with('.')) ++batch.left_out;
+    else entries.push_back(look_at(found, homework));
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.name < b.name; });
+  const std::string key = key_of(homework, options.scene);
+  const std::size_t scenes = options.scene.empty() ? homework.tasks.size() : 1;
+  for (const Task& task : homework.tasks)
+    if (task.name == options.scene) batch.share = homework.share(task);
+  const References references(homework);  // recorded once, before the children that share them
+
+  std::vector<std::unique_ptr<Child>> running;
+  std::vector<std::size_t> places;  // of the entries that they grade
+  batch.results.resize(entries.size());
+  std::size_t next = 0, done = 0;
+  const auto file_of = [&](const Entry& entry) { return options.results / (file_name_of(entry.name) + ".json"); };
+  while (done < entries.size()) {
+    while (next < entries.size() && running.size() < static_cast<std::size_t>(options.jobs)) {
+      const Entry& entry = entries[next];
+      if (!entry.refused.empty()) {
+        batch.results[next] = of_refused(entry.name, entry.refused);
+        ++done;
+      } else {
+        running.push_back(std::make_unique<Child>(limits_for(entry.bytes, options.seconds, options.memory), [&] {
+          return grade_one(entry, homework, options, key, file_of(entry), references);
+        }));
+        places.push_back(next);
+      }
+      ++next;
+    }
+    on_progress(done, entries.size());
+    if (running.empty()) continue;
+    Child::wait_for_one(running);
+    for (std::size_t i = running.size(); i-- > 0;) {
+      if (!running[i]->ended()) continue;
+      const Entry& entry = entries[places[i]];
+      const Child& child = *running[i];
+      batch.taken_over += child.code() == taken_over;
+      // A process that did not come to its end left no result of this time behind.
+      if (child.code() == 0 || child.code() == taken_over)
+        batch.results[places[i]] = read_kept(file_of(entry), entry.name, homework, scenes);
+      else
+        batch.results[places[i]] =
+            of_refused(entry.name, "the grading " + (child.why().empty() ? "failed" : child.why()) +
+                                       (child.said().empty() ? "" : ": " + printable(child.said())));
+      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+      places.erase(places.begin() + static_cast<std::ptrdiff_t>(i));
+      ++done;
+    }
+  }
+  on_progress(done, entries.size());
+  return batch;
+}
+
+}  // namespace zstep::homework

@@ -1,0 +1,182 @@
+// A class on one page: what fails most, how the points lie, and all submissions.
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "sim/homework/batch.hpp"
+#include "sim/homework/report_words.hpp"
+#include "sim/pages/page.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+std::string submissions_text(std::size_t count) { return fmt::format("{} submission{}", count, count == 1 ? "" : "s"); }
+
+/// A share as a bar beside its number, for who reads tables by eye.
+std::string bar(std::size_t count, std::size_t most) {
+  constexpr double wide = 20;
+  const double width = most == 0 ? 0 : wide * static_cast<double>(count) / static_cast<double>(most);
+  return fmt::format("<td><div style=\"background:#456;height:1em;width:{:.1f}rem\"></div></td>", width);
+}
+
+std::string states(const Batch& batch) {
+  std::map<Result::State, std::size_t> counts;
+  for (const Result& result : batch.results) ++counts[result.state];
+  std::string text;
+  for (const auto& [state, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word_of(state));
+  return text;
+}
+
+/// Their points in ten ranges, and the middle of them.
+std::string points_table(double most, const std::vector<const Result*>& graded) {
+  constexpr std::size_t ranges = 10;
+  std::vector<std::size_t> counts(ranges);
+  std::vector<double> points;
+  for (const Result* result : graded) {
+    const double share = most > 0 ? result->points / most : 0;
+    ++counts[std::min(ranges - 1, static_cast<std::size_t>(std::max(0.0, share * ranges)))];
+    points.push_back(result->points);
+  }
+  std::sort(points.begin(), points.end());
+  const double mean = std::accumulate(points.begin(), points.end(), 0.0) / static_cast<double>(points.size());
+  const double median = (points[(points.size() - 1) / 2] + points[points.size() / 2]) / 2;
+  std::string rows;
+  for (std::size_t range = 0; range < ranges; ++range) {
+    const auto edge = [&](std::size_t at) {
+      return points_text(most * static_cast<double>(at) / static_cast<double>(ranges));
+    };
+    rows += fmt::format("<tr><th scope=\"row\" class=\"n\">{} to {}{}</th><td class=\"n\">{}</td>{}</tr>\n",
+                        edge(range), range + 1 == ranges ? "" : "less than ", edge(range + 1), counts[range],
+                        bar(counts[range], *std::max_element(counts.begin(), counts.end())));
+  }
+  return fmt::format(
+      "<h2>Points</h2>\n<p>Of {} points the mean is {}, the median {}, of the {} that have a grade.</p>\n"
+      "<table>\n<thead><tr><th scope=\"col\" class=\"n\">points</th><th scope=\"col\" class=\"n\">submissions</th>"
+      "<th scope=\"col\">as a bar</th></tr></thead>\n<tbody>{}</tbody>\n</table>\n",
+      points_text(most), points_text(mean), points_text(median), submissions_text(graded.size()), rows);
+}
+
+std::string parts_table(const Homework& homework, double of_all, const std::vector<const Result*>& graded) {
+  struct Row {
+    std::string name;
+    std::size_t failed = 0;
+    double share = 0;  ///< of the points of the part, as a mean
+  };
+  std::vector<Row> all;
+  for (std::size_t part = 0; part < homework.parts.size(); ++part) {
+    Row row{homework.parts[part].name, 0, 0};
+    for (const Result* result : graded) {
+      const double points = result->parts[part].points, most = of_all * homework.parts[part].points();
+      row.failed += points < most;
+      row.share += most > 0 ? points / most / static_cast<double>(graded.size()) : 0;
+    }
+    all.push_back(std::move(row));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Row& a, const Row& b) { return a.failed > b.failed; });
+  std::string rows;
+  for (const Row& row : all)
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td>{}<td class=\"n\">{:.0f} %</td></tr>\n",
+                        shown(row.name), row.failed, bar(row.failed, graded.size()), 100 * row.share);
+  return fmt::format(
+      "<h2>Parts, those that fail most first</h2>\n<table>\n<thead><tr><th scope=\"col\">part</th><th scope=\"col\" "
+      "class=\"n\">not all right in</th><th scope=\"col\">as a bar</th><th scope=\"col\" class=\"n\">points, on "
+      "average</th></tr></thead>\n<tbody>{}</tbody>\n</table>\n",
+      rows);
+}
+
+std::string names_of(const std::vector<const Result*>& results) {
+  constexpr std::size_t named = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(named, results.size()); ++i)
+    text += (i == 0 ? "" : ", ") + shown(results[i]->name);
+  return results.size() > named ? text + fmt::format(", and {} more", results.size() - named) : text;
+}
+
+/// Where submissions first go wrong, the most common first.
+std::string first_steps_table(const std::vector<const Result*>& graded) {
+  std::map<std::pair<std::string, std::string>, std::vector<const Result*>> by_step;
+  for (const Result* result : graded)
+    if (result->first) by_step[{result->first->step, result->first->scene}].push_back(result);
+  if (by_step.empty()) return "<h2>First wrong steps</h2>\n<p>No submission has a wrong step.</p>\n";
+  std::vector<std::pair<std::pair<std::string, std::string>, std::vector<const Result*>>> all(by_step.begin(),
+                                                                                              by_step.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+  std::string rows;
+  for (const auto& [step, results] : all)
+    rows += fmt::format(
+        "<tr><th scope=\"row\"><code>{}</code></th><td>{}</td><td class=\"n\">{}</td><td>{}</td><td>{}</td></tr>\n",
+        shown(step.first), shown(step.second), results.size(), shown(results.front()->first->what), names_of(results));
+  return fmt::format(
+      "<h2>First wrong steps, the most common first</h2>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">"
+      "step</th><th scope=\"col\">scene</th><th scope=\"col\" class=\"n\">submissions</th><th scope=\"col\">one of them"
+      "</th><th scope=\"col\">who</th></tr></thead>\n<tbody>{}</tbody>\n</table></div>\n",
+      rows);
+}
+
+/// The likely mistakes, where any is known.
+std::string mistakes_table(const std::vector<const Result*>& graded) {
+  std::map<std::string, std::vector<const Result*>> by_name;
+  for (const Result* result : graded)
+    if (!result->mistake.empty()) by_name[result->mistake].push_back(result);
+  if (by_name.empty()) return "";
+  std::vector<std::pair<std::string, std::vector<const Result*>>> all(by_name.begin(), by_name.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+  std::string rows;
+  for (const auto& [name, results] : all)
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td>{}</td></tr>\n", shown(name),
+                        results.size(), names_of(results));
+  return fmt::format(
+      "<h2>Likely mistakes, the most common first</h2>\n<table>\n<thead><tr><th scope=\"col\">mistake</th>"
+      "<th scope=\"col\" class=\"n\">submissions</th><th scope=\"col\">who</th></tr></thead>\n<tbody>{}</tbody>\n"
+      "</table>\n",
+      rows);
+}
+
+std::string all_table(const Homework& homework, const Batch& batch) {
+  std::string head, rows;
+  for (const grade::Part& part : homework.parts)
+    head += fmt::format("<th scope=\"col\" class=\"n\">{}, of {}</th>", shown(part.name),
+                        points_text(batch.share * part.points()));
+  for (const Result& result : batch.results) {
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"n\">{}</td>", shown(result.name),
+                        word_of(result.state), result.has_grade() ? points_text(result.points) : "–");
+    for (std::size_t part = 0; part < homework.parts.size(); ++part)
+      rows +=
+          fmt::format("<td class=\"n\">{}</td>", result.parts.empty() ? "–" : points_text(result.parts[part].points));
+    const std::string first = result.first
+                                  ? fmt::format("{}: {}{}", result.first->scene, result.first->step,
+                                                result.first->subject.empty() ? "" : ", " + result.first->subject)
+                                  : "";
+    rows += fmt::format("<td>{}</td><td>{}</td></tr>\n",
+                        shown(result.why.empty() ? first : result.why + (first.empty() ? "" : "; ") + first),
+                        shown(result.mistake));
+  }
+  return fmt::format(
+      "<h2>All submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">name</th><th scope=\"col\">"
+      "state</th><th scope=\"col\" class=\"n\">points</th>{}<th scope=\"col\">first wrong step, or why there is no "
+      "grade</th><th scope=\"col\">likely mistake</th></tr></thead>\n<tbody>{}</tbody>\n</table></div>\n",
+      head, rows);
+}
+
+}  // namespace
+
+std::string class_html(const Homework& homework, const Batch& batch) {
+  std::vector<const Result*> graded;
+  for (const Result& result : batch.results)
+    if (result.has_grade()) graded.push_back(&result);
+  std::string page = page_begin(homework.title + ": the class");
+  page += fmt::format("<h1>{}: the class</h1>\n<p>{}{}{}.</p>\n", shown(homework.title),
+                      submissions_text(batch.results.size()), batch.results.empty() ? "" : ": ", states(batch));
+  if (!graded.empty())
+    page += parts_table(homework, batch.share, graded) + first_steps_table(graded) + mistakes_table(graded) +
+            points_table(batch.share * homework.points(), graded);
+  return (page + all_table(homework, batch)).append(page_end);
+}
+
+}  // namespace zstep::homework

@@ -1,0 +1,109 @@
+#include "sim/homework/kept_result.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/image/file.hpp"
+#include "traces/error.hpp"
+#include "traces/file/chunk.hpp"
+#include "traces/text.hpp"
+
+namespace zstep::homework {
+
+namespace {
+
+namespace fs = std::filesystem;
+using KeptJson = nlohmann::ordered_json;
+
+void write_kept(const fs::path& path, const KeptJson& json) {
+  const std::string text = printable_json(json.dump(1, ' ', false, KeptJson::error_handler_t::replace)) + "\n";
+  rewrite_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+KeptJson kept_json(const fs::path& path) {
+  constexpr std::uintmax_t largest = 64 << 20;
+  const std::vector<std::uint8_t> bytes = read_file(path, largest);
+  return KeptJson::parse(bytes.begin(), bytes.end());
+}
+
+}  // namespace
+
+std::string file_name_of(const std::string& name) {
+  constexpr std::size_t longest = 120;
+  std::string file;
+  for (const char c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       (std::string_view("._-@+ ").find(c) != std::string_view::npos && !file.empty());
+    if (plain) file += c;
+    else file += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  if (file.size() <= longest) return file;
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(name.data()), name.size());
+  return fmt::format("{}%{:016x}", file.substr(0, longest), checksum_of(Tag{'N', 'A', 'M', 'E'}, bytes));
+}
+
+void keep(const fs::path& path, const std::string& key, const std::string& report) {
+  write_kept(path, {{"key", key}, {"report", KeptJson::parse(report)}});
+}
+void keep_refused(const fs::path& path, const std::string& key, const std::string& why) {
+  write_kept(path, {{"key", key}, {"why", why}});
+}
+
+bool is_kept(const fs::path& path, const std::string& key) {
+  try {
+    const KeptJson json = kept_json(path);
+    return json.at("key") == key && (json.contains("report") || json.contains("why"));
+  } catch (const std::exception&) {
+    return false;  // none yet, or one that somebody changed
+  }
+}
+
+Result read_kept(const fs::path& path, const std::string& name, const Homework& homework, std::size_t scenes) {
+  Result result;
+  result.name = name;
+  result.file = path.string();
+  try {
+    const KeptJson json = kept_json(path);
+    if (json.contains("why")) {
+      result.state = Result::State::ungradable;
+      result.why = json.at("why").get<std::string>();
+      return result;
+    }
+    const KeptJson& report = json.at("report");
+    std::size_t judged = 0, missing = 0;
+    for (const KeptJson& scene : report.at("scenes")) {
+      const std::string state = scene.at("state").get<std::string>(), called = scene.at("scene").get<std::string>();
+      judged += state == "judged", missing += state == "missing";
+      if (scene.contains("why"))
+        result.why +=
+            fmt::format("{}{}: {}", result.why.empty() ? "" : "; ", called, scene.at("why").get<std::string>());
+      const KeptJson& parts = scene.at("parts");
+      if (state == "judged") result.parts.resize(homework.parts.size());
+      for (std::size_t part = 0; part < parts.size() && part < result.parts.size(); ++part) {
+        result.parts[part].points += parts[part].at("points").get<double>();
+        result.parts[part].most += parts[part].at("of").get<double>();
+      }
+      if (!result.first && scene.contains("first")) {
+        const KeptJson& first = scene.at("first");
+        const auto text = [&](const char* key) { return first.at(key).get<std::string>(); };
+        if (scene.contains("mistake")) result.mistake = scene.at("mistake").at("name").get<std::string>();
+        result.first = Result::First{called, text("where"), text("step"), text("subject"), text("what")};
+      }
+    }
+    if (report.at("scenes").size() < scenes) result.why += "there is a run of one scene alone";
+    result.state = judged == scenes                        ? Result::State::graded
+                   : judged > 0                            ? Result::State::partly
+                   : missing == report.at("scenes").size() ? Result::State::missing
+                                                           : Result::State::ungradable;
+    if (result.state == Result::State::missing) result.why = "nothing was handed in";
+    result.points = report.at("points").get<double>();
+    return result;
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(path.string(), "is no result of zstep grade", "remove it, and grade again");
+  }
+}
+
+}  // namespace zstep::homework
