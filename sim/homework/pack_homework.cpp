@@ -7,6 +7,8 @@
 
 #include "sim/homework/pack_program.hpp"
 #include "sim/homework/pack_scripts.hpp"
+#include "sim/homework/seeds.hpp"
+#include "sim/homework/student_folders.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
@@ -25,22 +27,14 @@ void write_script(const fs::path& path, const std::string& text, bool runs = tru
   if (runs) fs::permissions(path, fs::perms(0755));
 }
 
-/// The homework without solution, class and starters; for students without the hidden scenes, too.
-void copy_homework(const Homework& homework, const fs::path& to, bool for_students) {
+/// The homework without solution, class, starters and key.
+void copy_to_grade(const Homework& homework, const fs::path& to) {
   fs::create_directories(to);
   for (const auto& entry : fs::directory_iterator(homework.folder)) {
     const std::string name = entry.path().filename().string();
-    if (name != "solution" && name != "class" && name != "starter" && !name.starts_with('.'))
+    if (name != "solution" && name != "class" && name != "starter" && name != key_file && !name.starts_with('.'))
       fs::copy(entry.path(), to / name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
   }
-  if (!for_students) return;
-  for (const Task& task : homework.tasks)
-    if (task.hidden) {
-      const fs::path scene = to / fs::path(task.scene.source).lexically_relative(homework.folder);
-      fs::remove(scene);
-      fs::remove(fs::path(scene).replace_extension(".txt"));
-      if (fs::is_empty(scene.parent_path())) fs::remove(scene.parent_path());
-    }
 }
 
 bool call(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
@@ -56,7 +50,8 @@ void zip(const fs::path& folder, const fs::path& file) {
 
 void fill(const Homework& homework, Service service, const fs::path& folder) {
   const fs::path inside = service == Service::github ? folder / ".zstep" : folder;
-  copy_homework(homework, inside / "homework", service == Service::github);
+  if (service == Service::github) copy_for_students(homework, inside / "homework");
+  else copy_to_grade(homework, inside / "homework");
   carry_program(inside / "zstep");
   switch (service) {
     case Service::gradescope:

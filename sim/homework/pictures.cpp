@@ -203,6 +203,7 @@ std::vector<fs::path> pictures_of(const fs::path& submission, const Task& task) 
   std::error_code ignored;
   if (fs::is_directory(submission, ignored)) {
     for (const std::string_view ending : endings)
+      // What a link leads to is not the student's.
       if (const fs::path file = submission / (task.name + std::string(ending));
           fs::is_regular_file(fs::symlink_status(file, ignored)))
         found.push_back(file);

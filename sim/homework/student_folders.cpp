@@ -24,15 +24,6 @@ bool is_for_students(const fs::path& path, const Homework& homework) {
   return first != "hidden" && first != "solution" && first != "class" && first != key_file;
 }
 
-void copy_for_students(const Homework& homework, const fs::path& to) {
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(homework.folder)) {
-    const fs::path path = fs::relative(entry.path(), homework.folder).lexically_normal();
-    if (!entry.is_regular_file() || entry.is_symlink() || !is_for_students(path, homework)) continue;
-    fs::create_directories((to / path).parent_path());
-    fs::copy_file(entry.path(), to / path);
-  }
-}
-
 void put_text(const fs::path& path, const std::string& text) {
   fs::create_directories(path.parent_path());
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
@@ -42,6 +33,15 @@ void put_text(const fs::path& path, const std::string& text) {
 }
 
 }  // namespace
+
+void copy_for_students(const Homework& homework, const fs::path& to) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(homework.folder)) {
+    const fs::path path = fs::relative(entry.path(), homework.folder).lexically_normal();
+    if (!entry.is_regular_file() || entry.is_symlink() || !is_for_students(path, homework)) continue;
+    fs::create_directories((to / path).parent_path());
+    fs::copy_file(entry.path(), to / path);
+  }
+}
 
 Homework make_student_folder(const fs::path& folder, const std::string& student, const fs::path& out) {
   Homework homework = load_homework(folder, student);

@@ -8,6 +8,9 @@
 
 namespace zstep::homework {
 
+/// Copies to a new folder what all students get: no solution, no hidden scenes, no key.
+void copy_for_students(const Homework& homework, const std::filesystem::path& to);
+
 /// Makes OUT/STUDENT: homework.toml, hand-out, starters and the scenes that students have, those of their own among
 /// them; no solution, no hidden scenes, no key. Returns the homework as this student has it. Throws InputError, with
 /// nothing left behind.

@@ -150,7 +150,8 @@ class Trial {
         std::error_code ignored;
         for (const auto& entry : fs::recursive_directory_iterator(place, ignored)) {
           if (!entry.is_regular_file(ignored)) continue;
-          if (const std::string text = bytes_of(entry.path()); text != numbers && text != source) continue;
+          const std::string text = bytes_of(entry.path());
+          if (text.empty() || (text != numbers && text != source)) continue;
           lies_open(fmt::format("{} is the hidden scene {}, and lies where students look", in_folder(entry.path()),
                                 task.name),
                     "move it to a folder of its own, as hidden/");

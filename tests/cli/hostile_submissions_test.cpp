@@ -254,6 +254,22 @@ TEST_CASE("hostile submissions: files earn nothing, end in a result in every for
   }
 }
 
+TEST_CASE("hostile submissions: what a link leads to is not handed in") {
+  const Folder folder;
+  hostile_homework(folder);
+  write_text(folder / "gigapixels", png_of_4_gigapixels);
+  for (const char* name : {"triangle.jsonl", "triangle.png", "triangle.npy", "triangle.depth.npy", "triangle.pfm"}) {
+    fs::remove_all(folder / "runs");
+    fs::create_directory(folder / "runs");
+    fs::create_symlink("../gigapixels", folder / "runs" / name);
+    const Outcome outcome = run(folder, "grade --homework hw runs --format json");
+    CAPTURE(name);
+    CAPTURE(outcome.out);
+    CHECK(outcome.code == 2);
+    CHECK(times(outcome.out, "\"state\": \"missing\"") == 2);
+  }
+}
+
 TEST_CASE("hostile submissions: what a hidden scene's run holds is quoted in no report for students") {
   const Folder folder;
   hostile_homework(folder);

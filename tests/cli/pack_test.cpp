@@ -130,7 +130,10 @@ TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the l
 TEST_CASE("homework pack: GitHub's repository has no hidden scene and no solution, and its zstep grades") {
   const Folder folder;
   homework_of_programs(folder);
+  write_text(folder / "hw/secret.key", "5ec2e75ec2e75ec2e75ec2e75ec2e75e\n");
   REQUIRE(run(folder, "homework pack hw --github -o repository").code == 0);
+  REQUIRE(run(folder, "homework pack hw --prairielearn -o grader").code == 0);
+  CHECK(shell(folder, "grep -rl 5ec2e75ec2e7 repository/.zstep/homework grader/homework").out.empty());
   const std::string workflow = text_of(folder / "repository/.github/workflows/classroom.yml");
   for (const char* part : {"actions/checkout@v4", "--scene triangle", "--scene crossing", "--scene neighbours",
                            "runners: scene-1,scene-2,scene-3", "python3"})
