@@ -28,6 +28,13 @@ std::string shares_text(const Homework& homework, const Graded& task, std::size_
   return text;
 }
 
+/// Each line two letters in.
+std::string indented(const std::string& lines) {
+  std::string text = "  ";
+  for (const char letter : printable_lines(lines)) text += letter == '\n' ? "\n  " : std::string(1, letter);
+  return text + "\n";
+}
+
 std::string task_text(const Assessment& all, const Graded& task) {
   const Homework& homework = *all.homework;
   double points = 0, most = 0;
@@ -37,9 +44,9 @@ std::string task_text(const Assessment& all, const Graded& task) {
       fmt::format("{}: {} of {} points\n", printable(task.task->name), points_text(points), points_text(most));
   if (task.state == Graded::State::missing) return text + fmt::format("  Nothing was handed in: {}.\n", task.shown());
   if (task.state == Graded::State::unreadable)
-    return text + fmt::format("  This cannot be graded:\n  {}\n", printable_lines(task.shown()));
-  if (!task.shown().empty()) text += fmt::format("  {}\n", printable_lines(task.shown()));
-  if (!task.note.empty()) text += fmt::format("  {}\n", printable_lines(task.note));
+    return text + "  This cannot be graded:\n" + indented(task.shown());
+  if (!task.shown().empty()) text += indented(task.shown());
+  if (!task.note.empty()) text += indented(task.note);
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
     text += fmt::format("  {} {:<22} {}\n", all.points(task, part) >= all.most(task, part) ? "ok" : "  ",
                         printable(homework.parts[part].name), shares_text(homework, task, part));
