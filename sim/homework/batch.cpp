@@ -133,7 +133,9 @@ int grade_one(const Entry& entry, const Homework& homework, const BatchOptions& 
   try {
     std::optional<Homework> own;  // with the student's own scenes
     if (homework.seeded()) {
-      own = load_homework(homework.folder, entry.path.stem().string());
+      // A folder is called as its student; of a file, what comes before the ending.
+      const fs::path called = fs::is_directory(entry.path) ? entry.path.filename() : entry.path.stem();
+      own = load_homework(homework.folder, called.string());
       key = key_of(*own, options.scene);
     }
     const Homework& graded = own ? *own : homework;

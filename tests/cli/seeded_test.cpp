@@ -172,6 +172,23 @@ TEST_CASE("seed: the grader makes the scene, whatever a submission brings") {
   CHECK(has(run(folder, "grade --homework hw runs --student ana --scene own").out, "13 of 13 points"));
 }
 
+TEST_CASE("seed: in a batch, each folder is graded by the scene of the student that it is called after") {
+  const Folder folder;
+  set_up_seeded(folder, own_scene, "");
+  write_text(folder / "names.txt", "ana\nbo.lee\n");
+  REQUIRE(run(folder, "homework seed hw --for names.txt -o students --seed one").code == 0);
+  for (const std::string student : {"ana", "bo.lee"}) record_own(folder, student, "class/" + student + "/own.jsonl");
+  record_own(folder, "ana", "class/carl/own.jsonl");
+  const Outcome graded = run(folder, "grade --homework hw --batch class --scene own -o gradebook.csv");
+  CAPTURE(graded.err);
+  const std::string book = text_of(folder / "gradebook.csv");
+  CAPTURE(book);
+  CHECK(has(book, "\n\"ana\",13.00,13.00,"));
+  CHECK(has(book, "\n\"bo.lee\",13.00,13.00,"));
+  CHECK(has(book, "\n\"carl\","));
+  CHECK_FALSE(has(book, "\n\"carl\",13.00,"));
+}
+
 TEST_CASE("seed: what cannot be made says so in one line, and leaves nothing behind") {
   const Folder folder;
   set_up_seeded(folder, own_scene, "");
