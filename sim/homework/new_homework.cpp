@@ -8,6 +8,7 @@
 
 #include "sim/classroom/lesson.hpp"
 #include "sim/homework/emitters.hpp"
+#include "sim/homework/handout.hpp"
 #include "sim/homework/step_fields.hpp"
 #include "traces/error.hpp"
 #include "traces/formulas/eye_rays.hpp"
@@ -87,6 +88,8 @@ std::vector<std::pair<fs::path, std::string>> made_files(const Homework& homewor
   }
   if (fs::is_directory(homework.folder / "starter"))
     files.emplace_back(homework.folder / "starter" / "run.schema.json", run_schema(homework.steps));
+  if (const std::string words = text_of_file(homework.folder / "handout.md"); !words.empty())
+    files.emplace_back(homework.folder / "handout.html", handout_html(homework, words));
   std::erase_if(files, [](const auto& file) { return text_of_file(file.first) == file.second; });
   return files;
 }

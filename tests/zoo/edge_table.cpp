@@ -154,7 +154,8 @@ struct Program {
       if (active.empty() && fresh.empty()) continue;
       say("{\"step\":\"line\",\"y\":%d}", y);
       for (auto edge = active.begin(); edge != active.end();) {
-        if (edge->y_end + is("retired_one_late") <= y && !is("never_retired") && !once("missing_retirement", retirements)) {
+        if (edge->y_end + is("retired_one_late") <= y && !is("never_retired") &&
+            !once("missing_retirement", retirements)) {
           say("{\"step\":\"retire\",\"edge\":%d}", edge->number);
           edge = active.erase(edge);
         } else {
@@ -202,8 +203,7 @@ struct Program {
   void enter(std::list<Edge>& active, const Edge& edge) {
     auto at = active.begin();
     int place = 0;
-    while (at != active.end() && !is("entered_in_front") &&
-           (at->x < edge.x || (at->x == edge.x && at->dx <= edge.dx)))
+    while (at != active.end() && !is("entered_in_front") && (at->x < edge.x || (at->x == edge.x && at->dx <= edge.dx)))
       ++at, ++place;
     say("{\"step\":\"enter\",\"edge\":%d,\"place\":%d}", edge.number, place);
     active.insert(at, edge);

@@ -33,7 +33,7 @@ struct Viewer {
     if (is("z_v_for_depth")) v.plane.z = z_v;  // which is not linear on the screen
     out.print("project", "vertex", number, "x_p", v.plane.x, "y_p", v.plane.y, "z", v.plane.z);
     double up = camera.window - v.plane.y;
-    if (is("y_upside_down")) up = camera.window + v.plane.y;  // y grows upwards on the plane, and downwards on the screen
+    if (is("y_upside_down")) up = camera.window + v.plane.y;  // y grows upwards on the plane, downwards on the screen
     v.screen = {(v.plane.x + window_x) / (2 * window_x) * task.width - 0.5,
                 up / (2 * camera.window) * task.height - 0.5, v.plane.z};
     v.seen = true;

@@ -32,6 +32,23 @@ inline bool may_be(Side side, double least, double greatest) {
   return true;
 }
 
+inline const TreeNode* parent_of(const Situation& at, std::int32_t node) {
+  const auto& tree = at.method().tree;
+  const auto number = static_cast<std::size_t>(node);
+  if (node < 0 || number >= tree.size() || tree[number].parent < 0) return nullptr;
+  return &tree[static_cast<std::size_t>(tree[number].parent)];
+}
+/// Does this node lie beyond its parent's plane, seen from the eye?
+inline bool lies_beyond(const TreeNode& parent, std::int32_t node) {
+  return parent.eye && node == (parent.eye->front ? parent.back_child : parent.front_child);
+}
+/// Is it a piece of this node that was painted last?
+inline bool painted_last(const Situation& at, const TreeNode& node) {
+  const auto& drawn = at.method().drawn;
+  return !drawn.empty() &&
+         std::find(node.pieces.begin(), node.pieces.end(), drawn[drawn.size() - 1]) != node.pieces.end();
+}
+
 }  // namespace detail
 
 template <class Out>
@@ -107,6 +124,8 @@ void derive(const NodeMake& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const EyeSide& e, const Situation& at, Out& out) {
   out.is(&EyeSide::front, e.value > 0);
+  if (const TreeNode* parent = detail::parent_of(at, e.node); parent && detail::lies_beyond(*parent, e.node))
+    out.rule(Rule::far_side_first, !detail::painted_last(at, *parent));
   const auto number = static_cast<std::size_t>(e.node);
   if (e.node < 0 || number >= at.method().tree.size() || !at.camera) return;
   const auto plane = detail::plane_of(out, at, at.method().tree[number].pieces.front());

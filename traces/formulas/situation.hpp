@@ -85,6 +85,7 @@ enum class Rule : std::uint8_t {
   winner_inside,     ///< only a piece whose flag is true is seen
   share_of_pixel,    ///< shares of a pixel are from 0 to 1
   node_is_free,      ///< a node of the tree has one child on each side
+  far_side_first,    ///< what lies beyond a plane is painted before what lies in it
   node_skip_side,    ///< a side of a plane is passed over only where nothing is seen there
   box_decides,       ///< a box alone decides only what it can
   area_case,         ///< what is done with an area follows from its bins

@@ -14,7 +14,7 @@ namespace zstep::mistakes {
 
 std::array<Fit, mistake_count> fits_of(const Trace& run) {
   Supposed supposed(precision_of(run));
-  const State end = formulas::walk(
+  formulas::walk(
       run,
       [&](std::int64_t step, const auto& e, const formulas::Situation& at) {
         supposed.begin(step);
@@ -22,8 +22,6 @@ std::array<Fit, mistake_count> fits_of(const Trace& run) {
         return true;
       },
       [](std::int64_t, const Impossible&) {});
-  supposed.begin(run.size() + 1);
-  suppose_at_end(formulas::situation_of(run, end), supposed);
   std::array<Fit, mistake_count> fits;
   for (std::size_t k = 0; k < mistake_count; ++k) fits[k] = supposed.fit(static_cast<Mistake>(k));
   return fits;

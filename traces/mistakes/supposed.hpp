@@ -54,6 +54,8 @@ class Supposed {
   std::optional<SideTest> side;                ///< the last one, until the next test
   bool won_empty = false, lost_empty = false;  ///< a pixel where nothing was drawn yet
   std::vector<double> one_line;                ///< a depth buffer of a single line, by column
+  bool asks_other_way = false;          ///< a pair's tests are done, and those of the pair the other way round begin
+  std::set<std::int32_t> cut_off;       ///< pieces that are not in the list yet
   std::set<std::int32_t> spanning;             ///< pieces that were found on both sides of a plane, and not cut yet
   const Fit& fit(Mistake mistake) const { return fits_[static_cast<std::size_t>(mistake)]; }
 
