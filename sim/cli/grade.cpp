@@ -151,7 +151,8 @@ void add_grade(CLI::App& app, Action& action) {
   command->add_option("-o,--output", options->out, "The file to write (default: print it)")->type_name("FILE");
   command->add_option("--batch", options->batch, "A class: the folder with one file or one folder for each student")
       ->type_name("FOLDER");
-  add_whole(*command, "--jobs", options->jobs, 1, "So many submissions at a time (default: one for each processor)");
+  add_whole(*command, "--jobs", options->jobs, 1, "So many submissions at a time (default: one for each processor)")
+      ->type_name("NUMBER");
   command->add_option("--report", options->report, "A page of the class: what fails most, points, all submissions")
       ->type_name("FILE.html");
   command->add_flag("--view", options->view, "Then open the viewer at the first wrong step, beside the reference");
