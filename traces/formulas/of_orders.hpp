@@ -38,6 +38,11 @@ inline const TreeNode* parent_of(const Situation& at, std::int32_t node) {
   if (node < 0 || number >= tree.size() || tree[number].parent < 0) return nullptr;
   return &tree[static_cast<std::size_t>(tree[number].parent)];
 }
+/// Does the run paint what is farther first, so that what is nearer covers it?
+inline bool paints_over(const Situation& at) {
+  const auto option = at.header.conventions.options.find("order");
+  return option == at.header.conventions.options.end() || option->second != "front-to-back";
+}
 /// Does this node lie beyond its parent's plane, seen from the eye?
 inline bool lies_beyond(const TreeNode& parent, std::int32_t node) {
   return parent.eye && node == (parent.eye->front ? parent.back_child : parent.front_child);
@@ -124,7 +129,8 @@ void derive(const NodeMake& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const EyeSide& e, const Situation& at, Out& out) {
   out.is(&EyeSide::front, e.value > 0);
-  if (const TreeNode* parent = detail::parent_of(at, e.node); parent && detail::lies_beyond(*parent, e.node))
+  if (const TreeNode* parent = detail::parent_of(at, e.node);
+      parent && detail::paints_over(at) && detail::lies_beyond(*parent, e.node))
     out.rule(Rule::far_side_first, !detail::painted_last(at, *parent));
   const auto number = static_cast<std::size_t>(e.node);
   if (e.node < 0 || number >= at.method().tree.size() || !at.camera) return;

@@ -96,7 +96,7 @@ inline void suppose(const NodeAdd& e, const Situation&, Supposed& out) { detail:
 
 inline void suppose(const EyeSide& e, const Situation& at, Supposed& out) {
   if (const TreeNode* parent = formulas::detail::parent_of(at, e.node);
-      parent && parent->eye && formulas::detail::painted_last(at, *parent)) {
+      parent && parent->eye && formulas::detail::paints_over(at) && formulas::detail::painted_last(at, *parent)) {
     const bool beyond = formulas::detail::lies_beyond(*parent, e.node);
     out.says(near_side_first, beyond, !beyond);
   }
