@@ -138,6 +138,15 @@ std::string mistakes_table(const std::vector<const Result*>& graded) {
       rows);
 }
 
+/// The beginning of what may be long, up to the end of its first line.
+std::string beginning(const std::string& text) {
+  constexpr std::size_t most = 100;
+  std::size_t end = std::min(text.find('\n'), text.size());
+  if (end > most)
+    for (end = most; (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80;) --end;
+  return text.substr(0, end) + (end < text.size() ? "…" : "");
+}
+
 std::string all_table(const Homework& homework, const Batch& batch) {
   std::string head, rows;
   for (const grade::Part& part : homework.parts)
@@ -153,14 +162,13 @@ std::string all_table(const Homework& homework, const Batch& batch) {
                                   ? fmt::format("{}: {}{}", result.first->scene, result.first->step,
                                                 result.first->subject.empty() ? "" : ", " + result.first->subject)
                                   : "";
-    rows += fmt::format("<td>{}</td><td>{}</td></tr>\n",
-                        shown(result.why.empty() ? first : result.why + (first.empty() ? "" : "; ") + first),
-                        shown(result.mistake));
+    rows += fmt::format("<td>{}</td><td>{}</td></tr>\n", shown(result.mistake),
+                        shown(first.empty() ? beginning(result.why) : first));
   }
   return fmt::format(
       "<h2>All submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">name</th><th scope=\"col\">"
-      "state</th><th scope=\"col\" class=\"n\">points</th>{}<th scope=\"col\">first wrong step, or why there is no "
-      "grade</th><th scope=\"col\">likely mistake</th></tr></thead>\n<tbody>{}</tbody>\n</table></div>\n",
+      "state</th><th scope=\"col\" class=\"n\">points</th>{}<th scope=\"col\">likely mistake</th>"
+      "<th scope=\"col\">first wrong step, or why there is no grade</th></tr></thead>\n<tbody>{}</tbody>\n</table></div>\n",
       head, rows);
 }
 
