@@ -103,7 +103,7 @@ std::vector<std::string> pack_homework(const fs::path& folder, Service service, 
   // Whoever has the key has everybody's scenes, and what a service grades has no student's name.
   if (homework.seeded())
     throw InputError(folder.string(), "has scenes of each student's own, which cannot be packed",
-                     "grade what was handed in with zstep grade --batch, or take them out of a copy");
+                     "grade the class here, with --batch, or take them out of a copy");
   std::error_code ignored;
   if (fs::exists(fs::symlink_status(out, ignored)))
     throw InputError(out.string(), "is there already", "give the name of a new one, or remove it");
