@@ -40,7 +40,7 @@ homework::Homework homework_on(const fs::path& folder, const char* scene, int wi
   made.title = "The Z-buffer";
   made.method = &method("z-buffer");
   made.free = {"interpolation", "number_format"};
-  made.tasks.push_back({"scene", false, 1, look_at_scene(load_scene(scene).scene, view), {}});
+  made.tasks.push_back({"scene", false, 1, look_at_scene(load_scene(scene).scene, view), {}, {}});
   const auto kind = [&](std::string_view name) { return find_step(made.method->page(), name)->kind; };
   made.parts.push_back({"picture and depths", grade::Level::buffers, {}, 0, 10});
   made.parts.push_back(
