@@ -162,13 +162,13 @@ std::string all_table(const Homework& homework, const Batch& batch) {
                                   ? fmt::format("{}: {}{}", result.first->scene, result.first->step,
                                                 result.first->subject.empty() ? "" : ", " + result.first->subject)
                                   : "";
-    rows += fmt::format("<td>{}</td><td>{}</td></tr>\n", shown(result.mistake),
+    rows += fmt::format("<td>{}{}{}</td></tr>\n", shown(result.mistake), result.mistake.empty() ? "" : "<br>",
                         shown(first.empty() ? beginning(result.why) : first));
   }
   return fmt::format(
       "<h2>All submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">name</th><th scope=\"col\">"
-      "state</th><th scope=\"col\" class=\"n\">points</th>{}<th scope=\"col\">likely mistake</th>"
-      "<th scope=\"col\">first wrong step, or why there is no grade</th></tr></thead>\n<tbody>{}</tbody>\n</table></div>\n",
+      "state</th><th scope=\"col\" class=\"n\">points</th>{}<th scope=\"col\">likely mistake and "
+      "first wrong step, or why there is no grade</th></tr></thead>\n<tbody>{}</tbody>\n</table></div>\n",
       head, rows);
 }
 
