@@ -176,7 +176,9 @@ auto operator/(const Bounded<A>& a, const Bounded<B>& b) {
   return Bounded<std::remove_cv_t<decltype(value)>>{value, detail::bound(off + rounding_of_result(value).quotient)};
 }
 
-namespace scan_conversion {
+}  // namespace zstep
+
+namespace zstep::scan_conversion {
 
 /// `reciprocal` is what makes z_v of 1/z_v at a pixel.
 template <Conventions::Rounding rounding>
@@ -202,9 +204,7 @@ struct NumbersOf<Bounded<T>> {
   }
 };
 
-}  // namespace scan_conversion
-
-}  // namespace zstep
+}  // namespace zstep::scan_conversion
 
 /// X(R, T) for each recorder and each type of number. Errors are bounded where nothing is recorded.
 #define ZSTEP_FOR_EACH_NUMBER(X)                                                       \

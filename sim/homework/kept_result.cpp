@@ -102,7 +102,7 @@ Result read_kept(const fs::path& path, const std::string& name, const Homework& 
     result.points = report.at("points").get<double>();
     return result;
   } catch (const nlohmann::json::exception&) {
-    throw InputError(path.string(), "is no result of zstep grade", "remove it, and grade again");
+    throw InputError(path.string(), "was not written by zstep grade", "remove it, and grade again");
   }
 }
 

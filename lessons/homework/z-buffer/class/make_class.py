@@ -11,7 +11,7 @@ import sys
 COLUMNS = 'max(0, math.ceil(left["x"])), min(width, math.ceil(right["x"]))'
 BUFFER = "    depth = [[math.inf] * width for _ in range(height)]\n"
 
-# (name, what stands in the solution, what stands there instead)
+# (name, the right line of the solution, the wrong one)
 CLASS = [
     ("right", "", ""),
     ("compare_reversed", "nearer = z < depth[y][x]", "nearer = z > depth[y][x]"),
