@@ -66,10 +66,10 @@ std::optional<double> above_0(const char* name, std::optional<double> value) {
 
 void add_limit_options(CLI::App& command) {
   add_number(command, "--seconds", budget().seconds,
-             "Stop after this much processor time (default: 7, and more for a large file)")
+             "Stop after this much processor time (default: by the size of the file)")
       ->group("Limits");
   add_number(command, "--memory", budget().memory,
-             "Stop when it would need more than so many MiB (default: 768, and more for a large file)")
+             "Stop when it would need more than so many MiB (default: by the size of the file)")
       ->type_name("MIB")
       ->group("Limits");
 }
