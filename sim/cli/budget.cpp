@@ -38,6 +38,7 @@ Budget& budget() {
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 [[noreturn]] void end_incomplete(const std::string& line) {
+  ::flockfile(stdout);  // between two lines, as each is printed in one piece; none follows
   Unfinished::remove_all();
   complain(line);
   std::_Exit(exit_code::incomplete);

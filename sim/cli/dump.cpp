@@ -137,7 +137,7 @@ int dump(const DumpOptions& options) {
     const auto print = [&](std::int64_t position, const RecordedEvent& recorded) {
       if (!filter.shows(recorded.step)) return true;
       if (options.jsonl) {
-        std::cout << jsonl_event(page, recorded) << '\n';
+        std::cout << jsonl_event(page, recorded) + '\n';
       } else {
         const StepInfo* info = find_step(page, recorded.step);
         const std::string fields = visit_event([](const auto& event) { return fields_text(event); }, recorded.event);

@@ -67,9 +67,9 @@ std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
 }
 
 void write_jsonl(const Trace& trace, std::ostream& out) {
-  out << jsonl_header(trace.header(), trace.scene()) << '\n';
+  out << jsonl_header(trace.header(), trace.scene()) + '\n';
   trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
-    out << jsonl_event(trace.header().page, recorded) << '\n';
+    out << jsonl_event(trace.header().page, recorded) + '\n';  // in one piece: what ends early ends with a line
     return static_cast<bool>(out);
   });
   if (!trace.whole()) out << fmt::format("{{\"{}\":true}}\n", cut_off_key);
