@@ -27,11 +27,14 @@ struct Program {
   bool cull = false;
   bool paints = true;  ///< and so is graded by its picture, too
   NumberFormat number_format = NumberFormat::float64;
+  Conventions::Interpolation interpolation = Conventions::Interpolation::direct;
+  Conventions::Rounding rounding = Conventions::Rounding::nearest;
 };
 
 Conventions conventions_of(const Program& program) {
   Conventions conventions;
   conventions.cull = program.cull, conventions.number_format = program.number_format;
+  conventions.interpolation = program.interpolation, conventions.rounding = program.rounding;
   for (const auto& [name, value] : program.options) conventions.options[name] = value;
   return conventions;
 }
@@ -272,4 +275,33 @@ TEST_CASE("zoo: Z-buffers that are built otherwise get all points") {
   for (const char* style : {"float32 rows crossings span", "float32 upwards edge_functions plane",
                             "float32 quarters edge_functions weights", "float32 pixels crossings plane"})
     is_right_in(NumberFormat::float32, style);
+}
+
+TEST_CASE("zoo: Z-buffers in fixed point get all points") {
+  const std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
+                                  on_the_raster(5, 4, 16), on_the_raster(20, 8, 34)};
+  using enum NumberFormat;
+  for (const auto& [format, bits] : {std::pair(fixed16, "16"), {fixed20, "20"}, {fixed24, "24"}})
+    for (const bool adds : {false, true})
+      for (const bool down : {false, true}) {
+        const std::string style = std::string(bits) + (adds ? " adds" : "") + (down ? " down" : "");
+        CAPTURE(style);
+        using Interpolation = Conventions::Interpolation;
+        is_right({"z-buffer", zoo::fixed_point, style.c_str(), {}, false, true, format,
+                  adds ? Interpolation::increments : Interpolation::direct,
+                  down ? Conventions::Rounding::down : Conventions::Rounding::nearest},
+                 scenes);
+      }
+}
+
+TEST_CASE("zoo: Z-buffers in Python get all points") {
+  if (!test::there_is_python()) return;
+  std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
+                            on_the_raster(5, 4, 16), on_the_raster(8, 5, 20)};
+  is_right({"z-buffer", [](const zoo::Task& task) { return test::python("by_pixel.py", task); }, "", {}}, scenes);
+  scenes.push_back(test::scene_of(test::concave()));
+  is_right({"z-buffer", [](const zoo::Task& task) { return test::python("generators.py", task); }, "", {}}, scenes);
+  is_right({"z-buffer", [](const zoo::Task& task) { return test::python("in_float32.py", task); }, "", {}, false, true,
+            NumberFormat::float32},
+           scenes);
 }

@@ -2,15 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "tests/golden/golden.hpp"
-#include "tests/where.hpp"
 #include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
 #include "traces/check/check.hpp"
@@ -55,24 +50,7 @@ Trace reference(const Scene& scene) {
 
 // ---- Programs ----------------------------------------------------------------------------------------------------
 
-std::string python_of(const zoo::Task& task) {
-  const auto folder = std::filesystem::temp_directory_path();
-  const std::string path = (folder / fmt::format("zstep_zoo_{}", static_cast<const void*>(&task))).string();
-  std::ofstream file(path);
-  file << task.width << ' ' << task.height << ' ' << task.points.size() << ' ' << task.polygons.size() << '\n';
-  for (const zoo::Point& p : task.points) file << fmt::format("{} {} {}\n", p.x, p.y, p.z);
-  for (const zoo::Polygon& polygon : task.polygons) file << fmt::format("{}\n", fmt::join(polygon.corners, " "));
-  file.close();
-  const std::string out = path + ".out";
-  const int code = std::system(fmt::format("python3 '{}' '{}' '{}' > '{}'", test::in_checkout("tests/zoo/by_line.py"),
-                                           path, task.mistake, out).c_str());
-  std::stringstream text;
-  text << std::ifstream(out).rdbuf();
-  std::filesystem::remove(path);
-  std::filesystem::remove(out);
-  REQUIRE(code == 0);
-  return text.str();
-}
+std::string by_line(const zoo::Task& task) { return test::python("by_line.py", task); }
 
 struct Program {
   const char* name;
@@ -94,20 +72,16 @@ const std::vector<Program>& programs() {
         "depth_kept", "colour_of_the_next"}},
       {"half-planes", zoo::half_planes, "float64", "direct",
        {"border_for_nobody", "border_for_all", "weights_turned", "or_equal", "half_the_depth"}},
-      {"by line (Python)", python_of, "float64", "increments",
+      {"by line (Python)", by_line, "float64", "increments",
        {"last_line_in", "unsorted", "truncated", "begins_at_edge", "buffer_of_line_before"}},
   };
   return all;
-}
-bool there_is_python() {
-  static const bool found = std::system("python3 -c '' >/dev/null 2>&1") == 0;
-  return found;
 }
 
 TEST_CASE("zoo: runs of right programs are not doubted, and are the same as zstep's own but for rounding") {
   int runs = 0;
   for (const Program& program : programs()) {
-    if (program.run == python_of && !there_is_python()) continue;
+    if (program.run == by_line && !there_is_python()) continue;
     std::vector<Named> all = scenes();
     if (program.run != zoo::half_planes) all.push_back({"concave", concave()});
     for (const Named& scene : all) {
@@ -136,7 +110,7 @@ TEST_CASE("zoo: of wrong programs the first wrong step is named, by check or by 
   std::string table;
   int wrong = 0, named = 0;
   for (const Program& program : programs()) {
-    if (program.run == python_of && !there_is_python()) continue;
+    if (program.run == by_line && !there_is_python()) continue;
     for (const char* mistake : program.mistakes) {
       int seen = 0, by_check = 0, by_diff = 0, by_either = 0, unnoticed = 0;
       std::string missed;

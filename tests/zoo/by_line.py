@@ -1,29 +1,13 @@
 """One scan line after another, all polygons on each: the depth buffer is a line long, and z comes by increments.
 
-usage: python3 by_line.py TASK MISTAKE     (TASK: width height, then points, then polygons, a line each)
+usage: python3 by_line.py TASK MISTAKE
 """
 import math
-import sys
+
+from tools import mistake, read_task, say
 
 
-def number(value):
-    return '"inf"' if value == math.inf else repr(value)
-
-
-def say(**fields):
-    parts = []
-    for key, value in fields.items():
-        if isinstance(value, bool):
-            text = "true" if value else "false"
-        elif isinstance(value, str):
-            text = '"%s"' % value
-        else:
-            text = number(value)
-        parts.append('"%s":%s' % (key, text))
-    print("{" + ",".join(parts) + "}")
-
-
-def spans(corners, y, mistake):
+def spans(corners, y):
     """(x_L, z_L, x_R, z_R) of each span."""
     found = []
     for (x_0, y_0, z_0), (x_1, y_1, z_1) in zip(corners, corners[1:] + corners[:1]):
@@ -31,32 +15,28 @@ def spans(corners, y, mistake):
             continue
         if y_0 > y_1:
             x_0, y_0, z_0, x_1, y_1, z_1 = x_1, y_1, z_1, x_0, y_0, z_0
-        if not (y_0 < y <= y_1 if mistake == "last_line_in" else y_0 <= y < y_1):
+        if not (y_0 < y <= y_1 if mistake() == "last_line_in" else y_0 <= y < y_1):
             continue
         x = x_0 + (x_1 - x_0) / (y_1 - y_0) * (y - y_0)
         z = z_0 + (z_1 - z_0) / (y_1 - y_0) * (y - y_0)
         found.append((x, z))
     found.sort(key=lambda crossing: crossing[0])
-    if mistake == "unsorted":
+    if mistake() == "unsorted":
         found.reverse()
         found = found[1:] + found[:1]
     return [found[i] + found[i + 1] for i in range(0, len(found) - 1, 2)]
 
 
 def main():
-    mistake = sys.argv[2] if len(sys.argv) > 2 else ""
-    with open(sys.argv[1]) as task:
-        lines = [line.split() for line in task]
-    width, height, points, polygons = (int(word) for word in lines[0])
-    vertices = [tuple(float(word) for word in line) for line in lines[1 : 1 + points]]
-    outlines = [[vertices[int(word)] for word in line] for line in lines[1 + points : 1 + points + polygons]]
-    say(step="clear", z=math.inf)
+    width, height, vertices, polygons = read_task()
+    outlines = [[vertices[corner] for corner in corners] for corners in polygons]
+    say("clear", z=math.inf)
     buffer = [math.inf] * width
     for y in range(height):
-        if mistake != "buffer_of_line_before":
+        if mistake() != "buffer_of_line_before":
             buffer = [math.inf] * width
         for polygon, corners in enumerate(outlines):
-            pieces = spans(corners, y, mistake)
+            pieces = spans(corners, y)
             if not pieces:
                 continue
             begun = False
@@ -66,22 +46,22 @@ def main():
                 slope = (z_right - z_left) / (x_right - x_left)
                 first = math.ceil(x_left)
                 last = math.ceil(x_right) - 1
-                if mistake == "truncated":
+                if mistake() == "truncated":
                     first, last = int(x_left), int(x_right)
                 z = z_left + slope * (first - x_left)
-                if mistake == "begins_at_edge":
+                if mistake() == "begins_at_edge":
                     z = z_left
                 for x in range(first, last + 1):
                     if 0 <= x < width:
                         if not begun:
-                            say(step="polygon", polygon=polygon, facet=polygon)
+                            say("polygon", polygon=polygon, facet=polygon)
                             begun = True
                         nearer = z < buffer[x]
-                        say(step="compare", x=x, y=y, z=z, nearer=nearer)
+                        say("compare", x=x, y=y, z=z, nearer=nearer)
                         if nearer:
                             buffer[x] = z
-                            say(step="wz", x=x, y=y, z=z)
-                            say(step="wp", x=x, y=y, polygon=polygon)
+                            say("wz", x=x, y=y, z=z)
+                            say("wp", x=x, y=y, polygon=polygon)
                     z += slope
 
 

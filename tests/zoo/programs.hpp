@@ -56,5 +56,8 @@ std::string bsp(const Task& task);
 /// each: "rows", "upwards", "columns", "quarters" or "pixels"; "crossings" or "edge_functions"; "plane", "weights" or
 /// "span"; "float64" or "float32".
 std::string variants(const Task& task);
+/// In whole numbers; the style is the bits of a depth, and has "adds" for sums of slopes, "down" for quotients that are
+/// rounded down.
+std::string fixed_point(const Task& task);
 
 }  // namespace zoo

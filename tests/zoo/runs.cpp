@@ -1,5 +1,8 @@
 #include "tests/zoo/runs.hpp"
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <random>
 #include <sstream>
@@ -10,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "tests/where.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/record/trace_recorder.hpp"
 
@@ -100,6 +104,30 @@ zoo::Task task_of(const Scene& scene) {
   task.camera = {true, point(rows[0]), point(rows[1]), point(rows[2]), point(camera.eye), point(camera.view[3]),
                  camera.d, camera.window, camera.near, camera.far};
   return task;
+}
+
+std::string python(const char* file, const zoo::Task& task) {
+  const auto folder = std::filesystem::temp_directory_path();
+  const std::string path = (folder / fmt::format("zstep_zoo_{}", static_cast<const void*>(&task))).string();
+  std::ofstream given(path);
+  given << task.width << ' ' << task.height << ' ' << task.points.size() << ' ' << task.polygons.size() << '\n';
+  for (const zoo::Point& p : task.points) given << fmt::format("{} {} {}\n", p.x, p.y, p.z);
+  for (const zoo::Polygon& polygon : task.polygons) given << fmt::format("{}\n", fmt::join(polygon.corners, " "));
+  given.close();
+  const std::string out = path + ".out";
+  const int code = std::system(fmt::format("python3 -B '{}' '{}' '{}' > '{}'", in_checkout("tests/zoo/") + file, path,
+                                           task.mistake, out).c_str());
+  std::stringstream text;
+  text << std::ifstream(out).rdbuf();
+  std::filesystem::remove(path);
+  std::filesystem::remove(out);
+  REQUIRE(code == 0);
+  return text.str();
+}
+
+bool there_is_python() {
+  static const bool found = std::system("python3 -c '' >/dev/null 2>&1") == 0;
+  return found;
 }
 
 Scene scene_of(const zoo::Task& task) { return trace_of(head(task, "float64", "direct")).scene(); }

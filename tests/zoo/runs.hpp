@@ -16,6 +16,9 @@ zoo::Task triangles(std::uint64_t seed, int count, int size);
 zoo::Task ties();
 /// Polygons that are concave, and whose edges cross.
 zoo::Task concave();
+/// What a program of the zoo in Python prints, as "by_line.py".
+std::string python(const char* file, const zoo::Task& task);
+bool there_is_python();
 /// What all the programs say of themselves: the first line of a run.
 std::string head(const zoo::Task& task, const char* number_format, const char* interpolation);
 /// A scene as the programs are given it.

@@ -165,8 +165,9 @@ class Follow {
     if constexpr (std::is_same_v<E, EdgeStep>)
       if (const EdgeTableInsert* entry = at.edge(e.edge); entry && (difference.only_a() || difference.only_b()))
         finding.idle = identity_.next_row(e.edge) >= entry->end_row;
-    finding.comes_from = reads.from_different;
     const bool alone = difference.only_a() || difference.only_b();
+    if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>) finding.idle = alone && e.first > e.last;
+    finding.comes_from = reads.from_different;
     if (alone && finding.comes_from == no_difference)
       for (const std::int32_t scope : scopes_)
         if (scope != no_difference && !findings_[static_cast<std::size_t>(scope)].rounding) finding.comes_from = scope;

@@ -21,7 +21,8 @@ struct Finding {
   bool rounding = false;  ///< it, or what it comes from, is no more than rounding allows
   bool decides = false;   ///< what it says is no number, so that other steps may follow
   float off = 0;          ///< by rounding: how far its numbers are off, as a share of the larger one, at most
-  bool idle = false;      ///< an edge that ends is moved to where it ends, before it is taken out
+  /// An edge that ends is moved to where it ends, before it is taken out; a span without pixels.
+  bool idle = false;
 };
 
 /// A place that a step of the other run writes, which this run does not have.
