@@ -14,6 +14,7 @@
 #include "tests/where.hpp"
 #include "tests/zoo/programs.hpp"
 #include "tests/zoo/runs.hpp"
+#include "tests/zoo/wrong_programs.hpp"
 #include "traces/grade/grade.hpp"
 #include "traces/mistakes/name.hpp"
 
@@ -82,20 +83,24 @@ TEST_CASE("mistakes: each has a text, and its id is the one that the code has fo
   CHECK(mistakes::text_of(Mistake::not_interpolated).id == "not_interpolated");
 }
 
-constexpr const char* of_z_buffer[] = {
-    "horizontal_inserted", "ends_one_late",        "starts_one_early",   "slope_inverted",       "slope_whole",
-    "z_slope_of_x",        "z_not_swapped",        "x_at_vertex",        "z_at_vertex",          "stepped_too_early",
-    "stepped_twice",       "rounded_then_stepped", "z_not_carried",      "retired_one_late",     "never_retired",
-    "not_sorted",          "right_end_included",   "left_end_excluded",  "ends_rounded",         "ends_truncated",
-    "z_by_slope_of_x",     "z_by_slope_of_edge",   "z_not_to_centre",    "z_stepped_before_use", "adds_in_float32",
-    "compare_reversed",    "equal_wins",           "buffer_begins_at_0", "buffer_reset",         "buffer_of_one_line",
-    "written_before_test", "depth_not_written",    "depth_always",       "colour_not_written",   "colour_always",
-    "x_y_exchanged",       "y_upside_down"};
+TEST_CASE("mistakes: a program of the zoo makes each of them, under its name") {
+  // Other tests see to it that each of these is named in some scene.
+  std::set<std::string_view> made(std::begin(test::of_edge_table), std::end(test::of_edge_table));
+  for (const char* method : test::methods_with_mistakes)
+    for (const test::WrongPrograms& wrong : test::wrong_programs(method))
+      made.insert(wrong.mistakes.begin(), wrong.mistakes.end());
+  for (std::size_t k = 0; k < mistakes::mistake_count; ++k) {
+    const std::string_view id = mistakes::text_of(static_cast<Mistake>(k)).id;
+    CAPTURE(id);
+    CHECK(made.erase(id) == 1);
+  }
+  CHECK(made.empty());
+}
 
 TEST_CASE("mistakes: those of the Z-buffer are named as what they are") {
   int right = 0, none = 0, wrong = 0;
   std::string table;
-  for (const char* mistake : of_z_buffer) {
+  for (const char* mistake : test::of_edge_table) {
     std::map<std::string, int> names;
     for (const zoo::Task& task : tasks()) ++names[named(task, mistake)];
     CAPTURE(mistake);
@@ -116,8 +121,8 @@ TEST_CASE("mistakes: of two in one program the earlier one is named") {
   int right = 0, none = 0, wrong = 0;
   std::string table;
   std::uint32_t turn = 0;
-  for (const char* one : of_z_buffer) {
-    for (const char* other : of_z_buffer) {
+  for (const char* one : test::of_edge_table) {
+    for (const char* other : test::of_edge_table) {
       turn = turn * 1664525 + 1013904223;
       if (std::string(one) >= other || turn >> 24 > 60) continue;
       zoo::Task task = tasks()[turn >> 8 & 3u];
@@ -145,9 +150,7 @@ TEST_CASE("mistakes: a right program makes none, and of one that is not in the c
   for (const zoo::Task& task : tasks()) CHECK(named(task, "").empty());
   int seen = 0, wrongly = 0;
   std::string table;
-  for (const char* mistake :
-       {"swapped_vertex", "dropped_increment", "wrong_rounding", "missing_retirement", "entered_in_front", "mean_depth",
-        "depth_doubled_at_ends", "spans_of_even_lines", "slope_negative", "z_slope_halved", "first_polygon_always"}) {
+  for (const char* mistake : test::others_of_edge_table) {
     for (const zoo::Task& task : tasks()) {
       const std::string name = named(task, mistake);
       seen += name != "-";

@@ -1,5 +1,6 @@
-"""All numbers in float32, by way of struct; depth and frame are flat arrays. The picture is drawn from its last line up,
-each line with all polygons.
+"""All numbers in float32, by way of struct; depth and frame are flat arrays.
+
+The picture is drawn from the last line up, each line with all polygons.
 
 usage: python3 in_float32.py TASK
 """

@@ -38,7 +38,7 @@ std::string edge_table(const Task& task);
 std::string crossings(const Task& task);
 /// Inside the three half-planes, depth from the plane, column by column; triangles only.
 std::string half_planes(const Task& task);
-/// Ray casting. Style "boxes": with a box around each polygon.
+/// Ray casting. Style "boxes": with a box around each polygon, a little wider; "tight boxes": not any wider.
 std::string rays(const Task& task);
 /// The scan-line method: edges of all polygons in one table, and a flag for each polygon.
 std::string scan_line_flags(const Task& task);

@@ -24,12 +24,13 @@ struct RayCaster {
   std::vector<Target> targets{};
 
   bool is(const char* mistake) const { return task.mistake == mistake; }
-  bool boxes() const { return task.style == "boxes"; }
+  bool boxes() const { return !task.style.empty(); }
 
   void prepare() {
-    // Boxes are made a little wider, so that a polygon in a plane x = 3 has a box of some width.
-    double size = std::sqrt(dot(task.camera.eye, task.camera.eye));
-    for (const Point& p : task.points) size = std::max(size, std::sqrt(dot(p, p)));
+    // Boxes are made a little wider, so that a polygon in a plane x = 3 has a box of some width; or they are not.
+    double size = task.style == "tight boxes" ? 0 : std::sqrt(dot(task.camera.eye, task.camera.eye));
+    for (const Point& p : task.points)
+      if (task.style != "tight boxes") size = std::max(size, std::sqrt(dot(p, p)));
     const Point pad{1e-9 * size, 1e-9 * size, 1e-9 * size};
     for (const Polygon& polygon : task.polygons) {
       Target target;

@@ -34,8 +34,9 @@ struct Viewer {
     out.print("project", "vertex", number, "x_p", v.plane.x, "y_p", v.plane.y, "z", v.plane.z);
     double up = camera.window - v.plane.y;
     if (is("y_upside_down")) up = camera.window + v.plane.y;  // y grows upwards on the plane, downwards on the screen
-    v.screen = {(v.plane.x + window_x) / (2 * window_x) * task.width - 0.5,
-                up / (2 * camera.window) * task.height - 0.5, v.plane.z};
+    const double half = is("centres_half_off") ? 0 : 0.5;  // corners of pixels are taken for their centres
+    v.screen = {(v.plane.x + window_x) / (2 * window_x) * task.width - half,
+                up / (2 * camera.window) * task.height - half, v.plane.z};
     v.seen = true;
     out.print("to_viewport", "vertex", number, "x_s", v.screen.x, "y_s", v.screen.y);
   }
@@ -43,7 +44,8 @@ struct Viewer {
   void view_all() {
     for (const Point& p : task.points) {
       const int number = static_cast<int>(vertices.size());
-      const Point view = camera.origin + Point{dot(camera.right, p), dot(camera.up, p), dot(camera.away, p)};
+      Point view = camera.origin + Point{dot(camera.right, p), dot(camera.up, p), dot(camera.away, p)};
+      if (is("depth_axis_reversed")) view.z = -view.z;  // as where the camera looks along -z
       vertices.push_back({view, {}, {}});
       out.print("view_vertex", "vertex", number, "x_v", view.x, "y_v", view.y, "z_v", view.z);
       // A vertex before the near plane has no picture. Who does not clip there divides by a z_v that may be negative.

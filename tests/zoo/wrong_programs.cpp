@@ -1,0 +1,195 @@
+#include "tests/zoo/wrong_programs.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "algorithms/scene/load.hpp"
+#include "tests/golden/golden.hpp"
+#include "tests/where.hpp"
+#include "tests/zoo/runs.hpp"
+#include "traces/mistakes/name.hpp"
+
+namespace zstep::test {
+
+namespace {
+
+/// A scene of zstep's as it is seen from elsewhere.
+Scene seen(const std::string& name, std::optional<double> theta, std::optional<double> phi, int width, int height,
+           double rho = 0) {
+  ViewOptions view;
+  view.theta = theta, view.phi = phi, view.width = width, view.height = height;
+  if (rho > 0) view.rho = rho;
+  if (rho > 0) view.near = 0.25, view.far = 12;
+  const bool file = name.ends_with(".toml");
+  return look_at_scene(load_scene(file ? in_checkout("lessons/scenes/" + name) : name).scene, view);
+}
+
+/// A surface in perspective.
+Scene surface(const std::string& name, double theta) {
+  ViewOptions view;
+  view.theta = theta, view.width = 18, view.height = 12, view.orthographic = false, view.d = 4, view.window = 1;
+  const bool file = name.ends_with(".toml");
+  return look_at_scene(load_scene(file ? in_checkout(name) : name).scene, view);
+}
+
+std::vector<WrongPrograms> of_rays() {
+  std::vector<Scene> flat{on_the_raster(3, 3, 12), on_the_raster(6, 6, 14), on_the_raster(11, 10, 16)}, all = flat;
+  for (const double theta : {2.0, 5.0, 11.0}) all.push_back(seen("rays.toml", theta, 87, 9, 6));
+  all.push_back(seen("cyclic", 20, 60, 9, 8));
+  all.push_back(seen("cyclic", 25, 70, 9, 8, 1.1));  // from amidst the polygons
+  all.push_back(seen("pyramid-behind", 33, 62, 9, 8));
+  return {{"rays", {"ray-casting", zoo::rays, "", {{"boxes", "none"}}}, all, {"nearest_by_index", "negative_t"},
+           {"inside_test_half"}},
+          {"rays, boxes", {"ray-casting", zoo::rays, "boxes", {{"boxes", "facet"}}}, all, {"box_misses_at_0"}}};
+}
+
+std::vector<WrongPrograms> of_flags() {
+  return {{"flags", {"scan-line", zoo::scan_line_flags},
+           {on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
+            seen("abc-def.toml", {}, {}, 22, 27), seen("five-tests.toml", {}, {}, 32, 20), on_the_raster(5, 4, 16)},
+           {"flag_missed", "wrong_of_two", "slope_inverted", "not_sorted"}}};
+}
+
+std::vector<WrongPrograms> of_viewing() {
+  return {{"viewing", {"z-buffer", zoo::viewing, "", {}, true},
+           {seen("cyclic", 25, 70, 12, 10, 1.5), seen("pyramid-behind", 33, 62, 12, 10, 1.2),
+            seen("rays.toml", 40, 80, 12, 8, 2), seen("cyclic", 60, 50, 12, 10, 1.3), seen("pyramid", 33, 62, 14, 12),
+            seen("intersecting", 20, 65, 14, 12), seen("dodecahedron", 20, 65, 16, 14)},
+           {"no_divide", "divide_twice", "not_clipped_near", "clockwise_front", "z_v_for_depth", "y_upside_down",
+            "depth_axis_reversed", "centres_half_off"}}};
+}
+
+std::vector<WrongPrograms> of_areas() {
+  return {{"areas", {"warnock", zoo::areas},
+           {on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26), on_the_raster(5, 4, 16),
+            seen("five-tests.toml", {}, {}, 32, 20), seen("quarters.toml", {}, {}, 16, 16)},
+           {"surrounding_unchecked", "stops_one_early", "quarters_overlap"}}};
+}
+
+std::vector<WrongPrograms> of_horizon() {
+  std::vector<Scene> scenes;
+  for (const double theta : {-74.0, -60.0, -95.0}) scenes.push_back(surface("lessons/scenes/ridge-valley.toml", theta));
+  for (const double theta : {-80.0, -65.0}) scenes.push_back(surface("y = sin(x) * cos(z)", theta));
+  return {{"horizon", {"floating-horizon", zoo::horizon, "", {{"sides", "off"}}, false, false}, scenes,
+           {"only_upper", "not_interpolated"}}};
+}
+
+std::vector<WrongPrograms> of_depth_sort() {
+  const ZooProgram program{"depth-sort", zoo::depth_sort};
+  std::vector<Scene> equal;  // many of the farthest depths are the same
+  for (const std::uint64_t seed : {3u, 6u, 8u, 9u, 10u}) {
+    zoo::Task task = triangles(seed, 6, 18);
+    for (zoo::Point& p : task.points) p.z = std::ceil(4 * p.z) / 4;
+    equal.push_back(scene_of(task));
+    equal.back().name = fmt::format("equal depths {}", seed);
+  }
+  return {{"depth sort", program,
+           {on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26), on_the_raster(5, 4, 16),
+            seen("five-tests.toml", {}, {}, 32, 20), seen("five-tests-ring.toml", {}, {}, 32, 20)},
+           {"sorted_by_nearest", "tests_3_4_swapped", "pieces_lost"}},
+          {"depth sort, ties", program, equal, {"ties_unstable"}}};
+}
+
+std::vector<WrongPrograms> of_tree() {
+  const ZooProgram program{"bsp", zoo::bsp, "", {{"root", "first"}}};
+  const std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), seen("cyclic", 20, 60, 9, 8),
+                                  seen("intersecting", 20, 60, 9, 8), seen("cube", 25, 60, 9, 8)};
+  // That the near side came too early shows when the far side comes, and not before.
+  return {{"BSP tree", program, scenes, {"spanning_not_split", "side_by_normal"}},
+          {"BSP tree, order", program, scenes, {"near_side_first"}, {}, false}};
+}
+
+}  // namespace
+
+Scene on_the_raster(std::uint64_t seed, int count, int size) {
+  Scene scene = scene_of(triangles(seed, count, size));
+  scene.name = fmt::format("{} triangles", count);
+  return scene;
+}
+std::vector<Scene> scenes_of_edge_table() {
+  std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
+                            on_the_raster(20, 8, 34), on_the_raster(31, 5, 40), scene_of(ties()), scene_of(concave())};
+  scenes[5].name = "ties", scenes[6].name = "concave";
+  return scenes;
+}
+
+std::vector<WrongPrograms> wrong_programs(const std::string& method) {
+  if (method == "ray-casting") return of_rays();
+  if (method == "scan-line") return of_flags();
+  if (method == "z-buffer") return of_viewing();
+  if (method == "warnock") return of_areas();
+  if (method == "floating-horizon") return of_horizon();
+  if (method == "depth-sort") return of_depth_sort();
+  return of_tree();
+}
+
+Conventions conventions_of(const ZooProgram& program) {
+  Conventions conventions;
+  conventions.cull = program.cull, conventions.number_format = program.number_format;
+  conventions.interpolation = program.interpolation, conventions.rounding = program.rounding;
+  for (const auto& [name, value] : program.options) conventions.options[name] = value;
+  return conventions;
+}
+
+
+std::string head_of(const ZooProgram& program, const Scene& scene) {
+  const Conventions conventions = conventions_of(program);
+  if (!program.short_names) return head(program.method, scene, conventions);
+  return head(task_of(scene), std::string(word_of(conventions.number_format)).c_str(),
+              std::string(word_of(conventions.interpolation)).c_str());
+}
+
+std::string printed_by(const ZooProgram& program, const Scene& scene, const std::string& mistake) {
+  zoo::Task task = task_of(scene);
+  task.style = program.style, task.mistake = mistake;
+  return program.run(task);
+}
+
+Found found_in(const ZooProgram& program, const Scene& scene, const std::string& mistake) {
+  const std::string right = printed_by(program, scene, ""), text = printed_by(program, scene, mistake);
+  const std::int64_t step = first_difference(right, text);
+  Found found;
+  found.shows = step != 0;
+  std::string impossible;
+  const Trace run = trace_of(head_of(program, scene) + text, &impossible);
+  const Trace reference = recorded_by(program.method, run.scene(), run.header().conventions);
+  const grade::Judgement judged = grade::judge(reference, run, {});
+  found.detected = judged.first || !impossible.empty();
+  if (const auto name = grade::mistake_in(run, judged)) found.name = mistakes::text_of(*name).id;
+  if (!found.shows) return found;
+  const std::int64_t shows = shown_at(run, step);
+  found.at_once = judged.first && step <= judged.first->step && judged.first->step <= shows;
+  const Trace without = trace_of(head_of(program, scene) + right);
+  for (const diff::Cause& cause : judged.difference.causes) {
+    if (cause.part != diff::Part::different) continue;
+    found.at_once =
+        found.at_once || is_at(cause, reference, judged.difference.alignment, without, step, shows);
+    break;
+  }
+  found.said = fmt::format("from step {}, shown at {}; found: {}", step, shows,
+                           judged.first ? said_of(*judged.first) : "nothing");
+  return found;
+}
+
+std::string name_of(std::uint8_t kind) {
+  std::string_view name;
+  for_each_kind([&]<class E>() {
+    if (kind_of<E> == kind) name = kind_text<E>.name;
+  });
+  return std::string(name);
+}
+
+std::string said_of(const grade::Divergence& first) {
+  std::string text = fmt::format("step {}", first.step);
+  if (first.fault)
+    text += fmt::format(", check: {} {} {} {}", name_of(first.fault->kind), first.fault->field, first.fault->impossible,
+                        first.fault->rule ? rule_text(*first.fault->rule).name : "");
+  if (first.parts)
+    text += fmt::format(", diff: {} a {} b {} fields {:b}", name_of(first.parts->kind), first.parts->a, first.parts->b,
+                        first.parts->fields);
+  return text;
+}
+
+}  // namespace zstep::test
