@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traces/formulas/from_raster.hpp"
+
 namespace zstep {
 
 double view_depth(const Camera& camera, const Conventions& conventions, double buffer_depth) {
@@ -12,8 +14,7 @@ double view_depth(const Camera& camera, const Conventions& conventions, double b
   const bool parallel = camera.kind == Camera::Kind::orthographic;
   switch (conventions.depth) {
     case pseudodepth:
-      // z* = f (a z + b) / z with a = -(f + F) / (f (f - F)) and b = 2 F / (f - F) (003), solved for z
-      return parallel ? f + (q + 1) * (F - f) / 2 : 2 * f * F / (F + f - q * (F - f));
+      return parallel ? formulas::depth_of_parallel_pseudodepth(f, F, q) : formulas::depth_of_pseudodepth(f, F, q);
     case reciprocal:
       return 1 / q;
     case reversed:

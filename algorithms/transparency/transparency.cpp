@@ -7,13 +7,14 @@
 #include "algorithms/bsp/traverse.hpp"
 #include "algorithms/scan_conversion/for_each_span.hpp"
 #include "algorithms/viewing/clip.hpp"
+#include "traces/formulas/light.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::transparency {
 
 Color blended(Color over, double opacity, Color under) {
   const auto mix = [&](std::uint8_t top, std::uint8_t bottom) {
-    return static_cast<std::uint8_t>(std::lround(opacity * top + (1 - opacity) * bottom));
+    return static_cast<std::uint8_t>(std::lround(formulas::laid_over<double>(opacity, top, bottom)));
   };
   return {mix(over.red, under.red), mix(over.green, under.green), mix(over.blue, under.blue)};
 }

@@ -25,7 +25,9 @@ struct Teller {
   std::optional<std::pair<std::string_view, std::string>> condition = {};  ///< a field, and what is asked
 
   Number number(std::string_view name, double value, const formulas::Place& place) {
-    std::string symbol = name == "z" ? depth_symbol(at.scene, at.header.conventions) : std::string(name);
+    // An edge carries what is interpolated, a pixel its depth.
+    const auto depth = place.in == formulas::Place::In::active_edge ? symbol_along : depth_symbol;
+    std::string symbol = name == "z" ? depth(at.scene, at.header.conventions) : std::string(name);
     // What is multiplied needs the digits that count, not those behind the point.
     if (place.in == formulas::Place::In::piece && name != "D") return {std::move(symbol), value, factor(value)};
     // What lies just beside a whole number must not look like it: which pixel comes next hangs on that.

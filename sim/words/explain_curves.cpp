@@ -144,7 +144,7 @@ void tell(Telling& t, const HorizonCross& e) {
                           operand(e.upper ? passage->upper : passage->lower, entry), number(d)));
   }
   const Shown x_0("x_0", from.x), x_1("x_1", to.x), at_0("d_0", d_0), at_1("d_1", d_1);
-  if (d_0 != d_1) t.gives("x", x_0 + formulas::where_zero(at_0, at_1) * (x_1 - x_0), e.x_at);
+  if (d_0 != d_1) t.gives("x", formulas::part_of_way<Shown>(x_0, x_1, formulas::where_zero(at_0, at_1)), e.x_at);
   t.value("x", e.x_at);
   t.value("y", e.y_at);
 }

@@ -168,17 +168,14 @@ void tell(Telling& t, const EdgeRetire& e) {
 void tell(Telling& t, const EdgeStep& e) {
   const std::int32_t y = t.machine.scan_line.value_or(0);
   t.say(with_capital(fmt::format("{} moves to scan line {}.", named(t, e.edge), y)));
-  const EdgeTableInsert* entry = t.at.edge(e.edge);
-  if (entry && adds_slopes(t.conventions)) {
-    if (const auto before = before_step(t, e.edge)) {
-      t.gives("x", Shown("x", before->x) + Shown("1/m", entry->dx_dy), e.x_edge);
-      t.gives(t.along, Shown(t.along, before->z) + Shown("dz/dy", entry->dz_dy), e.z_edge);
-    }
-  } else {
-    t.derive(e);
-    t.follows("x", "x_edge", e.x_edge);
-    t.follows(t.along, "z_edge", e.z_edge);
-  }
+  if (!t.at.adds_slopes()) t.derive(e);
+  else if (const auto before = before_step(t, e.edge))
+    t.derive_from(e, [&](MethodState& machine) {
+      for (ActiveEdge& active : machine.active)
+        if (active.edge == e.edge) active.x = before->x, active.z = before->z;
+    });
+  t.follows("x", "x_edge", e.x_edge);
+  t.follows(t.along, "z_edge", e.z_edge);
   if (t.out.formulas.empty()) t.formula(fmt::format("x = {}, {} = {}", number(e.x_edge), t.along, number(e.z_edge)));
   t.value("x", e.x_edge);
   t.value(t.along, e.z_edge);

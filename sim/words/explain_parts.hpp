@@ -78,6 +78,14 @@ struct Telling {
   void derive(const Event& event) {
     derived = derived_fields(event, at);
   }
+  /// The same where the event changed its operands: `put_back(machine)` makes them what they were.
+  template <class PutBack>
+  void derive_from(const Event& event, PutBack&& put_back) {
+    State before;
+    before.vertices = after.vertices, before.machine = after.machine;
+    put_back(before.machine);
+    derived = derived_fields(event, formulas::situation_of(trace, before));
+  }
   const DerivedField* derived_of(std::string_view field) const {
     for (const DerivedField& one : derived)
       if (one.field == field) return &one;
@@ -97,15 +105,6 @@ struct Telling {
   void depth_on_span(double recorded) {
     const DerivedField* found = derived_of("z");
     if (found) gives(found->formula.is_operand() ? "x_L = x_R: " + z : z, found->formula, recorded);
-  }
-  /// A depth from what is interpolated: itself, or its reciprocal where that is 1/z_v and the depth is z_v.
-  void gives_depth(const std::string& name, const Shown& formula_along, double recorded) {
-    gives(name, corrected() ? Shown(1) / formula_along : formula_along, recorded);
-  }
-  bool corrected() const { return conventions.depth == Conventions::Depth::corrected; }
-  /// What was interpolated where this depth came of it.
-  Shown along_of(const std::string& name, double depth) const {
-    return corrected() ? Shown(1) / Shown(name, depth) : Shown(name, depth);
   }
   /// A depth that was taken over from the step before: "The trace writes z = 0.35, but had compared z = 0.3."
   bool taken_over(const char* does, double recorded, const char* had, double before) {

@@ -4,18 +4,19 @@
 
 #include "sim/words/explain_parts.hpp"
 #include "traces/file/records.hpp"
+#include "traces/formulas/light.hpp"
 
 namespace zstep::words {
 namespace {
 
 std::string pixel(std::int32_t x, std::int32_t y) { return fmt::format("({}, {})", x, y); }
 
-/// The depth the increment was added to: that of the pixel before.
-std::optional<double> depth_before(const Telling& t, const DepthInterpolate& e) {
+/// The pixel before, whose depth the increment was added to.
+std::optional<Fragment> pixel_before(const Telling& t, const DepthInterpolate& e) {
   for (std::int64_t p = t.after.position - 1; p >= 1 && p > t.after.position - 16; --p) {
     const Event& event = t.trace.event(p).event;
     if (const auto* last = get_if<DepthInterpolate>(&event)) {
-      if (last->y == e.y && last->x == e.x - 1) return last->z;
+      if (last->y == e.y && last->x == e.x - 1) return Fragment{last->x, last->y, last->z, 0, no_polygon, no_ink, {}};
       return std::nullopt;
     }
     if (holds<SpanBegin>(event)) return std::nullopt;
@@ -145,18 +146,8 @@ void tell(Telling& t, const DepthInterpolate& e) {
   t.say(fmt::format("At pixel {} polygon {} is at depth {}.", pixel(e.x, e.y), t.here(), number(e.z)));
   t.value(t.z, e.z);
   if (!t.machine.span) return;
-  const SpanBegin& s = *t.machine.span;
-  using enum Conventions::Interpolation;
-  const auto how = t.conventions.interpolation;
-  const auto& slopes = t.machine.slopes;
-  if (how == increments || (how == plane_increments && slopes)) {
-    const double slope = how == increments ? s.dz_dx : slopes->dz_dx;
-    if (const auto before = depth_before(t, e))
-      return t.gives_depth(t.z, t.along_of(t.z, *before) + Shown("dz/dx", slope), e.z);
-    // The first pixel of a span has nothing to add to: its depth is computed directly, or from the line before.
-  }
-  if (how == plane_increments) return;
-  t.derive(e);
+  if (t.at.adds_slopes()) t.derive_from(e, [&](MethodState& machine) { machine.fragment = pixel_before(t, e); });
+  else t.derive(e);
   t.depth_on_span(e.z);
 }
 
@@ -260,7 +251,7 @@ void tell(Telling& t, const ColorBlend& e) {
   t.formula(fmt::format("α · colour of {} + (1 − α) · frame[x,y]:  {} · {} + {} · {} = {}", t.label(e.polygon),
                         number(e.opacity), text(over), number(1 - e.opacity), text(under), text(result)));
   const auto off = [&](std::uint8_t top, std::uint8_t bottom, std::uint8_t is) {
-    return std::abs(e.opacity * top + (1 - e.opacity) * bottom - is) > 0.5 + 1e-9;
+    return std::abs(formulas::laid_over<double>(e.opacity, top, bottom) - is) > 0.5 + 1e-9;
   };
   if (off(over.red, under.red, result.red) || off(over.green, under.green, result.green) ||
       off(over.blue, under.blue, result.blue))

@@ -112,7 +112,8 @@ void tell(Telling& t, const ClipCross& e) {
   t.say(fmt::format("The edge from vertex {} to vertex {} crosses the {} plane: a new vertex {} is made there.",
                     e.vertex_inside, e.vertex_outside, plane_name(e.plane), e.vertex));
   t.derive(e);
-  if (!t.follows("t", "t", e.t)) t.formula(fmt::format("t = d_in/(d_in \u2212 d_out) = {}", number(e.t)));
+  if (!t.follows("t", "t", e.t)) t.formula(
+      fmt::format("t = {} = {}", formulas::where_zero(Shown("d_in", 0), Shown("d_out", 0)).symbols(), number(e.t)));
   t.formula(fmt::format("V = V_in + t(V_out \u2212 V_in) = ({}, {}, {})", number(e.x_v), number(e.y_v), number(e.z_v)));
   t.value("t", e.t);
   t.value("x_v", e.x_v);

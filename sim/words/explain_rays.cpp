@@ -12,6 +12,22 @@ std::string facet_name(const Telling& t, std::int32_t facet) {
   return t.label(t.scene.facets[static_cast<std::size_t>(facet)].polygon);
 }
 
+/// A formula's text, over names that here have no number.
+template <class Formula>
+std::string in_symbols(Formula&& formula) {
+  return formula([](const char* name) { return Shown(name, 0); }).symbols();
+}
+std::string along_normal() {
+  return in_symbols([](auto&& name) {
+    return formulas::dot<Shown>({name("A"), name("B"), name("C")}, {name("dX"), name("dY"), name("dZ")});
+  });
+}
+std::string above_plane() {
+  return in_symbols([](auto&& name) {
+    return -formulas::plane_value(name("A"), name("B"), name("C"), name("D"), name("X_0"), name("Y_0"), name("Z_0"));
+  });
+}
+
 std::string box_name(std::int32_t box) { return fmt::format("box {}", box); }
 
 }  // namespace
@@ -92,14 +108,13 @@ void tell(Telling& t, const RayPlane& e) {
   const std::string who = facet_name(t, e.facet);
   if (std::isnan(e.t)) {
     t.say(fmt::format("The ray runs along the plane of {}: it never meets it.", who));
-    t.formula(fmt::format("A dX + B dY + C dZ = {}{}", number(e.denominator),
+    t.formula(fmt::format("{} = {}{}", along_normal(), number(e.denominator),
                           e.denominator == 0 ? "" : ", which is 0 to rounding"));
     return;
   }
   if (e.t < 0) t.say(fmt::format("The plane of {} lies behind the ray's start.", who));
   else t.say(fmt::format("The ray meets the plane of {} at t = {}.", who, number(e.t)));
-  t.gives("t", Shown("\u2212(A X_0 + B Y_0 + C Z_0 + D)", e.numerator) / Shown("(A dX + B dY + C dZ)", e.denominator),
-          e.t);
+  t.gives("t", Shown(above_plane(), e.numerator) / Shown("(" + along_normal() + ")", e.denominator), e.t);
   t.value("numerator", e.numerator);
   t.value("denominator", e.denominator);
   t.value("t", e.t);

@@ -11,6 +11,16 @@
 
 namespace zstep::formulas {
 
+/// A pixel's centre on the projection plane.
+template <class T>
+T ray_x(const T& x, const T& w_x, const T& width) {
+  return (x + T(0.5)) * T(2) * w_x / width - w_x;
+}
+template <class T>
+T ray_y(const T& y, const T& w_y, const T& height) {
+  return w_y - (y + T(0.5)) * T(2) * w_y / height;
+}
+
 class EyeRays {
  public:
   EyeRays(const Camera& camera, const Raster& raster)
@@ -34,8 +44,7 @@ class EyeRays {
   };
   Ray through(std::int32_t x, std::int32_t y) const {
     if (kind_ == Camera::Kind::screen) return {{x, y, 0}, {0, 0, 1}};
-    const double x_p = (x + 0.5) * 2 * window_x_ / width_ - window_x_;
-    const double y_p = window_y_ - (y + 0.5) * 2 * window_y_ / height_;
+    const double x_p = ray_x<double>(x, window_x_, width_), y_p = ray_y<double>(y, window_y_, height_);
     const glm::dvec3 across = x_p * right_ + y_p * up_;
     if (kind_ == Camera::Kind::orthographic) return {eye_ + across, away_};
     return {eye_, across + d_ * away_};

@@ -19,6 +19,19 @@ inline Vector<Rounded> operator*(const Vector<Rounded>& v, Rounded factor) {
   return {v.x * factor, v.y * factor, v.z * factor};
 }
 
+template <class T>
+T length_of(const Vector<T>& v) {
+  using std::sqrt;
+  return sqrt(dot(v, v));
+}
+/// D of the plane that has this normal and goes through the mean of corner(0), … of `count`.
+template <class T, class Corner>
+T d_through_mean(const Vector<T>& normal, std::size_t count, const Corner& corner, const T& corners) {
+  Vector<T> sum{T(0.0), T(0.0), T(0.0)};
+  for (std::size_t i = 0; i < count; ++i) sum = sum + corner(i);
+  return -dot(normal, Vector<T>{sum.x / corners, sum.y / corners, sum.z / corners});
+}
+
 struct CornersPlane {
   Vector<Rounded> normal;  ///< of length 1
   Rounded d;
@@ -46,14 +59,12 @@ template <class Corner>
 std::optional<CornersPlane> plane_of_corners(std::size_t count, Corner&& corner) {
   if (count < 3) return std::nullopt;
   const Vector<Rounded> none{0.0, 0.0, 0.0};
-  const Vector<Rounded> sum = newell_normal(none, count, [&](std::size_t i) { return rounded(corner(i)); });
-  Vector<Rounded> mean = none;
-  for (std::size_t i = 0; i < count; ++i) mean = mean + rounded(corner(i));
-  const Rounded length = sqrt(dot(sum, sum));
+  const auto corner_at = [&](std::size_t i) { return rounded(corner(i)); };
+  const Vector<Rounded> sum = newell_normal(none, count, corner_at);
+  const Rounded length = length_of(sum);
   if (!(length.value > 0)) return std::nullopt;
   CornersPlane plane{{sum.x / length, sum.y / length, sum.z / length}, {}, length.value};
-  const Rounded corners(static_cast<double>(count), 0);
-  plane.d = -dot(plane.normal, Vector<Rounded>{mean.x / corners, mean.y / corners, mean.z / corners});
+  plane.d = d_through_mean(plane.normal, count, corner_at, Rounded(static_cast<double>(count), 0));
   return plane;
 }
 

@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "traces/formulas/from_raster.hpp"
 #include "traces/formulas/light.hpp"
 #include "traces/formulas/of_rays.hpp"
 #include "traces/formulas/viewing.hpp"
@@ -119,8 +120,8 @@ void derive(const ShadowCompare& e, const Situation& at, Out& out) {
   const double w_x = camera.window * raster.width / raster.height;
   const double per_plane = camera.kind == Camera::Kind::orthographic ? 1 : z_v / camera.d;
   const glm::dvec4 point = glm::inverse(camera.view) *
-                           glm::dvec4((2 * (e.x + 0.5) / raster.width - 1) * w_x * per_plane,
-                                      (1 - 2 * (e.y + 0.5) / raster.height) * camera.window * per_plane, z_v, 1);
+                           glm::dvec4(window_x<double>(e.x, w_x, raster.width) * per_plane,
+                                      window_y<double>(e.y, camera.window, raster.height) * per_plane, z_v, 1);
   const glm::dvec4 seen = lamp.view * point;
   const double lamp_x = lamp.window * raster.width / raster.height;
   const double x = screen_x<double>(projected<double>(lamp.d, seen.x, seen.z), lamp_x, raster.width),
@@ -193,7 +194,7 @@ void derive(const ColorBlend& e, const Situation& at, Out& out) {
   const Color under = color_at(at.before.picture, at.scene, static_cast<std::size_t>(at.pixel(e.x, e.y)));
   out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
   const auto shade = [&](std::int32_t recorded, std::uint8_t top, std::uint8_t bottom) {
-    return detail::shade_of(recorded, e.opacity * top + (1 - e.opacity) * bottom);
+    return detail::shade_of(recorded, laid_over<double>(e.opacity, top, bottom));
   };
   out.is(&ColorBlend::r8, shade(e.r8, polygon.color.red, under.red));
   out.is(&ColorBlend::g8, shade(e.g8, polygon.color.green, under.green));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "traces/formulas/boxes.hpp"
 #include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/of_polygons.hpp"
 
@@ -61,8 +62,8 @@ inline Passage passage_of(const RayBegin& ray, const std::array<double, 3>& low,
       if (from < low[axis] || from > high[axis]) passage.leave = -std::numeric_limits<double>::infinity();
       continue;
     }
-    const Rounded to_low = (Rounded(low[axis]) - Rounded(from)) / Rounded(along),
-                  to_high = (Rounded(high[axis]) - Rounded(from)) / Rounded(along);
+    const Rounded to_low = ray_at_side<Rounded>(low[axis], from, along),
+                  to_high = ray_at_side<Rounded>(high[axis], from, along);
     const Rounded &in = along > 0 ? to_low : to_high, &beyond = along > 0 ? to_high : to_low;
     if (in.value > passage.enter.value) passage.enter = in;
     if (beyond.value < passage.leave.value) passage.leave = beyond;
@@ -182,8 +183,8 @@ void derive(const CellHold& e, const Situation& at, Out& out) {
       most = std::max(most, detail::corner_at(at, corner)[axis]);
     }
     const double slack = detail::slack_of(low, high);
-    return cell >= 0 && cell < cells && most >= low + (high - low) * cell / cells - slack &&
-           least <= low + (high - low) * (cell + 1) / cells + slack;
+    return cell >= 0 && cell < cells && most >= side_of_cells<double>(low, high, cell, cells) - slack &&
+           least <= side_of_cells<double>(low, high, cell + 1, cells) + slack;
   };
   out.rule(Rule::cell_holds, meets(e.cell_x, grid->cells_x, grid->x_min, grid->x_max, 0) &&
                                  meets(e.cell_y, grid->cells_y, grid->y_min, grid->y_max, 1) &&
@@ -202,9 +203,9 @@ void derive(const CellVisit& e, const Situation& at, Out& out) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double along = detail::way_of(*ray)[axis];
     if (along == 0 || cells[axis] <= 0) continue;
-    const Rounded side = Rounded(low[axis]) + (Rounded(high[axis]) - Rounded(low[axis])) *
-                                                  Rounded(cell[axis] + (along > 0), 0) / Rounded(cells[axis], 0);
-    const Rounded t = (side - Rounded(detail::start_of(*ray)[axis])) / Rounded(along);
+    const Rounded side = side_of_cells<Rounded>(low[axis], high[axis], Rounded(cell[axis] + (along > 0), 0),
+                                                Rounded(cells[axis], 0));
+    const Rounded t = ray_at_side<Rounded>(side, detail::start_of(*ray)[axis], along);
     if (t.value < leave.value) leave = t;
   }
   out.near(&CellVisit::t_leave, leave);

@@ -58,6 +58,13 @@ void derive(const CoverageAdd& e, const Situation& at, Out& out) {
   out.rule(Rule::share_of_pixel, e.coverage >= 0 && all <= 1 + rounding_of_float32);
 }
 
+/// x where the depths of two planes are equal on a scan line.
+template <class T>
+T where_planes_meet(const T& a_1, const T& b_1, const T& c_1, const T& d_1, const T& a_2, const T& b_2, const T& c_2,
+                    const T& d_2, const T& y) {
+  return -((b_2 / c_2 - b_1 / c_1) * y + (d_2 / c_2 - d_1 / c_1)) / (a_2 / c_2 - a_1 / c_1);
+}
+
 template <class Out>
 void derive(const ImpliedEdge& e, const Situation& at, Out& out) {
   const auto plane = detail::plane_of(out, at, e.piece);
@@ -66,14 +73,10 @@ void derive(const ImpliedEdge& e, const Situation& at, Out& out) {
                                          out.number("y", *at.method().scan_line, Place{})));
   const Piece *one = at.piece(e.piece), *other = at.piece(e.other);
   if (!one->plane || !other || !other->plane) return;
-  // Where the depths of two planes are equal on the scan line.
   const PlaneEquation &p = *one->plane, &q = *other->plane;
-  const Rounded y(*at.method().scan_line, 0), p_c(p.plane_c), q_c(q.plane_c);
-  const Rounded along = Rounded(q.plane_a) / q_c - Rounded(p.plane_a) / p_c,
-                across = Rounded(q.plane_b) / q_c - Rounded(p.plane_b) / p_c,
-                rest = Rounded(q.plane_d) / q_c - Rounded(p.plane_d) / p_c;
-  if (along.value == 0) return;
-  const Rounded x = -(across * y + rest) / along;
+  if (q.plane_a / q.plane_c == p.plane_a / p.plane_c) return;
+  const auto x = where_planes_meet<Rounded>(p.plane_a, p.plane_b, p.plane_c, p.plane_d, q.plane_a, q.plane_b, q.plane_c,
+                                            q.plane_d, Rounded(*at.method().scan_line, 0));
   const auto& interval = at.method().sweep.interval;
   // Seen from an end of the interval at which they are as good as equal, it is there.
   if (interval) out.near(&ImpliedEdge::x_at, nearest_of(e.x_at, {x, interval->x_left, interval->x_right}));

@@ -5,6 +5,7 @@
 #include "algorithms/ray_casting/geometry.hpp"
 #include "algorithms/ray_casting/space.hpp"
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/boxes.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -31,8 +32,10 @@ void tell_side(Datum& datum, Work& work, std::string_view field, double pads) {
   const double pad = pads * pad_of(work.scene), value = datum.number();
   for (const std::int32_t corner : work.scene.corners) {
     const double coordinate = work.scene.points[static_cast<std::size_t>(corner)][axis];
-    if ((low ? coordinate - pad : coordinate + pad) != value) continue;
-    datum.is(low ? "p - pad" : "p + pad", {{"p", work.world(corner, static_cast<Axis3>(axis))}, {"pad", pad}});
+    if (formulas::side_of_box(coordinate, pad, low) != value) continue;
+    Operands of;
+    const Formula p = of("p", work.world(corner, static_cast<Axis3>(axis))), wider = of("pad", pad);
+    datum.is(formulas::side_of_box(p, wider, low), of);
     return datum.note(fmt::format("the {} of all that is in it", low ? "least" : "greatest"));
   }
 }
@@ -47,10 +50,10 @@ const RayBegin* ray_at_work(const Work& work) {
 void tell_at_side(Datum& datum, Work& work, std::int64_t step, int axis, const Number& bound) {
   const Step begin = last_ray(work, step);
   if (!begin) return;
-  datum.is(fmt::format("(side - {})/{}", from_fields[axis], along_fields[axis]),
-           {{"side", bound},
-            {from_fields[axis], work.field(*begin, from_fields[axis])},
-            {along_fields[axis], work.field(*begin, along_fields[axis])}});
+  Operands of;
+  const Formula side = of("side", bound), from = of(from_fields[axis], work.field(*begin, from_fields[axis])),
+                along = of(along_fields[axis], work.field(*begin, along_fields[axis]));
+  datum.is(formulas::ray_at_side(side, from, along), of);
 }
 
 struct Sides {
@@ -65,8 +68,8 @@ bool tell_passage(Datum& datum, Work& work, std::int64_t step, const Sides& side
   const double from[] = {ray->x_0, ray->y_0, ray->z_0}, along[] = {ray->dir_x, ray->dir_y, ray->dir_z};
   for (int axis = 0; axis < 3; ++axis)
     for (const bool low : {true, false}) {
-      if (along[axis] == 0 || ((low ? sides.low[axis] : sides.high[axis]) - from[axis]) / along[axis] != datum.number())
-        continue;
+      const double side = (low ? sides.low : sides.high)[axis];
+      if (along[axis] == 0 || formulas::ray_at_side(side, from[axis], along[axis]) != datum.number()) continue;
       tell_at_side(datum, work, step, axis, bound(axis, low));
       return true;
     }
@@ -114,20 +117,19 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const CellVisit& e
   Sides sides{};
   for (int axis = 0; axis < 3; ++axis)
     for (const int beyond : {0, 1}) {
-      const double edge = lows[axis] + (highs[axis] - lows[axis]) * (cell[axis] + beyond) / cells[axis];
-      (beyond ? sides.high : sides.low)[axis] = edge;
+      (beyond ? sides.high : sides.low)[axis] =
+          formulas::side_of_cells<double>(lows[axis], highs[axis], cell[axis] + beyond, cells[axis]);
     }
   const bool told = tell_passage(datum, work, step, sides, [&](int axis, bool low) {
     const double edge = low ? sides.low[axis] : sides.high[axis];
     return work.derived(step, fmt::format("side {} {}", axis, low),
                         fmt::format("side of cell ({}, {}, {})", e.cell_x, e.cell_y, e.cell_z), "side", edge,
                         [&](Datum& inner) {
-                          inner.is("low + (high - low)*k/cells",
-                                   {{"low", work.field(made, low_fields[axis], lows[axis])},
-                                    {"high", work.field(made, high_fields[axis], highs[axis])},
-                                    {"k", cell[axis] + (low ? 0 : 1)},
-                                    {"cells", cells[axis]}},
-                                   false);
+                          Operands of;
+                          const Formula least = of("low", work.field(made, low_fields[axis], lows[axis])),
+                                        most = of("high", work.field(made, high_fields[axis], highs[axis])),
+                                        k = of("k", cell[axis] + (low ? 0 : 1)), all = of("cells", cells[axis]);
+                          inner.is(formulas::side_of_cells(least, most, k, all), of, false);
                         });
   });
   if (!told) datum.note("where the ray enters the grid, or begins");

@@ -23,11 +23,11 @@ void tell_on_segment(Datum& datum, Work& work, std::int32_t column) {
   const bool between = column >= std::min(a->x, b->x) && column <= std::max(a->x, b->x);
   if (!between || a->x == b->x)
     return datum.same_as("y_s", at(datum.number() == a->y ? s.vertex_0 : s.vertex_1, Axis3::y));
-  datum.is("y_0 + (y_1 - y_0)*(x - x_0)/(x_1 - x_0)", {{"y_0", at(s.vertex_0, Axis3::y)},
-                                                       {"y_1", at(s.vertex_1, Axis3::y)},
-                                                       {"x", column},
-                                                       {"x_0", at(s.vertex_0, Axis3::x)},
-                                                       {"x_1", at(s.vertex_1, Axis3::x)}});
+  Operands of;
+  const Formula y_0 = of("y_0", at(s.vertex_0, Axis3::y)), y_1 = of("y_1", at(s.vertex_1, Axis3::y)),
+                x = of("x", column), x_0 = of("x_0", at(s.vertex_0, Axis3::x)),
+                x_1 = of("x_1", at(s.vertex_1, Axis3::x));
+  datum.is(formulas::on_line(y_0, y_1, x, x_0, x_1), of);
 }
 
 Step horizon_before(const Work& work, std::int64_t step, std::int32_t x, bool upper) {
@@ -87,11 +87,11 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const HorizonCross
                                   });
   const Number y_1 = work.field(*to, "y_curve"), h_0 = horizon_at(work, *from, a.x, e.upper),
                h_1 = horizon_at(work, *to, b.x, e.upper);
-  const bool x = field == "x_at";
-  const std::string part = "(y_0 - h_0)/((y_0 - h_0) - (y_1 - h_1))";
-  std::vector<Given> given{{"y_0", y_0}, {"h_0", h_0}, {"y_1", y_1}, {"h_1", h_1}};
-  if (x) given.push_back({"x_0", a.x}), given.push_back({"x_1", b.x});
-  datum.is(x ? "x_0 + " + part + "*(x_1 - x_0)" : "y_0 + " + part + "*(y_1 - y_0)", std::move(given));
+  Operands of;
+  const Formula from_y = of("y_0", y_0), from_h = of("h_0", h_0), to_y = of("y_1", y_1), to_h = of("h_1", h_1),
+                from_x = of("x_0", a.x), to_x = of("x_1", b.x),
+                part = formulas::where_zero<Formula>(from_y - from_h, to_y - to_h);
+  datum.is(field == "x_at" ? formulas::part_of_way(from_x, to_x, part) : formulas::part_of_way(from_y, to_y, part), of);
 }
 
 namespace {
@@ -165,7 +165,8 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const LineCross& e
   const auto value = [&](const char* name, std::int32_t vertex) {
     return plane_value(work, step, name, piece, [&](Axis3 axis) { return work.on_raster(vertex, axis); });
   };
-  datum.is("d_0/(d_0 - d_1)", {{"d_0", value("d_0", line.vertex_0)}, {"d_1", value("d_1", line.vertex_1)}}, false);
+  const Number d_0 = value("d_0", line.vertex_0), d_1 = value("d_1", line.vertex_1);
+  tell_cut(datum, d_0, d_1);
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const LineHide& e, std::string_view field) {

@@ -3,6 +3,7 @@
 // compute it in the same order, so that it gives the same bits.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,6 +53,9 @@ class Formula {
   }
   friend Formula floor(const Formula& a) { return a.wrapped("\u230a", "\u230b", std::floor(a.value_), single); }
   friend Formula ceil(const Formula& a) { return a.wrapped("\u2308", "\u2309", std::ceil(a.value_), single); }
+  friend Formula round(const Formula& a) { return a.wrapped("round(", ")", std::round(a.value_), single); }
+  friend Formula sqrt(const Formula& a) { return a.wrapped("sqrt(", ")", std::sqrt(a.value_), single); }
+  friend double value_of(const Formula& a) { return a.value_; }
 
  private:
   enum Binding { sum, product, single };

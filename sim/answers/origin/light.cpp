@@ -10,6 +10,8 @@
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/from_raster.hpp"
+#include "traces/formulas/viewing.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -19,15 +21,23 @@ constexpr std::array<const char*, 3> world_names{"x_w", "y_w", "z_w"}, light_nam
 /// A row of a matrix times a point, with the entries as plain numbers.
 void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, std::size_t row,
               const std::array<Number, 3>& point, const std::array<const char*, 3>& names) {
-  std::vector<Given> given;
-  for (std::size_t column = 0; column < 4; ++column) {
-    given.push_back({fmt::format("{}_{}{}", letter, row + 1, column + 1),
-                     matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)]});
-    if (column < 3) given.push_back({names[column], point[column]});
-  }
-  datum.is(fmt::format("({0}_{1}1*{2} + {0}_{1}2*{3}) + ({0}_{1}3*{4} + {0}_{1}4)", letter, row + 1, names[0], names[1],
-                       names[2]),
-           std::move(given), false);
+  Operands of;
+  const auto entry = [&](glm::length_t column) {
+    return of(fmt::format("{}_{}{}", letter, row + 1, column + 1), matrix[column][static_cast<glm::length_t>(row)]);
+  };
+  const Formula m_1 = entry(0), x = of(names[0], point[0]), m_2 = entry(1), y = of(names[1], point[1]), m_3 = entry(2),
+                z = of(names[2], point[2]), m_4 = entry(3);
+  datum.is(formulas::matrix_row(m_1, m_2, m_3, m_4, x, y, z), of, false);
+}
+
+/// A depth of the buffer, of this name, as far from the eye as it is.
+void tell_view_depth(Datum& datum, const viewing::Lens& lens, const std::string& name, const Number& depth) {
+  if (lens.depth == Conventions::Depth::view || std::isinf(depth.value)) return datum.same_as(name, depth);
+  Operands of;
+  const Formula near = of("n", lens.near), far = of("f", lens.far), z = of(name, depth);
+  datum.is(lens.orthographic ? formulas::depth_of_parallel_pseudodepth(near, far, z)
+                             : formulas::depth_of_pseudodepth(near, far, z),
+           of);
 }
 
 /// The numbers between the two pictures, as values of the step's link.
@@ -53,23 +63,17 @@ struct ThroughSpace {
   }
   Number z_v() {
     const Number z = depth();
-    return value("z_eye", view_depth(work.scene.camera, work.conventions, z.value), [&](Datum& datum) {
-      if (eye.depth == Conventions::Depth::view) return datum.same_as("z", z);
-      if (eye.orthographic) return datum.is("n + (z + 1)*(f - n)/2", {{"n", eye.near}, {"z", z}, {"f", eye.far}});
-      datum.is("2*n*f/(f + n - z*(f - n))", {{"n", eye.near}, {"f", eye.far}, {"z", z}});
-    });
+    return value("z_eye", view_depth(work.scene.camera, work.conventions, z.value),
+                 [&](Datum& datum) { tell_view_depth(datum, eye, "z", z); });
   }
   Number viewed(bool x) {
     const Number z = z_v();
-    const double plane =
-        x ? (2 * (e.x + 0.5) / eye.width - 1) * eye.window_x : (1 - 2 * (e.y + 0.5) / eye.height) * eye.window_y;
-    return value(x ? "x_eye" : "y_eye", plane * (eye.orthographic ? 1 : z.value / eye.d), [&](Datum& datum) {
-      const std::string formula = x ? "(2*(x + 0.5)/W - 1)*w_x" : "(1 - 2*(y + 0.5)/H)*w_y";
-      std::vector<Given> given = x ? std::vector<Given>{{"x", e.x}, {"W", eye.width}, {"w_x", eye.window_x}}
-                                   : std::vector<Given>{{"y", e.y}, {"H", eye.height}, {"w_y", eye.window_y}};
-      if (!eye.orthographic) given.push_back({"z_eye", z}), given.push_back({"d", eye.d});
-      datum.is(eye.orthographic ? formula : formula + "*(z_eye/d)", std::move(given));
-    });
+    Operands of;
+    const Formula at = x ? of("x", e.x) : of("y", e.y), size = x ? of("W", eye.width) : of("H", eye.height),
+                  window = x ? of("w_x", eye.window_x) : of("w_y", eye.window_y),
+                  plane = x ? formulas::window_x(at, window, size) : formulas::window_y(at, window, size),
+                  far = of("z_eye", z), d = of("d", eye.d), seen = eye.orthographic ? plane : plane * (far / d);
+    return value(x ? "x_eye" : "y_eye", seen.value(), [&](Datum& datum) { datum.is(seen, of); });
   }
   Number world(std::size_t axis) {
     const std::array<Number, 3> at{viewed(true), viewed(false), z_v()};
@@ -87,14 +91,6 @@ struct ThroughSpace {
   }
 };
 
-/// The depth in the light's picture, as far from the light as it is.
-void tell_from_light(Datum& datum, const viewing::Lens& lens, const Number& shadow) {
-  if (lens.depth == Conventions::Depth::view || std::isinf(shadow.value)) return datum.same_as("shadow", shadow);
-  if (lens.orthographic)
-    return datum.is("n + (shadow + 1)*(f - n)/2", {{"n", lens.near}, {"shadow", shadow}, {"f", lens.far}});
-  datum.is("2*n*f/(f + n - shadow*(f - n))", {{"n", lens.near}, {"f", lens.far}, {"shadow", shadow}});
-}
-
 /// How far behind the shadow buffer a point may lie and still be lit, in 1/1000: as the run was told, or the method's
 /// own.
 double bias_of(const Conventions& conventions) {
@@ -110,20 +106,20 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   if (!work.scene.light || field == "x" || field == "y") return;
   ThroughSpace through{work, step, e};
   const viewing::Lens& lens = through.light;
-  if (field == "x_light")
-    return datum.is(
-        "(d*x_v/z_v + w_x)/(2*w_x)*W - 0.5",
-        {{"d", lens.d}, {"x_v", through.seen(0)}, {"z_v", through.seen(2)}, {"w_x", lens.window_x}, {"W", lens.width}},
-        false);
-  if (field == "y_light")
-    return datum.is(
-        "(w_y - d*y_v/z_v)/(2*w_y)*H - 0.5",
-        {{"w_y", lens.window_y}, {"d", lens.d}, {"y_v", through.seen(1)}, {"z_v", through.seen(2)}, {"H", lens.height}},
-        false);
+  Operands of;
+  if (field == "x_light") {
+    const Formula d = of("d", lens.d), x_v = of("x_v", through.seen(0)), z_v = of("z_v", through.seen(2)),
+                  w_x = of("w_x", lens.window_x), width = of("W", lens.width);
+    return datum.is(formulas::screen_x(formulas::projected(d, x_v, z_v), w_x, width), of, false);
+  }
+  if (field == "y_light") {
+    const Formula w_y = of("w_y", lens.window_y), d = of("d", lens.d), y_v = of("y_v", through.seen(1)),
+                  z_v = of("z_v", through.seen(2)), height = of("H", lens.height);
+    return datum.is(formulas::screen_y(formulas::projected(d, y_v, z_v), w_y, height), of, false);
+  }
   if (field == "z_light") {
-    if (lens.depth == Conventions::Depth::view) return datum.is("z_v", {{"z_v", through.seen(2)}}, false);
-    return datum.is("n*(a*z_v + b)/z_v", {{"n", lens.near}, {"a", lens.a}, {"z_v", through.seen(2)}, {"b", lens.b}},
-                    false);
+    const Formula n = of("n", lens.near), a = of("a", lens.a), z_v = of("z_v", through.seen(2)), b = of("b", lens.b);
+    return datum.is(lens.depth == Conventions::Depth::view ? z_v : formulas::pseudodepth(n, a, b, z_v), of, false);
   }
   const double column = std::round(e.x_light), row = std::round(e.y_light);
   const std::vector<Number> asked{work.field(step, "z_light"), work.field(step, "x_light"),
@@ -147,7 +143,7 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   if (z_v.value < through.camera.near)
     return datum.comes_of("false before the light's near plane", {z_v, asked[0], asked[1], asked[2]});
   const Number behind = through.value("z_shadow", view_depth(through.camera, work.conventions, stored),
-                                      [&](Datum& inner) { tell_from_light(inner, lens, shadow); });
+                                      [&](Datum& inner) { tell_view_depth(inner, lens, "shadow", shadow); });
   const double bias = bias_of(work.conventions);
   const bool as_recorded = e.lit == (z_v.value * (1 - bias / 1000) <= behind.value);
   if (!as_recorded && !work.conventions.options.contains("bias"))

@@ -103,9 +103,10 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const SideTest& e,
   const std::int32_t corner = corner_with(work, *piece, *of->plane, value, turned);
   if (corner < 0) return;
   const bool own_depth = work.step_name(step) == "penetrate";  // there a corner counts where its own plane has it
-  auto given = plane_at([&](char letter) { return work.plane(e.plane_of, letter); },
-                        [&](Axis3 axis) { return work.cutting(corner, axis); });
-  datum.is(turned ? "-A*x - B*y - C*z - D" : "A*x + B*y + C*z + D", std::move(given), false);
+  Operands operands;
+  const Formula here = plane_at(operands, [&](char letter) { return work.plane(e.plane_of, letter); },
+                                [&](Axis3 axis) { return work.cutting(corner, axis); });
+  datum.is(turned ? -here : here, operands, false);
   datum.note(fmt::format("at vertex {}{}", work.vertex_name(corner), own_depth ? ", with z from its own plane" : ""));
 }
 
@@ -134,7 +135,7 @@ Number cut_distance(Work& work, std::int64_t step, std::int32_t vertex, const ch
 static void tell(Datum& datum, Work& work, std::int64_t step, const SplitVertex& e, std::string_view field) {
   if (field != "t") return;
   const Number d_0 = cut_distance(work, step, e.vertex_0, "d_0"), d_1 = cut_distance(work, step, e.vertex_1, "d_1");
-  datum.is("d_0/(d_0 - d_1)", {{"d_0", d_0}, {"d_1", d_1}}, false);
+  tell_cut(datum, d_0, d_1);
 }
 
 namespace {
@@ -154,12 +155,12 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const EyeSide&, st
 static void tell(Datum& datum, Work& work, std::int64_t, const NodeSkip& e, std::string_view field) {
   if (field != "value") return;
   const auto plane = [&](char letter) { return node_plane(work, e.node, letter); };
-  const Number a = plane('A'), b = plane('B'), c = plane('C'), d = plane('D');
   // The corner of the view volume that has this value.
   for (const glm::dvec3& corner : bsp::eye_of(work.scene.camera, work.scene.raster, true).volume) {
-    if (a.value * corner.x + b.value * corner.y + c.value * corner.z + d.value != e.value) continue;
-    datum.is("A*x + B*y + C*z + D",
-             {{"A", a}, {"x", corner.x}, {"B", b}, {"y", corner.y}, {"C", c}, {"z", corner.z}, {"D", d}});
+    Operands of;
+    const Formula value = plane_at(of, plane, [&](Axis3 axis) { return corner[static_cast<glm::length_t>(axis)]; });
+    if (value.value() != e.value) continue;
+    datum.is(value, of);
     return datum.note("(x, y, z) is a corner of the view volume");
   }
 }

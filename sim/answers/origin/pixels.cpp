@@ -2,6 +2,8 @@
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/light.hpp"
+#include "traces/formulas/viewing.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -14,14 +16,17 @@ void tell_along_ray(Datum& datum, Work& work, std::int64_t step) {
   const viewing::Lens lens(work.scene.camera, work.scene.raster, work.conventions.depth);
   const bool view = lens.depth == Conventions::Depth::view;
   if (lens.orthographic && view) return datum.same_as("t", t);
-  if (lens.orthographic) return datum.is("2*(t - n)/(f - n) - 1", {{"t", t}, {"n", lens.near}, {"f", lens.far}});
-  if (view) return datum.is("t*d", {{"t", t}, {"d", lens.d}});
-  const auto part = [&](const char* name, double value, const char* formula) {
-    return work.derived(step, "", "", name, value,
-                        [&](Datum& inner) { inner.is(formula, {{"n", lens.near}, {"f", lens.far}}); });
+  Operands of;
+  const Formula along = of("t", t), d = of("d", lens.d), n = of("n", lens.near), f = of("f", lens.far);
+  if (lens.orthographic) return datum.is(formulas::parallel_pseudodepth(n, f, along), of);
+  const Formula z_v = along * d;
+  if (view) return datum.is(z_v, of);
+  const auto part = [&](const char* name, double value, const Formula& formula) {
+    return of(name, work.derived(step, "", "", name, value, [&](Datum& inner) { inner.is(formula, of); }));
   };
-  const Number a = part("a", lens.a, "-(n + f)/(n*(n - f))"), b = part("b", lens.b, "2*f/(n - f)");
-  datum.is("n*(a*(t*d) + b)/(t*d)", {{"n", lens.near}, {"a", a}, {"t", t}, {"d", lens.d}, {"b", b}});
+  const Formula a = part("a", lens.a, formulas::pseudodepth_a(n, f)),
+                b = part("b", lens.b, formulas::pseudodepth_b(n, f));
+  datum.is(formulas::pseudodepth(n, a, b, z_v), of);
 }
 
 }  // namespace
@@ -61,7 +66,9 @@ static void tell(Datum& datum, Work& work, std::int64_t, const ColorBlend& e, st
   if (!fragment || fragment->x != e.x || fragment->y != e.y) return datum.comes_of("mixed with what was there", {top});
   const Number bottom = fragment->stored_ink != no_ink ? Number(channel(zstep::color_of(fragment->stored_ink), which))
                                                        : work.color_of(fragment->stored_polygon, which);
-  datum.is("round(alpha*over + (1 - alpha)*under)", {{"alpha", e.opacity}, {"over", top}, {"under", bottom}});
+  Operands of;
+  const Formula alpha = of("alpha", e.opacity), over = of("over", top), under = of("under", bottom);
+  datum.is(round(formulas::laid_over(alpha, over, under)), of);
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& e, std::string_view field) {

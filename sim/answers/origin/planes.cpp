@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "algorithms/ray_casting/geometry.hpp"
+#include "traces/formulas/facet_planes.hpp"
+#include "traces/formulas/lines.hpp"
 
 namespace zstep::answers {
 
@@ -14,25 +16,7 @@ const Piece* piece_at(const Work& work, std::int32_t piece) {
 }
 namespace {
 
-/// One component of Newell's normal as a formula over p0_x, p0_y …: what the corners' coordinates are called there.
-std::string newell(std::size_t count, char u, char v) {
-  std::string text;
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    if (!text.empty()) text += " + ";
-    text += fmt::format("((p{0}_{2} - p0_{2})*(p{1}_{3} - p0_{3}) - (p{1}_{2} - p0_{2})*(p{0}_{3} - p0_{3}))", i, i + 1,
-                        u, v);
-  }
-  return text;
-}
-
-std::vector<Given> corners_along(std::size_t count, const Corner& corner, std::initializer_list<Axis3> axes) {
-  constexpr const char* names[] = {"x", "y", "z"};
-  std::vector<Given> given;
-  for (std::size_t i = 0; i < count; ++i)
-    for (const Axis3 axis : axes)
-      given.push_back({fmt::format("p{}_{}", i, names[static_cast<std::size_t>(axis)]), corner(i, axis)});
-  return given;
-}
+using Point = formulas::Vector<Formula>;
 
 double value_of(const PlaneEquation& plane, char letter) {
   return letter == 'A' ? plane.plane_a : letter == 'B' ? plane.plane_b : letter == 'C' ? plane.plane_c : plane.plane_d;
@@ -54,55 +38,50 @@ void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& 
       for (const Axis3 axis : {Axis3::x, Axis3::y, Axis3::z}) some.push_back(corner(i, axis));
     return datum.comes_of(fmt::format("by Newell's formula over {} vertices, of which three are shown", count), some);
   }
-  const auto side = [&](char name, char u, char v, Axis3 first, Axis3 second) {
-    const auto n = corners_along(count, corner, {first, second});
-    ChainValue computed;
-    computed.formula = newell(count, u, v);
-    for (const Given& given : n) computed.operands.push_back({given.symbol, given.number.value, -1, {}});
-    return work.derived(step, subject, "", fmt::format("n_{}", name), evaluate(computed),
-                        [&](Datum& inner) { inner.is(newell(count, u, v), n); });
-  };
-  const auto along = [&](char name) {
-    return name == 'x'   ? side('x', 'y', 'z', Axis3::y, Axis3::z)
-           : name == 'y' ? side('y', 'z', 'x', Axis3::z, Axis3::x)
-                         : side('z', 'x', 'y', Axis3::x, Axis3::y);
-  };
-  if (letter != 'D') {
-    const char own = static_cast<char>('x' + (letter - 'A'));
-    const std::vector<Given> given{{"n_x", along('x')}, {"n_y", along('y')}, {"n_z", along('z')}};
-    return datum.is(fmt::format("n_{}/sqrt(n_x*n_x + n_y*n_y + n_z*n_z)", own), given, false);
+  Operands of;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto along = [&](char name, Axis3 axis) { return of(fmt::format("p{}_{}", i, name), corner(i, axis)); };
+    const Formula x = along('x', Axis3::x), y = along('y', Axis3::y), z = along('z', Axis3::z);
+    points.push_back({x, y, z});
   }
-  std::vector<Given> given;
-  std::string text;
-  for (const char own : {'A', 'B', 'C'}) {
-    const Axis3 axis = static_cast<Axis3>(own - 'A');
-    std::string sum;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::string symbol = fmt::format("p{}_{}", i, static_cast<char>('x' + (own - 'A')));
-      sum += (i ? " + " : "") + symbol;
-      given.push_back({symbol, corner(i, axis)});
-    }
-    text += fmt::format("{}{}*({})/{}", own == 'A' ? "" : " + ", own, sum, count);
+  const auto point = [&](std::size_t i) { return points[i]; };
+  if (letter == 'D') {
+    const auto of_plane = [&](char own) {
+      return of(std::string(1, own), subject.empty() ? work.field(step, field_of(own))
+                                                     : work.facet_plane(std::stoi(subject.substr(6)), own));
+    };
+    const Formula a = of_plane('A'), b = of_plane('B'), c = of_plane('C');
+    return datum.is(formulas::d_through_mean({a, b, c}, count, point, Formula(static_cast<double>(count))), of, false);
   }
-  for (const char own : {'A', 'B', 'C'})
-    given.push_back({std::string(1, own), subject.empty() ? work.field(step, field_of(own))
-                                                          : work.facet_plane(std::stoi(subject.substr(6)), own)});
-  datum.is("-(" + text + ")", std::move(given), false);
+  const Point none{Formula(0), Formula(0), Formula(0)}, normal = formulas::newell_normal(none, count, point);
+  Operands sides;
+  const auto side = [&](const char* name, const Formula& along) {
+    return sides(name, work.derived(step, subject, "", name, along.value(),
+                                    [&](Datum& inner) { inner.is(along, of); }));
+  };
+  const Formula x = side("n_x", normal.x), y = side("n_y", normal.y), z = side("n_z", normal.z);
+  datum.is((letter == 'A' ? x : letter == 'B' ? y : z) / formulas::length_of(Point{x, y, z}), sides, false);
 }
 
-std::vector<Given> plane_at(const std::function<Number(char)>& plane, const std::function<Number(Axis3)>& point) {
-  return {{"A", plane('A')}, {"x", point(Axis3::x)}, {"B", plane('B')}, {"y", point(Axis3::y)},
-          {"C", plane('C')}, {"z", point(Axis3::z)}, {"D", plane('D')}};
+Formula plane_at(Operands& of, const std::function<Number(char)>& plane, const std::function<Number(Axis3)>& point) {
+  const Formula a = of("A", plane('A')), x = of("x", point(Axis3::x)), b = of("B", plane('B')),
+                y = of("y", point(Axis3::y)), c = of("C", plane('C')), z = of("z", point(Axis3::z)),
+                d = of("D", plane('D'));
+  return formulas::plane_value(a, b, c, d, x, y, z);
 }
 
 Number plane_value(Work& work, std::int64_t step, const char* name, std::int32_t piece,
                    const std::function<Number(Axis3)>& point) {
-  std::vector<Given> given = plane_at([&](char letter) { return work.plane(piece, letter); }, point);
-  ChainValue value;
-  value.formula = "A*x + B*y + C*z + D";
-  for (const Given& one : given) value.operands.push_back({one.symbol, one.number.value, -1, {}});
-  return work.derived(step, "", "", name, evaluate(value),
-                      [&](Datum& datum) { datum.is(value.formula, std::move(given)); });
+  Operands of;
+  const Formula value = plane_at(of, [&](char letter) { return work.plane(piece, letter); }, point);
+  return work.derived(step, "", "", name, value.value(), [&](Datum& datum) { datum.is(value, of); });
+}
+
+void tell_cut(Datum& datum, const Number& d_0, const Number& d_1) {
+  Operands of;
+  const Formula one = of("d_0", d_0), other = of("d_1", d_1);
+  datum.is(formulas::where_zero(one, other), of, false);
 }
 
 Number Work::plane(std::int32_t number, char letter) {

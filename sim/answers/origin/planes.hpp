@@ -23,9 +23,11 @@ void tell_plane(Datum& datum, Work& work, std::int64_t step, const std::string& 
                 const Corner& corner);
 
 /// A x + B y + C z + D at a point.
-std::vector<Given> plane_at(const std::function<Number(char)>& plane, const std::function<Number(Axis3)>& point);
+Formula plane_at(Operands& of, const std::function<Number(char)>& plane, const std::function<Number(Axis3)>& point);
 /// The same of a piece's plane, as a number with a name of its own at a step's link.
 Number plane_value(Work& work, std::int64_t step, const char* name, std::int32_t piece,
                    const std::function<Number(Axis3)>& point);
+/// Where a line is cut by a plane that has these values at its ends.
+void tell_cut(Datum& datum, const Number& d_0, const Number& d_1);
 
 }  // namespace zstep::answers

@@ -8,6 +8,8 @@
 #include "algorithms/ray_tracing/optics.hpp"
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/facet_planes.hpp"
+#include "traces/formulas/light.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -31,6 +33,16 @@ RayBegin begin_at(const Work& work, std::int64_t step) { return get<RayBegin>(wo
 
 double component(const glm::dvec3& v, int axis) { return v[axis]; }
 
+using Way = formulas::Vector<Formula>;
+const Formula& along_axis(const Way& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+/// From the middle of the picture to a pixel's centre on the projection plane, along one axis of the world.
+Formula across_window(Operands& of, const viewing::Lens& lens, const RayBegin& e, double right, double up) {
+  const Formula x = of("x", e.x), w_x = of("w_x", lens.window_x), width = of("W", lens.width), t_1 = of("T_1", right),
+                w_y = of("w_y", lens.window_y), y = of("y", e.y), height = of("H", lens.height), t_2 = of("T_2", up);
+  return formulas::ray_x(x, w_x, width) * t_1 + formulas::ray_y(y, w_y, height) * t_2;
+}
+
 /// The hit that a ray kept: what it meets first.
 Step kept_hit(const Work& work, std::int64_t at, std::int64_t begin) {
   const auto stop = [](const Event& event) { return holds<RayBegin>(event); };
@@ -51,8 +63,11 @@ Number unit_along(Work& work, std::int64_t begin, int axis) {
   return work.derived(
       begin, "unit", fmt::format("direction of ray {}, of length 1", ray.ray), fmt::format("D_{}", axis_names[axis]),
       component(along, axis), [&](Datum& datum) {
-        const Number x = work.field(begin, "dir_x"), y = work.field(begin, "dir_y"), z = work.field(begin, "dir_z");
-        datum.is(fmt::format("{}/sqrt(x*x + y*y + z*z)", axis_names[axis]), {{"x", x}, {"y", y}, {"z", z}}, false);
+        Operands of;
+        const Formula x = of("x", work.field(begin, "dir_x")), y = of("y", work.field(begin, "dir_y")),
+                      z = of("z", work.field(begin, "dir_z"));
+        const Way way{x, y, z};
+        datum.is(along_axis(way, axis) / formulas::length_of(way), of, false);
       });
 }
 
@@ -68,17 +83,10 @@ void tell_eye_direction(Datum& datum, Work& work, const RayBegin& e, int axis) {
     datum.is("T_3", {{"T_3", view[axis][2]}});
     return datum.note(fmt::format("the line of sight, the third row of T_v; T_3: column {}", axis + 1));
   }
-  const double right = view[axis][0], up = view[axis][1], away = view[axis][2];
-  datum.is("((x + 0.5)*2*w_x/W - w_x)*T_1 + (w_y - (y + 0.5)*2*w_y/H)*T_2 + d*T_3", {{"x", e.x},
-                                                                                     {"w_x", lens.window_x},
-                                                                                     {"W", lens.width},
-                                                                                     {"T_1", right},
-                                                                                     {"w_y", lens.window_y},
-                                                                                     {"y", e.y},
-                                                                                     {"H", lens.height},
-                                                                                     {"T_2", up},
-                                                                                     {"d", lens.d},
-                                                                                     {"T_3", away}});
+  Operands of;
+  const Formula across = across_window(of, lens, e, view[axis][0], view[axis][1]), d = of("d", lens.d),
+                t_3 = of("T_3", view[axis][2]);
+  datum.is(across + d * t_3, of);
   datum.note(fmt::format("T_1, T_2, T_3: column {} of T_v", axis + 1));
 }
 
@@ -96,20 +104,11 @@ void tell_eye_start(Datum& datum, Work& work, const RayBegin& e, int axis) {
   }
   const viewing::Lens lens(camera, work.scene.raster, work.conventions.depth);
   const glm::dmat4& view = camera.view;
-  datum.is("((x + 0.5)*2*w_x/W - w_x)*T_1 + (w_y - (y + 0.5)*2*w_y/H)*T_2 - (o_x*T_1 + o_y*T_2 + o_z*T_3)",
-           {{"x", e.x},
-            {"w_x", lens.window_x},
-            {"W", lens.width},
-            {"T_1", view[axis][0]},
-            {"w_y", lens.window_y},
-            {"y", e.y},
-            {"H", lens.height},
-            {"T_2", view[axis][1]},
-            {"o_x", view[3][0]},
-            {"o_y", view[3][1]},
-            {"o_z", view[3][2]},
-            {"T_3", view[axis][2]}},
-           false);
+  Operands of;
+  const double right = view[axis][0], up = view[axis][1];
+  const Formula across = across_window(of, lens, e, right, up), o_x = of("o_x", view[3][0]),
+                o_y = of("o_y", view[3][1]), o_z = of("o_z", view[3][2]), t_3 = of("T_3", view[axis][2]);
+  datum.is(across - formulas::dot(Way{o_x, o_y, o_z}, Way{of("T_1", right), of("T_2", up), t_3}), of, false);
   datum.note(fmt::format("on the plane of the eye; T_1, T_2, T_3: column {} of T_v; o: its fourth", axis + 1));
 }
 
@@ -123,24 +122,21 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
                      {"point_" + name, point}});
   }
   const std::int32_t facet = get<RayHit>(work.trace.event(hit).event).facet;
-  std::vector<Given> given;
-  glm::dvec3 along(0), normal(0);
-  for (int k = 0; k < 3; ++k) {
-    const Number d = unit_along(work, parent, k), n = work.facet_plane(facet, static_cast<char>('A' + k));
-    along[k] = d.value, normal[k] = n.value;
-    given.push_back({fmt::format("D_{}", axis_names[k]), d});
-    given.push_back({fmt::format("N_{}", axis_names[k]), n});
-  }
+  Operands of;
+  const auto direction = [&](int k) { return of(fmt::format("D_{}", axis_names[k]), unit_along(work, parent, k)); };
+  const auto facing = [&](int k) {
+    return of(fmt::format("N_{}", axis_names[k]), work.facet_plane(facet, static_cast<char>('A' + k)));
+  };
+  const Formula d_x = direction(0), n_x = facing(0), d_y = direction(1), n_y = facing(1), d_z = direction(2),
+                n_z = facing(2);
+  const Way along{d_x, d_y, d_z}, normal{n_x, n_y, n_z};
   if (e.role == RayRole::reflected)
-    return datum.is(fmt::format("D_{0} - 2*(D_x*N_x + D_y*N_y + D_z*N_z)*N_{0}", name), std::move(given), false);
-  const bool entering = glm::dot(along, normal) < 0;
+    return datum.is(along_axis(formulas::mirrored(along, normal), axis), of, false);
+  const bool entering = formulas::dot(along, normal).value() < 0;
   const auto polygon = static_cast<std::size_t>(work.scene.facets[static_cast<std::size_t>(facet)].polygon);
   const double n = work.scene.polygons[polygon].material->refraction, ratio = entering ? 1 / n : n;
-  const std::string cosine = entering ? "(-(D_x*N_x + D_y*N_y + D_z*N_z))" : "(D_x*N_x + D_y*N_y + D_z*N_z)";
-  given.push_back({"r", ratio});
-  datum.is(
-      fmt::format("r*D_{0} + (r*{1} - sqrt(1 - r*r*(1 - {1}*{1})))*{2}N_{0}", name, cosine, entering ? "" : "(-1)*"),
-      std::move(given), false);
+  const auto way = formulas::refracted(along, normal, of("r", ratio));
+  if (way) datum.is(along_axis(*way, axis), of, false);
   datum.note("r = n_1/n_2, by Snell's law");
 }
 
@@ -172,14 +168,12 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const RayPlane& e,
   if (field == "t") return datum.comes_of("the ray runs along the plane", {work.field(step, "denominator")});
   const auto plane = [&](char letter) { return work.facet_plane(e.facet, letter); };
   const auto* fields = field == "numerator" ? from_fields : along_fields;
-  std::vector<Given> given;
-  for (int axis = 0; axis < 3; ++axis) {
-    given.push_back({std::string(1, static_cast<char>('A' + axis)), plane(static_cast<char>('A' + axis))});
-    given.push_back({fields[axis], work.field(*begin, fields[axis])});
-  }
-  if (field != "numerator") return datum.is("A*dir_x + B*dir_y + C*dir_z", std::move(given));
-  given.push_back({"D", plane('D')});
-  datum.is("-(A*x_0 + B*y_0 + C*z_0 + D)", std::move(given));
+  Operands of;
+  const auto normal = [&](char letter) { return of(std::string(1, letter), plane(letter)); };
+  const auto ray = [&](std::size_t axis) { return of(fields[axis], work.field(*begin, fields[axis])); };
+  const Formula a = normal('A'), x = ray(0), b = normal('B'), y = ray(1), c = normal('C'), z = ray(2);
+  if (field != "numerator") return datum.is(formulas::dot(Way{a, b, c}, Way{x, y, z}), of);
+  datum.is(-formulas::plane_value(a, b, c, normal('D'), x, y, z), of);
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t step, const RayHit& e, std::string_view field) {

@@ -1,5 +1,6 @@
 // The scan-line method: intervals of a line, the depths of planes on them, implied edges, shares of a pixel.
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/of_sweep.hpp"
 
 namespace zstep::answers {
 
@@ -38,13 +39,12 @@ static void tell(Datum& datum, Work& work, std::int64_t, const PlaneDepth& e, st
 }
 
 static void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, std::string_view) {
-  const double y = work.machine().scan_line.value_or(0);
-  const auto one = [&](char letter) { return work.plane(e.piece, letter); };
-  const auto other = [&](char letter) { return work.plane(e.other, letter); };
-  std::vector<Given> given{{"A_1", one('A')},   {"B_1", one('B')},   {"C_1", one('C')},
-                           {"D_1", one('D')},   {"A_2", other('A')}, {"B_2", other('B')},
-                           {"C_2", other('C')}, {"D_2", other('D')}, {"y", y}};
-  datum.is("-((B_2/C_2 - B_1/C_1)*y + (D_2/C_2 - D_1/C_1))/(A_2/C_2 - A_1/C_1)", std::move(given), false);
+  Operands of;
+  const auto one = [&](char letter) { return of(fmt::format("{}_1", letter), work.plane(e.piece, letter)); };
+  const auto other = [&](char letter) { return of(fmt::format("{}_2", letter), work.plane(e.other, letter)); };
+  const Formula a_1 = one('A'), b_1 = one('B'), c_1 = one('C'), d_1 = one('D'), a_2 = other('A'), b_2 = other('B'),
+                c_2 = other('C'), d_2 = other('D'), y = of("y", work.machine().scan_line.value_or(0));
+  datum.is(formulas::where_planes_meet(a_1, b_1, c_1, d_1, a_2, b_2, c_2, d_2, y), of, false);
 }
 
 bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, std::int32_t y, int which) {

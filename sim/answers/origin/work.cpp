@@ -26,6 +26,16 @@ void Datum::is(std::string formula, std::vector<Given> operands, bool exact) {
         {std::move(given.symbol), given.number.value, given.number.link, std::move(given.number.name)});
 }
 
+std::vector<Given> Operands::in(const Formula& formula) const {
+  std::vector<Given> used;
+  const auto known = [](const Given& one, const auto& all) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& other) { return other.symbol == one.symbol; });
+  };
+  for (const Given& one : given_)
+    if (known(one, formula.operands()) && !known(one, used)) used.push_back(one);
+  return used;
+}
+
 void Datum::same_as(const std::string& symbol, const Number& number) { is(symbol, {{symbol, number}}); }
 
 void Datum::comes_of(std::string note, const std::vector<Number>& numbers) {

@@ -16,6 +16,7 @@
 #include "sim/answers/origin/chain.hpp"
 #include "sim/answers/origin/derivations.hpp"
 #include "sim/answers/origin/find_origins.hpp"
+#include "sim/answers/origin/formula.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
 
@@ -35,6 +36,20 @@ struct Given {
   Number number;
 };
 
+/// Numbers of the chain as operands of a formula of traces/formulas.
+class Operands {
+ public:
+  Formula operator()(const std::string& symbol, const Number& number) {
+    given_.push_back({symbol, number});
+    return Formula(Formula::Operand{symbol, number.value});
+  }
+  /// Those that the formula has, in the order in which they were named.
+  std::vector<Given> in(const Formula& formula) const;
+
+ private:
+  std::vector<Given> given_;
+};
+
 inline constexpr std::size_t most_corners = 6;  ///< of an outline that are shown one by one
 
 inline double channel(Color color, int which) { return which == 0 ? color.red : which == 1 ? color.green : color.blue; }
@@ -49,6 +64,9 @@ class Datum {
   double number() const;
   /// It was computed so; see ChainValue.
   void is(std::string formula, std::vector<Given> operands, bool exact = true);
+  void is(const Formula& formula, const Operands& operands, bool exact = true) {
+    is(formula.text(), operands.in(formula), exact);
+  }
   /// It was taken over as it was.
   void same_as(const std::string& symbol, const Number& number);
   /// Says nothing of how it was computed, but what it depends on.
