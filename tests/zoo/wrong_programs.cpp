@@ -42,7 +42,8 @@ std::vector<WrongPrograms> of_rays() {
   all.push_back(seen("pyramid-behind", 33, 62, 9, 8));
   return {{"rays", {"ray-casting", zoo::rays, "", {{"boxes", "none"}}}, all, {"nearest_by_index", "negative_t"},
            {"inside_test_half"}},
-          {"rays, boxes", {"ray-casting", zoo::rays, "boxes", {{"boxes", "facet"}}}, all, {"box_misses_at_0"}}};
+          {"rays, boxes", {"ray-casting", zoo::rays, "boxes", {{"boxes", "facet"}}}, all, {"box_misses_at_0"}},
+          {"rays, tight boxes", {"ray-casting", zoo::rays, "tight boxes", {{"boxes", "facet"}}}, all, {}}};
 }
 
 std::vector<WrongPrograms> of_flags() {

@@ -98,19 +98,23 @@ inline const glm::dvec3& corner_at(const Situation& at, std::int32_t point) {
   return at.scene.points[static_cast<std::size_t>(point)];
 }
 
-/// Does each side go through a point of the scene, but for the slack? Of large scenes nothing is said.
+/// How far a box may reach beyond what it holds: programs make it wider by some share of the coordinates' size, or not.
+inline double box_margin(const Scene& scene) {
+  double size = 0;
+  for (const glm::dvec3& p : scene.points) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const glm::dvec3& eye = scene.camera.eye;
+  return 4e-9 * std::max(size, std::abs(eye.x) + std::abs(eye.y) + std::abs(eye.z)) + 1e-12;
+}
+
+/// Does each side go through a point of the scene, but for the margin? Of large scenes nothing is said.
 template <class Box>
 bool is_tight(const Situation& at, const Box& box) {
   constexpr std::size_t most_points = 1000;
   if (at.scene.points.size() > most_points) return true;
-  double size = 0;
-  for (const glm::dvec3& p : at.scene.points)
-    size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  size = std::max(size, std::abs(at.scene.camera.eye.x) + std::abs(at.scene.camera.eye.y) +
-                            std::abs(at.scene.camera.eye.z));
+  const double margin = box_margin(at.scene);
   const auto touches = [&](double side, int axis) {
     return std::any_of(at.scene.points.begin(), at.scene.points.end(),
-                       [&](const glm::dvec3& p) { return std::abs(p[axis] - side) <= 4e-9 * size + 1e-12; });
+                       [&](const glm::dvec3& p) { return std::abs(p[axis] - side) <= margin; });
   };
   return touches(box.x_min, 0) && touches(box.x_max, 0) && touches(box.y_min, 1) && touches(box.y_max, 1) &&
          touches(box.z_min, 2) && touches(box.z_max, 2);
