@@ -51,9 +51,9 @@ void tell_at_side(Datum& datum, Work& work, std::int64_t step, int axis, const N
   const Step begin = last_ray(work, step);
   if (!begin) return;
   Operands of;
-  const Formula side = of("side", bound), from = of(from_fields[axis], work.field(*begin, from_fields[axis])),
+  const Formula edge = of("side", bound), from = of(from_fields[axis], work.field(*begin, from_fields[axis])),
                 along = of(along_fields[axis], work.field(*begin, along_fields[axis]));
-  datum.is(formulas::ray_at_side(side, from, along), of);
+  datum.is(formulas::ray_at_side(edge, from, along), of);
 }
 
 struct Sides {
@@ -68,8 +68,8 @@ bool tell_passage(Datum& datum, Work& work, std::int64_t step, const Sides& side
   const double from[] = {ray->x_0, ray->y_0, ray->z_0}, along[] = {ray->dir_x, ray->dir_y, ray->dir_z};
   for (int axis = 0; axis < 3; ++axis)
     for (const bool low : {true, false}) {
-      const double side = (low ? sides.low : sides.high)[axis];
-      if (along[axis] == 0 || formulas::ray_at_side(side, from[axis], along[axis]) != datum.number()) continue;
+      const double bounded = (low ? sides.low : sides.high)[axis];
+      if (along[axis] == 0 || formulas::ray_at_side(bounded, from[axis], along[axis]) != datum.number()) continue;
       tell_at_side(datum, work, step, axis, bound(axis, low));
       return true;
     }

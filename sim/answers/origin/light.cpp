@@ -34,9 +34,9 @@ void tell_row(Datum& datum, const glm::dmat4& matrix, const char* letter, std::s
 void tell_view_depth(Datum& datum, const viewing::Lens& lens, const std::string& name, const Number& depth) {
   if (lens.depth == Conventions::Depth::view || std::isinf(depth.value)) return datum.same_as(name, depth);
   Operands of;
-  const Formula near = of("n", lens.near), far = of("f", lens.far), z = of(name, depth);
-  datum.is(lens.orthographic ? formulas::depth_of_parallel_pseudodepth(near, far, z)
-                             : formulas::depth_of_pseudodepth(near, far, z),
+  const Formula n = of("n", lens.near), f = of("f", lens.far), z = of(name, depth);
+  datum.is(lens.orthographic ? formulas::depth_of_parallel_pseudodepth(n, f, z)
+                             : formulas::depth_of_pseudodepth(n, f, z),
            of);
 }
 
