@@ -127,6 +127,8 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& fi
     grade::Judgement found = grade::judge(*runs.reference, runs.submission, homework.parts, homework.digits);
     graded.state = Graded::State::judged;
     graded.steps = runs.submission.size();
+    if (task.made)
+      graded.own = {task.name, sketch_of(runs.submission, homework.parts), sketch_of(*runs.reference, homework.parts)};
     graded.counts = found.parts;
     if (!runs.impossible.empty()) graded.why = "the run is judged up to a step that cannot be: " + runs.impossible;
     else if (!runs.submission.warnings().empty()) graded.why = runs.submission.warnings().front();
@@ -211,7 +213,7 @@ std::string Graded::shown() const {
   const auto add = [&](const std::string& more) {
     if (!more.empty()) text += (text.empty() ? "" : "\n") + more;
   };
-  if (!task->hidden || state == State::missing || from_picture) add(why);
+  if (!task->hidden || state == State::missing || state == State::stopped || from_picture) add(why);
   else if (state == State::unreadable) add("the run cannot be read");
   else if (!why.empty()) add("the run ends early, or is judged up to a step that cannot be");
   return text;
@@ -252,6 +254,20 @@ Assessment assess(const Homework& homework, const fs::path& submission, const st
     if (file.empty() && pictures.empty() && fs::is_regular_file(submission)) continue;  // it is another scene's
     if (on_task) on_task(task);
     all.tasks.push_back(grade_task(homework, task, file, pictures, known));
+  }
+  return all;
+}
+
+Assessment not_graded(const Homework& homework, const fs::path& submission, const std::string& only,
+                      const std::string& why) {
+  Assessment all{&homework, submission.string(), {}};
+  for (const Task& task : homework.tasks) {
+    if (!only.empty() && task.name != only) continue;
+    Graded graded;
+    graded.task = &task;
+    graded.state = Graded::State::stopped;
+    graded.why = why;
+    all.tasks.push_back(std::move(graded));
   }
   return all;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/homework/alike.hpp"
 #include "sim/homework/homework.hpp"
 
 namespace zstep::homework {
@@ -31,11 +32,12 @@ struct Graded {
     judged,
     missing,     ///< nothing was handed in
     unreadable,  ///< what was handed in is not a run
+    stopped,     ///< the grading did not come to its end
   };
   const Task* task = nullptr;
   State state = State::missing;
   std::string file;  ///< that was handed in
-  std::string why;   ///< it is missing or unreadable, or ends early
+  std::string why;   ///< it has no grade, or ends early
   std::string ended;  ///< how the program ended that made it, where it did not end well
   std::string note;  ///< what else there is to know of it, and changes nothing
   bool from_picture = false;  ///< it has no steps: only parts of level "buffers" are graded
@@ -43,6 +45,7 @@ struct Graded {
   std::vector<grade::PartCount> counts;  ///< by part; empty unless judged
   std::optional<FirstWrong> first;
   std::optional<grade::Ends> ends;  ///< where something is wrong
+  std::optional<OwnRun> own;        ///< of a scene of the student's own
 
   /// What of `ended` and `why` a student may read: of a hidden scene nothing that quotes its run.
   std::string shown() const;
@@ -97,5 +100,8 @@ Runs runs_of(const Homework& homework, const Task& task, const std::filesystem::
 /// called before each.
 Assessment assess(const Homework& homework, const std::filesystem::path& submission, const std::string& only = "",
                   const std::function<void(const Task&)>& on_task = nullptr, const References* known = nullptr);
+/// What there is to say where the grading itself came to no end, and why it did not.
+Assessment not_graded(const Homework& homework, const std::filesystem::path& submission, const std::string& only,
+                      const std::string& why);
 
 }  // namespace zstep::homework

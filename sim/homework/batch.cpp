@@ -141,13 +141,30 @@ int grade_one(const Entry& entry, const Homework& homework, const BatchOptions& 
     const Homework& graded = own ? *own : homework;
     key += key_of(entry, graded, options.scene);
     if (is_kept(kept, key)) return taken_over;
-    keep(kept, key, report_json(assess(graded, entry.path, options.scene, nullptr, own ? nullptr : &references)));
+    const Assessment all = assess(graded, entry.path, options.scene, nullptr, own ? nullptr : &references);
+    std::vector<OwnRun> runs;
+    for (const Graded& task : all.tasks)
+      if (task.own) runs.push_back(*task.own);
+    keep(kept, key, report_json(all), runs);
     return 0;
   } catch (const InputError& error) {
     return refuse(key, error.what());
   } catch (const std::bad_alloc&) {
     return refuse(key, "needs more memory than a submission may take; --memory allows it more");
   }
+}
+
+/// Where students have scenes of their own, what they handed in for them is not the same.
+std::vector<AlikeRuns> alike_in(const Batch& batch, const Homework& homework, const References& references) {
+  if (!homework.seeded()) return {};
+  std::vector<HandedIn> all;
+  for (const Result& result : batch.results) all.push_back({result.name, result.own});
+  std::vector<Sketch> right_public;
+  for (const Task& task : homework.tasks)
+    if (!task.made)
+      if (const auto right = references.find(task, task.conventions))
+        right_public.push_back(sketch_of(*right, homework.parts));
+  return alike_runs(all, right_public);
 }
 
 Result of_refused(const std::string& name, const std::string& why) {
@@ -221,6 +238,7 @@ Batch grade_batch(const Homework& homework, const BatchOptions& options,
     }
   }
   on_progress(done, entries.size());
+  batch.alike = alike_in(batch, homework, references);
   return batch;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/homework/alike.hpp"
 #include "sim/homework/homework.hpp"
 
 namespace zstep::homework {
@@ -34,6 +35,7 @@ struct Result {
   };
   std::optional<First> first;  ///< wrong step
   std::string mistake;         ///< the likely one, by name; may be empty
+  std::vector<OwnRun> own;     ///< of scenes of the student's own
   std::string file;            ///< with all of it, in the results' folder; empty where nothing is kept
   bool has_grade() const { return state == State::graded || state == State::partly; }
 };
@@ -48,6 +50,7 @@ struct BatchOptions {
 
 struct Batch {
   std::vector<Result> results;  ///< by name
+  std::vector<AlikeRuns> alike;  ///< of scenes of each student's own
   double share = 1;             ///< of all points: of all scenes, or of the one that was graded
   int taken_over = 0;           ///< graded before, and nothing changed since
   int left_out = 0;             ///< names that begin with a dot

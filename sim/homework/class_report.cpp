@@ -1,5 +1,6 @@
 // A class on one page: what fails most, how the points lie, and all submissions.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -138,6 +139,33 @@ std::string mistakes_table(const std::vector<const Result*>& graded) {
       rows);
 }
 
+/// Whose runs are the same although their scenes are not, and no more than that.
+std::string alike_table(const std::vector<AlikeRuns>& all) {
+  if (all.empty()) return "";
+  const auto list = [](const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + shown(name);
+    return text;
+  };
+  std::string rows;
+  for (const AlikeRuns& one : all) {
+    std::string what = one.names.size() < 2 ? ""
+                       : one.same           ? fmt::format("all {} steps that hold numbers", one.steps)
+                                            : fmt::format("about {:.0f} % of {} steps that hold numbers",
+                                                          std::floor(100 * one.share), one.steps);
+    if (!one.right_for.empty())
+      what += fmt::format("{}right on the scene of {}", what.empty() ? "" : "; ", list(one.right_for));
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", shown(one.scene),
+                        list(one.names), what);
+  }
+  return fmt::format(
+      "<h2>Near-identical runs</h2>\n<p>Each student has a scene of the own, so that right runs are not the same. "
+      "These are, although the scenes differ. How that came about the runs do not show; no points depend on it.</p>\n"
+      "<table>\n<thead><tr><th scope=\"col\">scene</th><th scope=\"col\">submissions</th><th scope=\"col\">what is "
+      "the same</th></tr></thead>\n<tbody>{}</tbody>\n</table>\n",
+      rows);
+}
+
 /// The beginning of what may be long, up to the end of its first line.
 std::string beginning(const std::string& text) {
   constexpr std::size_t most = 100;
@@ -153,8 +181,10 @@ std::string all_table(const Homework& homework, const Batch& batch) {
     head += fmt::format("<th scope=\"col\" class=\"n\">{}, of {}</th>", shown(part.name),
                         points_text(batch.share * part.points()));
   for (const Result& result : batch.results) {
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"n\">{}</td>", shown(result.name),
-                        word_of(result.state), result.has_grade() ? points_text(result.points) : "–");
+    const bool graded = result.state == Result::State::graded;
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"n\">{}{}{}</td>", shown(result.name),
+                        result.has_grade() ? points_text(result.points) : "",
+                        graded || !result.has_grade() ? "" : "<br>", graded ? "" : word_of(result.state));
     for (std::size_t part = 0; part < homework.parts.size(); ++part)
       rows +=
           fmt::format("<td class=\"n\">{}</td>", result.parts.empty() ? "–" : points_text(result.parts[part].points));
@@ -166,8 +196,8 @@ std::string all_table(const Homework& homework, const Batch& batch) {
                         shown(first.empty() ? beginning(result.why) : first));
   }
   return fmt::format(
-      "<h2>All submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">name</th><th scope=\"col\">"
-      "state</th><th scope=\"col\" class=\"n\">points</th>{}<th scope=\"col\">likely mistake and "
+      "<h2>All submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">name</th>"
+      "<th scope=\"col\" class=\"n\">points</th>{}<th scope=\"col\">likely mistake and "
       "first wrong step, or why there is no grade</th></tr></thead>\n<tbody>{}</tbody>\n</table></div>\n",
       head, rows);
 }
@@ -183,7 +213,7 @@ std::string class_html(const Homework& homework, const Batch& batch) {
                       submissions_text(batch.results.size()), batch.results.empty() ? "" : ": ", states(batch));
   if (!graded.empty())
     page += parts_table(homework, batch.share, graded) + first_steps_table(graded) + mistakes_table(graded) +
-            points_table(batch.share * homework.points(), graded);
+            points_table(batch.share * homework.points(), graded) + alike_table(batch.alike);
   return (page + all_table(homework, batch)).append(page_end);
 }
 

@@ -23,6 +23,18 @@ void write_kept(const fs::path& path, const KeptJson& json) {
   rewrite_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
+KeptJson json_of(const Sketch& sketch) {
+  return {{"least", sketch.least}, {"steps", sketch.steps}, {"numbers", sketch.numbers}, {"whole", sketch.whole}};
+}
+Sketch sketch_from(const KeptJson& json) {
+  Sketch sketch;
+  json.at("least").get_to(sketch.least);
+  json.at("steps").get_to(sketch.steps);
+  json.at("numbers").get_to(sketch.numbers);
+  json.at("whole").get_to(sketch.whole);
+  return sketch;
+}
+
 KeptJson kept_json(const fs::path& path) {
   constexpr std::uintmax_t largest = 64 << 20;
   const std::vector<std::uint8_t> bytes = read_file(path, largest);
@@ -45,8 +57,11 @@ std::string file_name_of(const std::string& name) {
   return fmt::format("{}%{:016x}", file.substr(0, longest), checksum_of(Tag{'N', 'A', 'M', 'E'}, bytes));
 }
 
-void keep(const fs::path& path, const std::string& key, const std::string& report) {
-  write_kept(path, {{"key", key}, {"report", KeptJson::parse(report)}});
+void keep(const fs::path& path, const std::string& key, const std::string& report, const std::vector<OwnRun>& own) {
+  KeptJson json{{"key", key}, {"report", KeptJson::parse(report)}};
+  for (const OwnRun& run : own)
+    json["own"].push_back({{"scene", run.scene}, {"run", json_of(run.run)}, {"right", json_of(run.right)}});
+  write_kept(path, json);
 }
 void keep_refused(const fs::path& path, const std::string& key, const std::string& why) {
   write_kept(path, {{"key", key}, {"why", why}});
@@ -100,6 +115,10 @@ Result read_kept(const fs::path& path, const std::string& name, const Homework& 
                                                            : Result::State::ungradable;
     if (result.state == Result::State::missing) result.why = "nothing was handed in";
     result.points = report.at("points").get<double>();
+    if (json.contains("own"))
+      for (const KeptJson& run : json.at("own"))
+        result.own.push_back(
+            {run.at("scene").get<std::string>(), sketch_from(run.at("run")), sketch_from(run.at("right"))});
     return result;
   } catch (const nlohmann::json::exception&) {
     throw InputError(path.string(), "was not written by zstep grade", "remove it, and grade again");

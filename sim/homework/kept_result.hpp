@@ -12,7 +12,8 @@ namespace zstep::homework {
 /// ends in a number of its own.
 std::string file_name_of(const std::string& name);
 
-void keep(const std::filesystem::path& path, const std::string& key, const std::string& report);
+void keep(const std::filesystem::path& path, const std::string& key, const std::string& report,
+          const std::vector<OwnRun>& own);
 void keep_refused(const std::filesystem::path& path, const std::string& key, const std::string& why);
 
 /// Whether a result with this key is there, and whole.
