@@ -1,11 +1,11 @@
 // zstep grade: what a submission of a homework earns, and where it first goes wrong.
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "sim/cli/answer_apart.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
 #include "sim/cli/grade.hpp"
@@ -13,12 +13,14 @@
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
-#include "sim/homework/child.hpp"
+#include "sim/homework/pictures.hpp"
+#include "sim/homework/report_words.hpp"
 #include "sim/homework/reports.hpp"
 #include "sim/image/file.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/diff/diff.hpp"
 #include "traces/error.hpp"
+#include "traces/file/output.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -77,9 +79,8 @@ int show_runs(const homework::Homework& given, const homework::Assessment& all, 
   return show(*runs.reference, options.show, {.against = &with});
 }
 
-/// Time and memory by what was handed in; who looks at a window may take longer.
-void limit_grading(const homework::Homework& given, const GradeOptions& options) {
-  constexpr double mib = 1048576;
+/// Time and memory by what was handed in.
+homework::GradingLimits limits_of(const homework::Homework& given, const GradeOptions& options) {
   std::uintmax_t bytes = 0;
   for (const homework::Task& task : given.tasks) {
     if (!options.scene.empty() && task.name != options.scene) continue;
@@ -87,9 +88,57 @@ void limit_grading(const homework::Homework& given, const GradeOptions& options)
     const auto file = homework::run_of(options.submission, given, task, !options.scene.empty());
     const std::uintmax_t size = file.empty() ? 0 : std::filesystem::file_size(file, error);
     if (!error) bytes += size;
+    if (!file.empty()) note_input(file);  // no report is written over it
+    for (const std::filesystem::path& picture : homework::pictures_of(options.submission, task)) note_input(picture);
   }
-  const homework::GradingLimits limits = homework::limits_for(bytes, seconds_given(), memory_given());
-  begin_budget(limits.seconds, static_cast<double>(limits.memory) / mib);
+  return homework::limits_for(bytes, seconds_given(), memory_given());
+}
+
+int code_of(const homework::Assessment& all) {
+  if (!all.gradable()) return exit_code::bad_input;
+  return homework::all_right(all) ? exit_code::done : exit_code::finding;
+}
+
+/// Grades in a process of its own: whatever becomes of that, there is a report, and it says so.
+Answer grade_apart(const homework::Homework& given, const GradeOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  const auto grade = [&] {
+    const homework::Assessment all = homework::assess(given, options.submission, options.scene);
+    return Answer{report(all, options, seconds()), code_of(all)};
+  };
+  const auto say_why = [&](const std::string& why) {
+    const std::string text = "could not be graded: the grading " + why;
+    complain(fmt::format("{}: {}", options.submission, text));
+    return report(homework::not_graded(given, options.submission, options.scene, text), options, seconds());
+  };
+  Watch watch;
+  return answer_apart(limits_of(given, options), grade, say_why, watch);
+}
+
+void write_report(const std::string& text, const GradeOptions& options) {
+  if (options.out.empty()) {
+    fmt::print("{}", text);
+    return;
+  }
+  write_file(options.out, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  say_written(options.out, "the grade");
+}
+
+/// Grades and opens the window. Who looks at it may take as long as it takes.
+int grade_and_show(const homework::Homework& given, const GradeOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  Watch watch;
+  const homework::Assessment all = homework::assess(
+      given, options.submission, options.scene,
+      [&](const homework::Task& task) { watch.show(fmt::format("grading: {} (Ctrl-C stops)", task.name)); });
+  watch.clear_line();
+  write_report(report(all, options, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()),
+               options);
+  const int code = show_runs(given, all, options);
+  return code != exit_code::done ? code : code_of(all);
 }
 
 int run(const GradeOptions& options) {
@@ -107,32 +156,14 @@ int run(const GradeOptions& options) {
   format_of(options);
   if (!options.out.empty()) check_outputs({}, {options.folder + "/homework.toml", options.submission}, {options.out});
   check_view(options.view, options.show, {options.submission});
-  const auto begin = std::chrono::steady_clock::now();
   const homework::Homework given = homework::load_homework(options.folder, options.student);
   if (given.seeded() && options.student.empty())
     throw InputError(options.folder, "has scenes of each student's own", "say whose they are: --student NAME");
   if (!options.scene.empty()) task_called(given, options.scene);
-  if (!options.view) limit_grading(given, options);
-  Watch watch;
-  const homework::Assessment all = homework::assess(
-      given, options.submission, options.scene,
-      [&](const homework::Task& task) { watch.show(fmt::format("grading: {} (Ctrl-C stops)", task.name)); });
-  watch.clear_line();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const std::string text = report(all, options, seconds);
-  if (options.out.empty()) {
-    fmt::print("{}", text);
-  } else {
-    write_file(options.out, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-    say_written(options.out, "the grade");
-  }
-  if (options.view)
-    if (const int code = show_runs(given, all, options); code != exit_code::done) return code;
-  if (!all.gradable()) return exit_code::bad_input;
-  const bool right = std::all_of(all.tasks.begin(), all.tasks.end(), [](const homework::Graded& task) {
-    return task.state == homework::Graded::State::judged && !task.first && task.why.empty();
-  });
-  return right ? exit_code::done : exit_code::finding;
+  if (options.view) return grade_and_show(given, options);
+  const Answer answer = grade_apart(given, options);
+  write_report(answer.text, options);
+  return answer.code;
 }
 
 }  // namespace
@@ -161,7 +192,7 @@ void add_grade(CLI::App& app, Action& action) {
       "The scene, the conventions and the reference are the homework's own: what the submission says of them is not\n"
       "looked at. Points are counted in steps, as docs/homework.md says. Exit code 0: all is right; 1: not; 2: "
       "nothing\n"
-      "could be graded.\n"
+      "could be graded; 3: time or memory was used up, and the report says that it could not be graded.\n"
       "\n"
       "Examples:\n"
       "  zstep grade --homework hw3 runs\n"

@@ -173,8 +173,10 @@ std::string task_table(const Assessment& all, const Graded& task) {
   if (task.state == Graded::State::missing)
     return text + fmt::format("<p>Nothing was handed in: {}.</p>\n", shown(task.why));
   if (const std::string why = task.shown(); !why.empty()) {
-    const char* begin = task.state == Graded::State::unreadable ? "This cannot be graded:" : "Note:";
-    text += fmt::format("<p>{}</p>\n<pre>{}</pre>\n", begin, shown(why));
+    const char* begin = task.state == Graded::State::unreadable ? "<p>This cannot be graded:</p>\n"
+                        : task.state == Graded::State::stopped  ? ""
+                                                                : "<p>Note:</p>\n";
+    text += fmt::format("{}<pre>{}</pre>\n", begin, shown(why));
   }
   if (!task.note.empty()) text += fmt::format("<p>{}</p>\n", shown(task.note));
   if (task.state != Graded::State::judged) return text;

@@ -40,11 +40,13 @@ std::string task_text(const Assessment& all, const Graded& task) {
   double points = 0, most = 0;
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
     points += all.points(task, part), most += all.most(task, part);
-  std::string text =
-      fmt::format("{}: {} of {} points\n", printable(task.task->name), points_text(points), points_text(most));
+  std::string text = fmt::format("{}: {}{} points\n", printable(task.task->name),
+                                 task.state == Graded::State::judged ? points_text(points) + " of " : "no grade, of ",
+                                 points_text(most));
   if (task.state == Graded::State::missing) return text + fmt::format("  Nothing was handed in: {}.\n", task.shown());
   if (task.state == Graded::State::unreadable)
     return text + "  This cannot be graded:\n" + indented(task.shown());
+  if (task.state == Graded::State::stopped) return text + indented(task.shown());
   if (!task.shown().empty()) text += indented(task.shown());
   if (!task.note.empty()) text += indented(task.note);
   for (std::size_t part = 0; part < homework.parts.size(); ++part)
@@ -53,25 +55,59 @@ std::string task_text(const Assessment& all, const Graded& task) {
   return text;
 }
 
+/// What works, a line for each scene that is not all right, as far as a first page has room.
+std::string what_works_text(const Assessment& all) {
+  const Homework& homework = *all.homework;
+  constexpr std::size_t room = 8;
+  std::string right, lines;
+  std::size_t count = 0;
+  for (const Graded& task : all.tasks) {
+    const std::string name = printable(task.task->name);
+    if (is_right(task)) {
+      right += (right.empty() ? "" : ", ") + name;
+      continue;
+    }
+    if (++count > room) continue;
+    std::string parts;
+    for (std::size_t part = 0; part < homework.parts.size(); ++part)
+      if (all.points(task, part) >= all.most(task, part))
+        parts += (parts.empty() ? "" : ", ") + printable(homework.parts[part].name);
+    lines += fmt::format("{}: {}\n", name,
+                         task.state != Graded::State::judged ? "no grade; why is said below"
+                         : parts.empty()                     ? "no part is wholly right yet"
+                                                             : "right are " + parts);
+  }
+  if (count > room) lines += fmt::format("and {} scenes more\n", count - room);
+  return (right.empty() ? "" : "All right: " + right + "\n") + lines;
+}
+
+/// The first wrong step, and what there is to know of it.
+std::string first_wrong_text(const Graded& wrong, const std::string& command) {
+  const FirstWrong& first = *wrong.first;
+  std::string text = fmt::format("\nThe first thing to look at, in {}{}:\n  {}{}\n  {}\n", printable(wrong.task->name),
+                                 first.where.empty() ? "" : ", " + first.where, first.step,
+                                 first.subject.empty() ? "" : ", " + first.subject, first.what);
+  for (const std::string& line : first.expected) text += fmt::format("  expected  {}\n", line);
+  for (const std::string& line : first.found) text += fmt::format("  yours     {}\n", line);
+  for (const std::string& line : mistake_lines(first)) text += fmt::format("  {}\n", line);
+  if (wrong.from_picture) return text;  // it has no steps that a window could show
+  return text + fmt::format("  {} --scene {} --view\n", command, shell_word(wrong.task->name));
+}
+
 }  // namespace
 
 std::string report_text(const Assessment& all, const std::string& command) {
   const Homework& homework = *all.homework;
-  std::string text = fmt::format("{}: {}\n{} of {} points\n\n", printable(homework.title), printable(all.submission),
-                                 points_text(all.points()), points_text(all.most()));
+  std::string text = fmt::format("{}: {}\n", printable(homework.title), printable(all.submission));
+  text += all.gradable() ? fmt::format("{} of {} points\n\n", points_text(all.points()), points_text(all.most()))
+                         : "Nothing here could be graded, so there are no points yet.\n\n";
   if (homework.left_out > 0) text += "The hidden scenes are not here; their points are not counted.\n\n";
-  for (const Graded& task : all.tasks) text += task_text(all, task) + "\n";
-  const Graded* wrong = first_to_mend(all);
-  if (!wrong) return text + (all_right(all) ? "Every step is right.\n" : "");
-  const FirstWrong& first = *wrong->first;
-  text += fmt::format("The first thing to look at, in {}{}:\n  {}{}\n  {}\n", printable(wrong->task->name),
-                      first.where.empty() ? "" : ", " + first.where, first.step,
-                      first.subject.empty() ? "" : ", " + first.subject, first.what);
-  for (const std::string& line : first.expected) text += fmt::format("  expected  {}\n", line);
-  for (const std::string& line : first.found) text += fmt::format("  yours     {}\n", line);
-  for (const std::string& line : mistake_lines(first)) text += fmt::format("  {}\n", line);
-  if (wrong->from_picture) return text;  // it has no steps that a window could show
-  return text + fmt::format("  {} --scene {} --view\n", command, shell_word(wrong->task->name));
+  if (all_right(all)) text += "Every step is right.\n";
+  else if (all.gradable()) text += what_works_text(all);
+  if (const Graded* wrong = first_to_mend(all)) text += first_wrong_text(*wrong, command);
+  if (all.gradable()) text += "\nHow the points come about\n";
+  for (const Graded& task : all.tasks) text += task_text(all, task);
+  return text;
 }
 
 }  // namespace zstep::homework

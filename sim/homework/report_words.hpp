@@ -17,6 +17,8 @@ inline const char* word_of_state(Graded::State state) {
       return "judged";
     case Graded::State::missing:
       return "missing";
+    case Graded::State::stopped:
+      return "stopped";
     default:
       return "unreadable";
   }

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -56,9 +58,6 @@ bool shows_controls(const std::string& text) {
   });
 }
 
-namespace {
-
-/// XML as far as it can be wrong here: nothing but its own tags, each closed.
 void check_xml(const std::string& text) {
   CHECK(text.starts_with("<?xml"));
   CHECK(times(text, "<testcase ") == times(text, "</testcase>") + times(text, "/>"));
@@ -77,8 +76,6 @@ void check_xml(const std::string& text) {
   }
 }
 
-}  // namespace
-
 double grade_in_every_format(const Folder& folder) {
   const auto graded = [&](const std::string& format) {
     const Outcome outcome = shell(folder, "ulimit -t 60; \"$zstep\" grade --homework hw runs --format " + format);
@@ -92,6 +89,11 @@ double grade_in_every_format(const Folder& folder) {
     return outcome;
   };
   CHECK(has(graded("text").out, " points"));
+  // What a small submission may take, of all that any process took so far.
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  constexpr long allowed = 1024 * 1024;  // KiB
+  if (!sanitized) CHECK(used.ru_maxrss < allowed);
   check_xml(graded("junit").out);
   const json all = json::parse(graded("json").out);
   const json gradescope = json::parse(graded("gradescope").out);

@@ -1,0 +1,95 @@
+// The report of a submission: its first page, and that there is one whatever becomes of the grading.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/hostile_homework.hpp"
+#include "tests/cli/homework_runs.hpp"
+
+using namespace zstep::test;
+using nlohmann::json;
+
+namespace {
+
+/// A run of so many bytes and more.
+void hand_in_long(const Folder& folder, std::size_t bytes) {
+  const std::string line = "{\"step\":\"compare\",\"x\":3,\"y\":2,\"z\":0.4375,\"nearer\":true}\n";
+  std::string many;
+  while (many.size() < bytes) many += line;
+  write_text(folder / "runs/crossing.jsonl", many);
+}
+
+/// Each format says why there is no grade, to a file and to standard output.
+void check_ungraded(const Folder& folder, const std::string& limit, const std::string& why) {
+  for (const std::string format : {"text", "json", "gradescope", "prairielearn", "junit", "html"}) {
+    CAPTURE(format);
+    const std::string command = "grade --homework hw runs " + limit + " --format " + format;
+    const Outcome outcome = run(folder, command + " -o results");
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 3);
+    CHECK(has(outcome.err, "runs: could not be graded: the grading " + why));
+    CHECK(times(outcome.err, "\n") == 1);
+    const std::string text = text_of(folder / "results");
+    CAPTURE(text);
+    CHECK(has(text, "could not be graded: the grading " + why));
+    CHECK_FALSE(shows_controls(text));
+    if (format == "junit") check_xml(text);
+    if (format == "text" || format == "html") CHECK(has(text, "so there are no points yet"));
+    if (format != "json" && format != "gradescope" && format != "prairielearn") continue;
+    const json result = json::parse(text);
+    if (format == "gradescope") CHECK(result["extra_data"]["gradable"] == false);
+    else CHECK(result["gradable"] == false);
+    if (format == "prairielearn") {
+      CHECK_FALSE(result.contains("score"));
+      CHECK(result["format_errors"].size() == 4);
+    }
+    const Outcome printed = run(folder, command);
+    CHECK(printed.code == 3);
+    CHECK(json::accept(printed.out));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("grade: where time is used up, every format has a result that says so") {
+  const Folder folder;
+  set_up_runs(folder);
+  hand_in_long(folder, 20'000'000);
+  check_ungraded(folder, "--seconds 0.01", "took more than the 0.01 seconds of the processor");
+}
+
+TEST_CASE("grade: where memory is used up, every format has a result that says so" * doctest::skip(sanitized)) {
+  const Folder folder;
+  set_up_runs(folder);
+  hand_in_long(folder, 8'000'000);
+  check_ungraded(folder, "--memory 2", "needs more than the 2 MiB");
+}
+
+TEST_CASE("grade: a report of text has what works, the first wrong step and its command on its first page") {
+  const Folder folder;
+  set_up_runs(folder);
+  for (const char* scene : {"crossing", "neighbours", "overlap"}) {
+    const auto file = folder / (std::string("runs/") + scene + ".jsonl");
+    std::string lines = text_of(file);
+    replace_first(lines, "\"nearer\":true", "\"nearer\":false");
+    write_text(file, lines);
+  }
+  const Outcome outcome = run(folder, "grade --homework hw runs");
+  CHECK(outcome.code == 1);
+  std::size_t end = 0;
+  for (int line = 0; line < 25; ++line) end = outcome.out.find('\n', end) + 1;
+  const std::string page = outcome.out.substr(0, end);
+  CAPTURE(outcome.out);
+  CHECK(has(page, "\nAll right: triangle\ncrossing: right are picture and depths, spans, edge table, active edges\n"));
+  CHECK(page.find("All right") < page.find("The first thing to look at, in crossing, runs/crossing.jsonl:"));
+  CHECK(has(page, "\n  expected  nearer = true"));
+  CHECK(has(page, "\n  yours     nearer = false\n"));
+  CHECK(has(page, "\n  zstep grade --homework hw runs --scene crossing --view\n"));
+  // Then how each point comes about.
+  const std::string rest = outcome.out.substr(outcome.out.find("\nHow the points come about\n"));
+  for (const char* scene : {"triangle", "crossing", "neighbours", "overlap"})
+    CHECK(has(rest, std::string("\n") + scene + ": "));
+  CHECK(times(rest, "computed ") == 16);
+}
