@@ -35,7 +35,7 @@ void tell(Telling& t, const ShadowCompare& e) {
         fmt::format("The trace says that {} is in shadow at pixel ({}, {}), but its depth, {}, is less than the {} "
                     "that the light sees there.",
                     t.label(polygon), e.x, e.y, z, shadow));
-  t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it {}", column, row, shadow, z,
+  t.formula(fmt::format("shadow[{}, {}] = {};  {} {} it {}", number(column), number(row), shadow, z,
                         e.lit ? "is not behind" : "is behind",
                         e.lit ? "by more than the bias" : "by more than the bias: dark"));
   t.value("shadow[x',y']", stored);

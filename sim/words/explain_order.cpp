@@ -72,7 +72,7 @@ void tell(Telling& t, const ExtentTest& e) {
                              range(e.other_low, e.other_high), meet ? "do" : "do not"));
   t.formula(fmt::format("{}: {} and {}", one, range(e.low, e.high), range(e.other_low, e.other_high)));
   if (!e.overlap && e.high <= e.other_low) t.formula(fmt::format("{} \u2264 {}", number(e.high), number(e.other_low)));
-  else if (!e.overlap) t.formula(fmt::format("{} \u2264 {}", number(e.other_high), number(e.low)));
+  else if (!e.overlap && !meet) t.formula(fmt::format("{} \u2264 {}", number(e.other_high), number(e.low)));
   t.value("low", e.low);
   t.value("high", e.high);
   t.value("other low", e.other_low);
