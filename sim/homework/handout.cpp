@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "sim/classroom/markdown.hpp"
 #include "sim/homework/assess.hpp"
 #include "sim/pages/page.hpp"
@@ -90,16 +91,27 @@ std::string markdown_html(std::string_view markdown) {
   return html + lists.down_to(0);
 }
 
-std::string scene_html(const Task& task, const Trace& reference) {
+std::string size_of(const Task& task, const Picture& picture, bool curves) {
+  const auto count = [](auto number, const char* one) {
+    return fmt::format("{} {}{}", number, one, number == 1 ? "" : "s");
+  };
+  return fmt::format("{} × {} pixels, ", picture.width, picture.height) +
+         (curves ? count(task.scene.surface->rows, "curve") + " of " + count(task.scene.surface->columns, "sample")
+                 : count(task.scene.polygons.size(), "polygon"));
+}
+
+std::string scene_html(const Method& method, const Task& task, const Trace& reference) {
   Replay replay(reference);
   replay.go_to(reference.size());
   const Picture& picture = replay.state().picture;
   DepthRange range;
   range.include(picture);
-  const auto polygons = task.scene.polygons.size();
-  return fmt::format("<h3>{}</h3>\n<p>{} × {} pixels, {} polygon{}.</p>\n", shown(task.name), picture.width,
-                     picture.height, polygons, polygons == 1 ? "" : "s") +
-         figure(image_of(picture, task.scene, 1), "The picture", picture_in_words(picture, task.scene) + ".") +
+  const bool curves = method.needs == Needs::surface;
+  const std::string picture_alone =
+      fmt::format("<h3>{}</h3>\n<p>{}.</p>\n", shown(task.name), size_of(task, picture, curves)) +
+      figure(image_of(picture, task.scene, 1), "The picture", picture_in_words(picture, task.scene) + ".");
+  if (method.gives == Gives::lines) return picture_alone;
+  return picture_alone +
          figure(depths_of(picture, task.scene.raster.y_up, range),
                 "The depth buffer: the smaller z, the darker; a stroke where nothing is drawn",
                 depths_in_words(picture) + ".");
@@ -113,7 +125,7 @@ std::string handout_html(const Homework& homework, std::string_view markdown) {
   std::string scenes;
   for (const Task& task : homework.tasks)
     if (const auto reference = references.find(task, task.conventions); reference && !task.hidden)
-      scenes += scene_html(task, *reference);
+      scenes += scene_html(*homework.method, task, *reference);
   if (!scenes.empty()) html += "<h2>What a right program draws</h2>\n" + scenes;
   return html.append(page_end);
 }

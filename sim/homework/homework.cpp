@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -59,6 +60,7 @@ class Reader {
       fail_at(*top_.find("method"), file_, fmt::format("there is no method '{}'", id), scene::suggestion(id, ids));
     page_ = homework_.method->page();
     read_free();
+    read_method_options();
     homework_.digits = top_.whole("digits", 0, 17).value_or(homework_.digits);
     if (const toml::table* program = top_.table("program")) read_program(*program);
     const toml::array* also = top_.array("also");
@@ -74,10 +76,9 @@ class Reader {
     for (const toml::node& node : few(*tasks, most_tasks, "scenes")) read_task(node);
     if (homework_.tasks.empty())
       throw InputError(file_, "none of the scenes is here", "copy the files that it names beside it");
-    std::set<std::uint8_t> printed = graded_;
-    for (const auto& [name, at] : texts(also)) printed.insert(step_called(name, *at).kind);
+    for (const auto& [name, at] : texts(also)) printed_.insert(step_called(name, *at).name);
     for (const StepInfo& step : page_)
-      if (printed.contains(step.kind)) homework_.steps.push_back(step);
+      if (printed_.contains(step.name)) homework_.steps.push_back(step);
     if (homework_.points() <= 0) throw InputError(file_, "all parts together are worth nothing", "give them points");
     return std::move(homework_);
   }
@@ -118,6 +119,15 @@ class Reader {
         fail_at(*node, file_, fmt::format("there is no convention '{}'", key), scene::suggestion(key, keys));
       homework_.free.push_back(key);
     }
+  }
+
+  void read_method_options() {
+    const toml::table* table = top_.table("method_options");
+    if (table == nullptr) return;
+    Keys keys(*table, file_, "[method_options]");
+    for (const Option& option : homework_.method->options)
+      if (const auto value = keys.text(option.name)) method_options_[std::string(option.name)] = *value;
+    keys.finish();
   }
 
   void read_program(const toml::table& table) {
@@ -166,6 +176,7 @@ class Reader {
     task.conventions = loaded.conventions;
     Keys again(table_, file_, "a homework");
     scene::read_options(again, file_, false, task.conventions);
+    for (const auto& [name, value] : method_options_) task.conventions.options[name] = value;
     task.scene = look_at_scene(std::move(loaded.scene), {});
     check_run(*homework_.method, task.scene, task.conventions, file_);
   }
@@ -221,8 +232,13 @@ class Reader {
     keys.finish();
     if (buffers && steps != nullptr) fail_at(*steps, file_, "buffers have no steps", "leave `steps` out");
     for (const auto& [name, at] : texts(steps)) {
-      part.kinds.push_back(step_called(name, *at).kind);
-      if (!graded_.insert(part.kinds.back()).second)
+      const StepInfo& step = step_called(name, *at);
+      // Steps of one kind, as move and clear_horizons, are counted together.
+      const bool with_another = std::find(part.kinds.begin(), part.kinds.end(), step.kind) != part.kinds.end();
+      const bool fresh = printed_.insert(step.name).second;
+      if (with_another && fresh) continue;
+      part.kinds.push_back(step.kind);
+      if (!graded_.insert(step.kind).second)
         fail_at(*at, file_, fmt::format("the step '{}' is in two parts", name), "take it out of one of them");
     }
     if (!buffers && part.kinds.empty())
@@ -250,6 +266,8 @@ class Reader {
   Keys top_;
   Page page_;
   std::set<std::uint8_t> graded_;
+  std::set<std::string> printed_;  ///< the names of steps that are graded, or in `also`
+  std::map<std::string, std::string> method_options_;
   Homework homework_;
 };
 

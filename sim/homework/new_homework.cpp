@@ -51,6 +51,20 @@ std::string rays_as_numbers(const Scene& scene) {
   return text + fmt::format("{} {}\n", scene.camera.near / unit, scene.camera.far / unit);
 }
 
+/// Rows of samples, and what takes them to the screen: T_v, d, half the height of the window, near and far.
+std::string surface_as_numbers(const Scene& scene) {
+  const Surface& surface = scene.surface.value();
+  std::string text = fmt::format("{} {}\n", surface.rows, surface.columns);
+  for (const glm::dvec3& p : scene.points) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+  const Camera& camera = scene.camera;
+  for (int row = 0; row < 3; ++row) {
+    const auto t = [&](int column) { return camera.view[column][row]; };
+    text += fmt::format("{} {} {} {}\n", t(0), t(1), t(2), t(3));
+  }
+  const double d = camera.kind == Camera::Kind::orthographic ? 0 : camera.d;
+  return text + fmt::format("{} {} {} {}\n", d, camera.window, camera.near, camera.far);
+}
+
 std::string text_of_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -58,8 +72,10 @@ std::string text_of_file(const fs::path& path) {
 
 }  // namespace
 
-std::string plain_numbers(const Scene& scene) {
-  std::string text = fmt::format("{} {}\n{}\n", scene.raster.width, scene.raster.height, scene.points.size());
+std::string plain_numbers(const Method& method, const Scene& scene) {
+  std::string text = fmt::format("{} {}\n", scene.raster.width, scene.raster.height);
+  if (method.needs == Needs::surface) return text + surface_as_numbers(scene);
+  text += fmt::format("{}\n", scene.points.size());
   for (const glm::dvec3& p : scene.points) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
   text += fmt::format("{}\n", scene.facets.size());
   for (const Facet& facet : scene.facets) {
@@ -79,7 +95,8 @@ std::vector<std::pair<fs::path, std::string>> made_files(const Homework& homewor
   std::vector<std::pair<fs::path, std::string>> files;
   for (const Task& task : homework.tasks)
     if (!task.made)
-      files.emplace_back(fs::path(task.scene.source).replace_extension(".txt"), plain_numbers(task.scene));
+      files.emplace_back(fs::path(task.scene.source).replace_extension(".txt"),
+                         plain_numbers(*homework.method, task.scene));
   for (const char* place : {"starter", "solution"}) {
     if (!fs::is_directory(homework.folder / place)) continue;
     for (std::size_t k = 0; k < languages.size(); ++k)

@@ -13,8 +13,9 @@ namespace zstep::homework {
 /// A scene as programs read it: width and height, the points, each polygon as the number of its vertices and these, and
 /// the colours, for programs that draw: of the background and of each polygon. Then, of a scene in space, the rays
 /// through the pixels' centres: X_0 of pixel (0, 0), its change by a column and by a row, the same of dX, and the least
-/// and the greatest t.
-std::string plain_numbers(const Scene& scene);
+/// and the greatest t. For a method that draws surfaces: width and height, how many rows of how many samples, the
+/// points of these, T_v, d (0 in parallel projection), half the height of the window, near and far.
+std::string plain_numbers(const Method& method, const Scene& scene);
 /// What is made from homework.toml and the scenes, where it is missing or no longer agrees with them: the scenes in
 /// plain numbers, the files that write steps, in starter/ and solution/, and the schema of a line; each with the text
 /// that it should have.

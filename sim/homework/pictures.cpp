@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "algorithms/catalog/catalog.hpp"
 #include "sim/image/npy.hpp"
 #include "sim/image/pfm.hpp"
 #include "sim/image/png.hpp"
@@ -41,7 +42,9 @@ std::vector<std::uint8_t> colors_of(const Picture& picture, const Scene& scene) 
 class Printed {
  public:
   Printed(const Trace& reference, const std::vector<fs::path>& files)
-      : scene_(reference.scene()), precision_(precision_of(reference)) {
+      : scene_(reference.scene()),
+        lines_(method(reference.header().algorithm).gives == Gives::lines),
+        precision_(precision_of(reference)) {
     for (const fs::path& file : files) {
       note_input(file);
       std::error_code ignored;
@@ -76,14 +79,15 @@ class Printed {
       const auto found = std::find_if(scene_.polygons.begin(), scene_.polygons.end(),
                                       [&](const Polygon& polygon) { return polygon.color == is; });
       if (is == scene_.background) words = "background";
-      else if (found == scene_.polygons.end())
-        words = fmt::format("the colour {}, {}, {}, which no polygon has", is.red, is.green, is.blue);
+      else if (lines_) words = color_text(is);
+      else if (found == scene_.polygons.end()) words = color_text(is) + ", which no polygon has";
       else words = "polygon " + name_of(scene_, static_cast<std::int32_t>(found - scene_.polygons.begin()));
     }
     if (has_depths()) words += fmt::format("{}z = {}", words.empty() ? "" : ", ", number(depths_[pixel], 9, true));
     return words;
   }
 
+  static std::string color_text(Color is) { return fmt::format("the colour {}, {}, {}", is.red, is.green, is.blue); }
   static std::string name_of(const Scene& scene, std::int32_t polygon) {
     const std::string& name = *scene.polygons.at(static_cast<std::size_t>(polygon)).name;
     return name.empty() ? fmt::format("{}", polygon) : name;
@@ -146,6 +150,9 @@ class Printed {
   }
   /// Numbers of polygons, -1 where there is none.
   void take_numbers(const fs::path& file, const std::vector<std::int32_t>& numbers) {
+    if (lines_)
+      throw InputError(file.string(), "has numbers of polygons, but this method draws lines",
+                       "give the picture as .png");
     if (file.filename().string().ends_with(".depth.npy"))
       throw InputError(file.string(), "has whole numbers", "give depths as float32 or float64");
     take_colors(file);
@@ -162,6 +169,7 @@ class Printed {
   }
 
   const Scene& scene_;
+  bool lines_;  ///< they are drawn, and no polygons
   Precision precision_;
   std::vector<std::uint8_t> rgb_;  ///< [3 * pixels], empty where no frame was handed in
   std::vector<double> depths_;     ///< [pixels], empty where no depths were
@@ -221,10 +229,8 @@ PictureGrade grade_pictures(const Trace& reference, const std::vector<fs::path>&
   const Picture& ours = end.state().picture;
   const Scene& scene = reference.scene();
   const Printed theirs(reference, files);
-  std::vector<bool> drawn(ours.polygon.size());
-  for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = ours.polygon[i] != no_polygon;
   const std::vector<float> apart = differences(ours, scene, theirs);
-  PictureGrade graded{grade::count_pixels(drawn, theirs.drawn(), apart), std::nullopt};
+  PictureGrade graded{grade::count_pixels(grade::drawn(ours), theirs.drawn(), apart), std::nullopt};
   const auto wrong = std::find_if(apart.begin(), apart.end(), [](float off) { return off > 0; });
   if (wrong == apart.end()) return graded;
 
@@ -239,9 +245,13 @@ PictureGrade grade_pictures(const Trace& reference, const std::vector<fs::path>&
                    ? "The picture is upside down: its first row should be the top one."
                    : "This pixel is the first that differs.";
   std::string expected;
-  if (theirs.has_colors())
-    expected =
-        ours.polygon[pixel] == no_polygon ? "background" : "polygon " + Printed::name_of(scene, ours.polygon[pixel]);
+  if (theirs.has_colors()) {
+    const std::int32_t polygon = ours.polygon[pixel];
+    const Color color = color_at(ours, scene, pixel);
+    expected = polygon != no_polygon        ? "polygon " + Printed::name_of(scene, polygon)
+               : color == scene.background ? "background"
+                                           : Printed::color_text(color);
+  }
   if (theirs.has_depths()) {
     const double z = ours.depth[pixel];
     expected += fmt::format("{}z = {}", expected.empty() ? "" : ", ", number(z, 9, true));

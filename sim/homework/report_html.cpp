@@ -70,8 +70,10 @@ std::string differing_pixels(const grade::Ends& ends, const Scene& scene) {
   int count = 0;
   std::string rows;
   const auto seen = [&](const Picture& picture, std::size_t at) {
-    const std::int32_t polygon = picture.polygon[at];
-    return polygon == no_polygon ? std::string("background") : polygon_label(scene, polygon);
+    if (const std::int32_t polygon = picture.polygon[at]; polygon != no_polygon) return polygon_label(scene, polygon);
+    const Color color = color_at(picture, scene, at);
+    return color == scene.background ? std::string("background")
+                                     : fmt::format("{}, {}, {}", color.red, color.green, color.blue);
   };
   for (std::size_t at = 0; at < ends.apart.apart.size(); ++at) {
     if (ends.apart.apart[at] == 0 || ++count > most) continue;
@@ -111,7 +113,8 @@ std::string pictures(const Graded& task) {
                  "Where they differ, in colour or depth: the darker, the more",
                  fmt::format("The differences: {} pixels of another colour, {} of another depth, of {}.",
                              ends.apart.colors, ends.apart.depths, ends.apart.pixels));
-  return text + depths(ends.reference, "expected") + depths(ends.run, "yours") + differing_pixels(ends, scene);
+  if (range.least <= range.most) text += depths(ends.reference, "expected") + depths(ends.run, "yours");
+  return text + differing_pixels(ends, scene);
 }
 
 /// The likely mistake: its name, what to ask oneself, and where it is taught.

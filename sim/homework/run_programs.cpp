@@ -56,8 +56,8 @@ std::vector<ProgramRun> run_programs(const Homework& homework, const std::string
   for (const Task& task : homework.tasks) {
     on_task(task);
     const fs::path file = runs / (task.name + ".jsonl");
-    const Ended ended = run_in_sandbox(typed, program, task.name, plain_numbers(task.scene), file, homework.limits,
-                                       [&] { on_task(task); });
+    const Ended ended = run_in_sandbox(typed, program, task.name, plain_numbers(*homework.method, task.scene), file,
+                                       homework.limits, [&] { on_task(task); });
     if (ended.how != Ended::How::well)
       std::ofstream(note_beside(file), std::ios::binary) << fmt::format(
           "The program {}.\n{}", text_of(ended, homework.limits, !task.hidden), printable_lines(ended.errors));

@@ -52,7 +52,7 @@ Homework make_student_folder(const fs::path& folder, const std::string& student,
     for (const Task& task : homework.tasks) {
       if (!task.made || task.hidden) continue;
       put_text(partial / "scenes" / (task.name + ".toml"), task.made->text);
-      put_text(partial / "scenes" / (task.name + ".txt"), plain_numbers(task.scene));
+      put_text(partial / "scenes" / (task.name + ".txt"), plain_numbers(*homework.method, task.scene));
     }
     fs::rename(partial, out / student);
   } catch (const fs::filesystem_error& error) {

@@ -136,13 +136,14 @@ class Trial {
     for (const Task& task : homework_.tasks)
       if (!task.hidden) {
         given.insert(fs::path(task.scene.source).parent_path());
-        public_scenes[plain_numbers(task.scene)] = task.name;
+        public_scenes[plain_numbers(*homework_.method, task.scene)] = task.name;
       }
     const auto lies_open = [&](const std::string& what, const std::string& mend) { apart = false, wrong(what, mend); };
     for (const Task& task : homework_.tasks) {
       if (!task.hidden) continue;
       any = true;
-      const std::string numbers = plain_numbers(task.scene), source = bytes_of(task.scene.source);
+      const std::string numbers = plain_numbers(*homework_.method, task.scene),
+                        source = bytes_of(task.scene.source);
       if (const auto same = public_scenes.find(numbers); same != public_scenes.end())
         lies_open(fmt::format("the hidden scene {} is the same as {}, which students have", task.name, same->second),
                   "change one of them");

@@ -37,7 +37,7 @@ bool there_is_program(const Folder& folder, const std::string& program) {
 }  // namespace
 
 TEST_CASE("templates: each solution gets all points, and each starter runs and earns something less") {
-  CHECK(methods_with_homework().size() >= 2);
+  CHECK(methods_with_homework().size() >= 4);
   for (const std::string& method : methods_with_homework()) {
     CAPTURE(method);
     const Folder folder;
@@ -88,13 +88,36 @@ TEST_CASE("templates: the picture alone earns the first part, in each") {
     std::string scene;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / "hw/scenes"))
       if (entry.path().extension() == ".toml") scene = entry.path().stem().string();
-    const Outcome drawn = run(folder, "render hw/scenes/" + scene + ".toml --no-cull --algorithm " + method +
-                                          " --save-ids " + scene + ".npy --save-depth-raw " + scene + ".depth.npy");
+    const bool lines = method == "floating-horizon";  // it has no polygons and no depths
+    const Outcome drawn =
+        run(folder, "render hw/scenes/" + scene + ".toml --no-cull --algorithm " + method +
+                        (lines ? " --option sides=off --save " + scene + ".png"
+                               : " --save-ids " + scene + ".npy --save-depth-raw " + scene + ".depth.npy"));
     CAPTURE(drawn.err);
     REQUIRE(drawn.code == 0);
-    REQUIRE(shell(folder, "mkdir runs && mv *.npy runs").code == 0);
+    REQUIRE(shell(folder, "mkdir runs && mv " + scene + ".* runs").code == 0);
     const Outcome graded = run(folder, "grade --homework hw runs --scene " + scene);
     CAPTURE(graded.out);
-    CHECK(has(graded.out, "ok picture and depths"));
+    CHECK(has(graded.out, lines ? "ok picture   " : "ok picture and depths"));
+    const std::string page = text_of(folder / "hw/handout.html");
+    CHECK(has(page, "<figcaption>The picture"));
+    CHECK(has(page, "<figcaption>The depth buffer") == !lines);
   }
+}
+
+TEST_CASE("templates: a picture of lines is graded by its ink, and no numbers of polygons are taken for it") {
+  const Folder folder;
+  REQUIRE(run(folder, "homework new floating-horizon hw").code == 0);
+  REQUIRE(shell(folder, "mkdir runs").code == 0);
+  REQUIRE(run(folder, "render hw/scenes/valley.toml --algorithm floating-horizon --option sides=off --option "
+                      "horizons=one --save runs/valley.png")
+              .code == 0);
+  const Outcome graded = run(folder, "grade --homework hw runs --scene valley");
+  CAPTURE(graded.out);
+  CHECK(graded.code == 1);
+  CHECK(has(graded.out, "the colour 213, 94, 0"));
+  CHECK_FALSE(has(graded.out, "right pixels 0 of"));
+  REQUIRE(run(folder, "render hw/scenes/valley.toml --save-ids runs/valley.npy").code == 0);  // a Z-buffer's
+  fs::remove(folder / "runs/valley.png");
+  CHECK(has(run(folder, "grade --homework hw runs --scene valley").out, "give the picture as .png"));
 }

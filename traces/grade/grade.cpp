@@ -86,12 +86,6 @@ Picture picture_of(const Trace& trace) {
       .picture;
 }
 
-std::vector<bool> drawn(const Picture& picture) {
-  std::vector<bool> pixels(picture.depth.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = picture.polygon[i] != no_polygon;
-  return pixels;
-}
-
 /// Where a cause of a difference shows in the run: at its step, or before the one where something is missing.
 std::int64_t shows_at(const Judgement& found, const diff::Cause& cause) {
   return cause.first.only_a() ? found.difference.alignment.before_in_b(cause.first.a) + 1 : cause.first.b;
@@ -114,6 +108,13 @@ std::optional<Divergence> first_divergence(const Judgement& found) {
 }
 
 }  // namespace
+
+std::vector<bool> drawn(const Picture& picture) {
+  std::vector<bool> pixels(picture.polygon.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = picture.polygon[i] != no_polygon || (!picture.ink.empty() && picture.ink[i] != no_ink);
+  return pixels;
+}
 
 PartCount count_pixels(const std::vector<bool>& reference, const std::vector<bool>& other,
                        const std::vector<float>& apart) {

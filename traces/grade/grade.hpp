@@ -81,6 +81,9 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
 /// The known mistake that the run goes wrong by, where one is found to make its very numbers.
 std::optional<mistakes::Mistake> mistake_in(const Trace& run, const Judgement& found);
 
+/// By pixel, whether a picture has a polygon there, or ink.
+std::vector<bool> drawn(const Picture& picture);
+
 /// What is counted of a picture that a program printed instead of its steps: by pixel, whether something was drawn by
 /// the reference and by the program, and whether the two differ.
 PartCount count_pixels(const std::vector<bool>& reference, const std::vector<bool>& other,
