@@ -112,8 +112,12 @@ class Reader {
   }
 
   void read_free() {
+    std::vector<std::string> formats;
     std::vector<std::string_view> keys;
     for_each_convention([&](std::string_view key, auto) { keys.push_back(key); });
+    for (const std::string_view format : words_of<NumberFormat>)
+      formats.push_back(fmt::format("number_format {}", format));
+    keys.insert(keys.end(), formats.begin(), formats.end());
     for (const auto& [key, node] : texts(top_.array("free"))) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end())
         fail_at(*node, file_, fmt::format("there is no convention '{}'", key), scene::suggestion(key, keys));

@@ -93,3 +93,32 @@ TEST_CASE("grade: a report of text has what works, the first wrong step and its 
     CHECK(has(rest, std::string("\n") + scene + ": "));
   CHECK(times(rest, "computed ") == 16);
 }
+
+TEST_CASE("grade: to declare a coarse number format buys nothing, unless the homework names it") {
+  const Folder folder;
+  set_up_runs(folder);
+  const std::string right = text_of(folder / "runs/crossing.jsonl");
+  const auto points = [&](const std::string& declared, const std::string& lines) {
+    write_text(folder / "crossing.jsonl",
+               "{\"ztrace\":1,\"conventions\":{\"number_format\":\"" + declared + "\"}}\n" + lines);
+    return json::parse(run(folder, "grade --homework hw crossing.jsonl --scene crossing --format json").out)["points"]
+        .get<double>();
+  };
+  std::string off = right;
+  replace_first(off, "\"z_edge\":0.625", "\"z_edge\":0.62502");
+  const double all = points("float64", right), wrong = points("float64", off);
+  REQUIRE(wrong < all);
+  CHECK(points("float32", right) == all);
+  CHECK(points("fixed16", right) == all);
+  CHECK(points("fixed16", off) == wrong);
+  std::string text = text_of(folder / "hw/homework.toml");
+  replace_first(text, "\"number_format\"", "\"number_format\", \"number_format fixed16\"");
+  write_text(folder / "hw/homework.toml", text);
+  CHECK(points("fixed16", off) > wrong);
+  CHECK(points("fixed18", off) == wrong);
+  replace_first(text, "number_format fixed16", "number_format fixed17");
+  write_text(folder / "hw/homework.toml", text);
+  const Outcome unknown = run(folder, "grade --homework hw runs");
+  CHECK(unknown.code == 2);
+  CHECK(has(unknown.err, "there is no convention 'number_format fixed17'"));
+}

@@ -4,6 +4,8 @@
 #include <array>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "traces/formulas/walk.hpp"
 #include "traces/mistakes/name.hpp"
 
@@ -163,13 +165,18 @@ std::optional<mistakes::Mistake> mistake_in(const Trace& run, const Judgement& f
 GivenRun given_run(const Header& reference, const Scene& scene, std::vector<std::string> free) {
   return {&reference, &scene, [&reference, free = std::move(free)](const Header& declared) {
             Header header = reference;
-            const bool any_format = std::find(free.begin(), free.end(), "number_format") != free.end();
-            if (any_format && !declared.declares(Convention::number_format))
+            const auto is_free = [&](std::string_view what) {
+              return std::find(free.begin(), free.end(), what) != free.end();
+            };
+            // Fixed-point numbers may be off by more than others: whoever wants them names them.
+            const NumberFormat format = declared.conventions.number_format;
+            const bool accepted = bits_of(format) == 0 || is_free(fmt::format("number_format {}", word_of(format)));
+            if (is_free("number_format") && !(accepted && declared.declares(Convention::number_format)))
               header.undeclared |= 1u << static_cast<unsigned>(Convention::number_format);
             header.page = declared.page;
             header.writer = declared.writer;
             for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
-              if (std::find(free.begin(), free.end(), key) != free.end())
+              if (is_free(key) && (accepted || key != "number_format"))
                 header.conventions.*member = declared.conventions.*member;
             });
             return header;
