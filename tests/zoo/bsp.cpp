@@ -120,7 +120,10 @@ struct Divider {
     out.print("eye_side", "node", number, "value", value, "front", eye_in_front);
     const bool front_first = is("near_side_first") ? eye_in_front : !eye_in_front;
     draw(front_first ? node.front : node.back);
-    for (const int part : node.pieces) {
+    // Of those in one plane the first one of the scene is to be seen, so it is drawn last.
+    std::vector<int> parts = node.pieces;
+    std::sort(parts.begin(), parts.end(), [&](int a, int b) { return piece(a).polygon > piece(b).polygon; });
+    for (const int part : parts) {
       out.print("draw", "piece", part, "polygon", piece(part).polygon);
       std::vector<Point> outline;
       for (const int corner : piece(part).corners) {

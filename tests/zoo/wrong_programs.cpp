@@ -97,9 +97,12 @@ std::vector<WrongPrograms> of_tree() {
   const ZooProgram program{"bsp", zoo::bsp, "", {{"root", "first"}}};
   const std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), seen("cyclic", 20, 60, 9, 8),
                                   seen("intersecting", 20, 60, 9, 8), seen("cube", 25, 60, 9, 8)};
+  std::vector<Scene> in_one_plane = scenes;
+  in_one_plane.push_back(seen("pyramid-behind", 33, 62, 18, 16));  // a triangle of it is there twice
   // That the near side came too early shows when the far side comes, and not before.
   return {{"BSP tree", program, scenes, {"spanning_not_split", "side_by_normal"}},
-          {"BSP tree, order", program, scenes, {"near_side_first"}, {}, false}};
+          {"BSP tree, order", program, scenes, {"near_side_first"}, {}, false},
+          {"BSP tree, one plane", program, in_one_plane, {}}};
 }
 
 }  // namespace
