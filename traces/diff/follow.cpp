@@ -30,28 +30,6 @@ Thing thing_in(Place::In in) {
   }
 }
 
-/// By what share a box, or where a ray meets it, may be off because some programs make boxes a little wider.
-template <class E>
-double by_margin(const E& e, const formulas::Situation& at, double margin) {
-  if constexpr (std::is_same_v<E, BoxMake>) {
-    return margin / size_of_box(e);
-  } else if constexpr (std::is_same_v<E, BoxTest>) {
-    const RayBegin* ray = formulas::detail::ray_cast_last(at);
-    const auto& boxes = at.method().boxes;
-    const auto number = static_cast<std::size_t>(e.box);
-    if (!ray || e.box < 0 || number >= boxes.size()) return 0;
-    BoxMake wider = boxes[number].entry;
-    const formulas::detail::Passage through = formulas::detail::passage_of(*ray, wider);
-    wider.x_min -= margin, wider.y_min -= margin, wider.z_min -= margin;
-    wider.x_max += margin, wider.y_max += margin, wider.z_max += margin;
-    const formulas::detail::Passage about = formulas::detail::passage_of(*ray, wider);
-    const auto moved = [](double one, double other) { return one == other ? 0 : share_apart(one, other); };
-    return std::max(moved(through.enter.value, about.enter.value), moved(through.leave.value, about.leave.value));
-  } else {
-    return 0;
-  }
-}
-
 /// What a step is part of: 1 the polygon, ray, area, line or curve, 2 the scan line, 3 the span; 0 begins nothing.
 template <class E>
 constexpr std::size_t begins() {
@@ -189,7 +167,8 @@ class Follow {
       if (const EdgeTableInsert* entry = at.edge(e.edge); entry && (difference.only_a() || difference.only_b()))
         finding.idle = identity_.next_row(e.edge) >= entry->end_row;
     const bool alone = difference.only_a() || difference.only_b();
-    if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>) finding.idle = alone && e.first > e.last;
+    if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>)
+      finding.idle = alone && e.first > e.last;
     finding.comes_from = reads.from_different;
     if (alone && finding.comes_from == no_difference)
       for (const std::int32_t scope : scopes_)
@@ -208,8 +187,9 @@ class Follow {
     // Of a plane whose normal has another length; of opposite signs they would be off by more than the larger one.
     const bool of_longer_normal =
         only_as_long_as_normal<E>(difference.fields) && reads.from_rounding != no_difference && difference.off < 1;
-    const double allowed = std::max({written_off(e, difference.fields), witness.may_be_off_here(),
-                                     double{reads.operands_off}, by_margin(e, at, box_margin_)});
+    const double margin = formulas::off_by_margin(e, at, box_margin_, share_apart);
+    const double allowed =
+        std::max({written_off(e, difference.fields), witness.may_be_off_here(), double{reads.operands_off}, margin});
     const bool numbers_near = either_way || of_longer_normal || difference.off <= allowed;
     const bool decided = exact_fields<E>(difference.fields);
     const bool any_rounding = either_way || from != no_difference || (difference.fields & ~exact_bits<E>()) != 0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "traces/diff/identity.hpp"
+#include "traces/formulas/box_margins.hpp"
 #include "traces/replay/same.hpp"
 
 namespace zstep::diff {
@@ -44,21 +45,12 @@ double times_as_long(const E& a, const E& b) {
   return factor;
 }
 
-/// The largest number of a box; 0 of other steps. Its sides are off by a share of that, for they may be 0.
-template <class E>
-double size_of_box(const E& e) {
-  if constexpr (std::is_same_v<E, BoxMake>)
-    return std::max({std::abs(e.x_min), std::abs(e.x_max), std::abs(e.y_min), std::abs(e.y_max), std::abs(e.z_min),
-                     std::abs(e.z_max)});
-  else return 0;
-}
-
 /// `same_thing(n)` says of the n-th number for a thing among the results whether it is the same thing in both runs.
 template <class E, class SameThing>
 Parting parting(const E& a, const E& b, SameThing&& same_thing) {
   Parting found;
   std::size_t thing = 0;
-  const double factor = times_as_long(a, b), box = std::max(size_of_box(a), size_of_box(b));
+  const double factor = times_as_long(a, b), box = std::max(formulas::size_of_box(a), formulas::size_of_box(b));
   for_each_index<E>([&]<std::size_t I>() {
     if constexpr (is_result<E, I>()) {
       const auto& mine = a.*field_at<E, I>.member;
