@@ -159,7 +159,7 @@ std::string alike_table(const std::vector<AlikeRuns>& all) {
                         list(one.names), what);
   }
   return fmt::format(
-      "<h2>Near-identical runs</h2>\n<p>Each student has a scene of the own, so that right runs are not the same. "
+      "<h2>Near-identical runs</h2>\n<p>Each student has a scene of their own, so that right runs are not the same. "
       "These are, although the scenes differ. How that came about the runs do not show; no points depend on it.</p>\n"
       "<table>\n<thead><tr><th scope=\"col\">scene</th><th scope=\"col\">submissions</th><th scope=\"col\">what is "
       "the same</th></tr></thead>\n<tbody>{}</tbody>\n</table>\n",
