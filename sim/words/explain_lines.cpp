@@ -43,6 +43,21 @@ std::optional<double> distance_behind(const Telling& t, const PlaneEquation& pla
   return plane.plane_c > 0 ? value : -value;
 }
 
+/// Of the crossings with the edges of the face, the one that is meant.
+void crossing_on_picture(Telling& t, const LineCross& e, const LineBegin& line) {
+  const formulas::detail::Crossings found = formulas::detail::crossings_of(t.at, line, e.facet);
+  const auto edge = found.edge_at(e.t);
+  if (!edge) return;
+  const auto at = [&](const char* name, std::int32_t vertex) {
+    const OnRaster p = *t.at.on_raster(vertex);
+    return std::pair{Shown(std::string("x_") + name, p.x), Shown(std::string("y_") + name, p.y)};
+  };
+  const auto from = at("0", line.vertex_0), to = at("1", line.vertex_1), a = at("a", (*edge)[0]), b = at("b", (*edge)[1]);
+  t.gives("t",
+          formulas::where_lines_cross(from.first, from.second, to.first, to.second, a.first, a.second, b.first, b.second),
+          e.t, formulas::nearest_of(e.t, found.on_picture));
+}
+
 std::string between(double t_0, double t_1) { return fmt::format("t = {} to {}", number(t_0), number(t_1)); }
 
 }  // namespace
@@ -119,6 +134,7 @@ void tell(Telling& t, const LineCross& e) {
       t.gives("t", formulas::where_zero(Shown("d_0", *d_0), Shown("d_1", *d_1)), e.t);
     }
   }
+  if (!e.in_space) crossing_on_picture(t, e, row->entry);
   t.derive(e);
   t.follows("x", "x_at", e.x_at);
   t.follows("y", "y_at", e.y_at);

@@ -21,8 +21,9 @@ PlaneEquation turned(PlaneEquation plane) {
 }
 
 std::string equation(const PlaneEquation& p) {
-  return fmt::format("f(x, y, z) = {} x + {} y + {} z + {}", operand(p.plane_a, factor(p.plane_a)),
-                     operand(p.plane_b, factor(p.plane_b)), operand(p.plane_c, factor(p.plane_c)), operand(p.plane_d));
+  const auto of = [](double value) { return Shown(factor(value), value); };
+  return "f(x, y, z) = " + formulas::plane_value(of(p.plane_a), of(p.plane_b), of(p.plane_c), Shown(p.plane_d),
+                                                 Shown("x", 0), Shown("y", 0), Shown("z", 0)).symbols();
 }
 
 /// Computes the extremes again from the corners that the state knows.

@@ -13,6 +13,7 @@
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
 #include "traces/formulas/outlines.hpp"
+#include "traces/formulas/planes.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation_of.hpp"
 
@@ -70,7 +71,11 @@ struct Telling {
   /// "name = symbols = numbers = recorded" as a line of its own, held against what it gives: then that is what it ends
   /// in.
   void gives(const std::string& name, const Shown& formula, double recorded) {
-    const bool so = hold_against(name, recorded, formula.rounded());
+    gives(name, formula, recorded, formula.rounded());
+  }
+  /// The same of what may be off by more than its formula's rounding.
+  void gives(const std::string& name, const Shown& formula, double recorded, const formulas::Rounded& computed) {
+    const bool so = hold_against(name, recorded, computed);
     this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), number(recorded))
                      : contradicted(name, formula, recorded));
   }
@@ -142,6 +147,22 @@ inline std::string operand(double value, std::string text) {
 }
 
 inline std::string operand(double value) { return operand(value, number(value)); }
+
+/// A formula's text, over names that here have no number.
+template <class Formula>
+std::string in_symbols(Formula&& formula) {
+  return formula([](const char* name) { return Shown(name, 0); }).symbols();
+}
+/// "V = V_0 + t(V_1 − V_0)" of points.
+inline std::string point_on_way(const char* from, const char* to) {
+  return "V = " + in_symbols([&](auto&& name) { return formulas::part_of_way(name(from), name(to), name("t")); });
+}
+/// "A·x + B·y + C·z + D".
+inline std::string plane_in_symbols() {
+  return in_symbols([](auto&& name) {
+    return formulas::plane_value(name("A"), name("B"), name("C"), name("D"), name("x"), name("y"), name("z"));
+  });
+}
 
 // One for each kind.
 #define ZSTEP_TELL(E) void tell(Telling& t, const E& e);

@@ -68,10 +68,12 @@ void tell(Telling& t, const SplitVertex& e) {
   if (d0 && d1) {
     t.gives("t", formulas::where_zero(Shown("d_0", *d0), Shown("d_1", *d1)), e.t);
   } else {
-    t.formula(fmt::format("t = d_0/(d_0 \u2212 d_1) = {}   d: A x + B y + C z + D at either end", number(e.t)));
+    t.formula(fmt::format("t = {} = {}   d: {} at either end",
+                          in_symbols([](auto&& name) { return formulas::where_zero(name("d_0"), name("d_1")); }),
+                          number(e.t), plane_in_symbols()));
   }
-  t.formula(
-      fmt::format("V = V_0 + t(V_1 \u2212 V_0) = ({}, {}, {})", number(e.x_cut), number(e.y_cut), number(e.z_cut)));
+  t.formula(fmt::format("{} = ({}, {}, {})", point_on_way("V_0", "V_1"), number(e.x_cut), number(e.y_cut),
+                        number(e.z_cut)));
   t.value("t", e.t);
   t.value("x", e.x_cut);
   t.value("y", e.y_cut);

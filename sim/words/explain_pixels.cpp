@@ -240,16 +240,19 @@ void tell(Telling& t, const ColorBlend& e) {
   t.say(e.opacity >= 1 ? fmt::format("{} is opaque: pixel {} takes its colour.", t.label(e.polygon), pixel(e.x, e.y))
                        : fmt::format("{} is laid over what pixel {} shows, and hides {} of it.", t.label(e.polygon),
                                      pixel(e.x, e.y), number(e.opacity)));
+  const auto mixed = [&](const std::string& top, const std::string& bottom) {
+    return formulas::laid_over(Shown("α", e.opacity), Shown("colour of " + t.label(e.polygon), 0, top),
+                               Shown("frame[x,y]", 0, bottom));
+  };
   if (!f) {
-    t.formula(fmt::format("α · colour of {} + (1 − α) · frame[x,y] = {}", t.label(e.polygon), text(result)));
+    t.formula(fmt::format("{} = {}", mixed("", "").symbols(), text(result)));
     return;
   }
   const Color under = f->stored_ink != no_ink ? color_of(f->stored_ink)
                       : f->stored_polygon == no_polygon
                           ? t.scene.background
                           : t.scene.polygons.at(static_cast<std::size_t>(f->stored_polygon)).color;
-  t.formula(fmt::format("α · colour of {} + (1 − α) · frame[x,y]:  {} · {} + {} · {} = {}", t.label(e.polygon),
-                        number(e.opacity), text(over), number(1 - e.opacity), text(under), text(result)));
+  t.formula(fmt::format("{} = {}", mixed(text(over), text(under)).equation(), text(result)));
   const auto off = [&](std::uint8_t top, std::uint8_t bottom, std::uint8_t is) {
     return std::abs(formulas::laid_over<double>(e.opacity, top, bottom) - is) > 0.5 + 1e-9;
   };

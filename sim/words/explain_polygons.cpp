@@ -51,7 +51,7 @@ void tell(Telling& t, const FacingTest& e) {
   const auto sign = [](double v) { return v < 0 ? "< 0" : v > 0 ? "> 0" : "= 0"; };
   t.formula(fmt::format("(p \u2212 e)\u00b7n = {} {}   positive faces away", number(e.view_dot_normal),
                         e.view_dot_normal == 0 ? "" : sign(e.view_dot_normal)));
-  t.formula(fmt::format("A x + B y + C z + D at the eye = {}   negative faces away", number(e.plane_at_eye)));
+  t.formula(fmt::format("{} at the eye = {}   negative faces away", plane_in_symbols(), number(e.plane_at_eye)));
   t.formula(fmt::format("V0\u00b7(V1 \u00d7 V2) = {}   negative faces away", number(e.determinant)));
   t.formula(fmt::format("n_z after projection = {}   positive faces away", number(e.projected_normal_z)));
   t.value("(p - e).n", e.view_dot_normal);
@@ -114,7 +114,8 @@ void tell(Telling& t, const ClipCross& e) {
   t.derive(e);
   if (!t.follows("t", "t", e.t)) t.formula(
       fmt::format("t = {} = {}", formulas::where_zero(Shown("d_in", 0), Shown("d_out", 0)).symbols(), number(e.t)));
-  t.formula(fmt::format("V = V_in + t(V_out \u2212 V_in) = ({}, {}, {})", number(e.x_v), number(e.y_v), number(e.z_v)));
+  t.formula(fmt::format("{} = ({}, {}, {})", point_on_way("V_in", "V_out"), number(e.x_v), number(e.y_v),
+                        number(e.z_v)));
   t.value("t", e.t);
   t.value("x_v", e.x_v);
   t.value("y_v", e.y_v);

@@ -1,6 +1,6 @@
 // Rays: boxes and cells, the plane of a facet, the point on it, and what a ray brings back (002, "Simple Ray Tracing").
 #include "sim/words/explain_parts.hpp"
-#include "traces/formulas/of_rays.hpp"
+#include "traces/formulas/of_colors.hpp"
 
 namespace zstep::words {
 namespace {
@@ -12,10 +12,9 @@ std::string facet_name(const Telling& t, std::int32_t facet) {
   return t.label(t.scene.facets[static_cast<std::size_t>(facet)].polygon);
 }
 
-/// A formula's text, over names that here have no number.
-template <class Formula>
-std::string in_symbols(Formula&& formula) {
-  return formula([](const char* name) { return Shown(name, 0); }).symbols();
+/// "X = X_0 + t·dX", the point at t.
+std::string point_at_t() {
+  return "X = " + in_symbols([](auto&& name) { return formulas::on_ray(name("X_0"), name("t"), name("dX")); });
 }
 std::string along_normal() {
   return in_symbols([](auto&& name) {
@@ -72,7 +71,8 @@ void tell(Telling& t, const RayBegin& e) {
       t.say("Does the light shine here? A ray is cast to it: t = 1 is the light.");
       break;
   }
-  t.formula(fmt::format("X = X_0 + t dX = {} + t {}", point(e.x_0, e.y_0, e.z_0), point(e.dir_x, e.dir_y, e.dir_z)));
+  const Shown from("X_0", 0, point(e.x_0, e.y_0, e.z_0)), along("dX", 0, point(e.dir_x, e.dir_y, e.dir_z));
+  t.formula("X = " + formulas::on_ray(from, Shown("t", 0, "t"), along).equation());
 }
 
 void tell(Telling& t, const CellVisit& e) {
@@ -184,7 +184,7 @@ void tell(Telling& t, const RayHit& e) {
   const std::string who = facet_name(t, e.facet);
   t.say(e.inside ? why_kept(t, e, who) : fmt::format("The point lies outside {}.", who));
   check_kept(t, e);
-  t.formula(fmt::format("X = X_0 + t dX = {}", point(e.x_hit, e.y_hit, e.z_hit)));
+  t.formula(fmt::format("{} = {}", point_at_t(), point(e.x_hit, e.y_hit, e.z_hit)));
   t.value("t", e.t);
   t.derive(e);
   t.hold_derived("x_hit", "x_hit", e.x_hit);
@@ -203,8 +203,13 @@ void tell(Telling& t, const RayEnd& e) {
               : fmt::format("{} is between the point and the light; {}.", facet_name(t, e.nearest_facet), tests));
   else if (e.nearest_facet < 0) t.say(fmt::format("The ray meets nothing; {}.", tests));
   else t.say(fmt::format("The ray meets {} first, at t = {}; {}.", facet_name(t, e.nearest_facet), number(e.t), tests));
-  if (!ended || ended->entry.role != RayRole::shadow)
-    t.formula(fmt::format("it brings back red {}, green {}, blue {}", number(e.red), number(e.green), number(e.blue)));
+  if (ended && ended->entry.role == RayRole::shadow) return;
+  t.formula(fmt::format("it brings back red {}, green {}, blue {}", number(e.red), number(e.green), number(e.blue)));
+  const auto back = formulas::detail::light_back(e, t.at);
+  if (!back || (e.red == 0 && e.green == 0 && e.blue == 0)) return;  // to some programs colours are nothing
+  const double light[] = {e.red, e.green, e.blue};
+  const char* names[] = {"red", "green", "blue"};
+  for (std::size_t k = 0; k < 3; ++k) t.gives(names[k], back->channel<Shown>(k), light[k]);
 }
 
 }  // namespace zstep::words

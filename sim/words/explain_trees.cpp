@@ -61,8 +61,8 @@ void tell(Telling& t, const NodeSkip& e) {
     t.contradict(fmt::format(
         "The trace skips what lies {} the plane of {}, but the view volume reaches there: its {} value is {}.",
         e.front ? "in front of" : "behind", node_name(t, e.node), e.front ? "greatest" : "least", number(e.value)));
-  t.formula(fmt::format("{} of A x + B y + C z + D over the view volume's corners = {}{}",
-                        e.front ? "greatest" : "least", number(e.value),
+  t.formula(fmt::format("{} of {} over the view volume's corners = {}{}", e.front ? "greatest" : "least",
+                        plane_in_symbols(), number(e.value),
                         e.value > 0   ? " > 0"
                         : e.value < 0 ? " < 0"
                                       : ""));

@@ -11,16 +11,10 @@ const glm::dvec3* world(const Telling& t, std::int32_t vertex) {
   return vertex >= 0 && at < t.scene.points.size() ? &t.scene.points[at] : nullptr;
 }
 
-/// One row of T_v times a point: sum of products, products with 0 left out.
+/// A row of T_v times a point, in plain numbers; what is 0 but for rounding is 0.
 Shown row_times_point(const glm::dmat4& m, int row, const glm::dvec3& p) {
-  std::optional<Shown> sum;
-  for (int column = 0; column < 4; ++column) {
-    const double factor = m[column][row];
-    if (std::abs(factor) < 1e-12) continue;
-    const Shown product = column < 3 ? Shown(factor) * Shown(p[column]) : Shown(factor);
-    sum = sum ? *sum + product : product;
-  }
-  return sum.value_or(Shown(0.0));
+  const auto entry = [&](int column) { return Shown(std::abs(m[column][row]) < 1e-12 ? 0.0 : m[column][row]); };
+  return formulas::matrix_row(entry(0), entry(1), entry(2), entry(3), Shown(p.x), Shown(p.y), Shown(p.z));
 }
 
 void tell_depth(Telling& t, const Projection& e) {

@@ -25,14 +25,19 @@ class Shown {
   }  ///< the same with numbers, where they differ with the digits that tell them apart
   /// A number as it stands, and nothing computed.
   bool is_operand() const { return leaf_; }
+  /// 0, without a name.
+  bool is_zero() const { return leaf_ && symbols_ == "0"; }
   /// "symbols = numbers"; the numbers alone where nothing has a name, or nothing is computed.
   std::string equation() const;
 
+  /// A plain 0 is left out, and what it is a factor of.
   friend Shown operator+(const Shown& a, const Shown& b) {
+    if (a.is_zero() || b.is_zero()) return a.is_zero() ? b : a;
     return joined(a, b, Binding::sum, " + ", a.rounded_ + b.rounded_);
   }
   friend Shown operator-(const Shown& a, const Shown& b);
   friend Shown operator*(const Shown& a, const Shown& b) {
+    if (a.is_zero()) return a;
     return joined(a, b, Binding::product, "\u00b7", a.rounded_ * b.rounded_);
   }
   friend Shown operator/(const Shown& a, const Shown& b) {

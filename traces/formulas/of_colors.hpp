@@ -16,9 +16,39 @@
 
 namespace zstep::formulas {
 
+/// Of a sum of colours, one more of which so much is seen: by its share of a pixel's area, or by the light that goes
+/// its way.
+template <class T>
+T with_share(const T& sum, const T& share, const T& color) {
+  return sum + share * color;
+}
+
+/// Of what came along a ray, the part that goes on along the one that cast it.
+template <class T>
+struct PartOfLight {
+  T part, light;
+};
+/// What a face of this colour, 0 to 255, sends back along a ray: a part of its own light, of which so much is left where
+/// the lamp does not shine, and parts of what came along the rays that were cast from it.
+template <class T>
+T light_back(const T& own_part, const T& color, const std::optional<T>& in_shadow_left,
+             const std::optional<PartOfLight<T>>& mirrored, const std::optional<PartOfLight<T>>& through) {
+  T light = color / T(255);
+  if (in_shadow_left) light = light * *in_shadow_left;
+  if (mirrored || through) light = own_part * light;
+  if (mirrored) light = with_share(light, mirrored->part, mirrored->light);
+  return through ? with_share(light, through->part, through->light) : light;
+}
+
+/// How far from the light a point counts as, so that its own face, as the light's picture has it, does not shade it.
+template <class T>
+T nearer_by_bias(const T& z_v, const T& bias) {
+  return z_v * (T(1) - bias);
+}
+
 namespace detail {
 
-using Light = std::array<Rounded, 3>;
+using Light = std::array<double, 3>;
 inline std::array<double, 3> channels(const Color& color) {
   return {static_cast<double>(color.red), static_cast<double>(color.green), static_cast<double>(color.blue)};
 }
@@ -36,41 +66,52 @@ inline double shadow_factor(const std::array<double, 3>& recorded, const std::ar
   return std::clamp(factor, 0.0, 1.0);
 }
 
-/// What comes back along a ray: of what it meets the own colour, and by its material what came along the rays that
-/// were cast from there. Nothing where one of these has not ended.
-inline std::optional<Light> light_back(const RayEnd& e, const Situation& at) {
+/// What the light that comes back along a ray is made of: of the face that it meets the own colour, and by its material
+/// what came along the rays that were cast from there.
+struct LightBack {
+  std::array<double, 3> color{};  ///< 0 to 255; where nothing is met, the background's
+  double own_part = 1, mirror_part = 0, passes = 0;
+  std::optional<Light> mirrored = {}, through = {};
+  double left = 1;  ///< of the own light, where the lamp does not shine
+
+  template <class T>
+  T channel(std::size_t k) const {
+    const auto part = [&](double share, const std::optional<Light>& light) {
+      return light ? std::optional(PartOfLight<T>{T(share), T((*light)[k])}) : std::nullopt;
+    };
+    return formulas::light_back<T>(T(own_part), T(color[k]), left != 1 ? std::optional(T(left)) : std::nullopt,
+                                   part(mirror_part, mirrored), part(passes, through));
+  }
+};
+/// Nothing where one of the rays has not ended.
+inline std::optional<LightBack> light_back(const RayEnd& e, const Situation& at) {
   const auto& tree = at.method().rays.tree;
   const auto facet = static_cast<std::size_t>(e.nearest_facet);
-  const bool met = e.nearest_facet >= 0 && facet < at.scene.facets.size();
-  if (!met) {
-    const auto background = channels(at.scene.background);
-    return Light{background[0] / 255, background[1] / 255, background[2] / 255};
-  }
+  LightBack back{channels(at.scene.background)};
+  if (e.nearest_facet < 0 || facet >= at.scene.facets.size()) return back;
   const Polygon& polygon = at.scene.polygons[static_cast<std::size_t>(at.scene.facets[facet].polygon)];
-  const RayEnd *mirror = nullptr, *through = nullptr;
+  back.color = channels(polygon.color);
   bool dark = false;
   for (auto row = tree.rbegin(); row != tree.rend() && row->entry.ray > e.ray; ++row) {
     if (row->entry.parent != e.ray) continue;
     if (!row->end) return std::nullopt;
     if (row->entry.role == RayRole::shadow) dark = row->end->nearest_facet >= 0;
-    else (row->entry.role == RayRole::reflected ? mirror : through) = &*row->end;
+    else (row->entry.role == RayRole::reflected ? back.mirrored : back.through) = light_of(*row->end);
   }
   const Material& material = *polygon.material;
-  const double passes = (1 - material.reflectance) * (1 - material.opacity);
+  back.passes = (1 - material.reflectance) * (1 - material.opacity);
   // Where rays go no deeper a polygon has its own colour alone.
-  const double own_part = mirror || through ? (1 - material.reflectance) * material.opacity : 1;
+  if (back.mirrored || back.through) back.own_part = (1 - material.reflectance) * material.opacity;
   // What cannot leave is mirrored, too.
-  const double mirror_part = material.reflectance + (through ? 0 : passes);
-  Light light;
+  back.mirror_part = material.reflectance + (back.through ? 0 : back.passes);
+  if (!dark) return back;
+  LightBack own = back;
+  own.mirrored = own.through = std::nullopt;
   std::array<double, 3> full{}, rest{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (mirror) light[k] = Rounded(mirror_part) * light_of(*mirror)[k];
-    if (through) light[k] = light[k] + Rounded(passes) * light_of(*through)[k];
-    full[k] = own_part * (channels(polygon.color)[k] / 255), rest[k] = light[k].value;
-  }
-  const double kept = dark ? shadow_factor({e.red, e.green, e.blue}, full, rest, 0) : 1;
-  for (std::size_t k = 0; k < 3; ++k) light[k] = light[k] + Rounded(kept * full[k]);
-  return light;
+  for (std::size_t k = 0; k < 3; ++k)
+    full[k] = back.own_part * own.channel<double>(k), rest[k] = back.channel<double>(k) - full[k];
+  back.left = shadow_factor({e.red, e.green, e.blue}, full, rest, 0);
+  return back;
 }
 
 }  // namespace detail
@@ -94,7 +135,9 @@ void derive(const RayEnd& e, const Situation& at, Out& out) {
   if (ray->role == RayRole::shadow || !says_colors) return;
   const auto light = detail::light_back(e, at);
   if (!light) return;
-  out.near(&RayEnd::red, (*light)[0]), out.near(&RayEnd::green, (*light)[1]), out.near(&RayEnd::blue, (*light)[2]);
+  out.near(&RayEnd::red, light->template channel<Rounded>(0));
+  out.near(&RayEnd::green, light->template channel<Rounded>(1));
+  out.near(&RayEnd::blue, light->template channel<Rounded>(2));
 }
 
 namespace detail {
@@ -159,8 +202,8 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
       const auto owner = static_cast<std::size_t>(share.owner);
       const Color color = share.owner < 0 || owner >= at.scene.polygons.size() ? at.scene.background
                                                                                 : at.scene.polygons[owner].color;
-      shades[0] += share.coverage * color.red, shades[1] += share.coverage * color.green;
-      shades[2] += share.coverage * color.blue;
+      for (std::size_t k = 0; k < 3; ++k)
+        shades[k] = with_share<double>(shades[k], share.coverage, detail::channels(color)[k]);
     }
   } else if (shadow && shadow->x == e.x && shadow->y == e.y) {
     const auto pixel = static_cast<std::size_t>(at.pixel(e.x, e.y));

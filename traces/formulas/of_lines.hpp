@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -11,27 +12,44 @@
 
 namespace zstep::formulas {
 
+/// Where on a line of the picture, from 0 at p to 1 at q, it is crossed by the line through a and b.
+template <class T>
+T where_lines_cross(const T& p_x, const T& p_y, const T& q_x, const T& q_y, const T& a_x, const T& a_y, const T& b_x,
+                    const T& b_y) {
+  return ((a_x - p_x) * (b_y - a_y) - (a_y - p_y) * (b_x - a_x)) /
+         ((q_x - p_x) * (b_y - a_y) - (q_y - p_y) * (b_x - a_x));
+}
+
 namespace detail {
 
 /// What a corner may lie beside a line and yet count as on it, in pixels.
 inline constexpr double beside_line = 1e-9;
 
 /// Where a face meets a line, as parts of its way: in space, where the line goes through the face's plane, and on the
-/// picture, where it crosses the face's outline.
+/// picture, where it crosses the face's outline, each from one vertex to the next.
 struct Crossings {
   std::vector<Rounded> in_space, on_picture;
+  std::vector<std::array<std::int32_t, 2>> outline;  ///< those edges, as `on_picture` has them
   bool any() const { return !in_space.empty() || !on_picture.empty(); }
+  /// The edge that is crossed at t.
+  std::optional<std::array<std::int32_t, 2>> edge_at(double t) const {
+    if (on_picture.empty()) return std::nullopt;
+    const auto nearer = [&](const Rounded& a, const Rounded& b) {
+      return std::abs(a.value - t) < std::abs(b.value - t);
+    };
+    const auto best = std::min_element(on_picture.begin(), on_picture.end(), nearer);
+    return outline[static_cast<std::size_t>(best - on_picture.begin())];
+  }
 };
 
 inline void cross_piece(Crossings& crossings, const Situation& at, const Piece& piece, const Vector<Rounded>& a,
                         const Vector<Rounded>& b) {
-  const auto keep = [](std::vector<Rounded>& all, const Rounded& t) {
-    if (std::isfinite(t.value)) all.push_back(t);
-  };
   const auto point = [](const Vector<Rounded>& v) { return glm::dvec3(v.x.value, v.y.value, v.z.value); };
-  if (piece.plane)
-    keep(crossings.in_space,
-         where_zero(plane_value<Rounded>(*piece.plane, point(a)), plane_value<Rounded>(*piece.plane, point(b))));
+  if (piece.plane) {
+    const Rounded t =
+        where_zero(plane_value<Rounded>(*piece.plane, point(a)), plane_value<Rounded>(*piece.plane, point(b)));
+    if (std::isfinite(t.value)) crossings.in_space.push_back(t);
+  }
   const Rounded along_x = b.x - a.x, along_y = b.y - a.y, square = along_x * along_x + along_y * along_y;
   const double allowed = beside_line * std::sqrt(square.value);
   const auto side = [&](const Vector<Rounded>& corner) {
@@ -52,8 +70,13 @@ inline void cross_piece(Crossings& crossings, const Situation& at, const Piece& 
     const Rounded part = where_zero(side_0, side_1);
     const double off = rounding_of_float32 * std::max(part.spread, 1.0);
     if (!(part.value >= -off && part.value <= 1 + off)) continue;  // beside the edge
-    const Rounded x = part_of_way(start.x, end.x, part), y = part_of_way(start.y, end.y, part);
-    keep(crossings.on_picture, ((x - a.x) * along_x + (y - a.y) * along_y) / square);
+    Rounded t = where_lines_cross(a.x, a.y, b.x, b.y, start.x, start.y, end.x, end.y);
+    if (!std::isfinite(t.value)) continue;
+    // A corner beside the line counts as on it: that moves the crossing the farther, the more the two run alike.
+    const Rounded side_by_side = (end.x - start.x) * along_x + (end.y - start.y) * along_y;
+    t.spread += std::abs(side_by_side.value / (side_1 - side_0).value) * allowed / square.value / rounding_of_float64;
+    crossings.on_picture.push_back(t);
+    crossings.outline.push_back({piece.outline[i], piece.outline[i + 1 < corners.size() ? i + 1 : 0]});
   }
 }
 

@@ -11,6 +11,12 @@
 
 namespace zstep::formulas {
 
+/// The coordinate at t of a ray that begins at `from` and gains `along` where t gains 1.
+template <class T>
+T on_ray(const T& from, const T& t, const T& along) {
+  return from + t * along;
+}
+
 namespace detail {
 
 /// The ray at work: X = X_0 + t dX.
@@ -273,7 +279,7 @@ void derive(const RayHit& e, const Situation& at, Out& out) {
   const Place place{Place::In::ray, 0};
   const auto t = out.number("t", e.t, Place{});
   const auto along = [&](std::string_view start, double from, std::string_view direction, double step) {
-    return out.number(start, from, place[start]) + t * out.number(direction, step, place[direction]);
+    return on_ray(out.number(start, from, place[start]), t, out.number(direction, step, place[direction]));
   };
   out.gives(&RayHit::x_hit, along("x_0", ray->x_0, "dir_x", ray->dir_x));
   out.gives(&RayHit::y_hit, along("y_0", ray->y_0, "dir_y", ray->dir_y));

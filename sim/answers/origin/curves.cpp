@@ -5,8 +5,9 @@
 #include "sim/answers/origin/planes.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "sim/words/explain.hpp"
-#include "traces/formulas/lines.hpp"
+#include "traces/formulas/of_lines.hpp"
 #include "traces/formulas/outlines.hpp"
+#include "traces/formulas/situation_of.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -121,34 +122,17 @@ std::int32_t piece_of_facet(const Work& work, std::int32_t facet, const LineBegi
 
 /// Where, on the picture, the line crosses an edge of the face: the edge that gives this t.
 void tell_edge_crossing(Datum& datum, Work& work, const LineCross& e, const LineBegin& line) {
-  const std::int32_t number = piece_of_facet(work, e.facet, line, e.t);
-  if (number < 0) return;
-  const std::vector<std::int32_t> outline = work.machine().pieces[static_cast<std::size_t>(number)].outline;
-  const auto x = [&](std::int32_t v) { return work.raster_value(v, Axis3::x); };
-  const auto y = [&](std::int32_t v) { return work.raster_value(v, Axis3::y); };
-  double least = std::numeric_limits<double>::infinity();
-  std::size_t best = 0;
-  const double dx = x(line.vertex_1) - x(line.vertex_0), dy = y(line.vertex_1) - y(line.vertex_0);
-  const auto t_at = [&](std::size_t i) {
-    const std::int32_t a = outline[i], b = outline[(i + 1) % outline.size()];
-    const double ex = x(b) - x(a), ey = y(b) - y(a);
-    return ((x(a) - x(line.vertex_0)) * ey - (y(a) - y(line.vertex_0)) * ex) / (dx * ey - dy * ex);
-  };
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    if (const double off = std::abs(t_at(i) - e.t); off < least) least = off, best = i;
-  if (!(least <= 1e-9)) return;
-  const std::int32_t a = outline[best], b = outline[(best + 1) % outline.size()];
-  const auto at = [&](std::int32_t vertex, Axis3 axis) { return work.on_raster(vertex, axis); };
-  datum.is("((a_x - x_0)*(b_y - a_y) - (a_y - y_0)*(b_x - a_x))/((x_1 - x_0)*(b_y - a_y) - (y_1 - y_0)*(b_x - a_x))",
-           {{"a_x", at(a, Axis3::x)},
-            {"x_0", at(line.vertex_0, Axis3::x)},
-            {"b_y", at(b, Axis3::y)},
-            {"a_y", at(a, Axis3::y)},
-            {"y_0", at(line.vertex_0, Axis3::y)},
-            {"b_x", at(b, Axis3::x)},
-            {"x_1", at(line.vertex_1, Axis3::x)},
-            {"y_1", at(line.vertex_1, Axis3::y)}},
-           false);
+  const auto edge =
+      formulas::detail::crossings_of(formulas::situation_of(work.trace, work.state()), line, e.facet).edge_at(e.t);
+  if (!edge) return;
+  const auto [a, b] = *edge;
+  Operands of;
+  const auto x = [&](const char* name, std::int32_t vertex) { return of(name, work.on_raster(vertex, Axis3::x)); };
+  const auto y = [&](const char* name, std::int32_t vertex) { return of(name, work.on_raster(vertex, Axis3::y)); };
+  const Formula a_x = x("a_x", a), x_0 = x("x_0", line.vertex_0), b_y = y("b_y", b), a_y = y("a_y", a),
+                y_0 = y("y_0", line.vertex_0), b_x = x("b_x", b), x_1 = x("x_1", line.vertex_1),
+                y_1 = y("y_1", line.vertex_1);
+  datum.is(formulas::where_lines_cross(x_0, y_0, x_1, y_1, a_x, a_y, b_x, b_y), of, false);
   datum.note(
       fmt::format("where it crosses the edge from vertex {} to vertex {}", work.vertex_name(a), work.vertex_name(b)));
 }

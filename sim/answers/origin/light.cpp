@@ -11,6 +11,7 @@
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "traces/formulas/from_raster.hpp"
+#include "traces/formulas/of_colors.hpp"
 #include "traces/formulas/viewing.hpp"
 
 namespace zstep::answers {
@@ -149,7 +150,9 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ShadowCompar
   if (!as_recorded && !work.conventions.options.contains("bias"))
     return datum.comes_of("by z_v and z_shadow; the trace does not say how large its bias is",
                           {z_v, behind, asked[0], shadow, asked[1], asked[2]});
-  datum.holds_if("z_v*(1 - bias/1000) <= z_shadow", {{"z_v", z_v}, {"bias", bias}, {"z_shadow", behind}});
+  const Formula depth = of("z_v", z_v), nearer = formulas::nearer_by_bias(depth, of("bias", bias) / Formula(1000)),
+                lit = Formula::compared(nearer, "<=", of("z_shadow", behind), as_recorded);
+  datum.holds_if(lit.text(), of.in(lit));
   datum.note("z_v is how far from the light it is, z_shadow what the light sees there");
 }
 

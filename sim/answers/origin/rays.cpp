@@ -6,10 +6,9 @@
 
 #include "algorithms/ray_casting/geometry.hpp"
 #include "algorithms/ray_tracing/optics.hpp"
-#include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "sim/answers/origin/work.hpp"
 #include "traces/formulas/facet_planes.hpp"
-#include "traces/formulas/light.hpp"
+#include "traces/formulas/of_colors.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -117,9 +116,10 @@ void tell_secondary_direction(Datum& datum, Work& work, std::int64_t parent, std
   const std::string name = axis_names[axis];
   if (e.role == RayRole::shadow) {
     const Number point = work.field(hit, hit_fields[axis]);
-    return datum.is("light_" + name + " - point_" + name,
-                    {{"light_" + name, work.scene.light ? component(work.scene.light->position, axis) : 0},
-                     {"point_" + name, point}});
+    Operands of;
+    const Formula light =
+        of("light_" + name, work.scene.light ? component(work.scene.light->position, axis) : 0);
+    return datum.is(light - of("point_" + name, point), of);
   }
   const std::int32_t facet = get<RayHit>(work.trace.event(hit).event).facet;
   Operands of;
@@ -203,7 +203,7 @@ namespace {
 
 constexpr const char* light_names[] = {"red", "green", "blue"};
 
-/// Own colour, mirrored and transmitted light, by the material: r mirrored + (1 - r)(o own + (1 - o) through).
+/// Own colour, mirrored and transmitted light, by the material.
 void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, int which) {
   const auto facet = static_cast<std::size_t>(e.nearest_facet);
   const bool met = e.nearest_facet >= 0 && facet < work.scene.facets.size();
@@ -224,23 +224,21 @@ void tell_light(Datum& datum, Work& work, std::int64_t step, const RayEnd& e, in
     if (role == RayRole::shadow) shadow = end, dark = get<RayEnd>(work.trace.event(*end).event).nearest_facet >= 0;
     else (role == RayRole::reflected ? mirrored : through) = end;
   }
-  const std::string own_part = dark ? "colour/255*in_shadow" : "colour/255";
-  std::vector<Given> given{{"colour", own}};
-  if (dark) given.push_back({"in_shadow", shadow_buffer::in_shadow});
+  Operands of;
+  const Formula color = of("colour", own);
+  const auto left = dark ? std::optional(of("in_shadow", formulas::in_shadow)) : std::nullopt;
   if (shadow) datum.note(fmt::format("the light {} the point: step {}", dark ? "does not reach" : "reaches", *shadow));
-  if (!mirrored && !through) return datum.is(own_part, std::move(given), false);
-  const Material& material = *work.scene.polygons[static_cast<std::size_t>(polygon)].material;
+  const Material none, &material = met ? *work.scene.polygons[static_cast<std::size_t>(polygon)].material : none;
   const double passes = (1 - material.reflectance) * (1 - material.opacity),
                mirror = material.reflectance + (through ? 0 : passes);
-  given.push_back({"own_part", (1 - material.reflectance) * material.opacity});
-  std::string text = "own_part*(" + own_part + ")";
-  if (mirrored)
-    text += " + r*mirrored", given.push_back({"r", mirror}),
-        given.push_back({"mirrored", work.field(*mirrored, light_names[which])});
-  if (through)
-    text += " + p*through", given.push_back({"p", passes}),
-        given.push_back({"through", work.field(*through, light_names[which])});
-  datum.is(text, std::move(given), false);
+  const Formula own_part = of("own_part", (1 - material.reflectance) * material.opacity);
+  const auto part = [&](const char* share, double value, const char* name, const Step& end) {
+    if (!end) return std::optional<formulas::PartOfLight<Formula>>();
+    const Formula passed = of(share, value);
+    return std::optional(formulas::PartOfLight<Formula>{passed, of(name, work.field(*end, light_names[which]))});
+  };
+  const auto from_mirror = part("r", mirror, "mirrored", mirrored), from_behind = part("p", passes, "through", through);
+  datum.is(formulas::light_back(own_part, color, left, from_mirror, from_behind), of, false);
 }
 
 }  // namespace

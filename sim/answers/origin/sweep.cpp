@@ -1,5 +1,6 @@
 // The scan-line method: intervals of a line, the depths of planes on them, implied edges, shares of a pixel.
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/of_colors.hpp"
 #include "traces/formulas/of_sweep.hpp"
 
 namespace zstep::answers {
@@ -50,18 +51,18 @@ static void tell(Datum& datum, Work& work, std::int64_t, const ImpliedEdge& e, s
 bool tell_coverage(Datum& datum, Work& work, std::int64_t step, std::int32_t x, std::int32_t y, int which) {
   const auto& covered = work.machine().sweep.covered;
   if (covered.empty() || covered.back().x != x || covered.back().y != y) return false;
-  std::vector<Given> given;
-  std::string text;
+  Operands of;
+  Formula sum(0);
+  int number = 0;
   for (const CoverageAdd& share : std::vector<CoverageAdd>(covered)) {
-    const std::string n = std::to_string(given.size() / 2 + 1);
+    const std::string n = std::to_string(++number);
     const Step added = find_last<CoverageAdd>(work.trace, step, [&](const CoverageAdd& other) {
       return other.x == x && other.y == y && other.owner == share.owner;
     });
-    text += (text.empty() ? "" : " + ") + ("share_" + n) + "*colour_" + n;
-    given.push_back({"share_" + n, work.field(added, "coverage", share.coverage)});
-    given.push_back({"colour_" + n, work.color_of(share.owner, which)});
+    const Formula part = of("share_" + n, work.field(added, "coverage", share.coverage));
+    sum = formulas::with_share(sum, part, of("colour_" + n, work.color_of(share.owner, which)));
   }
-  datum.is("round(" + text + ")", std::move(given));
+  datum.is(round(sum), of);
   return true;
 }
 

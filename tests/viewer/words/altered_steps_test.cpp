@@ -133,7 +133,7 @@ TEST_CASE("altered steps: sides of planes") {
   const Explanation touched = told<NodeSkip>("bsp-behind", [](NodeSkip& e) { e.value = 0; });
   CHECK(contradicted(touched) ==
         "The trace skips what lies behind the plane of A, but the view volume reaches there: its least value is 0.");
-  CHECK(has_formula(touched, "least of A x + B y + C z + D over the view volume's corners = 0"));
+  CHECK(has_formula(touched, "least of A\u00b7x + B\u00b7y + C\u00b7z + D over the view volume's corners = 0"));
   CHECK_FALSE(told<ClipVertex>("clipping", [](ClipVertex& e) { e.inside = true, e.distance = 0; }).doubt);
   CHECK(contradicted(told<ClipVertex>("clipping", [](ClipVertex& e) { e.inside = false, e.distance = 0; })) ==
         "The trace takes vertex 0 for outside the near plane, but its distance says inside.");
