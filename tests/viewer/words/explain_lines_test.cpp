@@ -71,7 +71,12 @@ TEST_CASE("crossings show their formula, and it gives the recorded number") {
   CHECK(space.formulas.size() == 3);
   const Explanation picture = told_at<LineCross>(trace, [](const LineCross& e) { return e.line == 0; });
   CHECK(picture.sentence == "On the picture edge 0 (0\u20131) crosses an edge of P at t = 0.35.");
-  CHECK(picture.formulas.at(0) == "x = x_0 + t\u00b7(x_1 \u2212 x_0) = 12.3 + 0.35\u00b7(25.1 \u2212 12.3) = 16.78");
+  CHECK(picture.formulas.at(0) ==
+        "t = ((x_a \u2212 x_0)(y_b \u2212 y_a) \u2212 (y_a \u2212 y_0)(x_b \u2212 x_a))/((x_1 \u2212 x_0)(y_b "
+        "\u2212 y_a) \u2212 (y_1 \u2212 y_0)(x_b \u2212 x_a)) = ((14.7 \u2212 12.3)(18.94 \u2212 28.54) \u2212 "
+        "(28.54 \u2212 24.86)(26.7 \u2212 14.7))/((25.1 \u2212 12.3)(18.94 \u2212 28.54) \u2212 (30.62 \u2212 "
+        "24.86)(26.7 \u2212 14.7)) = 0.35");
+  CHECK(picture.formulas.at(1) == "x = x_0 + t\u00b7(x_1 \u2212 x_0) = 12.3 + 0.35\u00b7(25.1 \u2212 12.3) = 16.78");
 }
 
 TEST_CASE("pieces: visible, hidden, whole, of a back") {

@@ -76,7 +76,7 @@ TEST_CASE("depth sort: extents that are apart, with their numbers") {
 TEST_CASE("depth sort: sides of a plane, turned so that the eye's side is negative") {
   const Explanation both = told_of(five_tests(), "test_3");
   CHECK(says(both.sentence, "A lies on both sides of the plane of F. This test cannot decide."));
-  CHECK(says(formulas(both), "f(x, y, z) = 0 x + (\u22120.4472) y + 0.8944 z + (\u22124.6957)"));
+  CHECK(says(formulas(both), "f(x, y, z) = \u22120.4472\u00b7y + 0.8944\u00b7z + (\u22124.6957)"));
   CHECK(says(told_of(five_tests(), "test_3", 2).sentence,
              "All of A lies behind the plane of D. So A may be drawn first."));
   CHECK(says(told_of(five_tests(), "test_4", 2).sentence,

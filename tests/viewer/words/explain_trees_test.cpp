@@ -68,7 +68,7 @@ TEST_CASE("words: nodes, sides and cuts of the six walls") {
   const Explanation cut = told_of<SplitVertex>(trace, [](const SplitVertex&) { return true; });
   REQUIRE(cut.formulas.size() == 2);
   CHECK(cut.formulas[0] == "t = d_0/(d_0 \u2212 d_1) = 1/(1 \u2212 (\u22121)) = 0.5");
-  CHECK(cut.formulas[1] == "V = V_0 + t(V_1 \u2212 V_0) = (\u22123.25, 0, 0)");
+  CHECK(cut.formulas[1] == "V = V_0 + t\u00b7(V_1 \u2212 V_0) = (\u22123.25, 0, 0)");
   const Explanation eye = told_of<EyeSide>(trace, [](const EyeSide& e) { return e.node == 1; });
   CHECK(eye.sentence == "The eye is behind the plane of B, so what lies in front of it is drawn first.");
   REQUIRE_FALSE(eye.formulas.empty());

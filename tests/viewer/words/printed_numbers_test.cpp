@@ -155,10 +155,12 @@ TEST_CASE("law: comparisons, lengths and mixed colours are right as they are pri
           ++lengths;
         }
         if (holds<ColorBlend>(event)) {
-          REQUIRE(numbers.size() == 11);  // α · (r, g, b) + (1 − α) · (r, g, b) = (r, g, b)
-          for (std::size_t k = 1; k <= 3; ++k)
-            REQUIRE(std::abs(numbers[0] * numbers[k] + numbers[4] * numbers[4 + k] - numbers[7 + k]) < 0.55);
-          REQUIRE(numbers[0] + numbers[4] == doctest::Approx(1));
+          // α · colour + (1 − α) · frame = α · (r, g, b) + (1 − α) · (r, g, b) = (r, g, b), the 1 of the symbols first
+          REQUIRE(numbers.size() == 13);
+          REQUIRE(numbers[5] == 1);
+          REQUIRE(numbers[6] == numbers[1]);
+          for (std::size_t k = 0; k < 3; ++k)
+            REQUIRE(std::abs(numbers[1] * numbers[2 + k] + (1 - numbers[1]) * numbers[7 + k] - numbers[10 + k]) < 0.55);
           ++mixtures;
         }
       }
