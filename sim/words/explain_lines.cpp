@@ -52,10 +52,12 @@ void crossing_on_picture(Telling& t, const LineCross& e, const LineBegin& line) 
     const OnRaster p = *t.at.on_raster(vertex);
     return std::pair{Shown(std::string("x_") + name, p.x), Shown(std::string("y_") + name, p.y)};
   };
-  const auto from = at("0", line.vertex_0), to = at("1", line.vertex_1), a = at("a", (*edge)[0]), b = at("b", (*edge)[1]);
-  t.gives("t",
-          formulas::where_lines_cross(from.first, from.second, to.first, to.second, a.first, a.second, b.first, b.second),
-          e.t, formulas::nearest_of(e.t, found.on_picture));
+  const auto [x_0, y_0] = at("0", line.vertex_0);
+  const auto [x_1, y_1] = at("1", line.vertex_1);
+  const auto [x_a, y_a] = at("a", (*edge)[0]);
+  const auto [x_b, y_b] = at("b", (*edge)[1]);
+  t.gives("t", formulas::where_lines_cross(x_0, y_0, x_1, y_1, x_a, y_a, x_b, y_b), e.t,
+          formulas::nearest_of(e.t, found.on_picture));
 }
 
 std::string between(double t_0, double t_1) { return fmt::format("t = {} to {}", number(t_0), number(t_1)); }

@@ -138,7 +138,8 @@ void tell(Telling& t, const OverlapTest& e) {
   t.value("y", e.y_at);
   const Piece *p = t.at.piece(e.piece), *q = t.at.piece(e.other);
   if (!p || !q || !p->plane || !q->plane) return;
-  const double z_p = formulas::plane_depth(*p->plane, e.x_at, e.y_at), z_q = formulas::plane_depth(*q->plane, e.x_at, e.y_at);
+  const double z_p = formulas::plane_depth(*p->plane, e.x_at, e.y_at),
+               z_q = formulas::plane_depth(*q->plane, e.x_at, e.y_at);
   const auto [shown_p, shown_q] = tell_apart(z_p, z_q);
   t.formula(fmt::format("there {} of {} = {}, of {} = {}", t.z, one, shown_p, other, shown_q));
 }

@@ -28,8 +28,8 @@ template <class T>
 struct PartOfLight {
   T part, light;
 };
-/// What a face of this colour, 0 to 255, sends back along a ray: a part of its own light, of which so much is left where
-/// the lamp does not shine, and parts of what came along the rays that were cast from it.
+/// What a face of this colour, 0 to 255, sends back along a ray: a part of its own light, of which so much is left
+/// where the lamp does not shine, and parts of what came along the rays that were cast from it.
 template <class T>
 T light_back(const T& own_part, const T& color, const std::optional<T>& in_shadow_left,
              const std::optional<PartOfLight<T>>& mirrored, const std::optional<PartOfLight<T>>& through) {
