@@ -102,15 +102,17 @@ void grade_from_pictures(const Homework& homework, const Task& task, const std::
   if (others) graded.why = fmt::format("there are no steps in {}: only the picture is graded", names_of(pictures));
 }
 
-Graded grade_task(const Homework& homework, const Task& task, const fs::path& file,
+Graded grade_task(const Homework& homework, const Task& task, const fs::path& submission, const fs::path& file,
                   const std::vector<fs::path>& pictures, const References* known) {
   Graded graded;
   graded.task = &task;
-  const bool by_pixels = std::any_of(homework.parts.begin(), homework.parts.end(), [](const grade::Part& part) {
-    return part.level == grade::Level::buffers;
-  });
+  const bool by_pixels = std::any_of(homework.parts.begin(), homework.parts.end(),
+                                     [](const grade::Part& part) { return part.level == grade::Level::buffers; });
   if (file.empty() && (pictures.empty() || !by_pixels)) {
     graded.why = fmt::format("there is no {}.jsonl", task.name);
+    // It was handed in, and something went wrong before there was a run.
+    graded.ended = how_it_ended(submission / (task.name + ".jsonl"), task.hidden);
+    if (!graded.ended.empty()) graded.state = Graded::State::unreadable;
     if (!pictures.empty()) graded.why += fmt::format("; {} cannot be graded here, only steps", names_of(pictures));
     return graded;
   }
@@ -196,6 +198,8 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, c
   std::error_code ignored;
   if (fs::file_size(file, ignored) > largest_run)
     throw InputError(file.string(), "is larger than 1 GiB", "print each step once, and nothing else");
+  if (fs::file_size(file, ignored) == 0)
+    throw InputError(file.string(), "is empty", "print each step to standard output, one a line, as the hand-out says");
   const Header header = header_for(*homework.method, task.conventions);
   GivenRun given = grade::given_run(header, task.scene, homework.free);
   std::string impossible;
@@ -203,8 +207,7 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, c
   const Conventions& conventions = submission.header().conventions;
   check_run(*homework.method, task.scene, conventions, file.string());
   std::shared_ptr<const Trace> reference = known ? known->find(task, conventions) : nullptr;
-  if (!reference)
-    reference = std::make_shared<const Trace>(reference_run(*homework.method, task.scene, conventions));
+  if (!reference) reference = std::make_shared<const Trace>(reference_run(*homework.method, task.scene, conventions));
   return {std::move(reference), std::move(submission), !given.without_header, impossible};
 }
 
@@ -253,7 +256,7 @@ Assessment assess(const Homework& homework, const fs::path& submission, const st
     const std::vector<fs::path> pictures = pictures_of(submission, task);
     if (file.empty() && pictures.empty() && fs::is_regular_file(submission)) continue;  // it is another scene's
     if (on_task) on_task(task);
-    all.tasks.push_back(grade_task(homework, task, file, pictures, known));
+    all.tasks.push_back(grade_task(homework, task, submission, file, pictures, known));
   }
   return all;
 }

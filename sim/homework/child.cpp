@@ -87,6 +87,11 @@ void confine(const GradingLimits& limits, int pipe) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive who waits for it
 #endif
   for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXCPU, SIGXFSZ}) std::signal(signal, SIG_DFL);
+  // Where the machine has no memory left, it is the child that goes, and not who says so.
+  if (const int first = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); first >= 0) {
+    [[maybe_unused]] const ssize_t written = write(first, "1000", 4);
+    close(first);
+  }
   const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
   dup2(nothing, STDIN_FILENO);
   dup2(nothing, STDOUT_FILENO);

@@ -7,6 +7,7 @@
 
 #include "sim/homework/pack_program.hpp"
 #include "sim/homework/pack_scripts.hpp"
+#include "sim/homework/reports.hpp"
 #include "sim/homework/seeds.hpp"
 #include "sim/homework/student_folders.hpp"
 #include "sim/words/shell_word.hpp"
@@ -48,6 +49,15 @@ void zip(const fs::path& folder, const fs::path& file) {
   throw InputError(file.string(), "there is no program that writes zip files", "install zip: apt-get install zip");
 }
 
+/// The result of a grading that did not come to its end and cannot say so itself.
+Assessment stopped(const Homework& homework) {
+  return not_graded(
+      homework, "the submission", "",
+      "could not be graded: the grader was stopped from outside, as where its machine has no more memory or "
+      "time. This says nothing about what you handed in. Hand it in once more, and ask your teacher if "
+      "this comes again.");
+}
+
 void fill(const Homework& homework, Service service, const fs::path& folder) {
   const fs::path inside = service == Service::github ? folder / ".zstep" : folder;
   if (service == Service::github) copy_for_students(homework, inside / "homework");
@@ -55,10 +65,12 @@ void fill(const Homework& homework, Service service, const fs::path& folder) {
   carry_program(inside / "zstep");
   switch (service) {
     case Service::gradescope:
+      write_script(folder / stopped_file, report_gradescope(stopped(homework), 0), false);
       write_script(folder / "setup.sh", gradescope_setup(homework));
       write_script(folder / "run_autograder", gradescope_run(homework));
       break;
     case Service::prairielearn:
+      write_script(folder / stopped_file, report_prairielearn(stopped(homework)), false);
       write_script(folder / "Dockerfile", prairielearn_dockerfile(homework), false);
       write_script(folder / "grade.sh", prairielearn_run(homework));
       write_script(folder / "info.json", prairielearn_info(homework), false);

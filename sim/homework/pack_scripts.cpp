@@ -18,13 +18,27 @@ int seconds_for(const Homework& homework) {
   return static_cast<int>(std::min(600.0, std::ceil(programs) + 60));
 }
 
-/// Lines that leave the runs of a submission in $runs: what its program prints, or what was handed in.
-std::string runs_lines(const Homework& homework, const std::string& folder, const std::string& submission) {
-  if (homework.program.empty()) return fmt::format("runs={}\n", submission);
-  return fmt::format(
-      "runs=$(mktemp -d)/runs\n"
-      "\"{0}/zstep/zstep\" homework run \"{0}/homework\" {1} -o \"$runs\"\n",
+/// Lines that grade a submission: what its program prints, or the runs that were handed in. From the first of them on
+/// there is a result, whatever becomes of the rest.
+std::string grading_lines(const Homework& homework, const std::string& folder, const std::string& submission,
+                          const std::string& format) {
+  const std::string run = fmt::format(
+      "cd \"$(mktemp -d)\" && runs=runs || exit 1\n"
+      "\"{0}/zstep/zstep\" homework run \"{0}/homework\" {1} -o \"$runs\"\n"
+      "# 0: they ended well, 1: not all of them, 2: they cannot be run; the report says so. Else the grader was "
+      "stopped.\n"
+      "[ $? -le 2 ] || exit 0\n",
       folder, submission);
+  return fmt::format(
+      "rm -f \"$results\"\n"
+      "# The result that stays where something ends the grader itself: no memory, no time. It says so.\n"
+      "cp \"{0}/{1}\" \"$results\"\n"
+      "{2}"
+      "\"{0}/zstep/zstep\" grade --homework \"{0}/homework\" \"$runs\" --format {3} -o \"$results\"\n"
+      "# 0: all right, 1: not all right, else it cannot be graded, and the report says why. Without one the grader "
+      "failed.\n"
+      "[ -s \"$results\" ]\n",
+      folder, stopped_file, homework.program.empty() ? fmt::format("cd {} && runs=.\n", submission) : run, format);
 }
 
 }  // namespace
@@ -45,11 +59,14 @@ std::string gradescope_setup(const Homework& homework) {
       "#!/usr/bin/env bash\n"
       "# Run once, as root, where the autograder's image is made.\n"
       "# https://gradescope-autograders.readthedocs.io/en/latest/specs/\n"
+      "set -e\n"
       "{}"
-      "chmod +x /autograder/source/zstep/zstep /autograder/source/zstep/lib/zstep /autograder/source/zstep/lib/ld-*\n",
+      "chmod +x /autograder/source/zstep/zstep /autograder/source/zstep/lib/*\n",
       homework.program.empty() ? std::string()
                                : fmt::format("# What programs of students need. Add other languages here.\n"
-                                             "apt-get update && apt-get install -y --no-install-recommends {}\n",
+                                             "export DEBIAN_FRONTEND=noninteractive\n"
+                                             "apt-get update\n"
+                                             "apt-get install -y --no-install-recommends {}\n",
                                              packages_for(homework.program)));
 }
 
@@ -60,13 +77,8 @@ std::string gradescope_run(const Homework& homework) {
          "umask 077\n"
          "source=/autograder/source results=/autograder/results/results.json\n"
          "# A student's program runs as another user: scenes, reference and results are not for it.\n"
-         "chmod go= \"$source\" /autograder/results\n"
-         "rm -f \"$results\"\n" +
-         runs_lines(homework, "$source", "/autograder/submission") +
-         "\"$source/zstep/zstep\" grade --homework \"$source/homework\" \"$runs\" --format gradescope -o \"$results\"\n"
-         "# 0: all right, 1: not all right, 2: it cannot be graded; the report says why. Without one the autograder "
-         "failed.\n"
-         "[ -s \"$results\" ]\n";
+         "chmod go= \"$source\" /autograder/results\n" +
+         grading_lines(homework, "$source", "/autograder/submission", "gradescope");
 }
 
 std::string prairielearn_dockerfile(const Homework& homework) {
@@ -74,12 +86,14 @@ std::string prairielearn_dockerfile(const Homework& homework) {
       "# The image of an external grader: docker build -t NAME . && docker push NAME\n"
       "# https://prairielearn.readthedocs.io/en/latest/externalGrading/\n"
       "FROM debian:stable-slim\n"
-      "RUN apt-get update && apt-get install -y --no-install-recommends bash {} && rm -rf /var/lib/apt/lists/*\n"
+      "RUN apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends bash {0} "
+      "&& rm -rf /var/lib/apt/lists/*\n"
       "COPY zstep /zstep/zstep\n"
       "COPY homework /zstep/homework\n"
+      "COPY {1} /zstep/{1}\n"
       "COPY grade.sh /zstep/grade.sh\n"
       "RUN chmod +x /zstep/grade.sh && chmod go= /zstep\n",
-      homework.program.empty() ? std::string() : packages_for(homework.program));
+      homework.program.empty() ? std::string() : packages_for(homework.program), stopped_file);
 }
 
 std::string prairielearn_run(const Homework& homework) {
@@ -88,11 +102,8 @@ std::string prairielearn_run(const Homework& homework) {
          "# https://prairielearn.readthedocs.io/en/latest/externalGrading/\n"
          "umask 077\n"
          "results=/grade/results/results.json\n"
-         "mkdir -p /grade/results && chmod go= /grade/results\n"
-         "rm -f \"$results\"\n" +
-         runs_lines(homework, "/zstep", "/grade/student") +
-         "/zstep/zstep/zstep grade --homework /zstep/homework \"$runs\" --format prairielearn -o \"$results\"\n"
-         "[ -s \"$results\" ]\n";
+         "mkdir -p /grade/results && chmod go= /grade/results\n" +
+         grading_lines(homework, "/zstep", "/grade/student", "prairielearn");
 }
 
 std::string prairielearn_info(const Homework& homework) {
@@ -161,6 +172,7 @@ std::string github_workflow(const Homework& homework) {
       "{}"
       "      - run: |\n"
       "          report=$(.zstep/zstep/zstep grade --homework .zstep/homework \"$RUNNER_TEMP/runs\") || true\n"
+      "          [ -n \"$report\" ] || report='could not be graded: the grading was stopped from outside'\n"
       "          printf '```\\n%s\\n```\\n' \"$report\" >> \"$GITHUB_STEP_SUMMARY\"\n"
       "{}"
       "      - uses: classroom-resources/autograding-grading-reporter@v1\n"

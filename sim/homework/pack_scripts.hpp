@@ -10,6 +10,9 @@ namespace zstep::homework {
 /// Debian's and Ubuntu's packages by which programs are run: bubblewrap, and what the command needs.
 std::string packages_for(const std::string& command);
 
+/// The file in a pack that is the result where the grader itself was stopped.
+inline constexpr const char* stopped_file = "stopped.json";
+
 std::string gradescope_setup(const Homework& homework);
 std::string gradescope_run(const Homework& homework);
 std::string prairielearn_dockerfile(const Homework& homework);

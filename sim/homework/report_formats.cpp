@@ -47,12 +47,19 @@ void for_each_test(const Assessment& all, Visit&& visit) {
       visit(fmt::format("{}: {}", task.task->name, all.homework->parts[part].name), task, part);
 }
 
+/// What there is to know of a run that was judged: how its program ended, where it breaks off. Ends its line.
+std::string shown_line(const Graded& task) {
+  const std::string shown = task.shown();
+  return shown.empty() ? "" : shown + "\n";
+}
+
 /// The first thing that is wrong and may be shown, or why nothing could be graded.
 std::string overview(const Assessment& all) {
   const std::string begin =
       all.homework->left_out > 0 ? "The hidden scenes are not here; their points are not counted.\n" : "";
   if (const Graded* task = first_to_mend(all))
-    return begin + fmt::format("The first thing to look at, in {}:\n{}", task->task->name, first_text(*task->first));
+    return begin + fmt::format("The first thing to look at, in {}:\n{}{}", task->task->name, first_text(*task->first),
+                               shown_line(*task));
   for (const Graded& task : all.tasks)
     if (const std::string why = task.shown(); !why.empty()) return begin + fmt::format("{}: {}", task.task->name, why);
   return begin + (all.points() > 0 ? "Every step that is shown is right." : "");
@@ -90,7 +97,10 @@ std::string report_json(const Assessment& all) {
                       {"found", task.first->found}};
     if (task.first && task.first->mistake) {
       const mistakes::MistakeText& text = mistakes::text_of(*task.first->mistake);
-      one["mistake"] = {{"id", text.id}, {"name", text.name}, {"question", text.question}, {"lesson", text.lesson},
+      one["mistake"] = {{"id", text.id},
+                        {"name", text.name},
+                        {"question", text.question},
+                        {"lesson", text.lesson},
                         {"stop", text.stop}};
     }
     tasks.push_back(one);
@@ -141,8 +151,7 @@ std::string report_prairielearn(const Assessment& all) {
   });
   return dumped({{"gradable", true},
                  {"score", all.points() / all.most()},
-                 {"message", fmt::format("{} of {} points", points_text(all.points()),
-                                         points_text(all.most()))},
+                 {"message", fmt::format("{} of {} points", points_text(all.points()), points_text(all.most()))},
                  {"output", overview(all)},
                  {"tests", tests}});
 }
@@ -161,7 +170,8 @@ std::string report_junit(const Assessment& all) {
       return;
     }
     (unread ? errors : failures)++;
-    const std::string more = task.task->hidden || !task.first ? "" : first_text(*task.first);
+    std::string more = task.task->hidden || !task.first ? "" : first_text(*task.first);
+    if (!unread) more += shown_line(task);
     cases += fmt::format("><{0} message=\"{1}\">{2}</{0}></testcase>\n", unread ? "error" : "failure",
                          markup(printable(message(all, task, part))), markup(printable_lines(more)));
   });

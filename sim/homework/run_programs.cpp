@@ -26,6 +26,13 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
   return !way.empty() && *way.begin() != "..";
 }
 
+/// An empty text removes the note.
+void write_note(const fs::path& run, const std::string& text) {
+  std::error_code ignored;
+  if (text.empty()) fs::remove(note_beside(run), ignored);
+  else std::ofstream(note_beside(run), std::ios::binary) << text;
+}
+
 void check_folders(const Homework& homework, const fs::path& program, const fs::path& runs) {
   std::error_code ignored;
   if (!fs::is_directory(program, ignored))
@@ -52,16 +59,29 @@ std::vector<ProgramRun> run_programs(const Homework& homework, const std::string
     throw InputError((homework.folder / "homework.toml").string(), "says of no program how it is run",
                      "give --program 'python3 zbuffer.py', or write it under [program] as command");
   check_folders(homework, program, runs);
+  const auto file_of = [&](const Task& task) { return runs / (task.name + ".jsonl"); };
+  // Whatever ends this process, a run that is not there, or not to its end, is not taken for what the program did.
+  for (const Task& task : homework.tasks)
+    write_note(file_of(task),
+               "The program was not run to its end: something stopped the grader from outside. Have it "
+               "graded once more.\n");
   std::vector<ProgramRun> all;
-  for (const Task& task : homework.tasks) {
-    on_task(task);
-    const fs::path file = runs / (task.name + ".jsonl");
-    const Ended ended = run_in_sandbox(typed, program, task.name, plain_numbers(*homework.method, task.scene), file,
-                                       homework.limits, [&] { on_task(task); });
-    if (ended.how != Ended::How::well)
-      std::ofstream(note_beside(file), std::ios::binary) << fmt::format(
-          "The program {}.\n{}", text_of(ended, homework.limits, !task.hidden), printable_lines(ended.errors));
-    all.push_back({&task, ended, file});
+  try {
+    for (const Task& task : homework.tasks) {
+      on_task(task);
+      const fs::path file = file_of(task);
+      const Ended ended = run_in_sandbox(typed, program, task.name, plain_numbers(*homework.method, task.scene), file,
+                                         homework.limits, [&] { on_task(task); });
+      write_note(file, ended.how == Ended::How::well
+                           ? std::string()
+                           : fmt::format("The program {}.\n{}", text_of(ended, homework.limits, !task.hidden),
+                                         printable_lines(ended.errors)));
+      all.push_back({&task, ended, file});
+    }
+  } catch (const InputError& error) {
+    for (std::size_t left = all.size(); left < homework.tasks.size(); ++left)
+      write_note(file_of(homework.tasks[left]), fmt::format("The program was not run: {}\n", error.what()));
+    throw;
   }
   return all;
 }

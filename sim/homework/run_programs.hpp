@@ -19,7 +19,8 @@ struct ProgramRun {
 
 /// Runs the command, or the homework's own where it is empty, once for each scene in a copy of the folder `program`.
 /// What it prints is SCENE.jsonl in the folder `runs`, which is made; how it ended, where it did not end well, is
-/// SCENE.ended.txt. Throws InputError where there is no command or a folder is not as it must be.
+/// SCENE.ended.txt; so is why it was not run. Throws InputError where there is no command or a folder is not as it must
+/// be.
 std::vector<ProgramRun> run_programs(const Homework& homework, const std::string& command,
                                      const std::filesystem::path& program, const std::filesystem::path& runs,
                                      const std::function<void(const Task&)>& on_task);

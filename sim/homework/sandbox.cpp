@@ -17,6 +17,7 @@
 #include "sim/homework/sandbox_process.hpp"
 #include "sim/homework/sandbox_usage.hpp"
 #include "traces/error.hpp"
+#include "traces/text.hpp"
 
 namespace zstep::homework {
 
@@ -127,26 +128,46 @@ Ended run_on(const Stage& stage, const std::string& command, bool walls, const f
   return ended;
 }
 
-bool bubblewrap_works() {
-  if (const char* wish = std::getenv("ZSTEP_SANDBOX"); wish != nullptr && std::string(wish) == "limits") return false;
+/// Whether bubblewrap can be used, and if not, why, with what to do about it.
+struct Walls {
+  bool work = false;
+  std::string why_not;
+};
+Walls try_bubblewrap() {
+  if (const char* wish = std::getenv("ZSTEP_SANDBOX"); wish != nullptr && std::string(wish) == "limits")
+    return {false, "bubblewrap (bwrap) is not used, as ZSTEP_SANDBOX=limits asks for"};
 #ifdef __linux__
-  std::string pattern = (fs::temp_directory_path() / "zstep-try-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) return false;
-  const fs::path folder = pattern;
-  bool works = false;
-  try {
-    fs::create_directory(folder / "program");
-    const Stage stage(folder / "program", "try", "", {});
-    works = run_on(stage, "echo works", true, folder / "out", {}, [] {}).how == Ended::How::well &&
-            fs::file_size(folder / "out") > 0;
-  } catch (const std::exception&) {
+  if (std::none_of(bubblewrap_places.begin(), bubblewrap_places.end(),
+                   [](const char* place) { return access(place, X_OK) == 0; }))
+    return {false, "bubblewrap (bwrap) is not installed (apt-get install bubblewrap)"};
+  std::string says = "no folder can be made for trying it", pattern = (fs::temp_directory_path() / "zstep-try-XXXXXX");
+  if (mkdtemp(pattern.data()) != nullptr) {
+    const fs::path folder = pattern;
+    try {
+      fs::create_directory(folder / "program");
+      const Stage stage(folder / "program", "try", "", {});
+      const Ended ended = run_on(stage, "echo works", true, folder / "out", {}, [] {});
+      says = ended.errors.empty() ? "it " + text_of(ended, {})
+                                  : printable(ended.errors.substr(0, ended.errors.find('\n')));
+      if (ended.how == Ended::How::well && fs::file_size(folder / "out") > 0) says.clear();
+    } catch (const std::exception& error) {
+      says = error.what();
+    }
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
   }
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-  return works;
+  if (says.empty()) return {true, ""};
+  return {false, fmt::format("bubblewrap (bwrap) is installed and does not work here: “{}” (it must be allowed to make "
+                             "namespaces and to mount; docs/homework.md says how)",
+                             says)};
 #else
-  return false;
+  return {false, "there is no bubblewrap (bwrap) for this system"};
 #endif
+}
+
+const Walls& walls_here() {
+  static const Walls walls = try_bubblewrap();
+  return walls;
 }
 
 }  // namespace
@@ -178,20 +199,17 @@ std::string text_of(const Ended& ended, const Limits& limits, bool exact) {
   return fmt::format("was stopped: it printed more than {} MiB", limits.output);
 }
 
-bool has_walls() {
-  static const bool works = bubblewrap_works();
-  return works;
-}
+bool has_walls() { return walls_here().work; }
 
 std::string not_protected() {
   if (has_walls()) return "";
-  return runs_as_nobody()
-             ? "bubblewrap (bwrap) does not work here: programs run as the user nobody, with limits of time, memory, "
-               "processes and output. They reach the network, read what everybody may read and write where everybody "
-               "may write. Keep the homework and the results from others (chmod -R go= …)."
-             : "bubblewrap (bwrap) does not work here: programs run as you, with limits of time, memory and output. "
-               "They "
-               "reach the network and all of your files, the homework's too. Run none that you do not trust.";
+  return walls_here().why_not +
+         (runs_as_nobody()
+              ? ": programs run as the user nobody, with limits of time, memory, processes and output. They reach the "
+                "network, read what everybody may read and write where everybody may write. Keep the homework and the "
+                "results from others (chmod -R go= …)."
+              : ": programs run as you, with limits of time, memory and output. They reach the network and all of your "
+                "files, the homework's too. Run none that you do not trust.");
 }
 
 Ended run_in_sandbox(const std::string& command, const fs::path& program, const std::string& name,

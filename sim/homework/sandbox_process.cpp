@@ -33,6 +33,11 @@ void limit(int what, std::uint64_t most) {
   dup2(nothing, 0), dup2(pipes[0], 1), dup2(pipes[1], 2);
   for (int open_file = 3; open_file < 4096; ++open_file) close(open_file);
   for (const int number : {SIGINT, SIGPIPE, SIGXFSZ, SIGCHLD}) std::signal(number, SIG_DFL);
+  // Where the machine has no memory left, it is this that goes, and not the grader.
+  if (const int first = open("/proc/self/oom_score_adj", O_WRONLY); first >= 0) {
+    [[maybe_unused]] const ssize_t written = write(first, "1000", 4);
+    close(first);
+  }
   if (as_nobody && (setgroups(0, nullptr) != 0 || setgid(nobody) != 0 || setuid(nobody) != 0)) _exit(126);
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -50,7 +55,7 @@ void limit(int what, std::uint64_t most) {
   umask(077);
   if (chdir(folder) != 0) _exit(126);
   if (walls) {
-    for (const char* place : {"/usr/bin/bwrap", "/usr/local/bin/bwrap"}) execve(place, words, environment);
+    for (const char* place : bubblewrap_places) execve(place, words, environment);
   } else {
     execve(words[0], words, environment);
   }

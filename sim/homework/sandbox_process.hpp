@@ -11,6 +11,9 @@
 
 namespace zstep::homework {
 
+/// Where bubblewrap is looked for.
+inline constexpr std::array bubblewrap_places{"/usr/bin/bwrap", "/usr/local/bin/bwrap"};
+
 /// Ended with it, whatever has left its group or session.
 class Process {
  public:

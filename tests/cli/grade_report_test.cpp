@@ -67,6 +67,32 @@ TEST_CASE("grade: where memory is used up, every format has a result that says s
   check_ungraded(folder, "--memory 2", "needs more than the 2 MiB");
 }
 
+TEST_CASE(
+    "grade: where its process is killed, there is a result that says so, and the grader that is killed leaves none") {
+  const Folder folder;
+  set_up_runs(folder);
+  hand_in_long(folder, 20'000'000);
+  if (shell(folder, "pgrep -x no-such-name; [ $? = 1 ]").code != 0) return;
+  const std::string grade =
+      "\"$zstep\" grade --homework hw runs --format prairielearn -o results & p=$!; "
+      "until c=$(pgrep -P $p); do kill -0 $p || exit 99; done; ";
+  const Outcome child = shell(folder, grade + "kill -9 $c; wait $p");
+  CAPTURE(child.err);
+  CHECK(child.code == 3);
+  CHECK(has(child.err, "runs: could not be graded: the grading was ended by signal 9"));
+  const json result = json::parse(text_of(folder / "results"));
+  CHECK(result["gradable"] == false);
+  CHECK(has(result["format_errors"][0].get<std::string>(), "was ended by signal 9"));
+  // What was there before is whole, and the child does not outlive who waits for it.
+  write_text(folder / "results", "before");
+  CHECK(shell(folder, grade +
+                          "kill -9 $p; wait $p; n=0; while kill -0 $c 2>/dev/null && [ $n -lt 100 ]; do sleep 0.05; "
+                          "n=$((n+1)); done; [ $n -lt 100 ]")
+            .code == 0);
+  CHECK(text_of(folder / "results") == "before");
+  CHECK(folder.names() == std::vector<std::string>{"hw", "results", "runs"});
+}
+
 TEST_CASE("grade: a report of text has what works, the first wrong step and its command on its first page") {
   const Folder folder;
   set_up_runs(folder);

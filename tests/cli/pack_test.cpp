@@ -42,6 +42,14 @@ Outcome in_a_root(const Folder& folder, const std::string& binds, const std::str
 }
 bool can_have_a_root(const Folder& folder) { return there_is_a("bwrap") && in_a_root(folder, "", "true").code == 0; }
 
+/// Lets the packed zstep end as by the machine's own hand where it is called so: "grade", "homework".
+void kill_zstep(const fs::path& pack, const std::string& called) {
+  fs::rename(pack / "zstep", pack / "zstep.right");
+  write_text(pack / "zstep", "#!/bin/sh\ncase $1 in " + called + ") kill -9 $$ ;; esac\nexec \"$0.right\" \"$@\"\n");
+  fs::permissions(pack / "zstep", fs::perms(0755));
+}
+void mend_zstep(const fs::path& pack) { fs::rename(pack / "zstep.right", pack / "zstep"); }
+
 void check_results(const json& results, double points) {
   CHECK(results["score"] == doctest::Approx(points));
   CHECK(results["tests"].size() >= 15);
@@ -101,6 +109,20 @@ TEST_CASE("homework pack: Gradescope's autograder has what it needs, no more, an
   write_text(folder / "autograder/submission/results.json", "{\"score\":65}");
   CHECK(in_a_root(folder, binds, "sh -c 'cd /autograder && ./run_autograder'").code == 0);
   check_results(json::parse(text_of(folder / "autograder/results/results.json")), 0);
+
+  // Something ends the grader itself: a result is left that says so, and that of an earlier run is not.
+  for (const char* killed : {"grade", "homework"}) {
+    CAPTURE(killed);
+    kill_zstep(folder / "autograder/source/zstep", killed);
+    write_text(folder / "autograder/results/results.json", "{\"score\":65}");
+    CHECK(in_a_root(folder, binds, "sh -c 'cd /autograder && ./run_autograder'").code == 0);
+    mend_zstep(folder / "autograder/source/zstep");
+    const json left = json::parse(text_of(folder / "autograder/results/results.json"));
+    check_results(left, 0);
+    CHECK(left["extra_data"]["gradable"] == false);
+    CHECK(has(left["output"].get<std::string>(), "could not be graded: the grader was stopped from outside"));
+    for (const json& test : left["tests"]) CHECK(has(test["output"].get<std::string>(), "could not be graded"));
+  }
 }
 
 TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the lines of info.json, and grades") {
@@ -114,7 +136,8 @@ TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the l
   CHECK(options["entrypoint"] == "/zstep/grade.sh");
   CHECK(options["timeout"].get<int>() <= 600);
   const std::string image = text_of(folder / "grader/Dockerfile");
-  for (const char* copied : {"COPY zstep ", "COPY homework ", "COPY grade.sh "}) CHECK(has(image, copied));
+  for (const char* copied : {"COPY zstep ", "COPY homework ", "COPY grade.sh ", "COPY stopped.json "})
+    CHECK(has(image, copied));
   CHECK_FALSE(fs::exists(folder / "grader/homework/solution"));
   if (!can_have_a_root(folder) || !there_is_a("python3")) return;
   REQUIRE(shell(folder, "mkdir grade && cp -r hw/solution grade/student").code == 0);
@@ -125,6 +148,13 @@ TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the l
   const json results = json::parse(text_of(folder / "grade/results/results.json"));
   CHECK(results["gradable"] == true);
   check_results(results, 1);
+  kill_zstep(folder / "grader/zstep", "grade");
+  CHECK(in_a_root(folder, "--bind grader /zstep --bind grade /grade", "/zstep/grade.sh").code == 0);
+  const json left = json::parse(text_of(folder / "grade/results/results.json"));
+  CHECK(left["gradable"] == false);
+  CHECK_FALSE(left.contains("score"));
+  CHECK(left["format_errors"].size() == 4);
+  CHECK(has(left["format_errors"][0].get<std::string>(), "the grader was stopped from outside"));
 }
 
 TEST_CASE("homework pack: GitHub's repository has no hidden scene and no solution, and its zstep grades") {
