@@ -43,7 +43,7 @@ double points_of(const Outcome& outcome) { return json::parse(outcome.out)["poin
 
 }  // namespace
 
-TEST_CASE("seed: a folder for each student, with a scene of the own and nothing of the instructor's") {
+TEST_CASE("seed: a folder for each student, with a scene of its own and nothing of the instructor's") {
   const Folder folder;
   set_up_seeded(folder);
   std::set<std::string> scenes;
