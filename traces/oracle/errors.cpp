@@ -30,8 +30,9 @@ struct Known {
 
 class Judge {
  public:
-  Judge(const Trace& trace, Truth truth)
+  Judge(const Trace& trace, Truth truth, const std::function<void(const DepthError&)>& on_depth)
       : trace_(trace),
+        on_depth_(on_depth),
         truth_(truth),
         along_(along_of(trace, truth)),
         format_(trace.header().conventions.number_format),
@@ -50,7 +51,8 @@ class Judge {
   template <class E>
   void step(std::int64_t position, const E& e, const Situation& at) {
     if (at.method().pass == Pass::light) return;
-    if constexpr (std::is_same_v<E, SpanBegin>) span_.reset(), tried_ = false;
+    if constexpr (std::is_same_v<E, EdgeTableInsert>) edge_inserted(position, e.edge);
+    if constexpr (std::is_same_v<E, SpanBegin>) span_.reset(), tried_ = false, span_began_ = position;
     if constexpr (std::is_same_v<E, BuffersClear>) clear();
     if constexpr (std::is_same_v<E, RayBegin>)
       if (e.role == RayRole::eye) ray_ = e, ray_kept_ = ray_nearest_ = {};
@@ -209,9 +211,16 @@ class Judge {
       of->largest_view = std::max(of->largest_view, std::abs(off_view));
       of->sum_of_squares_view += off_view * off_view;
     }
-    note_drift(at, e.x, e.y);
+    note_drift(position, at, e.x, e.y, e.z);
   }
-  void note_drift(const Situation& at, std::int32_t x, std::int32_t y) {
+  /// Edges are numbered anew in each edge table.
+  void edge_inserted(std::int64_t position, std::int32_t number) {
+    const auto edge = static_cast<std::size_t>(number);
+    if (number < 0 || edge > inserted_.size()) return;
+    if (edge == inserted_.size()) inserted_.push_back(position);
+    else inserted_[edge] = position;
+  }
+  void note_drift(std::int64_t position, const Situation& at, std::int32_t x, std::int32_t y, double z) {
     const auto& span = at.method().span;
     if (!span || span->y != y) return;
     const auto put = [&](std::vector<double>& errors, std::int32_t from, std::int32_t to, std::int32_t most) {
@@ -221,11 +230,15 @@ class Judge {
       errors[n] = std::abs(error_);
     };
     const Raster& raster = trace_.scene().raster;
+    const EdgeTableInsert* edge = at.edge(span->left_edge);
+    const auto number = static_cast<std::size_t>(span->left_edge);
+    const std::int64_t inserted = edge && number < inserted_.size() ? inserted_[number] : 0;
     if (x == span->first) {
       along_span_.clear();
-      const EdgeTableInsert* edge = at.edge(span->left_edge);
-      if (edge) put(along_edges_[span->left_edge], edge->first_row, y, raster.height);
+      if (edge) put(along_edges_[inserted], edge->first_row, y, raster.height);
     }
+    if (on_depth_ && edge)
+      on_depth_({position, span_began_, inserted, x, y, x - span->first, y - edge->first_row, z, error_});
     put(along_span_, span->first, x, raster.width);
     if (along_span_.size() > found_.along_span.size()) found_.along_span = along_span_;
   }
@@ -272,6 +285,7 @@ class Judge {
   }
 
   const Trace& trace_;
+  const std::function<void(const DepthError&)>& on_depth_;
   Truth truth_;
   Along along_;
   NumberFormat format_;
@@ -290,7 +304,9 @@ class Judge {
   std::shared_ptr<const ExactDepth> span_;
   const std::shared_ptr<const ExactDepth> none_;
   std::vector<double> along_span_;
-  std::map<std::int32_t, std::vector<double>> along_edges_;
+  std::map<std::int64_t, std::vector<double>> along_edges_;  ///< by the step that put the edge into its table
+  std::vector<std::int64_t> inserted_;                       ///< that step, by the edge's number
+  std::int64_t span_began_ = 0;
   bool tried_ = false;
 };
 
@@ -304,9 +320,10 @@ double ErrorOf::root_mean_square_view() const {
   return depths == 0 ? 0 : std::sqrt(sum_of_squares_view / static_cast<double>(depths));
 }
 
-Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way, Truth truth) {
+Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way, Truth truth,
+                 const std::function<void(const DepthError&)>& on_depth) {
   constexpr std::int64_t now_and_then = 1 << 14;
-  Judge judge(trace, truth);
+  Judge judge(trace, truth, on_depth);
   formulas::walk(
       trace,
       [&](std::int64_t position, const auto& e, const Situation& at) {

@@ -51,6 +51,18 @@ struct Errors {
   std::vector<double> of_pixel;  ///< [height*width], Picture::at: error of the stored depth in last digits; NaN: none
 };
 
+/// One depth of a span, held against the exact one.
+struct DepthError {
+  std::int64_t step = 0;         ///< that computed it
+  std::int64_t span = 0;         ///< that began its span
+  std::int64_t edge = 0;         ///< that put the span's left edge into the edge table
+  std::int32_t x = 0, y = 0;
+  std::int32_t along_span = 0;   ///< pixels from the first of the span
+  std::int32_t along_edge = 0;   ///< scan lines from the first of the edge
+  double z = 0;
+  double error = 0;              ///< what was computed − what is exact, in last digits of the number format
+};
+
 /// What a depth is held against. The two differ where z_v is interpolated as if it were linear on the picture.
 enum class Truth : std::uint8_t {
   formula,  ///< what the run's own formulas give without rounding
@@ -59,9 +71,9 @@ enum class Truth : std::uint8_t {
 
 /// Goes through a run that interpolates along spans, takes depths from planes, or casts rays. Where polygons are cut, what cutting makes is exact,
 /// too; cut in the world, all vertices are followed from there, and rays begin in the eye of the camera. `on_way` is
-/// told the steps that are done now and then; true ends it. The light's pass is left out. Throws InputError where the
-/// trace cannot be read.
+/// told the steps that are done now and then; true ends it. `on_depth` is told each depth of a span whose left edge the
+/// trace has. The light's pass is left out. Throws InputError where the trace cannot be read.
 Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way = nullptr,
-                 Truth truth = Truth::formula);
+                 Truth truth = Truth::formula, const std::function<void(const DepthError&)>& on_depth = nullptr);
 
 }  // namespace zstep::oracle

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -127,6 +128,43 @@ TEST_CASE(
     CHECK(*std::max_element(other.begin(), other.end()) > 2 * *std::max_element(one.begin(), one.end()));
     for (std::size_t n = 0; n < other.size(); ++n) CHECK(other[n] < 100);
   }
+}
+
+TEST_CASE("error: each depth of a span is told with its places, and what adds up along an edge is of one edge") {
+  ViewOptions view;
+  view.width = 64, view.height = 48;
+  const Scene scene = look_at_scene(load_scene("pyramid-behind").scene, view);
+  Conventions conventions;
+  conventions.interpolation = Conventions::Interpolation::increments;
+  conventions.number_format = NumberFormat::fixed16;
+  const Trace trace = test::recorded_by("z-buffer", scene, conventions);
+  std::vector<oracle::DepthError> told;
+  const oracle::Errors errors = oracle::errors_of(trace, nullptr, oracle::Truth::formula,
+                                                  [&](const oracle::DepthError& depth) { told.push_back(depth); });
+  CHECK(std::ssize(told) == errors.all.depths);
+  std::map<std::int64_t, std::vector<double>> first_ones;
+  double largest = 0;
+  for (const oracle::DepthError& depth : told) {
+    const Event event = trace.event(depth.step).event, begun = trace.event(depth.span).event,
+                inserted = trace.event(depth.edge).event;
+    const auto* z = get_if<DepthInterpolate>(&event);
+    const auto* span = get_if<SpanBegin>(&begun);
+    const auto* edge = get_if<EdgeTableInsert>(&inserted);
+    REQUIRE((z && span && edge));
+    CHECK(z->z == depth.z);
+    CHECK(z->x == span->first + depth.along_span);
+    CHECK(z->y == edge->first_row + depth.along_edge);
+    CHECK(span->left_edge == edge->edge);
+    largest = std::max(largest, std::abs(depth.error));
+    std::vector<double>& along = first_ones[depth.edge];
+    const auto row = static_cast<std::size_t>(depth.along_edge);
+    if (row >= along.size()) along.resize(row + 1);
+    if (depth.along_span == 0) along[row] = std::abs(depth.error);
+  }
+  CHECK(largest == errors.all.largest);
+  bool of_one_edge = false;
+  for (const auto& [edge, along] : first_ones) of_one_edge = of_one_edge || along == errors.along_edge;
+  CHECK(of_one_edge);
 }
 
 TEST_CASE("error: a decision that rounding turned is found, and a depth that is exact has no error") {
