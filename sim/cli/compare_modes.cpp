@@ -181,34 +181,10 @@ void print_beginnings(const Sweep& sweep, const std::vector<double>& values,
 }
 
 #if ZSTEP_HAS_VIEWER
-std::vector<double> decades(double from, double to) {
-  std::vector<double> all;
-  for (double decade = std::pow(10, std::ceil(std::log10(from) - 1e-9)); decade <= to * 1.0001; decade *= 10)
-    all.push_back(decade);
-  return all;
-}
-
-/// How far apart the depths are that each mode's buffer can hold, from the near plane to the far one.
 Drawing chart_of(const Scene& scene, const std::vector<ModeRow>& rows) {
-  const double near = scene.camera.near, far = scene.camera.far;
-  LineChart chart;
-  chart.title = fmt::format("{}: which depths a buffer can tell apart, near = {:g}, far = {:g}", scene.name, near, far);
-  chart.subtitle = "By formula: the distance in z_v to the next depth that the mode's buffer can hold.";
-  chart.x_title = "z_v";
-  chart.y_title = "a unit of the depth buffer, in z_v";
-  chart.x_ticks = decades(near, far);
-  constexpr int points = 17;
-  for (std::size_t mode = 0; mode < rows.size(); ++mode) {
-    LineChart::Line line{rows[mode].mode.text, {}, false, static_cast<int>(mode)};
-    for (int k = 0; k < points; ++k) {
-      const double z =
-          near * std::pow(far / near, (k + 0.5) / points);  // not at the planes: about 0 floats are endless
-      if (const double unit = compare::resolution(scene, rows[mode].mode.conventions, z); unit > 0)
-        line.points.emplace_back(z, unit);
-    }
-    if (!line.points.empty()) chart.lines.push_back(std::move(line));
-  }
-  return draw_chart(chart);
+  std::vector<std::pair<std::string, Conventions>> modes;
+  for (const ModeRow& row : rows) modes.emplace_back(row.mode.text, row.mode.conventions);
+  return draw_chart(unit_chart(scene, modes));
 }
 
 Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<double>& values,
@@ -218,7 +194,7 @@ Drawing chart_of(const Sweep& sweep, const Scene& scene, const std::vector<doubl
   chart.subtitle = "Solid: the largest error measured. Dashed: one unit of the depth buffer, in z_v, by formula.";
   chart.x_title = fmt::format("distance of the {} plane", sweep.name);
   chart.y_title = "z_v";
-  chart.x_ticks = decades(sweep.from, sweep.to);
+  chart.x_ticks = decades_between(sweep.from, sweep.to);
   const auto add = [&](const std::string& name, int look, bool dashed, const auto& value_of) {
     LineChart::Line line{name, {}, dashed, look};
     for (std::size_t k = 0; k < values.size(); ++k)

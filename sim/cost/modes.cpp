@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/interpolation/interpolation.hpp"
 #include "traces/error.hpp"
+#include "traces/formulas/resolution.hpp"
 #include "traces/oracle/errors.hpp"
 
 namespace zstep::compare {
@@ -53,18 +53,6 @@ std::vector<Mode> modes_of(const Scene& scene, const Conventions& conventions,
   return modes;
 }
 
-double resolution(const Scene& scene, const Conventions& conventions, double z_v) {
-  const double depth = buffer_depth(scene.camera, conventions, z_v);
-  double unit = depth_unit(scene, conventions);
-  if (conventions.number_format == NumberFormat::float32) {
-    const auto size = static_cast<float>(std::abs(depth));
-    unit = static_cast<double>(std::nextafter(size, std::numeric_limits<float>::infinity()) - size);
-  } else if (unit == 0) {
-    unit = std::nextafter(std::abs(depth), std::numeric_limits<double>::infinity()) - std::abs(depth);
-  }
-  return std::abs(view_depth_error(scene.camera, conventions, depth, unit));
-}
-
 ModeErrors errors_of_mode(const Scene& scene, const Mode& mode) {
   const Trace trace = trace_of(scene, mode.conventions);
   const oracle::Errors from_formula = oracle::errors_of(trace),
@@ -78,7 +66,7 @@ ModeErrors errors_of_mode(const Scene& scene, const Mode& mode) {
   errors.fighting_pixels = from_surface.fighting_pixels;
   errors.least_gap = from_surface.least_gap;
   errors.gap_at = from_surface.gap_at;
-  if (errors.least_gap) errors.unit_at_gap = resolution(scene, mode.conventions, errors.gap_at);
+  if (errors.least_gap) errors.unit_at_gap = formulas::resolution(scene, mode.conventions, errors.gap_at);
   errors.operations = operations_of(trace);
   const interpolation::Bounds bounds = interpolation::bounds_of(scene, mode.conventions);
   for (std::size_t pixel = 0; pixel < bounds.of_pixel.size(); ++pixel) {

@@ -39,7 +39,4 @@ struct ModeErrors {
 };
 ModeErrors errors_of_mode(const Scene& scene, const Mode& mode);
 
-/// How far apart in z_v two neighbouring numbers of the depth buffer are at this z_v: what it cannot tell apart.
-double resolution(const Scene& scene, const Conventions& conventions, double z_v);
-
 }  // namespace zstep::compare

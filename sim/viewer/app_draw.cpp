@@ -142,6 +142,7 @@ void App::begin_scrolling() {
   take(layout, ui_.presenter);
   take(layout, ui_.vertices_always);
   take(layout, ui_.slice);
+  take(layout, ui_.error_charts);
   Fingerprint moment = layout, stop = layout;
   take(moment, session_.position());
   take(stop, session_.stop());

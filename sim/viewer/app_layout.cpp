@@ -84,6 +84,12 @@ void App::draw_structures(ImVec2 at, ImVec2 size) {
     shown = {slice_pane};
     if (kept.id != scene_pane.id) shown.insert(shown.begin(), kept);
   }
+  // Two charts are all that there is room for; where there is not, the errors stay.
+  const bool charts = ui_.error_charts && depth_error_pane.serves(session_.header());
+  if (charts) {
+    shown = {depth_error_pane};
+    if (depth_units_pane.serves(session_.header()) && size.x > 40 * ui_.em) shown.push_back(depth_units_pane);
+  }
   const auto narrowest = [&] { return ui_.em * 11; };
   if (ui_.presenter) {
     // A class needs one of the two: the table while it fills, the active edges once scan lines are drawn.
@@ -199,8 +205,9 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
     const ImVec2 needed = presented_frame();
     frame = std::clamp(needed.x, frame, std::max(frame, middle - gap - ui_.em * 9));
     if (!structures_.empty()) upper = std::clamp(needed.y, upper, std::max(upper, size.y - gap - ui_.em * 5));
-    // A slice needs some height.
-    if (ui_.slice && !structures_.empty()) upper = std::clamp(size.y - gap - ui_.em * 10, size.y / 3, upper);
+    // A slice and a chart need some height.
+    if ((ui_.slice || ui_.error_charts) && !structures_.empty())
+      upper = std::clamp(size.y - gap - ui_.em * 10, size.y / 3, upper);
   }
   if (!asks) {
     // Room for a class to read all of what happened: a sentence of two lines and a formula of five.
@@ -230,7 +237,8 @@ std::vector<Pane> App::all_panes(const Header& header, bool with_lesson) {
   std::vector<Pane> all{frame_pane, pseudo_code_pane, happened_pane};
   if (depth_pane.serves(header)) all.insert(all.begin() + 1, depth_pane);
   for (const Pane& pane : structure_panes(header)) all.push_back(pane);
-  if (slice_pane.serves(header)) all.push_back(slice_pane);
+  for (const Pane* pane : {&slice_pane, &depth_error_pane, &depth_units_pane})
+    if (pane->serves(header)) all.push_back(*pane);
   if (with_lesson) all.push_back(lesson_pane);
   return all;
 }

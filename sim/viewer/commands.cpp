@@ -116,6 +116,15 @@ void show_slice(App& app) {
   if (!slice_pane.serves(app.session().header()))
     return app.say("This method compares no depths along scan lines, so there is no slice.");
   app.ui().slice = !app.ui().slice;
+  app.ui().error_charts = false;
+  app.session().touch();
+}
+
+void show_error_charts(App& app) {
+  if (!depth_error_pane.serves(app.session().header()))
+    return app.say("This method interpolates no depths along spans, so no errors add up there.");
+  app.ui().error_charts = !app.ui().error_charts;
+  app.ui().slice = false;
   app.session().touch();
 }
 
@@ -274,6 +283,11 @@ const std::vector<Command>& table() {
          a.session().touch();
        }},
       {"slice", "Look", "Slice: depth over x along a line of pixels", {{SDLK_s, S}}, show_slice},
+      {"error-charts",
+       "Look",
+       "Errors of depth along span and edge, and the buffer's depths",
+       {{SDLK_i, S}},
+       show_error_charts},
       {"vertices",
        "Look",
        "The way of the vertices, always or where it fits",

@@ -12,8 +12,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/viewer/charts/chart.hpp"
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/draw/depth_scale.hpp"
+#include "sim/viewer/draw/fonts.hpp"
 #include "sim/viewer/draw/theme.hpp"
 #include "sim/viewer/model/inquiry.hpp"
 #include "sim/viewer/model/moment.hpp"
@@ -92,6 +94,39 @@ inline void take(Fingerprint& print, const HeatMap& heat) {
   take(print, heat.polygons);
   for (const double value : heat.values) take(print, value);
 }
+
+inline void take(Fingerprint& print, const std::string& text) {
+  print.take(text.size());
+  for (const char c : text) print.take(static_cast<unsigned char>(c));
+}
+
+inline void take(Fingerprint& print, const glm::dvec2& point) {
+  take(print, point.x);
+  take(print, point.y);
+}
+
+/// All that a pane draws of it: title and subtitle are the pane's own.
+inline void take(Fingerprint& print, const LineChart& chart) {
+  for (const std::string* title : {&chart.x_title, &chart.y_title}) take(print, *title);
+  take(print, static_cast<int>(chart.scale));
+  for (const double tick : chart.x_ticks) take(print, tick);
+  for (const glm::dvec2& reach : {chart.x_reach, chart.y_reach}) take(print, reach);
+  take(print, chart.lines.size());
+  for (const LineChart::Line& line : chart.lines) {
+    take(print, line.points.size());
+    take(print, line.name);
+    take(print, line.dashed);
+    take(print, line.look);
+    for (const glm::dvec2& point : line.points) take(print, point);
+  }
+  for (const LineChart::Now& now : chart.now) {
+    take(print, now.at);
+    take(print, now.text);
+  }
+}
+
+/// The same fonts in the size of their letters.
+inline void take(Fingerprint& print, const Fonts& fonts) { take(print, fonts.small->FontSize); }
 
 /// What is kept, by what it is.
 template <class T>

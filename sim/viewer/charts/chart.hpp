@@ -2,11 +2,13 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "sim/image/drawing.hpp"
+#include "traces/scene.hpp"
 
 namespace zstep {
 
@@ -29,22 +31,43 @@ struct DotChart {
   std::vector<Column> columns;
 };
 
-/// Lines over two logarithmic axes.
+/// Lines over two axes.
 struct LineChart {
   struct Line {
     std::string name;
-    std::vector<glm::dvec2> points;  ///< both coordinates above 0
+    std::vector<glm::dvec2> points;  ///< on logarithmic axes both coordinates are above 0
     bool dashed = false;
     int look = 0;  ///< colour and mark: lines of the same look belong together
   };
+  /// A place that is marked as now at work, and what stands beside it.
+  struct Now {
+    glm::dvec2 at{0, 0};
+    std::string text;
+  };
+  enum class Scale : unsigned char { logarithmic, linear };
+
   std::string title, subtitle, x_title, y_title;
-  std::vector<double> x_ticks;
+  Scale scale = Scale::logarithmic;
+  std::vector<double> x_ticks;  ///< of logarithmic axes; linear ones have round numbers
   std::vector<Line> lines;
+  /// The axes of a linear chart reach at least so far, from the least to the greatest.
+  glm::dvec2 x_reach{0, 0}, y_reach{0, 0};
+  std::vector<Now> now;
+
+  /// Looks for a pane: there the accent colours mean something else.
+  static constexpr int plain_look = 4, muted_look = 5;
 };
 
 /// 1280 pixels wide, as high as its rows need.
 Drawing draw_chart(const DotChart& chart);
 /// 1280 x 720 pixels.
 Drawing draw_chart(const LineChart& chart);
+
+/// The powers of ten from one number to another.
+std::vector<double> decades_between(double from, double to);
+
+/// How far apart the depths are that depth buffers can hold, from the near plane to the far one: a line for each of
+/// some conventions, by formula. At most four, for a scene with such planes.
+LineChart unit_chart(const Scene& scene, const std::vector<std::pair<std::string, Conventions>>& modes);
 
 }  // namespace zstep

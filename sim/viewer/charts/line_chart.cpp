@@ -2,11 +2,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "sim/viewer/charts/chart.hpp"
 #include "sim/viewer/charts/sheet.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep {
 
@@ -16,26 +19,86 @@ using viewer::chart_margin;
 using viewer::chart_text;
 using viewer::chart_wide;
 using viewer::LogAxis;
+using viewer::Paper;
 using viewer::Sheet;
 
 constexpr int high = 720;
 constexpr float mark_size = 7;
 
 std::string tick_text(double value) {
-  if (value < 1) return fmt::format("{:g}", value);
+  if (value < 1 || (value < 1000 && value != std::round(value))) return fmt::format("{:.3g}", value);
   const auto whole = static_cast<std::int64_t>(std::llround(value));
   if (whole < 1000) return std::to_string(whole);
   return fmt::format("{} {:03}", whole / 1000, whole % 1000);
 }
 
 ImU32 color_of_look(const viewer::Theme& theme, int look) {
-  const std::array<ImU32, 4> colors{theme.now, theme.changed, theme.selected, theme.good};
+  const std::array<ImU32, 6> colors{theme.now, theme.changed, theme.selected, theme.good, theme.text, theme.muted};
   return colors[static_cast<std::size_t>(look) % colors.size()];
 }
 
 struct Range {
-  double least = std::numeric_limits<double>::infinity(), most = 0;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
   void take(double value) { least = std::min(least, value), most = std::max(most, value); }
+};
+
+/// One of the two axes: where a value lies, and which values have a number.
+class ChartAxis {
+ public:
+  struct Tick {
+    double value;
+    std::string text;
+  };
+  /// `each`: pixels that a number needs.
+  static ChartAxis up(const Range& range, LineChart::Scale scale, float from, float to, float each) {
+    ChartAxis axis{from, to, range, {}, {}};
+    if (scale == LineChart::Scale::linear) return axis.with_round_ticks(each);
+    axis.decades_.emplace(range.least, range.most, from, to);
+    const LogAxis& decades = *axis.decades_;
+    const int count = decades.last_decade() - decades.first_decade() + 1;
+    const int stride = std::max(1, static_cast<int>(std::ceil(static_cast<float>(count) * each / std::abs(to - from))));
+    for (int n = decades.first_decade(); n <= decades.last_decade(); n += stride)
+      axis.ticks_.push_back({std::pow(10.0, n), viewer::decade_text(n)});
+    return axis;
+  }
+  static ChartAxis across(const Range& range, const LineChart& chart, float from, float to, float each) {
+    ChartAxis axis{from, to, range, {}, {}};
+    if (chart.scale == LineChart::Scale::linear) return axis.with_round_ticks(each);
+    for (const double tick : chart.x_ticks) axis.ticks_.push_back({tick, tick_text(tick)});
+    axis.ratios_ = true;
+    return axis;
+  }
+
+  float at(double value) const {
+    if (decades_) return decades_->at(value);
+    double share = 0.5;
+    if (range_.most > range_.least)
+      share = ratios_ ? std::log(value / range_.least) / std::log(range_.most / range_.least)
+                      : (value - range_.least) / (range_.most - range_.least);
+    return from_ + static_cast<float>(share) * (to_ - from_);
+  }
+  const std::vector<Tick>& ticks() const { return ticks_; }
+
+ private:
+  ChartAxis(float from, float to, const Range& range, std::optional<LogAxis> decades, std::vector<Tick> ticks)
+      : from_(from), to_(to), range_(range), decades_(decades), ticks_(std::move(ticks)) {}
+  ChartAxis& with_round_ticks(float each) {
+    const int most = std::max(1, static_cast<int>(std::abs(to_ - from_) / each));
+    const double step = viewer::nice_step(range_.most - range_.least, most);
+    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 8);
+    for (double value = std::ceil(range_.least / step - 1e-9) * step; value <= range_.most + step * 1e-9;
+         value += step) {
+      const double shown = std::abs(value) < step * 1e-6 ? 0 : value;
+      ticks_.push_back({shown, number(shown, decimals)});
+    }
+    return *this;
+  }
+
+  float from_, to_;
+  Range range_;
+  std::optional<LogAxis> decades_;  ///< whole ones; else from the least to the greatest
+  std::vector<Tick> ticks_;
+  bool ratios_ = false;
 };
 
 // The names beside the lines' ends, pushed apart where they would overlap.
@@ -44,7 +107,7 @@ struct EndName {
   ImU32 color;
   std::string text;
 };
-void draw_names(Sheet& sheet, std::vector<EndName> names, float x, float top, float bottom) {
+void draw_names(Paper& sheet, std::vector<EndName> names, float x, float top, float bottom) {
   const float step = sheet.text_height() * 1.1f;
   std::sort(names.begin(), names.end(), [](const EndName& a, const EndName& b) { return a.y < b.y; });
   for (std::size_t k = 1; k < names.size(); ++k) names[k].y = std::max(names[k].y, names[k - 1].y + step);
@@ -54,7 +117,97 @@ void draw_names(Sheet& sheet, std::vector<EndName> names, float x, float top, fl
   for (const EndName& name : names) sheet.text(x, name.y - sheet.text_height() / 2, name.text, name.color);
 }
 
+/// A mark with its text beside it, on the side where there is room.
+void draw_now(Paper& paper, const LineChart::Now& now, ImVec2 at, const viewer::PlotArea& plot) {
+  const viewer::Theme& theme = paper.theme();
+  const float radius = mark_size * plot.scale, away = radius + 5, wide = paper.text_width(now.text);
+  paper.mark(at, radius + 2, 3, theme.pane);
+  paper.mark(at, radius, 3, theme.now);
+  if (now.text.empty()) return;
+  const float left = at.x + away + wide <= plot.right ? at.x + away : at.x - away - wide;
+  const float below = std::clamp(at.y + 0.5f * paper.text_height(), plot.top, plot.bottom - paper.text_height());
+  paper.rectangle({left - 2, below}, {left + wide + 2, below + paper.text_height()}, theme.pane);
+  paper.text(left, below, now.text, theme.now);
+}
+
+struct Reach {
+  Range x, y;
+};
+Reach reach_of(const LineChart& chart) {
+  Reach reach;
+  for (const LineChart::Line& one : chart.lines)
+    for (const glm::dvec2 point : one.points) reach.x.take(point.x), reach.y.take(point.y);
+  for (const LineChart::Now& now : chart.now) reach.x.take(now.at.x), reach.y.take(now.at.y);
+  for (const double tick : chart.x_ticks) reach.x.take(tick);
+  if (chart.scale != LineChart::Scale::linear) return reach;
+  for (const double x : {chart.x_reach.x, chart.x_reach.y}) reach.x.take(x);
+  for (const double y : {chart.y_reach.x, chart.y_reach.y}) reach.y.take(y);
+  return reach;
+}
+
 }  // namespace
+
+double viewer::nice_step(double range, int most) {
+  const double raw = range / std::max(1, most), decade = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (decade * factor >= raw * (1 - 1e-9)) return decade * factor;
+  return decade * 10;
+}
+
+void viewer::draw_lines(Paper& paper, const LineChart& chart, const PlotArea& area) {
+  const bool linear = chart.scale == LineChart::Scale::linear;
+  const Theme& theme = paper.theme();
+  const float letters = paper.text_height(), line = letters * 1.35f;
+  float names_wide = 0;
+  for (const LineChart::Line& one : chart.lines) names_wide = std::max(names_wide, paper.text_width(one.name));
+  const auto [xs, ys] = reach_of(chart);
+  if (!(xs.most > (linear ? xs.least : 0)) || !(ys.most > (linear ? ys.least : 0))) return;
+
+  PlotArea plot = area;
+  plot.top = area.top + 1.2f * line, plot.bottom = area.bottom - 2.2f * line;
+  const ChartAxis up = ChartAxis::up(ys, chart.scale, plot.bottom, plot.top, 1.25f * letters);
+  float labels = area.labels;
+  if (labels == 0)
+    for (const ChartAxis::Tick& tick : up.ticks()) labels = std::max(labels, paper.text_width(tick.text) + 12);
+  plot.left = area.left + labels, plot.right = area.right - names_wide - 30 * area.scale;
+  if (plot.right - plot.left < 60 || plot.bottom - plot.top < 30) return;
+  const float beside = 30 * area.scale;  // a little room beside the first and the last
+  const ChartAxis across = ChartAxis::across(xs, chart, plot.left + beside, plot.right - beside, 3.5f * letters);
+
+  paper.text(area.left, area.top, chart.y_title, theme.text);
+  for (const ChartAxis::Tick& tick : up.ticks()) {
+    const float y = up.at(tick.value);
+    paper.rule({plot.left, y}, {plot.right, y}, tick.value == 0 ? theme.muted : theme.rule);
+    paper.text(plot.left - 10, y - letters / 2, tick.text, theme.muted, Paper::Side::right);
+  }
+  for (const ChartAxis::Tick& tick : across.ticks()) {
+    const float x = across.at(tick.value);
+    paper.rule({x, plot.top}, {x, plot.bottom}, theme.rule);
+    paper.text(x, plot.bottom + 8 * area.scale, tick.text, theme.muted, Paper::Side::middle);
+  }
+  paper.text((plot.left + plot.right) / 2, plot.bottom + 8 * area.scale + line, chart.x_title, theme.text,
+             Paper::Side::middle);
+
+  std::vector<EndName> names;
+  for (const LineChart::Line& one : chart.lines) {
+    const ImU32 color = color_of_look(theme, one.look);
+    const auto place = [&](glm::dvec2 point) { return ImVec2(across.at(point.x), up.at(point.y)); };
+    for (std::size_t k = 1; k < one.points.size(); ++k) {
+      const ImVec2 from = place(one.points[k - 1]), to = place(one.points[k]);
+      if (one.dashed) paper.dashed_line(from, to, color, 2.5f * area.scale);
+      else paper.line(from, to, color, 3 * area.scale);
+    }
+    float last = -1e9f;  // marks that would hide each other are left out
+    for (const glm::dvec2 point : one.points) {
+      if (linear && place(point).x - last < 2.5f * mark_size * area.scale) continue;
+      last = place(point).x;
+      paper.mark(place(point), mark_size * area.scale, one.look, color, !one.dashed);
+    }
+    if (!one.points.empty() && !one.name.empty()) names.push_back({up.at(one.points.back().y), color, one.name});
+  }
+  for (const LineChart::Now& now : chart.now) draw_now(paper, now, {across.at(now.at.x), up.at(now.at.y)}, plot);
+  draw_names(paper, std::move(names), plot.right + 14 * area.scale, plot.top, plot.bottom);
+}
 
 Drawing draw_chart(const LineChart& chart) {
   Sheet sheet(chart_wide, high, chart_text);
@@ -62,49 +215,8 @@ Drawing draw_chart(const LineChart& chart) {
   const float line = chart_text * 1.35f;
   sheet.text(chart_margin, chart_margin, chart.title, theme.text, Sheet::Side::left, true);
   sheet.text(chart_margin, chart_margin + line, chart.subtitle, theme.muted);
-
-  Range xs, ys;
-  float names_wide = 0;
-  for (const LineChart::Line& one : chart.lines) {
-    names_wide = std::max(names_wide, sheet.text_width(one.name));
-    for (const glm::dvec2 point : one.points) xs.take(point.x), ys.take(point.y);
-  }
-  for (const double tick : chart.x_ticks) xs.take(tick);
-  if (!(xs.most > 0) || !(ys.most > 0)) return {sheet.picture(), sheet.svg()};
-
-  const float left = chart_margin + 90, right = chart_wide - chart_margin - names_wide - 30;
-  const float top = chart_margin + 3.4f * line, bottom = high - chart_margin - 2.2f * line;
-  const LogAxis up(ys.least, ys.most, bottom, top);
-  const auto x_at = [&](double x) {  // a little room beside the first and the last
-    const double share = xs.most > xs.least ? std::log(x / xs.least) / std::log(xs.most / xs.least) : 0.5;
-    return left + 30 + static_cast<float>(share) * (right - left - 60);
-  };
-  sheet.text(chart_margin, top - 1.2f * line, chart.y_title, theme.text);
-  for (int n = up.first_decade(); n <= up.last_decade(); ++n) {
-    const float y = up.at(std::pow(10.0, n));
-    sheet.rule({left, y}, {right, y}, theme.rule);
-    sheet.text(left - 10, y - sheet.text_height() / 2, viewer::decade_text(n), theme.muted, Sheet::Side::right);
-  }
-  for (const double tick : chart.x_ticks) {
-    sheet.rule({x_at(tick), top}, {x_at(tick), bottom}, theme.rule);
-    sheet.text(x_at(tick), bottom + 8, tick_text(tick), theme.muted, Sheet::Side::middle);
-  }
-  sheet.text((left + right) / 2, bottom + 8 + line, chart.x_title, theme.text, Sheet::Side::middle);
-
-  std::vector<EndName> names;
-  for (const LineChart::Line& one : chart.lines) {
-    const ImU32 color = color_of_look(theme, one.look);
-    for (std::size_t k = 1; k < one.points.size(); ++k) {
-      const ImVec2 from(x_at(one.points[k - 1].x), up.at(one.points[k - 1].y)),
-          to(x_at(one.points[k].x), up.at(one.points[k].y));
-      if (one.dashed) sheet.dashed_line(from, to, color, 2.5f);
-      else sheet.line(from, to, color, 3);
-    }
-    for (const glm::dvec2 point : one.points)
-      sheet.mark({x_at(point.x), up.at(point.y)}, mark_size, one.look, color, !one.dashed);
-    if (!one.points.empty() && !one.name.empty()) names.push_back({up.at(one.points.back().y), color, one.name});
-  }
-  draw_names(sheet, std::move(names), right + 14, top, bottom);
+  draw_lines(sheet, chart,
+             {chart_margin, chart_margin + 2.2f * line, chart_wide - chart_margin, high - chart_margin, 90, 1});
   return {sheet.picture(), sheet.svg()};
 }
 

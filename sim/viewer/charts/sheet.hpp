@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "sim/image/png.hpp"
+#include "sim/viewer/charts/paper.hpp"
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/draw/fonts.hpp"
 #include "sim/viewer/draw/renderer.hpp"
@@ -17,30 +18,25 @@ namespace zstep::viewer {
 inline constexpr int chart_wide = 1280;
 inline constexpr float chart_text = 19, chart_margin = 28;
 
-class Sheet {
+class Sheet : public Paper {
  public:
-  enum class Side : unsigned char { left, middle, right };  ///< of the text lies at x
-
   Sheet(int width, int height, float text_pixels);
-  ~Sheet();
+  ~Sheet() override;
   Sheet(const Sheet&) = delete;
   Sheet& operator=(const Sheet&) = delete;
 
-  const Theme& theme() const { return light_theme(); }
+  const Theme& theme() const override { return light_theme(); }
   float width() const { return static_cast<float>(renderer_.width()); }
   float height() const { return static_cast<float>(renderer_.height()); }
-  float text_height() const { return fonts_.text->FontSize; }
-  float text_width(const std::string& text, bool bold = false) const;
-  void text(float x, float y, const std::string& text, ImU32 color, Side side = Side::left, bool bold = false);
-  void line(ImVec2 from, ImVec2 to, ImU32 color, float thickness);
-  void dashed_line(ImVec2 from, ImVec2 to, ImU32 color, float thickness);
-  /// A line one pixel wide, along the raster.
-  void rule(ImVec2 from, ImVec2 to, ImU32 color);
-  void rectangle(ImVec2 from, ImVec2 to, ImU32 color);
+  float text_height() const override { return fonts_.text->FontSize; }
+  float text_width(const std::string& text, bool bold = false) const override;
+  void text(float x, float y, const std::string& text, ImU32 color, Side side = Side::left,
+            bool bold = false) override;
+  void line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) override;
+  void rectangle(ImVec2 from, ImVec2 to, ImU32 color) override;
   /// A picture with its upper left corner there.
   void image(int x, int y, const Image& image);
-  /// A mark of one of four shapes: disc, square, triangle, diamond; hollow unless filled.
-  void mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled = true);
+  void mark(ImVec2 at, float radius, int shape, ImU32 color, bool filled = true) override;
   void cross(ImVec2 at, float radius, ImU32 color);
 
   /// The finished sheet.

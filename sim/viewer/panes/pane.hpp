@@ -21,7 +21,8 @@ struct Pane {
   bool scrolls;                 ///< its content may be larger than it is
 };
 
-extern const Pane pseudo_code_pane, happened_pane, frame_pane, depth_pane, slice_pane, lesson_pane;
+extern const Pane pseudo_code_pane, happened_pane, frame_pane, depth_pane, slice_pane, lesson_pane, depth_error_pane,
+    depth_units_pane;
 
 /// The structures that this trace's method lives by, left to right.
 std::vector<Pane> structure_panes(const Header& header);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/charts/paper.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/slice_plot.hpp"
 #include "sim/words/explain.hpp"
@@ -12,13 +13,6 @@
 
 namespace zstep::viewer {
 namespace {
-
-double nice_step(double range, int most) {
-  const double raw = range / std::max(1, most), decade = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (decade * factor >= raw * (1 - 1e-9)) return decade * factor;
-  return decade * 10;
-}
 
 struct Room {
   float margin, line;  ///< left of the plot; a line of letters

@@ -17,6 +17,7 @@
 #include "sim/viewer/draw/renderer.hpp"
 #include "sim/viewer/draw/theme.hpp"
 #include "sim/viewer/kept.hpp"
+#include "sim/viewer/model/depth_errors.hpp"
 #include "sim/viewer/model/findings.hpp"
 #include "sim/viewer/model/inquiry.hpp"
 #include "sim/viewer/model/label_spots.hpp"
@@ -35,6 +36,17 @@ struct Cells {
   std::vector<Pixel32> colors;
   std::vector<double> counts;  ///< where these are counts: pixels of the screen that cover several show the greatest
   int decimals = 0;            ///< that the numbers in them need
+};
+
+/// A chart as a pane shows it: lines and marks, and the words that are written over them.
+struct ChartPicture {
+  struct Word {
+    ImVec2 at;
+    ImU32 color;
+    std::string text;
+  };
+  Canvas canvas;
+  std::vector<Word> words;
 };
 
 struct Ui {
@@ -56,6 +68,7 @@ struct Ui {
   CurveMarks curves;
   RowMarks rows;
   SliceLines slices;
+  DepthErrors errors;
   RasterView view;
   std::optional<HeatMap> heat;                   ///< painted over the frame
   std::string heat_behind;                       ///< how far it is from being counted, or nothing
@@ -64,7 +77,9 @@ struct Ui {
   DepthRange hand_range;
   bool histogram = false;                        ///< of depths, below the depth buffer
   bool slice = false;                            ///< depths along a scan line, in place of the scene
+  bool error_charts = false;                     ///< errors of depth and units of the buffer, likewise
   KeptThings<Cells> cells;                       ///< by pane
+  KeptThings<ChartPicture> charts;
   KeptThings<Canvas> canvases;                   ///< by what is painted there
   KeptThings<std::vector<LabelSpot>> spots;
   float em = 16;            ///< body text in pixels

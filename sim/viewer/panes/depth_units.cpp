@@ -1,0 +1,76 @@
+// Which depths the depth buffer can hold between the near plane and the far one: how far apart they are, and how far
+// apart at the pixel at work.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/panes/chart_picture.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/words/numbers.hpp"
+#include "traces/formulas/resolution.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// The depth at work, or at the pixel that is pointed at or selected, where there is one between the planes.
+std::optional<double> depth_now(const Ui& ui) {
+  const Session& s = ui.session;
+  const auto chosen = ui.pointed ? ui.pointed : s.selected;
+  std::optional<double> z;
+  if (chosen) {
+    const Picture& picture = s.picture();
+    if (picture.depth.empty()) return std::nullopt;
+    z = picture.depth[picture.at(chosen->x, chosen->y)];
+  } else if (s.state().machine.fragment && s.state().machine.pass != Pass::light) {
+    z = s.state().machine.fragment->z;
+  }
+  if (!z || !std::isfinite(*z)) return std::nullopt;
+  const Camera& camera = s.scene().camera;
+  const double z_v = view_depth(camera, s.header().conventions, *z);
+  return z_v >= camera.near && z_v <= camera.far ? std::optional(z_v) : std::nullopt;
+}
+
+void draw(Ui& ui) {
+  const Scene& scene = ui.session.scene();
+  const Conventions& conventions = ui.session.header().conventions;
+  if (scene.camera.kind == Camera::Kind::screen)
+    return say_empty(ui, "Empty: this scene's points are on the screen already; it has no near and no far plane.");
+  LineChart chart = unit_chart(scene, {{"", conventions}});
+  for (LineChart::Line& line : chart.lines) line.look = LineChart::plain_look;
+  chart.x_title = fmt::format("z_v, from near = {:g} to far = {:g}", scene.camera.near, scene.camera.far);
+  chart.y_title = fmt::format("distance in z_v to the next depth of {}", word_of(conventions.number_format));
+  // A power of ten too near to one of the planes would have its number written over.
+  const double near = scene.camera.near, far = scene.camera.far;
+  std::erase_if(chart.x_ticks, [&](double tick) {
+    constexpr double share = 0.08;
+    const double at = std::log(tick / near) / std::log(far / near);
+    return at < share || at > 1 - share;
+  });
+  chart.x_ticks.insert(chart.x_ticks.begin(), near);
+  chart.x_ticks.push_back(far);
+  if (const auto z_v = depth_now(ui)) {
+    const double unit = formulas::resolution(scene, conventions, *z_v);
+    if (unit > 0) chart.now.push_back({{*z_v, unit}, fmt::format("z_v = {}: {}", number(*z_v), number(unit))});
+  }
+  draw_line_chart(ui, "depths of the buffer", chart);
+  if (ImGui::IsWindowHovered())
+    ui.mouse_help = "What the depth buffer cannot tell apart, near to far. Point at a pixel to see its depth.";
+}
+
+/// "65 536 depths, half of them before z_v = 1.98"
+std::string note(Ui& ui) {
+  const Scene& scene = ui.session.scene();
+  const Conventions& conventions = ui.session.header().conventions;
+  if (scene.camera.kind == Camera::Kind::screen) return "";
+  const double count = formulas::depths_between(scene, conventions, scene.camera.near, scene.camera.far);
+  const std::string many = count < 1e9 ? grouped(std::llround(count)) : fmt::format("{:.1e}", count);
+  return fmt::format("{} depths, half before z_v = {}", many, number(formulas::middle_depth(scene, conventions)));
+}
+
+bool serves(const Header& header) { return has_step_of<DepthCompare>(header); }
+
+}  // namespace
+
+const Pane depth_units_pane{"depth_units", "DEPTHS OF THE BUFFER", draw, note, serves, 0.5f, false};
+
+}  // namespace zstep::viewer
