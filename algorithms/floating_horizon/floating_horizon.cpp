@@ -6,6 +6,7 @@
 #include "algorithms/floating_horizon/horizons.hpp"
 #include "algorithms/floating_horizon/order.hpp"
 #include "algorithms/floating_horizon/interval.hpp"
+#include "traces/formulas/of_curves.hpp"
 #include "traces/record/all_recorders.hpp"
 
 namespace zstep::floating_horizon {
@@ -30,12 +31,11 @@ struct Drawing {
 
 Drawing drawing_of(const Scene& scene, const Conventions& conventions) {
   const Raster& raster = scene.raster;
-  const Color paper = scene.background;
-  const bool dark = 2 * paper.red + 5 * paper.green + paper.blue < 4 * 255;
+  const auto ink = [&](Horizon where) { return formulas::detail::ink_of_curve(scene.background, where); };
   Drawing drawing{viewing::Lens(scene.camera, raster, Conventions::Depth::pseudodepth),
                   choice(options, conventions, "horizons") == 0,
-                  dark ? Color{255, 255, 255} : Color{0, 0, 0},
-                  Color{213, 94, 0},
+                  ink(Horizon::above),
+                  ink(Horizon::below),
                   Picture(raster.width, raster.height),
                   Horizons(raster.width),
                   {},

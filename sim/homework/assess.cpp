@@ -54,6 +54,11 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
                  : parts->only_b() ? "This step should not be there."
                                    : "This step has other numbers than it should.";
   }
+  if (const auto& order = first.too_early) {
+    const Side before = side_of(runs.submission, order->before, 0);
+    words.what = fmt::format("This step comes too early: {}, {}, must come first. {}", before.name, before.subject,
+                             why_too_early(*order));
+  }
   if (first.fault) {
     Replay replay(runs.submission);
     replay.go_to(first.step - 1);
@@ -126,7 +131,8 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
       return graded;
     }
     const Runs runs = runs_of(homework, task, file, known);
-    grade::Judgement found = grade::judge(*runs.reference, runs.submission, homework.parts, homework.digits);
+    const HeldTo held = grade::held_to(homework.digits, homework.free);
+    grade::Judgement found = grade::judge(*runs.reference, runs.submission, homework.parts, held);
     graded.state = Graded::State::judged;
     graded.steps = runs.submission.size();
     if (task.made)
@@ -135,7 +141,7 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
     if (!runs.impossible.empty()) graded.why = "the run is judged up to a step that cannot be: " + runs.impossible;
     else if (!runs.submission.warnings().empty()) graded.why = runs.submission.warnings().front();
     if (const Precision& written = found.checked.precision;
-        graded.why.empty() && found.first && written.held && !precision_of(*runs.reference, homework.digits).held)
+        graded.why.empty() && found.first && written.held && !precision_of(*runs.reference, held).held)
       graded.why = fmt::format("the numbers are {}: print more of their digits, as %.17g does", written.text);
     if (found.first) {
       graded.first = in_words(runs, *found.first, graded.file);
@@ -153,9 +159,15 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
 
 std::vector<std::string> mistake_lines(const FirstWrong& first) {
   if (!first.mistake) return {};
-  const mistakes::MistakeText& text = mistakes::text_of(*first.mistake);
-  return {fmt::format("Likely: {}", text.name), std::string(text.question),
-          fmt::format("“{}” in: zstep lesson {}", text.stop, text.lesson)};
+  std::vector<std::string> lines;
+  const auto add = [&](const char* begin, const mistakes::MistakeText& text) {
+    lines.push_back(begin + std::string(text.name));
+    lines.emplace_back(text.question);
+    lines.push_back(fmt::format("“{}” in: zstep lesson {}", text.stop, text.lesson));
+  };
+  add("Likely: ", mistakes::text_of(first.mistake->mistake));
+  if (first.mistake->also) add("And in the same number: ", mistakes::text_of(*first.mistake->also));
+  return lines;
 }
 
 fs::path run_of(const fs::path& submission, const Homework& homework, const Task& task, bool meant) {

@@ -21,7 +21,7 @@ struct FirstWrong {
   std::string where;                         ///< "one.jsonl:12"; empty where the run lacks the step
   std::string what;                          ///< one sentence
   std::vector<std::string> expected, found;  ///< what the reference has, and the run, a field a line
-  std::optional<mistakes::Mistake> mistake;  ///< that makes the run's very numbers from there on
+  std::optional<grade::Likely> mistake;  ///< that makes the run's very numbers from there on
 };
 /// The likely mistake for its writer: what it is, what to ask oneself, and where that is taught; a line each.
 std::vector<std::string> mistake_lines(const FirstWrong& first);

@@ -96,12 +96,13 @@ std::string report_json(const Assessment& all) {
                       {"where", task.first->where}, {"what", task.first->what}, {"expected", task.first->expected},
                       {"found", task.first->found}};
     if (task.first && task.first->mistake) {
-      const mistakes::MistakeText& text = mistakes::text_of(*task.first->mistake);
-      one["mistake"] = {{"id", text.id},
-                        {"name", text.name},
-                        {"question", text.question},
-                        {"lesson", text.lesson},
-                        {"stop", text.stop}};
+      const auto said_of = [](mistakes::Mistake mistake) {
+        const mistakes::MistakeText& text = mistakes::text_of(mistake);
+        return Json{{"id", text.id}, {"name", text.name}, {"question", text.question}, {"lesson", text.lesson},
+                    {"stop", text.stop}};
+      };
+      one["mistake"] = said_of(task.first->mistake->mistake);
+      if (const auto& also = task.first->mistake->also) one["mistake"]["also"] = said_of(*also);
     }
     tasks.push_back(one);
   }

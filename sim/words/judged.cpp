@@ -72,7 +72,18 @@ CheckedRun judge_run(const Trace& trace, const OnChecked& on_checked, bool with_
   return run;
 }
 
+std::string why_too_early(const diff::TooEarly& order) {
+  const auto [here, there] = tell_apart(order.z, order.z_before);
+  return fmt::format("At pixel ({}, {}) z is {} here and {} there, and what is drawn last is seen.", order.x, order.y,
+                     here, there);
+}
+
 std::string why_cause(const diff::Cause& cause) {
+  if (const auto& order = cause.too_early) {
+    std::string why = why_too_early(*order);
+    why.pop_back();
+    return fmt::format("it comes too early in B: step {} must come first. {}", grouped(order->before), why);
+  }
   if (cause.first.only_a()) return "A has this step, B does not";
   if (cause.first.only_b()) return "B has this step, A does not";
   if (cause.part == diff::Part::rounding)
@@ -85,7 +96,10 @@ std::string why_cause(const diff::Cause& cause) {
 
 std::string what_follows(const diff::Cause& cause) {
   std::string text;
-  if (cause.again > 0) add(text, how_many(cause.again, "later step differs", "later steps differ") + " likewise");
+  if (cause.again > 0 && cause.too_early)
+    add(text, how_many(cause.again, "later step comes", "later steps come") + " too early likewise");
+  else if (cause.again > 0)
+    add(text, how_many(cause.again, "later step differs", "later steps differ") + " likewise");
   if (cause.symptoms > 0) add(text, how_many(cause.symptoms, "difference follows", "differences follow") + " from it");
   if (cause.pixels > 0)
     add(text, how_many(cause.pixels, "differing step writes a pixel", "differing steps write pixels"));

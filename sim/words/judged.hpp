@@ -36,6 +36,8 @@ CheckedRun judge_run(const Trace& trace, const OnChecked& on_checked, bool with_
 
 /// Why a step at which two runs part is a cause.
 std::string why_cause(const diff::Cause& cause);
+/// "At pixel (3, 4) z is 0.25 here and 0.5 there, and what is drawn last is seen."
+std::string why_too_early(const diff::TooEarly& order);
 /// "28 later steps differ likewise; 3 differences follow from it"; may be empty.
 std::string what_follows(const diff::Cause& cause);
 /// Of each of these fields: "dx_dy = 1.5   from (x_1 − x_0)/(y_1 − y_0) = … = 1.5".

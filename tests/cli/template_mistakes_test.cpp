@@ -28,21 +28,21 @@ const std::vector<WrongLine> horizon_lines{
     {"(window_y - y_p)", "(window_y + y_p)", "to_viewport", "y_upside_down"},
     {"* width - 0.5\n    y_s = (window_y - y_p) / (2 * window_y) * height - 0.5",
      "* width\n    y_s = (window_y - y_p) / (2 * window_y) * height", "to_viewport", "centres_half_off"},
-    {"if view[2][1] < 0", "if view[2][1] > 0", "move", ""},
+    {"if view[2][1] < 0", "if view[2][1] > 0", "move", "farthest_first"},
     {"a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0])", "a[1]", "test", "not_interpolated"},
     {"\"below\" if y >= lower else \"hidden\"", "\"hidden\"", "test", "only_upper"},
-    {"if y > lower:", "if False:", "move", ""},
-    {"t = d_0 / (d_0 - d_1)", "t = d_1 / (d_1 - d_0)", "cross", ""},
-    {"\"below\": (213, 94, 0)", "\"below\": (0, 0, 0)", "draw", ""},
+    {"if y > lower:", "if False:", "move", "lower_never_moves"},
+    {"t = d_0 / (d_0 - d_1)", "t = d_1 / (d_1 - d_0)", "cross", "crossing_from_end"},
+    {"\"below\": (213, 94, 0)", "\"below\": (0, 0, 0)", "draw", "one_ink"},
 };
 
 const std::vector<WrongLine> scan_line_lines{
-    {"-(a * x + b * y + c * z)", "a * x + b * y + c * z", "plane", ""},
+    {"-(a * x + b * y + c * z)", "a * x + b * y + c * z", "plane", "plane_d_sign"},
     {"dx_dy = (b[1] - a[1]) / (b[2] - a[2])", "dx_dy = (b[2] - a[2]) / (b[1] - a[1] or 1e9)", "insert_edge",
      "slope_inverted"},
     {"math.ceil(b[2])\n", "math.ceil(b[2]) + 1\n", "insert_edge", "ends_one_late"},
     {"a, b = b, a", "a, b = (*b[:3], a[3]), (*a[:3], b[3])", "insert_edge", "z_not_swapped"},
-    {"if edge[\"end\"] == y", "if edge[\"end\"] + 1 == y", "flags", ""},
+    {"if edge[\"end\"] == y", "if edge[\"end\"] + 1 == y", "flags", "retired_one_late"},
     {"while i > 0 and", "while False and", "flags", "not_sorted"},
     {"        inside = []",
      "        active = [e for i, e in enumerate(active)\n"
@@ -50,12 +50,12 @@ const std::vector<WrongLine> scan_line_lines{
      "                  (active[i - 1][\"x\"], active[i - 1][\"polygon\"])]\n"
      "        inside = []",
      "flip", "flag_missed"},
-    {"math.ceil(right) - 1", "math.floor(right)", "flags", ""},
+    {"math.ceil(right) - 1", "math.floor(right)", "flags", "right_end_included"},
     {"depths[polygon] = self.depth(polygon, x, y)\n                emit.depth(polygon, x, y, depths[polygon])",
      "depths[polygon] = -self.depth(polygon, x, y)\n                emit.depth(polygon, x, y, -depths[polygon])",
      "winner", "wrong_of_two"},
-    {"if d_1 < -TIE:", "if False:", "winner", ""},
-    {"emit.paint(x, y, self.depth(polygon, x, y)", "emit.paint(x, y, self.depth(polygon, first, y)", "paint", ""},
+    {"if d_1 < -TIE:", "if False:", "winner", "implied_edge_missed"},
+    {"emit.paint(x, y, self.depth(polygon, x, y)", "emit.paint(x, y, self.depth(polygon, first, y)", "paint", "z_kept_along_span"},
 };
 
 void each_is_found(const std::string& method, const std::string& program, const std::vector<WrongLine>& lines) {

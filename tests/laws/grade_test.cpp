@@ -107,6 +107,22 @@ TEST_CASE("grade: what follows from a wrong slope is computed right, and only it
   CHECK(counts[spans].same < counts[spans].all());
 }
 
+TEST_CASE("grade: fixed-point numbers are rounded right only where the homework names them") {
+  zoo::Task task = test::triangles(6, 6, 22);
+  task.style = "16";
+  const Scene scene = test::scene_of(task);
+  Conventions conventions;
+  conventions.cull = false;
+  std::string head = test::head("z-buffer", scene, conventions);
+  const std::string declared = "\"number_format\":\"float64\"";
+  REQUIRE(head.find(declared) != std::string::npos);
+  head.replace(head.find(declared), declared.size(), "\"number_format\":\"as computed\"");
+  const Trace run = test::trace_of(head + zoo::fixed_point(task));
+  const Trace reference = test::recorded_by("z-buffer", run.scene(), run.header().conventions);
+  CHECK_FALSE(grade::judge(reference, run, parts(), grade::held_to(6, {"number_format", "number_format fixed16"})).first);
+  CHECK(grade::judge(reference, run, parts(), grade::held_to(6, {"number_format"})).first);
+}
+
 TEST_CASE("grade: steps in another order count where the order is free, and not where it is graded") {
   const zoo::Task task = test::triangles(6, 6, 22);
   std::string impossible;

@@ -80,6 +80,7 @@ struct Program {
       edge.dz = (q.z - p.z) / (q.y - p.y);
       if (is("z_slope_halved")) edge.dz /= 2;
       if (is("z_slope_of_x")) edge.dz = edge.dx;
+      if (is("z_slope_of_x_inverted") && q.x != p.x) edge.dz = (q.y - p.y) / (q.x - p.x);
       edge.x = p.x + edge.dx * (edge.y_first - p.y);
       if (is("x_at_vertex")) edge.x = p.x;
       edge.z = p.z + edge.dz * (edge.y_first - p.y);

@@ -17,6 +17,7 @@ struct HorizonPlotter {
   Output out{};
   std::vector<Point> screen{};
   std::vector<double> upper{}, lower{};
+  int dot_x = -1, dot_y = -1;  // the pixel of this curve that was drawn last
 
   bool is(const char* mistake) const { return task.mistake == mistake; }
 
@@ -30,12 +31,41 @@ struct HorizonPlotter {
   }
 
   /// Where the curve goes through a horizon between two columns.
-  void cross(const CurveAt& from, const CurveAt& to, const std::string& which) {
+  Point cross(const CurveAt& from, const CurveAt& to, const std::string& which, Point without) {
     const bool up = which == "above";
     const double d_0 = from.y - (up ? from.upper : from.lower), d_1 = to.y - (up ? to.upper : to.lower);
-    const double t = d_0 / (d_0 - d_1);
-    if (!std::isfinite(d_0) || !std::isfinite(d_1) || !(t >= 0 && t <= 1)) return;
-    out.print("cross", "upper", up, "x_at", from.x + t * (to.x - from.x), "y_at", from.y + t * (to.y - from.y));
+    double t = d_0 / (d_0 - d_1);
+    if (!std::isfinite(d_0) || !std::isfinite(d_1) || !(t >= 0 && t <= 1)) return without;
+    if (is("crossing_from_end")) t = d_1 / (d_1 - d_0);
+    const Point at{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), 0};
+    out.print("cross", "upper", up, "x_at", at.x, "y_at", at.y);
+    return at;
+  }
+
+  /// A pixel a column or a row, whichever are more.
+  void draw(Point from, Point to, const std::string& which) {
+    const double x = to.x - from.x, y = to.y - from.y;
+    const int steps = static_cast<int>(std::ceil(std::max(std::abs(x), std::abs(y))));
+    for (int i = 0; i <= steps; ++i) {
+      const double t = steps > 0 ? static_cast<double>(i) / steps : 0;
+      const int column = static_cast<int>(std::floor(from.x + x * t + 0.5)),
+                row = static_cast<int>(std::floor(from.y + y * t + 0.5));
+      if (column == dot_x && row == dot_y) continue;
+      dot_x = column, dot_y = row;
+      if (column < 0 || column >= task.width || row < 0 || row >= task.height) continue;
+      const bool black = which == "above" || is("one_ink");
+      out.print("draw", "x", column, "y", row, "r8", black ? 0 : 213, "g8", black ? 0 : 94, "b8", 0);
+    }
+  }
+  /// What is visible between two columns: of a part that begins or ends there, up to where it crosses the horizon.
+  void draw_between(const CurveAt& from, const CurveAt& to) {
+    const Point begin{from.x, from.y, 0}, end{to.x, to.y, 0};
+    if (from.verdict == to.verdict) {
+      if (to.verdict != "hidden" || is("hidden_drawn")) draw(begin, end, to.verdict);
+      return;
+    }
+    if (from.verdict != "hidden") draw(begin, cross(from, to, from.verdict, begin), from.verdict);
+    if (to.verdict != "hidden") draw(cross(from, to, to.verdict, end), end, to.verdict);
   }
 
   void pass(int x, double y, std::vector<CurveAt>& passed) {
@@ -43,16 +73,14 @@ struct HorizonPlotter {
     const bool below = y >= down && !is("only_upper");  // what comes out below is never looked for
     CurveAt here{static_cast<double>(x), y, up, down, y <= up ? "above" : below ? "below" : "hidden"};
     out.print("test", "x", x, "y_curve", y, "verdict", here.verdict.c_str());
-    if (!passed.empty() && passed.back().verdict != here.verdict)
-      for (const std::string& one : {passed.back().verdict, here.verdict})
-        if (one != "hidden") cross(passed.back(), here, one);
+    draw_between(passed.empty() ? here : passed.back(), here);
     passed.push_back(here);
     if (here.verdict == "hidden") return;
     if (y < up) {
       up = y;
       out.print("move", "x", x, "upper", true, "y_curve", y);
     }
-    if (y > down && !is("only_upper")) {
+    if (y > down && !is("only_upper") && !is("lower_never_moves")) {
       down = y;
       out.print("move", "x", x, "upper", false, "y_curve", y);
     }
@@ -60,6 +88,7 @@ struct HorizonPlotter {
 
   void draw_curve(int first) {
     std::vector<CurveAt> passed;
+    dot_x = dot_y = -1;
     for (int i = first; i + 1 < first + task.columns; ++i) {
       out.print("segment", "vertex_0", i, "vertex_1", i + 1);
       const Point a = screen[static_cast<std::size_t>(i)], b = screen[static_cast<std::size_t>(i) + 1];
@@ -90,6 +119,7 @@ std::string horizon(const Task& task) {
   std::sort(rows.begin(), rows.end(), [&](int a, int b) {
     return std::abs(place(a) - task.camera.eye.y) < std::abs(place(b) - task.camera.eye.y);
   });
+  if (plotter.is("farthest_first")) std::reverse(rows.begin(), rows.end());
   int curve = 0;
   for (const int first : rows) {
     plotter.out.print("curve", "curve", curve++, "row", first / task.columns, "across", false, "constant",

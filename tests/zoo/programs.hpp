@@ -46,7 +46,7 @@ std::string scan_line_flags(const Task& task);
 std::string viewing(const Task& task);
 /// Warnock's areas; on the raster.
 std::string areas(const Task& task);
-/// The floating horizon, with both horizons and without side edges; prints no pixels.
+/// The floating horizon, with both horizons and without side edges.
 std::string horizon(const Task& task);
 /// Depth sort of convex polygons on the raster.
 std::string depth_sort(const Task& task);

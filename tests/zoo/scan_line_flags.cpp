@@ -37,12 +37,14 @@ struct Sweeper {
       out.print("make", "piece", piece, "polygon", polygon.number, "parent", -1);
       const Point p = point(polygon.corners[0]), q = point(polygon.corners[1]), r = point(polygon.corners[2]);
       const Point n = cross(q - p, r - p);
-      planes.push_back({n.x, n.y, n.z, -dot(n, p)});
-      out.print("plane", "piece", piece, "plane_a", n.x, "plane_b", n.y, "plane_c", n.z, "plane_d", -dot(n, p));
+      const double d = is("plane_d_sign") ? dot(n, p) : -dot(n, p);
+      planes.push_back({n.x, n.y, n.z, d});
+      out.print("plane", "piece", piece, "plane_a", n.x, "plane_b", n.y, "plane_c", n.z, "plane_d", d);
     }
     for (std::size_t piece = 0; piece < planes.size(); ++piece) {
       const std::vector<int>& corners = task.polygons[piece].corners;
-      for (std::size_t i = 0; i < corners.size(); ++i)
+      const std::size_t count = corners.size() - (is("closing_edge_missed") ? 1 : 0);
+      for (std::size_t i = 0; i < count; ++i)
         add_edge(static_cast<int>(piece), corners[i], corners[(i + 1) % corners.size()]);
     }
   }
@@ -71,8 +73,9 @@ struct Sweeper {
   void next_line(int y) {
     out.print("scan_line", "y", y);
     std::erase_if(active, [&](const SweptEdge& edge) {
-      if (edge.y_end == y) out.print("retire_edge", "edge", edge.number);
-      return edge.y_end == y;
+      const bool ended = edge.y_end == y - (is("retired_one_late") ? 1 : 0);
+      if (ended) out.print("retire_edge", "edge", edge.number);
+      return ended;
     });
     for (SweptEdge& edge : active) {
       move_to(edge, y);
@@ -107,7 +110,9 @@ struct Sweeper {
       }
       if (i + 1 == active.size() || !(edge.x < active[i + 1].x)) continue;
       const double x_left = edge.x, x_right = active[i + 1].x;
-      const int first = static_cast<int>(std::ceil(x_left)), last = static_cast<int>(std::ceil(x_right)) - 1;
+      const int first = static_cast<int>(std::ceil(x_left));
+      int last = static_cast<int>(std::ceil(x_right)) - 1;
+      if (is("right_end_included")) last = std::min(static_cast<int>(std::floor(x_right)), task.width - 1);
       out.print("flags", "y", y, "x_left", x_left, "x_right", x_right, "first", first, "last", last, "flags",
                 static_cast<int>(inside.size()));
       if (first <= last && !inside.empty()) show(y, x_left, x_right, first, last);
@@ -137,7 +142,7 @@ struct Sweeper {
         const double x = std::max(from, x_left + (x_right - x_left) * left / (left - right));
         if (next < 0 || x < x_next || (x == x_next && z(piece, x_right) < z(next, x_right))) next = piece, x_next = x;
       }
-      if (next < 0) return paint(seen, y, first, last);
+      if (next < 0 || is("implied_edge_missed")) return paint(seen, y, first, last);
       out.print("implied_edge", "piece", seen, "other", next, "x_at", x_next, "z", sign * z(seen, x_next));
       int beyond = static_cast<int>(std::ceil(x_next - tie));  // a centre on the edge is a tie: the first polygon's
       if (std::abs(beyond - x_next) <= tie && seen < next) ++beyond;
@@ -151,7 +156,8 @@ struct Sweeper {
     out.print("winner", "piece", piece, "first", first, "last", last);
     const auto at = static_cast<std::size_t>(piece);
     for (int x = first; x <= last; ++x)
-      out.print("paint", "x", x, "y", y, "z", planes[at].depth(x, y), "polygon", task.polygons[at].number);
+      out.print("paint", "x", x, "y", y, "z", planes[at].depth(is("z_kept_along_span") ? first : x, y), "polygon",
+                task.polygons[at].number);
   }
 
   static constexpr double tie = 1e-9;

@@ -60,7 +60,8 @@ inline Point see(const Task& task, Output& out, int vertex, Point p) {
   const Camera& camera = task.camera;
   if (!camera.there) return p;
   const double window_x = camera.window * task.width / task.height, range = camera.far - camera.near;
-  const Point v = camera.origin + Point{dot(camera.right, p), dot(camera.up, p), dot(camera.away, p)};
+  const Point origin = task.mistake == "translation_left_out" ? Point{} : camera.origin;
+  const Point v = origin + Point{dot(camera.right, p), dot(camera.up, p), dot(camera.away, p)};
   out.print("view_vertex", "vertex", vertex, "x_v", v.x, "y_v", v.y, "z_v", v.z);
   const double x_p = camera.d * v.x / v.z, y_p = camera.d * v.y / v.z,
                z = (camera.far + camera.near) / range - 2 * camera.far * camera.near / (range * v.z);

@@ -47,10 +47,17 @@ std::vector<WrongPrograms> of_rays() {
 }
 
 std::vector<WrongPrograms> of_flags() {
-  return {{"flags", {"scan-line", zoo::scan_line_flags},
-           {on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
-            seen("abc-def.toml", {}, {}, 22, 27), seen("five-tests.toml", {}, {}, 32, 20), on_the_raster(5, 4, 16)},
-           {"flag_missed", "wrong_of_two", "slope_inverted", "not_sorted"}}};
+  const std::vector<Scene> scenes{on_the_raster(3, 3, 18),
+                                  on_the_raster(6, 6, 22),
+                                  on_the_raster(11, 10, 26),
+                                  seen("abc-def.toml", {}, {}, 22, 27),
+                                  seen("five-tests.toml", {}, {}, 32, 20),
+                                  on_the_raster(5, 4, 16)};
+  return {{"flags", {"scan-line", zoo::scan_line_flags}, scenes,
+           {"flag_missed", "wrong_of_two", "slope_inverted", "not_sorted", "plane_d_sign", "closing_edge_missed",
+            "implied_edge_missed", "right_end_included", "z_kept_along_span"}},
+          // To move an edge once more than it is used is no mistake yet; its flag is.
+          {"flags, late", {"scan-line", zoo::scan_line_flags}, scenes, {"retired_one_late"}, {}, false}};
 }
 
 std::vector<WrongPrograms> of_viewing() {
@@ -73,8 +80,9 @@ std::vector<WrongPrograms> of_horizon() {
   std::vector<Scene> scenes;
   for (const double theta : {-74.0, -60.0, -95.0}) scenes.push_back(surface("lessons/scenes/ridge-valley.toml", theta));
   for (const double theta : {-80.0, -65.0}) scenes.push_back(surface("y = sin(x) * cos(z)", theta));
-  return {{"horizon", {"floating-horizon", zoo::horizon, "", {{"sides", "off"}}, false, false}, scenes,
-           {"only_upper", "not_interpolated"}}};
+  return {{"horizon", {"floating-horizon", zoo::horizon, "", {{"sides", "off"}}}, scenes,
+           {"only_upper", "not_interpolated", "farthest_first", "lower_never_moves", "crossing_from_end", "one_ink"},
+           {"translation_left_out", "hidden_drawn"}}};
 }
 
 std::vector<WrongPrograms> of_depth_sort() {
@@ -161,7 +169,7 @@ Found found_in(const ZooProgram& program, const Scene& scene, const std::string&
   const Trace reference = recorded_by(program.method, run.scene(), run.header().conventions);
   const grade::Judgement judged = grade::judge(reference, run, {});
   found.detected = judged.first || !impossible.empty();
-  if (const auto name = grade::mistake_in(run, judged)) found.name = mistakes::text_of(*name).id;
+  if (const auto name = grade::mistake_in(run, judged)) found.name = test::named(*name);
   if (!found.shows) return found;
   const std::int64_t shows = shown_at(run, step);
   found.at_once = judged.first && step <= judged.first->step && judged.first->step <= shows;
@@ -175,6 +183,12 @@ Found found_in(const ZooProgram& program, const Scene& scene, const std::string&
   found.said = fmt::format("from step {}, shown at {}; found: {}", step, shows,
                            judged.first ? said_of(*judged.first) : "nothing");
   return found;
+}
+
+std::string named(const grade::Likely& likely) {
+  std::string name(mistakes::text_of(likely.mistake).id);
+  if (likely.also) name += "+" + std::string(mistakes::text_of(*likely.also).id);
+  return name;
 }
 
 std::string name_of(std::uint8_t kind) {

@@ -76,5 +76,7 @@ Found found_in(const ZooProgram& program, const Scene& scene, const std::string&
 /// The first wrong step in words.
 std::string said_of(const grade::Divergence& first);
 std::string name_of(std::uint8_t kind);
+/// The ids of what is named, with a + between two.
+std::string named(const grade::Likely& likely);
 
 }  // namespace zstep::test

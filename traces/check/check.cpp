@@ -198,12 +198,12 @@ struct Judge {
 };
 
 CheckReport check_by(const Header& header, const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked,
-                     CheckMarks* marks = nullptr, Depths* depths = nullptr, int digits = 0) {
+                     CheckMarks* marks = nullptr, Depths* depths = nullptr, const HeldTo& held = {}) {
   const Beginning beginning(trace);
   State state = beginning.state();
   Checker checker{trace, header, on_cause, {}, {}, {}};
   checker.marks = marks;
-  checker.report.precision = precision_of(trace, digits);
+  checker.report.precision = precision_of(trace, held);
   Situation at = formulas::situation_of(trace, state, header);
   checker.at = &at;
 
@@ -272,8 +272,8 @@ std::vector<Otherwise> all_others() {
 }  // namespace
 
 CheckReport check(const Trace& trace, const OnCause& on_cause, const OnChecked& on_checked, CheckMarks* marks,
-                  int digits) {
-  return check_by(trace.header(), trace, on_cause, on_checked, marks, nullptr, digits);
+                  const HeldTo& held) {
+  return check_by(trace.header(), trace, on_cause, on_checked, marks, nullptr, held);
 }
 
 std::vector<std::uint8_t> depths_not_judged(const Trace& trace) {

@@ -78,10 +78,10 @@ using OnCause = std::function<void(const Cause&, const formulas::Situation&, con
 /// Called now and then with the steps that are done; true ends the check there.
 using OnChecked = std::function<bool(std::int64_t)>;
 
-/// Goes through the whole trace, its numbers held to `digits` as in precision_of(). Throws InputError where it cannot be
+/// Goes through the whole trace, its numbers held to what precision_of() is told. Throws InputError where it cannot be
 /// read.
 CheckReport check(const Trace& trace, const OnCause& on_cause = nullptr, const OnChecked& on_checked = nullptr,
-                  CheckMarks* marks = nullptr, int digits = 0);
+                  CheckMarks* marks = nullptr, const HeldTo& held = {});
 
 /// A convention that a trace's steps follow, other than its header says or leaves to be assumed.
 struct OtherConvention {

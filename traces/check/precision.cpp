@@ -135,7 +135,7 @@ struct Interpolated {
 
 /// What a program interpolates in, where other numbers of its trace are computed in float64, as those of vertices are.
 /// Fixed-point numbers are whole multiples of a unit: the largest one of which nearly all are that tell.
-std::optional<NumberFormat> format_of_depths(const Trace& trace) {
+std::optional<NumberFormat> format_of_depths(const Trace& trace, const HeldTo& held) {
   const Interpolated numbers(trace);
   const Multiples positions(numbers.positions, 1 / fixed_positions_a_pixel);
   const auto in_units = [&](NumberFormat format) {
@@ -146,7 +146,7 @@ std::optional<NumberFormat> format_of_depths(const Trace& trace) {
   };
   using enum NumberFormat;
   for (const NumberFormat format : {fixed16, fixed18, fixed20, fixed24, fixed32})
-    if (in_units(format)) return format;
+    if (held.takes(format) && in_units(format)) return format;
   return numbers.look_like_float32() ? std::optional(float32) : std::nullopt;
 }
 
@@ -159,14 +159,15 @@ Precision precision_of_fixed(const Trace& trace, NumberFormat format, const char
 
 }  // namespace
 
-Precision precision_of(const Trace& trace, int digits) {
+Precision precision_of(const Trace& trace, const HeldTo& held) {
+  const int digits = held.digits;
   const Header& header = trace.header();
   const bool declared = header.declares(Convention::number_format);
   if (declared && header.conventions.number_format == NumberFormat::float32)
     return {formulas::rounding_of_float32, 0, true, "float32, as the header declares", NumberFormat::float32};
   if (declared && bits_of(header.conventions.number_format) > 0)
     return precision_of_fixed(trace, header.conventions.number_format, "as the header declares");
-  const auto seen_format = declared ? std::nullopt : format_of_depths(trace);
+  const auto seen_format = declared ? std::nullopt : format_of_depths(trace, held);
   if (seen_format && bits_of(*seen_format) > 0) return precision_of_fixed(trace, *seen_format, "as the numbers look");
   if (seen_format) return {formulas::rounding_of_float32, 0, true, "float32, as the numbers look", *seen_format};
   Seen seen;

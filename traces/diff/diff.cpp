@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "traces/diff/causes.hpp"
+#include "traces/diff/order.hpp"
 
 namespace zstep::diff {
 
@@ -13,14 +14,15 @@ std::int64_t DiffReport::differences() const {
   return all;
 }
 
-DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way, int digits) {
+DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way,
+                   const HeldTo& held) {
   DiffReport report;
   bool told_to_end = false;
   const auto part_of = [&](double from, double share) {
     return [&, from, share](double done) { return on_way && (told_to_end = on_way(from + share * done)); };
   };
   report.alignment = align(a, b, part_of(0, 0.5), way);
-  const Precision of_a = precision_of(a, digits), of_b = precision_of(b, digits);
+  const Precision of_a = precision_of(a, held), of_b = precision_of(b, held);
   const bool a_coarser = of_a.relative > of_b.relative || of_a.absolute > of_b.absolute;
   report.precision = a_coarser ? of_a : of_b;
   report.precision.relative = std::max(of_a.relative, of_b.relative);
@@ -29,7 +31,10 @@ DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(doub
     const KindCount& count = report.alignment.kinds[kind];
     report.kinds[kind] = {count.equal, 0, 0, count.only_a, count.only_b};
   }
-  if (report.alignment.differences.empty()) return report;
+  if (report.alignment.differences.empty()) {
+    find_wrong_order(b, report);
+    return report;
+  }
 
   std::vector<Finding> in_a(report.alignment.differences.size()), in_b = in_a;
   std::vector<Elsewhere> elsewhere;
@@ -53,6 +58,7 @@ DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(doub
   go_through(true, 0.9);
   if (told_to_end) report.alignment.complete = false;
   find_causes(report, in_a, in_b);
+  find_wrong_order(b, report);
   return report;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "traces/check/precision.hpp"
@@ -15,6 +16,14 @@ namespace zstep::diff {
 
 enum class Part : std::uint8_t { different, rounding };
 
+/// A step of B that is as it should be, but comes before one that it must not come before: where both paint, what comes
+/// later is seen.
+struct TooEarly {
+  std::int64_t before = 0;           ///< the step of B that has to come first
+  std::int32_t x = 0, y = 0;         ///< a pixel that both paint
+  double z = 0, z_before = 0;        ///< the depths of both there
+};
+
 /// Where the runs part, for a reason of its own.
 struct Cause {
   Difference first;
@@ -23,6 +32,7 @@ struct Cause {
   std::int64_t again = 0;                 ///< later differences of the same kind, with a reason of their own
   std::int64_t symptoms = 0;              ///< differences that follow from it
   std::int64_t pixels = 0;                ///< of these, pixels that were written otherwise
+  std::optional<TooEarly> too_early = std::nullopt;  ///< nothing but its place in the order is wrong
 };
 
 /// Of a kind of event: steps that are to the bit the same, part by rounding, part otherwise, or are only in one run.
@@ -40,8 +50,8 @@ struct DiffReport {
 };
 
 /// Compares two runs. `on_way` is called now and then with the share done; if it returns true, the report is partial.
-/// Numbers are held to `digits` as in precision_of().
+/// Numbers are held to what precision_of() is told.
 DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
-                   Way way = Way::fast, int digits = 0);
+                   Way way = Way::fast, const HeldTo& held = {});
 
 }  // namespace zstep::diff

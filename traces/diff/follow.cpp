@@ -132,6 +132,7 @@ class Follow {
   template <class E>
   void step(std::int64_t position, const E& e) {
     const std::int32_t number = next_difference() == position ? own_[next_own_++] : no_difference;
+    if constexpr (std::is_same_v<E, PairBegin>) note_pair(e);
     if (number != no_difference) judge(e, number);
     const bool by_rounding = number != no_difference && findings_[static_cast<std::size_t>(number)].rounding;
     if (number != no_difference || !different_.empty() || !rounding_.empty())
@@ -167,6 +168,7 @@ class Follow {
       if (const EdgeTableInsert* entry = at.edge(e.edge); entry && (difference.only_a() || difference.only_b()))
         finding.idle = identity_.next_row(e.edge) >= entry->end_row;
     const bool alone = difference.only_a() || difference.only_b();
+    if constexpr (tests_pair<E>()) finding.idle = alone && is_undecided(e);
     if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>)
       finding.idle = alone && e.first > e.last;
     finding.comes_from = reads.from_different;
@@ -196,6 +198,31 @@ class Follow {
     finding.decides = alone || decided;
     finding.rounding = alone ? from != no_difference : numbers_near && (!decided || any_rounding);
     if (finding.rounding) finding.comes_from = from, finding.off = of_longer_normal ? 0 : difference.off;
+  }
+
+  /// Steps by which a pair of pieces is tested.
+  template <class E>
+  static constexpr bool tests_pair() {
+    return std::is_same_v<E, PairBegin> || std::is_same_v<E, ExtentTest> || std::is_same_v<E, SideTest> ||
+           std::is_same_v<E, OverlapTest>;
+  }
+  /// Where z extents meet but for rounding, other tests are made or left out, with this piece of the list and later ones.
+  template <class E>
+  bool is_undecided(const E&) const {
+    if constexpr (std::is_same_v<E, PairBegin>) return undecided_ >= 0;
+    else return undecided_ >= 0 && at_.method().pair && at_.method().pair->piece == undecided_;
+  }
+  void note_pair(const PairBegin& e) {
+    const Piece *piece = at_.piece(e.piece), *other = at_.piece(e.other);
+    if (undecided_ != e.piece) undecided_ = -1;
+    if (!piece || !other || !piece->extent || !other->extent) return;
+    const double z = piece->extent->z_min, z_other = other->extent->z_max;
+    const auto equal = [&](double one, double end) {
+      return formulas::gives(Rounded(one), end, report_.precision.relative) ||
+             std::abs(one - end) <= report_.precision.absolute;
+    };
+    const double largest = std::max({std::abs(z), std::abs(z_other), std::abs(piece->extent->z_max)});
+    if (formulas::extents_meet(z, z_other, largest, equal)) undecided_ = e.piece;
   }
 
   /// By what share the format alone lets the numbers of these fields be off, of the least of them.
@@ -266,6 +293,7 @@ class Follow {
   std::vector<bool> rows_;  ///< some pixel of the scan line may be
   std::array<std::int32_t, 4> scopes_{};
   double box_margin_;
+  std::int32_t undecided_ = -1;  ///< the piece of the last pair whose z extents met, while it is held against others
 };
 
 }  // namespace

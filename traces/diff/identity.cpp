@@ -159,6 +159,7 @@ void Identity::take_note(const E& e, Key key) {
   }
   if constexpr (std::is_same_v<E, PolygonBegin> || std::is_same_v<E, PieceDraw>) polygon_ = e.polygon, turns_ = true;
   if constexpr (std::is_same_v<E, SpanWinner>) polygon_ = trace_->polygon_of_piece(e.piece);
+  if constexpr (std::is_same_v<E, SplitVertex>) polygon_ = no_polygon;  // of which it is, its piece says
   if constexpr (std::is_same_v<E, TablesBegin> || std::is_same_v<E, AreaBegin>) polygon_ = no_polygon, turns_ = false;
   if constexpr (std::is_same_v<E, PassBegin>) pass_ = e.pass, polygon_ = no_polygon;
   if constexpr (std::is_same_v<E, ScanLineBegin>) {

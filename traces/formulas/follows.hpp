@@ -97,7 +97,7 @@ inline constexpr std::array<FollowsOf, kind_count> follows_of{{
     {"curve_segment", "", "vertex_0 vertex_1", ""},
     {"horizon_test", "y_curve verdict", "x", ""},
     {"horizon_move", "y_curve", "x upper", ""},
-    {"horizon_cross", "", "upper", "x_at y_at"},
+    {"horizon_cross", "x_at y_at", "upper", ""},
     {"line_begin", "", "line vertex_0 vertex_1 left_facet right_facet", "kind"},
     {"line_against", "", "line facet", "outcome"},
     {"line_cross", "t x_at y_at", "line facet in_space", ""},

@@ -1,5 +1,5 @@
-// From a pixel and its depth back to viewing coordinates: the way of viewing.hpp the other way round. Templates for the
-// reason in lines.hpp.
+// From a pixel and its depth back to viewing coordinates: undoes the steps of viewing.hpp, the last one first. Templates
+// for the reason in lines.hpp.
 #pragma once
 
 namespace zstep::formulas {

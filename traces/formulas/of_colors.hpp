@@ -11,6 +11,7 @@
 
 #include "traces/formulas/from_raster.hpp"
 #include "traces/formulas/light.hpp"
+#include "traces/formulas/of_curves.hpp"
 #include "traces/formulas/of_rays.hpp"
 #include "traces/formulas/viewing.hpp"
 
@@ -186,14 +187,21 @@ void derive(const ShadowCompare& e, const Situation& at, Out& out) {
   if (seen.z * (1 - some) > stored) out.is(&ShadowCompare::lit, false);
 }
 
-/// Light on the way back along a ray, the shares of a pixel, or a polygon's colour where the light does not reach it.
+/// A curve's ink, light on the way back along a ray, the shares of a pixel, or a polygon's colour where the light does
+/// not reach it.
 template <class Out>
 void derive(const ColorWrite& e, const Situation& at, Out& out) {
   const auto& tree = at.method().rays.tree;
   const auto& covered = at.method().sweep.covered;
   const auto& shadow = at.method().shadow;
   std::array<double, 3> shades{};
-  if (!tree.empty() && tree.front().end) {
+  if (at.method().horizon.here) {
+    const detail::DrawnOfCurve drawn = detail::drawn_of_curve(at, e);
+    if (!drawn.known) return;
+    out.rule(Rule::ink_on_curve, drawn.part.has_value());
+    if (!drawn.part) return;
+    shades = detail::channels(detail::ink_of_curve(at.scene.background, drawn.part->where));
+  } else if (!tree.empty() && tree.front().end) {
     const RayEnd& end = *tree.front().end;
     out.rule(Rule::ray_paints_own, tree.front().entry.x == e.x && tree.front().entry.y == e.y);
     shades[0] = 255 * end.red, shades[1] = 255 * end.green, shades[2] = 255 * end.blue;

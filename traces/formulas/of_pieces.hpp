@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -74,6 +75,13 @@ void derive(const VertexSide& e, const Situation& at, Out& out) {
   out.gives(&VertexSide::value, plane_value(plane->a, plane->b, plane->c, plane->d, p.x, p.y, p.z));
 }
 
+/// Do two ends of extents meet but for rounding, which is as large as it is of the largest of the four? Whether such
+/// extents overlap is not said by their numbers.
+template <class Equal>
+bool extents_meet(double end, double other_begin, double largest, Equal&& equal) {
+  return end == other_begin || equal(end + largest, other_begin + largest);
+}
+
 template <class Out>
 void derive(const ExtentTest& e, const Situation& at, Out& out) {
   const Piece *one = at.piece(e.piece), *other = at.piece(e.other);
@@ -92,7 +100,12 @@ void derive(const ExtentTest& e, const Situation& at, Out& out) {
     out.is(&ExtentTest::other_low, low(*other->extent)), out.is(&ExtentTest::other_high, high(*other->extent));
   }
   // Whether what only touches overlaps is a convention, and z asks which one is nearer altogether.
-  if (e.axis == Axis::z || e.low == e.other_high || e.other_low == e.high) return;
+  const double largest =
+      std::max({std::abs(e.low), std::abs(e.high), std::abs(e.other_low), std::abs(e.other_high)});
+  const auto equal = [&](double begin, double end) { return out.equal(begin, end); };
+  if (e.axis == Axis::z || extents_meet(e.low, e.other_high, largest, equal) ||
+      extents_meet(e.other_low, e.high, largest, equal))
+    return;
   out.is(&ExtentTest::overlap, e.low < e.other_high && e.other_low < e.high);
 }
 

@@ -100,6 +100,7 @@ enum class Rule : std::uint8_t {
   ray_paints_own,    ///< a ray paints the pixel that it was cast for
   horizon_moves_out, ///< a horizon moves away from the other one
   cross_beside,      ///< a curve crosses a horizon between two columns
+  ink_on_curve,      ///< a pixel of a curve lies where the curve is visible
   hides_of_line,     ///< what is hidden of a line is a part of it
   count
 };

@@ -99,11 +99,11 @@ std::optional<Divergence> first_divergence(const Judgement& found) {
   for (const diff::Cause& cause : found.difference.causes) {
     if (cause.part != diff::Part::different) continue;
     const std::int64_t step = shows_at(found, cause);
-    if (!first || step < first->step) first = Divergence{cause.first, std::nullopt, step};
+    if (!first || step < first->step) first = Divergence{cause.first, std::nullopt, cause.too_early, step};
   }
   if (!found.checked.causes.empty()) {
     const Fault& fault = found.checked.causes.front().first;
-    if (!first || fault.step < first->step) first = Divergence{std::nullopt, fault, fault.step};
+    if (!first || fault.step < first->step) first = Divergence{std::nullopt, fault, std::nullopt, fault.step};
     else if (fault.step == first->step) first->fault = fault;
   }
   return first;
@@ -130,11 +130,12 @@ PartCount count_pixels(const std::vector<bool>& reference, const std::vector<boo
   return count;
 }
 
-Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts, int digits) {
+Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts,
+                const HeldTo& held) {
   Judgement found;
   CheckMarks marks;
-  found.checked = check(run, nullptr, nullptr, &marks, digits);
-  found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, digits);
+  found.checked = check(run, nullptr, nullptr, &marks, held);
+  found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, held);
   Ends& ends = found.ends = {picture_of(reference), picture_of(run), {}};
   ends.apart =
       diff::compare_pictures(ends.reference, reference.scene(), ends.run, run.scene(), found.difference.precision);
@@ -150,7 +151,7 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
   return found;
 }
 
-std::optional<mistakes::Mistake> mistake_in(const Trace& run, const Judgement& found) {
+std::optional<Likely> mistake_in(const Trace& run, const Judgement& found) {
   if (!found.first) return std::nullopt;
   std::int64_t next = 0;
   const auto look_at = [&](std::int64_t step) {
@@ -159,7 +160,23 @@ std::optional<mistakes::Mistake> mistake_in(const Trace& run, const Judgement& f
   for (const diff::Cause& cause : found.difference.causes)
     if (cause.part == diff::Part::different) look_at(shows_at(found, cause));
   for (const Cause& cause : found.checked.causes) look_at(cause.first.step);
-  return mistakes::mistake_of(run, found.first->step, next);
+  const Precision& precision = found.checked.precision;
+  std::optional<Likely> likely;
+  if (const auto one = mistakes::mistake_of(run, found.first->step, next, precision)) {
+    likely.emplace().mistake = *one;
+  } else if (const auto two = mistakes::pair_of(run, found.first->step, precision)) {
+    likely.emplace().mistake = two->first;
+    likely->also = two->second;
+  }
+  return likely;
+}
+
+HeldTo held_to(int digits, const std::vector<std::string>& free) {
+  std::uint32_t fixed = 0;
+  for (std::size_t k = 0; k < words_of<NumberFormat>.size(); ++k)
+    if (std::find(free.begin(), free.end(), fmt::format("number_format {}", words_of<NumberFormat>[k])) != free.end())
+      fixed |= 1u << k;
+  return {digits, fixed};
 }
 
 GivenRun given_run(const Header& reference, const Scene& scene, std::vector<std::string> free) {
@@ -168,7 +185,7 @@ GivenRun given_run(const Header& reference, const Scene& scene, std::vector<std:
             const auto is_free = [&](std::string_view what) {
               return std::find(free.begin(), free.end(), what) != free.end();
             };
-            // Fixed-point numbers may be off by more than others: whoever wants them names them.
+            // Fixed point is allowed larger errors, so a run may declare it only where the homework names it.
             const NumberFormat format = declared.conventions.number_format;
             const bool accepted = bits_of(format) == 0 || is_free(fmt::format("number_format {}", word_of(format)));
             if (is_free("number_format") && !(accepted && declared.declares(Convention::number_format)))

@@ -57,6 +57,7 @@ struct PartCount {
 struct Divergence {
   std::optional<diff::Difference> parts;
   std::optional<Fault> fault;
+  std::optional<diff::TooEarly> too_early;  ///< of `parts`: only its place in the order is wrong
   std::int64_t step = 0;  ///< of the run; the one before which something is missing, where it has no such step
 };
 
@@ -74,12 +75,21 @@ struct Judgement {
   CheckReport checked;
 };
 
+/// What a homework with this `free` holds numbers to: those of a fixed-point format that it does not name are wrong where
+/// float64 and float32 would have others.
+HeldTo held_to(int digits, const std::vector<std::string>& free);
+
 /// Judges a run of the reference's scene. Numbers are held to so many digits or decimals, however few are written: who
 /// prints three would have errors taken for rounding.
-Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts, int digits = 0);
+Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts,
+                const HeldTo& held = {});
 
-/// The known mistake that the run goes wrong by, where one is found to make its very numbers.
-std::optional<mistakes::Mistake> mistake_in(const Trace& run, const Judgement& found);
+/// The known mistake that the run goes wrong by, where one is found to make its very numbers; or two that do together.
+struct Likely {
+  mistakes::Mistake mistake{};
+  std::optional<mistakes::Mistake> also{};  ///< in the same number
+};
+std::optional<Likely> mistake_in(const Trace& run, const Judgement& found);
 
 /// By pixel, whether a picture has a polygon there, or ink.
 std::vector<bool> drawn(const Picture& picture);

@@ -46,6 +46,7 @@ enum class Mistake : std::uint8_t {
   z_by_slope_of_edge,
   z_not_to_centre,
   z_stepped_before_use,
+  z_kept_along_span,
   adds_in_float32,
   // Pixels.
   compare_reversed,
@@ -62,6 +63,9 @@ enum class Mistake : std::uint8_t {
   // The scan-line method.
   flag_missed,
   wrong_of_two,
+  plane_d_sign,
+  closing_edge_missed,
+  implied_edge_missed,
   // Depth sort.
   sorted_by_nearest,
   ties_unstable,
@@ -82,6 +86,10 @@ enum class Mistake : std::uint8_t {
   // The floating horizon.
   only_upper,
   not_interpolated,
+  farthest_first,
+  lower_never_moves,
+  crossing_from_end,
+  one_ink,
   count
 };
 inline constexpr std::size_t mistake_count = static_cast<std::size_t>(Mistake::count);

@@ -12,23 +12,36 @@
 
 namespace zstep::mistakes {
 
-std::array<Fit, mistake_count> fits_of(const Trace& run) {
-  Supposed supposed(precision_of(run));
+namespace {
+
+/// Is there something to be said of this kind?
+template <class E>
+concept Supposable = requires(const E& e, const Situation& at, Supposed& out) { suppose(e, at, out); };
+
+void suppose_all(const Trace& run, Supposed& supposed) {
   formulas::walk(
       run,
-      [&](std::int64_t step, const auto& e, const formulas::Situation& at) {
+      [&]<class E>(std::int64_t step, const E& e, const formulas::Situation& at) {
         supposed.begin(step);
-        if constexpr (requires { suppose(e, at, supposed); }) suppose(e, at, supposed);
+        if constexpr (Supposable<E>) suppose(e, at, supposed);
         return true;
       },
       [](std::int64_t, const Impossible&) {});
+}
+
+}  // namespace
+
+std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precision) {
+  Supposed supposed(precision);
+  suppose_all(run, supposed);
   std::array<Fit, mistake_count> fits;
   for (std::size_t k = 0; k < mistake_count; ++k) fits[k] = supposed.fit(static_cast<Mistake>(k));
   return fits;
 }
 
-std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next) {
-  const std::array<Fit, mistake_count> fits = fits_of(run);
+std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next,
+                                  const Precision& precision) {
+  const std::array<Fit, mistake_count> fits = fits_of(run, precision);
   std::optional<std::size_t> best;
   for (std::size_t k = 0; k < mistake_count; ++k) {
     const Fit& fit = fits[k];
@@ -38,6 +51,20 @@ std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int
       best = k;
   }
   return best ? std::optional(static_cast<Mistake>(*best)) : std::nullopt;
+}
+
+std::optional<Pair> pair_of(const Trace& run, std::int64_t first, const Precision& precision) {
+  Supposed supposed(precision, true);
+  suppose_all(run, supposed);
+  constexpr std::int64_t enough = 2;  // one number may be as two mistakes make it by chance
+  const std::pair<const Pair, Fit>* best = nullptr;
+  for (const auto& one : supposed.pairs()) {
+    const Fit& fit = one.second;
+    if (fit.first != first || fit.against_before + fit.against_after > 0 || fit.as_made < enough) continue;
+    if (best && best->second.as_made == fit.as_made) return std::nullopt;  // either would do
+    if (!best || fit.as_made > best->second.as_made) best = &one;
+  }
+  return best ? std::optional(best->first) : std::nullopt;
 }
 
 }  // namespace zstep::mistakes

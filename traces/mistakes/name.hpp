@@ -11,11 +11,16 @@
 namespace zstep::mistakes {
 
 /// How each mistake fits the run. Goes through it once.
-std::array<Fit, mistake_count> fits_of(const Trace& run);
+std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precision);
 
 /// The mistake that a run goes wrong by, where one of the catalogue makes the run's own numbers from there on. `first`
 /// is the step at which it first goes wrong, `next` the first one that is wrong for another reason; 0 where none is.
 /// The mistake must show before that: what shows later may be another's doing.
-std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next);
+std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next,
+                                  const Precision& precision);
+
+/// Where no single one does, two mistakes that together make the number of the first wrong step, and all later ones
+/// that they would change together.
+std::optional<Pair> pair_of(const Trace& run, std::int64_t first, const Precision& precision);
 
 }  // namespace zstep::mistakes

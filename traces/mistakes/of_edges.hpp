@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <span>
+#include <utility>
 
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
+#include "traces/mistakes/of_vertices.hpp"
 #include "traces/mistakes/supposed.hpp"
 
 namespace zstep::mistakes {
@@ -25,6 +28,32 @@ inline bool is_turned(const Situation& at, std::int32_t upper, std::int32_t lowe
   for (std::size_t i = 0; i < outline.size(); ++i)
     if (outline[i] == lower && outline[(i + 1) % outline.size()] == upper) return true;
   return false;
+}
+
+/// The edges of this polygon are done: is the one from its last vertex back to the first among them, if all others are?
+/// Edges that meet no scan line need not be.
+inline void suppose_closed(const Situation& at, Supposed& out) {
+  const std::int32_t polygon = std::exchange(out.edges_of, no_polygon);
+  std::set<std::pair<std::int32_t, std::int32_t>> there;
+  for (const EdgeTableInsert& entry : at.method().edge_table)
+    if (entry.polygon == polygon) there.insert(std::minmax(entry.vertex_0, entry.vertex_1));
+  const auto has = [&](std::int32_t one, std::int32_t other) {
+    const auto a = at.on_raster(one), b = at.on_raster(other);
+    const std::int32_t height = at.scene.raster.height;
+    return !a || !b || formulas::row_from(a->y, height) == formulas::row_from(b->y, height) ||
+           there.contains(std::minmax(one, other));
+  };
+  const auto look_at = [&](std::span<const std::int32_t> outline) {
+    if (outline.size() < 3) return;
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+      if (!has(outline[i], outline[i + 1])) return;
+    const bool closed = has(outline.back(), outline.front());
+    out.says(closing_edge_missed, !closed, closed);
+  };
+  if (polygon == no_polygon) return;
+  if (at.method().pieces.empty() && at.method().polygon == polygon) look_at(at.method().outline);
+  for (const Piece& piece : at.method().pieces)
+    if (piece.polygon == polygon && piece.parent < 0) look_at(piece.outline);
 }
 
 inline std::int32_t whole_of(double x) { return static_cast<std::int32_t>(std::clamp(x, -1e9, 1e9)); }
@@ -48,7 +77,9 @@ inline bool paired_unsorted(const Situation& at, const SpanBegin& e) {
   return false;
 }
 
-inline void suppose_ends(const SpanBegin& e, const Situation& at, Supposed& out) {
+/// Of a span, or of an interval between edges.
+template <class E>
+inline void suppose_ends(const E& e, const Situation& at, Supposed& out) {
   const std::int32_t width = at.scene.raster.width;
   const Conventions::Coverage coverage = at.header.conventions.coverage;
   const std::int32_t first = std::max(0, formulas::limited_column(formulas::first_pixel(e.x_left, coverage), width)),
@@ -77,6 +108,8 @@ inline void suppose_ends(const SpanBegin& e, const Situation& at, Supposed& out)
 }  // namespace detail
 
 inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out) {
+  if (e.polygon != out.edges_of) detail::suppose_closed(at, out);
+  out.edges_of = e.polygon;
   const auto a = at.on_raster(e.vertex_0), b = at.on_raster(e.vertex_1);
   if (!a || !b) return;
   if (a->y == b->y) return out.says(horizontal_inserted, true, false);
@@ -103,18 +136,38 @@ inline void suppose(const EdgeTableInsert& e, const Situation& at, Supposed& out
       dx_dy);
   out.number(z_slope_of_x, e.dz_dy, {Rounded(e.dx_dy)}, dz_dy);
   const Rounded z = formulas::on_line(z_0, z_1, row, y_0, y_1);
-  if (detail::is_turned(at, upper, lower)) {
+  const bool turned = detail::is_turned(at, upper, lower);
+  if (turned) {
     out.number(z_not_swapped, e.dz_dy, {-dz_dy}, dz_dy);
     out.number(z_not_swapped, e.z_edge, {formulas::on_line(z_1, z_0, row, y_0, y_1)}, z);
   }
+  const auto slope_of_x = [&](auto made) {
+    const Rounded slope = made(slope_inverted) && p.x != q.x ? formulas::slope(y_0, y_1, x_0, x_1) : dx_dy;
+    return made(slope_whole) ? Rounded(std::trunc(slope.value)) : slope;
+  };
+  out.together(e.dx_dy, {slope_inverted, slope_whole}, slope_of_x);
+  out.together(e.dz_dy, {z_slope_of_x, slope_inverted, slope_whole, z_not_swapped}, [&](auto made) {
+    const Rounded slope = made(z_slope_of_x) ? slope_of_x(made) : dz_dy;
+    return made(z_not_swapped) && turned ? -slope : slope;
+  });
+  const auto z_from = [&](const Rounded& from, const Rounded& to, auto made) {
+    const bool other = made(z_not_swapped) && turned;
+    if (made(z_at_vertex)) return other ? to : from;
+    return other ? formulas::on_line(to, from, row, y_0, y_1) : formulas::on_line(from, to, row, y_0, y_1);
+  };
+  out.together(e.z_edge, {z_not_swapped, z_at_vertex}, [&](auto made) { return z_from(z_0, z_1, made); });
   out.number(x_at_vertex, e.x_edge, {x_0}, formulas::on_line(x_0, x_1, row, y_0, y_1));
   out.number(z_at_vertex, e.z_edge, {z_0}, z);
   const VertexStages *from = at.viewed(upper), *to = at.viewed(lower);
   if (!from || !to || !at.camera) return;
   if (at.header.conventions.depth != Conventions::Depth::view)
+    out.together(e.z_edge, {z_v_for_depth, z_not_swapped, z_at_vertex}, [&](auto made) {
+      return made(z_v_for_depth) ? z_from(from->view.z, to->view.z, made) : z_from(z_0, z_1, made);
+    });
+  if (at.header.conventions.depth != Conventions::Depth::view)
     out.number(z_v_for_depth, e.z_edge, {formulas::on_line(Rounded(from->view.z), Rounded(to->view.z), row, y_0, y_1)},
                z);
-  const bool before = std::min(from->view.z, to->view.z) < at.camera->near * (1 - formulas::rounding_of_float32);
+  const bool before = detail::is_before_near(at, upper) || detail::is_before_near(at, lower);
   out.says(not_clipped_near, before, !before);
 }
 

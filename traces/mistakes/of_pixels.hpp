@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/planes.hpp"
 #include "traces/mistakes/supposed.hpp"
 
 namespace zstep::mistakes {
@@ -47,6 +48,15 @@ inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
   const Fragment* last = at.fragment(e.x - 1, e.y);
   const bool adds = how == increments && last;
   const Rounded right = adds ? Rounded(last->z) + dz_dx : directly;
+  if (const EdgeTableInsert* left = at.edge(span->left_edge); left && !adds)
+    out.together(e.z, {z_not_to_centre, z_stepped_before_use, z_by_slope_of_x, z_by_slope_of_edge}, [&](auto made) {
+      const Rounded slope = made(z_by_slope_of_x)      ? Rounded(left->dx_dy)
+                            : made(z_by_slope_of_edge) ? Rounded(left->dz_dy)
+                                                       : (z_right - z_left) / (x_right - x_left);
+      const Rounded from = made(z_not_to_centre) ? Rounded(span->first) : x_left,
+                    ahead = made(z_stepped_before_use) ? 1 : 0;
+      return z_left + slope * (x - from + ahead);
+    });
   if (!adds) {
     const Rounded from_first = z_left + (z_right - z_left) * (x - Rounded(span->first)) / (x_right - x_left);
     out.number(z_not_to_centre, e.z, {from_first}, right);
@@ -54,6 +64,8 @@ inline void suppose_depth(const E& e, const Situation& at, Supposed& out) {
   }
   if (!last || e.x <= span->first) return;
   const Rounded z = last->z;
+  const Rounded of_first = formulas::on_line(z_left, z_right, Rounded(span->first), x_left, x_right);
+  if (span->dz_dx != 0) out.number(z_kept_along_span, e.z, {of_first}, right);
   if (const EdgeTableInsert* left = at.edge(span->left_edge), *beyond = at.edge(span->right_edge); left && beyond) {
     out.number(z_by_slope_of_x, e.z, {z + Rounded(left->dx_dy), z + Rounded(beyond->dx_dy)}, right);
     out.number(z_by_slope_of_edge, e.z, {z + Rounded(left->dz_dy), z + Rounded(beyond->dz_dy)}, right);
@@ -120,6 +132,19 @@ inline void suppose(const DepthWrite& e, const Situation& at, Supposed& out) {
   if (!fragment) return;
   out.says(written_before_test, !fragment->nearer, fragment->nearer.has_value());
   if (fragment->nearer) out.says(depth_always, true, *fragment->nearer);
+}
+
+inline void suppose(const PixelPaint& e, const Situation& at, Supposed& out) {
+  const auto& winners = at.method().sweep.winners;
+  if (winners.empty()) return;
+  const SpanWinner& seen = winners.back();
+  const Piece* piece = at.piece(seen.piece);
+  if (!piece || !piece->plane || e.x <= seen.first || e.x > seen.last || at.method().scan_line != e.y) return;
+  const PlaneEquation& plane = *piece->plane;
+  const auto depth = [&](double x) {
+    return formulas::plane_depth<Rounded>(plane.plane_a, plane.plane_b, plane.plane_c, plane.plane_d, x, e.y);
+  };
+  out.number(z_kept_along_span, e.z, {depth(seen.first)}, depth(e.x));
 }
 
 inline void suppose(const PixelWrite& e, const Situation& at, Supposed& out) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/outlines.hpp"
 #include "traces/mistakes/of_edges.hpp"
 #include "traces/mistakes/supposed.hpp"
@@ -39,7 +40,34 @@ inline void suppose_flags(const Situation& at, std::span<const ActiveEdge> passe
 
 }  // namespace detail
 
+namespace detail {
+
+/// How a piece lies to the others whose flags are true, at a column: nearer than all of them, or farther?
+struct AmongPieces {
+  bool nearest = true, farthest = true, known = true;
+};
+inline AmongPieces among_pieces(const Situation& at, const Piece& seen, double x, const Supposed& out) {
+  const double y = *at.method().scan_line, z = formulas::plane_depth(*seen.plane, x, y);
+  AmongPieces found;
+  for (const std::int32_t number : at.method().sweep.inside) {
+    const Piece* piece = at.piece(number);
+    if (!piece || !piece->plane) return {false, false, false};
+    const double other = formulas::plane_depth(*piece->plane, x, y);
+    if (!out.equal(other, Rounded(z))) (other < z ? found.nearest : found.farthest) = false;
+  }
+  return found;
+}
+
+/// An edge that is still used on a scan line which it does not meet.
+inline void suppose_ended(const Situation& at, std::int32_t y, Supposed& out) {
+  if (any_ended(at, y, 0))
+    for (const Mistake mistake : {retired_one_late, never_retired}) out.says(mistake, true, false);
+}
+
+}  // namespace detail
+
 inline void suppose(const SpanFlags& e, const Situation& at, Supposed& out) {
+  detail::suppose_ends(e, at, out);
   const auto& active = at.method().active;
   const auto& flip = at.method().sweep.flip;
   if (!flip) return;
@@ -56,25 +84,36 @@ inline void suppose(const SpanFlags& e, const Situation& at, Supposed& out) {
 }
 
 inline void suppose(const ScanLineBegin& e, const Situation& at, Supposed& out) {
+  detail::suppose_closed(at, out);
   if (at.method().sweep.flip) detail::suppose_flags(at, at.method().active, out);  // of the line before
   if (detail::any_ended(at, e.y, 1)) out.says(never_retired, true, false);
 }
 
+inline void suppose(const PlaneEquation& e, const Situation& at, Supposed& out) {
+  const Piece* piece = at.piece(e.piece);
+  const auto plane = piece ? formulas::detail::own_plane(at, *piece) : std::nullopt;
+  if (!plane) return;
+  const Rounded d = plane->as_long_as({e.plane_a, e.plane_b, e.plane_c}).d;
+  if (!out.equal(d.value, Rounded(0.0, d.spread))) out.number(plane_d_sign, e.plane_d, {-d}, d);
+}
+
+inline void suppose(const FlagFlip&, const Situation& at, Supposed& out) {
+  if (at.method().scan_line) detail::suppose_ended(at, *at.method().scan_line, out);
+}
+
 inline void suppose(const SpanWinner& e, const Situation& at, Supposed& out) {
-  const auto& inside = at.method().sweep.inside;
+  const auto& sweep = at.method().sweep;
   const Piece* seen = at.piece(e.piece);
-  if (inside.size() < 2 || e.first > e.last || !at.method().scan_line || !seen || !seen->plane) return;
-  const double x = 0.5 * (e.first + e.last), y = *at.method().scan_line;
-  const double z = formulas::plane_depth(*seen->plane, x, y);
-  bool nearest = true, farthest = true;
-  for (const std::int32_t number : inside) {
-    const Piece* piece = at.piece(number);
-    if (!piece || !piece->plane) return;
-    const double other = formulas::plane_depth(*piece->plane, x, y);
-    if (out.equal(other, Rounded(z))) continue;
-    (other < z ? nearest : farthest) = false;
-  }
-  out.says(wrong_of_two, farthest, nearest);
+  if (sweep.inside.size() < 2 || e.first > e.last || !at.method().scan_line || !seen || !seen->plane) return;
+  const detail::AmongPieces first = detail::among_pieces(at, *seen, e.first, out),
+                            last = detail::among_pieces(at, *seen, e.last, out);
+  if (!first.known || !last.known) return;
+  out.says(wrong_of_two, first.farthest && last.farthest, first.nearest && last.nearest);
+  if (!sweep.interval || e.first != sweep.interval->first) return;
+  const detail::AmongPieces left = detail::among_pieces(at, *seen, sweep.interval->x_left, out);
+  if (!left.nearest || left.farthest) return;
+  const bool to_the_end = e.last == sweep.interval->last;
+  out.says(implied_edge_missed, to_the_end, last.nearest || !to_the_end);
 }
 
 }  // namespace zstep::mistakes

@@ -8,12 +8,26 @@
 
 namespace zstep::mistakes {
 
-inline void suppose(const ViewTransform& e, const Situation& at, Supposed& out) {
-  if (!at.camera || at.on_screen() || !at.is_point(e.vertex)) return;
-  const glm::dvec3& w = at.scene.points[static_cast<std::size_t>(e.vertex)];
+namespace detail {
+
+/// z_v of a vertex of the scene, as its place there gives it; nothing of one that clipping has made.
+inline std::optional<Rounded> true_z_v(const Situation& at, std::int32_t vertex) {
+  if (!at.camera || !at.is_point(vertex)) return std::nullopt;
+  const glm::dvec3& w = at.scene.points[static_cast<std::size_t>(vertex)];
   const glm::dmat4& t_v = at.camera->view;
-  const Rounded z_v = formulas::matrix_row<Rounded>(t_v[0][2], t_v[1][2], t_v[2][2], t_v[3][2], w.x, w.y, w.z);
-  out.number(depth_axis_reversed, e.z_v, {-z_v}, z_v);
+  return formulas::matrix_row<Rounded>(t_v[0][2], t_v[1][2], t_v[2][2], t_v[3][2], w.x, w.y, w.z);
+}
+/// Is the vertex before the near plane, and not only where a wrong z_v has put it?
+inline bool is_before_near(const Situation& at, std::int32_t vertex) {
+  const auto z_v = true_z_v(at, vertex);
+  return z_v && z_v->value < at.camera->near * (1 - formulas::rounding_of_float32);
+}
+
+}  // namespace detail
+
+inline void suppose(const ViewTransform& e, const Situation& at, Supposed& out) {
+  if (at.on_screen()) return;
+  if (const auto z_v = detail::true_z_v(at, e.vertex)) out.number(depth_axis_reversed, e.z_v, {-*z_v}, *z_v);
 }
 
 inline void suppose(const Projection& e, const Situation& at, Supposed& out) {
@@ -27,8 +41,7 @@ inline void suppose(const Projection& e, const Situation& at, Supposed& out) {
     out.number(no_divide, on_plane[axis], {v, d * v}, right);
     out.number(divide_twice, on_plane[axis], {right / z_v, d * right / z_v}, right);
   }
-  const bool before = vertex->view.z < at.camera->near * (1 - formulas::rounding_of_float32);
-  if (!parallel && before) out.says(not_clipped_near, true, false);
+  if (!parallel && detail::is_before_near(at, e.vertex)) out.says(not_clipped_near, true, false);
   if (!at.header.declares(Convention::depth) || !(at.camera->near < at.camera->far)) return;
   const Rounded near = at.camera->near, far = at.camera->far;
   using enum Conventions::Depth;

@@ -19,8 +19,11 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "traces/check/precision.hpp"
@@ -46,9 +49,14 @@ struct Fit {
   }
 };
 
+/// Two mistakes in one number.
+using Pair = std::pair<Mistake, Mistake>;
+
 class Supposed {
  public:
-  explicit Supposed(const Precision& precision) : precision_(precision) {}
+  /// `with_pairs`: what two mistakes at once make of a number is looked at, too.
+  explicit Supposed(const Precision& precision, bool with_pairs = false)
+      : precision_(precision), with_pairs_(with_pairs) {}
 
   void begin(std::int64_t step) { step_ = step; }
   std::optional<SideTest> side;                ///< the last one, until the next test
@@ -56,6 +64,7 @@ class Supposed {
   std::vector<double> one_line;                ///< a depth buffer of a single line, by column
   bool asks_other_way = false;          ///< a pair's tests are done, and those of the pair the other way round begin
   std::set<std::int32_t> cut_off;       ///< pieces that are not in the list yet
+  std::int32_t edges_of = no_polygon;   ///< the polygon whose edge came last, until a scan line begins
   std::set<std::int32_t> spanning;             ///< pieces that were found on both sides of a plane, and not cut yet
   const Fit& fit(Mistake mistake) const { return fits_[static_cast<std::size_t>(mistake)]; }
 
@@ -65,13 +74,7 @@ class Supposed {
   }
   void says(Mistake mistake, bool as_made, bool as_right) {
     if (as_made && as_right) return;
-    Fit& fit = fits_[static_cast<std::size_t>(mistake)];
-    if (as_made) {
-      if (fit.first == 0) fit.first = step_;
-      ++fit.as_made;
-    } else {
-      ++(fit.first == 0 ? fit.against_before : fit.against_after);
-    }
+    count(fits_[static_cast<std::size_t>(mistake)], as_made);
   }
   /// The mistake is not made: it would have shown from the beginning.
   void rules_out(Mistake mistake) { ++fits_[static_cast<std::size_t>(mistake)].against_after; }
@@ -79,6 +82,25 @@ class Supposed {
     says(mistake, std::any_of(made.begin(), made.end(), [&](const auto& one) { return equal(recorded, one); }),
          equal(recorded, right));
   }
+  /// What two of these mistakes make of a number that each of them alone makes otherwise: `make(made)` gives the number
+  /// of a program that makes the mistakes of which made(mistake) is true.
+  template <class Make>
+  void together(double recorded, std::initializer_list<Mistake> mistakes, Make&& make) {
+    if (!with_pairs_) return;
+    const auto with = [&](Mistake one, Mistake other) {
+      return make([=](Mistake mistake) { return mistake == one || mistake == other; });
+    };
+    const Rounded right = make([](Mistake) { return false; });
+    for (auto one = mistakes.begin(); one != mistakes.end(); ++one)
+      for (auto other = std::next(one); other != mistakes.end(); ++other) {
+        const Rounded both = with(*one, *other);
+        if (!std::isfinite(both.value) || equal(both.value, right) || equal(both.value, with(*one, *one)) ||
+            equal(both.value, with(*other, *other)))
+          continue;
+        count(pairs_[{*one, *other}], equal(recorded, both));
+      }
+  }
+  const std::map<Pair, Fit>& pairs() const { return pairs_; }
   /// The same where a program may do without this number: then it says nothing against the mistake.
   void shows(Mistake mistake, double recorded, std::initializer_list<Rounded> made, const Rounded& right) {
     if (!equal(recorded, right)) number(mistake, recorded, made, right);
@@ -95,7 +117,18 @@ class Supposed {
   }
 
  private:
+  void count(Fit& fit, bool as_made) const {
+    if (as_made) {
+      if (fit.first == 0) fit.first = step_;
+      ++fit.as_made;
+    } else {
+      ++(fit.first == 0 ? fit.against_before : fit.against_after);
+    }
+  }
+
   Precision precision_;
+  bool with_pairs_;
+  std::map<Pair, Fit> pairs_{};
   std::int64_t step_ = 0;
   std::array<Fit, mistake_count> fits_{};
 };

@@ -72,6 +72,7 @@ inline void leave_polygon(MethodState& machine) {
 }  // namespace detail
 inline void apply_method_state(const VertexSide&, MethodState& machine) { detail::leave_polygon(machine); }
 inline void apply_method_state(const SideTest&, MethodState& machine) { detail::leave_polygon(machine); }
+inline void apply_method_state(const SplitVertex&, MethodState& machine) { detail::leave_polygon(machine); }
 inline void apply_method_state(const RootCandidate&, MethodState& machine) { detail::leave_polygon(machine); }
 inline void apply_method_state(const PairBegin& event, MethodState& machine) {
   detail::begin_polygon(machine, no_polygon);
@@ -202,14 +203,22 @@ inline void apply_method_state(const CurveBegin& event, MethodState& machine) {
   machine.horizon.segment.reset();
   machine.horizon.test.reset();
   machine.horizon.cross.reset();
+  machine.horizon.before.reset(), machine.horizon.here.reset();
 }
 inline void apply_method_state(const CurveSegment& event, MethodState& machine) {
   machine.horizon.segment = event;
   machine.horizon.cross.reset();
 }
 inline void apply_method_state(const HorizonTest& event, MethodState& machine) {
-  machine.horizon.test = event;
-  machine.horizon.cross.reset();
+  HorizonWork& work = machine.horizon;
+  work.test = event;
+  work.cross.reset();
+  const auto of_column = [&](const std::vector<double>& horizon) {
+    const auto column = static_cast<std::size_t>(event.x);
+    return event.x >= 0 && column < horizon.size() ? horizon[column] : std::numeric_limits<double>::quiet_NaN();
+  };
+  work.before = work.here;
+  work.here = HorizonPassage{event, of_column(work.upper), of_column(work.lower)};
 }
 inline void apply_method_state(const HorizonCross& event, MethodState& machine) { machine.horizon.cross = event; }
 inline void apply_method_state(const HorizonMove& event, MethodState& machine) {

@@ -82,6 +82,13 @@ struct RayWork {
   auto members() const { return std::tie(tree, ray, boxes, cells, hits, plane_test, planes_tested); }
 };
 
+/// A curve on a column, and the horizons there before it moved them; NaN while these are not known.
+struct HorizonPassage {
+  HorizonTest test;
+  double upper = 0, lower = 0;
+  auto members() const { return std::tie(test, upper, lower); }
+};
+
 /// The floating horizons; an entry is NaN while nothing was drawn in its column.
 struct HorizonWork {
   std::vector<double> upper, lower;  ///< rows, by column
@@ -89,7 +96,8 @@ struct HorizonWork {
   std::optional<CurveSegment> segment;
   std::optional<HorizonTest> test;
   std::optional<HorizonCross> cross;
-  auto members() const { return std::tie(upper, lower, curve, segment, test, cross); }
+  std::optional<HorizonPassage> before, here;  ///< of the curve at work, on the last two columns that it came to
+  auto members() const { return std::tie(upper, lower, curve, segment, test, cross, before, here); }
 };
 
 /// An edge of the mesh as a line of the picture.

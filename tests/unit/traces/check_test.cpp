@@ -104,13 +104,13 @@ TEST_CASE("check: an error is counted where it is made, and what follows from it
   const Trace right = open_jsonl(test::in_checkout("tests/golden/pyramid-view.jsonl"));
   const auto won = right.next<DepthCompare>(0, [](const DepthCompare& e) { return e.nearer; });
   REQUIRE(won);
-  const auto [x, y, z, nearer] = get<DepthCompare>(right.event(*won).event);
+  const auto nearer = get<DepthCompare>(right.event(*won).event);
   // One depth is interpolated wrongly, and all goes on from there.
-  const Trace wrong = test::changed(right, [&, x = x, y = y](std::int64_t step, Event& event) {
+  const Trace wrong = test::changed(right, [&](std::int64_t step, Event& event) {
     visit_event(
         [&]<class E>(E& e) {
           if constexpr (requires { e.x; e.y; e.z; })
-            if (step >= *won - 1 && step <= *won + 1 && e.x == x && e.y == y) e.z -= 0.001;
+            if (step >= *won - 1 && step <= *won + 1 && e.x == nearer.x && e.y == nearer.y) e.z -= 0.001;
         },
         event);
     return true;
