@@ -17,6 +17,8 @@
 #include "algorithms/scene/load.hpp"
 #include "sim/homework/assess.hpp"
 #include "sim/homework/batch.hpp"
+#include "sim/homework/new_homework.hpp"
+#include "sim/homework/seeds.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/record/trace_recorder.hpp"
 
@@ -103,6 +105,45 @@ void time_class(const fs::path& folder, int count, int jobs) {
   fmt::print("| the same once more, nothing changed | {:.1f} |\n", seconds_of(grade));
 }
 
+/// A class whose students have scenes of their own: each submission's reference is recorded anew, and what two of them
+/// have in common is looked for. Each tenth hands in what the student before did.
+void time_own_scenes(const fs::path& folder, int count, int jobs) {
+  const fs::path at = folder / "own";
+  homework::new_homework("z-buffer", at);
+  const fs::path file = at / "homework.toml";
+  std::stringstream toml;
+  toml << std::ifstream(file).rdbuf();
+  std::string text = toml.str();
+  text.erase(text.find("[[scene]]"), text.find("[[part]]") - text.find("[[scene]]"));
+  text.insert(text.find("[[part]]"),
+              "[[scene]]\ngenerate = \"triangles\"\nname = \"own\"\ncount = 9\nwidth = 120\nheight = 100\n"
+              "steps = [45000, 60000]\nlosing = [1, 20000]\ncrossing = [0, 1000]\n\n");
+  write(file, text);
+  homework::write_key(at, homework::new_key("benchmark"));
+  homework::BatchOptions options;
+  options.submissions = folder / "own-class", options.results = folder / "own-results", options.jobs = jobs;
+  std::int64_t steps = 0;
+  std::string lines;
+  const double making = seconds_of([&] {
+    for (int i = 0; i < count; ++i) {
+      const std::string name = fmt::format("student{:03}", i);
+      if (i % 10 != 9) lines = right_lines(homework::load_homework(at, name));
+      steps += std::count(lines.begin(), lines.end(), '\n');
+      fs::create_directories(options.submissions / name);
+      write(options.submissions / name / "own.jsonl", i % 2 == 0 ? lines : wrong_lines(lines));
+    }
+  });
+  const homework::Homework made = homework::load_homework(at);
+  std::size_t alike = 0;
+  const auto grade = [&] {
+    alike = homework::grade_batch(made, options, [](std::size_t, std::size_t) {}).alike.size();
+  };
+  const double seconds = seconds_of(grade);
+  fmt::print("| {} submissions of {} steps (mean), each on a scene of its own, {} at a time; {} pairs are found alike "
+             "| {:.1f} |\n| making their scenes and runs, one after another | {:.1f} |\n",
+             count, steps / count, jobs, alike, seconds, making);
+}
+
 }  // namespace
 
 int main(int count, char** values) {
@@ -112,5 +153,6 @@ int main(int count, char** values) {
   fmt::print("| | seconds |\n|---|---|\n");
   time_one(folder);
   time_class(folder, submissions, 2);
+  time_own_scenes(folder, submissions, 2);
   fs::remove_all(folder);
 }
