@@ -78,7 +78,9 @@ TEST_CASE("the plane's depth and the implied edge are told with their numbers") 
   CHECK(depth.formulas[0].ends_with("= 1.25"));
   const Explanation implied = first_of<ImpliedEdge>(trace, [](const ImpliedEdge&) { return true; });
   CHECK(implied.sentence.find("x = 10.5") != std::string::npos);
-  CHECK(implied.formulas.size() == 2);
+  REQUIRE(implied.formulas.size() == 2);  // the depths of both, which are the same there
+  CHECK(implied.formulas[0].find("z of KLM = ") == 0);
+  CHECK(implied.formulas[1].find("z of RST = ") == 0);
 }
 
 TEST_CASE("a depth that its plane does not give is doubted") {
