@@ -28,13 +28,18 @@ void add_lines(LineChart& chart, const Drift& drift, const std::string& run, int
     if (!line->points.empty()) chart.lines.push_back(std::move(*line));
 }
 
-LineChart chart_of(Ui& ui, const Drift& drift) {
+std::string what_of(const Ui& ui) {
   const Header& header = ui.session.header();
+  return fmt::format("error of {} in {} of {}", depth_symbol(ui.session.scene(), header.conventions), unit_of(header),
+                     word_of(header.conventions.number_format));
+}
+
+LineChart chart_of(Ui& ui, const Drift& drift) {
   LineChart chart;
   chart.scale = LineChart::Scale::linear;
-  chart.y_title =
-      fmt::format("error of {} in {} of {}", depth_symbol(ui.session.scene(), header.conventions), unit_of(header),
-                  word_of(header.conventions.number_format));
+  chart.y_title = what_of(ui);
+  if (ui.other && what_of(*ui.other) != chart.y_title)
+    chart.y_title = fmt::format("A: {}; B: {}", chart.y_title, what_of(*ui.other));
   chart.x_title = "pixels after the span's first, lines after the edge's first";
   chart.x_reach = {0, ui.errors.longest()};
   chart.y_reach = {std::min(-1.0, ui.errors.least()), std::max(1.0, ui.errors.most())};

@@ -35,10 +35,19 @@ void draw(Ui& ui) {
   const Conventions& conventions = ui.session.header().conventions;
   if (scene.camera.kind == Camera::Kind::screen)
     return say_empty(ui, "Empty: this scene's points are on the screen already; it has no near and no far plane.");
-  LineChart chart = unit_chart(scene, {{"", conventions}});
-  for (LineChart::Line& line : chart.lines) line.look = LineChart::plain_look;
+  const Conventions* other = ui.other ? &ui.other->session.header().conventions : nullptr;
+  const bool same_format = other && other->number_format == conventions.number_format;
+  if (same_format && other->depth == conventions.depth) other = nullptr;
+  const auto named = [&](const char* run, const Conventions& of) {
+    return fmt::format("{}: {}", run, same_format ? word_of(of.depth) : word_of(of.number_format));
+  };
+  LineChart chart = other ? unit_chart(scene, {{named("A", conventions), conventions}, {named("B", *other), *other}})
+                          : unit_chart(scene, {{"", conventions}});
+  for (std::size_t i = 0; i < chart.lines.size(); ++i)
+    chart.lines[i].look = i == 0 ? LineChart::plain_look : static_cast<int>(i);
   chart.x_title = fmt::format("z_v, from near = {:g} to far = {:g}", scene.camera.near, scene.camera.far);
-  chart.y_title = fmt::format("distance in z_v to the next depth of {}", word_of(conventions.number_format));
+  chart.y_title = other ? "distance in z_v to the next depth"
+                        : fmt::format("distance in z_v to the next depth of {}", word_of(conventions.number_format));
   // A power of ten too near to one of the planes would have its number written over.
   const double near = scene.camera.near, far = scene.camera.far;
   std::erase_if(chart.x_ticks, [&](double tick) {
