@@ -104,7 +104,7 @@ TEST_CASE("grade --batch: every submission has a row, and bad ones say why and s
     CHECK(row_of(table, name)[state] == "graded");
     CHECK(row_of(table, name)[first_wrong].empty());
   }
-  const auto& wrong = row_of(table, "wrong");
+  const auto wrong = row_of(table, "wrong");
   CHECK(std::stod(wrong[points]) < 65);
   CHECK(std::stod(wrong[points]) > 60);
   CHECK(wrong[of] == "65.00");
@@ -113,7 +113,7 @@ TEST_CASE("grade --batch: every submission has a row, and bad ones say why and s
   CHECK(sum == doctest::Approx(std::stod(wrong[points])).epsilon(0.001));
   CHECK(has(wrong[first_wrong], "crossing, class/wrong/crossing.jsonl:"));
   CHECK(has(wrong[first_wrong], "compare, pixel"));
-  const auto& half = row_of(table, "half");
+  const auto half = row_of(table, "half");
   CHECK(half[state] == "partly graded");
   CHECK(half[points] == "48.75");
   CHECK(has(half[why], "crossing: there is no crossing.jsonl"));
@@ -131,7 +131,7 @@ TEST_CASE("grade --batch: every submission has a row, and bad ones say why and s
                          {"a\\..\\up", "rename it"},
                          {"single.jsonl", "is named after no scene"}}) {
     CAPTURE(bad.name);
-    const auto& row = row_of(table, bad.name);
+    const auto row = row_of(table, bad.name);
     CHECK(row[state] == "ungradable");
     CHECK(has(row[why], bad.why));
   }
