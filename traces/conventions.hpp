@@ -47,6 +47,12 @@ struct Conventions {
   };
   enum class Rounding : std::uint8_t { nearest, down };    ///< of fixed-point quotients
   enum class Positions : std::uint8_t { exact, integer };  ///< of vertices on the raster: as they are, or whole pixels
+  /// How an attribute of the vertices goes over a polygon, and shades it: x_w, as a texture coordinate.
+  enum class Attribute : std::uint8_t {
+    none,         ///< polygons have one colour
+    linear,       ///< as it stands, as if it were linear on the picture
+    perspective,  ///< by way of a/z_v and 1/z_v, which are
+  };
 
   Depth depth = Depth::pseudodepth;
   Interpolation interpolation = Interpolation::direct;
@@ -54,6 +60,7 @@ struct Conventions {
   NumberFormat number_format = NumberFormat::float64;
   Rounding rounding = Rounding::nearest;
   Positions positions = Positions::exact;
+  Attribute attribute = Attribute::none;
   bool cull = true;  ///< back faces are dropped
   /// The method's own options that were given, by name ("root" -> "random"); those left out have their standard values.
   std::map<std::string, std::string> options;
@@ -77,6 +84,8 @@ template <>
 inline constexpr std::array<std::string_view, 2> words_of<Conventions::Rounding>{"nearest", "down"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<Conventions::Positions>{"exact", "integer"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<Conventions::Attribute>{"none", "linear", "perspective"};
 
 template <class Enumeration>
 constexpr std::string_view word_of(Enumeration value) {
@@ -93,6 +102,7 @@ void for_each_convention(Visit&& visit) {
   visit("number_format", &Conventions::number_format);
   visit("rounding", &Conventions::rounding);
   visit("positions", &Conventions::positions);
+  visit("attribute", &Conventions::attribute);
 }
 
 /// Some conventions that are to be other than they were.

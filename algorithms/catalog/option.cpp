@@ -95,6 +95,7 @@ std::string options_for_planes(const Conventions& conventions) {
   want(conventions.coverage != standard.coverage, "--coverage top-left");
   want(conventions.number_format != standard.number_format, "--number-format float64");
   want(conventions.positions != standard.positions, "--positions exact");
+  want(conventions.attribute != standard.attribute, "--attribute none");
   return options;
 }
 

@@ -8,6 +8,7 @@
 #include "algorithms/viewing/clip.hpp"
 #include "algorithms/z_buffer/z_buffer.hpp"
 #include "traces/error.hpp"
+#include "traces/formulas/attributes.hpp"
 #include "traces/formulas/planes.hpp"
 #include "traces/record/all_recorders.hpp"
 
@@ -23,14 +24,15 @@ using scan_conversion::Span;
 
 /// What is to be known of the conventions at each pixel.
 struct Ways {
-  bool adds, by_plane, corrected, greater;
+  bool adds, by_plane, corrected, greater, shades;
 
   explicit Ways(const Conventions& c)
       : adds(adds_slopes(c)),
         by_plane(c.interpolation == Conventions::Interpolation::plane ||
                  c.interpolation == Conventions::Interpolation::plane_increments),
         corrected(c.depth == Conventions::Depth::corrected),
-        greater(greater_is_nearer(c.depth)) {}
+        greater(greater_is_nearer(c.depth)),
+        shades(c.attribute != Conventions::Attribute::none) {}
   double farthest() const { return greater ? -no_depth : no_depth; }
   bool wins(double z, double stored) const { return greater ? z > stored : z < stored; }
 };
@@ -42,6 +44,47 @@ struct Plane {
   T at(std::int32_t x, std::int32_t y) const {
     return formulas::along_plane(z_0, dz_dx, T(x), x_0, dz_dy, T(y), y_0);
   }
+};
+
+/// The attribute of the polygons' vertices, along edges, along spans, at a pixel.
+template <class T>
+class Attributes {
+ public:
+  using OverDepth = formulas::OverDepth<T>;
+
+  Attributes(const Scene& scene, const Conventions& conventions, const viewing::Vertices& vertices,
+             const NumbersOf<T>& numbers)
+      : scene_(scene),
+        divides_(formulas::attribute_over_depth(scene, conventions)),
+        vertices_(vertices),
+        numbers_(numbers) {}
+
+  void begin(const EdgeOf<T>& left, const EdgeOf<T>& right, std::int32_t y) {
+    left_ = on_edge(left, y), right_ = on_edge(right, y);
+    x_left_ = left.x, x_right_ = right.x;
+  }
+  OverDepth at(std::int32_t x) const {
+    if (static_cast<double>(x_left_) == static_cast<double>(x_right_)) return left_;
+    return formulas::on_line(left_, right_, T(x), x_left_, x_right_);
+  }
+  T value(const OverDepth& here) const { return divides_ ? here.over_z / here.one_over_z : here.over_z; }
+
+ private:
+  OverDepth of_vertex(std::int32_t number) const {
+    const glm::dvec3& view = vertices_[static_cast<std::size_t>(number)].view;
+    const T a = numbers_.depth(formulas::attribute_of(scene_, number, view));
+    return divides_ ? formulas::over_depth(a, numbers_.depth(view.z)) : OverDepth{a, T(1)};
+  }
+  OverDepth on_edge(const EdgeOf<T>& edge, std::int32_t y) const {
+    return formulas::on_line(of_vertex(edge.vertex_0), of_vertex(edge.vertex_1), T(y), edge.y_0, edge.y_1);
+  }
+
+  const Scene& scene_;
+  bool divides_;
+  const viewing::Vertices& vertices_;
+  const NumbersOf<T>& numbers_;
+  OverDepth left_{}, right_{};
+  T x_left_{0}, x_right_{0};
 };
 
 /// Two vertices that make with the first one the largest triangle on the raster: what the slopes are divided by.
@@ -76,16 +119,25 @@ Plane<T> find_plane(std::int32_t polygon, const clipping::Outline& outline, cons
   return plane;
 }
 
-/// Draws one polygon's spans. Calls each(pixel, z) for each depth that is written.
+/// Draws one polygon's spans. Calls each.depth(pixel, z) for each depth that is written, each.attribute(pixel, a) for
+/// each attribute.
 template <class T, Recorder R, class Each>
 class Drawing {
  public:
-  Drawing(const Ways& ways, const NumbersOf<T>& numbers, Picture& picture, R& record, Each& each)
-      : ways_(ways), numbers_(numbers), picture_(picture), record_(record), each_(each) {}
+  Drawing(const Ways& ways, const NumbersOf<T>& numbers, const Scene& scene, Attributes<T>& attributes,
+          Picture& picture, R& record, Each& each)
+      : ways_(ways),
+        numbers_(numbers),
+        scene_(scene),
+        attributes_(attributes),
+        picture_(picture),
+        record_(record),
+        each_(each) {}
 
   void begin(std::int32_t polygon, const Plane<T>& plane) { polygon_ = polygon, plane_ = plane, started_ = false; }
 
   void fill(const Span& span, const EdgeOf<T>& left, const EdgeOf<T>& right) {
+    if (ways_.shades) attributes_.begin(left, right, span.y);
     T along{0};  // what is interpolated
     const T slope = ways_.by_plane                    ? plane_.dz_dx
                     : !ways_.adds || span.dz_dx == 0 ? T(0)
@@ -123,11 +175,29 @@ class Drawing {
 
     picture_.polygon[pixel] = polygon_;
     record_(z_buffer::step::write_pixel, PixelWrite{x, y, polygon_});
-    each_(pixel, depth);
+    each_.depth(pixel, depth);
+    if (ways_.shades) shade(x, y, pixel);
+  }
+
+  /// Blinn's hyperbolic interpolation, or linear for comparison: which of the two, `attributes_` knows.
+  void shade(std::int32_t x, std::int32_t y, std::size_t pixel) {
+    const formulas::OverDepth<T> here = attributes_.at(x);
+    const T a = attributes_.value(here);
+    record_(step::attribute, AttributeInterpolate{x, y, here.over_z, here.one_over_z, a});
+
+    const Color& color = scene_.polygons[static_cast<std::size_t>(polygon_)].color;
+    const double kept = formulas::stripe_shade(a);
+    const auto shaded = [&](std::uint8_t channel) { return static_cast<std::uint8_t>(std::lround(channel * kept)); };
+    const Color ink{shaded(color.red), shaded(color.green), shaded(color.blue)};
+    picture_.ink[pixel] = ink_of(ink);
+    record_(step::shade, ColorWrite{x, y, ink.red, ink.green, ink.blue});
+    each_.attribute(pixel, a);
   }
 
   const Ways& ways_;
   const NumbersOf<T>& numbers_;
+  const Scene& scene_;
+  Attributes<T>& attributes_;
   Picture& picture_;
   R& record_;
   Each& each_;
@@ -145,6 +215,7 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
 
   Picture picture(raster.width, raster.height);
   for (double& depth : picture.depth) depth = ways.farthest();
+  if (ways.shades) picture.use_ink();
   record(z_buffer::step::clear, BuffersClear{ways.farthest()});
 
   viewing::Lens lens(scene.camera, raster, conventions.depth);
@@ -155,7 +226,8 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
   EdgeTableOf<T> edges;
   edges.numbers = numbers;
   ActiveEdges active;
-  Drawing<T, R, Each> drawing(ways, numbers, picture, record, each);
+  Attributes<T> attributes(scene, conventions, vertices, numbers);
+  Drawing<T, R, std::remove_reference_t<Each>> drawing(ways, numbers, scene, attributes, picture, record, each);
   std::int32_t number = 0;
   for (const Facet& facet : scene.facets) {
     record(z_buffer::step::polygon, PolygonBegin{facet.polygon, number});
@@ -182,6 +254,27 @@ Picture draw(const Scene& scene, const Conventions& conventions, const NumbersOf
   return picture;
 }
 
+/// Keeps nothing of what is drawn besides the picture.
+struct Forget {
+  template <class T>
+  void depth(std::size_t, const T&) const {}
+  template <class T>
+  void attribute(std::size_t, const T&) const {}
+};
+
+/// Keeps how far each number can be off.
+struct Keep {
+  Bounds& bounds;
+  template <class T>
+  void depth(std::size_t pixel, const Bounded<T>& z) const {
+    bounds.of_pixel[pixel] = z.error;
+  }
+  template <class T>
+  void attribute(std::size_t pixel, const Bounded<T>& a) const {
+    bounds.of_attribute[pixel] = a.error, bounds.attribute[pixel] = a;
+  }
+};
+
 /// Calls use(numbers) with what makes the run's numbers.
 template <class Use>
 auto in_numbers(const Scene& scene, const Conventions& conventions, Use&& use) {
@@ -201,15 +294,15 @@ bool is_taught(const Conventions& c) {
   using enum Conventions::Depth;
   using enum Conventions::Interpolation;
   return (c.depth == pseudodepth || c.depth == view) && (c.interpolation == direct || c.interpolation == increments) &&
-         c.number_format == NumberFormat::float64 && c.positions == Conventions::Positions::exact;
+         c.number_format == NumberFormat::float64 && c.positions == Conventions::Positions::exact &&
+         c.attribute == Conventions::Attribute::none;
 }
 
 template <Recorder R>
 Picture run(const Scene& scene, const Conventions& conventions, R& record) {
   if (is_taught(conventions)) return z_buffer::run(scene, conventions, record);
   return in_numbers(scene, conventions, [&]<class T>(const NumbersOf<T>& numbers) {
-    const auto forget = [](std::size_t, const T&) {};
-    return draw<T>(scene, conventions, numbers, record, forget);
+    return draw<T>(scene, conventions, numbers, record, Forget{});
   });
 }
 
@@ -217,9 +310,10 @@ Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
   return in_numbers(scene, conventions, [&]<class T>(const NumbersOf<T>& numbers) {
     Bounds bounds;
     bounds.of_pixel.assign(Picture(scene.raster.width, scene.raster.height).depth.size(), 0);
+    if (conventions.attribute != Conventions::Attribute::none)
+      bounds.of_attribute = bounds.attribute = bounds.of_pixel;
     NullRecorder nothing;
-    const auto keep = [&](std::size_t pixel, const Bounded<T>& z) { bounds.of_pixel[pixel] = z.error; };
-    bounds.picture = draw<Bounded<T>>(scene, conventions, NumbersOf<Bounded<T>>{numbers}, nothing, keep);
+    bounds.picture = draw<Bounded<T>>(scene, conventions, NumbersOf<Bounded<T>>{numbers}, nothing, Keep{bounds});
     return bounds;
   });
 }
@@ -227,6 +321,14 @@ Bounds bounds_of(const Scene& scene, const Conventions& conventions) {
 Page page_for(const Conventions& conventions) {
   const Ways ways(conventions);
   Page page = ways.by_plane ? interpolation::page() : z_buffer::page();
+  const auto shades = [](const StepInfo& line) { return line.id == step::attribute.id || line.id == step::shade.id; };
+  std::erase_if(page, shades);
+  if (ways.shades)
+    for (const StepInfo& line : interpolation::page())
+      if (shades(line)) page.push_back(line);
+  if (conventions.attribute == Conventions::Attribute::linear)
+    for (StepInfo& line : page)
+      if (line.id == step::attribute.id) line.text = "a, interpolated as z is";
   if (!ways.greater) return page;
   for (StepInfo& line : page) {
     if (line.id == z_buffer::step::clear.id)
@@ -248,6 +350,10 @@ void check(const Scene& scene, const Conventions& c) {
   if (c.positions == Conventions::Positions::integer && kind == Camera::Kind::screen)
     throw InputError("--positions integer", "needs a camera, and this scene's points are on the screen already",
                      "take a scene with a camera; 'zstep list scenes' says which have one");
+  if (c.attribute != Conventions::Attribute::none && bits_of(c.number_format) > 0)
+    throw InputError("--attribute " + std::string(word_of(c.attribute)),
+                     "is computed in floating point, and fixed-point numbers are of depths and positions",
+                     "give --number-format float64 or float32");
   if (c.rounding == Conventions::Rounding::down && bits_of(c.number_format) == 0)
     throw InputError("--rounding down", "is of fixed-point numbers", "give --number-format fixed16, or fixed32");
 }

@@ -28,6 +28,8 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record);
 struct Bounds {
   Picture picture;               ///< that of run()
   std::vector<double> of_pixel;  ///< [height*width], Picture::at, in units of depth; 0 where nothing was drawn
+  /// The attribute that shades each pixel, and how far it can be off; empty where none is interpolated.
+  std::vector<double> attribute, of_attribute;
 };
 Bounds bounds_of(const Scene& scene, const Conventions& conventions);
 

@@ -39,7 +39,8 @@ AtWork at_work(const Trace& trace, std::int64_t step) {
 class Reading {
  public:
   explicit Reading(const Trace& trace)
-      : trace_(trace), depth_(trace.header().empty_depth()), known_(trace.header().initial_depth.has_value()) {}
+      : trace_(trace), depth_(trace.header().empty_depth()), known_(trace.header().initial_depth.has_value()),
+        shades_(trace.has(kind_of<AttributeInterpolate>)) {}
 
   void clear(double z) {
     depth_ = z, polygon_ = no_polygon;
@@ -90,6 +91,8 @@ class Reading {
       Visit& visit = belongs ? all.back() : add(step, work, Outcome::mixed);
       visit.outcome = Outcome::mixed, visit.polygon = blend->polygon, visit.opacity = blend->opacity;
       visit.blended = visit.written = step;
+    } else if (holds<ColorWrite>(event) && shades_) {
+      // The stripes of an attribute belong to the write before them.
     } else if (holds<ColorWrite>(event)) {
       add(step, {}, Outcome::colored).written = step;
       open_ = false;
@@ -122,7 +125,7 @@ class Reading {
   const Trace& trace_;
   double depth_;
   std::int32_t polygon_ = no_polygon;
-  bool known_, only_cleared_ = true;
+  bool known_, shades_, only_cleared_ = true;
   AtWork work_;        ///< of the last visit
   bool open_ = false;  ///< steps that follow may belong to it
   std::optional<Interpolated> interpolated_;

@@ -89,21 +89,48 @@ void print_rows(const Scene& scene, const std::vector<ModeRow>& rows) {
       "additions, multiplications, divisions per pixel. TIME: processor time of a run without recording.\n");
 }
 
+bool has_attributes(const std::vector<ModeRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const ModeRow& row) { return row.errors.attribute.attributes > 0; });
+}
+
+void print_attributes(const std::vector<ModeRow>& rows) {
+  using enum Table::Align;
+  Table table({left, right, right, right, right});
+  table.row({"ATTRIBUTE", "LARGEST", "RMS", "ROUNDING", "BOUND"});
+  for (const ModeRow& row : rows) {
+    const oracle::AttributeErrors& e = row.errors.attribute;
+    if (e.attributes == 0) continue;
+    table.row({row.mode.text, error_text(e.largest), error_text(e.root_mean_square()), error_text(e.rounding),
+               error_text(row.errors.attribute_bound) + (row.errors.attributes_within_bounds ? "" : " passed")});
+  }
+  fmt::print("\n{}\n", table.text(0));
+  fmt::print(
+      "LARGEST, RMS: error of the attribute against the polygon's own. ROUNDING: the largest error by rounding\n"
+      "alone; BOUND: the most that theory allows.\n");
+}
+
 std::string csv_of(const std::string& scene, const std::string& swept, const std::vector<double>& values,
                    const std::vector<std::vector<ModeRow>>& runs) {
+  const bool attributes = std::any_of(runs.begin(), runs.end(), has_attributes);
   std::string text = fmt::format(
       "scene,mode,{}depths,largest,rms,rounding,bound,wrong_pixels,turned_pixels,additions,"
-      "multiplications,divisions,time_s\n",
-      swept.empty() ? "" : swept + ",");
+      "multiplications,divisions,time_s{}\n",
+      swept.empty() ? "" : swept + ",",
+      attributes ? ",attribute_largest,attribute_rms,attribute_rounding,attribute_bound" : "");
   for (std::size_t k = 0; k < runs.size(); ++k)
     for (const ModeRow& row : runs[k]) {
       const ModeErrors& e = row.errors;
       const compare::Operations& o = e.operations;
-      text += fmt::format("{},{},{}{},{},{},{},{},{},{},{},{},{},{}\n", compare::csv_cell(scene),
+      text += fmt::format("{},{},{}{},{},{},{},{},{},{},{},{},{},{}", compare::csv_cell(scene),
                           compare::csv_cell(row.mode.text), swept.empty() ? "" : fmt::format("{},", values[k]),
                           e.depths, e.largest, e.rms, e.rounding_depth, e.bound, e.wrong_pixels, e.fighting_pixels,
                           o.additions, o.multiplications, o.divisions,
                           std::isnan(row.seconds) ? std::string() : fmt::format("{}", row.seconds));
+      if (attributes)
+        text += fmt::format(",{},{},{},{}", e.attribute.largest, e.attribute.root_mean_square(), e.attribute.rounding,
+                            e.attribute_bound);
+      text += "\n";
     }
   return text;
 }
@@ -286,6 +313,7 @@ int compare_modes(const CompareOptions& options) {
   watch.clear_line();
   if (rows.empty()) throw InputError("--modes", "none of these can be drawn", "give others");
   print_rows(run.scene, rows);
+  if (has_attributes(rows)) print_attributes(rows);
   write_comparison(options, csv_of(run.scene.name, "", {}, {rows}), [&] { return chart_of(run.scene, rows); });
   return exit_code::done;
 }

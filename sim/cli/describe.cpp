@@ -64,6 +64,8 @@ std::string numbers_text(const Conventions& conventions) {
   if (bits_of(conventions.number_format) > 0)
     text += conventions.rounding == Conventions::Rounding::nearest ? ", rounded" : ", cut off";
   if (conventions.positions == Conventions::Positions::integer) text += ", vertices at whole pixels";
+  if (conventions.attribute == Conventions::Attribute::linear) text += ", attribute linear on the picture";
+  if (conventions.attribute == Conventions::Attribute::perspective) text += ", attribute perspective-correct";
   return text;
 }
 

@@ -23,6 +23,7 @@
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
+#include "traces/oracle/attribute_errors.hpp"
 #include "traces/oracle/errors.hpp"
 #include "traces/text.hpp"
 #if ZSTEP_HAS_VIEWER
@@ -99,6 +100,13 @@ void print_text(const Trace& trace, const ErrorOptions& options, const Errors& e
   fmt::print("with exact depths {} go the other way, and {} show another polygon\n\n",
              counted(errors.all.decided_wrong, "compare would", "compares would"),
              counted(errors.wrong_pixels, "pixel would", "pixels would"));
+  if (trace.has(kind_of<AttributeInterpolate>)) {
+    const oracle::AttributeErrors attribute = oracle::attribute_errors_of(trace);
+    fmt::print("{} compared with the polygons' own: largest error {:.3g}, at step {}, root mean square {:.3g}; by "
+               "rounding alone {:.3g}\n\n",
+               counted(attribute.attributes, "attribute", "attributes"), attribute.largest, attribute.largest_step,
+               attribute.root_mean_square(), attribute.rounding);
+  }
   for (const oracle::WrongDecision& wrong : errors.decisions) {
     if (&wrong - errors.decisions.data() >= 3 && !options.all) break;
     fmt::print("pixel ({}, {}), {}: {} against {}; exactly {} against {}\n  zstep view {} --at {}\n", wrong.x, wrong.y,
@@ -137,6 +145,14 @@ void print_json(const Trace& trace, const Errors& errors, const std::optional<Al
   const double unit = depth_unit(trace.scene(), trace.header().conventions);
   all["buffer_unit"] = unit > 0 ? Json(unit) : Json(nullptr);  // null: a last digit at each depth
   all["not_judged"] = errors.not_judged;
+  if (trace.has(kind_of<AttributeInterpolate>)) {
+    const oracle::AttributeErrors attribute = oracle::attribute_errors_of(trace);
+    all["attribute"] = Json{{"values", attribute.attributes},
+                            {"largest", attribute.largest},
+                            {"rms", attribute.root_mean_square()},
+                            {"rounding", attribute.rounding},
+                            {"largest_at_step", attribute.largest_step}};
+  }
   all["largest_at_step"] = errors.steepest_step;
   all["wrong_pixels"] = errors.wrong_pixels;
   Json polygons = Json::array(), decisions = Json::array();

@@ -40,6 +40,9 @@ const std::map<std::string_view, const char*> convention_help{
     {"number_format", "What is computed in (default float64); of fixed-point numbers, the bits of a depth"},
     {"rounding", "How fixed-point quotients become whole (default nearest)"},
     {"positions", "Where vertices are on the raster: as they come (default), or at whole pixels"},
+    {"attribute",
+     "How the attribute that shades polygons in stripes, x_w, goes over them: not at all (default), linearly on the "
+     "picture, or by way of a/z_v and 1/z_v"},
 };
 
 /// One of some words; the words are the help's type name too, and what a shell offers to complete.

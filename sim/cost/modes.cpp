@@ -76,6 +76,14 @@ ModeErrors errors_of_mode(const Scene& scene, const Mode& mode) {
     errors.rounding_depth = std::max(errors.rounding_depth, off);
     if (off > bounds.of_pixel[pixel]) errors.within_bounds = false;
   }
+  if (bounds.of_attribute.empty()) return errors;
+  errors.attribute = oracle::attribute_errors_of(trace);
+  for (std::size_t pixel = 0; pixel < bounds.of_attribute.size(); ++pixel) {
+    const double off = errors.attribute.rounding_of_pixel[pixel];
+    if (std::isnan(off)) continue;
+    errors.attribute_bound = std::max(errors.attribute_bound, bounds.of_attribute[pixel]);
+    if (off > bounds.of_attribute[pixel]) errors.attributes_within_bounds = false;
+  }
   return errors;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/cost/operations.hpp"
+#include "traces/oracle/attribute_errors.hpp"
 #include "traces/scene.hpp"
 
 namespace zstep::compare {
@@ -36,6 +37,9 @@ struct ModeErrors {
   double gap_at = 0;                ///< and where
   double unit_at_gap = 0;           ///< how far apart in z_v two neighbouring numbers of the buffer are there
   Operations operations;
+  oracle::AttributeErrors attribute;     ///< where one is interpolated
+  double attribute_bound = 0;            ///< what theory bounds its rounding by: the largest of all pixels
+  bool attributes_within_bounds = true;  ///< each is as near to its exact one as its own bound says
 };
 ModeErrors errors_of_mode(const Scene& scene, const Mode& mode);
 

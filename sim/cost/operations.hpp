@@ -16,8 +16,8 @@ struct Operations {
   }
 };
 
-/// Of edges, spans, planes and pixels; not of the vertices before them. The slope along a span is counted where it is
-/// added.
+/// Of edges, spans, planes and pixels; not of the vertices before them, nor of an attribute. The slope along a span is
+/// counted where it is added.
 Operations operations_of(const Trace& trace);
 
 }  // namespace zstep::compare

@@ -1,5 +1,6 @@
 // What the light reaches (004, "shadow buffer").
 #include "sim/words/explain_parts.hpp"
+#include "traces/formulas/attributes.hpp"
 
 namespace zstep::words {
 
@@ -44,8 +45,14 @@ void tell(Telling& t, const ShadowCompare& e) {
 void tell(Telling& t, const ColorWrite& e) {
   const bool shaded =
       t.machine.shadow && !t.machine.shadow->lit && t.machine.shadow->x == e.x && t.machine.shadow->y == e.y;
+  const auto& attribute = t.machine.attribute;
+  const bool striped = attribute && attribute->x == e.x && attribute->y == e.y;
+  const bool dark = striped && formulas::stripe_shade(attribute->attribute) < 1;
   t.say(fmt::format("Pixel ({}, {}) takes the colour {}, {}, {}{}.", e.x, e.y, e.r8, e.g8, e.b8,
-                    shaded ? ": its polygon's in shadow" : ""));
+                    shaded    ? ": its polygon's in shadow"
+                    : dark    ? ": its polygon's in a dark stripe of a"
+                    : striped ? ": its polygon's in a bright stripe of a"
+                              : ""));
   t.formula(fmt::format("frame[{},{}] = ({}, {}, {})", e.x, e.y, e.r8, e.g8, e.b8));
 }
 

@@ -265,7 +265,10 @@ std::vector<Otherwise> all_others() {
       others.push_back({key, words_of<E>[k], [=](Header& h) { h.conventions.*member = static_cast<E>(k); }});
   });
   // Which numbers a program computes in shows in their digits, and is found out from them.
-  std::erase_if(others, [](const Otherwise& one) { return one.key == "number_format" || one.key == "rounding"; });
+  // And where attributes are recorded, "none" is no answer.
+  std::erase_if(others, [](const Otherwise& one) {
+    return one.key == "number_format" || one.key == "rounding" || (one.key == "attribute" && one.word == "none");
+  });
   return others;
 }
 

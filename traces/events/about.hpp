@@ -65,6 +65,7 @@ template <> inline constexpr About about<DepthInterpolate>{polygon, {"x", "y"}};
 template <> inline constexpr About about<DepthCompare>{polygon, {"x", "y"}};
 template <> inline constexpr About about<DepthWrite>{polygon, {"x", "y"}};
 template <> inline constexpr About about<PixelWrite>{polygon, {"x", "y"}};
+template <> inline constexpr About about<AttributeInterpolate>{polygon, {"x", "y"}};
 template <> inline constexpr About about<PixelPaint>{polygon, {"x", "y"}};
 template <> inline constexpr About about<ColorWrite>{curve, {"x", "y"}};
 template <> inline constexpr About about<ColorBlend>{nothing, {"x", "y", "polygon"}};

@@ -25,6 +25,7 @@ std::string_view called(std::size_t kind) {
         {kind_of<DepthInterpolate>, "depth at x = {x} on the span"},
         {kind_of<DepthCompare>, "compare at pixel ({x}, {y})"},
         {kind_of<DepthWrite>, "depth written at pixel ({x}, {y})"},
+        {kind_of<AttributeInterpolate>, "attribute at pixel ({x}, {y})"},
         {kind_of<PixelPaint>, "pixel ({x}, {y}) painted with {polygon}"},
         {kind_of<PlaneEquation>, "plane of {piece}"},
         {kind_of<Extent>, "extents of {piece}"},

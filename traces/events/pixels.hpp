@@ -16,6 +16,7 @@ struct DepthInterpolate { std::int32_t x, y; double z; };
 struct DepthCompare { std::int32_t x, y; double z; bool nearer; };
 struct DepthWrite { std::int32_t x, y; double z; };
 struct PixelWrite { std::int32_t x, y, polygon; };
+struct AttributeInterpolate { std::int32_t x, y; double over_z, one_over_z, attribute; };
 
 // clang-format on
 
@@ -55,6 +56,16 @@ template <>
 inline constexpr auto fields_of<PixelWrite> =
     Fields{Field{"x", &PixelWrite::x, "px", "column"}, Field{"y", &PixelWrite::y, "px", "row"},
                Field{"polygon", &PixelWrite::polygon, "index", "the polygon whose colour is stored"}};
+
+template <>
+inline constexpr KindText kind_text<AttributeInterpolate>{"attribute_interpolate",
+                                                          "the attribute of a polygon's vertices at a pixel"};
+template <>
+inline constexpr auto fields_of<AttributeInterpolate> =
+    Fields{Field{"x", &AttributeInterpolate::x, "px", "column"}, Field{"y", &AttributeInterpolate::y, "px", "row"},
+           Field{"over_z", &AttributeInterpolate::over_z, "1", "a/z_v, interpolated; a itself where that is"},
+           Field{"one_over_z", &AttributeInterpolate::one_over_z, "1", "1/z_v, interpolated; 1 where a itself is"},
+           Field{"attribute", &AttributeInterpolate::attribute, "1", "a: their quotient"}};
 
 // --- Without a compare, in colours of their own, in two passes
 

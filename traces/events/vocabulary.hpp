@@ -38,8 +38,8 @@ namespace zstep {
   X(BuffersClear) X(ViewTransform) X(Projection) X(ViewportTransform) X(PolygonBegin) X(FacingTest) \
   X(PolygonReject) X(ClipTest) X(ClipVertex) X(ClipCross) X(OutlineVertex) X(EdgeTableInsert) X(EdgeTableSkip) \
   X(ScanLineBegin) X(EdgeEnter) X(EdgeRetire) X(EdgeStep) X(EdgeSwap) X(PlaneSlopes) X(SpanBegin) X(DepthInterpolate) \
-  X(DepthCompare) X(DepthWrite) X(PixelWrite) X(PixelPaint) X(ColorWrite) X(ColorBlend) X(PassBegin) \
-  X(ShadowCompare) X(TablesBegin) X(PieceMake) X(PlaneEquation) X(Extent) X(PlaneDepth) X(VertexSide) \
+  X(DepthCompare) X(DepthWrite) X(PixelWrite) X(AttributeInterpolate) X(PixelPaint) X(ColorWrite) X(ColorBlend) \
+  X(PassBegin) X(ShadowCompare) X(TablesBegin) X(PieceMake) X(PlaneEquation) X(Extent) X(PlaneDepth) X(VertexSide) \
   X(SideTest) X(ExtentTest) X(OverlapTest) X(SplitVertex) X(PieceDraw) X(Saved) X(ListInsert) X(ListRemove) \
   X(ListMark) X(PairBegin) X(RootCandidate) X(NodeMake) X(NodeAdd) X(EyeSide) X(NodeSkip) X(FlagFlip) \
   X(SpanFlags) X(ImpliedEdge) X(SpanWinner) X(CoverageAdd) X(AreaBegin) X(AreaBin) X(AreaDecide) X(BoxMake) \

@@ -44,9 +44,10 @@ ordered_json conventions_to_json(const Header& header) {
   put(Convention::coverage, word_of(c.coverage));
   put(Convention::cull, c.cull);
   put(Convention::number_format, word_of(c.number_format));
-  // These two are stated where they differ from what every program does that does not think of them.
+  // These are stated where they differ from what every program does that does not think of them.
   if (c.rounding != Conventions{}.rounding) out["rounding"] = word_of(c.rounding);
   if (c.positions != Conventions{}.positions) out["positions"] = word_of(c.positions);
+  if (c.attribute != Conventions{}.attribute) out["attribute"] = word_of(c.attribute);
   put(Convention::pixel_centre, centre_words[0]);
   put(Convention::nearer, word(header.comparison.nearer, nearer_words));
   put(Convention::ties, word(header.comparison.ties, tie_words));
@@ -70,7 +71,8 @@ void read_conventions(const json& in, Header& header) {
   Parts parts;
   parts.read([&] {
     known_keys(in, "\"conventions\"", {"depth", "interpolation", "coverage", "cull", "number_format", "rounding",
-                                       "positions", "pixel_centre", "nearer", "ties", "initial_depth", "options"});
+                                       "positions", "attribute", "pixel_centre", "nearer", "ties", "initial_depth",
+                                       "options"});
   });
   for_each_convention([&]<class E>(const char* key, E Conventions::*member) {
     parts.read([&] {

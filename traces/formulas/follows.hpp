@@ -49,6 +49,7 @@ inline constexpr std::array<FollowsOf, kind_count> follows_of{{
     {"depth_compare", "z nearer", "x y", ""},
     {"depth_write", "z", "x y", ""},
     {"pixel_write", "polygon", "x y", ""},
+    {"attribute_interpolate", "over_z one_over_z attribute", "x y", ""},
     {"pixel_paint", "z polygon", "x y", ""},
     {"color_write", "r8 g8 b8", "x y", ""},
     {"color_blend", "polygon opacity r8 g8 b8", "x y", ""},

@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "traces/formulas/attributes.hpp"
 #include "traces/formulas/from_raster.hpp"
 #include "traces/formulas/light.hpp"
 #include "traces/formulas/of_curves.hpp"
@@ -188,12 +189,13 @@ void derive(const ShadowCompare& e, const Situation& at, Out& out) {
 }
 
 /// A curve's ink, light on the way back along a ray, the shares of a pixel, or a polygon's colour where the light does
-/// not reach it.
+/// not reach it or in a stripe of its attribute.
 template <class Out>
 void derive(const ColorWrite& e, const Situation& at, Out& out) {
   const auto& tree = at.method().rays.tree;
   const auto& covered = at.method().sweep.covered;
   const auto& shadow = at.method().shadow;
+  const auto& attribute = at.method().attribute;
   std::array<double, 3> shades{};
   if (at.method().horizon.here) {
     const detail::DrawnOfCurve drawn = detail::drawn_of_curve(at, e);
@@ -226,6 +228,14 @@ void derive(const ColorWrite& e, const Situation& at, Out& out) {
     if (kept != 1 && kept != in_shadow)  // of which the byte that tells it leaves one digit open
       for (std::size_t k = 0; k < 3; ++k)
         if (std::abs(recorded[k] - shades[k]) < 2) shades[k] = recorded[k];
+  } else if (attribute && attribute->x == e.x && attribute->y == e.y) {
+    out.reads(Place{Place::In::attribute, 0});
+    const auto polygon = static_cast<std::size_t>(
+        at.before.picture.polygon[static_cast<std::size_t>(at.pixel(e.x, e.y))]);
+    if (polygon >= at.scene.polygons.size() || at_stripe_edge(attribute->attribute)) return;
+    out.reads(Place{Place::In::frame, at.pixel(e.x, e.y)});
+    shades = detail::channels(at.scene.polygons[polygon].color);
+    for (double& shade : shades) shade *= stripe_shade(attribute->attribute);
   } else {
     return;
   }

@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "traces/formulas/attributes.hpp"
 #include "traces/formulas/of_pieces.hpp"
 #include "traces/formulas/rounding.hpp"
 #include "traces/formulas/situation.hpp"
@@ -191,6 +192,69 @@ void derive(const PixelWrite& e, const Situation& at, Out& out) {
     out.rule(Rule::write_after_win, *fragment->nearer);
   }
   if (at.method().polygon != no_polygon && !at.method().keeps_all) out.is(&PixelWrite::polygon, at.method().polygon);
+}
+
+namespace detail {
+
+/// The attribute of a vertex and where its formula finds it, with the viewing depth; nothing before it was viewed.
+template <class Out>
+auto over_depth_of_vertex(Out& out, const Situation& at, std::int32_t vertex, const std::string& suffix) {
+  using T = typename Out::Number;
+  const VertexStages* stages = at.viewed(vertex);
+  if (!stages && !at.on_screen()) return std::optional<OverDepth<T>>();
+  const double value = attribute_of(at.scene, vertex, stages ? stages->view : glm::dvec3(0));
+  const T a = out.number("a_" + suffix, value, at.is_point(vertex) ? Place{Place::In::point, vertex, "x_w"} : Place{});
+  if (!attribute_over_depth(at.scene, at.header.conventions)) return std::optional(OverDepth<T>{a, T(1)});
+  const Place seen{Place::In::vertex, vertex, "z_v"};
+  return std::optional(over_depth(a, out.number("z_" + suffix, stages->view.z, seen)));
+}
+
+/// Along an edge to the scan line at work.
+template <class Out>
+auto over_depth_on_edge(Out& out, const Situation& at, std::int32_t edge, std::int32_t line, const char* suffix_0,
+                        const char* suffix_1) {
+  using T = typename Out::Number;
+  const EdgeTableInsert* entry = at.edge(edge);
+  if (!entry) return std::optional<OverDepth<T>>();
+  const auto p_0 = over_depth_of_vertex(out, at, entry->vertex_0, suffix_0),
+             p_1 = over_depth_of_vertex(out, at, entry->vertex_1, suffix_1);
+  const auto from = at.on_raster(entry->vertex_0), to = at.on_raster(entry->vertex_1);
+  if (!p_0 || !p_1 || !from || !to) return std::optional<OverDepth<T>>();
+  const T y_0 = out.number(std::string("y_") + suffix_0, from->y, Place{Place::In::vertex, entry->vertex_0, "y_s"}),
+          y_1 = out.number(std::string("y_") + suffix_1, to->y, Place{Place::In::vertex, entry->vertex_1, "y_s"});
+  return std::optional(on_line(*p_0, *p_1, out.number("y", line, Place{}), y_0, y_1));
+}
+
+}  // namespace detail
+
+/// Blinn's hyperbolic interpolation: a/z_v and 1/z_v along the two edges and the span between them, and their quotient.
+template <class Out>
+void derive(const AttributeInterpolate& e, const Situation& at, Out& out) {
+  if (const Fragment* fragment = at.fragment(e.x, e.y); fragment && fragment->nearer) {
+    out.reads(Place{Place::In::fragment, 0});
+    out.rule(Rule::write_after_win, *fragment->nearer);
+  }
+  if (!at.header.declares(Convention::depth) || at.header.conventions.attribute == Conventions::Attribute::none) return;
+  const bool divides = attribute_over_depth(at.scene, at.header.conventions);
+  const Place event{};
+  const auto above = out.number(divides ? "a/z" : "a", e.over_z, event["over_z"]);
+  out.gives(&AttributeInterpolate::attribute,
+            divides ? above / out.number("1/z", e.one_over_z, event["one_over_z"]) : above);
+  const auto& span = at.method().span;
+  if (!span || span->y != e.y) return;
+  out.rule(Rule::pixel_in_span, e.x >= span->first && e.x <= span->last);
+  const auto left = detail::over_depth_on_edge(out, at, span->left_edge, e.y, "0", "1"),
+             right = detail::over_depth_on_edge(out, at, span->right_edge, e.y, "2", "3");
+  if (!left || !right) return;
+  const Place place{Place::In::span, 0};
+  const auto here = span->x_right == span->x_left
+                        ? *left
+                        : on_line(*left, *right, out.number("x", e.x, Place{}),
+                                  out.number("x_L", span->x_left, place["x_left"]),
+                                  out.number("x_R", span->x_right, place["x_right"]));
+  out.gives(&AttributeInterpolate::over_z, here.over_z);
+  if (divides) out.gives(&AttributeInterpolate::one_over_z, here.one_over_z);
+  else out.is(&AttributeInterpolate::one_over_z, 1.0);
 }
 
 }  // namespace zstep::formulas

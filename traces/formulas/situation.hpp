@@ -41,6 +41,7 @@ struct Place {
     plane,         ///< the slopes of the plane of the polygon at work
     span,          ///< the span at work
     fragment,      ///< the pixel at work
+    attribute,     ///< the attribute that was interpolated there
     depth_buffer,  ///< by pixel, as Picture::at counts
     light_buffer,  ///< the depth buffer of what the light sees, likewise
     frame,         ///< likewise

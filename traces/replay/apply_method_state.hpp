@@ -61,6 +61,7 @@ inline void begin_polygon(MethodState& machine, std::int32_t polygon) {
   machine.scan_line.reset();
   machine.slopes.reset();
   machine.span.reset();
+  machine.attribute.reset();
   if (machine.keeps_all) return;
   machine.edge_table.clear();
   machine.edge_stages.clear();
@@ -126,6 +127,7 @@ inline void apply_method_state(const EdgeSwap& event, MethodState& machine) {
   std::swap(machine.active[static_cast<std::size_t>(event.place)],
             machine.active[static_cast<std::size_t>(event.place) + 1]);
 }
+inline void apply_method_state(const AttributeInterpolate& event, MethodState& machine) { machine.attribute = event; }
 inline void apply_method_state(const PlaneSlopes& event, MethodState& machine) { machine.slopes = event; }
 inline void apply_method_state(const SpanBegin& event, MethodState& machine) {
   detail::must_be_in_table(machine, event.left_edge);

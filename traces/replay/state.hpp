@@ -94,6 +94,7 @@ struct MethodState {
   std::optional<PlaneSlopes> slopes;  ///< of the polygon's plane, where depths go by it
   std::optional<SpanBegin> span;
   std::optional<Fragment> fragment;
+  std::optional<AttributeInterpolate> attribute;  ///< the last one of the polygon at work
 
   // The whole run.
   bool keeps_all = false;  ///< edges, vertices and pieces of all polygons are kept (tables_begin)
@@ -121,8 +122,8 @@ struct MethodState {
 
   auto members() const {
     return std::tie(polygon, facet, piece, facing, clip_test, rejected, outline, edge_table, edge_stages, active,
-                    scan_line, slopes, span, fragment, keeps_all, pass, pieces, drawn, list, pair, tree, node, sweep, areas,
-                    area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
+                    scan_line, slopes, span, fragment, attribute, keeps_all, pass, pieces, drawn, list, pair, tree, node,
+                    sweep, areas, area, bins, boxes, grid, cells, rays, horizon, lines, line, against, shadow, saved);
   }
 };
 

@@ -102,13 +102,13 @@ struct Source {
     });
   }
 
-  Step last_span() const {
-    return find_last<SpanBegin>(work.trace, step, [](const SpanBegin&) { return true; });
+  template <class E>
+  Step last() const {
+    return find_last<E>(work.trace, step, [](const E&) { return true; });
   }
+  Step last_span() const { return last<SpanBegin>(); }
 
-  Step last_slopes() const {
-    return find_last<PlaneSlopes>(work.trace, step, [](const PlaneSlopes&) { return true; });
-  }
+  Step last_slopes() const { return last<PlaneSlopes>(); }
 
   /// A depth from elsewhere in the run: its own links follow after these.
   Number of_buffer() const {
@@ -149,6 +149,8 @@ struct Source {
         return written_by(last_span());
       case Place::In::fragment:
         return of_fragment();
+      case Place::In::attribute:
+        return written_by(last<AttributeInterpolate>());
       case Place::In::depth_buffer:
       case Place::In::light_buffer:
         return of_buffer();

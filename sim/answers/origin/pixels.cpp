@@ -2,6 +2,7 @@
 #include "algorithms/shadow_buffer/shadow_buffer.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "sim/answers/origin/work.hpp"
+#include "traces/formulas/attributes.hpp"
 #include "traces/formulas/light.hpp"
 #include "traces/formulas/viewing.hpp"
 
@@ -87,6 +88,14 @@ static void tell(Datum& datum, Work& work, std::int64_t step, const ColorWrite& 
     if (compare) work.later(*compare, "lit");
     return datum.is("round(colour*in_shadow)",
                     {{"colour", work.color_of(polygon, which)}, {"in_shadow", shadow_buffer::in_shadow}});
+  }
+  if (m.attribute && m.attribute->x == e.x && m.attribute->y == e.y) {
+    const std::int32_t polygon = work.state().picture.polygon[work.state().picture.at(e.x, e.y)];
+    const Step found =
+        find_last<AttributeInterpolate>(work.trace, step, [](const AttributeInterpolate&) { return true; });
+    if (found) work.later(*found, "attribute");
+    return datum.is("round(colour*stripe)", {{"colour", work.color_of(polygon, which)},
+                                             {"stripe", formulas::stripe_shade(m.attribute->attribute)}});
   }
   if (tell_coverage(datum, work, step, e.x, e.y, which)) return;
   datum.note("the ink of what is drawn there");
