@@ -38,8 +38,10 @@ std::vector<std::vector<std::int64_t>> fragments_of(const Trace& trace) {
     if (const auto* begin = get_if<PassBegin>(&event)) pass = begin->pass;
     const auto at = pixel_of(event);
     if (!at || pass == Pass::light) continue;
-    const bool decides = holds<DepthCompare>(event) || holds<PixelPaint>(event) ||
-                         holds<ColorBlend>(event) || holds<ColorWrite>(event);
+    // Stripes of an attribute belong to the write before them.
+    const bool colors = holds<ColorWrite>(event) && !trace.has(kind_of<AttributeInterpolate>);
+    const bool decides =
+        holds<DepthCompare>(event) || holds<PixelPaint>(event) || holds<ColorBlend>(event) || colors;
     if (decides)
       all[static_cast<std::size_t>(at->y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(at->x)]
           .push_back(step);
