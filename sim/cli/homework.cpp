@@ -74,11 +74,16 @@ int run_them(const HomeworkOptions& options) {
   const homework::Homework given = homework::load_homework(words[0], options.student);
   if (given.seeded() && options.student.empty())
     throw InputError(words[0], "has scenes of each student's own", "say whose program it is: --student NAME");
-  if (const std::string open = homework::not_protected(); !open.empty()) fmt::print(stderr, "zstep: {}\n", open);
   Watch watch;
+  bool begun = false;
   const auto runs = homework::run_programs(
       given, options.program, words[1], options.out,
-      [&](const homework::Task& task) { watch.show(fmt::format("running: {} (Ctrl-C stops)", task.name)); });
+      [&](const homework::Task& task) {
+        if (const std::string open = homework::not_protected(); !begun && !open.empty())
+          fmt::print(stderr, "zstep: {}\n", open);
+        begun = true;
+        watch.show(fmt::format("running: {} (Ctrl-C stops)", task.name));
+      });
   watch.clear_line();
   bool well = true;
   for (const homework::ProgramRun& run : runs) {

@@ -17,6 +17,9 @@ struct Limits {
   int processes = 64;
 
   double clock_seconds() const { return 3 * seconds; }
+  /// The system refuses further processes only here: one with more than `processes` is to be stopped, with that as the
+  /// reason, and outside of walls it counts those of other programs of the user nobody too.
+  int refused_from() const { return processes + 512; }
   static std::uint64_t bytes(int mebibytes) { return static_cast<std::uint64_t>(mebibytes) << 20; }
 };
 

@@ -43,8 +43,7 @@ void limit(int what, std::uint64_t most) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   limit(RLIMIT_DATA, Limits::bytes(limits.memory));  // what is only reserved, as Java and JavaScript do, does not count
-  // All of the user's processes count; of nobody's there are few.
-  if (!walls && as_nobody) limit(RLIMIT_NPROC, static_cast<std::uint64_t>(limits.processes));
+  if (!walls && as_nobody) limit(RLIMIT_NPROC, static_cast<std::uint64_t>(limits.refused_from()));
 #else
   limit(RLIMIT_AS, Limits::bytes(limits.memory));
 #endif

@@ -133,7 +133,8 @@ std::vector<std::string> Stage::words(const std::string& command, bool walls, co
   add({"--ro-bind", program_.string(), "/program", "--ro-bind", scene_.string(), "/scene"});
   add({"--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/program", "--"});
   // Only inside is it the number of its own processes that counts, and not that of all the user's.
-  if (fs::exists("/usr/bin/prlimit", ignored)) add({"/usr/bin/prlimit", "--nproc=" + std::to_string(limits.processes)});
+  if (fs::exists("/usr/bin/prlimit", ignored))
+    add({"/usr/bin/prlimit", "--nproc=" + std::to_string(limits.refused_from())});
   all.insert(all.end(), shell.begin(), shell.end());
   return all;
 }

@@ -172,7 +172,7 @@ TEST_CASE("a flipped bit in the end of a file is damage of its index, and costs 
 
 TEST_CASE("limits on time and memory end a command in one line, and can be raised") {
   const Folder folder;
-  REQUIRE(run(folder, "record teapot --size 200x150 -o run.ztrace").code == 0);
+  REQUIRE(run(folder, "record teapot --size 400x300 -o run.ztrace").code == 0);
   for (int hundredths = 1; hundredths < 10; ++hundredths) {  // each ends elsewhere, never within a line
     const Outcome hurried = run(folder, "dump run.ztrace --jsonl --seconds 0.0" + std::to_string(hundredths));
     CHECK(hurried.code == 3);
