@@ -15,7 +15,7 @@ namespace {
 
 using namespace simd;
 
-constexpr int children = 8, most_waiting = 512;
+constexpr int most_waiting = 512;
 constexpr double edge_slack = 1e-9;  // barycentric: neighbours overlap by as much, so that no gap is left between them
 
 struct Hit {

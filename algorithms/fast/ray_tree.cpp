@@ -15,7 +15,7 @@ namespace zstep::ray_casting {
 
 namespace {
 
-constexpr std::size_t most_in_leaf = 4, children = 8, bins = 16;
+constexpr std::size_t most_in_leaf = 4, bins = 16;
 
 struct Box {
   glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};

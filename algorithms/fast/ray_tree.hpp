@@ -23,10 +23,12 @@ struct alignas(64) Packet {
   std::int32_t facet[4];  ///< index in Scene::facets
 };
 
-/// Eight boxes around the nodes and packets below, rounded outwards.
+inline constexpr std::size_t children = 8;  ///< of a node
+
+/// Boxes around the nodes and packets below, rounded outwards.
 struct alignas(64) Node {
-  float low[3][8], high[3][8];
-  std::int32_t child[8];  ///< a node; ~child is a packet
+  float low[3][children], high[3][children];
+  std::int32_t child[children];  ///< a node; ~child is a packet
 };
 
 /// In the world.

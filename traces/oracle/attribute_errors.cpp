@@ -32,9 +32,9 @@ struct OnEdge {
   Rational x;
 };
 
-class Judge {
+class AttributeJudge {
  public:
-  explicit Judge(const Trace& trace)
+  explicit AttributeJudge(const Trace& trace)
       : in_perspective_(trace.scene().camera.kind == Camera::Kind::perspective),
         divides_(formulas::attribute_over_depth(trace.scene(), trace.header().conventions)) {
     const Raster& raster = trace.scene().raster;
@@ -108,7 +108,7 @@ double AttributeErrors::root_mean_square() const {
 }
 
 AttributeErrors attribute_errors_of(const Trace& trace) {
-  Judge judge(trace);
+  AttributeJudge judge(trace);
   formulas::walk(
       trace,
       [&]<class E>(std::int64_t position, const E& e, const Situation& at) {

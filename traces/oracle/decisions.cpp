@@ -18,9 +18,9 @@ namespace {
 
 using formulas::Situation;
 
-class Judge {
+class DecisionJudge {
  public:
-  explicit Judge(const Trace& trace) : common_(trace) {}
+  explicit DecisionJudge(const Trace& trace) : common_(trace) {}
   template <class E>
   void step(std::int64_t position, const E& e, const Situation& at) {
     common_.step = position;
@@ -87,7 +87,7 @@ void Decisions::add(const Decisions& other) {
 }
 
 Decisions decisions_of(const Trace& trace) {
-  Judge judge(trace);
+  DecisionJudge judge(trace);
   formulas::walk(
       trace,
       [&](std::int64_t position, const auto& e, const Situation& at) {

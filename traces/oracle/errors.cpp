@@ -28,9 +28,9 @@ struct Known {
   std::int32_t facet = -1;  ///< of rays
 };
 
-class Judge {
+class DepthJudge {
  public:
-  Judge(const Trace& trace, Truth truth, const std::function<void(const DepthError&)>& on_depth)
+  DepthJudge(const Trace& trace, Truth truth, const std::function<void(const DepthError&)>& on_depth)
       : trace_(trace),
         on_depth_(on_depth),
         truth_(truth),
@@ -323,7 +323,7 @@ double ErrorOf::root_mean_square_view() const {
 Errors errors_of(const Trace& trace, const std::function<bool(std::int64_t)>& on_way, Truth truth,
                  const std::function<void(const DepthError&)>& on_depth) {
   constexpr std::int64_t now_and_then = 1 << 14;
-  Judge judge(trace, truth, on_depth);
+  DepthJudge judge(trace, truth, on_depth);
   formulas::walk(
       trace,
       [&](std::int64_t position, const auto& e, const Situation& at) {

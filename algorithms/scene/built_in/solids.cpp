@@ -24,19 +24,19 @@ PolygonSoup solid(std::initializer_list<glm::dvec3> points,
   return soup;
 }
 
-PolygonSoup cube() {
+PolygonSoup cube_solid() {
   return solid({{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
                {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}, {3, 2, 1, 0}});
 }
 
-PolygonSoup pyramid() {
+PolygonSoup pyramid_solid() {
   return solid({{1, 1, -1}, {-1, 1, -1}, {-1, -1, -1}, {1, -1, -1}, {0, 0, 1}},
                {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1, 0}});
 }
 
 /// Twelve pentagons, their planes perpendicular to the directions of an icosahedron's corners (0, ±g, ±1), (±g, ±1, 0),
 /// (±1, 0, ±g). The corners: those of a cube and (0, ±1/g, ±g), (±1/g, ±g, 0), (±g, 0, ±1/g), g the golden ratio.
-PolygonSoup dodecahedron() {
+PolygonSoup dodecahedron_solid() {
   const double g = (1 + std::sqrt(5.0)) / 2;
   PolygonSoup soup;
   for (const double x : {-1.0, 1.0})
@@ -75,9 +75,9 @@ PolygonSoup dodecahedron() {
 std::vector<std::string_view> built_in_meshes() { return {"cube", "pyramid", "dodecahedron", "teapot"}; }
 
 std::optional<PolygonSoup> built_in_mesh(const std::string& name, const std::string& where) {
-  if (name == "cube") return cube();
-  if (name == "pyramid") return pyramid();
-  if (name == "dodecahedron") return dodecahedron();
+  if (name == "cube") return cube_solid();
+  if (name == "pyramid") return pyramid_solid();
+  if (name == "dodecahedron") return dodecahedron_solid();
   if (const auto level = teapot_level(name, where)) return teapot(*level);
   return std::nullopt;
 }

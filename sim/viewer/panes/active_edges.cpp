@@ -130,7 +130,7 @@ std::vector<TableRow> rows_of(Ui& ui) {
   return rows;
 }
 
-void draw(Ui& ui) {
+void draw_active_edges(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   const std::vector<TableRow> rows = rows_of_both(ui, rows_of);
@@ -149,18 +149,19 @@ void draw(Ui& ui) {
   }
 }
 
-std::string note(Ui& ui) {
+std::string note_of_active_edges(Ui& ui) {
   const auto y = ui.session.state().machine.scan_line;
   return y ? fmt::format("y = {}", *y) : "";
 }
 
-bool serves(const Header& header) {
+bool serves_active_edges(const Header& header) {
   return has_step_of<EdgeEnter>(header) && !has_step_of<ShadowCompare>(header) && !has_step_of<ListInsert>(header) &&
          !has_step_of<NodeMake>(header);
 }
 
 }  // namespace
 
-const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw, note, serves, 0.27f, true};
+const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw_active_edges, note_of_active_edges,
+                             serves_active_edges, 0.27f, true};
 
 }  // namespace zstep::viewer

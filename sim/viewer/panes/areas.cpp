@@ -149,7 +149,7 @@ void draw_bins(Ui& ui) {
     flow(ui, fmt::format("{} more {} known to miss the area around it.", known, known == 1 ? "is" : "are"), quiet);
 }
 
-void draw(Ui& ui) {
+void draw_areas(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   const bool beside = avail.x > avail.y * 1.3f;
@@ -171,7 +171,7 @@ void draw(Ui& ui) {
   ImGui::EndChild();
 }
 
-std::string note(Ui& ui) {
+std::string note_of_areas(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.areas.empty()) return "";
   const auto settled = std::count_if(m.areas.begin(), m.areas.end(), [](const AreaRow& row) {
@@ -180,10 +180,10 @@ std::string note(Ui& ui) {
   return fmt::format("{} settled", grouped(settled));
 }
 
-bool serves(const Header& header) { return has_step_of<AreaBegin>(header); }
+bool serves_areas(const Header& header) { return has_step_of<AreaBegin>(header); }
 
 }  // namespace
 
-const Pane areas_pane{"areas", "AREAS", draw, note, serves, 0.6f, false};
+const Pane areas_pane{"areas", "AREAS", draw_areas, note_of_areas, serves_areas, 0.6f, false};
 
 }  // namespace zstep::viewer

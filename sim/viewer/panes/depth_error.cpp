@@ -60,7 +60,7 @@ LineChart chart_of(Ui& ui, const Drift& drift) {
   return chart;
 }
 
-void draw(Ui& ui) {
+void draw_depth_error(Ui& ui) {
   if (ui.errors.too_long(ui.session.trace()))
     return say_empty(ui, fmt::format("A long run: 'zstep error' finds the errors of its {} steps.",
                                      grouped(ui.session.trace().size())));
@@ -74,7 +74,7 @@ void draw(Ui& ui) {
     ui.mouse_help = "How rounding adds up along the span and along its left edge. Point at a pixel to see its span.";
 }
 
-std::string note(Ui& ui) {
+std::string note_of_depth_error(Ui& ui) {
   if (ui.errors.too_long(ui.session.trace())) return "";
   const auto drift = drift_of(ui, chosen_in(ui));
   if (!drift) return "";
@@ -82,7 +82,7 @@ std::string note(Ui& ui) {
   return fmt::format("span on scan line y = {}{}", drift->y, why);
 }
 
-bool serves(const Header& header) {
+bool serves_depth_error(const Header& header) {
   return has_step_of<SpanBegin>(header) &&
          (has_step_of<DepthInterpolate>(header) || has_step_of<DepthCompare>(header) ||
           has_step_of<PixelPaint>(header));
@@ -90,6 +90,7 @@ bool serves(const Header& header) {
 
 }  // namespace
 
-const Pane depth_error_pane{"depth_error", "ERROR ALONG SPAN AND EDGE", draw, note, serves, 0.5f, false};
+const Pane depth_error_pane{"depth_error", "ERROR ALONG SPAN AND EDGE", draw_depth_error, note_of_depth_error,
+                            serves_depth_error, 0.5f, false};
 
 }  // namespace zstep::viewer

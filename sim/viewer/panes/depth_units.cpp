@@ -30,7 +30,7 @@ std::optional<double> depth_now(const Ui& ui) {
   return z_v >= camera.near && z_v <= camera.far ? std::optional(z_v) : std::nullopt;
 }
 
-void draw(Ui& ui) {
+void draw_depth_units(Ui& ui) {
   const Scene& scene = ui.session.scene();
   const Conventions& conventions = ui.session.header().conventions;
   if (scene.camera.kind == Camera::Kind::screen)
@@ -67,7 +67,7 @@ void draw(Ui& ui) {
 }
 
 /// "65 536 depths, half of them before z_v = 1.98"
-std::string note(Ui& ui) {
+std::string note_of_depth_units(Ui& ui) {
   const Scene& scene = ui.session.scene();
   const Conventions& conventions = ui.session.header().conventions;
   if (scene.camera.kind == Camera::Kind::screen) return "";
@@ -76,10 +76,11 @@ std::string note(Ui& ui) {
   return fmt::format("{} depths, half before z_v = {}", many, number(formulas::middle_depth(scene, conventions)));
 }
 
-bool serves(const Header& header) { return has_step_of<DepthCompare>(header); }
+bool serves_depth_units(const Header& header) { return has_step_of<DepthCompare>(header); }
 
 }  // namespace
 
-const Pane depth_units_pane{"depth_units", "DEPTHS OF THE BUFFER", draw, note, serves, 0.5f, false};
+const Pane depth_units_pane{"depth_units", "DEPTHS OF THE BUFFER", draw_depth_units, note_of_depth_units,
+                            serves_depth_units, 0.5f, false};
 
 }  // namespace zstep::viewer

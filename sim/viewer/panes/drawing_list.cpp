@@ -177,7 +177,7 @@ void draw_list(Ui& ui) {
   ImGui::EndChild();
 }
 
-void draw(Ui& ui) {
+void draw_drawing_list(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   if (machine.list.empty())
@@ -213,16 +213,17 @@ void draw(Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-std::string note(Ui& ui) {
+std::string note_of_drawing_list(Ui& ui) {
   const MethodState& machine = ui.session.state().machine;
   if (machine.list.empty() && machine.drawn.empty()) return "";
   return fmt::format("{} to go, {} drawn", machine.list.size(), machine.drawn.size());
 }
 
-bool serves(const Header& header) { return has_step_of<ListInsert>(header); }
+bool serves_drawing_list(const Header& header) { return has_step_of<ListInsert>(header); }
 
 }  // namespace
 
-const Pane drawing_list_pane{"drawing_list", "DRAWING LIST", draw, note, serves, 0.7f, false};
+const Pane drawing_list_pane{"drawing_list", "DRAWING LIST", draw_drawing_list, note_of_drawing_list,
+                             serves_drawing_list, 0.7f, false};
 
 }  // namespace zstep::viewer

@@ -87,7 +87,7 @@ std::vector<TableRow> rows_of(Ui& ui) {
   return rows;
 }
 
-void draw(Ui& ui) {
+void draw_edge_table(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   if (machine.polygon == no_polygon)
@@ -110,20 +110,21 @@ void draw(Ui& ui) {
   }
 }
 
-std::string note(Ui& ui) {
+std::string note_of_edge_table(Ui& ui) {
   const MethodState& machine = ui.session.state().machine;
   return machine.edge_table.empty() ? "" : fmt::format("{} edges", machine.edge_table.size());
 }
 
 // A method with a shadow buffer, a list of pieces, a tree or a polygon table needs the room for that. An edge table of
 // all polygons is shown below the active edges.
-bool serves(const Header& header) {
+bool serves_edge_table(const Header& header) {
   return has_step_of<EdgeTableInsert>(header) && !has_step_of<ShadowCompare>(header) &&
          !has_step_of<ListInsert>(header) && !has_step_of<FlagFlip>(header) && !has_step_of<NodeMake>(header);
 }
 
 }  // namespace
 
-const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw, note, serves, 0.42f, true};
+const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw_edge_table, note_of_edge_table, serves_edge_table, 0.42f,
+                           true};
 
 }  // namespace zstep::viewer

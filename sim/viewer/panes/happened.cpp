@@ -69,7 +69,7 @@ void draw_told(Ui& ui, const StepMarks::Told& told) {
   if (!told.lines.empty() || !told.note.empty()) ImGui::Dummy({1, ui.em * 0.25f});
 }
 
-void draw(Ui& ui) {
+void draw_happened(Ui& ui) {
   const Theme& c = ui.colors();
   const StepMarks::Told found = ui.marks ? ui.marks->told(ui.session) : StepMarks::Told{};  // moves the replay
   const RecordedEvent* event = ui.session.event();
@@ -107,6 +107,6 @@ void draw(Ui& ui) {
 
 }  // namespace
 
-const Pane happened_pane{"happened", "WHAT JUST HAPPENED", draw, nullptr, nullptr, 0, true};
+const Pane happened_pane{"happened", "WHAT JUST HAPPENED", draw_happened, nullptr, nullptr, 0, true};
 
 }  // namespace zstep::viewer

@@ -115,7 +115,7 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
   }
 }
 
-void draw(Ui& ui) {
+void draw_horizons(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   const ImFont* font = ui.fonts.small;
@@ -138,16 +138,16 @@ void draw(Ui& ui) {
     }
 }
 
-std::string note(Ui& ui) {
+std::string note_of_horizons(Ui& ui) {
   const auto& curve = ui.session.state().machine.horizon.curve;
   if (!curve) return "";
   return fmt::format("{} = {}", curve->across ? "x" : "z", number(curve->constant, 2, true));
 }
 
-bool serves(const Header& header) { return has_step_of<HorizonTest>(header); }
+bool serves_horizons(const Header& header) { return has_step_of<HorizonTest>(header); }
 
 }  // namespace
 
-const Pane horizons_pane{"horizons", "HORIZONS", draw, note, serves, 0.5f, false};
+const Pane horizons_pane{"horizons", "HORIZONS", draw_horizons, note_of_horizons, serves_horizons, 0.5f, false};
 
 }  // namespace zstep::viewer

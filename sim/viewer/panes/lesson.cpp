@@ -54,7 +54,7 @@ void draw_question(Ui& ui, const Question& question) {
   }
 }
 
-void draw(Ui& ui) {
+void draw_lesson(Ui& ui) {
   Session& s = ui.session;
   const Theme& c = ui.colors();
   if (!s.lesson() || s.lesson()->stops.empty()) return say_empty(ui, "This lesson has no narration.");
@@ -86,7 +86,7 @@ void draw(Ui& ui) {
   if (ui.presenter && ui.speaks_now && s.question_open()) ImGui::SetScrollY(ImGui::GetScrollMaxY());
 }
 
-std::string note(Ui& ui) {
+std::string note_of_lesson(Ui& ui) {
   const Session& s = ui.session;
   if (!s.lesson() || s.stop() < 0) return "";
   const std::string wait = s.seconds_to_read() > 0 ? fmt::format("plays on in {} s   ", s.seconds_to_read()) : "";
@@ -95,6 +95,6 @@ std::string note(Ui& ui) {
 
 }  // namespace
 
-const Pane lesson_pane{"lesson", "LESSON", draw, note, nullptr, 0, true};
+const Pane lesson_pane{"lesson", "LESSON", draw_lesson, note_of_lesson, nullptr, 0, true};
 
 }  // namespace zstep::viewer

@@ -161,7 +161,7 @@ void draw_table(Ui& ui) {
                           : std::string("No face was held against it yet."));
 }
 
-void draw(Ui& ui) {
+void draw_lines(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   const bool beside = avail.x > avail.y * 1.3f;
@@ -186,7 +186,7 @@ void draw(Ui& ui) {
   ImGui::EndChild();
 }
 
-std::string note(Ui& ui) {
+std::string note_of_lines(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.lines.empty()) return "";
   const std::int32_t face = face_now(m);
@@ -194,10 +194,10 @@ std::string note(Ui& ui) {
                    : fmt::format("edge {}", m.line);
 }
 
-bool serves(const Header& header) { return has_step_of<LineBegin>(header); }
+bool serves_lines(const Header& header) { return has_step_of<LineBegin>(header); }
 
 }  // namespace
 
-const Pane lines_pane{"lines", "EDGES", draw, note, serves, 0.6f, false};
+const Pane lines_pane{"lines", "EDGES", draw_lines, note_of_lines, serves_lines, 0.6f, false};
 
 }  // namespace zstep::viewer

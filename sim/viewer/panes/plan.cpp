@@ -244,7 +244,7 @@ void draw_the_eye(const View& v) {
   draw_text(v.ui, {std::round(x), std::round(y)}, v.ui.fonts.small, v.c.text, text);
 }
 
-void draw(Ui& ui) {
+void draw_plan(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   if (m.pieces.empty()) return say_empty(ui, "Empty: nothing is gathered yet.");
@@ -271,7 +271,7 @@ void draw(Ui& ui) {
   v.list->PopClipRect();
 }
 
-std::string note(Ui& ui) {
+std::string note_of_plan(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const PlaneEquation* plane = plane_of_node(m, node_at_work(m, s.event() ? &s.event()->event : nullptr));
@@ -279,10 +279,10 @@ std::string note(Ui& ui) {
   return section_of(plane, s.scene().camera.kind).from_above() ? "from above" : "seen along the plane";
 }
 
-bool serves(const Header& header) { return has_step_of<NodeMake>(header); }
+bool serves_plan(const Header& header) { return has_step_of<NodeMake>(header); }
 
 }  // namespace
 
-const Pane plan_pane{"plan", "PLAN", draw, note, serves, 0.35f, false};
+const Pane plan_pane{"plan", "PLAN", draw_plan, note_of_plan, serves_plan, 0.35f, false};
 
 }  // namespace zstep::viewer

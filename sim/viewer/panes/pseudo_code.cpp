@@ -59,7 +59,7 @@ void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
 }
 
-void draw(Ui& ui) {
+void draw_pseudo_code(Ui& ui) {
   const Page& page = ui.session.header().page;
   if (page.empty()) return say_empty(ui, "This trace has no step table, so there is no pseudo-code to show.");
   ui.hits.follow(ui.session.trace(), ui.session.position());
@@ -74,7 +74,7 @@ void draw(Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-std::string note(Ui& ui) {
+std::string note_of_pseudo_code(Ui& ui) {
   const RecordedEvent* event = ui.session.event();
   const StepInfo* step = event ? find_step(ui.session.header().page, event->step) : nullptr;
   return step ? step->module + "." + step->name : "";
@@ -82,6 +82,6 @@ std::string note(Ui& ui) {
 
 }  // namespace
 
-const Pane pseudo_code_pane{"pseudo_code", "PSEUDO-CODE", draw, note, nullptr, 0, true};
+const Pane pseudo_code_pane{"pseudo_code", "PSEUDO-CODE", draw_pseudo_code, note_of_pseudo_code, nullptr, 0, true};
 
 }  // namespace zstep::viewer

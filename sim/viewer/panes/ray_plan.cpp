@@ -208,7 +208,7 @@ void draw_rays(const Ui& ui, const Plan& plan) {
   }
 }
 
-void draw(Ui& ui) {
+void draw_ray_plan(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& machine = s.state().machine;
   const Scene& scene = s.scene();
@@ -238,17 +238,17 @@ void draw(Ui& ui) {
   list->PopClipRect();
 }
 
-std::string note(Ui& ui) {
+std::string note_of_ray_plan(Ui& ui) {
   const RayWork& rays = ui.session.state().machine.rays;
   if (rays.tree.empty()) return "from above";
   const RayBegin& ray = rays.tree.front().entry;
   return fmt::format("from above \u00b7 pixel ({}, {})", ray.x, ray.y);
 }
 
-bool serves(const Header& header) { return has_step_of<RayBegin>(header); }
+bool serves_ray_plan(const Header& header) { return has_step_of<RayBegin>(header); }
 
 }  // namespace
 
-const Pane ray_plan_pane{"ray_plan", "RAYS", draw, note, serves, 0.38f, false};
+const Pane ray_plan_pane{"ray_plan", "RAYS", draw_ray_plan, note_of_ray_plan, serves_ray_plan, 0.38f, false};
 
 }  // namespace zstep::viewer

@@ -131,7 +131,7 @@ void paint_scene(Canvas& canvas, const RasterMap& map, const Kept<Canvas>& wires
   draw_polygon(canvas, map, now, lit, c, static_cast<double>(thin));
 }
 
-void draw(Ui& ui) {
+void draw_scene(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   // Where room is scarce the picture has it, but for the steps that move a vertex.
@@ -166,7 +166,7 @@ void draw(Ui& ui) {
   ImGui::EndChild();
 }
 
-std::string note(Ui& ui) {
+std::string note_of_scene(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.polygon == no_polygon) return "";
   return "polygon " + polygon_label(ui.session.scene(), m.polygon);
@@ -174,6 +174,6 @@ std::string note(Ui& ui) {
 
 }  // namespace
 
-const Pane scene_pane{"scene", "SCENE", draw, note, nullptr, 0.31f, false};
+const Pane scene_pane{"scene", "SCENE", draw_scene, note_of_scene, nullptr, 0.31f, false};
 
 }  // namespace zstep::viewer

@@ -43,7 +43,7 @@ std::string verdict(const ShadowCompare& at, const State& state) {
   return fmt::format("cell ({}, {}): point {}, stored {}: {}", column, row, z, shadow, at.lit ? "lit" : "dark");
 }
 
-void draw(Ui& ui) {
+void draw_shadow_buffer(Ui& ui) {
   const State& state = ui.session.state();
   if (state.machine.pass == Pass::light)
     return say_empty(ui, "The light's picture is being made; it stands above, in place of the eye's.");
@@ -67,12 +67,13 @@ void draw(Ui& ui) {
             answers::made_by<ShadowCompare>(ui.session.position(), "lit"));
 }
 
-std::string note(Ui& ui) { return ui.session.state().machine.shadow ? "what the light sees" : ""; }
+std::string note_of_shadow_buffer(Ui& ui) { return ui.session.state().machine.shadow ? "what the light sees" : ""; }
 
-bool serves(const Header& header) { return has_step_of<ShadowCompare>(header); }
+bool serves_shadow_buffer(const Header& header) { return has_step_of<ShadowCompare>(header); }
 
 }  // namespace
 
-const Pane shadow_buffer_pane{"shadow_buffer", "SHADOW BUFFER", draw, note, serves, 0.5f, false};
+const Pane shadow_buffer_pane{"shadow_buffer", "SHADOW BUFFER", draw_shadow_buffer, note_of_shadow_buffer,
+                              serves_shadow_buffer, 0.5f, false};
 
 }  // namespace zstep::viewer

@@ -151,7 +151,7 @@ void see_columns(const Ui& ui, SlicePlot& plot) {
   if (plot.x_last - plot.x_first < 1) plot.x_last = plot.x_first + 1;
 }
 
-void draw(Ui& ui) {
+void draw_slice(Ui& ui) {
   const Moment now = ui.moment();
   const auto at = line_of(ui, now);
   if (!at) return say_empty(ui, "Empty: no scan line is at work. Point at a pixel of the frame to see its depths.");
@@ -221,7 +221,7 @@ void draw(Ui& ui) {
   point(ui, plot, origin, slice);
 }
 
-std::string note(Ui& ui) {
+std::string note_of_slice(Ui& ui) {
   const auto at = line_of(ui, ui.moment());
   if (!at) return "";
   const char* of_light = at->pass == Pass::light ? ", what the light sees" : "";
@@ -230,12 +230,12 @@ std::string note(Ui& ui) {
   return fmt::format("scan line y = {}{}{}{}", at->y, of_light, why, lacks);
 }
 
-bool serves(const Header& header) {
+bool serves_slice(const Header& header) {
   return has_step_of<SpanBegin>(header) || has_step_of<SpanFlags>(header) || has_step_of<DepthCompare>(header);
 }
 
 }  // namespace
 
-const Pane slice_pane{"slice", "SLICE", draw, note, serves, 0.7f, false};
+const Pane slice_pane{"slice", "SLICE", draw_slice, note_of_slice, serves_slice, 0.7f, false};
 
 }  // namespace zstep::viewer

@@ -191,7 +191,7 @@ void draw_table(Ui& ui) {
   number_table(ui, "polygons", {"P", with_line_buffer(ui.session) ? "" : "flag", "A", "B", "C", "D"}, rows);
 }
 
-void draw(Ui& ui) {
+void draw_sweep(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.pieces.empty())
     return say_empty(ui, "Empty: each polygon that is in view gets a row, with its plane and a flag.");
@@ -202,17 +202,17 @@ void draw(Ui& ui) {
   ImGui::EndChild();
 }
 
-std::string note(Ui& ui) {
+std::string note_of_sweep(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   return m.scan_line        ? fmt::format("y = {}", *m.scan_line)
          : m.pieces.empty() ? ""
                             : fmt::format("{} polygons", m.pieces.size());
 }
 
-bool serves(const Header& header) { return has_step_of<FlagFlip>(header); }
+bool serves_sweep(const Header& header) { return has_step_of<FlagFlip>(header); }
 
 }  // namespace
 
-const Pane sweep_pane{"sweep", "POLYGON TABLE", draw, note, serves, 0.42f, false};
+const Pane sweep_pane{"sweep", "POLYGON TABLE", draw_sweep, note_of_sweep, serves_sweep, 0.42f, false};
 
 }  // namespace zstep::viewer

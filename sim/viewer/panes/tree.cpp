@@ -184,7 +184,7 @@ std::vector<TableRow> path_rows(Ui& ui) {
 
 namespace {
 
-void draw(Ui& ui) {
+void draw_tree(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   if (m.tree.empty()) return say_empty(ui, "Empty: the tree grows once all polygons are gathered.");
   const std::vector<TableRow> rows = rows_of_both(ui, path_rows);
@@ -197,15 +197,15 @@ void draw(Ui& ui) {
   else number_table(ui, "path", {"side", "node", "the eye", "value", "nodes +", "nodes \u2212"}, rows);
 }
 
-std::string note(Ui& ui) {
+std::string note_of_tree(Ui& ui) {
   const MethodState& m = ui.session.state().machine;
   return m.tree.empty() ? "" : fmt::format("{} node{}", m.tree.size(), m.tree.size() == 1 ? "" : "s");
 }
 
-bool serves(const Header& header) { return has_step_of<NodeMake>(header); }
+bool serves_tree(const Header& header) { return has_step_of<NodeMake>(header); }
 
 }  // namespace
 
-const Pane tree_pane{"tree", "BSP TREE", draw, note, serves, 0.4f, true};
+const Pane tree_pane{"tree", "BSP TREE", draw_tree, note_of_tree, serves_tree, 0.4f, true};
 
 }  // namespace zstep::viewer
