@@ -37,7 +37,7 @@ const std::vector<WrongLine> horizon_lines{
 };
 
 const std::vector<WrongLine> scan_line_lines{
-    {"-(a * x + b * y + c * z)", "a * x + b * y + c * z", "plane", ""},
+    {"-(a * x + b * y + c * z)", "a * x + b * y + c * z", "plane", "plane_d_sign"},
     {"dx_dy = (b[1] - a[1]) / (b[2] - a[2])", "dx_dy = (b[2] - a[2]) / (b[1] - a[1] or 1e9)", "insert_edge",
      "slope_inverted"},
     {"math.ceil(b[2])\n", "math.ceil(b[2]) + 1\n", "insert_edge", "ends_one_late"},

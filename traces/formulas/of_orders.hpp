@@ -60,7 +60,7 @@ template <class Out>
 void derive(const PlaneEquation& e, const Situation& at, Out& out) {
   const Piece* whole = detail::whole_of(at, at.piece(e.piece));
   if (!whole) return;
-  for (const std::int32_t vertex : whole->outline) {
+  for (const std::int32_t vertex : detail::around_piece(at, *whole)) {
     if (!detail::cutting_point(at, vertex)) return;
     out.reads(Place{Place::In::vertex, vertex});
   }

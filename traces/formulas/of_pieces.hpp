@@ -8,6 +8,7 @@
 
 #include "traces/formulas/facet_planes.hpp"
 #include "traces/formulas/lines.hpp"
+#include "traces/formulas/of_polygons.hpp"
 #include "traces/formulas/planes.hpp"
 #include "traces/formulas/vectors.hpp"
 
@@ -116,12 +117,22 @@ inline const Piece* whole_of(const Situation& at, const Piece* piece) {
   while (piece && at.piece(piece->parent)) piece = at.piece(piece->parent);
   return piece;
 }
+/// The vertices around a piece: its outline; where none is recorded, the corners of the facet that it was just made of.
+inline std::span<const std::int32_t> around_piece(const Situation& at, const Piece& piece) {
+  const auto& pieces = at.method().pieces;
+  const auto facet = static_cast<std::size_t>(at.method().facet);
+  const bool just_made = piece.parent == -1 && !pieces.empty() && &piece == &pieces[pieces.size() - 1];
+  if (!piece.outline.empty() || !just_made || at.method().facet < 0 || facet >= at.scene.facets.size() ||
+      at.scene.facets[facet].polygon != piece.polygon)
+    return piece.outline;
+  return corners_of(at, at.method().facet);
+}
 /// The plane that the corners of a piece are in, where all are known.
 inline std::optional<CornersPlane> own_plane(const Situation& at, const Piece& piece) {
-  for (const std::int32_t vertex : piece.outline)
+  const std::span<const std::int32_t> around = around_piece(at, piece);
+  for (const std::int32_t vertex : around)
     if (!cutting_point(at, vertex)) return std::nullopt;
-  return plane_of_corners(piece.outline.size(),
-                          [&](std::size_t i) { return *cutting_point(at, piece.outline[i]); });
+  return plane_of_corners(around.size(), [&](std::size_t i) { return *cutting_point(at, around[i]); });
 }
 inline bool has_side(const Piece& piece, std::int32_t one, std::int32_t other) {
   for (std::size_t i = 0; i < piece.outline.size(); ++i) {
