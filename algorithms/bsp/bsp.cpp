@@ -74,5 +74,6 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
   template Picture draw<R>(const Tree&, const Scene&, const Conventions&, R&); \
   template Picture run<R>(const Scene&, const Conventions&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::bsp

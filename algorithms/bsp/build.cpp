@@ -183,9 +183,9 @@ void count_nodes(Tree& tree) {
 }  // namespace
 
 template <Recorder R>
-Tree build(const Scene& scene, std::span<const std::int32_t> facets, const BuildOptions& options, R& record) {
+Tree build(const Scene& scene, std::span<const std::int32_t> facets, const BuildOptions& how, R& record) {
   const Space space = scene.camera.kind == Camera::Kind::screen ? Space::raster : Space::world;
-  std::mt19937_64 random(options.seed);
+  std::mt19937_64 random(how.seed);
   Tree tree = gather(scene, facets, record);
 
   std::vector<Open> stack(1);
@@ -196,7 +196,7 @@ Tree build(const Scene& scene, std::span<const std::int32_t> facets, const Build
     stack.pop_back();
     if (work.pieces.empty()) continue;
 
-    const std::int32_t root = choose_root(tree, work.pieces, options, random, record);
+    const std::int32_t root = choose_root(tree, work.pieces, how, random, record);
     Open front, back;
     divide(tree, work, root, space, front, back, record);
     stack.push_back(std::move(back));
@@ -207,15 +207,16 @@ Tree build(const Scene& scene, std::span<const std::int32_t> facets, const Build
 }
 
 template <Recorder R>
-Tree build(const Scene& scene, const BuildOptions& options, R& record) {
+Tree build(const Scene& scene, const BuildOptions& how, R& record) {
   std::vector<std::int32_t> facets(scene.facets.size());
   std::iota(facets.begin(), facets.end(), 0);
-  return build(scene, facets, options, record);
+  return build(scene, facets, how, record);
 }
 
 #define INSTANTIATE(R)                                                                          \
   template Tree build<R>(const Scene&, std::span<const std::int32_t>, const BuildOptions&, R&); \
   template Tree build<R>(const Scene&, const BuildOptions&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::bsp

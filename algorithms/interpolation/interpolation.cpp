@@ -360,5 +360,6 @@ void check(const Scene& scene, const Conventions& c) {
 
 #define INSTANTIATE(R) template Picture run<R>(const Scene&, const Conventions&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::interpolation

@@ -129,5 +129,6 @@ void paint(const viewing::Vertices& vertices, const clipping::Outline& outline, 
   template void paint<R>(const Pieces&, const clipping::Outline&, std::int32_t, const Scene&, Picture&, R&); \
   template void paint<R>(const viewing::Vertices&, const clipping::Outline&, std::int32_t, const Raster&, Picture&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::pieces

@@ -135,5 +135,6 @@ Nearest first_hit(Space& space, const Ray& ray, Meets meets, R& record) {
 
 #define INSTANTIATE(R) template Nearest first_hit<R>(Space&, const Ray&, Meets, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::ray_casting

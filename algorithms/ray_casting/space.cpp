@@ -173,5 +173,6 @@ Space make_space(const Scene& scene, Boxes kind, R& record) {
 
 #define INSTANTIATE(R) template Space make_space<R>(const Scene&, Boxes, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::ray_casting

@@ -99,5 +99,7 @@ void end_polygon(ActiveEdges& active, R& record) {
 ZSTEP_FOR_EACH_NUMBER(INSTANTIATE)
 #define INSTANTIATE_END(R) template void end_polygon<R>(ActiveEdges&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE_END)
+#undef INSTANTIATE
+#undef INSTANTIATE_END
 
 }  // namespace zstep::scan_conversion

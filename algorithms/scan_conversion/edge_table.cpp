@@ -108,6 +108,7 @@ void build_edge_table(EdgeTableOf<T>& table, std::int32_t polygon, Outline outli
   template void build_edge_table<T, R>(EdgeTableOf<T>&, std::int32_t, Outline, const viewing::Vertices&,            \
                                        const Raster&, Conventions::Coverage, R&);
 ZSTEP_FOR_EACH_NUMBER(INSTANTIATE)
+#undef INSTANTIATE
 template void fill_buckets<double>(EdgeTable&);
 
 }  // namespace zstep::scan_conversion

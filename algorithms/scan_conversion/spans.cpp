@@ -29,5 +29,6 @@ Span begin_span(const EdgeTableOf<T>& table, std::int32_t left, std::int32_t rig
   template Span begin_span<T, R>(const EdgeTableOf<T>&, std::int32_t, std::int32_t, std::int32_t, const Raster&, \
                                  Conventions::Coverage, R&);
 ZSTEP_FOR_EACH_NUMBER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::scan_conversion

@@ -74,5 +74,6 @@ void Coverage::mix_row(const Scene& scene, std::int32_t y, Picture& picture, R& 
 
 #define INSTANTIATE(R) template void Coverage::mix_row<R>(const Scene&, std::int32_t, Picture&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::scan_line

@@ -213,5 +213,6 @@ bool Coherence::lie_apart(const Pieces& polygons, std::int32_t one, std::int32_t
   template bool Coherence::as_before<R>(const Pieces&, std::size_t, const std::vector<std::int32_t>&, const Interval&, \
                                         std::vector<Visible>&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::scan_line

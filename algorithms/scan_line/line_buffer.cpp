@@ -54,5 +54,6 @@ void draw_line(const Tables& tables, const std::vector<std::int32_t>& active, st
   template void draw_line<R>(const Tables&, const std::vector<std::int32_t>&, std::int32_t, const Raster&, \
                              const Conventions&, std::vector<double>&, Picture&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::scan_line

@@ -101,5 +101,6 @@ Picture run(const Scene& scene, const Conventions& given, R& record) {
 
 #define INSTANTIATE(R) template Picture run<R>(const Scene&, const Conventions&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::scan_line

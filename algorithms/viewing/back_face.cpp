@@ -83,5 +83,6 @@ Facing test_facing(const Scene& scene, Corners corners, const viewing::Vertices&
 
 #define INSTANTIATE(R) template Facing test_facing<R>(const Scene&, Corners, const viewing::Vertices&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::clipping

@@ -132,5 +132,6 @@ bool find_outline(const Scene& scene, const Facet& facet, bool cull, const Lens&
   template bool clip_outline<R>(std::int32_t, Camera::Kind, const Lens&, Vertices&, Outline&, R&); \
   template bool find_outline<R>(const Scene&, const Facet&, bool, const viewing::Lens&, Vertices&, Outline&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::clipping

@@ -78,5 +78,6 @@ Vertices view_vertices(const Scene& scene, const Lens& lens, R& record) {
   template void view_points<R>(const Camera&, std::span<const glm::dvec3>, const Lens&, Vertices&, R&); \
   template Vertices view_vertices<R>(const Scene&, const Lens&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::viewing

@@ -80,5 +80,6 @@ Picture run(const Scene& scene, const Conventions& conventions, R& record) {
 
 #define INSTANTIATE(R) template Picture run<R>(const Scene&, const Conventions&, R&);
 ZSTEP_FOR_EACH_RECORDER(INSTANTIATE)
+#undef INSTANTIATE
 
 }  // namespace zstep::z_buffer
