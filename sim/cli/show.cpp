@@ -81,16 +81,24 @@ void check_can_show(const ShowOptions& options) {
 #endif
 }
 
-std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option, const Lesson* lesson) {
+namespace {
+
+places::Place place_of(const Trace& trace, const std::string& at, const std::string& option, const Lesson* lesson) {
   const places::Bookmarks marks(trace, lesson);
-  const places::Place place = places::find_place({trace, marks, lesson, 0}, at, option);
+  places::Place place = places::find_place({trace, marks, lesson, 0}, at, option);
   if (place.pixel)
     throw InputError(
         option, fmt::format("({}, {}) is a pixel, and a step is needed", place.pixel->x, place.pixel->y),
         fmt::format("zstep history FILE {} {} names the steps that touch it", place.pixel->x, place.pixel->y));
   if (place.step > trace.size())
     throw InputError(option, fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
-  return place.step;
+  return place;
+}
+
+}  // namespace
+
+std::int64_t step_of(const Trace& trace, const std::string& at, const std::string& option, const Lesson* lesson) {
+  return place_of(trace, at, option, lesson).step;
 }
 
 void check_view(bool view, const ShowOptions& options, const std::vector<std::string>& inputs) {
@@ -105,10 +113,11 @@ void check_view(bool view, const ShowOptions& options, const std::vector<std::st
 
 int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) {
   check_can_show(options);
-  [[maybe_unused]] const std::int64_t at = options.at.empty() ? -1 : step_of(trace, options.at, "--at", with.lesson);
+  [[maybe_unused]] places::Place place;
+  if (!options.at.empty()) place = place_of(trace, options.at, "--at", with.lesson);
 #if ZSTEP_HAS_VIEWER
   ViewerOptions viewer;
-  if (at >= 0) viewer.at = at;
+  if (!options.at.empty()) viewer.at = place.step, viewer.stop = place.stop;
   if (!options.screenshot.empty()) viewer.screenshot = options.screenshot;
   if (options.screenshot.empty() && !options.pane.empty())
     throw InputError("--pane", "is of a screenshot", "add --screenshot FILE.png");

@@ -81,6 +81,15 @@ Image Pictures::at(std::int64_t position) {
   if (position >= 0) go_to_or_throw(session, position);
   else if (impl_->app.opens_at_cause()) impl_->app.to_first_cause();
   else if (session.lesson() && !session.lesson()->stops.empty()) session.to_stop(0);
+  return settled();
+}
+
+Image Pictures::at_stop(int stop) {
+  impl_->app.session().to_stop(stop);
+  return settled();
+}
+
+Image Pictures::settled() {
   impl_->app.settle();
   return {impl_->app.renderer().width(), impl_->app.renderer().height(), impl_->app.renderer().rgb()};
 }

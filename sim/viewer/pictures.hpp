@@ -43,6 +43,8 @@ class Pictures {
   /// At this position; below 0: at the lesson's first stop, or the beginning. The same one always gives the same
   /// picture.
   Image at(std::int64_t position);
+  /// At this stop of the lesson, counted from 0.
+  Image at_stop(int stop);
   /// What a caption says of it: "step 316 · compare", and a sentence.
   struct Caption {
     std::string place, sentence;
@@ -50,6 +52,8 @@ class Pictures {
   Caption caption(std::int64_t position);
 
  private:
+  Image settled();
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

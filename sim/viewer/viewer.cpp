@@ -25,6 +25,7 @@ std::string place_key(const Trace& trace) {
 
 void go_to_start(App& app, const Trace& trace, const ViewerOptions& options) {
   Session& s = app.session();
+  if (options.stop) return s.to_stop(*options.stop);
   if (options.at >= 0) return go_to_or_throw(s, options.at);
   if (app.opens_at_cause()) return app.to_first_cause();
   if (const auto place = app.settings().place(place_key(trace))) return s.go_to(*place);
@@ -38,7 +39,8 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   how.dark = options.dark.value_or(false), how.presenter = options.presenter;
   how.pane = options.pane, how.lesson = options.lesson, how.checked = options.checked;
   how.against = options.against;
-  const Image image = Pictures(trace, how).at(options.at);
+  Pictures pictures(trace, how);
+  const Image image = options.stop ? pictures.at_stop(*options.stop) : pictures.at(options.at);
   write_png(*options.screenshot, image.width, image.height, image.rgb);
   return 0;
 }

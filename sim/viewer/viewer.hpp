@@ -33,6 +33,7 @@ struct WindowSize {
 
 struct ViewerOptions {
   std::int64_t at = -1;  ///< position to open at; -1: where it was left, or the lesson's first stop
+  std::optional<int> stop{};  ///< of the lesson, to open at: several may speak at one position
   std::optional<std::filesystem::path> screenshot;   ///< write one frame as PNG and leave; needs no display
   std::string pane;                                  ///< of the screenshot; empty: all of the window
   std::optional<WindowSize> size;  ///< of the window or the screenshot; unset: of a window as it was left

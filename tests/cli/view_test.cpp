@@ -81,6 +81,16 @@ TEST_CASE("the run of a program that crashed is shown as far as it goes") {
   CHECK(read_png(folder / "run.png").width == 1024);
 }
 
+TEST_CASE("a stop is opened by its number, also where several speak at one step") {
+  const Folder folder;
+  write_text(folder / "two.md",
+             "+++\ntitle = \"T\"\nsummary = \"s\"\nscene = \"pyramid\"\nmethod = \"z-buffer\"\n+++\n\n"
+             "## First {at: compare}\n\nOne.\n\n## Second {at: here}\n\nTwo.\n\n## Third {at: end}\n\nThree.\n");
+  for (const char* stop : {"1", "2"})
+    must(folder, std::string("lesson two.md --at 'stop ") + stop + "' --pane lesson --screenshot " + stop + ".png");
+  CHECK(text_of(folder / "1.png") != text_of(folder / "2.png"));
+}
+
 TEST_CASE("view and lesson refuse what cannot be") {
   const Folder folder;
   must(folder, "record pyramid --size 8x8 -o run.ztrace");
