@@ -73,7 +73,9 @@ int show_runs(const homework::Homework& given, const homework::Assessment& all, 
                             });
   if (judged == all.tasks.end())
     throw InputError("--view", "there is no run that can be shown", "hand in one that can be read");
-  const homework::Runs runs = homework::runs_of(given, *judged->task, judged->file);
+  const homework::Runs runs = homework::runs_of(
+      given, *judged->task, judged->file,
+      judged->left_out.empty() ? homework::Look::at_all : homework::Look::at_what_is_there);
   const diff::DiffReport difference = diff::compare(*runs.reference, runs.submission);
   const AgainstRun with{&runs.submission, &difference, options.show.at.empty()};
   return show(*runs.reference, options.show, {.against = &with});

@@ -1,6 +1,7 @@
 #include "sim/homework/assess.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -130,9 +131,18 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
       grade_from_pictures(homework, task, pictures, graded);
       return graded;
     }
-    const Runs runs = runs_of(homework, task, file, known);
     const HeldTo held = grade::held_to(homework.digits, homework.free);
-    grade::Judgement found = grade::judge(*runs.reference, runs.submission, homework.parts, held);
+    const auto judged = [&](const Runs& runs) {
+      return grade::judge(*runs.reference, runs.submission, homework.parts, held);
+    };
+    Runs runs = runs_of(homework, task, file, Look::at_what_is_there, known);
+    grade::Judgement found = judged(runs);
+    const bool broke_off = !graded.ended.empty() || (found.first && found.first->step > runs.submission.size());
+    if (!runs.left_out.empty() && broke_off) {
+      runs = runs_of(homework, task, file, Look::at_all, known);
+      found = judged(runs);
+    }
+    graded.left_out = runs.left_out;
     graded.state = Graded::State::judged;
     graded.steps = runs.submission.size();
     if (task.made)
@@ -205,7 +215,27 @@ std::shared_ptr<const Trace> References::find(const Task& task, const Convention
   return found != by_task_.end() && found->second->header().conventions == conventions ? found->second : nullptr;
 }
 
-Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, const References* known) {
+namespace {
+
+/// The parts that a run has no step of; their kinds are added to `kinds`. None where it has no step of any.
+std::vector<std::string> parts_left_out(const Homework& homework, const Trace& run, std::set<std::uint8_t>& kinds) {
+  std::vector<std::string> names;
+  bool any_there = false;
+  for (const grade::Part& part : homework.parts) {
+    const bool is_there =
+        std::any_of(part.kinds.begin(), part.kinds.end(), [&](std::uint8_t kind) { return run.has(kind); });
+    any_there = any_there || is_there;
+    if (part.kinds.empty() || is_there) continue;
+    names.push_back(part.name);
+    kinds.insert(part.kinds.begin(), part.kinds.end());
+  }
+  if (!any_there) names.clear();
+  return names;
+}
+
+}  // namespace
+
+Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, Look look, const References* known) {
   note_input(file);
   std::error_code ignored;
   if (fs::file_size(file, ignored) > largest_run)
@@ -216,11 +246,23 @@ Runs runs_of(const Homework& homework, const Task& task, const fs::path& file, c
   GivenRun given = grade::given_run(header, task.scene, homework.free);
   std::string impossible;
   Trace submission = open_jsonl(file, &impossible, &given);
+  std::set<std::uint8_t> kinds;
+  std::vector<std::string> left_out;
+  const bool broke_off = !impossible.empty() || !submission.warnings().empty();
+  if (look == Look::at_what_is_there && !broke_off) left_out = parts_left_out(homework, submission, kinds);
+  if (!left_out.empty()) {
+    given.review = [all = given.review, &kinds](const Header& declared) {
+      Header left = all(declared);
+      std::erase_if(left.page, [&](const StepInfo& step) { return kinds.contains(step.kind); });
+      return left;
+    };
+    submission = open_jsonl(file, &impossible, &given);
+  }
   const Conventions& conventions = submission.header().conventions;
   check_run(*homework.method, task.scene, conventions, file.string());
   std::shared_ptr<const Trace> reference = known ? known->find(task, conventions) : nullptr;
   if (!reference) reference = std::make_shared<const Trace>(reference_run(*homework.method, task.scene, conventions));
-  return {std::move(reference), std::move(submission), !given.without_header, impossible};
+  return {std::move(reference), std::move(submission), !given.without_header, impossible, left_out};
 }
 
 std::string Graded::shown() const {

@@ -43,6 +43,7 @@ struct Graded {
   bool from_picture = false;  ///< it has no steps: only parts of level "buffers" are graded
   std::int64_t steps = 0;
   std::vector<grade::PartCount> counts;  ///< by part; empty unless judged
+  std::vector<std::string> left_out;     ///< parts that the run has no step of, though it did not break off
   std::optional<FirstWrong> first;
   std::optional<grade::Ends> ends;  ///< where something is wrong
   std::optional<OwnRun> own;        ///< of a scene of the student's own
@@ -88,12 +89,16 @@ struct Runs {
   Trace submission;
   bool had_header = true;
   std::string impossible;  ///< why the run's next step cannot be
+  std::vector<std::string> left_out;  ///< the parts that are not looked at, as the submission has no step of them
 };
 /// The right run of a task.
 Trace reference_of(const Homework& homework, const Task& task);
 
+/// Of a program that a student has not written to its end only the parts are looked at that its run has a step of; or
+/// all of them: where it broke off, what is missing is what is wrong with it.
+enum class Look : std::uint8_t { at_what_is_there, at_all };
 /// Throws InputError where the file is no run.
-Runs runs_of(const Homework& homework, const Task& task, const std::filesystem::path& file,
+Runs runs_of(const Homework& homework, const Task& task, const std::filesystem::path& file, Look look,
              const References* known = nullptr);
 
 /// Grades all of it, or the task of this name alone; of a single file the one task that it is a run of. `on_task` is

@@ -60,6 +60,7 @@ std::string overview(const Assessment& all) {
   if (const Graded* task = first_to_mend(all))
     return begin + fmt::format("The first thing to look at, in {}:\n{}{}", task->task->name, first_text(*task->first),
                                shown_line(*task));
+  if (const std::string next = next_part_text(all); !next.empty()) return begin + next;
   for (const Graded& task : all.tasks)
     if (const std::string why = task.shown(); !why.empty()) return begin + fmt::format("{}: {}", task.task->name, why);
   return begin + (all.points() > 0 ? "Every step that is shown is right." : "");
@@ -79,6 +80,7 @@ std::string report_json(const Assessment& all) {
     if (!task.ended.empty()) one["ended"] = task.ended;
     if (!task.note.empty()) one["note"] = task.note;
     if (task.from_picture) one["from_picture"] = true;
+    if (!task.left_out.empty()) one["left_out"] = task.left_out;
     Json parts = Json::array();
     for (std::size_t part = 0; part < task.counts.size(); ++part) {
       const grade::PartCount& count = task.counts[part];

@@ -232,6 +232,7 @@ std::string report_html(const Assessment& all, const std::string& command) {
   if (all.gradable()) page += what_works(all);
   if (const Graded* wrong = first_to_mend(all)) page += first_wrong(*wrong, command);
   else if (all_right(all)) page += "<p>Every step is right.</p>\n";
+  else if (const std::string next = next_part_text(all); !next.empty()) page += "<p>" + shown(next) + "</p>\n";
   return (page + points_by_part(all)).append(page_end);
 }
 

@@ -105,6 +105,7 @@ std::string report_text(const Assessment& all, const std::string& command) {
   if (all_right(all)) text += "Every step is right.\n";
   else if (all.gradable()) text += what_works_text(all);
   if (const Graded* wrong = first_to_mend(all)) text += first_wrong_text(*wrong, command);
+  if (const std::string next = next_part_text(all); !next.empty()) text += "\n" + printable(next) + "\n";
   if (all.gradable()) text += "\nHow the points come about\n";
   for (const Graded& task : all.tasks) text += task_text(all, task);
   return text;

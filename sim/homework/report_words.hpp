@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "sim/homework/assess.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -32,7 +34,21 @@ inline const Graded* first_to_mend(const Assessment& all) {
 }
 
 inline bool is_right(const Graded& task) {
-  return task.state == Graded::State::judged && !task.first && task.why.empty();
+  return task.state == Graded::State::judged && !task.first && task.why.empty() && task.left_out.empty();
+}
+/// What a program that is right as far as it goes does next: the first part that it has no step of; or nothing.
+inline std::string next_part_text(const Assessment& all) {
+  if (first_to_mend(all)) return "";
+  const auto task = std::find_if(all.tasks.begin(), all.tasks.end(),
+                                 [](const Graded& one) { return !one.left_out.empty(); });
+  if (task == all.tasks.end()) return "";
+  const auto part = std::find_if(all.homework->parts.begin(), all.homework->parts.end(),
+                                 [&](const grade::Part& one) { return one.name == task->left_out.front(); });
+  std::string names;
+  for (const StepInfo& step : all.homework->steps)
+    if (std::find(part->kinds.begin(), part->kinds.end(), step.kind) != part->kinds.end())
+      names += (names.empty() ? "" : ", ") + step.name;
+  return fmt::format("What the program prints is right. Next come the {}: it prints no {} yet.", part->name, names);
 }
 inline bool all_right(const Assessment& all) { return std::all_of(all.tasks.begin(), all.tasks.end(), is_right); }
 

@@ -53,7 +53,7 @@ const std::vector<std::string>& row_of(const std::vector<std::vector<std::string
   FAIL("no row of " << name);
   return table.front();
 }
-constexpr std::size_t points = 1, of = 2, state = 3, why = 4, first_part = 5, first_wrong = 10;
+constexpr std::size_t points = 1, of = 2, state = 3, why = 4, first_part = 5, first_wrong = 11;
 
 }  // namespace
 
@@ -95,7 +95,7 @@ TEST_CASE("grade --batch: every submission has a row, and bad ones say why and s
   const auto table = table_of(csv);
   REQUIRE(table.size() == 15);
   CHECK(table[0] == std::vector<std::string>{"name", "points", "of", "state", "why", "picture and depths", "compares",
-                                             "spans", "edge table", "active edges", "first wrong step",
+                                             "writes", "spans", "edge table", "active edges", "first wrong step",
                                              "likely mistake"});
   for (const auto& row : table) CHECK(row.size() == table[0].size());
   for (const char* name : {"ada", "'=1+1", "Müller, \"Max\""}) {
@@ -109,7 +109,7 @@ TEST_CASE("grade --batch: every submission has a row, and bad ones say why and s
   CHECK(std::stod(wrong[points]) > 60);
   CHECK(wrong[of] == "65.00");
   double sum = 0;
-  for (std::size_t part = first_part; part < first_part + 5; ++part) sum += std::stod(wrong[part]);
+  for (std::size_t part = first_part; part < first_wrong; ++part) sum += std::stod(wrong[part]);
   CHECK(sum == doctest::Approx(std::stod(wrong[points])).epsilon(0.001));
   CHECK(has(wrong[first_wrong], "crossing, class/wrong/crossing.jsonl:"));
   CHECK(has(wrong[first_wrong], "compare, pixel"));
@@ -139,7 +139,7 @@ TEST_CASE("grade --batch: every submission has a row, and bad ones say why and s
     if (row[state] == "ungradable" || row[state] == "missing") {
       CAPTURE(row[0]);
       CHECK(row[points].empty());
-      for (std::size_t part = first_part; part < first_part + 5; ++part) CHECK(row[part].empty());
+      for (std::size_t part = first_part; part < first_wrong; ++part) CHECK(row[part].empty());
       CHECK_FALSE(row[why].empty());
     }
 }

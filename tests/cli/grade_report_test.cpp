@@ -117,7 +117,7 @@ TEST_CASE("grade: a report of text has what works, the first wrong step and its 
   const std::string rest = outcome.out.substr(outcome.out.find("\nHow the points come about\n"));
   for (const char* scene : {"triangle", "crossing", "neighbours", "overlap"})
     CHECK(has(rest, std::string("\n") + scene + ": "));
-  CHECK(times(rest, "computed ") == 16);
+  CHECK(times(rest, "computed ") == 20);
 }
 
 TEST_CASE("grade: to declare a coarse number format buys nothing, unless the homework names it") {

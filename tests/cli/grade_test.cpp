@@ -103,13 +103,13 @@ TEST_CASE("grade: the solution gets all points, in every format") {
     sum += test["score"].get<double>(), most += test["max_score"].get<double>();
   CHECK(sum == doctest::Approx(65));
   CHECK(most == doctest::Approx(65));
-  CHECK(gradescope["tests"].size() == 20);
+  CHECK(gradescope["tests"].size() == 24);
   const json prairielearn = json::parse(run(folder, "grade --homework hw runs --format prairielearn").out);
   CHECK(prairielearn["gradable"] == true);
   CHECK(prairielearn["score"] == doctest::Approx(1));
   const Outcome junit = run(folder, "grade --homework hw runs --format junit -o junit.xml");
   CHECK(junit.code == 0);
-  CHECK(has(text_of(folder / "junit.xml"), "tests=\"20\" failures=\"0\" errors=\"0\""));
+  CHECK(has(text_of(folder / "junit.xml"), "tests=\"24\" failures=\"0\" errors=\"0\""));
 }
 
 TEST_CASE("grade: one wrong line of the program is named with both numbers, and costs once") {
@@ -275,7 +275,7 @@ TEST_CASE("homework.toml: what is wrong with it is named by its line, with the c
   };
   for (const Case& one :
        {Case{"method = \"z-buffer\"", "method = \"zbuffer\"", "there is no method 'zbuffer'; did you mean 'z-buffer'?"},
-        Case{"[\"compare\",", "[\"compar\",", "has no step 'compar'; did you mean 'compare'?"},
+        Case{"[\"compare\"]", "[\"compar\"]", "has no step 'compar'; did you mean 'compare'?"},
         Case{"file = \"scenes/triangle.toml\"", "file = \"scenes/triangel.toml\"", "there is no file"},
         Case{"value = 10", "valeu = 10", "did you mean 'value'?"},
         Case{"value = 10", "value = -1", "points go from 0 to 10000"},

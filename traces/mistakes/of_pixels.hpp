@@ -115,12 +115,16 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   if (wins_on_line) last = e.z;
   out.says(buffer_of_one_line, e.nearer == wins_on_line, right);
   if (tie) return;
-  const bool empty = drawn == no_polygon;
+  const bool draws = at.has_step<PixelWrite>();
+  const bool empty = draws ? drawn == no_polygon : stored == at.header.empty_depth();
   // Against nothing, a reversed compare either always loses or has a case of its own.
   if (empty) (e.nearer ? out.won_empty : out.lost_empty) = true;
   if (out.won_empty && out.lost_empty) out.rules_out(compare_reversed);
-  if (!empty || !right) out.says(compare_reversed, !right, right);
-  if (empty && e.nearer == comparison.wins(e.z, 0)) out.says(buffer_begins_at_0, true, right);
+  // Where the run does not say what the buffer was cleared to, one that was cleared to 0 loses as well.
+  const bool either = empty && !at.records<BuffersClear>();
+  if (!either && (!empty || !right)) out.says(compare_reversed, !right, right);
+  if (either) {
+  } else if (empty && e.nearer == comparison.wins(e.z, 0)) out.says(buffer_begins_at_0, true, right);
   else if (empty) out.rules_out(buffer_begins_at_0);
   const bool of_other = drawn != no_polygon && drawn != at.method().polygon;
   out.says(buffer_reset, of_other ? e.nearer : right, right);

@@ -113,6 +113,7 @@ void apply_stores(const E& event, State& state, std::size_t points, Log& log) {
     fragment.z = event.z;
     fragment.nearer = event.nearer;
     set_fragment(fragment);
+    if (event.nearer && state.machine.compares_write) detail::set_depth(state, log, event.x, event.y, event.z);
   } else if constexpr (std::is_same_v<E, DepthWrite>) {
     detail::set_depth(state, log, event.x, event.y, event.z);
   } else if constexpr (std::is_same_v<E, PixelWrite>) {

@@ -20,13 +20,21 @@ Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()), empty_depth_(
   const Header& header = trace.header();
   colors_ = records<ColorWrite>(header) || records<ColorBlend>(header);
   light_ = records<PassBegin>(header);
+  compares_write_ = records<DepthCompare>(header) && !records<DepthWrite>(header);
 }
 
 State Beginning::state() const {
   State state;
+  state.machine = machine();
   begin_pictures(state);
   begin_vertices(state);
   return state;
+}
+
+MethodState Beginning::machine() const {
+  MethodState machine;
+  machine.compares_write = compares_write_;
+  return machine;
 }
 
 void Beginning::begin_pictures(State& state) const {

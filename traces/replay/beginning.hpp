@@ -13,6 +13,7 @@ class Beginning {
 
   std::size_t points() const { return scene_->points.size(); }
   State state() const;
+  MethodState machine() const;
   /// The same for parts of a state that there is already.
   void begin_pictures(State& state) const;
   void begin_vertices(State& state) const;
@@ -23,6 +24,7 @@ class Beginning {
   double empty_depth_;   ///< what depth buffers hold where nothing was drawn
   bool colors_ = false;  ///< pixels have colours of their own
   bool light_ = false;   ///< there is a pass for the light
+  bool compares_write_ = false;
 };
 
 }  // namespace zstep

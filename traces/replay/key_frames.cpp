@@ -73,7 +73,7 @@ void KeyFrames::restore_before(std::int64_t position, State& state) {
   }
   if (count == 0) {
     state.position = 0;
-    state.machine = MethodState();
+    state.machine = beginning_->machine();
     beginning_->begin_vertices(state);
     return;
   }

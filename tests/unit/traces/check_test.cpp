@@ -2,6 +2,7 @@
 #include "traces/check/check.hpp"
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <tuple>
@@ -12,9 +13,11 @@
 #include "tests/golden/golden.hpp"
 #include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
+#include "tests/zoo/runs.hpp"
 #include "traces/check/depths.hpp"
 #include "traces/events/slots.hpp"
 #include "traces/file/jsonl.hpp"
+#include "traces/replay/replay.hpp"
 
 using namespace zstep;
 
@@ -33,6 +36,35 @@ std::string causes_of(const Trace& trace) {
   for (const Cause& cause : check(trace).causes)
     names += fmt::format("{}{}@{}", names.empty() ? "" : " ", name_of(trace, cause.first), cause.first.step);
   return names;
+}
+
+TEST_CASE("check: in a run that records compares and no writes, a compare that is nearer writes") {
+  const Trace trace = test::trace_of(
+      R"({"ztrace":1,"writer":"my program","algorithm":"z-buffer","conventions":{"depth":"view","nearer":"smaller"},)"
+      R"("steps":[{"id":1,"name":"compare","event":"depth_compare"}],"scene":{"raster":{"width":4,"height":4},)"
+      R"("camera":{"kind":"screen"},"points":[[0,0,5],[4,0,5],[0,4,5]],"polygons":[{"name":"A"}],)"
+      R"("facets":[{"polygon":0,"points":[0,1,2]}]}})"
+      "\n"
+      R"({"step":"compare","x":1,"y":1,"z":5,"nearer":true})"
+      "\n"
+      R"({"step":"compare","x":1,"y":1,"z":4,"nearer":true})"
+      "\n"
+      R"({"step":"compare","x":1,"y":1,"z":4.5,"nearer":false})"
+      "\n"
+      R"({"step":"compare","x":1,"y":1,"z":4.25,"nearer":true})"
+      "\n");
+  CHECK(causes_of(trace) == "compare.nearer@4");
+  Replay replay(trace);
+  const auto depth = [&](std::int64_t step) {
+    replay.go_to(step);
+    return replay.state().picture.depth[replay.state().picture.at(1, 1)];
+  };
+  const double inf = std::numeric_limits<double>::infinity();
+  CHECK(depth(4) == 4.25);
+  CHECK(depth(3) == 4);
+  CHECK(depth(2) == 4);
+  CHECK(depth(1) == 5);
+  CHECK(depth(0) == inf);
 }
 
 TEST_CASE("check: each step of every golden trace follows from its own operands, to the last bit") {
