@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <random>
@@ -38,9 +39,11 @@ struct Undetectable {
 constexpr std::string_view silent = "a program may pass over in silence what it does nothing with",
                            alike = "of several steps about one thing, as of two parts of a polygon, the last is missed",
                            idle = "an edge that ends may be moved once more, or not",
-                           later = "a list that is out of order may yet be sorted: it shows where it is used",
+                           later = "what a list lacks, or that it is out of order, shows where the list is used",
                            shared = "any point that two pieces share will do",
-                           either = "edges at one x may stand either way";
+                           either = "edges at one x may stand either way",
+                           nothing = "whether a span without pixels is spoken of changes nothing",
+                           meet = "where z extents only meet, rounding decides which pairs are tested";
 constexpr std::array undetectable{
     Undetectable{"clip_test", alike},
     Undetectable{"color_write", alike},
@@ -48,17 +51,23 @@ constexpr std::array undetectable{
     Undetectable{"edge_step", idle},
     Undetectable{"edge_step.edge", idle},
     Undetectable{"edge_swap", later},
+    Undetectable{"edge_swap.place", later},
     Undetectable{"edge_table_insert", alike},
+    Undetectable{"edge_table_insert.polygon", "which polygon is drawn is said where its piece begins"},
     Undetectable{"edge_table_skip", alike},
+    Undetectable{"extent_test", meet},
     Undetectable{"horizon_move", alike},
     Undetectable{"horizon_move.upper", alike},
+    Undetectable{"horizon_test", alike},
     Undetectable{"line_piece", alike},
+    Undetectable{"list_insert", later},
     Undetectable{"list_remove.piece", alike},
     Undetectable{"outline_vertex", alike},
     Undetectable{"outline_vertex.vertex", alike},
     Undetectable{"overlap_test.x_at", shared},
     Undetectable{"overlap_test.y_at", shared},
     Undetectable{"pair_begin", alike},
+    Undetectable{"pair_begin.other", meet},
     Undetectable{"piece_make", alike},
     Undetectable{"plane_depth", alike},
     Undetectable{"polygon_begin", silent},
@@ -69,6 +78,10 @@ constexpr std::array undetectable{
     Undetectable{"scan_line_begin.y", "a program may begin above the first edge"},
     Undetectable{"side_test", alike},
     Undetectable{"span_begin", alike},
+    Undetectable{"span_begin.left_edge", either},
+    Undetectable{"span_begin.right_edge", either},
+    Undetectable{"span_flags", nothing},
+    Undetectable{"span_winner", alike},
     Undetectable{"vertex_side", alike},
     Undetectable{"vertex_side.vertex", alike},
 };
@@ -182,7 +195,8 @@ struct Counts {
 
 TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, at its step") {
   constexpr int changes_a_trace = 200 / (test::sparse * test::sparse);
-  std::mt19937_64 random(16);
+  const char* given = std::getenv("ZSTEP_SEED");  // for other draws, by hand
+  std::mt19937_64 random(given ? std::strtoull(given, nullptr, 10) : 16);
   Counts all;
   std::map<std::string, std::pair<int, std::string>> unnoticed;  // by field: how often, and the last one
   test::for_each_golden([&](const std::string& golden, const Trace& trace) {
