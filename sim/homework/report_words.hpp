@@ -36,7 +36,8 @@ inline const Graded* first_to_mend(const Assessment& all) {
 inline bool is_right(const Graded& task) {
   return task.state == Graded::State::judged && !task.first && task.why.empty() && task.left_out.empty();
 }
-/// What a program that is right as far as it goes does next: the first part that it has no step of; or nothing.
+/// What comes next where nothing that is shown is to be mended: the first part that a program has no step of; or
+/// nothing. That the rest is right is said where it is, in the hidden scenes as well.
 inline std::string next_part_text(const Assessment& all) {
   if (first_to_mend(all)) return "";
   const auto task = std::find_if(all.tasks.begin(), all.tasks.end(),
@@ -48,7 +49,11 @@ inline std::string next_part_text(const Assessment& all) {
   for (const StepInfo& step : all.homework->steps)
     if (std::find(part->kinds.begin(), part->kinds.end(), step.kind) != part->kinds.end())
       names += (names.empty() ? "" : ", ") + step.name;
-  return fmt::format("What the program prints is right. Next come the {}: it prints no {} yet.", part->name, names);
+  const bool right = std::all_of(all.tasks.begin(), all.tasks.end(), [](const Graded& one) {
+    return one.state == Graded::State::judged && !one.first && one.why.empty();
+  });
+  return fmt::format("{}Next come the {}: the program prints no {} yet.",
+                     right ? "What the program prints is right. " : "", part->name, names);
 }
 inline bool all_right(const Assessment& all) { return std::all_of(all.tasks.begin(), all.tasks.end(), is_right); }
 

@@ -119,6 +119,21 @@ TEST_CASE("rungs: each part of a homework earns all its points without those tha
   }
 }
 
+TEST_CASE("rungs: that all is right is not said where a hidden scene is not") {
+  if (!has_python()) return;
+  const Runs runs("z-buffer", "hw/solution/zbuffer.py");
+  runs.grade({"compare"});
+  const std::string hidden = text_of(runs.folder / "runs/overlap.jsonl");
+  REQUIRE(times(hidden, "\"nearer\": true") > 0);
+  std::string wrong = hidden;
+  wrong.replace(wrong.find("\"nearer\": true"), 14, "\"nearer\": false");
+  write_text(runs.folder / "runs/overlap.jsonl", wrong);
+  const Outcome text = run(runs.folder, "grade --homework hw runs");
+  CHECK(text.out.find("What the program prints is right.") == std::string::npos);
+  CHECK(text.out.find("\nNext come the writes: the program prints no write_depth, write_pixel yet.\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("rungs: compares alone are judged, and called only what they show") {
   if (!has_python()) return;
   const auto named = [](const std::string& student, const std::set<std::string>& steps) {
