@@ -137,7 +137,11 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
     };
     Runs runs = runs_of(homework, task, file, Look::at_what_is_there, known);
     grade::Judgement found = judged(runs);
-    const bool broke_off = !graded.ended.empty() || (found.first && found.first->step > runs.submission.size());
+    // A run that broke off is right up to its end, and does nothing else before.
+    const bool ends_early = found.first && found.first->step > runs.submission.size() &&
+                            std::all_of(found.parts.begin(), found.parts.end(),
+                                        [](const grade::PartCount& part) { return part.additional == 0; });
+    const bool broke_off = !graded.ended.empty() || ends_early;
     if (!runs.left_out.empty() && broke_off) {
       runs = runs_of(homework, task, file, Look::at_all, known);
       found = judged(runs);

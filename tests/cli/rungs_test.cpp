@@ -150,6 +150,22 @@ TEST_CASE("rungs: compares alone are judged, and called only what they show") {
         Names{"compare_reversed"});
 }
 
+TEST_CASE("rungs: compares at other pixels do not make a run one that broke off") {
+  if (!has_python()) return;
+  const Runs runs("z-buffer", "hw/solution/zbuffer.py");
+  const std::string solution = text_of(runs.folder / "hw/solution/zbuffer.py"), place = "emit.compare(x, y,";
+  REQUIRE(times(solution, place) == 1);
+  std::string turned = solution;
+  turned.replace(turned.find(place), place.size(), "emit.compare(y, x,");
+  write_text(runs.folder / "hw/solution/zbuffer.py", turned);
+  REQUIRE(shell(runs.folder, "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 hw/solution/zbuffer.py $s > "
+                             "printed/$(basename $s .txt).jsonl; done").code == 0);
+  for (const json& scene : runs.grade({"compare"})["scenes"]) {
+    CHECK(scene["left_out"].size() == 4);
+    CHECK(scene["first"]["what"] == "This step is missing.");
+  }
+}
+
 TEST_CASE("rungs: a run that broke off before a part began is missing it") {
   if (!has_python()) return;
   const Runs runs("z-buffer", "hw/solution/zbuffer.py");
