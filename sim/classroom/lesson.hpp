@@ -36,6 +36,7 @@ struct Stop {
   std::string text;                      ///< Markdown; its {…} are filled with the trace's numbers when resolved
   std::optional<Question> question;      ///< asked here, answered by the steps that follow
   std::string anchor;                    ///< as written in the file: step name and condition
+  std::string focus;                     ///< the pane that leads meanwhile, as the viewer calls it; mostly none
   std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
   std::int64_t position = 0;             ///< where the trace is when it speaks; set by resolve()
 };

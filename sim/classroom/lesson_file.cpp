@@ -88,7 +88,15 @@ class Reader {
     Stop stop;
     stop.heading = trim(text.substr(0, open));
     if (stop.heading.empty()) fail("the stop has no heading", "write a few words before its anchor");
-    stop.anchor = text.substr(open + 1, text.size() - open - 2);
+    std::string_view anchor = text.substr(open + 1, text.size() - open - 2);
+    if (const std::size_t semicolon = anchor.find(';'); semicolon != std::string_view::npos) {
+      const std::string_view rest = trim(anchor.substr(semicolon + 1));
+      if (!starts_with(rest, "focus:") || trim(rest.substr(6)).empty())
+        fail(fmt::format("`{}` is left over in the anchor", rest), "after ; write `focus: edge_table` or another pane");
+      stop.focus = trim(rest.substr(6));
+      anchor = trim(anchor.substr(0, semicolon));
+    }
+    stop.anchor = anchor;
     parse_anchor(stop.anchor, where(at_));
     stop.line = lines_[at_].number;
     stop.text_line = stop.line + 1;

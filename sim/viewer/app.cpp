@@ -9,6 +9,7 @@
 
 #include "sim/query/columns.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/panes/workspace.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
@@ -36,16 +37,11 @@ App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int
       pixel_overlay_(session_),
       ui_(session_, renderer_),
       dpi_scale_(dpi_scale) {
+  if (lesson) check_focus(*lesson, trace.header());
   ui_.places = &places_;
   ui_.depth_range = depth_range(trace);
   field_.connect();
   session_.speed = std::clamp(settings.speed, 0, static_cast<int>(Session::speeds().size()) - 1);
-  structures_ = structure_panes(trace.header());
-  beside_ = depth_pane;
-  if (!depth_pane.serves(trace.header()) && !structures_.empty() && structures_.front().id != scene_pane.id) {
-    beside_ = structures_.front();
-    structures_.erase(structures_.begin());
-  }
   set_dark(settings.dark);
   set_presenter(settings.presenter);
 }
@@ -71,6 +67,25 @@ void App::set_dark(bool dark) {
 void App::set_presenter(bool presenter) {
   settings_.presenter = ui_.presenter = presenter;
   session_.touch();
+}
+
+std::string App::lead() const {
+  if (lead_) return *lead_;
+  const Lesson* lesson = session_.lesson();
+  return lesson && session_.stop() >= 0 ? lesson->stops[static_cast<std::size_t>(session_.stop())].focus : "";
+}
+
+void App::set_lead(const std::string& pane) {
+  lead_ = pane;
+  session_.touch();
+}
+
+void App::turn_lead(int direction) {
+  const std::vector<std::string> all = leads_to_choose(session_.header());
+  const auto now = std::find(all.begin(), all.end(), lead());
+  const auto count = static_cast<std::ptrdiff_t>(all.size());
+  const std::ptrdiff_t at = now == all.end() ? 0 : now - all.begin();
+  set_lead(all[static_cast<std::size_t>((at + direction + count) % count)]);
 }
 
 void App::take_settings(const Settings& settings) {

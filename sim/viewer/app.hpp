@@ -85,6 +85,12 @@ class App {
   Overlay overlay() const { return overlay_; }
   void set_dark(bool dark);
   void set_presenter(bool presenter);
+  /// Which pane leads on the stage, by its id: what the reader asked for, else what the lesson's stop is about, else
+  /// empty, for the method's own.
+  std::string lead() const;
+  void set_lead(const std::string& pane);
+  ImVec2 stage_size() const { return stage_size_; }  ///< of what leads, as last drawn
+  void turn_lead(int direction);  ///< to the next pane that can lead, or the one before
   void scale_text(float factor);  ///< 0: back to the usual size
   std::string link() const;       ///< the command line that opens this place
   std::string opened_by;          ///< as in ViewerOptions; what link() begins with
@@ -145,14 +151,18 @@ class App {
   void take_clicks();
   void draw_title(ImVec2 at, ImVec2 size);
   void draw_panes(ImVec2 at, ImVec2 size);
-  ImVec2 presented_frame() const;
   void draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) { draw_pane(ui_, pane, pane.title, at, size); }
   void draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size);
   void draw_panes_of_both(ImVec2 at, ImVec2 size);
   void draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size);
   void follow_marks();
   void draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id);
-  void draw_structures(ImVec2 at, ImVec2 size);
+  void draw_on_stage(const Pane& pane, ImVec2 at, ImVec2 size, bool leading);
+  void draw_leading(const std::vector<Pane>& leading, ImVec2 at, ImVec2 size);
+  void draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
+  void draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size);
+  void draw_presented(ImVec2 at, ImVec2 size);
+  void draw_few(ImVec2 at, ImVec2 size);
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
   void draw_overlay();
   bool key(const SDL_KeyboardEvent& event);
@@ -199,9 +209,9 @@ class App {
   answers::Chain chain_;
   Ui ui_;
   std::unique_ptr<Ui> other_ui_;  ///< of the second run
-  std::vector<Pane> structures_;
   std::optional<Pane> only_;
-  Pane beside_;  ///< beside the frame: the depth buffer, or, for a method without one, the structure it lives by
+  ImVec2 stage_size_{0, 0};
+  std::optional<std::string> lead_;  ///< what the reader asked to lead, an empty one for what the method has
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;

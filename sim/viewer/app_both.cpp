@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/panes/workspace.hpp"
 
 namespace zstep::viewer {
 
@@ -38,7 +39,7 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
   const Header &header = session_.header(), &other = against_->session().header();
   const bool depths = depth_pane.serves(header) && depth_pane.serves(other);
   const bool narrow = size.x < ui_.em * 44 || size.y < ui_.em * 21;
-  const bool structures = !structures_.empty() && !narrow;
+  const Workspace stage = workspace(header, lead());
   const float left = narrow ? 0 : std::round(size.x * l.left);
   if (!narrow) {
     // A class needs no code beside two runs.
@@ -55,7 +56,7 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
     l.left = std::clamp(l.left, 0.1f, 0.55f);
   }
   const float x = narrow ? at.x : at.x + left + gap, middle = at.x + size.x - x;
-  const float upper = structures ? std::round((size.y - gap) * l.buffers) : size.y;
+  const float upper = narrow ? size.y : std::round((size.y - gap) * l.both);
   std::vector<std::pair<bool, const Pane*>> panes{{true, &frame_pane}, {false, &frame_pane}};
   if (depths && !narrow) panes.insert(panes.end(), {{true, &depth_pane}, {false, &depth_pane}});
   const Raster& raster = session_.scene().raster;
@@ -75,9 +76,15 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
     const auto& [first, pane] = panes[static_cast<std::size_t>(i)];
     draw_of(first, *pane, {px, py}, {width, height});
   }
-  if (!structures) return;
-  draw_structures({x, at.y + upper + gap}, {middle, size.y - upper - gap});
-  splitter("buffers", {x, at.y + upper}, {middle, gap}, false, l.buffers, size.y - gap);
+  if (narrow) return;
+  // What leads is here the slice, or what the method lives by; the frames have the stage.
+  std::vector<Pane> below;
+  for (const std::vector<Pane>* some : {&stage.leading, &stage.small})
+    for (const Pane& pane : *some)
+      if (pane.id != frame_pane.id && pane.id != depth_pane.id) below.push_back(pane);
+  std::stable_partition(below.begin(), below.end(), [&](const Pane& pane) { return pane.id == lead(); });
+  draw_small(below, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
+  splitter("both", {x, at.y + upper}, {middle, gap}, false, l.both, size.y - gap);
 }
 
 }  // namespace zstep::viewer

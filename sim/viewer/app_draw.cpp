@@ -136,13 +136,12 @@ void App::begin_scrolling() {
   const Layout& l = settings_.layout;
   Fingerprint layout;
   for (const float part : {static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height()), built_for_,
-                           l.left, l.right, l.code, l.frame, l.buffers})
+                           l.left, l.right, l.code, l.frame, l.table, l.stage, l.both, l.words})
     take(layout, part);
   for (const auto& [pane, share] : l.structures) take(layout, share);
   take(layout, ui_.presenter);
   take(layout, ui_.vertices_always);
-  take(layout, ui_.slice);
-  take(layout, ui_.error_charts);
+  take(layout, lead());
   Fingerprint moment = layout, stop = layout;
   take(moment, session_.position());
   take(stop, session_.stop());
@@ -160,6 +159,7 @@ void App::draw() {
   const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
   ImGui::GetIO().DisplaySize = size;
   begin_scrolling();
+  ui_.hits.follow(session_.trace(), session_.position());
   ui_.mouse_help = ui_.fonts.lacking;
   ui_.asked.reset();
   ui_.asked_as.clear();
@@ -174,7 +174,7 @@ void App::draw() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::Begin("zstep", nullptr, bare);
   ImGui::PopStyleVar();
-  const float pad = std::round(ui_.em * 0.4f);
+  const float pad = std::round(ui_.em * (ui_.presenter ? 0.3f : 0.4f));
   const float title = std::round(ui_.em * 1.9f);
   const float timeline = timeline_height(ui_);
   const ImVec2 at{pad, 0};

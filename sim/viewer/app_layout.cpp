@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/panes/workspace.hpp"
 
 namespace zstep::viewer {
 
@@ -69,161 +70,170 @@ void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& low
   splitter(id, {at.x, at.y + first}, {size.x, gap}, false, share, size.y - gap);
 }
 
-void App::draw_structures(ImVec2 at, ImVec2 size) {
+/// A pane of the stage. A click on its title makes it lead, and a second one puts it back; a sign says which it is.
+void App::draw_on_stage(const Pane& pane, ImVec2 at, ImVec2 size, bool leading) {
+  draw_pane(pane, at, size);
+  const float head = std::round(ui_.em * 1.5f), pad = std::round(ui_.em * 0.5f), side = std::round(ui_.em * 0.45f);
+  const float x = at.x + 2 * pad + text_size(ui_, ui_.fonts.small, pane.title).x;
+  ImGui::SetCursorScreenPos(at);
+  ImGui::PushID(pane.id);
+  const bool asked_for = pane.id == lead() || lead_together(pane, lead());
+  if (ImGui::InvisibleButton("lead", {size.x, head})) set_lead(asked_for ? "" : pane.id);
+  ImGui::PopID();
+  const bool hot = ImGui::IsItemHovered();
+  if (hot)
+    ui_.mouse_help = asked_for ? "Click: the stage as the method has it (Tab: the next pane)."
+                     : leading         ? "Click: this pane alone on the stage (Tab: the next pane)."
+                                       : "Click: large, on the stage (Tab: the next pane).";
+  if (x + side + pad > at.x + size.x) return;
+  const Theme& c = ui_.colors();
+  const float y = at.y + std::round((head - side) / 2);
+  const ImU32 color = hot ? c.now : c.muted;
+  if (leading) ImGui::GetWindowDrawList()->AddRectFilled({x, y}, {x + side, y + side}, color);
+  else frame_box(ui_, {x, y}, {x + side, y + side}, color);
+}
+
+void App::draw_leading(const std::vector<Pane>& leading, ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
-  // A pane that would be too narrow to read is left out until there is room. The last pane, the scene, always stays,
-  // unless a plan of the scene does.
-  std::vector<Pane> shown = structures_;
-  // Beside the frame is the second run's then.
-  if (against_ && beside_.id != depth_pane.id) shown.insert(shown.begin(), beside_);
-  if (ui_.slice && slice_pane.serves(session_.header())) {
-    // The slice is wide: of the others one stays, the active edges where there are such.
-    const auto beside = std::find_if(shown.begin(), shown.end(),
-                                     [](const Pane& pane) { return pane.id == active_edges_pane.id; });
-    const Pane kept = beside == shown.end() ? shown.front() : *beside;
-    shown = {slice_pane};
-    if (kept.id != scene_pane.id) shown.insert(shown.begin(), kept);
+  stage_size_ = size;
+  if (leading.size() == 1) return draw_on_stage(leading[0], at, size, true);
+  // A table needs less room than a picture.
+  const bool table = leading[1].scrolls && !leading[0].scrolls;
+  float& share = table ? settings_.layout.table : settings_.layout.frame;
+  const float first = std::round((size.x - gap) * share), x = at.x + first + gap, second = size.x - first - gap;
+  draw_on_stage(leading[0], at, {first, size.y}, true);
+  const float upper = leading.size() == 2 ? size.y : std::round((size.y - gap) / 2);
+  draw_on_stage(leading[1], {x, at.y}, {second, upper}, true);
+  if (leading.size() == 3) draw_on_stage(leading[2], {x, at.y + upper + gap}, {second, size.y - upper - gap}, true);
+  splitter("frame", {at.x + first, at.y}, {gap, size.y}, true, share, size.x - gap);
+}
+
+/// Titles below each other: of panes that nothing has come to yet, and of those for which there is no room.
+void App::draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size) {
+  const float head = std::round(ui_.em * 1.5f), pad = std::round(ui_.em * 0.5f);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  for (const Pane& pane : panes) {
+    if (at.y + head > size.y) return;
+    ImGui::SetCursorScreenPos(at);
+    ImGui::PushID(pane.id);
+    if (ImGui::InvisibleButton("lead", {size.x, head})) set_lead(pane.id);
+    ImGui::PopID();
+    const bool hot = ImGui::IsItemHovered();
+    if (hot)
+      ui_.mouse_help = pane.waits && pane.waits(ui_) ? "Empty: the run has not come to it yet. Click: shown all the same."
+                                                     : "No room for it here. Click: large, on the stage.";
+    list->AddRectFilled(at, {at.x + size.x, at.y + head}, ui_.colors().head);
+    draw_text(ui_, {at.x + pad, at.y + std::round((head - ui_.fonts.small->FontSize) / 2) - 1}, ui_.fonts.small,
+              hot ? ui_.colors().text : ui_.colors().muted, pane.title);
+    frame_box(ui_, at, {at.x + size.x, at.y + head}, ui_.colors().rule);
+    at.y += head + std::round(ui_.em * 0.2f);
   }
-  // Two charts are all that there is room for; where there is not, the errors stay.
-  const bool charts = ui_.error_charts && depth_error_pane.serves(session_.header());
-  if (charts) {
-    shown = {depth_error_pane};
-    if (depth_units_pane.serves(session_.header()) && size.x > 40 * ui_.em) shown.push_back(depth_units_pane);
-  }
-  const auto narrowest = [&] { return ui_.em * 11; };
-  if (ui_.presenter) {
-    // A class needs one of the two: the table while it fills, the active edges once scan lines are drawn.
-    const bool scanning = session_.state().machine.scan_line.has_value();
-    shown.erase(std::remove_if(shown.begin(), shown.end(),
-                               [&](const Pane& pane) {
-                                 return pane.id == (scanning ? edge_table_pane.id : active_edges_pane.id);
-                               }),
-                shown.end());
-  }
-  const bool planned = std::any_of(shown.begin(), shown.end(), [](const Pane& pane) {
-    return pane.id == ray_plan_pane.id || pane.id == plan_pane.id;
-  });
-  const auto too_many = [&] { return shown.size() > 1 && size.x / static_cast<float>(shown.size()) < narrowest(); };
-  if (planned && too_many()) shown.pop_back();
-  while (too_many()) shown.erase(shown.end() - 2);
-  if (shown.empty()) return;
-  const float room = size.x - gap * static_cast<float>(shown.size() - 1);
+}
+
+/// A row of small panes. What would be too narrow to read, or is empty so far, is folded to its title at the right.
+void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
+  const float gap = std::round(ui_.em * 0.35f), narrowest = ui_.em * 11;
+  std::vector<Pane> folded;
+  const auto fold = [&](auto which) {
+    folded.insert(folded.begin(), *which);
+    panes.erase(which);
+  };
+  for (auto pane = panes.end(); pane != panes.begin();)
+    if (--pane; pane->waits && pane->waits(ui_)) fold(pane), pane = panes.end();
+  float titles = 0;
+  const auto titled = [&](const std::vector<Pane>& all) {
+    float widest = 0;
+    for (const Pane& pane : all) widest = std::max(widest, text_size(ui_, ui_.fonts.small, pane.title).x + ui_.em);
+    return all.empty() ? 0 : std::round(widest) + gap;
+  };
+  while (titles = titled(folded),
+         !panes.empty() && (size.x - titles) / static_cast<float>(panes.size()) < narrowest)
+    fold(panes.end() - 1);
+  if (!folded.empty())
+    draw_folded(folded, {at.x + size.x - titles + gap, at.y}, {titles - gap, at.y + size.y});
+  if (panes.empty()) return;
+  const float end = at.x + size.x - titles;
+  const float room = end - at.x - gap * static_cast<float>(panes.size() - 1);
   const auto weight = [&](const Pane& pane) {
     const auto found = settings_.layout.structures.find(pane.id);
-    return found == settings_.layout.structures.end() ? pane.share : found->second;
+    return found == settings_.layout.structures.end() ? std::max(pane.share, 0.25f) : found->second;
   };
   float sum = 0;
-  for (const Pane& pane : shown) sum += weight(pane);
+  for (const Pane& pane : panes) sum += weight(pane);
   float x = at.x;
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const float width = i + 1 == shown.size() ? at.x + size.x - x : std::round(room * weight(shown[i]) / sum);
-    draw_pane(shown[i], {x, at.y}, {width, size.y});
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    const float width = i + 1 == panes.size() ? end - x : std::round(room * weight(panes[i]) / sum);
+    draw_on_stage(panes[i], {x, at.y}, {width, size.y}, false);
     x += width;
-    if (i + 1 == shown.size()) break;
-    float share = weight(shown[i]);
+    if (i + 1 == panes.size()) break;
+    float share = weight(panes[i]);
     if (splitter(fmt::format("structure{}", i).c_str(), {x, at.y}, {gap, size.y}, true, share, room / sum)) {
       // What one gains its neighbour loses.
-      const float total = weight(shown[i]) + weight(shown[i + 1]);
+      const float total = weight(panes[i]) + weight(panes[i + 1]);
       share = std::clamp(share, 0.08f, std::max(0.08f, total - 0.08f));
-      settings_.layout.structures[shown[i].id] = share;
-      settings_.layout.structures[shown[i + 1].id] = std::max(0.08f, total - share);
+      settings_.layout.structures[panes[i].id] = share;
+      settings_.layout.structures[panes[i + 1].id] = std::max(0.08f, total - share);
     }
     x += gap;
   }
 }
 
-/// The size of pane that shows the framebuffer as large as small letters would. Title, borders, rulers and legend take
-/// their room from the raster, and all of them grow with the letters.
-ImVec2 App::presented_frame() const {
-  const Layout& l = settings_.layout;
-  const Raster& raster = session_.scene().raster;
-  const bool lesson = session_.lesson() != nullptr;
-  const float digits = static_cast<float>(std::to_string(std::max(raster.width, raster.height) - 1).size());
-  const auto around = [&](float em, bool legend) {
-    return ImVec2{em * (1.9f + 0.46f * digits), em * (3.15f + (legend ? 1.0f : 0.0f))};
-  };
-  const float em = ui_.em * 16 / 24, gap = em * 0.35f;
-  const float width = static_cast<float>(renderer_.width()) - 0.8f * em,
-              height = static_cast<float>(renderer_.height()) - em * 8.05f;
-  const float left = width * (lesson ? l.left * 0.94f : l.left), right = lesson ? width * l.right + gap : 0;
-  const ImVec2 usual{(width - left - gap - right - gap) * l.frame - around(em, true).x,
-                     (structures_.empty() ? height : (height - gap) * l.buffers) - around(em, true).y};
-  // A little more, for pixels are rounded down to quarters.
-  const float cell =
-      1.03f * std::min(usual.x / static_cast<float>(raster.width), usual.y / static_cast<float>(raster.height));
-  const ImVec2 now = around(ui_.em, false);
-  return {std::ceil(cell * static_cast<float>(raster.width) + now.x),
-          std::ceil(cell * static_cast<float>(raster.height) + now.y)};
+/// Too small for everything: what happened and the framebuffer, and a sentence that says so.
+void App::draw_few(ImVec2 at, ImVec2 size) {
+  const float gap = std::round(ui_.em * 0.35f), line = ui_.line();
+  const Pane& words = session_.lesson() ? lesson_pane : happened_pane;
+  Flow how;
+  how.color = ui_.colors().muted;
+  ImGui::SetCursorScreenPos(at);
+  const std::string why = "Only some panes fit; enlarge the window, or Ctrl+\u2212 for smaller text.";
+  how.width = size.x;
+  const float height = flow_height(ui_, why, how);
+  if (size.y > height + 6 * line) {
+    flow(ui_, why, how);
+    at.y += height;
+    size.y -= height;
+  }
+  if (size.x > size.y * 1.3f) {
+    const float half = std::round((size.x - gap) / 2);
+    draw_pane(words, at, {half, size.y});
+    draw_pane(frame_pane, {at.x + half + gap, at.y}, {size.x - half - gap, size.y});
+  } else {
+    const float half = std::round((size.y - gap) / 2);
+    draw_pane(frame_pane, at, {size.x, half});
+    draw_pane(words, {at.x, at.y + half + gap}, {size.x, size.y - half - gap});
+  }
+}
+
+/// For a class: what leads, as large as it goes, and beside it the lesson where it speaks, and between its stops what
+/// happens. The small panes wait behind Tab; a question takes the room that its answers need.
+void App::draw_presented(ImVec2 at, ImVec2 size) {
+  const float gap = std::round(ui_.em * 0.35f);
+  const bool lesson = session_.lesson() != nullptr, asks = session_.question_open();
+  const float words = std::round(size.x * (asks ? 0.37f : 0.21f)), stage = size.x - words - gap, x = at.x + stage + gap;
+  draw_leading(workspace(session_.header(), lead()).leading, at, {stage, size.y});
+  const bool speaks = lesson && session_.stop() >= 0 &&
+                      session_.lesson()->stops[static_cast<std::size_t>(session_.stop())].position == session_.position();
+  if (asks || speaks) return draw_pane(lesson_pane, {x, at.y}, {words, size.y});
+  float& share = settings_.layout.words;
+  draw_column({x, at.y}, {words, size.y}, lesson ? happened_pane : pseudo_code_pane, lesson ? lesson_pane : happened_pane, share, "words");
 }
 
 void App::draw_panes(ImVec2 at, ImVec2 size) {
   if (against_) return draw_panes_of_both(at, size);
+  // Presenter mode has larger letters and fewer words.
+  if (size.x < ui_.em * (ui_.presenter ? 40 : 44) || size.y < ui_.em * 21) return draw_few(at, size);
+  if (ui_.presenter) return draw_presented(at, size);
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
-  // Presenter mode has larger letters and fewer words.
-  const bool narrow = size.x < ui_.em * (ui_.presenter ? 40 : 44) || size.y < ui_.em * 21;
-  if (narrow) {
-    // Too small for everything: what happened and the framebuffer, and a sentence that says so.
-    const float line = ui_.line();
-    Flow how;
-    how.color = ui_.colors().muted;
-    ImGui::SetCursorScreenPos(at);
-    const std::string why = "Only some panes fit; enlarge the window, or Ctrl+\u2212 for smaller text.";
-    how.width = size.x;
-    const float height = flow_height(ui_, why, how);
-    if (size.y > height + 6 * line) {
-      flow(ui_, why, how);
-      at.y += height;
-      size.y -= height;
-    }
-    if (size.x > size.y * 1.3f) {
-      const float half = std::round((size.x - gap) / 2);
-      draw_pane(session_.lesson() ? lesson_pane : happened_pane, at, {half, size.y});
-      draw_pane(frame_pane, {at.x + half + gap, at.y}, {size.x - half - gap, size.y});
-    } else {
-      const float half = std::round((size.y - gap) / 2);
-      draw_pane(frame_pane, at, {size.x, half});
-      draw_pane(session_.lesson() ? lesson_pane : happened_pane, {at.x, at.y + half + gap},
-                {size.x, size.y - half - gap});
-    }
-    return;
-  }
-  // With a lesson there is a column more, and the code gives way a little.
-  const float shared = std::round(size.x * (session_.lesson() ? l.left * 0.94f : l.left));
-  // While a class answers a question, the question and all its answers take the place of the code.
-  const bool asks = ui_.presenter && session_.question_open();
-  const float left = asks ? 0 : shared;
-  float right = session_.lesson() ? std::round(size.x * l.right) : 0;
-  if (asks) right += std::round(shared * 0.6f);
-  const float x = at.x + (asks ? 0 : left + gap);
-  const float middle = at.x + size.x - x - (right > 0 ? right + gap : 0);
-  float upper = structures_.empty() ? size.y : std::round((size.y - gap) * l.buffers),
-        frame = std::round((middle - gap) * l.frame);
-  if (ui_.presenter) {
-    // The framebuffer is at least as large as with small letters; what is beside and below it has the rest, but never
-    // nothing.
-    const ImVec2 needed = presented_frame();
-    frame = std::clamp(needed.x, frame, std::max(frame, middle - gap - ui_.em * 9));
-    if (!structures_.empty()) upper = std::clamp(needed.y, upper, std::max(upper, size.y - gap - ui_.em * 5));
-    // A slice and a chart need some height.
-    if ((ui_.slice || ui_.error_charts) && !structures_.empty())
-      upper = std::clamp(size.y - gap - ui_.em * 10, size.y / 3, upper);
-  }
-  if (!asks) {
-    // Room for a class to read all of what happened: a sentence of two lines and a formula of five.
-    float code = ui_.presenter ? std::min(l.code, 1 - std::min(0.5f, ui_.em * 11 / size.y)) : l.code;
-    const float code_before = code;
-    draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, code, "code");
-    if (code != code_before) l.code = code;
-    splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
-  }
-  draw_pane(frame_pane, {x, at.y}, {frame, upper});
-  draw_pane(beside_, {x + frame + gap, at.y}, {middle - frame - gap, upper});
-  splitter("frame", {x + frame, at.y}, {gap, upper}, true, l.frame, middle - gap);
-  if (!structures_.empty()) {
-    draw_structures({x, at.y + upper + gap}, {middle, size.y - upper - gap});
-    splitter("buffers", {x, at.y + upper}, {middle, gap}, false, l.buffers, size.y - gap);
-  }
+  const float left = std::round(size.x * l.left), right = session_.lesson() ? std::round(size.x * l.right) : 0;
+  const float x = at.x + left + gap, middle = at.x + size.x - x - (right > 0 ? right + gap : 0);
+  draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, l.code, "code");
+  splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
+  const Workspace stage = workspace(session_.header(), lead());
+  const float upper = std::round((size.y - gap) * l.stage);
+  draw_leading(stage.leading, {x, at.y}, {middle, upper});
+  draw_small(stage.small, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
+  splitter("stage", {x, at.y + upper}, {middle, gap}, false, l.stage, size.y - gap);
   if (right > 0) {
     draw_pane(lesson_pane, {x + middle + gap, at.y}, {right, size.y});
     float others = 1 - l.right;
@@ -234,11 +244,8 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
 }
 
 std::vector<Pane> App::all_panes(const Header& header, bool with_lesson) {
-  std::vector<Pane> all{frame_pane, pseudo_code_pane, happened_pane};
-  if (depth_pane.serves(header)) all.insert(all.begin() + 1, depth_pane);
-  for (const Pane& pane : structure_panes(header)) all.push_back(pane);
-  for (const Pane* pane : {&slice_pane, &depth_error_pane, &depth_units_pane})
-    if (pane->serves(header)) all.push_back(*pane);
+  std::vector<Pane> all = stage_panes(header);
+  all.insert(all.end(), {pseudo_code_pane, happened_pane});
   if (with_lesson) all.push_back(lesson_pane);
   return all;
 }

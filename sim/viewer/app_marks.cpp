@@ -21,7 +21,7 @@ void App::show_against(const AgainstRun& with) {
   other_ui_ = std::make_unique<Ui>(against_->session(), renderer_);
   other_ui_->asks = false;
   ui_.other = other_ui_.get();
-  ui_.slice = slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header());
+  if (slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header())) lead_ = slice_pane.id;
   ui_.marks = &against_->marks_of_a();
   other_ui_->marks = &against_->marks_of_b();
   session_.touch();

@@ -112,20 +112,18 @@ void fit_range(App& app) {
               : "The colours span all depths of the trace.");
 }
 
+/// Lets a pane lead, and the second time what led before.
+void toggle_lead(App& app, const Pane& pane, const char* lacking) {
+  if (!pane.serves(app.session().header())) return app.say(lacking);
+  app.set_lead(app.lead() == pane.id ? "" : pane.id);
+}
+
 void show_slice(App& app) {
-  if (!slice_pane.serves(app.session().header()))
-    return app.say("This method compares no depths along scan lines, so there is no slice.");
-  app.ui().slice = !app.ui().slice;
-  app.ui().error_charts = false;
-  app.session().touch();
+  toggle_lead(app, slice_pane, "This method compares no depths along scan lines, so there is no slice.");
 }
 
 void show_error_charts(App& app) {
-  if (!depth_error_pane.serves(app.session().header()))
-    return app.say("This method interpolates no depths along spans, so no errors add up there.");
-  app.ui().error_charts = !app.ui().error_charts;
-  app.ui().slice = false;
-  app.session().touch();
+  toggle_lead(app, depth_error_pane, "This method interpolates no depths along spans, so no errors add up there.");
 }
 
 /// Sets one end of what playing repeats; the other is the trace's, or where it was set.
@@ -282,6 +280,12 @@ const std::vector<Command>& table() {
          a.ui().histogram = !a.ui().histogram;
          a.session().touch();
        }},
+      {"next-lead",
+       "Look",
+       "Large on the stage: the next pane (or click its title)",
+       {{SDLK_TAB}},
+       [](App& a) { a.turn_lead(1); }},
+      {"previous-lead", "Look", "Large on the stage: the pane before", {{SDLK_TAB, S}}, [](App& a) { a.turn_lead(-1); }},
       {"slice", "Look", "Slice: depth over x along a line of pixels", {{SDLK_s, S}}, show_slice},
       {"error-charts",
        "Look",

@@ -68,7 +68,10 @@ Settings load_settings(const std::filesystem::path& path) {
     else if (key == "left") s.layout.left = share_or(real, s.layout.left);
     else if (key == "right") s.layout.right = share_or(real, s.layout.right);
     else if (key == "code") s.layout.code = share_or(real, s.layout.code);
-    else if (key == "buffers") s.layout.buffers = share_or(real, s.layout.buffers);
+    else if (key == "stage") s.layout.stage = share_or(real, s.layout.stage);
+    else if (key == "table") s.layout.table = share_or(real, s.layout.table);
+    else if (key == "both") s.layout.both = share_or(real, s.layout.both);
+    else if (key == "words") s.layout.words = share_or(real, s.layout.words);
     else if (key == "frame") s.layout.frame = share_or(real, s.layout.frame);
     else if (key.rfind("structure ", 0) == 0) s.layout.structures[key.substr(10)] = share_or(real, 0.3f);
     else if (key.rfind("place ", 0) == 0)
@@ -86,8 +89,9 @@ bool save_settings(const std::filesystem::path& path, const Settings& s) {
     std::ofstream file(fresh);
     file << fmt::format("dark = {:d}\npresenter = {:d}\ntext_scale = {}\nwidth = {}\nheight = {}\nspeed = {}\n", s.dark,
                         s.presenter, s.text_scale, s.width, s.height, s.speed)
-         << fmt::format("left = {}\nright = {}\ncode = {}\nbuffers = {}\nframe = {}\n", s.layout.left, s.layout.right,
-                        s.layout.code, s.layout.buffers, s.layout.frame);
+         << fmt::format("left = {}\nright = {}\ncode = {}\nstage = {}\nframe = {}\ntable = {}\nboth = {}\nwords = {}\n",
+                        s.layout.left, s.layout.right, s.layout.code, s.layout.stage, s.layout.frame, s.layout.table,
+                        s.layout.both, s.layout.words);
     for (const auto& [id, weight] : s.layout.structures) file << fmt::format("structure {} = {}\n", id, weight);
     for (const auto& [key, position] : s.places) file << fmt::format("place {} = {}\n", key, position);
     file.flush();

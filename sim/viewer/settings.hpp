@@ -14,11 +14,14 @@ namespace zstep::viewer {
 
 /// Where the borders between panes are, as shares of the window or of the row they divide.
 struct Layout {
-  float left = 0.27f;        ///< width of pseudo-code and explanation
+  float left = 0.22f;        ///< width of pseudo-code and explanation
   float right = 0.225f;      ///< width of the lesson
   float code = 0.62f;        ///< height of the pseudo-code in its column
-  float buffers = 0.62f;     ///< height of the buffers above the structures
-  float frame = 0.5f;        ///< width of the framebuffer beside the depth buffer
+  float stage = 0.8f;        ///< height of what leads above the small panes
+  float frame = 0.5f;        ///< width of the first of two panes that lead
+  float table = 0.58f;       ///< the same beside a table
+  float both = 0.62f;        ///< height of two runs' frames above what they live by
+  float words = 0.6f;        ///< height of what happened above the lesson, in presenter mode
   std::map<std::string, float> structures;  ///< weights by pane id
 };
 

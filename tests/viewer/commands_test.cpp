@@ -246,10 +246,10 @@ TEST_CASE("a border follows the mouse that drags it, from where it is taken hold
   const float before = app.settings().layout.left;
   test::move_mouse(app, 900, 500);
   // Straight onto the border between code and framebuffer, without a frame on the way.
-  test::mouse_button(app, 351, 300, true);
-  test::move_mouse(app, 371, 300);
-  test::move_mouse(app, 391, 300);
-  test::mouse_button(app, 391, 300, false);
+  test::mouse_button(app, 288, 300, true);
+  test::move_mouse(app, 308, 300);
+  test::move_mouse(app, 328, 300);
+  test::mouse_button(app, 328, 300, false);
   app.settle();
   CHECK(app.settings().layout.left == doctest::Approx(before + 40.0 / 1268).epsilon(0.01));
   test::press(app, SDLK_l, KMOD_LCTRL);

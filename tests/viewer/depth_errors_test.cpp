@@ -113,7 +113,7 @@ TEST_CASE("law: the window with the charts is the same, walked to or jumped to, 
     CAPTURE(name);
     App walked(trace, nullptr, {}, 1280, 720);
     test::press(walked, SDLK_i, KMOD_LSHIFT);
-    REQUIRE(walked.ui().error_charts);
+    REQUIRE(walked.lead() == depth_error_pane.id);
     PictureOptions options;
     options.pane = name;
     options.width = 700, options.height = 300;
@@ -127,7 +127,7 @@ TEST_CASE("law: the window with the charts is the same, walked to or jumped to, 
       const std::int64_t at = walked.session().position();
       CAPTURE(at);
       App jumped(trace, nullptr, {}, 1280, 720);
-      jumped.ui().error_charts = true;
+      jumped.set_lead(depth_error_pane.id);
       jumped.session().go_to(at);
       const bool same = test::picture(walked) == test::picture(jumped);
       CHECK(same);
@@ -151,14 +151,13 @@ TEST_CASE("slice and charts take each other's place, and a method without spans 
   App app(trace, nullptr, {}, 1280, 720);
   test::press(app, SDLK_s, KMOD_LSHIFT);
   test::press(app, SDLK_i, KMOD_LSHIFT);
-  CHECK(app.ui().error_charts);
-  CHECK_FALSE(app.ui().slice);
+  CHECK(app.lead() == depth_error_pane.id);
   test::press(app, SDLK_s, KMOD_LSHIFT);
-  CHECK_FALSE(app.ui().error_charts);
+  CHECK(app.lead() == slice_pane.id);
   const Trace rays = test::recorded_by("ray-casting", scene_of(8, 8), {});
   App other(rays, nullptr, {}, 1280, 720);
   test::press(other, SDLK_i, KMOD_LSHIFT);
-  CHECK_FALSE(other.ui().error_charts);
+  CHECK(other.lead().empty());
   CHECK(other.session().message.find("no errors add up") != std::string::npos);
   CHECK_FALSE(other.show_only("depth_error"));
 }

@@ -159,7 +159,7 @@ TEST_CASE("law: the window with the slice is the same, walked to or jumped to, a
     const Trace trace = golden(name);
     App walked(trace, nullptr, {}, 1280, 720);
     test::press(walked, SDLK_s, KMOD_LSHIFT);
-    REQUIRE(walked.ui().slice);
+    REQUIRE(walked.lead() == slice_pane.id);
     PictureOptions options;
     options.pane = "slice";
     options.width = 700, options.height = 300;
@@ -172,7 +172,7 @@ TEST_CASE("law: the window with the slice is the same, walked to or jumped to, a
       const std::int64_t at = walked.session().position();
       CAPTURE(at);
       App jumped(trace, nullptr, {}, 1280, 720);
-      jumped.ui().slice = true;
+      jumped.set_lead(slice_pane.id);
       jumped.session().go_to(at);
       const bool same = test::picture(walked) == test::picture(jumped);
       CHECK(same);
@@ -191,7 +191,7 @@ TEST_CASE("a method without scan lines has no slice, and says so") {
   const Trace trace = golden("ray-casting");
   App app(trace, nullptr, {}, 1280, 720);
   test::press(app, SDLK_s, KMOD_LSHIFT);
-  CHECK_FALSE(app.ui().slice);
+  CHECK(app.lead().empty());
   CHECK(app.session().message.find("no slice") != std::string::npos);
   CHECK_FALSE(app.show_only("slice"));
 }

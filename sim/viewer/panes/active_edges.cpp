@@ -162,6 +162,6 @@ bool serves_active_edges(const Header& header) {
 }  // namespace
 
 const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw_active_edges, note_of_active_edges,
-                             serves_active_edges, 0.27f, true};
+                             serves_active_edges, 0.27f, true, nullptr, false, none_yet<EdgeEnter>, &edge_table_pane};
 
 }  // namespace zstep::viewer

@@ -180,7 +180,7 @@ bool has_depths(const Header& header) {
 
 }  // namespace
 
-const Pane frame_pane{"frame", "FRAMEBUFFER", draw_frame, frame_note, nullptr, 0, false};
-const Pane depth_pane{"depth", "DEPTH BUFFER", draw_depth, depth_note, has_depths, 0, false};
+const Pane frame_pane{"frame", "FRAMEBUFFER", draw_frame, frame_note, nullptr, 0, false, always<20>};
+const Pane depth_pane{"depth", "DEPTH BUFFER", draw_depth, depth_note, has_depths, 0, false, always<10>};
 
 }  // namespace zstep::viewer

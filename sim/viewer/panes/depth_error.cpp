@@ -91,6 +91,6 @@ bool serves_depth_error(const Header& header) {
 }  // namespace
 
 const Pane depth_error_pane{"depth_error", "ERROR ALONG SPAN AND EDGE", draw_depth_error, note_of_depth_error,
-                            serves_depth_error, 0.5f, false};
+                            serves_depth_error, 0.5f, false, nullptr, true, nullptr, &depth_units_pane};
 
 }  // namespace zstep::viewer

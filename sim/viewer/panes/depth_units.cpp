@@ -81,6 +81,6 @@ bool serves_depth_units(const Header& header) { return has_step_of<DepthCompare>
 }  // namespace
 
 const Pane depth_units_pane{"depth_units", "DEPTHS OF THE BUFFER", draw_depth_units, note_of_depth_units,
-                            serves_depth_units, 0.5f, false};
+                            serves_depth_units, 0.5f, false, nullptr, true, nullptr, &depth_error_pane};
 
 }  // namespace zstep::viewer

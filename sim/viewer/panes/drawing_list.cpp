@@ -224,6 +224,6 @@ bool serves_drawing_list(const Header& header) { return has_step_of<ListInsert>(
 }  // namespace
 
 const Pane drawing_list_pane{"drawing_list", "DRAWING LIST", draw_drawing_list, note_of_drawing_list,
-                             serves_drawing_list, 0.7f, false};
+                             serves_drawing_list, 0.7f, false, always<15>, false, none_yet<ListInsert>};
 
 }  // namespace zstep::viewer

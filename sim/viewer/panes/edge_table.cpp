@@ -125,6 +125,6 @@ bool serves_edge_table(const Header& header) {
 }  // namespace
 
 const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw_edge_table, note_of_edge_table, serves_edge_table, 0.42f,
-                           true};
+                           true, nullptr, false, none_yet<EdgeTableInsert>, &active_edges_pane};
 
 }  // namespace zstep::viewer

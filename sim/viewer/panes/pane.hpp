@@ -1,7 +1,7 @@
 // Panes: small functions that draw a part of the window from a Ui. Each lives in a file of its own.
 //
 // A method that lives by another structure (a tree, a list, areas, rays) adds its pane to structure_panes() and says
-// with `serves` for which traces it is shown; nothing else needs to change.
+// with `serves` for which traces it is shown, and with `leads` how much it matters there; nothing else needs to change.
 #pragma once
 
 #include <string>
@@ -19,7 +19,15 @@ struct Pane {
   bool (*serves)(const Header&);///< shown for this trace; nullptr: always
   float share;                  ///< of its row's width, to begin with
   bool scrolls;                 ///< its content may be larger than it is
+  int (*leads)(const Header&) = nullptr;  ///< the two greatest of a trace lead on the stage; nullptr: only when asked to
+  bool wide = false;            ///< has the stage alone when it leads
+  bool (*waits)(const Ui&) = nullptr;  ///< the run has not come to it yet: it is folded to its title
+  const Pane* with = nullptr;          ///< leads together with it
 };
+
+/// A pane that leads with this rank wherever it is shown.
+template <int rank>
+int always(const Header&) { return rank; }
 
 extern const Pane pseudo_code_pane, happened_pane, frame_pane, depth_pane, slice_pane, lesson_pane, depth_error_pane,
     depth_units_pane;
@@ -52,6 +60,17 @@ bool has_step_of(const Header& header) {
     if (step.kind == kind_of<E>) return true;
   return false;
 }
+
+/// No step that records one of these events has run yet. Unknown, and so false, far into a long run.
+template <class... E>
+bool none_yet(const Ui& ui) {
+  for (const StepInfo& step : ui.session.header().page)
+    if (((step.kind == kind_of<E>) || ...) && ui.hits.of(step.id).value_or(1) > 0) return false;
+  return true;
+}
+
+/// A tree and its plan lead, but where what is blended is what matters.
+inline int leads_of_trees(const Header& header) { return has_step_of<ColorBlend>(header) ? 0 : 30; }
 
 /// The exact values of numbers as lines for a tooltip.
 std::vector<std::string> exact_lines(const std::vector<std::pair<std::string, double>>& values);

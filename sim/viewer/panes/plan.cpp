@@ -283,6 +283,6 @@ bool serves_plan(const Header& header) { return has_step_of<NodeMake>(header); }
 
 }  // namespace
 
-const Pane plan_pane{"plan", "PLAN", draw_plan, note_of_plan, serves_plan, 0.35f, false};
+const Pane plan_pane{"plan", "PLAN", draw_plan, note_of_plan, serves_plan, 0.35f, false, leads_of_trees};
 
 }  // namespace zstep::viewer

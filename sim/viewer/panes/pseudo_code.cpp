@@ -62,7 +62,6 @@ void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
 void draw_pseudo_code(Ui& ui) {
   const Page& page = ui.session.header().page;
   if (page.empty()) return say_empty(ui, "This trace has no step table, so there is no pseudo-code to show.");
-  ui.hits.follow(ui.session.trace(), ui.session.position());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const RecordedEvent* event = ui.session.event();
   const float level = indent_of(ui, page);

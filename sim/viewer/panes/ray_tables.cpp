@@ -169,7 +169,7 @@ bool serves_tree(const Header& header) { return has_step_of<RayBegin>(header) &&
 
 }  // namespace
 
-const Pane ray_tests_pane{"ray_tests", "THIS RAY", draw_tests, note_tests, serves_tests, 0.3f, true};
-const Pane ray_tree_pane{"ray_tree", "RAY TREE", draw_tree, note_tree, serves_tree, 0.34f, true};
+const Pane ray_tests_pane{"ray_tests", "THIS RAY", draw_tests, note_tests, serves_tests, 0.3f, true, nullptr, false, none_yet<RayBegin>};
+const Pane ray_tree_pane{"ray_tree", "RAY TREE", draw_tree, note_tree, serves_tree, 0.34f, true, nullptr, false, none_yet<RayBegin>};
 
 }  // namespace zstep::viewer

@@ -74,6 +74,6 @@ bool serves_shadow_buffer(const Header& header) { return has_step_of<ShadowCompa
 }  // namespace
 
 const Pane shadow_buffer_pane{"shadow_buffer", "SHADOW BUFFER", draw_shadow_buffer, note_of_shadow_buffer,
-                              serves_shadow_buffer, 0.5f, false};
+                              serves_shadow_buffer, 0.5f, false, always<15>, false, none_yet<ShadowCompare>};
 
 }  // namespace zstep::viewer

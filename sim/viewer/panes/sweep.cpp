@@ -213,6 +213,6 @@ bool serves_sweep(const Header& header) { return has_step_of<FlagFlip>(header); 
 
 }  // namespace
 
-const Pane sweep_pane{"sweep", "POLYGON TABLE", draw_sweep, note_of_sweep, serves_sweep, 0.42f, false};
+const Pane sweep_pane{"sweep", "POLYGON TABLE", draw_sweep, note_of_sweep, serves_sweep, 0.42f, false, always<15>};
 
 }  // namespace zstep::viewer

@@ -325,7 +325,7 @@ struct StripSizes {
 };
 /// With large letters the strips lie closer.
 StripSizes strip_sizes(const Ui& ui) {
-  return ui.presenter ? StripSizes{std::round(ui.em * 1.1f), std::round(ui.em * 0.35f)}
+  return ui.presenter ? StripSizes{std::round(ui.em), std::round(ui.em * 0.25f)}
                       : StripSizes{std::round(ui.em * 1.25f), std::round(ui.em * 0.55f)};
 }
 

@@ -76,8 +76,6 @@ struct Ui {
   RangeMode range_mode = RangeMode::whole;       ///< of the depth buffer's colours
   DepthRange hand_range;
   bool histogram = false;                        ///< of depths, below the depth buffer
-  bool slice = false;                            ///< depths along a scan line, in place of the scene
-  bool error_charts = false;                     ///< errors of depth and units of the buffer, likewise
   KeptThings<Cells> cells;                       ///< by pane
   KeptThings<ChartPicture> charts;
   KeptThings<Canvas> canvases;                   ///< by what is painted there

@@ -1,0 +1,79 @@
+#include "sim/viewer/panes/workspace.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "traces/error.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// Charts look through all of a run, so they are there only while they lead.
+bool is_chart(const Pane& pane) { return pane.id == depth_error_pane.id || pane.id == depth_units_pane.id; }
+
+std::vector<Pane> usual_leads(const std::vector<Pane>& panes, const Header& header) {
+  const auto rank = [&](const Pane& pane) { return pane.leads ? pane.leads(header) : 0; };
+  std::vector<int> ranks;
+  for (const Pane& pane : panes) ranks.push_back(rank(pane));
+  std::sort(ranks.rbegin(), ranks.rend());
+  const int least = std::max(1, ranks.size() > 1 ? ranks[1] : 1);
+  std::vector<Pane> leads;
+  for (const Pane& pane : panes)
+    if (rank(pane) >= least && leads.size() < 2) leads.push_back(pane);
+  return leads;
+}
+
+const Pane* find(const std::vector<Pane>& panes, const std::string& id) {
+  const auto found = std::find_if(panes.begin(), panes.end(), [&](const Pane& pane) { return pane.id == id; });
+  return found == panes.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::vector<Pane> stage_panes(const Header& header) {
+  std::vector<Pane> panes{frame_pane};
+  if (depth_pane.serves(header)) panes.push_back(depth_pane);
+  for (const Pane& pane : structure_panes(header)) panes.push_back(pane);
+  for (const Pane* pane : {&slice_pane, &depth_error_pane, &depth_units_pane})
+    if (pane->serves(header)) panes.push_back(*pane);
+  return panes;
+}
+
+Workspace workspace(const Header& header, const std::string& lead) {
+  const std::vector<Pane> panes = stage_panes(header);
+  Workspace stage{usual_leads(panes, header), {}};
+  if (const Pane* asked = find(panes, lead)) {
+    const bool alone = asked->wide || find(stage.leading, lead);
+    stage.leading.resize(alone ? 0 : 1, frame_pane);
+    for (const Pane& pane : panes)
+      if (pane.id == lead || lead_together(pane, lead)) stage.leading.push_back(pane);
+  }
+  for (const Pane& pane : panes)
+    if (!is_chart(pane) && !find(stage.leading, pane.id)) stage.small.push_back(pane);
+  return stage;
+}
+
+bool lead_together(const Pane& pane, const std::string& lead) { return pane.with && pane.with->id == lead; }
+
+std::vector<std::string> leads_to_choose(const Header& header) {
+  std::vector<std::string> all{""};
+  for (const Pane& pane : stage_panes(header))
+    if (!pane.with || std::find(all.begin(), all.end(), pane.with->id) == all.end()) all.emplace_back(pane.id);
+  return all;
+}
+
+void check_focus(const Lesson& lesson, const Header& header) {
+  const std::vector<Pane> panes = stage_panes(header);
+  for (const Stop& stop : lesson.stops) {
+    if (stop.focus.empty() || find(panes, stop.focus)) continue;
+    std::vector<std::string> names;
+    for (const Pane& pane : panes) names.emplace_back(pane.id);
+    throw InputError(fmt::format("{}:{}", lesson.path.string(), stop.line),
+                     fmt::format("this run has no pane `{}`", stop.focus),
+                     fmt::format("focus on one of {}", fmt::join(names, ", ")));
+  }
+}
+
+}  // namespace zstep::viewer
