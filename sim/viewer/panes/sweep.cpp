@@ -196,6 +196,7 @@ void draw_sweep(Ui& ui) {
   if (m.pieces.empty())
     return say_empty(ui, "Empty: each polygon that is in view gets a row, with its plane and a flag.");
   if (m.scan_line) draw_strip(ui, *m.scan_line);
+  if (ImGui::GetContentRegionAvail().y < 3 * ui.line()) return;  // no room for its head and two rows
   ImGui::BeginChild("table", ImGui::GetContentRegionAvail(), false,
                     ImGuiWindowFlags_HorizontalScrollbar);  // the strip stays in view
   draw_table(ui);
