@@ -42,9 +42,7 @@ constexpr std::string_view silent = "a program may pass over in silence what it 
                            later = "what a list lacks, or that it is out of order, shows where the list is used",
                            shared = "any point that two pieces share will do",
                            either = "edges at one x may stand either way",
-                           nothing = "whether a span without pixels is spoken of changes nothing",
-                           again = "its tests name both pieces again, and these are right",
-                           meet = "where z extents only meet, rounding decides which pairs are tested";
+                           nothing = "whether a span without pixels is spoken of changes nothing";
 constexpr std::array undetectable{
     Undetectable{"clip_test", alike},
     Undetectable{"color_write", alike},
@@ -54,34 +52,28 @@ constexpr std::array undetectable{
     Undetectable{"edge_swap", later},
     Undetectable{"edge_swap.place", later},
     Undetectable{"edge_table_insert", alike},
-    Undetectable{"edge_table_insert.polygon", "which polygon is drawn is said where its piece begins"},
     Undetectable{"edge_table_skip", alike},
-    Undetectable{"extent_test", meet},
+    Undetectable{"extent_test", alike},
     Undetectable{"horizon_move", alike},
     Undetectable{"horizon_move.upper", alike},
     Undetectable{"horizon_test", alike},
     Undetectable{"line_piece", alike},
-    Undetectable{"list_insert", later},
     Undetectable{"list_remove.piece", alike},
     Undetectable{"outline_vertex", alike},
     Undetectable{"outline_vertex.vertex", alike},
     Undetectable{"overlap_test.x_at", shared},
     Undetectable{"overlap_test.y_at", shared},
-    Undetectable{"pair_begin", alike},
-    Undetectable{"pair_begin.other", again},
-    Undetectable{"pair_begin.piece", again},
+    Undetectable{"pair_begin.other", alike},
     Undetectable{"piece_make", alike},
     Undetectable{"plane_depth", alike},
     Undetectable{"polygon_begin", silent},
     Undetectable{"polygon_begin.facet", "which facet of its polygon is meant shows at its first test"},
     Undetectable{"polygon_reject", silent},
     Undetectable{"saved", alike},
-    Undetectable{"scan_line_begin", silent},
-    Undetectable{"scan_line_begin.y", "a program may begin above the first edge"},
+    Undetectable{"scan_line_begin", alike},
+    Undetectable{"scan_line_begin.y", alike},
     Undetectable{"side_test", alike},
-    Undetectable{"span_begin", alike},
-    Undetectable{"span_begin.left_edge", either},
-    Undetectable{"span_begin.right_edge", either},
+    Undetectable{"span_begin", "one without pixels changes nothing; of two facets' on one line the last is missed"},
     Undetectable{"span_flags", nothing},
     Undetectable{"span_winner", alike},
     Undetectable{"vertex_side", alike},
@@ -237,7 +229,10 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
       }
       ++unnoticed[field].first;
       unnoticed[field].second =
-          fmt::format("{}, at step {} of {}", change_words[static_cast<std::size_t>(how)], at, golden);
+          fmt::format("{}, at step {} of {}, where check names {} and diff {}",
+                      change_words[static_cast<std::size_t>(how)], at, golden,
+                      report.causes.empty() ? "nothing" : fmt::format("step {}", report.causes.front().first.step),
+                      cause ? fmt::format("step {} for {}", cause->first.b, cause->first.a) : "nothing");
     }
   });
   const int named = all.refused + all.by_check + all.by_diff;
@@ -250,7 +245,7 @@ TEST_CASE("law: what is changed anywhere in a golden trace is the first cause, a
     if (reason.empty()) FAIL_CHECK(field << " goes unnoticed: " << which.second);
   }
   CHECK(all.changes >= 50 * changes_a_trace);  // 10,000 without sanitizers
-  CHECK(named >= (test::sparse > 1 ? 0.97 : 0.975) * all.changes);  // of fewer, luck has a larger share
+  CHECK(named >= (test::sparse > 1 ? 0.97 : 0.98) * all.changes);  // of fewer, luck has a larger share
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// To where two runs differ first: what comes before needs no formulas, and what comes after the last difference is not
-// read at all.
+// To where two runs differ first: what comes before needs no formulas, and what comes after the last difference, and
+// does not belong to it, is not read at all.
 #pragma once
 
 #include <cstdint>
@@ -64,7 +64,7 @@ inline std::int64_t step_before(const Alignment& alignment, const Difference& di
 /// A run before the first of its steps that can matter.
 struct BeforeFirst {
   std::int64_t position = 0;
-  std::int64_t last = 0;  ///< the last step that can matter
+  std::int64_t last = 0;  ///< the last step that differs
   State state;
   Identity identity;
 };

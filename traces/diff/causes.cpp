@@ -82,7 +82,8 @@ void find_causes(DiffReport& report, const std::vector<Finding>& in_a, const std
       const Difference& difference = differences[i];
       const std::int32_t root = roots.of(d);
       if ((root != d) != symptoms) continue;
-      if (!symptoms && (may_be_missing(difference) || in_a[i].idle || in_b[i].idle) && !followed[i]) {
+      const bool needed = in_a[i].needed || in_b[i].needed;
+      if (!symptoms && !needed && (may_be_missing(difference) || in_a[i].idle || in_b[i].idle) && !followed[i]) {
         report.kinds[difference.kind].idle_a += difference.only_a();
         report.kinds[difference.kind].idle_b += difference.only_b();
         continue;

@@ -42,6 +42,14 @@ constexpr std::size_t begins() {
   else return 0;
 }
 
+/// What has to be begun for a step, by the same ranks: its scan line, its pair; 0 for nothing.
+template <class E>
+constexpr std::size_t belongs_to() {
+  if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags> || std::is_same_v<E, EdgeEnter>) return 2;
+  else if constexpr (std::is_same_v<E, ExtentTest> || std::is_same_v<E, OverlapTest>) return 1;
+  else return 0;
+}
+
 /// Goes through one of the two runs and follows what is different from step to step.
 class Follow {
  public:
@@ -56,6 +64,7 @@ class Follow {
         at_(formulas::situation_of(trace, run_.state())),
         identity_(before.identity),
         go_on_(go_on),
+        last_(before.last),
         plain_(plain),
         rows_(static_cast<std::size_t>(trace.scene().raster.height)),
         box_margin_(formulas::detail::box_margin(trace.scene())) {
@@ -74,7 +83,7 @@ class Follow {
     at_.look();
     step(position, e);
     run_.apply(position, e);
-    return go_on_(position);
+    return go_on_(position) && (position < last_ || may_be_needed());
   }
   bool operator()(std::int64_t position, const codec::FragmentRun& pixels) { return pass(position, pixels); }
   bool operator()(std::int64_t position, const codec::PaintRun& pixels) { return pass(position, pixels); }
@@ -134,6 +143,7 @@ class Follow {
     const std::int32_t number = next_difference() == position ? own_[next_own_++] : no_difference;
     if constexpr (std::is_same_v<E, PairBegin>) note_pair(e);
     if (number != no_difference) judge(e, number);
+    else if constexpr (belongs_to<E>() != 0) need(scopes_[belongs_to<E>()]);
     const bool by_rounding = number != no_difference && findings_[static_cast<std::size_t>(number)].rounding;
     if (number != no_difference || !different_.empty() || !rounding_.empty())
       for_each_place_written(e, at_, [&](const Place& place) {
@@ -152,6 +162,13 @@ class Follow {
     if (report_.alignment.kinds[kind_of<E>].pairs > 0 || number != no_difference) identity_.take_note_of(e);
   }
 
+  /// Has the last difference begun something that is not over yet?
+  bool may_be_needed() const { return scopes_[1] != no_difference || scopes_[2] != no_difference; }
+  /// A step that both runs have belongs to what only this one begins.
+  void need(std::int32_t begun) {
+    if (begun != no_difference) findings_[static_cast<std::size_t>(begun)].needed = true;
+  }
+
   template <class E>
   void judge(const E& e, std::int32_t number) {
     const formulas::Situation& at = at_;
@@ -168,7 +185,8 @@ class Follow {
       if (const EdgeTableInsert* entry = at.edge(e.edge); entry && (difference.only_a() || difference.only_b()))
         finding.idle = identity_.next_row(e.edge) >= entry->end_row;
     const bool alone = difference.only_a() || difference.only_b();
-    if constexpr (tests_pair<E>()) finding.idle = alone && is_undecided(e);
+    if constexpr (std::is_same_v<E, PairBegin>) finding.idle = alone && undecided_ >= 0;
+    else if constexpr (tests_pair<E>()) finding.idle = alone && is_undecided();
     if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, SpanFlags>)
       finding.idle = alone && e.first > e.last;
     finding.comes_from = reads.from_different;
@@ -207,14 +225,15 @@ class Follow {
            std::is_same_v<E, OverlapTest>;
   }
   /// Where z extents meet but for rounding, other tests are made or left out, with this piece of the list and later ones.
-  template <class E>
-  bool is_undecided(const E&) const {
-    if constexpr (std::is_same_v<E, PairBegin>) return undecided_ >= 0;
-    else return undecided_ >= 0 && at_.method().pair && at_.method().pair->piece == undecided_;
+  /// Of a pair that both runs test, only if it is this pair's own z extents that meet.
+  bool is_undecided() const {
+    const auto& pair = at_.method().pair;
+    return undecided_ >= 0 && pair && pair->piece == undecided_ && (pair_meets_ || scopes_[1] != no_difference);
   }
   void note_pair(const PairBegin& e) {
     const Piece *piece = at_.piece(e.piece), *other = at_.piece(e.other);
     if (undecided_ != e.piece) undecided_ = -1;
+    pair_meets_ = false;
     if (!piece || !other || !piece->extent || !other->extent) return;
     const double z = piece->extent->z_min, z_other = other->extent->z_max;
     const auto equal = [&](double one, double end) {
@@ -222,7 +241,7 @@ class Follow {
              std::abs(one - end) <= report_.precision.absolute;
     };
     const double largest = std::max({std::abs(z), std::abs(z_other), std::abs(piece->extent->z_max)});
-    if (formulas::extents_meet(z, z_other, largest, equal)) undecided_ = e.piece;
+    if (formulas::extents_meet(z, z_other, largest, equal)) undecided_ = e.piece, pair_meets_ = true;
   }
 
   /// By what share the format alone lets the numbers of these fields be off, of the least of them.
@@ -284,6 +303,7 @@ class Follow {
   formulas::Situation at_;
   Identity identity_;
   GoOn go_on_;
+  std::int64_t last_;
   bool plain_;
   std::vector<Elsewhere> alone_;
   std::vector<std::int32_t> own_;  ///< differences by this run's steps
@@ -294,6 +314,7 @@ class Follow {
   std::array<std::int32_t, 4> scopes_{};
   double box_margin_;
   std::int32_t undecided_ = -1;  ///< the piece of the last pair whose z extents met, while it is held against others
+  bool pair_meets_ = false;      ///< those of the pair at work do
 };
 
 }  // namespace
@@ -302,7 +323,7 @@ std::vector<Elsewhere> follow(const Trace& trace, bool of_a, const DiffReport& r
                               const std::vector<Elsewhere>& elsewhere, std::vector<Finding>& findings,
                               const std::function<bool(std::int64_t)>& on_way, Way way) {
   Follow following(trace, of_a, report, before, elsewhere, findings, GoOn(on_way), way == Way::plain);
-  trace.visit(before.position, before.last, following);
+  if (before.position < before.last) trace.visit(before.position, trace.size(), following);
   std::vector<Elsewhere> alone = following.take_alone();
   std::stable_sort(alone.begin(), alone.end(),
                    [](const Elsewhere& one, const Elsewhere& other) { return one.before < other.before; });

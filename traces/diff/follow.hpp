@@ -23,6 +23,8 @@ struct Finding {
   float off = 0;          ///< by rounding: how far its numbers are off, as a share of the larger one, at most
   /// An edge that ends is moved to where it ends, before it is taken out; a span without pixels.
   bool idle = false;
+  /// What follows it belongs to it, or should, and is in both runs: then it may not be missing.
+  bool needed = false;
 };
 
 /// A place that a step of the other run writes, which this run does not have.

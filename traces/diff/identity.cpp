@@ -99,6 +99,7 @@ auto Identity::parts(const E& e) {
     }
   });
   if constexpr (it.either_way) found.add(ends);
+  if constexpr (std::is_same_v<E, ListInsert>) found.add(whole(compares_));
   // An edge moves once to each of its scan lines, and leaves the list before the first one that it does not meet.
   if constexpr (std::is_same_v<E, EdgeStep>) found.add(whole(edges_[e.edge].next_row));
   if constexpr (std::is_same_v<E, EdgeRetire>) {
@@ -173,6 +174,7 @@ void Identity::take_note(const E& e, Key key) {
   if constexpr (std::is_same_v<E, NodeMake>) node_ = name_of(Thing::node, e.node);
   if constexpr (std::is_same_v<E, LineBegin>) curve_ = name_of(Thing::line, e.line);
   if constexpr (std::is_same_v<E, AreaDecide>) polygon_ = trace_->polygon_of_piece(e.piece);
+  if constexpr (std::is_same_v<E, PairBegin>) compares_ = true;
   if constexpr (std::is_same_v<E, EdgeEnter>) edge_enters(e.edge);
   if constexpr (std::is_same_v<E, SpanBegin>) edge_used(e.left_edge, e.y), edge_used(e.right_edge, e.y),
       edges_.edit(e.left_edge).in_span = true, edges_.edit(e.right_edge).in_span = true;

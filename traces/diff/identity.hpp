@@ -102,6 +102,7 @@ class Identity {
   Pass pass_ = Pass::eye;
   Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;
   bool turns_ = true;  ///< polygons are worked on one after another
+  bool compares_ = false;  ///< pieces are compared: what enters the list now was in it before, or is a part
   const Trace* trace_;
 };
 

@@ -58,6 +58,8 @@ void derive(const EdgeTableInsert& e, const Situation& at, Out& out) {
     out.rule(Rule::edge_of_outline, detail::joined_in_outline(at, e.vertex_0, e.vertex_1));
     out.rule(Rule::outline_of_facet, detail::outline_is_whole(at));
   }
+  // Of a piece that is drawn: its outline was given when it was made.
+  if (at.method().piece >= 0) out.is(&EdgeTableInsert::polygon, at.method().polygon);
   const auto ends = detail::ends_of(out, at, e.vertex_0, e.vertex_1);
   if (!ends) return;
   const double y_0 = at.on_raster(e.vertex_0)->y, y_1 = at.on_raster(e.vertex_1)->y;
@@ -214,7 +216,9 @@ void derive(const SpanBegin& e, const Situation& at, Out& out) {
     for (std::size_t i = 0; i + 1 < active.size(); ++i)
       sorted = sorted && (!detail::out_of_order(active, i) || out.equal(active[i].x, active[i + 1].x));
     out.rule(Rule::list_in_order, sorted);
-    if (sorted && !at.method().keeps_all) out.rule(Rule::span_pairs, detail::pair_of_list(active, *left, *right));
+    if (sorted)
+      out.rule(Rule::span_pairs,
+               left != right && (at.method().keeps_all || detail::pair_of_list(active, *left, *right)));
     const Place l{Place::In::active_edge, e.left_edge}, r{Place::In::active_edge, e.right_edge};
     for (const ActiveEdge* one : {left, right}) {
       const EdgeTableInsert* entry = at.edge(one->edge);

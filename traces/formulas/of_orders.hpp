@@ -47,6 +47,13 @@ inline bool paints_over(const Situation& at) {
 inline bool lies_beyond(const TreeNode& parent, std::int32_t node) {
   return parent.eye && node == (parent.eye->front ? parent.back_child : parent.front_child);
 }
+/// Has each piece that was made, and not cut, entered the list?
+inline bool all_in_list(const MethodState& method) {
+  std::int32_t number = 0;
+  for (const Piece& piece : method.pieces)
+    if (!method.list.contains(number++) && !piece.cut) return false;
+  return true;
+}
 /// Is it a piece of this node that was painted last?
 inline bool painted_last(const Situation& at, const TreeNode& node) {
   const auto& drawn = at.method().drawn;
@@ -74,6 +81,8 @@ void derive(const PlaneEquation& e, const Situation& at, Out& out) {
 template <class Out>
 void derive(const SideTest& e, const Situation& at, Out& out) {
   out.rule(Rule::side_is_right, e.least <= e.greatest && detail::may_be(e.side, e.least, e.greatest));
+  // Of pieces in a ring any one may be cut by the plane of any other.
+  if (e.side != Side::crossing) out.rule(Rule::test_of_pair, detail::of_pair(at, e.piece, e.plane_of));
   const Piece *piece = at.piece(e.piece), *plane_of = at.piece(e.plane_of);
   if (!piece || !plane_of || !plane_of->plane || piece->outline.empty()) return;
   out.reads(Place{Place::In::piece, e.plane_of});
@@ -98,6 +107,7 @@ void derive(const SideTest& e, const Situation& at, Out& out) {
 
 template <class Out>
 void derive(const OverlapTest& e, const Situation& at, Out& out) {
+  out.rule(Rule::test_of_pair, detail::of_pair(at, e.piece, e.other));
   const Piece *one = at.piece(e.piece), *other = at.piece(e.other);
   if (!one || !other || !one->extent || !other->extent) return;
   if (!e.overlap) return out.rule(Rule::point_in_both, std::isnan(e.x_at) && std::isnan(e.y_at));
@@ -113,7 +123,17 @@ void derive(const PieceMake& e, const Situation& at, Out& out) {
   else if (at.method().polygon != no_polygon) out.is(&PieceMake::polygon, at.method().polygon);
 }
 template <class Out>
+void derive(const PairBegin& e, const Situation& at, Out& out) {
+  if (!at.records<ListInsert>()) return;
+  const MethodState& method = at.method();
+  const bool first = !method.list.empty() && method.list.begin()->piece == e.piece;
+  out.rule(Rule::pair_in_list, first && e.other != e.piece && method.list.contains(e.other));
+  if (!method.pair && method.drawn.empty()) out.rule(Rule::list_is_whole, detail::all_in_list(method));
+}
+template <class Out>
 void derive(const PieceDraw& e, const Situation& at, Out& out) {
+  if (at.records<ListInsert>() && !at.method().pair && at.method().drawn.empty())
+    out.rule(Rule::list_is_whole, detail::all_in_list(at.method()));
   if (const Piece* piece = at.piece(e.piece)) out.is(&PieceDraw::polygon, piece->polygon);
 }
 

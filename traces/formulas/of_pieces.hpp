@@ -76,6 +76,16 @@ void derive(const VertexSide& e, const Situation& at, Out& out) {
   out.gives(&VertexSide::value, plane_value(plane->a, plane->b, plane->c, plane->d, p.x, p.y, p.z));
 }
 
+namespace detail {
+
+/// Are these the two pieces that the run says it compares now? Where it never says that, any two may be.
+inline bool of_pair(const Situation& at, std::int32_t one, std::int32_t other) {
+  const auto& pair = at.method().pair;
+  return !pair || (pair->piece == one && pair->other == other) || (pair->piece == other && pair->other == one);
+}
+
+}  // namespace detail
+
 /// Do two ends of extents meet but for rounding, which is as large as it is of the largest of the four? Whether such
 /// extents overlap is not said by their numbers.
 template <class Equal>
@@ -85,6 +95,7 @@ bool extents_meet(double end, double other_begin, double largest, Equal&& equal)
 
 template <class Out>
 void derive(const ExtentTest& e, const Situation& at, Out& out) {
+  out.rule(Rule::test_of_pair, detail::of_pair(at, e.piece, e.other));
   const Piece *one = at.piece(e.piece), *other = at.piece(e.other);
   const auto low = [&](const Extent& of) {
     return e.axis == Axis::x ? of.x_min : e.axis == Axis::y ? of.y_min : of.z_min;

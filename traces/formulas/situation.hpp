@@ -82,6 +82,9 @@ enum class Rule : std::uint8_t {
   side_is_right,     ///< a side follows from the values of the plane
   cut_in_edge,       ///< an edge is cut between its ends
   point_in_both,     ///< a point that two pieces share lies in the extents of both
+  test_of_pair,      ///< two pieces are tested as the pair at work
+  pair_in_list,      ///< a pair is the first piece of the list and another one in it
+  list_is_whole,     ///< the list has all pieces before they are compared or drawn
   flip_own_edge,     ///< the flag that flips at an edge is its own polygon's
   winner_inside,     ///< only a piece whose flag is true is seen
   share_of_pixel,    ///< shares of a pixel are from 0 to 1
