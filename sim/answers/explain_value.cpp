@@ -117,6 +117,9 @@ Chain explain_value(const Trace& trace, Replay& replay, const Question& question
   Work work(trace, replay);
   if (place->step > 0) {
     work.field(place->step, place->field);
+    if (question.pixel && !question.light)
+      if (const Step shade = step_of_shade(trace, std::min(question.at, trace.size()), *question.pixel))
+        for (const char* channel : {"r8", "g8", "b8"}) work.also(*shade, channel);
   } else {
     work.world(*question.vertex, place->field[0] == 'x' ? Axis3::x : place->field[0] == 'y' ? Axis3::y : Axis3::z);
   }

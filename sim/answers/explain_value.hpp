@@ -22,7 +22,8 @@ struct Question {
   std::vector<std::uint8_t> kinds = {};   ///< of the last step of one of these kinds …
   std::vector<std::pair<std::string, std::int32_t>> where = {};  ///< … whose other fields have these values …
   std::optional<double> value = {};       ///< … and whose field has this one
-  std::optional<Trace::Pixel> pixel = {}; ///< the depth of this pixel; of the light's picture with `light`
+  /// The depth of this pixel, and where its attribute shades it, its colour; of the light's picture with `light`.
+  std::optional<Trace::Pixel> pixel = {};
   bool light = false;
   std::optional<std::int32_t> vertex =
       {};  ///< a coordinate of this vertex: x_w, y_w, z_w in the world, else a field of its steps

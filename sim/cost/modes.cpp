@@ -78,6 +78,7 @@ ModeErrors errors_of_mode(const Scene& scene, const Mode& mode) {
   }
   if (bounds.of_attribute.empty()) return errors;
   errors.attribute = oracle::attribute_errors_of(trace);
+  errors.attribute_operations = attribute_operations_of(trace);
   for (std::size_t pixel = 0; pixel < bounds.of_attribute.size(); ++pixel) {
     const double off = errors.attribute.rounding_of_pixel[pixel];
     if (std::isnan(off)) continue;

@@ -38,6 +38,7 @@ struct ModeErrors {
   double unit_at_gap = 0;           ///< how far apart in z_v two neighbouring numbers of the buffer are there
   Operations operations;
   oracle::AttributeErrors attribute;     ///< where one is interpolated
+  Operations attribute_operations;       ///< and what that costs beyond the depths
   double attribute_bound = 0;            ///< what theory bounds its rounding by: the largest of all pixels
   bool attributes_within_bounds = true;  ///< each is as near to its exact one as its own bound says
 };

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "traces/formulas/attributes.hpp"
 #include "traces/formulas/of_edges.hpp"
 #include "traces/formulas/of_pixels.hpp"
 #include "traces/formulas/walk.hpp"
@@ -38,6 +39,13 @@ Counted operator/(const Counted& a, const Counted& b) { return made(a.value / b.
 Counted floor(const Counted& a) { return {std::floor(a.value)}; }  // rounding is no arithmetic
 Counted ceil(const Counted& a) { return {std::ceil(a.value)}; }
 
+/// So many times what this cost.
+void add(Operations& all, const Counted& made, std::int64_t times = 1) {
+  all.additions += times * made.cost.additions;
+  all.multiplications += times * made.cost.multiplications;
+  all.divisions += times * made.cost.divisions;
+}
+
 /// Takes what the formulas of one event give.
 template <class E>
 struct Counter {
@@ -53,9 +61,7 @@ struct Counter {
   void gives(double E::*member, const Number& formula) {
     if constexpr (std::is_same_v<E, SpanBegin> || std::is_same_v<E, EdgeTableInsert>)
       if (!adds && is_slope(member)) return;
-    all.additions += formula.cost.additions;
-    all.multiplications += formula.cost.multiplications;
-    all.divisions += formula.cost.divisions;
+    add(all, formula);
   }
   void whole(std::int32_t E::*, const Number&, std::int32_t) {}
   template <class Value>
@@ -77,6 +83,32 @@ constexpr bool interpolates = std::is_same_v<E, EdgeTableInsert> || std::is_same
                               std::is_same_v<E, SpanBegin> || std::is_same_v<E, PlaneSlopes> ||
                               std::is_same_v<E, DepthInterpolate>;
 
+/// What an attribute costs: the same at every vertex, on every edge, at every pixel.
+struct AttributeCosts {
+  Operations of_span, of_pixel, of_narrow_pixel;  ///< narrow: the span's two ends are one place
+
+  explicit AttributeCosts(bool divides) {
+    using formulas::OverDepth;
+    const Counted known(1);  // whatever was computed before costs nothing here
+    const OverDepth<Counted> one{known, known};
+    const auto add_pair = [&](Operations& all, const OverDepth<Counted>& pair, std::int64_t times) {
+      add(all, pair.over_z, times);
+      if (divides) add(all, pair.one_over_z, times);
+    };
+    if (divides) add_pair(of_span, formulas::over_depth(known, known), 2 * 2);  // two vertices of each of two edges
+    const OverDepth<Counted> on_line = formulas::on_line(one, one, known, known, known);
+    add_pair(of_span, on_line, 2);
+    if (divides) add(of_narrow_pixel, known / known);
+    of_pixel = of_narrow_pixel;
+    add_pair(of_pixel, on_line, 1);
+  }
+};
+void add(Operations& all, const Operations& more) {
+  all.additions += more.additions;
+  all.multiplications += more.multiplications;
+  all.divisions += more.divisions;
+}
+
 }  // namespace
 
 Operations operations_of(const Trace& trace) {
@@ -93,6 +125,23 @@ Operations operations_of(const Trace& trace) {
         return true;
       },
       [](std::int64_t, const Impossible&) {});
+  return all;
+}
+
+Operations attribute_operations_of(const Trace& trace) {
+  Operations all;
+  const AttributeCosts costs(formulas::attribute_over_depth(trace.scene(), trace.header().conventions));
+  bool narrow = false;
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    if (const auto* span = get_if<SpanBegin>(&recorded.event)) {
+      narrow = span->x_left == span->x_right;
+      add(all, costs.of_span);
+    } else if (holds<AttributeInterpolate>(recorded.event)) {
+      ++all.pixels;
+      add(all, narrow ? costs.of_narrow_pixel : costs.of_pixel);
+    }
+    return true;
+  });
   return all;
 }
 

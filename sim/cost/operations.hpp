@@ -20,4 +20,8 @@ struct Operations {
 /// counted where it is added.
 Operations operations_of(const Trace& trace);
 
+/// Of an attribute: of the vertices at the ends of a span's edges, of both edges on its scan line, and of its pixels
+/// that are shaded, which `pixels` counts. Without a division by z_v there is no 1/z_v to be interpolated either.
+Operations attribute_operations_of(const Trace& trace);
+
 }  // namespace zstep::compare

@@ -137,8 +137,8 @@ std::vector<std::string> real_fields_in(const Event& event) {
 
 std::string main_field(const Event& event) {
   const std::vector<Described> fields = described_fields(event);
-  for (const char* wanted : {"z", "t", "y_curve", "value", "x_edge", "z_left", "distance", "z_light", "view_dot_normal",
-                             "t_enter", "nearer"})
+  for (const char* wanted : {"attribute", "z", "t", "y_curve", "value", "x_edge", "z_left", "distance", "z_light",
+                             "view_dot_normal", "t_enter", "nearer"})
     for (const Described& field : fields)
       if (field.name == wanted) return wanted;
   for (const Described& field : fields)

@@ -155,4 +155,15 @@ Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool
   return found;
 }
 
+Step step_of_shade(const Trace& trace, std::int64_t at, Trace::Pixel pixel) {
+  if (!trace.has(kind_of<AttributeInterpolate>)) return std::nullopt;
+  return trace.previous(
+      at + 1,
+      [&](const RecordedEvent& recorded) {
+        const auto* write = get_if<ColorWrite>(&recorded.event);
+        return write && write->x == pixel.x && write->y == pixel.y;
+      },
+      pixel);
+}
+
 }  // namespace zstep::answers

@@ -57,6 +57,9 @@ Step step_of_plane(const MethodState& machine, std::int32_t piece);
 /// picture.
 Step step_of_depth(const Trace& trace, std::int64_t at, Trace::Pixel pixel, bool light);
 
+/// The last step at or before `at` that shaded a pixel by its polygon's attribute.
+Step step_of_shade(const Trace& trace, std::int64_t at, Trace::Pixel pixel);
+
 /// Where work on the polygon or the piece at `at` began; 1 if nothing says so.
 std::int64_t begin_of_work(const Trace& trace, const MethodState& machine, std::int64_t at);
 

@@ -146,6 +146,8 @@ void Work::later(std::int64_t step, std::string_view name, const std::string& sy
   if (step >= 1) later_.push_back({step, std::string(name), symbol, current_});
 }
 
+void Work::also(std::int64_t step, std::string_view name) { later_.push_back({step, std::string(name), "", 0}); }
+
 void Work::run_later() {
   while (!later_.empty()) {
     const Later next = std::move(later_.front());

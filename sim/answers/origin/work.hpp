@@ -142,6 +142,8 @@ class Work {
   /// symbol of the link at work.
   void later(std::int64_t step, std::string_view name, const std::string& symbol = "");
   void run_later();
+  /// Another number of what was asked about, below it and told once all else is.
+  void also(std::int64_t step, std::string_view name);
 
   // --- What many numbers come from (vertices.cpp, operands.cpp, planes.cpp)
 

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "algorithms/interpolation/interpolation.hpp"
 #include "algorithms/scene/load.hpp"
 #include "tests/where.hpp"
 
@@ -80,6 +81,31 @@ TEST_CASE("operations: a direct depth takes 4 additions, a multiplication and a 
   const ModeErrors added = errors_of_mode(scene, adds);
   CHECK(added.operations.multiplications == 2 * 2 + 10);  // the edges' beginnings, and the first pixel of each span
   CHECK(added.operations.divisions == 2 * 2 + 2 * 2 + 10 + 10);  // and the slopes of edges and spans
+}
+
+TEST_CASE("operations: a perspective-correct attribute interpolates two numbers, and divides once more at each pixel") {
+  const Scene scene = look_at_scene(load_scene(test::in_checkout("lessons/scenes/receding.toml")).scene, {});
+  Mode mode = mode_of(NumberFormat::float64);
+  for (const auto attribute : {Conventions::Attribute::linear, Conventions::Attribute::perspective}) {
+    const bool divides = attribute == Conventions::Attribute::perspective;
+    CAPTURE(divides);
+    mode.conventions.attribute = attribute;
+    const Operations cost = errors_of_mode(scene, mode).attribute_operations;
+    CollectRecorder record;
+    interpolation::run(scene, mode.conventions, record);
+    const auto spans = static_cast<std::int64_t>(record.all<SpanBegin>().size()),
+               pixels = static_cast<std::int64_t>(record.all<AttributeInterpolate>().size());
+    const std::int64_t numbers = divides ? 2 : 1;  // a, or a/z_v and 1/z_v
+    CHECK(cost.pixels == pixels);
+    CHECK(pixels > 100);
+    // On both edges of a span and at each pixel a number takes what a depth does.
+    const std::int64_t on_lines = numbers * (2 * spans + pixels);
+    CHECK(cost.multiplications == on_lines);
+    CHECK(cost.additions == 4 * on_lines);
+    CHECK(cost.divisions == on_lines + (divides ? 2 * 4 * spans + pixels : 0));
+  }
+  mode.conventions.attribute = Conventions::Attribute::none;
+  CHECK(errors_of_mode(scene, mode).attribute_operations.pixels == 0);
 }
 
 }  // namespace
