@@ -12,6 +12,7 @@
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/watch.hpp"
+#include "sim/cli/words.hpp"
 #include "sim/image/file.hpp"
 #include "sim/pages/pictures.hpp"
 #include "traces/error.hpp"
@@ -39,6 +40,12 @@ struct BothRuns {
   }
 };
 
+std::string not_followed_text(const diff::DiffReport& report) {
+  return fmt::format("the runs differ in many steps: causes were looked for among the first {}, {} more were counted",
+                     grouped(static_cast<std::int64_t>(report.alignment.differences.size())),
+                     grouped(report.alignment.not_kept));
+}
+
 int runs(const DiffOptions& options) {
   const BothRuns both(options.a, options.b, cost_of(options.view, options.show));
   const Trace &a = both.a, &b = both.b;
@@ -56,6 +63,7 @@ int runs(const DiffOptions& options) {
   DiffText text = diff_text(a, b, options, report, pictures.difference);
   for (const std::string& impossible : {impossible_a, impossible_b})
     if (!impossible.empty()) text.notes.push_back("compared up to a step that is impossible: " + impossible);
+  if (report.alignment.not_kept > 0) text.notes.push_back(not_followed_text(report));
   if (!options.page.empty()) {
     PicturePair drawn = pictures;
     drawn.a = image_of(picture_a, a.scene(), 1);
@@ -71,7 +79,11 @@ int runs(const DiffOptions& options) {
   }
   if (!report.alignment.complete) {
     complain_incomplete(
-        "the runs differ too often, or do too much in another order: only their beginnings were compared");
+        "the runs do too much in another order: only their beginnings were compared");
+    return exit_code::incomplete;
+  }
+  if (report.alignment.not_kept > 0) {
+    complain_incomplete(not_followed_text(report));
     return exit_code::incomplete;
   }
   const bool same = impossible_a.empty() && impossible_b.empty() && report.differences() == 0 &&

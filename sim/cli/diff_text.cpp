@@ -85,12 +85,14 @@ void print_side(const char* name, const CauseSide& side) {
 }
 
 void print_table(const DiffReport& report) {
-  fmt::print("{:<20} {:>11} {:>9} {:>9} {:>9} {:>9}\n", "steps", "same", "rounding", "different", "only A", "only B");
+  const bool counted_only = report.alignment.not_kept > 0;
+  fmt::print("{:<20} {:>11} {:>9} {:>9} {:>9} {:>9}{}\n", "steps", "same", "rounding", "different", "only A", "only B",
+             counted_only ? fmt::format(" {:>12}", "not followed") : "");
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     const diff::KindDifference& row = report.kinds[kind];
-    if (row.same + row.rounding + row.different + row.only_a + row.only_b == 0) continue;
-    fmt::print("{:<20} {:>11} {:>9} {:>9} {:>9} {:>9}\n", kind_name(kind), row.same, row.rounding, row.different,
-               row.only_a, row.only_b);
+    if (row.same + row.rounding + row.different + row.only_a + row.only_b + row.not_followed == 0) continue;
+    fmt::print("{:<20} {:>11} {:>9} {:>9} {:>9} {:>9}{}\n", kind_name(kind), row.same, row.rounding, row.different,
+               row.only_a, row.only_b, counted_only ? fmt::format(" {:>12}", row.not_followed) : "");
   }
 }
 
@@ -187,18 +189,19 @@ void print_diff_json(const DiffText& text, const DiffReport& report, const diff:
   }
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     const diff::KindDifference& row = report.kinds[kind];
-    if (row.same + row.rounding + row.different + row.only_a + row.only_b == 0) continue;
+    if (row.same + row.rounding + row.different + row.only_a + row.only_b + row.not_followed == 0) continue;
     kinds[kind_name(kind)] = Json{{"same", row.same},
                                   {"rounding", row.rounding},
                                   {"different", row.different},
                                   {"only_a", row.only_a},
-                                  {"only_b", row.only_b}};
+                                  {"only_b", row.only_b},
+                                  {"not_followed", row.not_followed}};
   }
   const Json all{{"a", text.name_a},
                  {"b", text.name_b},
                  {"notes", text.notes},
                  {"format", report.precision.text},
-                 {"complete", report.alignment.complete},
+                 {"complete", report.alignment.complete && report.alignment.not_kept == 0},
                  {"differences", report.differences()},
                  {"causes_in_all", report.causes.size()},
                  {"causes", causes},

@@ -39,8 +39,10 @@ Both recorded_by_both(const Trace& a, const Trace& b) {
 
 class Aligner {
  public:
-  Aligner(const Trace& a, const Trace& b, bool plain)
-      : both_(recorded_by_both(a, b)), a_(a, both_), b_(b, both_), in_step_(a_, b_, found_, plain), plain_(plain) {}
+  Aligner(const Trace& a, const Trace& b, bool plain, std::size_t keeps)
+      : both_(recorded_by_both(a, b)), a_(a, both_), b_(b, both_), in_step_(a_, b_, found_, plain), plain_(plain) {
+    found_.keeps = keeps;
+  }
 
   /// In step as far as that goes; then each step by what it is about, until the runs are in step again. Which steps are
   /// pairs does not hang on that: of steps about the same, the first is the partner of the first, and so on.
@@ -62,8 +64,7 @@ class Aligner {
     const double all = static_cast<double>(std::max<std::int64_t>(a_.trace.size() + b_.trace.size(), 1));
     bool turn_of_a = true;
     for (std::int64_t round = 1;; ++round) {
-      const bool too_many = a_.waiting.size() + b_.waiting.size() > most_waiting ||
-                            found_.differences.size() > most_differences;
+      const bool too_many = a_.waiting.size() + b_.waiting.size() > most_waiting;
       if (too_many || (round % 16384 == 0 && on_way &&
                        on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all)))
         return found_.complete = false;
@@ -107,7 +108,7 @@ class Aligner {
         },
         a.event.event);
     if (parted.fields != 0)
-      found_.differences.push_back({a.position, b.position, parted.fields, kind, b.event.step, parted.off});
+      found_.differs({a.position, b.position, parted.fields, kind, b.event.step, parted.off});
     else ++count.equal;
   }
 
@@ -117,7 +118,7 @@ class Aligner {
   }
   void only(std::int64_t a, std::int64_t b, const Keyed& step) {
     const auto kind = static_cast<std::uint8_t>(step.event.event.index());
-    found_.differences.push_back({a, b, 0, kind, step.event.step, 0});
+    found_.differs({a, b, 0, kind, step.event.step, 0});
     ++(a != 0 ? found_.kinds[kind].only_a : found_.kinds[kind].only_b);
   }
 
@@ -136,17 +137,24 @@ class Aligner {
     found_.by_a = found_.by_b;
     std::sort(found_.by_a.begin(), found_.by_a.end(),
               [](const auto& one, const auto& other) { return one.a < other.a; });
-    std::vector<std::pair<std::int64_t, Difference>> placed;
-    placed.reserve(found_.differences.size());
-    for (const Difference& difference : found_.differences)
-      placed.emplace_back(difference.only_a() ? found_.before_in_b(difference.a) : difference.b, difference);
-    std::sort(placed.begin(), placed.end(), [](const auto& one, const auto& other) {
+    // Most runs that differ often do so in step, and their differences are in order already.
+    std::vector<Difference>& differences = found_.differences;
+    const auto place_of = [&](const Difference& one) { return one.only_a() ? found_.before_in_b(one.a) : one.b; };
+    const auto earlier = [](const auto& one, const auto& other) {
       const auto order = [](const auto& place) {
         return std::tuple(place.first, place.second.only_a(), place.second.a);
       };
       return order(one) < order(other);
-    });
-    for (std::size_t i = 0; i < placed.size(); ++i) found_.differences[i] = placed[i].second;
+    };
+    if (std::is_sorted(differences.begin(), differences.end(), [&](const Difference& one, const Difference& other) {
+          return earlier(std::pair(place_of(one), one), std::pair(place_of(other), other));
+        }))
+      return std::move(found_);
+    std::vector<std::pair<std::int64_t, Difference>> placed;
+    placed.reserve(differences.size());
+    for (const Difference& difference : differences) placed.emplace_back(place_of(difference), difference);
+    std::sort(placed.begin(), placed.end(), earlier);
+    for (std::size_t i = 0; i < placed.size(); ++i) differences[i] = placed[i].second;
     return std::move(found_);
   }
 
@@ -182,6 +190,12 @@ std::int64_t partner_before(const std::vector<Match>& matches, std::int64_t step
 
 }  // namespace
 
+void Alignment::differs(const Difference& difference) {
+  if (differences.size() < keeps) return differences.push_back(difference);
+  ++not_kept;
+  if (!difference.only_a() && !difference.only_b()) ++kinds[difference.kind].not_kept;
+}
+
 std::int64_t Alignment::in_b(std::int64_t step) const { return partner<&Match::a, &Match::b>(by_a, step); }
 std::int64_t Alignment::in_a(std::int64_t step) const { return partner<&Match::b, &Match::a>(by_b, step); }
 std::int64_t Alignment::before_in_b(std::int64_t step) const {
@@ -191,8 +205,9 @@ std::int64_t Alignment::before_in_a(std::int64_t step) const {
   return partner_before<&Match::b, &Match::a>(by_b, step);
 }
 
-Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way) {
-  return Aligner(a, b, way == Way::plain).run(on_way);
+Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way,
+                std::size_t keeps) {
+  return Aligner(a, b, way == Way::plain, keeps).run(on_way);
 }
 
 }  // namespace zstep::diff

@@ -28,14 +28,23 @@ struct Match {
 /// How many steps of a kind.
 struct KindCount {
   std::int64_t pairs = 0, equal = 0, only_a = 0, only_b = 0;
+  std::int64_t not_kept = 0;  ///< pairs that differ, beyond as many as are kept
 };
+
+/// So many differences are kept, the first that are found: until their causes are known each takes about 100 bytes.
+inline constexpr std::size_t most_differences = 4'000'000;
 
 struct Alignment {
   std::vector<Match> by_a, by_b;            ///< the same, ordered by one run's steps and by the other's
   std::vector<Difference> differences;      ///< by the steps of B; what B does not have stands where it would have been
   std::array<KindCount, kind_count> kinds;  ///< of the kinds that both runs record
+  std::size_t keeps = most_differences;
+  std::int64_t not_kept = 0;                ///< differences beyond those, which are only counted
   bool identical = false;                   ///< byte for byte
   bool complete = true;                     ///< false where it ended at a limit, or was told to
+
+  /// Takes note of a difference.
+  void differs(const Difference& difference);
 
   /// The other run's step for one's own; 0 where there is none.
   std::int64_t in_b(std::int64_t a) const;
@@ -51,6 +60,6 @@ enum class Way : std::uint8_t { fast, plain };
 /// Matches the steps of two runs by what they are about: steps may be missing, additional or in another order. Kinds
 /// that one of them never records are left out. `on_way` is called now and then with the share done; true ends it.
 Alignment align(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
-                Way way = Way::fast);
+                Way way = Way::fast, std::size_t keeps = most_differences);
 
 }  // namespace zstep::diff

@@ -15,13 +15,13 @@ std::int64_t DiffReport::differences() const {
 }
 
 DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way, Way way,
-                   const HeldTo& held) {
+                   const HeldTo& held, std::size_t keeps) {
   DiffReport report;
   bool told_to_end = false;
   const auto part_of = [&](double from, double share) {
     return [&, from, share](double done) { return on_way && (told_to_end = on_way(from + share * done)); };
   };
-  report.alignment = align(a, b, part_of(0, 0.5), way);
+  report.alignment = align(a, b, part_of(0, 0.5), way, keeps);
   const Precision of_a = precision_of(a, held), of_b = precision_of(b, held);
   const bool a_coarser = of_a.relative > of_b.relative || of_a.absolute > of_b.absolute;
   report.precision = a_coarser ? of_a : of_b;
@@ -29,7 +29,7 @@ DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(doub
   report.precision.absolute = std::max(of_a.absolute, of_b.absolute);
   for (std::size_t kind = 0; kind < kind_count; ++kind) {
     const KindCount& count = report.alignment.kinds[kind];
-    report.kinds[kind] = {count.equal, 0, 0, count.only_a, count.only_b};
+    report.kinds[kind] = {count.equal, 0, 0, count.only_a, count.only_b, 0, 0, count.not_kept};
   }
   if (report.alignment.differences.empty()) {
     find_wrong_order(b, report);

@@ -39,6 +39,7 @@ struct Cause {
 struct KindDifference {
   std::int64_t same = 0, rounding = 0, different = 0, only_a = 0, only_b = 0;
   std::int64_t idle_a = 0, idle_b = 0;  ///< of the last two: steps that right programs do or leave out, as they like
+  std::int64_t not_followed = 0;  ///< in both runs and not the same, beyond as many as causes are looked for
 };
 
 struct DiffReport {
@@ -50,8 +51,8 @@ struct DiffReport {
 };
 
 /// Compares two runs. `on_way` is called now and then with the share done; if it returns true, the report is partial.
-/// Numbers are held to what precision_of() is told.
+/// Numbers are held to what precision_of() is told. Causes are looked for among the first differences, `keeps` of them.
 DiffReport compare(const Trace& a, const Trace& b, const std::function<bool(double)>& on_way = nullptr,
-                   Way way = Way::fast, const HeldTo& held = {});
+                   Way way = Way::fast, const HeldTo& held = {}, std::size_t keeps = most_differences);
 
 }  // namespace zstep::diff

@@ -85,7 +85,6 @@ bool InStep::go_on(const std::function<bool(double)>& on_way) {
     if (round % now_and_then == 0 && on_way &&
         on_way(static_cast<double>(a_.steps.read() + b_.steps.read()) / all))
       return false;
-    if (found_.differences.size() > most_differences) return true;
     if (pass_equal_block()) continue;
     if (!along()) return true;
   }
@@ -236,8 +235,7 @@ bool InStep::step_along() {
   count<E>(1, parted.fields == 0 ? 1 : 0);
   const std::int64_t at_a = a_.steps.position(), at_b = b_.steps.position();
   extend(found_.by_b, at_a, at_b, 1);
-  if (parted.fields != 0)
-    found_.differences.push_back({at_a, at_b, parted.fields, kind_of<E>, b_.steps.line(), parted.off});
+  if (parted.fields != 0) found_.differs({at_a, at_b, parted.fields, kind_of<E>, b_.steps.line(), parted.off});
   a_.steps.skip(), b_.steps.skip();
   return true;
 }

@@ -13,9 +13,6 @@
 
 namespace zstep::diff {
 
-/// Beyond so many differences the comparison ends.
-inline constexpr std::size_t most_differences = 20'000'000;
-
 /// Polygons that were begun. Who works scan line by scan line comes back to them.
 class Begun {
  public:

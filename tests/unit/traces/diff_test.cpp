@@ -237,6 +237,42 @@ TEST_CASE("diff: going along with both runs finds what matching every step for i
   CHECK(apart > runs);
 }
 
+TEST_CASE("diff: of many differences the first are followed, and the others are counted") {
+  ViewOptions view;
+  view.width = 48, view.height = 40;
+  const Scene scene = look_at_scene(load_scene("pyramid-behind").scene, view);
+  Conventions adds;
+  adds.interpolation = Conventions::Interpolation::increments;
+  const Trace direct = test::recorded_by("z-buffer", scene, {}), added = test::recorded_by("z-buffer", scene, adds);
+  const auto compared = [&](std::size_t keeps) {
+    return diff::compare(direct, added, nullptr, diff::Way::fast, {}, keeps);
+  };
+  const diff::DiffReport all = compared(diff::most_differences);
+  const std::size_t count = all.alignment.differences.size();
+  REQUIRE(count > 100);
+  CHECK(all.alignment.not_kept == 0);
+  for (const std::size_t keeps : {std::size_t{1}, std::size_t{10}, count - 1}) {
+    CAPTURE(keeps);
+    const diff::DiffReport few = compared(keeps);
+    REQUIRE(few.alignment.differences.size() == keeps);
+    CHECK(few.alignment.complete);
+    CHECK(few.alignment.not_kept == static_cast<std::int64_t>(count - keeps));
+    for (std::size_t i = 0; i < keeps; ++i) {
+      CHECK(few.alignment.differences[i].a == all.alignment.differences[i].a);
+      CHECK(few.alignment.differences[i].b == all.alignment.differences[i].b);
+    }
+    REQUIRE(!few.causes.empty());
+    CHECK(few.causes.front().first.b == all.causes.front().first.b);
+    for (std::size_t kind = 0; kind < kind_count; ++kind) {
+      const diff::KindDifference &one = few.kinds[kind], &other = all.kinds[kind];
+      CHECK(one.same == other.same);
+      CHECK(one.only_a == other.only_a);
+      CHECK(one.only_b == other.only_b);
+      CHECK(one.rounding + one.different + one.not_followed == other.rounding + other.different);
+    }
+  }
+}
+
 TEST_CASE("diff: pictures part where a depth or a colour does, and rounding is told apart") {
   Scene scene;
   scene.polygons.resize(2);
