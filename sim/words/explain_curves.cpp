@@ -112,9 +112,9 @@ void tell(Telling& t, const HorizonTest& e) {
   else if (one)
     t.say(fmt::format("On column {} the curve, {}, is not above the horizon, {}: hidden, by this rule.", e.x,
                       row_of(over), row_of(upper)));
-  else
+  else  // the more digits of its row tell it from both
     t.say(fmt::format("On column {} the curve, {}, lies between the horizons, rows {} and {}: hidden.", e.x,
-                      row_of(over), upper, lower));
+                      row_of(over.size() < under.size() ? under : over), upper, lower));
   tell_y(t, e, now);
   tell_test(t, "\u2264", "upper", now.y, now.upper, above);
   if (!one && !above) tell_test(t, "\u2265", "lower", now.y, now.lower, below);

@@ -1,12 +1,17 @@
 // The sentences of the floating horizon, on the run of its lesson.
+#include <cmath>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+#include "tests/unit/sim/answers/altered_runs.hpp"
 #include "tests/where.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/record/trace_recorder.hpp"
@@ -144,4 +149,78 @@ TEST_CASE("floating horizon: what moves a horizon, and from where") {
   const Explanation side =
       told<CurveSegment>(trace, [](const CurveSegment& s) { return s.vertex_1 - s.vertex_0 == 8; });
   CHECK(has(side.sentence, "The surface goes on between its curves, here from sample 0 at"));
+}
+
+namespace {
+
+/// Where a test's column got its horizon from; nothing where that is still the beginning's.
+std::optional<std::int64_t> moved_before(const Trace& run, std::int64_t test, bool upper) {
+  const std::int32_t x = get<HorizonTest>(run.event(test).event).x;
+  return run.previous<HorizonMove>(test, [&](const HorizonMove& e) { return e.x == x && e.upper == upper; });
+}
+
+/// The run with a horizon that a test found moved to `entry`, and the verdict that follows.
+std::optional<Trace> with_horizon(const Trace& right, std::int64_t test, bool upper, double entry) {
+  const auto moved = moved_before(right, test, upper), other = moved_before(right, test, !upper);
+  if (!moved || !other) return std::nullopt;
+  const double beside = get<HorizonMove>(right.event(*other).event).y_curve;
+  if (!std::isfinite(beside)) return std::nullopt;  // nothing was drawn there yet
+  return test::changed(right, [&](std::int64_t step, Event& event) {
+    if (step == *moved) get_if<HorizonMove>(&event)->y_curve = entry;
+    if (step != test) return true;
+    auto* e = get_if<HorizonTest>(&event);
+    const double above = upper ? entry : beside, below = upper ? beside : entry;
+    e->verdict = e->y_curve <= above ? Horizon::above : e->y_curve >= below ? Horizon::below : Horizon::hidden;
+    return true;
+  });
+}
+
+/// The numbers behind the word "row" or "rows", in their order.
+std::vector<double> rows_in(const std::string& sentence) {
+  std::vector<double> rows;
+  for (const auto& [at, size] : numbers_in(sentence)) {
+    const std::string before = sentence.substr(0, at), number = sentence.substr(at, size);
+    if (!before.ends_with("row ") && !before.ends_with("rows ") && !(rows.size() == 2 && before.ends_with(" and ")))
+      continue;
+    const std::string minus = "\u2212";
+    rows.push_back(number.starts_with(minus) ? -std::stod(number.substr(minus.size())) : std::stod(number));
+  }
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("law: however near a curve comes to a horizon, the sentence has rows of which it is true") {
+  const Trace right = horizon_run();
+  int sentences = 0, between = 0;
+  const auto any = [](const auto&) { return true; };
+  for (auto step = right.next<HorizonTest>(0, any); step; step = right.next<HorizonTest>(*step, any)) {
+    const double y = get<HorizonTest>(right.event(*step).event).y_curve;
+    for (const bool upper : {true, false})
+      for (int digits = 2; digits <= 12; digits += 2)
+        for (const double sign : {-1.0, 0.0, 1.0}) {
+          const double entry = y + sign * std::pow(10.0, -digits);
+          const auto wrong = with_horizon(right, *step, upper, entry);
+          if (!wrong) continue;
+          Replay replay(*wrong);
+          replay.go_to(*step);
+          const std::string sentence = explain(*wrong, replay.state(), *replay.current()).sentence;
+          CAPTURE(sentence);
+          CAPTURE(entry);
+          const std::vector<double> rows = rows_in(sentence);
+          REQUIRE(rows.size() >= 2);
+          ++sentences;
+          if (has(sentence, "above the upper")) CHECK(rows[0] < rows[1]);
+          else if (has(sentence, "below the lower")) CHECK(rows[0] > rows[1]);
+          else if (has(sentence, "is on the")) CHECK(rows[0] == rows[1]);
+          else if (has(sentence, "between")) {
+            REQUIRE(rows.size() == 3);
+            ++between;
+            CHECK(rows[1] < rows[0]);
+            CHECK(rows[0] < rows[2]);
+          }
+        }
+  }
+  CHECK(sentences > 200);
+  CHECK(between > 20);
 }
