@@ -146,6 +146,8 @@ std::vector<std::string> new_homework(const std::string& method, const fs::path&
   std::vector<std::string> written;
   try {
     fs::copy(*found, partial, fs::copy_options::recursive);
+    if (fs::is_directory(partial / "class"))  // its programs differ, what makes them does not
+      fs::copy(found->parent_path() / "make_class.py", partial / "class");
     refresh_homework(partial);
     fs::remove(folder, ignored);  // an empty one
     fs::rename(partial, folder);

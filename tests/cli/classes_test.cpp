@@ -100,6 +100,34 @@ const FirstSteps horizon_steps{
     {"crashes", {"move"}},
 };
 
+const FirstSteps ray_steps{
+    {"nearest_by_index", {"hit"}},
+    {"negative_t", {"hit"}},
+    {"other-d_sign", {"plane"}},
+    {"other-d_forgotten", {"plane"}},
+    {"other-numerator_sign", {"plane"}},
+    {"other-fraction_turned", {"plane"}},
+    {"other-normal_of_two_corners", {"plane"}},
+    {"other-through_corners", {"ray"}},
+    {"other-rows_for_columns", {"ray"}},
+    {"other-first_row_at_bottom", {"ray"}},
+    {"other-counted_by_columns", {"ray"}},
+    {"other-point_from_origin", {"hit"}},
+    {"other-always_without_z", {"hit"}},
+    {"other-without_widest", {"hit"}},
+    {"other-once_inside_always", {"hit"}},
+    {"other-last_side_forgotten", {"hit"}},
+    {"other-plane_is_enough", {"hit"}},
+    {"other-farther_than_infinity", {"hit"}},
+    {"other-first_kept", {"hit"}},
+    {"other-far_plane_forgotten", {"hit"}},
+    {"other-depth_is_t", {"paint"}},
+    {"other-depth_sign", {"paint"}},
+    {"other-colours_to_255", {"ray_end"}},
+    {"other-hits_counted", {"ray_end"}},
+    {"crashes", {"plane"}},
+};
+
 /// Mistakes that leave no name in some scenes, where what they change cannot be told from what another would.
 const std::set<std::string> seldom_told{"retired_one_late", "never_retired", "flag_missed", "only_upper"};
 
@@ -176,4 +204,11 @@ TEST_CASE("classes: of thirty floating horizons, each is told the own mistake") 
   const Names names = each_is_told("floating-horizon", "horizon.py", horizon_steps);
   CHECK(names.wrong == 0);
   CHECK(names.right >= 0.95 * (names.right + names.none + names.wrong));
+}
+
+TEST_CASE("classes: of thirty ray casters, each is told the own mistake") {
+  if (!has_python()) return;
+  const Names names = each_is_told("ray-casting", "raycast.py", ray_steps);
+  CHECK(names.right >= 6);
+  CHECK(names.none + names.wrong == 0);
 }

@@ -20,7 +20,7 @@ namespace {
 std::vector<std::string> methods_with_homework() {
   std::vector<std::string> methods;
   for (const fs::directory_entry& entry : fs::directory_iterator(in_checkout("lessons/homework")))
-    methods.push_back(entry.path().filename().string());
+    if (entry.is_directory()) methods.push_back(entry.path().filename().string());
   std::sort(methods.begin(), methods.end());
   return methods;
 }
@@ -42,6 +42,7 @@ TEST_CASE("templates: each solution gets all points, and each starter runs and e
     CAPTURE(method);
     const Folder folder;
     REQUIRE(run(folder, "homework new " + method + " hw").code == 0);
+    CHECK(text_of(folder / "hw/class/make_class.py") == text_of(in_checkout("lessons/homework/make_class.py")));
     const Outcome tried = run(folder, "homework try hw");
     CHECK_MESSAGE(tried.code == 0, tried.out << tried.err);
     const std::string hand_out = text_of(folder / "hw/handout.md");

@@ -1,17 +1,10 @@
-"""A class of thirty to try the homework with: the solution, right or with something made wrong in it.
-
-usage: python3 make_class.py FOLDER
-
-makes FOLDER/01-right/zbuffer.py, FOLDER/02-compare_reversed/zbuffer.py … Each folder is named after its mistake.
-"""
-import pathlib
-import shutil
-import sys
+"""The programs of the class that make_class.py makes."""
+PROGRAM = "zbuffer.py"
 
 COLUMNS = 'max(0, math.ceil(left["x"])), min(width, math.ceil(right["x"]))'
 BUFFER = "    depth = [[math.inf] * width for _ in range(height)]\n"
 
-# (name, the right line of the solution, the wrong one)
+# (name, what the solution has, what stands there instead)
 CLASS = [
     ("right", "", ""),
     ("compare_reversed", "nearer = z < depth[y][x]", "nearer = z > depth[y][x]"),
@@ -43,20 +36,5 @@ CLASS = [
     ("buffer_of_one_line", BUFFER, "    depth = [[math.inf] * width] * height\n"),
     ("slope_inverted", "dx_dy = (b[1] - a[1]) / (b[2] - a[2])", "dx_dy = (b[2] - a[2]) / (b[1] - a[1] or 1e9)"),
     ("crashes", "    emit.clear(math.inf)", "    emit.clear(math.inf)\n    emit.polygon(0, 0)\n    depth[-1][width]"),
-    ("prints-nothing", "main()\n", "pass\n"),
+    ("prints-nothing", "\n\nmain()\n", "\n"),
 ]
-
-
-def main():
-    right_one = pathlib.Path(__file__).parent.parent / "solution"
-    solution = (right_one / "zbuffer.py").read_text()
-    for number, (name, right, wrong) in enumerate(CLASS, 1):
-        assert right in solution, f"{name}: the solution has no line as {right!r}"
-        folder = pathlib.Path(sys.argv[1]) / f"{number:02}-{name}"
-        folder.mkdir(parents=True)
-        at = solution.rindex(right) if name == "prints-nothing" else solution.index(right)
-        (folder / "zbuffer.py").write_text(solution[:at] + wrong + solution[at + len(right):])
-        shutil.copy(right_one / "emit.py", folder)
-
-
-main()

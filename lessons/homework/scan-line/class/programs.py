@@ -1,15 +1,7 @@
-"""A class of thirty to try the homework with: the solution, right or with something made wrong in it.
+"""The programs of the class that make_class.py makes."""
+PROGRAM = "scanline.py"
 
-usage: python3 make_class.py FOLDER
-
-makes FOLDER/01-right/scanline.py, FOLDER/02-plane_d_sign/scanline.py … Each folder is named after its mistake;
-"other-" begins those for which zstep has no name.
-"""
-import pathlib
-import shutil
-import sys
-
-# (name, the right line of the solution, the wrong one)
+# (name, what the solution has, what stands there instead)
 CLASS = [
     ("right", "", ""),
     ("plane_d_sign", "-(a * x + b * y + c * z)", "a * x + b * y + c * z"),
@@ -54,17 +46,3 @@ CLASS = [
      "            self.paint(inside[1], y, first, last)\n"),
     ("prints-nothing", "\n\nmain()\n", "\n"),
 ]
-
-
-def main():
-    right_one = pathlib.Path(__file__).parent.parent / "solution"
-    solution = (right_one / "scanline.py").read_text()
-    for number, (name, right, wrong) in enumerate(CLASS, 1):
-        assert right == "" or solution.count(right) == 1, f"{name}: no line of the solution, or several, have {right!r}"
-        folder = pathlib.Path(sys.argv[1]) / f"{number:02}-{name}"
-        folder.mkdir(parents=True)
-        (folder / "scanline.py").write_text(solution.replace(right, wrong) if right else solution)
-        shutil.copy(right_one / "emit.py", folder)
-
-
-main()

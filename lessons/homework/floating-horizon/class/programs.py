@@ -1,15 +1,7 @@
-"""A class of thirty to try the homework with: the solution, right or with something made wrong in it.
+"""The programs of the class that make_class.py makes."""
+PROGRAM = "horizon.py"
 
-usage: python3 make_class.py FOLDER
-
-makes FOLDER/01-right/horizon.py, FOLDER/02-depth_axis_reversed/horizon.py … Each folder is named after its mistake;
-"other-" begins those for which zstep has no name.
-"""
-import pathlib
-import shutil
-import sys
-
-# (name, the right line of the solution, the wrong one)
+# (name, what the solution has, what stands there instead)
 CLASS = [
     ("right", "", ""),
     ("depth_axis_reversed", "    emit.view_vertex(", "    z_v = -z_v\n    emit.view_vertex("),
@@ -44,17 +36,3 @@ CLASS = [
     ("crashes", "        if self.before is None:\n", "        if y > 2 * upper:\n"),
     ("prints-nothing", "\n\nmain()\n", "\n"),
 ]
-
-
-def main():
-    right_one = pathlib.Path(__file__).parent.parent / "solution"
-    solution = (right_one / "horizon.py").read_text()
-    for number, (name, right, wrong) in enumerate(CLASS, 1):
-        assert right == "" or solution.count(right) == 1, f"{name}: no line of the solution, or several, have {right!r}"
-        folder = pathlib.Path(sys.argv[1]) / f"{number:02}-{name}"
-        folder.mkdir(parents=True)
-        (folder / "horizon.py").write_text(solution.replace(right, wrong) if right else solution)
-        shutil.copy(right_one / "emit.py", folder)
-
-
-main()
