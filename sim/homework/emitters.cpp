@@ -29,13 +29,16 @@ std::string in_c(const StepFields& f) {
       f.fields,
       [](const StepField& one) { return fmt::format("{}:{}", one.name, "irbw"[static_cast<std::size_t>(one.type)]); },
       " ");
-  return fmt::format("static inline void emit_{}({}) {{\n  emit_step(\"{}\", \"{}\"{}{});\n}}\n", f.step,
-                     parameters.empty() ? "void" : parameters, f.step, fields, f.fields.empty() ? "" : ", ",
-                     listed(f.fields, name_of));
+  const std::string head =
+                        fmt::format("static inline void emit_{}({})", f.step, parameters.empty() ? "void" : parameters),
+                    body = fmt::format("emit_step(\"{}\", \"{}\"{}{});", f.step, fields, f.fields.empty() ? "" : ", ",
+                                       listed(f.fields, name_of));
+  const bool short_enough = head.size() + body.size() + 5 <= 120;
+  return head + (short_enough ? " { " + body + " }\n" : " {\n  " + body + "\n}\n");
 }
 
 std::string in_python(const StepFields& f) {
-  return fmt::format("def {}({}):\n    \"\"\"{}\"\"\"\n    _step(\"{}\"{}{})\n\n", f.step, listed(f.fields, name_of),
+  return fmt::format("def {}({}):\n    \"\"\"{}\"\"\"\n    _step(\"{}\"{}{})\n", f.step, listed(f.fields, name_of),
                      f.meaning, f.step, f.fields.empty() ? "" : ", ",
                      listed(f.fields, [](const StepField& one) { return one.name + "=" + one.name; }));
 }

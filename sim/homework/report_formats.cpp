@@ -1,4 +1,6 @@
 // The formats in which courses read results. Of a hidden scene they hold the points, and no numbers of its run.
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -100,7 +102,10 @@ std::string report_json(const Assessment& all) {
     if (task.first && task.first->mistake) {
       const auto said_of = [](mistakes::Mistake mistake) {
         const mistakes::MistakeText& text = mistakes::text_of(mistake);
-        return Json{{"id", text.id}, {"name", text.name}, {"question", text.question}, {"lesson", text.lesson},
+        return Json{{"id", text.id},
+                    {"name", text.name},
+                    {"question", text.question},
+                    {"lesson", text.lesson},
                     {"stop", text.stop}};
       };
       one["mistake"] = said_of(task.first->mistake->mistake);
@@ -140,23 +145,32 @@ std::string report_gradescope(const Assessment& all, double seconds) {
 }
 
 std::string report_prairielearn(const Assessment& all) {
+  // It takes no results of 1 MB, in which quotes take two bytes. All texts share this room:
+  const auto shared = [](std::string text, std::size_t count) {
+    const std::size_t most = 200'000 / std::max<std::size_t>(1, count);
+    return text.size() <= most ? text : text.substr(0, most) + " …";
+  };
   if (!all.gradable()) {
     Json errors = Json::array();
-    for (const Graded& task : all.tasks) errors.push_back(fmt::format("{}: {}", task.task->name, task.shown()));
+    for (const Graded& task : all.tasks)
+      errors.push_back(shared(fmt::format("{}: {}", task.task->name, task.shown()), all.tasks.size()));
     return dumped({{"gradable", false}, {"format_errors", errors}, {"message", "Nothing could be graded."}});
   }
+  const std::size_t count = all.tasks.size() * all.homework->parts.size();
   Json tests = Json::array();
   for_each_test(all, [&](const std::string& name, const Graded& task, std::size_t part) {
     tests.push_back({{"name", name},
                      {"points", all.points(task, part)},
                      {"max_points", all.most(task, part)},
-                     {"message", task.task->hidden ? task.shown() : message(all, task, part)}});
+                     {"message", shared(task.task->hidden ? task.shown() : message(all, task, part), count)}});
   });
-  return dumped({{"gradable", true},
-                 {"score", all.points() / all.most()},
-                 {"message", fmt::format("{} of {} points", points_text(all.points()), points_text(all.most()))},
-                 {"output", overview(all)},
-                 {"tests", tests}});
+  Json result{{"gradable", true},
+              {"score", all.points() / all.most()},
+              {"message", fmt::format("{} of {} points", points_text(all.points()), points_text(all.most()))},
+              {"output", overview(all)}};
+  if (count <= 2000) result["tests"] = tests;
+  else result["output"] = fmt::format("There are too many parts to list their points.\n{}", overview(all));
+  return dumped(result);
 }
 
 std::string report_junit(const Assessment& all) {

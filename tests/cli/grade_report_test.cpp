@@ -1,12 +1,14 @@
 // The report of a submission: its first page, and that there is one whatever becomes of the grading.
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/hostile_homework.hpp"
 #include "tests/cli/homework_runs.hpp"
+#include "tests/cli/result_rules.hpp"
 
 using namespace zstep::test;
 using nlohmann::json;
@@ -35,7 +37,7 @@ void check_ungraded(const Folder& folder, const std::string& limit, const std::s
     CAPTURE(text);
     CHECK(has(text, "could not be graded: the grading " + why));
     CHECK_FALSE(shows_controls(text));
-    if (format == "junit") check_xml(text);
+    check_result(format, text);
     if (format == "text" || format == "html") CHECK(has(text, "so there are no points yet"));
     if (format != "json" && format != "gradescope" && format != "prairielearn") continue;
     const json result = json::parse(text);
@@ -58,6 +60,35 @@ TEST_CASE("grade: where time is used up, every format has a result that says so"
   set_up_runs(folder);
   hand_in_long(folder, 20'000'000);
   check_ungraded(folder, "--seconds 0.01", "took more than the 0.01 seconds of the processor");
+}
+
+TEST_CASE(
+    "grade: PrairieLearn's result stays below 1 MB, however many scenes there are and however much programs complain") {
+  const Folder folder;
+  set_up_runs(folder);
+  const std::string before = text_of(folder / "hw/homework.toml"), scene = text_of(folder / "hw/scenes/triangle.toml");
+  const std::size_t at = before.find("[[scene]]"), end = before.find("# The rungs");
+  std::string scenes;
+  for (int k = 100; k < 300; ++k) {  // as many as there may be
+    const std::string name = "scene-" + std::to_string(k);
+    write_text(folder / ("hw/scenes/" + name + ".toml"), scene);
+    write_text(folder / ("runs/" + name + ".jsonl"), "no step\n");
+    write_text(folder / ("runs/" + name + ".ended.txt"), "exit code 1\n" + std::string(100'000, '"'));
+    scenes += "[[scene]]\nfile = \"scenes/" + name + ".toml\"\n\n";
+  }
+  write_text(folder / "hw/homework.toml", before.substr(0, at) + scenes + before.substr(end));
+  const std::string grade = "grade --homework hw runs --format prairielearn";
+  const std::string none = run(folder, grade).out;
+  check_prairielearn(none);
+  CHECK(json::parse(none)["gradable"] == false);
+  std::filesystem::copy_file(folder / "runs/triangle.jsonl", folder / "runs/scene-100.jsonl",
+                             std::filesystem::copy_options::overwrite_existing);
+  const std::string one = run(folder, grade).out;
+  check_prairielearn(one);
+  const json result = json::parse(one);
+  CHECK(result["gradable"] == true);
+  CHECK(result["score"] == doctest::Approx(1.0 / 200));
+  CHECK(result["tests"].size() == 1200);
 }
 
 TEST_CASE("grade: where memory is used up, every format has a result that says so" * doctest::skip(sanitized)) {

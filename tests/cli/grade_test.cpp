@@ -2,11 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <sstream>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
+#include "tests/cli/result_rules.hpp"
 
 using namespace zstep::test;
 using nlohmann::json;
@@ -77,7 +79,36 @@ TEST_CASE("homework: the files that write steps compile and print lines that zst
              "c++ -std=c++17 -Wall -o starter hw/starter/zbuffer.cpp && ./starter hw/scenes/triangle.txt > s.txt"));
     CHECK(has(text_of(folder / "s.txt"), "\"step\":\"polygon\""));
   }
+  const auto same_lines = [&](const char* printed) {  // numbers may be written in fewer digits
+    std::istringstream wanted(expected), found(text_of(folder / printed));
+    std::string line, other;
+    while (std::getline(wanted, line)) {
+      REQUIRE(std::getline(found, other));
+      CHECK(json::parse(line) == json::parse(other));
+    }
+    CHECK_FALSE(std::getline(found, other));
+  };
+  if (there_is("python3")) {
+    write_text(folder / "hw/starter/main.py",
+               "import emit, math\nemit.clear(math.inf)\nemit.skip_edge(0, 1, 'horizontal')\n"
+               "emit.compare(3, 2, 0.1, True)\n");
+    REQUIRE(in(folder, "python3 hw/starter/main.py > py.txt"));
+    same_lines("py.txt");
+  }
+  if (there_is("javac")) {
+    write_text(folder / "hw/starter/Main.java",
+               "final class Main {\n  public static void main(String[] arguments) {\n"
+               "    Emit.clear(Double.POSITIVE_INFINITY);\n    Emit.skipEdge(0, 1, \"horizontal\");\n"
+               "    Emit.compare(3, 2, 0.1, true);\n  }\n}\n");
+    REQUIRE(in(folder, "cd hw/starter && javac -Xlint:all -Werror Main.java Emit.java && java Main > ../../java.txt"));
+    same_lines("java.txt");
+  }
   if (there_is("node")) {
+    write_text(folder / "hw/starter/main.js",
+               "const emit = require('./emit.js');\nemit.clear(Infinity);\nemit.skip_edge(0, 1, 'horizontal');\n"
+               "emit.compare(3, 2, 0.1, true);\n");
+    REQUIRE(in(folder, "node hw/starter/main.js > lines.txt"));
+    same_lines("lines.txt");
     CHECK(in(folder, "node hw/starter/zbuffer.js hw/scenes/triangle.txt > js.txt"));
     CHECK(has(text_of(folder / "js.txt"), "\"step\":\"polygon\""));
   }
@@ -93,6 +124,8 @@ TEST_CASE("grade: the solution gets all points, in every format") {
   CHECK(text.code == 0);
   CHECK(has(text.out, "65 of 65 points"));
   CHECK(has(text.out, "Every step is right."));
+  for (const std::string format : {"json", "gradescope", "prairielearn", "junit", "html"})
+    check_result(format, run(folder, "grade --homework hw runs --format " + format).out);
 
   const json all = json::parse(run(folder, "grade --homework hw runs --format json").out);
   CHECK(all["points"] == doctest::Approx(65));
@@ -247,9 +280,10 @@ TEST_CASE("grade: few digits do not turn errors into rounding, and the report sa
     std::string emitter = text_of(folder / "hw/solution/emit.py");
     const std::string before = "    print(json.dumps(";
     REQUIRE(has(emitter, before));
-    emitter.insert(emitter.find(before), "    for key in fields:\n        if isinstance(fields[key], float) and "
-                                         "math.isfinite(fields[key]):\n            fields[key] = float('" +
-                                             format + "' % (fields[key] + (" + off + " if 'z' in key else 0)))\n");
+    emitter.insert(emitter.find(before),
+                   "    for key in fields:\n        if isinstance(fields[key], float) and "
+                   "math.isfinite(fields[key]):\n            fields[key] = float('" +
+                       format + "' % (fields[key] + (" + off + " if 'z' in key else 0)))\n");
     REQUIRE(in(folder, "cp -r hw/solution printing"));
     write_text(folder / "printing/emit.py", emitter);
     REQUIRE(in(folder, "python3 printing/zbuffer.py hw/hidden/overlap.txt > overlap.jsonl && rm -r printing"));

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/result_rules.hpp"
+
 namespace zstep::test {
 
 namespace fs = std::filesystem;
@@ -58,24 +60,6 @@ bool shows_controls(const std::string& text) {
   });
 }
 
-void check_xml(const std::string& text) {
-  CHECK(text.starts_with("<?xml"));
-  CHECK(times(text, "<testcase ") == times(text, "</testcase>") + times(text, "/>"));
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
-    const std::string tag = text.substr(at + 1, 20);
-    const bool known = tag.starts_with("?xml ") || tag.starts_with("testsuite") || tag.starts_with("/testsuite") ||
-                       tag.starts_with("testcase") || tag.starts_with("/testcase") || tag.starts_with("error ") ||
-                       tag.starts_with("/error") || tag.starts_with("failure ") || tag.starts_with("/failure");
-    CHECK_MESSAGE(known, tag);
-  }
-  for (std::size_t at = text.find('&'); at != std::string::npos; at = text.find('&', at + 1)) {
-    const std::string entity = text.substr(at, text.find(';', at) + 1 - at);
-    CHECK_MESSAGE((entity == "&lt;" || entity == "&gt;" || entity == "&amp;" || entity == "&quot;" ||
-                   entity == "&apos;" || entity.starts_with("&#")),
-                  entity);
-  }
-}
-
 double grade_in_every_format(const Folder& folder) {
   const auto graded = [&](const std::string& format) {
     const Outcome outcome = shell(folder, "ulimit -t 60; \"$zstep\" grade --homework hw runs --format " + format);
@@ -86,6 +70,7 @@ double grade_in_every_format(const Folder& folder) {
     CHECK(outcome.out.size() < 1'000'000);
     CHECK_FALSE(shows_controls(outcome.out));
     CHECK_FALSE(shows_controls(outcome.err));
+    check_result(format, outcome.out);
     return outcome;
   };
   CHECK(has(graded("text").out, " points"));
@@ -94,7 +79,8 @@ double grade_in_every_format(const Folder& folder) {
   getrusage(RUSAGE_CHILDREN, &used);
   constexpr long allowed = 1024 * 1024;  // KiB
   if (!sanitized) CHECK(used.ru_maxrss < allowed);
-  check_xml(graded("junit").out);
+  graded("junit");
+  graded("html");
   const json all = json::parse(graded("json").out);
   const json gradescope = json::parse(graded("gradescope").out);
   const json prairielearn = json::parse(graded("prairielearn").out);

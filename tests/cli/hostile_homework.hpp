@@ -27,8 +27,6 @@ std::string right_run(const Folder& folder, const std::string& scene = "triangle
 std::string everything_in(const Folder& folder);
 /// Whether a terminal would do something on it.
 bool shows_controls(const std::string& text);
-/// XML as far as it can be wrong here: nothing but its own tags, each closed.
-void check_xml(const std::string& text);
 /// Grades runs/ in each format within a minute of the processor's time and the memory that docs/homework.md allows a
 /// small submission; checks that each result is one, and that they agree. Returns the points.
 double grade_in_every_format(const Folder& folder);

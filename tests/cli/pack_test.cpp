@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
+#include "tests/cli/result_rules.hpp"
 
 using namespace zstep::test;
 using nlohmann::json;
@@ -53,6 +54,17 @@ void mend_zstep(const fs::path& pack) { fs::rename(pack / "zstep.right", pack / 
 void check_results(const json& results, double points) {
   CHECK(results["score"] == doctest::Approx(points));
   CHECK(results["tests"].size() >= 15);
+}
+
+/// Gradescope's result where the grader itself was ended.
+void check_stopped(const fs::path& file) {
+  const std::string text = text_of(file);
+  check_gradescope(text);
+  const json left = json::parse(text);
+  check_results(left, 0);
+  CHECK(left["extra_data"]["gradable"] == false);
+  CHECK(has(left["output"].get<std::string>(), "could not be graded: the grader was stopped from outside"));
+  for (const json& test : left["tests"]) CHECK(has(test["output"].get<std::string>(), "could not be graded"));
 }
 
 }  // namespace
@@ -102,6 +114,7 @@ TEST_CASE("homework pack: Gradescope's autograder has what it needs, no more, an
   CAPTURE(graded.out);
   CAPTURE(graded.err);
   CHECK(graded.code == 0);
+  check_gradescope(text_of(folder / "autograder/results/results.json"));
   check_results(json::parse(text_of(folder / "autograder/results/results.json")), 65);
   // Nothing handed in: a result, too.
   fs::remove_all(folder / "autograder/submission");
@@ -117,12 +130,24 @@ TEST_CASE("homework pack: Gradescope's autograder has what it needs, no more, an
     write_text(folder / "autograder/results/results.json", "{\"score\":65}");
     CHECK(in_a_root(folder, binds, "sh -c 'cd /autograder && ./run_autograder'").code == 0);
     mend_zstep(folder / "autograder/source/zstep");
-    const json left = json::parse(text_of(folder / "autograder/results/results.json"));
-    check_results(left, 0);
-    CHECK(left["extra_data"]["gradable"] == false);
-    CHECK(has(left["output"].get<std::string>(), "could not be graded: the grader was stopped from outside"));
-    for (const json& test : left["tests"]) CHECK(has(test["output"].get<std::string>(), "could not be graded"));
+    check_stopped(folder / "autograder/results/results.json");
   }
+
+  // A program that hangs is ended by its own limit; where the service's comes first, that ends the grader.
+  fs::remove(folder / "autograder/submission/results.json");
+  write_text(folder / "autograder/submission/zbuffer.py", "while True:\n    pass\n");
+  in_a_root(folder, binds, "timeout -s KILL 2 sh -c 'cd /autograder && ./run_autograder'");
+  check_stopped(folder / "autograder/results/results.json");
+  const fs::path toml = folder / "autograder/source/homework/homework.toml";
+  std::string text = text_of(toml);
+  const std::string command = "\n[program]\n";
+  text.replace(text.find(command), command.size(), command + "seconds = 0.5\n");
+  write_text(toml, text);
+  CHECK(in_a_root(folder, binds, "sh -c 'cd /autograder && ./run_autograder'").code == 0);
+  const std::string ended = text_of(folder / "autograder/results/results.json");
+  check_gradescope(ended);
+  check_results(json::parse(ended), 0);
+  CHECK(has(ended, "was stopped after "));
 }
 
 TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the lines of info.json, and grades") {
@@ -145,16 +170,27 @@ TEST_CASE("homework pack: PrairieLearn's grader has an image, a script and the l
   CAPTURE(graded.out);
   CAPTURE(graded.err);
   CHECK(graded.code == 0);
+  check_prairielearn(text_of(folder / "grade/results/results.json"));
   const json results = json::parse(text_of(folder / "grade/results/results.json"));
   CHECK(results["gradable"] == true);
   check_results(results, 1);
+  const auto check_left = [&] {
+    const std::string text = text_of(folder / "grade/results/results.json");
+    check_prairielearn(text);
+    const json left = json::parse(text);
+    CHECK(left["gradable"] == false);
+    CHECK_FALSE(left.contains("score"));
+    CHECK(left["format_errors"].size() == 4);
+    CHECK(has(left["format_errors"][0].get<std::string>(), "the grader was stopped from outside"));
+  };
   kill_zstep(folder / "grader/zstep", "grade");
   CHECK(in_a_root(folder, "--bind grader /zstep --bind grade /grade", "/zstep/grade.sh").code == 0);
-  const json left = json::parse(text_of(folder / "grade/results/results.json"));
-  CHECK(left["gradable"] == false);
-  CHECK_FALSE(left.contains("score"));
-  CHECK(left["format_errors"].size() == 4);
-  CHECK(has(left["format_errors"][0].get<std::string>(), "the grader was stopped from outside"));
+  mend_zstep(folder / "grader/zstep");
+  check_left();
+  // A program that hangs until the service's time is up.
+  write_text(folder / "grade/student/zbuffer.py", "while True:\n    pass\n");
+  in_a_root(folder, "--bind grader /zstep --bind grade /grade", "timeout -s KILL 2 /zstep/grade.sh");
+  check_left();
 }
 
 TEST_CASE("homework pack: GitHub's repository has no hidden scene and no solution, and its zstep grades") {
