@@ -52,9 +52,11 @@ struct Runs {
 
   Runs(const std::string& method, const std::string& program) {
     REQUIRE(run(folder, "homework new " + method + " hw").code == 0);
-    REQUIRE(shell(folder, "test -d hw/class && python3 hw/class/make_class.py class; mkdir printed runs; "
-                          "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 " + program +
-                              " $s > printed/$(basename $s .txt).jsonl; done").code == 0);
+    REQUIRE(shell(folder,
+                  "test -d hw/class && python3 hw/class/make_class.py class; mkdir printed runs; "
+                  "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 " +
+                      program + " $s > printed/$(basename $s .txt).jsonl; done")
+                .code == 0);
     for (const auto& entry : std::filesystem::directory_iterator(folder / "printed"))
       scenes.push_back(entry.path().filename().string());
   }
@@ -89,6 +91,7 @@ const std::map<std::string, std::set<std::string>> needs{
     {"active edges", {"edge table"}},
     {"flags", {"edges"}},
     {"nearest hits", {"rays"}},
+    {"polygons of an area", {"areas"}},
     {"planes and sides", {"pieces and cuts"}},
     {"tree", {"pieces and cuts"}},
     {"order of painting", {"pieces and cuts", "planes and sides", "tree"}}};
@@ -98,8 +101,8 @@ const std::map<std::string, std::set<std::string>> needs{
 TEST_CASE("rungs: each part of a homework earns all its points without those that it does not speak of") {
   if (!has_python()) return;
   const std::vector<std::pair<std::string, std::string>> programs{
-      {"z-buffer", "zbuffer"},          {"scan-line", "scanline"}, {"ray-casting", "raycast"},
-      {"floating-horizon", "horizon"}, {"bsp", "bsp"}};
+      {"z-buffer", "zbuffer"}, {"scan-line", "scanline"}, {"ray-casting", "raycast"}, {"floating-horizon", "horizon"},
+      {"bsp", "bsp"},          {"warnock", "warnock"}};
   for (const auto& [method, program] : programs) {
     CAPTURE(method);
     const Runs runs(method, "hw/solution/" + program + ".py");
@@ -165,8 +168,10 @@ TEST_CASE("rungs: compares at other pixels do not make a run one that broke off"
   std::string turned = solution;
   turned.replace(turned.find(place), place.size(), "emit.compare(y, x,");
   write_text(runs.folder / "hw/solution/zbuffer.py", turned);
-  REQUIRE(shell(runs.folder, "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 hw/solution/zbuffer.py $s > "
-                             "printed/$(basename $s .txt).jsonl; done").code == 0);
+  REQUIRE(shell(runs.folder,
+                "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 hw/solution/zbuffer.py $s > "
+                "printed/$(basename $s .txt).jsonl; done")
+              .code == 0);
   for (const json& scene : runs.grade({"compare"})["scenes"]) {
     CHECK(scene["left_out"].size() == 4);
     CHECK(scene["first"]["what"] == "This step is missing.");
@@ -176,7 +181,7 @@ TEST_CASE("rungs: compares at other pixels do not make a run one that broke off"
 TEST_CASE("rungs: a run that broke off before a part began is missing it") {
   if (!has_python()) return;
   const Runs runs("z-buffer", "hw/solution/zbuffer.py");
-  const std::set<std::string> all{"clear",  "polygon",       "scan_line", "insert_edge", "skip_edge", "enter_edge",
+  const std::set<std::string> all{"clear",     "polygon",     "scan_line", "insert_edge",   "skip_edge", "enter_edge",
                                   "step_edge", "retire_edge", "span",      "interpolate_z", "compare"};
   for (const json& scene : runs.grade(all, 8)["scenes"]) {
     CHECK_FALSE(scene.contains("left_out"));

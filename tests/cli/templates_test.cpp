@@ -37,12 +37,14 @@ bool there_is_program(const Folder& folder, const std::string& program) {
 }  // namespace
 
 TEST_CASE("templates: each solution gets all points, and each starter runs and earns something less") {
-  CHECK(methods_with_homework().size() >= 5);
+  CHECK(methods_with_homework().size() >= 6);
   for (const std::string& method : methods_with_homework()) {
     CAPTURE(method);
     const Folder folder;
     REQUIRE(run(folder, "homework new " + method + " hw").code == 0);
     CHECK(text_of(folder / "hw/class/make_class.py") == text_of(in_checkout("lessons/homework/make_class.py")));
+    for (const char* file : {"emit.h", "emit.py", "emit.js", "Emit.java"})
+      CHECK_MESSAGE(times(text_of(folder / ("hw/starter/" + std::string(file))), "\n") <= 80, file);
     const Outcome tried = run(folder, "homework try hw");
     CHECK_MESSAGE(tried.code == 0, tried.out << tried.err);
     const std::string hand_out = text_of(folder / "hw/handout.md");
@@ -110,8 +112,9 @@ TEST_CASE("templates: a picture of lines is graded by its ink, and no numbers of
   const Folder folder;
   REQUIRE(run(folder, "homework new floating-horizon hw").code == 0);
   REQUIRE(shell(folder, "mkdir runs").code == 0);
-  REQUIRE(run(folder, "render hw/scenes/valley.toml --algorithm floating-horizon --option sides=off --option "
-                      "horizons=one --save runs/valley.png")
+  REQUIRE(run(folder,
+              "render hw/scenes/valley.toml --algorithm floating-horizon --option sides=off --option "
+              "horizons=one --save runs/valley.png")
               .code == 0);
   const Outcome graded = run(folder, "grade --homework hw runs --scene valley");
   CAPTURE(graded.out);

@@ -1,0 +1,35 @@
+// Warnock's areas: what is simple in an area is drawn, and what is not is left to the area's four quarters.
+//
+// node warnock.js SCENE.txt > SCENE.jsonl
+//
+// What is marked TODO is yours. handout.md says what each step is; emit.js writes it down.
+const fs = require("fs");
+const emit = require("./emit.js");
+
+// {width, height, polygons}; a polygon is a list of {x, y, z} of its vertices.
+function readScene(path) {
+  const words = fs.readFileSync(path, "utf8").split(/\s+/).map(Number);
+  let at = 0;
+  const next = () => words[at++];
+  const width = next(), height = next();
+  const points = Array.from({ length: next() }, () => ({ x: next(), y: next(), z: next() }));
+  const polygons = Array.from({ length: next() }, () => Array.from({ length: next() }, () => points[next()]));
+  return { width, height, polygons };
+}
+
+function settle(left, top, right, bottom) {
+  // TODO: emit.area(…); emit.disjoint(…), emit.contained(…) and so on for each polygon that may be in the area
+  // TODO: which case is it? emit.background(…), emit.one_polygon(…), emit.surrounded(…), emit.pixel(…) with
+  //       emit.center_depth(…), emit.front_surrounder(…) with emit.corner_depth(…); and emit.paint(…) for each pixel
+  // TODO: otherwise emit.subdivide(…), and settle(…) for each quarter
+}
+
+const { width, height, polygons } = readScene(process.argv[2]);
+emit.clear(Infinity);
+emit.tables(polygons.length);
+polygons.forEach((polygon, number) => {
+  emit.polygon(number, number);
+  emit.make(number, number, -1);
+  // TODO: the polygon's plane: emit.plane(…)
+});
+settle(0, 0, width, height);

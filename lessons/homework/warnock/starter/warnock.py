@@ -1,0 +1,42 @@
+"""Warnock's areas: what is simple in an area is drawn, and what is not is left to the area's four quarters.
+
+usage: python3 warnock.py SCENE.txt > SCENE.jsonl
+
+What is marked TODO is yours. handout.md says what each step is; emit.py writes it down.
+"""
+import math
+import sys
+
+import emit
+
+
+def read_scene(path):
+    """(width, height, polygons); a polygon is a list of (x, y, z) of its vertices."""
+    with open(path) as file:
+        words = iter(file.read().split())
+    width, height = int(next(words)), int(next(words))
+    points = [tuple(float(next(words)) for _ in "xyz") for _ in range(int(next(words)))]
+    polygons = [[points[int(next(words))] for _ in range(int(next(words)))] for _ in range(int(next(words)))]
+    return width, height, polygons
+
+
+def settle(left, top, right, bottom):
+    # TODO: emit.area(…); emit.disjoint(…), emit.contained(…) and so on for each polygon that may be in the area
+    # TODO: which case is it? emit.background(…), emit.one_polygon(…), emit.surrounded(…), emit.pixel(…) with
+    #       emit.center_depth(…), emit.front_surrounder(…) with emit.corner_depth(…); and emit.paint(…) for each pixel
+    # TODO: otherwise emit.subdivide(…), and settle(…) for each quarter
+    pass
+
+
+def main():
+    width, height, polygons = read_scene(sys.argv[1])
+    emit.clear(math.inf)
+    emit.tables(len(polygons))
+    for number, polygon in enumerate(polygons):
+        emit.polygon(number, number)
+        emit.make(number, number, -1)
+        # TODO: the polygon's plane: emit.plane(…)
+    settle(0, 0, width, height)
+
+
+main()
