@@ -83,8 +83,8 @@ void App::draw_on_stage(const Pane& pane, ImVec2 at, ImVec2 size, bool leading) 
   const bool hot = ImGui::IsItemHovered();
   if (hot)
     ui_.mouse_help = asked_for ? "Click: the stage as the method has it (Tab: the next pane)."
-                     : leading         ? "Click: this pane alone on the stage (Tab: the next pane)."
-                                       : "Click: large, on the stage (Tab: the next pane).";
+                     : leading ? "Click: this pane alone on the stage (Tab: the next pane)."
+                               : "Click: large, on the stage (Tab: the next pane).";
   if (x + side + pad > at.x + size.x) return;
   const Theme& c = ui_.colors();
   const float y = at.y + std::round((head - side) / 2);
@@ -120,8 +120,9 @@ void App::draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size) {
     ImGui::PopID();
     const bool hot = ImGui::IsItemHovered();
     if (hot)
-      ui_.mouse_help = pane.waits && pane.waits(ui_) ? "Empty: the run has not come to it yet. Click: shown all the same."
-                                                     : "No room for it here. Click: large, on the stage.";
+      ui_.mouse_help = pane.waits && pane.waits(ui_)
+                           ? "Empty: the run has not come to it yet. Click: shown all the same."
+                           : "No room for it here. Click: large, on the stage.";
     list->AddRectFilled(at, {at.x + size.x, at.y + head}, ui_.colors().head);
     draw_text(ui_, {at.x + pad, at.y + std::round((head - ui_.fonts.small->FontSize) / 2) - 1}, ui_.fonts.small,
               hot ? ui_.colors().text : ui_.colors().muted, pane.title);
@@ -146,11 +147,9 @@ void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
     for (const Pane& pane : all) widest = std::max(widest, text_size(ui_, ui_.fonts.small, pane.title).x + ui_.em);
     return all.empty() ? 0 : std::round(widest) + gap;
   };
-  while (titles = titled(folded),
-         !panes.empty() && (size.x - titles) / static_cast<float>(panes.size()) < narrowest)
+  while (titles = titled(folded), !panes.empty() && (size.x - titles) / static_cast<float>(panes.size()) < narrowest)
     fold(panes.end() - 1);
-  if (!folded.empty())
-    draw_folded(folded, {at.x + size.x - titles + gap, at.y}, {titles - gap, at.y + size.y});
+  if (!folded.empty()) draw_folded(folded, {at.x + size.x - titles + gap, at.y}, {titles - gap, at.y + size.y});
   if (panes.empty()) return;
   const float end = at.x + size.x - titles;
   const float room = end - at.x - gap * static_cast<float>(panes.size() - 1);
@@ -211,11 +210,13 @@ void App::draw_presented(ImVec2 at, ImVec2 size) {
   const bool lesson = session_.lesson() != nullptr, asks = session_.question_open();
   const float words = std::round(size.x * (asks ? 0.37f : 0.21f)), stage = size.x - words - gap, x = at.x + stage + gap;
   draw_leading(workspace(session_.header(), lead()).leading, at, {stage, size.y});
-  const bool speaks = lesson && session_.stop() >= 0 &&
-                      session_.lesson()->stops[static_cast<std::size_t>(session_.stop())].position == session_.position();
+  const bool speaks =
+      lesson && session_.stop() >= 0 &&
+      session_.lesson()->stops[static_cast<std::size_t>(session_.stop())].position == session_.position();
   if (asks || speaks) return draw_pane(lesson_pane, {x, at.y}, {words, size.y});
   float& share = settings_.layout.words;
-  draw_column({x, at.y}, {words, size.y}, lesson ? happened_pane : pseudo_code_pane, lesson ? lesson_pane : happened_pane, share, "words");
+  draw_column({x, at.y}, {words, size.y}, lesson ? happened_pane : pseudo_code_pane,
+              lesson ? lesson_pane : happened_pane, share, "words");
 }
 
 void App::draw_panes(ImVec2 at, ImVec2 size) {

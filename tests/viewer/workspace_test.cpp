@@ -37,14 +37,19 @@ double stage_share(App& app, const Shown& how) {
 }  // namespace
 
 TEST_CASE("each method's workspace leads with what it lives by") {
-  const std::map<std::string, std::string> expected{
-      {"z-buffer", "frame depth"},          {"scan-line", "frame sweep"},
-      {"painter", "frame drawing_list"},    {"depth-sort", "frame drawing_list"},
-      {"bsp", "tree plan"},                 {"warnock", "frame areas"},
-      {"ray-casting", "frame ray_plan"},    {"ray-tracing", "frame ray_plan"},
-      {"floating-horizon", "frame horizons"}, {"hidden-line", "frame lines"},
-      {"wireframe", "frame lines"},         {"shadow-buffer", "frame shadow_buffer"},
-      {"transparency", "frame depth"}};
+  const std::map<std::string, std::string> expected{{"z-buffer", "frame depth"},
+                                                    {"scan-line", "frame sweep"},
+                                                    {"painter", "frame drawing_list"},
+                                                    {"depth-sort", "frame drawing_list"},
+                                                    {"bsp", "tree plan"},
+                                                    {"warnock", "frame areas"},
+                                                    {"ray-casting", "frame ray_plan"},
+                                                    {"ray-tracing", "frame ray_plan"},
+                                                    {"floating-horizon", "frame horizons"},
+                                                    {"hidden-line", "frame lines"},
+                                                    {"wireframe", "frame lines"},
+                                                    {"shadow-buffer", "frame shadow_buffer"},
+                                                    {"transparency", "frame depth"}};
   for (const auto& [id, leading] : expected) {
     CAPTURE(id);
     Header header;
@@ -69,12 +74,18 @@ TEST_CASE("each method's workspace leads with what it lives by") {
   }
 }
 
-TEST_CASE("the stage has a third of the window beside a lesson, half of it without one, and most of it before a class") {
+TEST_CASE(
+    "the stage has a third of the window beside a lesson, half of it without one, and most of it before a class") {
   for (Lesson& lesson : all_lessons()) {
     const Trace trace = run_lesson(lesson);
     CAPTURE(lesson.id);
-    for (const Shown& how : {Shown{1280, 720, false}, {1600, 900, false}, {1920, 1080, false}, {3840, 2160, false},
-                             {1280, 720, true}, {1920, 1080, true}, {3840, 2160, true}}) {
+    for (const Shown& how : {Shown{1280, 720, false},
+                             {1600, 900, false},
+                             {1920, 1080, false},
+                             {3840, 2160, false},
+                             {1280, 720, true},
+                             {1920, 1080, true},
+                             {3840, 2160, true}}) {
       Settings settings;
       settings.presenter = how.presenter;
       App with(trace, &lesson, settings, how.width, how.height);

@@ -11,7 +11,10 @@
 namespace zstep::viewer {
 namespace {
 
-struct Mark { std::string word; bool now = false; };
+struct Mark {
+  std::string word;
+  bool now = false;
+};
 
 Mark mark_of(const MethodState& machine, const RecordedEvent* event, std::size_t place) {
   const std::int32_t edge = machine.active[place].edge;
@@ -161,7 +164,8 @@ bool serves_active_edges(const Header& header) {
 
 }  // namespace
 
-const Pane active_edges_pane{"active_edges", "ACTIVE EDGES", draw_active_edges, note_of_active_edges,
-                             serves_active_edges, 0.27f, true, nullptr, false, none_yet<EdgeEnter>, &edge_table_pane};
+const Pane active_edges_pane{
+    "active_edges", "ACTIVE EDGES", draw_active_edges,   note_of_active_edges, serves_active_edges, 0.27f, true,
+    nullptr,        false,          none_yet<EdgeEnter>, &edge_table_pane};
 
 }  // namespace zstep::viewer

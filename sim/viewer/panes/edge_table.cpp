@@ -25,9 +25,12 @@ std::string state_word(EdgeStage stage, bool now, const RecordedEvent* event) {
   if (now && holds<EdgeEnter>(event->event)) return "\u2192 enters";
   if (now && holds<EdgeRetire>(event->event)) return "\u2717 leaves";
   switch (stage) {
-    case EdgeStage::waiting: return "waits";
-    case EdgeStage::active: return "active";
-    case EdgeStage::retired: return "done";
+    case EdgeStage::waiting:
+      return "waits";
+    case EdgeStage::active:
+      return "active";
+    case EdgeStage::retired:
+      return "done";
   }
   return "";
 }
@@ -124,7 +127,8 @@ bool serves_edge_table(const Header& header) {
 
 }  // namespace
 
-const Pane edge_table_pane{"edge_table", "EDGE TABLE", draw_edge_table, note_of_edge_table, serves_edge_table, 0.42f,
-                           true, nullptr, false, none_yet<EdgeTableInsert>, &active_edges_pane};
+const Pane edge_table_pane{
+    "edge_table", "EDGE TABLE", draw_edge_table, note_of_edge_table,        serves_edge_table, 0.42f,
+    true,         nullptr,      false,           none_yet<EdgeTableInsert>, &active_edges_pane};
 
 }  // namespace zstep::viewer

@@ -236,6 +236,7 @@ bool serves_slice(const Header& header) {
 
 }  // namespace
 
-const Pane slice_pane{"slice", "SLICE", draw_slice, note_of_slice, serves_slice, 0.7f, false, nullptr, true, none_yet<SpanBegin, SpanFlags, DepthCompare>};
+const Pane slice_pane{"slice", "SLICE", draw_slice, note_of_slice, serves_slice,
+                      0.7f,    false,   nullptr,    true,          none_yet<SpanBegin, SpanFlags, DepthCompare>};
 
 }  // namespace zstep::viewer

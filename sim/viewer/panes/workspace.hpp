@@ -18,7 +18,8 @@ struct Workspace {
 };
 
 /// Two panes lead that matter most to the method, or what is asked to, with what leads together with it: alone where it
-/// leads anyway or is wide, else beside the first of the two. `lead`: a pane's id; empty or unknown: as the method has it.
+/// leads anyway or is wide, else beside the first of the two. `lead`: a pane's id; empty or unknown: as the method has
+/// it.
 Workspace workspace(const Header& header, const std::string& lead);
 
 /// This pane leads because that one is asked to.
