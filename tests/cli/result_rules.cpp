@@ -21,7 +21,7 @@ using Words = std::set<std::string>;
 
 void check_keys(const json& object, const Words& allowed) {
   REQUIRE(object.is_object());
-  for (const auto& [key, value] : object.items()) CHECK_MESSAGE(allowed.contains(key), key);
+  for (const auto& item : object.items()) CHECK_MESSAGE(allowed.contains(item.key()), item.key());
 }
 void check_word(const json& object, const char* key, const Words& allowed) {
   if (!object.contains(key)) return;
