@@ -34,7 +34,7 @@ std::string in_c(const StepFields& f) {
                     body = fmt::format("emit_step(\"{}\", \"{}\"{}{});", f.step, fields, f.fields.empty() ? "" : ", ",
                                        listed(f.fields, name_of));
   const bool short_enough = head.size() + body.size() + 5 <= 120;
-  return head + (short_enough ? " { " + body + " }\n" : " {\n  " + body + "\n}\n");
+  return head + (short_enough ? " { " + body + " }\n" : " {\n  " + body + " }\n");
 }
 
 std::string in_python(const StepFields& f) {
