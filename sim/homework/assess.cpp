@@ -82,6 +82,17 @@ FirstWrong in_words(const Runs& runs, const grade::Divergence& first, const std:
   return words;
 }
 
+/// Of steps that nothing can be said of: why, and how to mend it.
+std::string note_of_unknown_edges(const Trace& run) {
+  const std::set<std::uint8_t> kinds = grade::kinds_of_unknown_edges(run);
+  if (kinds.empty()) return "";
+  std::string names;
+  for (const StepInfo& step : run.header().page)
+    if (kinds.contains(step.kind)) names += (names.empty() ? "" : ", ") + step.name;
+  return fmt::format("{} name edges, and the run has no edge table that says which: they are left aside until it is "
+                     "printed, too.", names);
+}
+
 std::string names_of(const std::vector<fs::path>& files) {
   std::string names;
   for (const fs::path& file : files) names += (names.empty() ? "" : ", ") + file.filename().string();
@@ -147,6 +158,8 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
       found = judged(runs);
     }
     graded.left_out = runs.left_out;
+    if (const std::string note = note_of_unknown_edges(runs.submission); !note.empty())
+      graded.note += (graded.note.empty() ? "" : " ") + note;
     graded.state = Graded::State::judged;
     graded.steps = runs.submission.size();
     if (task.made)
@@ -159,7 +172,7 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
       graded.why = fmt::format("the numbers are {}: print more of their digits, as %.17g does", written.text);
     if (found.first) {
       graded.first = in_words(runs, *found.first, graded.file);
-      graded.first->mistake = grade::mistake_in(runs.submission, found);
+      graded.first->mistake = grade::mistake_in(*runs.reference, runs.submission, found);
       graded.ends = std::move(found.ends);
     }
   } catch (const InputError& error) {

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -50,13 +51,18 @@ struct Runs {
   Folder folder;
   std::vector<std::string> scenes;
 
-  Runs(const std::string& method, const std::string& program) {
+  /// `right`: a piece of the program, in place of which there is `wrong`.
+  Runs(const std::string& method, const std::string& program, const std::string& right = "",
+       const std::string& wrong = "") {
     REQUIRE(run(folder, "homework new " + method + " hw").code == 0);
-    REQUIRE(shell(folder,
-                  "test -d hw/class && python3 hw/class/make_class.py class; mkdir printed runs; "
-                  "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 " +
-                      program + " $s > printed/$(basename $s .txt).jsonl; done")
-                .code == 0);
+    if (!right.empty()) {
+      std::string text = text_of(folder / program);
+      REQUIRE(times(text, right) == 1);
+      write_text(folder / program, text.replace(text.find(right), right.size(), wrong));
+    }
+    REQUIRE(shell(folder, "test -d hw/class && python3 hw/class/make_class.py class; mkdir printed runs; "
+                          "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 " + program +
+                              " $s > printed/$(basename $s .txt).jsonl; done").code == 0);
     for (const auto& entry : std::filesystem::directory_iterator(folder / "printed"))
       scenes.push_back(entry.path().filename().string());
   }
@@ -85,12 +91,9 @@ std::set<std::string> names_in(const json& report) {
 
 using Names = std::set<std::string>;
 
-/// Parts whose steps speak of what others' steps make: these are printed, too.
+/// Parts whose steps say nothing without those of other parts: these are printed, too.
 const std::map<std::string, std::set<std::string>> needs{
-    {"spans", {"edge table"}},
     {"active edges", {"edge table"}},
-    {"flags", {"edges"}},
-    {"nearest hits", {"rays"}},
     {"polygons of an area", {"areas"}},
     {"planes and sides", {"pieces and cuts"}},
     {"tree", {"pieces and cuts"}},
@@ -129,6 +132,45 @@ TEST_CASE("rungs: each part of a homework earns all its points without those tha
   }
 }
 
+/// The runs of the Z-buffer's solution with another line in it.
+Runs with_line(const std::string& right, const std::string& wrong) {
+  return Runs("z-buffer", "hw/solution/zbuffer.py", right, wrong);
+}
+
+TEST_CASE("rungs: spans alone may call their edges by any numbers") {
+  if (!has_python()) return;
+  const Runs runs("z-buffer", "hw/solution/zbuffer.py");
+  for (const std::string& scene : runs.scenes) {
+    std::istringstream in(text_of(runs.folder / ("printed/" + scene)));
+    std::string other;
+    for (std::string line; std::getline(in, line);) {
+      json step = json::parse(line);
+      if (step.contains("left_edge")) step["left_edge"] = 0, step["right_edge"] = 0;
+      other += step.dump() + "\n";
+    }
+    write_text(runs.folder / ("printed/" + scene), other);
+  }
+  for (const json& scene : runs.grade({"polygon", "scan_line", "span", "interpolate_z"})["scenes"]) {
+    CHECK_FALSE(scene.contains("first"));
+    for (const json& part : scene["parts"])
+      CHECK((part["points"] == part["of"]) == (part["name"] == "spans"));
+  }
+}
+
+TEST_CASE("rungs: active edges without an edge table are left aside, and a line says what they lack") {
+  if (!has_python()) return;
+  const Runs runs("z-buffer", "hw/solution/zbuffer.py");
+  const std::set<std::string> steps{"clear",     "polygon",     "scan_line", "enter_edge",
+                                    "step_edge", "retire_edge", "span",      "interpolate_z"};
+  for (const json& scene : runs.grade(steps)["scenes"]) {
+    CHECK_FALSE(scene.contains("first"));
+    CHECK(scene["note"] == "enter_edge, step_edge, retire_edge name edges, and the run has no edge table that says which: "
+                           "they are left aside until it is printed, too.");
+    for (const json& part : scene["parts"])
+      CHECK((part["points"] == part["of"]) == (part["name"] == "spans"));
+  }
+}
+
 TEST_CASE("rungs: that all is right is not said where a hidden scene is not") {
   if (!has_python()) return;
   const Runs runs("z-buffer", "hw/solution/zbuffer.py");
@@ -160,18 +202,41 @@ TEST_CASE("rungs: compares alone are judged, and called only what they show") {
         Names{"compare_reversed"});
 }
 
+TEST_CASE("rungs: compares alone at pixels that are turned over or exchanged get the name of that") {
+  if (!has_python()) return;
+  const std::string place = "emit.compare(x, y,";
+  CHECK(names_in(with_line(place, "emit.compare(x, len(depth) - 1 - y,").grade({"compare"})) == Names{"y_upside_down"});
+  CHECK(names_in(with_line(place, "emit.compare(y, x,").grade({"polygon", "compare"})) == Names{"x_y_exchanged"});
+}
+
+TEST_CASE("rungs: compares alone of other depths get no name, whichever wins by what is printed") {
+  if (!has_python()) return;
+  for (const std::string depth : {"1 / (1 + z)", "2 * z", "-z"}) {
+    CAPTURE(depth);
+    const Runs runs = with_line("emit.compare(x, y, z,", "emit.compare(x, y, " + depth + ",");
+    for (const std::set<std::string>& steps : {std::set<std::string>{"compare"}, {"clear", "polygon", "compare"}})
+      CHECK(names_in(runs.grade(steps)) == Names{""});
+  }
+}
+
+TEST_CASE("rungs: a buffer that is never asked, or never written, is told by what earlier polygons count for") {
+  if (!has_python()) return;
+  const std::string asks = "nearer = z < depth[y][x]", writes = "            depth[y][x] = z\n";
+  for (const auto& [right, wrong] : {std::pair(asks, std::string("nearer = True")), {writes, ""}}) {
+    const Runs runs = with_line(right, wrong);
+    for (const std::set<std::string>& steps :
+         {std::set<std::string>{"compare"}, {"polygon", "compare"}, {"clear", "polygon", "compare"},
+          {"clear", "polygon", "compare", "write_depth", "write_pixel"}})
+      for (const json& scene : runs.grade(steps)["scenes"]) {
+        CAPTURE(steps.size());
+        if (scene.contains("first")) CHECK(scene["mistake"]["id"] == "buffer_reset");
+      }
+  }
+}
+
 TEST_CASE("rungs: compares at other pixels do not make a run one that broke off") {
   if (!has_python()) return;
-  const Runs runs("z-buffer", "hw/solution/zbuffer.py");
-  const std::string solution = text_of(runs.folder / "hw/solution/zbuffer.py"), place = "emit.compare(x, y,";
-  REQUIRE(times(solution, place) == 1);
-  std::string turned = solution;
-  turned.replace(turned.find(place), place.size(), "emit.compare(y, x,");
-  write_text(runs.folder / "hw/solution/zbuffer.py", turned);
-  REQUIRE(shell(runs.folder,
-                "for s in hw/scenes/*.txt hw/hidden/*.txt; do python3 hw/solution/zbuffer.py $s > "
-                "printed/$(basename $s .txt).jsonl; done")
-              .code == 0);
+  const Runs runs = with_line("emit.compare(x, y,", "emit.compare(y, x,");
   for (const json& scene : runs.grade({"compare"})["scenes"]) {
     CHECK(scene["left_out"].size() == 4);
     CHECK(scene["first"]["what"] == "This step is missing.");

@@ -139,8 +139,8 @@ struct Program {
     if (is("z_stepped_before_use")) z += dz;
     if (is("mean_depth")) z = (left.z + right.z) / 2;
     for (int x = first; x <= last && x < task.width; ++x) {
-      if (x >= 0) pixel(polygon, x, y, z);
       if (is("depth_doubled_at_ends") && x == last) z *= 2;
+      if (x >= 0) pixel(polygon, x, y, z);
       z += is("z_by_slope_of_x") ? left.dx : is("z_by_slope_of_edge") ? left.dz : dz;
       if (is("adds_in_float32")) z = static_cast<float>(z);
     }

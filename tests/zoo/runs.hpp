@@ -12,7 +12,7 @@ namespace zstep::test {
 
 /// Triangles whose vertices lie on eighths of a pixel, so that which centres lie on an edge is exact in float32, too.
 zoo::Task triangles(std::uint64_t seed, int count, int size);
-/// Two triangles in one plane, and one that shares a border with one of them.
+/// Two triangles in one plane, one that shares a border with one of them, and one behind them.
 zoo::Task ties();
 /// Polygons that are concave, and whose edges cross.
 zoo::Task concave();

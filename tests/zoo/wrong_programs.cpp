@@ -40,7 +40,10 @@ std::vector<WrongPrograms> of_rays() {
   all.push_back(seen("cyclic", 20, 60, 9, 8));
   all.push_back(seen("cyclic", 25, 70, 9, 8, 1.1));  // from amidst the polygons
   all.push_back(seen("pyramid-behind", 33, 62, 9, 8));
-  return {{"rays", {"ray-casting", zoo::rays, "", {{"boxes", "none"}}}, all, {"nearest_by_index", "negative_t"},
+  return {{"rays",
+           {"ray-casting", zoo::rays, "", {{"boxes", "none"}}},
+           all,
+           {"nearest_by_index", "negative_t"},
            {"inside_test_half"}},
           {"rays, boxes", {"ray-casting", zoo::rays, "boxes", {{"boxes", "facet"}}}, all, {"box_misses_at_0"}},
           {"rays, tight boxes", {"ray-casting", zoo::rays, "tight boxes", {{"boxes", "facet"}}}, all, {}}};
@@ -53,7 +56,9 @@ std::vector<WrongPrograms> of_flags() {
                                   seen("abc-def.toml", {}, {}, 22, 27),
                                   seen("five-tests.toml", {}, {}, 32, 20),
                                   on_the_raster(5, 4, 16)};
-  return {{"flags", {"scan-line", zoo::scan_line_flags}, scenes,
+  return {{"flags",
+           {"scan-line", zoo::scan_line_flags},
+           scenes,
            {"flag_missed", "wrong_of_two", "slope_inverted", "not_sorted", "plane_d_sign", "closing_edge_missed",
             "implied_edge_missed", "right_end_included", "z_kept_along_span"}},
           // To move an edge once more than it is used is no mistake yet; its flag is.
@@ -61,7 +66,8 @@ std::vector<WrongPrograms> of_flags() {
 }
 
 std::vector<WrongPrograms> of_viewing() {
-  return {{"viewing", {"z-buffer", zoo::viewing, "", {}, true},
+  return {{"viewing",
+           {"z-buffer", zoo::viewing, "", {}, true},
            {seen("cyclic", 25, 70, 12, 10, 1.5), seen("pyramid-behind", 33, 62, 12, 10, 1.2),
             seen("rays.toml", 40, 80, 12, 8, 2), seen("cyclic", 60, 50, 12, 10, 1.3), seen("pyramid", 33, 62, 14, 12),
             seen("intersecting", 20, 65, 14, 12), seen("dodecahedron", 20, 65, 16, 14)},
@@ -70,7 +76,8 @@ std::vector<WrongPrograms> of_viewing() {
 }
 
 std::vector<WrongPrograms> of_areas() {
-  return {{"areas", {"warnock", zoo::areas},
+  return {{"areas",
+           {"warnock", zoo::areas},
            {on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26), on_the_raster(5, 4, 16),
             seen("five-tests.toml", {}, {}, 32, 20), seen("quarters.toml", {}, {}, 16, 16)},
            {"surrounding_unchecked", "stops_one_early", "quarters_overlap"}}};
@@ -80,7 +87,9 @@ std::vector<WrongPrograms> of_horizon() {
   std::vector<Scene> scenes;
   for (const double theta : {-74.0, -60.0, -95.0}) scenes.push_back(surface("lessons/scenes/ridge-valley.toml", theta));
   for (const double theta : {-80.0, -65.0}) scenes.push_back(surface("y = sin(x) * cos(z)", theta));
-  return {{"horizon", {"floating-horizon", zoo::horizon, "", {{"sides", "off"}}}, scenes,
+  return {{"horizon",
+           {"floating-horizon", zoo::horizon, "", {{"sides", "off"}}},
+           scenes,
            {"only_upper", "not_interpolated", "farthest_first", "lower_never_moves", "crossing_from_end", "one_ink"},
            {"translation_left_out", "hidden_drawn"}}};
 }
@@ -94,7 +103,8 @@ std::vector<WrongPrograms> of_depth_sort() {
     equal.push_back(scene_of(task));
     equal.back().name = fmt::format("equal depths {}", seed);
   }
-  return {{"depth sort", program,
+  return {{"depth sort",
+           program,
            {on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26), on_the_raster(5, 4, 16),
             seen("five-tests.toml", {}, {}, 32, 20), seen("five-tests-ring.toml", {}, {}, 32, 20)},
            {"sorted_by_nearest", "tests_3_4_swapped", "pieces_lost"}},
@@ -121,8 +131,9 @@ Scene on_the_raster(std::uint64_t seed, int count, int size) {
   return scene;
 }
 std::vector<Scene> scenes_of_edge_table() {
-  std::vector<Scene> scenes{on_the_raster(3, 3, 18), on_the_raster(6, 6, 22), on_the_raster(11, 10, 26),
-                            on_the_raster(20, 8, 34), on_the_raster(31, 5, 40), scene_of(ties()), scene_of(concave())};
+  std::vector<Scene> scenes{on_the_raster(3, 3, 18),  on_the_raster(6, 6, 22),  on_the_raster(11, 10, 26),
+                            on_the_raster(20, 8, 34), on_the_raster(31, 5, 40), scene_of(ties()),
+                            scene_of(concave())};
   scenes[5].name = "ties", scenes[6].name = "concave";
   return scenes;
 }
@@ -145,7 +156,6 @@ Conventions conventions_of(const ZooProgram& program) {
   return conventions;
 }
 
-
 std::string head_of(const ZooProgram& program, const Scene& scene) {
   const Conventions conventions = conventions_of(program);
   if (!program.short_names) return head(program.method, scene, conventions);
@@ -159,6 +169,20 @@ std::string printed_by(const ZooProgram& program, const Scene& scene, const std:
   return program.run(task);
 }
 
+namespace {
+
+/// The picture, where there is one, and each kind of step that a run has.
+std::vector<grade::Part> parts_of(const ZooProgram& program, const Trace& run) {
+  std::vector<grade::Part> parts;
+  if (program.paints) parts.push_back({"buffers", grade::Level::buffers, {}, 0, 1});
+  for (std::size_t kind = 0; kind < kind_count; ++kind)
+    if (const auto one = static_cast<std::uint8_t>(kind); run.has(one))
+      parts.push_back({name_of(one), grade::Level::matched, {one}, 1, 1});
+  return parts;
+}
+
+}  // namespace
+
 Found found_in(const ZooProgram& program, const Scene& scene, const std::string& mistake) {
   const std::string right = printed_by(program, scene, ""), text = printed_by(program, scene, mistake);
   const std::int64_t step = first_difference(right, text);
@@ -167,22 +191,53 @@ Found found_in(const ZooProgram& program, const Scene& scene, const std::string&
   std::string impossible;
   const Trace run = trace_of(head_of(program, scene) + text, &impossible);
   const Trace reference = recorded_by(program.method, run.scene(), run.header().conventions);
-  const grade::Judgement judged = grade::judge(reference, run, {});
+  const std::vector<grade::Part> parts = parts_of(program, run);
+  const grade::Judgement judged = grade::judge(reference, run, parts);
   found.detected = judged.first || !impossible.empty();
-  if (const auto name = grade::mistake_in(run, judged)) found.name = test::named(*name);
+  found.full_marks = true;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const grade::PartCount& count = judged.parts[k];
+    const bool computed = parts[k].level == grade::Level::buffers || count.computed == count.all();
+    found.full_marks = found.full_marks && count.expected > 0 && count.same == count.all() && computed;
+  }
+  if (const auto name = grade::mistake_in(reference, run, judged)) found.name = test::named(*name);
+  found.said = judged.first ? said_of(*judged.first) : "nothing";
   if (!found.shows) return found;
   const std::int64_t shows = shown_at(run, step);
   found.at_once = judged.first && step <= judged.first->step && judged.first->step <= shows;
   const Trace without = trace_of(head_of(program, scene) + right);
   for (const diff::Cause& cause : judged.difference.causes) {
     if (cause.part != diff::Part::different) continue;
-    found.at_once =
-        found.at_once || is_at(cause, reference, judged.difference.alignment, without, step, shows);
+    found.at_once = found.at_once || is_at(cause, reference, judged.difference.alignment, without, step, shows);
     break;
   }
   found.said = fmt::format("from step {}, shown at {}; found: {}", step, shows,
                            judged.first ? said_of(*judged.first) : "nothing");
   return found;
+}
+
+PairsNamed pairs_of_edge_table() {
+  const std::vector<Scene> scenes = scenes_of_edge_table();
+  const auto printed = [&](std::size_t scene, const std::string& mistake) {
+    return printed_by(edge_table_program, scenes[scene], mistake);
+  };
+  PairsNamed pairs;
+  std::uint32_t turn = 0;
+  for (const std::string one : of_edge_table)
+    for (const std::string other : of_edge_table) {
+      turn = turn * 1664525 + 1013904223;
+      if (one >= other || turn >> 24 > 60) continue;
+      const std::size_t scene = turn >> 8 & 3u;
+      const std::string right = printed(scene, "");
+      const std::int64_t first = first_difference(right, printed(scene, one)),
+                         second = first_difference(right, printed(scene, other));
+      if (first == 0 || second == 0) continue;
+      const std::string name = found_in(edge_table_program, scenes[scene], one + "+" + other).name;
+      const bool is_right = (name == one && first <= second) || (name == other && second <= first);
+      (is_right ? pairs.right : name.empty() ? pairs.none : pairs.wrong)++;
+      if (!is_right) pairs.others += fmt::format("\n{}+{}: {}", one, other, name.empty() ? "no name" : name);
+    }
+  return pairs;
 }
 
 std::string named(const grade::Likely& likely) {

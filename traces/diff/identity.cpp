@@ -34,7 +34,8 @@ struct Parts {
   }
 };
 
-Identity::Identity(const Trace& trace) : points_(trace.scene().points.size()), trace_(&trace) {}
+Identity::Identity(const Trace& trace, bool edges_told)
+    : points_(trace.scene().points.size()), edges_told_(edges_told), trace_(&trace) {}
 
 Key Identity::name_of(Thing thing, std::int32_t number) const {
   const Key kind = static_cast<Key>(thing) << 56;
@@ -69,6 +70,19 @@ void Identity::edge_enters(std::int32_t edge) {
   edge_used(edge, scan_line_);
 }
 
+/// The name of the thing in a field. An edge of which a run tells nothing but its number is known by where it stands: as
+/// the left or right one of a span, or as one of the polygon whose flag flips there.
+template <class E, std::size_t I>
+Key Identity::name_in(const E& e) const {
+  constexpr Thing thing = thing_at<E, I>();
+  if constexpr (thing == Thing::edge && std::is_same_v<E, SpanBegin>) {
+    if (!edges_told_) return I;
+  } else if constexpr (thing == Thing::edge && std::is_same_v<E, FlagFlip>) {
+    if (!edges_told_) return name_of(Thing::piece, e.piece);
+  }
+  return name_of(thing, e.*field_at<E, I>.member);
+}
+
 /// What a step is about, number by number.
 template <class E>
 auto Identity::parts(const E& e) {
@@ -91,7 +105,7 @@ auto Identity::parts(const E& e) {
     if constexpr (it.names(field.name) && !std::is_same_v<Value, double>) {
       Key name = 0;
       if constexpr (std::is_same_v<Value, std::int32_t> && thing_at<E, I>() != Thing::none)
-        name = name_of(thing_at<E, I>(), e.*field.member);
+        name = name_in<E, I>(e);
       else name = whole(static_cast<std::int64_t>(e.*field.member));
       constexpr bool end = field.name == "vertex_0" || field.name == "vertex_1";
       if constexpr (it.either_way && end) ends += spread(name);
@@ -134,7 +148,7 @@ Identity::Known Identity::known(const E& e) {
   std::size_t results = 0;
   for_each_index<E>([&]<std::size_t I>() {
     if constexpr (is_result<E, I>() && thing_at<E, I>() != Thing::none)
-      found.results[results++] = name_of(thing_at<E, I>(), e.*field_at<E, I>.member);
+      found.results[results++] = name_in<E, I>(e);
   });
   return found;
 }

@@ -50,7 +50,8 @@ class Identity {
     Hint hint = 0;
   };
 
-  explicit Identity(const Trace& trace);
+  /// `edges_told`: both runs say which edges they have; else an edge is not known by its number.
+  explicit Identity(const Trace& trace, bool edges_told = true);
 
   /// A number for what the step is about: the same for the same in two runs of a scene, whatever they number and in
   /// whatever order they work. Steps must be asked for one after another.
@@ -88,6 +89,8 @@ class Identity {
   };
   template <class E>
   auto parts(const E& e);
+  template <class E, std::size_t I>
+  Key name_in(const E& e) const;
   template <class E>
   void take_note(const E& e, Key key);
   void edge_used(std::int32_t edge, std::int32_t row);
@@ -103,6 +106,7 @@ class Identity {
   Key area_ = 0, ray_ = 0, curve_ = 0, node_ = 0;
   bool turns_ = true;  ///< polygons are worked on one after another
   bool compares_ = false;  ///< pieces are compared: what enters the list now was in it before, or is a part
+  bool edges_told_;
   const Trace* trace_;
 };
 

@@ -37,7 +37,8 @@ struct Run {
   Waiting waiting;        ///< steps that the other run has not done yet
   std::int64_t last = 0;  ///< the last step that was read by itself
 
-  Run(const Trace& trace_, const Both& both) : trace(trace_), steps(trace_, both), identity(trace_) {}
+  Run(const Trace& trace_, const Both& both)
+      : trace(trace_), steps(trace_, both), identity(trace_, both[kind_of<EdgeTableInsert>]) {}
   /// The next step; none at the end.
   std::optional<Keyed> read();
   /// Passes over a polygon that is begun again, if that comes next.

@@ -16,7 +16,8 @@ void derive(const FlagFlip& e, const Situation& at, Out& out) {
   out.is(&FlagFlip::inside, std::find(inside.begin(), inside.end(), e.piece) == inside.end());
   const EdgeTableInsert* edge = at.edge(e.edge);
   const Piece* piece = at.piece(e.piece);
-  out.rule(Rule::flip_own_edge, edge && piece && edge->polygon == piece->polygon && at.active(e.edge));
+  if (at.method().edges_told)
+    out.rule(Rule::flip_own_edge, edge && piece && edge->polygon == piece->polygon && at.active(e.edge));
 }
 
 template <class Out>

@@ -8,6 +8,7 @@
 
 #include "traces/formulas/walk.hpp"
 #include "traces/mistakes/name.hpp"
+#include "traces/mistakes/turned.hpp"
 
 namespace zstep::grade {
 
@@ -35,8 +36,9 @@ std::array<std::int64_t, kind_count> steps_by_kind(const Trace& trace) {
 
 class Counter {
  public:
-  Counter(const Trace& reference, const Trace& run, const diff::DiffReport& difference, const CheckMarks& marks)
-      : run_(run), difference_(difference), expected_(steps_by_kind(reference)) {
+  Counter(const Trace& reference, const Trace& run, const diff::DiffReport& difference, const CheckMarks& marks,
+          const std::set<std::uint8_t>& aside)
+      : run_(run), difference_(difference), aside_(aside), expected_(steps_by_kind(reference)) {
     std::int64_t last = 0;
     for (const Fault& fault : marks.faults) {
       if (fault.step == last || difference.alignment.in_a(fault.step) == 0) continue;
@@ -50,6 +52,7 @@ class Counter {
     for (const std::uint8_t kind : part.kinds) {
       const diff::KindDifference& of = difference_.kinds[kind];
       count.expected += expected_[kind] - of.idle_a;
+      if (aside_.contains(kind)) continue;
       count.additional += of.only_b - of.idle_b;
       count.same += of.same + of.rounding;
       count.computed += of.same + of.rounding + of.different - miscomputed_[kind];
@@ -77,6 +80,7 @@ class Counter {
 
   const Trace& run_;
   const diff::DiffReport& difference_;
+  const std::set<std::uint8_t>& aside_;
   std::array<std::int64_t, kind_count> expected_, miscomputed_{};
 };
 
@@ -94,19 +98,37 @@ std::int64_t shows_at(const Judgement& found, const diff::Cause& cause) {
 }
 
 /// The first of what parts and what is computed wrongly, in the order of the run.
-std::optional<Divergence> first_divergence(const Judgement& found) {
+std::optional<Divergence> first_divergence(const Judgement& found, const std::set<std::uint8_t>& aside) {
   std::optional<Divergence> first;
   for (const diff::Cause& cause : found.difference.causes) {
-    if (cause.part != diff::Part::different) continue;
+    if (cause.part != diff::Part::different || aside.contains(cause.first.kind)) continue;
     const std::int64_t step = shows_at(found, cause);
     if (!first || step < first->step) first = Divergence{cause.first, std::nullopt, cause.too_early, step};
   }
-  if (!found.checked.causes.empty()) {
-    const Fault& fault = found.checked.causes.front().first;
+  const auto cause = std::find_if(found.checked.causes.begin(), found.checked.causes.end(),
+                                  [&](const Cause& one) { return !aside.contains(one.first.kind); });
+  if (cause != found.checked.causes.end()) {
+    const Fault& fault = cause->first;
     if (!first || fault.step < first->step) first = Divergence{std::nullopt, fault, std::nullopt, fault.step};
     else if (fault.step == first->step) first->fault = fault;
   }
   return first;
+}
+
+/// Does a run first part from the reference in the depth of a pixel, by far more than rounding?
+bool depth_is_wrong(const Divergence& first) {
+  constexpr float far_more = 1e-4f;
+  if (!first.parts || first.parts->only_a() || first.parts->only_b() || !(first.parts->off > far_more)) return false;
+  const auto has_depth = [&]<class E>(const E*) {
+    bool found = false;
+    for_each_index<E>([&]<std::size_t I>() {
+      found = found || (field_at<E, I>.name == "z" && (first.parts->fields >> I & 1u) != 0);
+    });
+    return kind_of<E> == first.parts->kind && found;
+  };
+  const DepthInterpolate* const interpolated = nullptr;
+  const DepthCompare* const compared = nullptr;
+  return has_depth(interpolated) || has_depth(compared);
 }
 
 }  // namespace
@@ -130,16 +152,25 @@ PartCount count_pixels(const std::vector<bool>& reference, const std::vector<boo
   return count;
 }
 
+std::set<std::uint8_t> kinds_of_unknown_edges(const Trace& run) {
+  std::set<std::uint8_t> kinds;
+  if (!run.has(kind_of<EdgeTableInsert>))
+    for (const std::uint8_t kind : {kind_of<EdgeEnter>, kind_of<EdgeStep>, kind_of<EdgeSwap>, kind_of<EdgeRetire>})
+      if (run.has(kind)) kinds.insert(kind);
+  return kinds;
+}
+
 Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts,
                 const HeldTo& held) {
   Judgement found;
+  const std::set<std::uint8_t> aside = kinds_of_unknown_edges(run);
   CheckMarks marks;
   found.checked = check(run, nullptr, nullptr, &marks, held);
   found.difference = diff::compare(reference, run, nullptr, diff::Way::fast, held);
   Ends& ends = found.ends = {picture_of(reference), picture_of(run), {}};
   ends.apart =
       diff::compare_pictures(ends.reference, reference.scene(), ends.run, run.scene(), found.difference.precision);
-  const Counter counter(reference, run, found.difference, marks);
+  const Counter counter(reference, run, found.difference, marks, aside);
   for (const Part& part : parts) {
     if (part.level != Level::buffers) {
       found.parts.push_back(counter.steps(part));
@@ -147,11 +178,11 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
     }
     found.parts.push_back(count_pixels(drawn(ends.reference), drawn(ends.run), ends.apart.apart));
   }
-  found.first = first_divergence(found);
+  found.first = first_divergence(found, aside);
   return found;
 }
 
-std::optional<Likely> mistake_in(const Trace& run, const Judgement& found) {
+std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const Judgement& found) {
   if (!found.first) return std::nullopt;
   std::int64_t next = 0;
   const auto look_at = [&](std::int64_t step) {
@@ -162,9 +193,12 @@ std::optional<Likely> mistake_in(const Trace& run, const Judgement& found) {
   for (const Cause& cause : found.checked.causes) look_at(cause.first.step);
   const Precision& precision = found.checked.precision;
   std::optional<Likely> likely;
-  if (const auto one = mistakes::mistake_of(run, found.first->step, next, precision)) {
+  const std::int64_t first = found.first->step;
+  if (const auto one = mistakes::mistake_of(run, first, next, depth_is_wrong(*found.first), precision)) {
     likely.emplace().mistake = *one;
-  } else if (const auto two = mistakes::pair_of(run, found.first->step, precision)) {
+  } else if (const auto turned = mistakes::turned_of(reference, run, precision)) {
+    likely.emplace().mistake = *turned;
+  } else if (const auto two = mistakes::pair_of(run, first, precision)) {
     likely.emplace().mistake = two->first;
     likely->also = two->second;
   }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,10 @@ struct Judgement {
 /// float64 and float32 would have others.
 HeldTo held_to(int digits, const std::vector<std::string>& free);
 
+/// The kinds of a run's steps that nothing can be said of, as they speak of edges by numbers and the run has no edge
+/// table that says which edges these are. Steps of these kinds earn nothing and are not called wrong.
+std::set<std::uint8_t> kinds_of_unknown_edges(const Trace& run);
+
 /// Judges a run of the reference's scene. Numbers are held to so many digits or decimals, however few are written: who
 /// prints three would have errors taken for rounding.
 Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part>& parts,
@@ -89,7 +94,7 @@ struct Likely {
   mistakes::Mistake mistake{};
   std::optional<mistakes::Mistake> also{};  ///< in the same number
 };
-std::optional<Likely> mistake_in(const Trace& run, const Judgement& found);
+std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const Judgement& found);
 
 /// By pixel, whether a picture has a polygon there, or ink.
 std::vector<bool> drawn(const Picture& picture);

@@ -1,5 +1,7 @@
 #include "traces/mistakes/name.hpp"
 
+#include <tuple>
+
 #include "traces/formulas/walk.hpp"
 #include "traces/mistakes/of_areas.hpp"
 #include "traces/mistakes/of_curves.hpp"
@@ -29,6 +31,9 @@ void suppose_all(const Trace& run, Supposed& supposed) {
       [](std::int64_t, const Impossible&) {});
 }
 
+/// With what is in the depth buffer, and how a depth is compared with it. None of these changes the depth itself.
+bool is_of_buffer(Mistake mistake) { return compare_reversed <= mistake && mistake <= written_before_test; }
+
 }  // namespace
 
 std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precision) {
@@ -39,18 +44,21 @@ std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precis
   return fits;
 }
 
-std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next,
+std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next, bool depth_is_wrong,
                                   const Precision& precision) {
   const std::array<Fit, mistake_count> fits = fits_of(run, precision);
   std::optional<std::size_t> best;
+  bool either = false;
   for (std::size_t k = 0; k < mistake_count; ++k) {
     const Fit& fit = fits[k];
     if (!fit.holds() || (next > first && fit.first > next)) continue;
-    // The one that shows first; of several, the one that explains the most.
-    if (!best || fit.first < fits[*best].first || (fit.first == fits[*best].first && fit.as_made > fits[*best].as_made))
-      best = k;
+    if (depth_is_wrong && fit.first >= first && is_of_buffer(static_cast<Mistake>(k))) continue;
+    // The one that shows first; of several, the one that explains the most, and then the one that shows at once.
+    const auto explains = [](const Fit& one) { return std::tuple(-one.first, one.as_made, -one.against_before); };
+    if (best && explains(fit) == explains(fits[*best])) either = true;
+    if (!best || explains(fit) > explains(fits[*best])) best = k, either = false;
   }
-  return best ? std::optional(static_cast<Mistake>(*best)) : std::nullopt;
+  return best && !either ? std::optional(static_cast<Mistake>(*best)) : std::nullopt;
 }
 
 std::optional<Pair> pair_of(const Trace& run, std::int64_t first, const Precision& precision) {

@@ -114,8 +114,17 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   const bool wins_on_line = comparison.wins(e.z, last);
   if (wins_on_line) last = e.z;
   out.says(buffer_of_one_line, e.nearer == wins_on_line, right);
-  if (tie) return;
   const bool draws = at.has_step<PixelWrite>();
+  // Where pixels are not written the run says only who won there last, if it says which polygon is at work.
+  auto& winners = out.winners;
+  if (winners.empty()) winners.assign(at.before.picture.polygon.size(), no_polygon);
+  std::int32_t& winner = winners[static_cast<std::size_t>(at.pixel(e.x, e.y))];
+  const std::int32_t here = at.method().polygon;
+  const bool of_other = draws ? drawn != no_polygon && drawn != here
+                              : stored != at.header.empty_depth() && (here == no_polygon || winner != here);
+  if (e.nearer) winner = here;
+  out.says(buffer_reset, of_other ? e.nearer : right, right);
+  if (tie) return;
   const bool empty = draws ? drawn == no_polygon : stored == at.header.empty_depth();
   // Against nothing, a reversed compare either always loses or has a case of its own.
   if (empty) (e.nearer ? out.won_empty : out.lost_empty) = true;
@@ -126,8 +135,6 @@ inline void suppose(const DepthCompare& e, const Situation& at, Supposed& out) {
   if (either) {
   } else if (empty && e.nearer == comparison.wins(e.z, 0)) out.says(buffer_begins_at_0, true, right);
   else if (empty) out.rules_out(buffer_begins_at_0);
-  const bool of_other = drawn != no_polygon && drawn != at.method().polygon;
-  out.says(buffer_reset, of_other ? e.nearer : right, right);
 }
 
 inline void suppose(const DepthWrite& e, const Situation& at, Supposed& out) {

@@ -62,6 +62,7 @@ class Supposed {
   std::optional<SideTest> side;                ///< the last one, until the next test
   bool won_empty = false, lost_empty = false;  ///< a pixel where nothing was drawn yet
   std::vector<double> one_line;                ///< a depth buffer of a single line, by column
+  std::vector<std::int32_t> winners;           ///< by pixel, the polygon that won the last compare there
   bool asks_other_way = false;          ///< a pair's tests are done, and those of the pair the other way round begin
   std::set<std::int32_t> cut_off;       ///< pieces that are not in the list yet
   std::int32_t edges_of = no_polygon;   ///< the polygon whose edge came last, until a scan line begins

@@ -130,8 +130,10 @@ inline void apply_method_state(const EdgeSwap& event, MethodState& machine) {
 inline void apply_method_state(const AttributeInterpolate& event, MethodState& machine) { machine.attribute = event; }
 inline void apply_method_state(const PlaneSlopes& event, MethodState& machine) { machine.slopes = event; }
 inline void apply_method_state(const SpanBegin& event, MethodState& machine) {
-  detail::must_be_in_table(machine, event.left_edge);
-  detail::must_be_in_table(machine, event.right_edge);
+  if (machine.edges_told) {
+    detail::must_be_in_table(machine, event.left_edge);
+    detail::must_be_in_table(machine, event.right_edge);
+  }
   machine.span = event;
 }
 

@@ -190,6 +190,7 @@ inline void apply_method_state(const RayEnd& event, MethodState& machine) {
   std::vector<RayRow>& rows = machine.rays.tree;
   const auto row = std::lower_bound(rows.begin(), rows.end(), event.ray,
                                     [](const RayRow& one, std::int32_t ray) { return one.entry.ray < ray; });
+  if (!machine.rays_told) return;
   if (row == rows.end() || row->entry.ray != event.ray)
     throw Impossible(fmt::format("ray {} ends but did not begin", event.ray));
   row->end = event;

@@ -21,6 +21,8 @@ Beginning::Beginning(const Trace& trace) : scene_(&trace.scene()), empty_depth_(
   colors_ = records<ColorWrite>(header) || records<ColorBlend>(header);
   light_ = records<PassBegin>(header);
   compares_write_ = records<DepthCompare>(header) && !records<DepthWrite>(header);
+  edges_told_ = trace.has(kind_of<EdgeTableInsert>);
+  rays_told_ = trace.has(kind_of<RayBegin>);
 }
 
 State Beginning::state() const {
@@ -34,6 +36,8 @@ State Beginning::state() const {
 MethodState Beginning::machine() const {
   MethodState machine;
   machine.compares_write = compares_write_;
+  machine.edges_told = edges_told_;
+  machine.rays_told = rays_told_;
   return machine;
 }
 
