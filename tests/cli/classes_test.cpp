@@ -184,6 +184,9 @@ const FirstSteps warnock_steps{
 const std::set<std::string> seldom_told{"retired_one_late", "never_retired", "flag_missed", "only_upper",
                                         "spanning_not_split"};
 
+/// In the scenes of the homework this is never told from never_retired.
+const std::set<std::string> never_told{"retired_one_late"};
+
 struct Names {
   int right = 0, none = 0, wrong = 0;
 };
@@ -210,7 +213,7 @@ void hold(const json& report, const std::string& mistake, const FirstSteps& step
     (name == mistake ? names.right : name.empty() ? names.none : names.wrong)++;
   }
   CHECK(differs == !(right || nothing));
-  CHECK((named || nameless));
+  CHECK((named || nameless || never_told.contains(mistake)));
 }
 
 bool has_python() {
@@ -248,7 +251,7 @@ TEST_CASE("classes: of thirty Z-buffers, each is told the own mistake") {
 TEST_CASE("classes: of thirty scan-line programs, each is told the own mistake") {
   if (!has_python()) return;
   const Names names = each_is_told("scan-line", "scanline.py", scan_line_steps);
-  CHECK(names.wrong <= 1);  // never_retired in one scene, where it does what retired_one_late does
+  CHECK(names.wrong == 0);
   CHECK(names.right >= 0.9 * (names.right + names.none + names.wrong));
 }
 

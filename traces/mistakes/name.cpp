@@ -55,7 +55,8 @@ std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int
     if (depth_is_wrong && fit.first >= first && is_of_buffer(static_cast<Mistake>(k))) continue;
     // The one that shows first; of several, the one that explains the most, and then the one that shows at once.
     const auto explains = [](const Fit& one) { return std::tuple(-one.first, one.as_made, -one.against_before); };
-    if (best && explains(fit) == explains(fits[*best])) either = true;
+    // With other numbers both are made; with the same ones it is one of them, and there is no telling which.
+    if (best && explains(fit) == explains(fits[*best]) && fit.numbers == fits[*best].numbers) either = true;
     if (!best || explains(fit) > explains(fits[*best])) best = k, either = false;
   }
   return best && !either ? std::optional(static_cast<Mistake>(*best)) : std::nullopt;

@@ -16,7 +16,7 @@ std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precis
 /// The mistake that a run goes wrong by, where one of the catalogue makes the run's own numbers from there on. `first`
 /// is the step at which it first goes wrong, `next` the first one that is wrong for another reason; 0 where none is.
 /// The mistake must show before that: what shows later may be another's doing. `depth_is_wrong`: at the first step it is
-/// the depth of a pixel, which no mistake with the buffer makes. Where two of the catalogue explain as much, it is none.
+/// the depth of a pixel, which no mistake with the buffer makes. Where two explain the same numbers, it is none.
 std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next, bool depth_is_wrong,
                                   const Precision& precision);
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -41,6 +42,7 @@ struct Fit {
   std::int64_t first = 0;    ///< the first step that is as the mistake would have it, and wrong; 0 where none is
   std::int64_t as_made = 0;  ///< all of them
   std::int64_t against_before = 0, against_after = 0;  ///< steps that the mistake would have made otherwise
+  std::uint64_t numbers = 0;  ///< a sum over the numbers that are as the mistake would have them
 
   /// Does the mistake make the numbers of the run, from where it shows on?
   bool holds() const {
@@ -73,15 +75,17 @@ class Supposed {
     return formulas::gives(formula, recorded, precision_.relative) ||
            std::abs(recorded - formula.value) <= precision_.absolute;
   }
-  void says(Mistake mistake, bool as_made, bool as_right) {
+  void says(Mistake mistake, bool as_made, bool as_right, double number = 0) {
     if (as_made && as_right) return;
-    count(fits_[static_cast<std::size_t>(mistake)], as_made);
+    Fit& fit = fits_[static_cast<std::size_t>(mistake)];
+    count(fit, as_made);
+    if (as_made) fit.numbers += std::bit_cast<std::uint64_t>(number) ^ static_cast<std::uint64_t>(step_);
   }
   /// The mistake is not made: it would have shown from the beginning.
   void rules_out(Mistake mistake) { ++fits_[static_cast<std::size_t>(mistake)].against_after; }
   void number(Mistake mistake, double recorded, std::initializer_list<Rounded> made, const Rounded& right) {
     says(mistake, std::any_of(made.begin(), made.end(), [&](const auto& one) { return equal(recorded, one); }),
-         equal(recorded, right));
+         equal(recorded, right), recorded);
   }
   /// What two of these mistakes make of a number that each of them alone makes otherwise: `make(made)` gives the number
   /// of a program that makes the mistakes of which made(mistake) is true.
@@ -114,7 +118,8 @@ class Supposed {
   void whole(Mistake mistake, std::int32_t recorded, std::initializer_list<std::int32_t> made,
              std::initializer_list<std::int32_t> right) {
     const auto is_one = [&](std::int32_t one) { return one == recorded; };
-    says(mistake, std::any_of(made.begin(), made.end(), is_one), std::any_of(right.begin(), right.end(), is_one));
+    says(mistake, std::any_of(made.begin(), made.end(), is_one), std::any_of(right.begin(), right.end(), is_one),
+         recorded);
   }
 
  private:
