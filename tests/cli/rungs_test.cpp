@@ -106,7 +106,8 @@ TEST_CASE("rungs: each part of a homework earns all its points without those tha
   const std::vector<std::pair<std::string, std::string>> programs{
       {"z-buffer", "zbuffer"}, {"scan-line", "scanline"}, {"ray-casting", "raycast"}, {"floating-horizon", "horizon"},
       {"bsp", "bsp"},          {"warnock", "warnock"}};
-  for (const auto& [method, program] : programs) {
+  for (const auto& named : programs) {
+    const std::string &method = named.first, &program = named.second;
     CAPTURE(method);
     const Runs runs(method, "hw/solution/" + program + ".py");
     const std::vector<Part> parts = parts_of(text_of(runs.folder / "hw/homework.toml"));

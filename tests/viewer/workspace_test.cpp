@@ -50,7 +50,8 @@ TEST_CASE("each method's workspace leads with what it lives by") {
                                                     {"wireframe", "frame lines"},
                                                     {"shadow-buffer", "frame shadow_buffer"},
                                                     {"transparency", "frame depth"}};
-  for (const auto& [id, leading] : expected) {
+  for (const auto& named : expected) {
+    const std::string &id = named.first, &leading = named.second;
     CAPTURE(id);
     Header header;
     header.page = method(id).page();
