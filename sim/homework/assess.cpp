@@ -172,7 +172,7 @@ Graded grade_task(const Homework& homework, const Task& task, const fs::path& su
       graded.why = fmt::format("the numbers are {}: print more of their digits, as %.17g does", written.text);
     if (found.first) {
       graded.first = in_words(runs, *found.first, graded.file);
-      graded.first->mistake = grade::mistake_in(*runs.reference, runs.submission, found);
+      graded.first->mistake = grade::mistake_in(*runs.reference, runs.submission, found, &graded.first->either);
       graded.ends = std::move(found.ends);
     }
   } catch (const InputError& error) {
@@ -318,6 +318,22 @@ bool Assessment::gradable() const {
                      [](const Graded& task) { return task.state == Graded::State::judged; });
 }
 
+namespace {
+
+/// Where several mistakes make the same numbers in one scene, it is the one that is named in another scene.
+void decide_by_other_scenes(Assessment& all) {
+  std::set<mistakes::Mistake> named;
+  for (const Graded& task : all.tasks)
+    if (task.first && task.first->mistake && !task.first->mistake->also) named.insert(task.first->mistake->mistake);
+  for (Graded& task : all.tasks) {
+    if (!task.first) continue;
+    std::erase_if(task.first->either, [&](mistakes::Mistake one) { return !named.contains(one); });
+    if (task.first->either.size() == 1) task.first->mistake.emplace().mistake = task.first->either.front();
+  }
+}
+
+}  // namespace
+
 Assessment assess(const Homework& homework, const fs::path& submission, const std::string& only,
                   const std::function<void(const Task&)>& on_task, const References* known) {
   Assessment all{&homework, submission.string(), {}};
@@ -329,6 +345,7 @@ Assessment assess(const Homework& homework, const fs::path& submission, const st
     if (on_task) on_task(task);
     all.tasks.push_back(grade_task(homework, task, submission, file, pictures, known));
   }
+  decide_by_other_scenes(all);
   return all;
 }
 

@@ -22,6 +22,7 @@ struct FirstWrong {
   std::string what;                          ///< one sentence
   std::vector<std::string> expected, found;  ///< what the reference has, and the run, a field a line
   std::optional<grade::Likely> mistake;  ///< that makes the run's very numbers from there on
+  std::vector<mistakes::Mistake> either;  ///< that make the same numbers here, where none is named for that
 };
 /// The likely mistake for its writer: what it is, what to ask oneself, and where that is taught; a line each.
 std::vector<std::string> mistake_lines(const FirstWrong& first);

@@ -182,7 +182,8 @@ Judgement judge(const Trace& reference, const Trace& run, const std::vector<Part
   return found;
 }
 
-std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const Judgement& found) {
+std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const Judgement& found,
+                                 std::vector<mistakes::Mistake>* either) {
   if (!found.first) return std::nullopt;
   std::int64_t next = 0;
   const auto look_at = [&](std::int64_t step) {
@@ -194,8 +195,12 @@ std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const
   const Precision& precision = found.checked.precision;
   std::optional<Likely> likely;
   const std::int64_t first = found.first->step;
-  if (const auto one = mistakes::mistake_of(run, first, next, depth_is_wrong(*found.first), precision)) {
-    likely.emplace().mistake = *one;
+  const std::vector<mistakes::Mistake> some =
+      mistakes::mistakes_of(run, first, next, depth_is_wrong(*found.first), precision);
+  if (some.size() == 1) {
+    likely.emplace().mistake = some.front();
+  } else if (!some.empty()) {
+    if (either) *either = some;
   } else if (const auto turned = mistakes::turned_of(reference, run, precision)) {
     likely.emplace().mistake = *turned;
   } else if (const auto two = mistakes::pair_of(run, first, precision)) {

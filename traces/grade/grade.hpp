@@ -94,7 +94,10 @@ struct Likely {
   mistakes::Mistake mistake{};
   std::optional<mistakes::Mistake> also{};  ///< in the same number
 };
-std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const Judgement& found);
+/// `either`, where it is there, takes the mistakes that make the same numbers, so that none of them is named: another run
+/// of the program may tell which.
+std::optional<Likely> mistake_in(const Trace& reference, const Trace& run, const Judgement& found,
+                                 std::vector<mistakes::Mistake>* either = nullptr);
 
 /// By pixel, whether a picture has a polygon there, or ink.
 std::vector<bool> drawn(const Picture& picture);

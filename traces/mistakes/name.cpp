@@ -44,22 +44,25 @@ std::array<Fit, mistake_count> fits_of(const Trace& run, const Precision& precis
   return fits;
 }
 
-std::optional<Mistake> mistake_of(const Trace& run, std::int64_t first, std::int64_t next, bool depth_is_wrong,
-                                  const Precision& precision) {
+std::vector<Mistake> mistakes_of(const Trace& run, std::int64_t first, std::int64_t next, bool depth_is_wrong,
+                                 const Precision& precision) {
   const std::array<Fit, mistake_count> fits = fits_of(run, precision);
-  std::optional<std::size_t> best;
-  bool either = false;
+  // The one that shows first; of several, the one that explains the most, and then the one that shows at once.
+  const auto explains = [](const Fit& one) { return std::tuple(-one.first, one.as_made, -one.against_before); };
+  std::vector<Mistake> best;
   for (std::size_t k = 0; k < mistake_count; ++k) {
     const Fit& fit = fits[k];
     if (!fit.holds() || (next > first && fit.first > next)) continue;
     if (depth_is_wrong && fit.first >= first && is_of_buffer(static_cast<Mistake>(k))) continue;
-    // The one that shows first; of several, the one that explains the most, and then the one that shows at once.
-    const auto explains = [](const Fit& one) { return std::tuple(-one.first, one.as_made, -one.against_before); };
-    // With other numbers both are made; with the same ones it is one of them, and there is no telling which.
-    if (best && explains(fit) == explains(fits[*best]) && fit.numbers == fits[*best].numbers) either = true;
-    if (!best || explains(fit) > explains(fits[*best])) best = k, either = false;
+    const Fit* found = best.empty() ? nullptr : &fits[static_cast<std::size_t>(best.front())];
+    if (found && explains(fit) < explains(*found)) continue;
+    // With other numbers both are made; with the same ones it is one of them.
+    const bool alike = found && explains(fit) == explains(*found);
+    if (alike && fit.numbers != found->numbers) continue;
+    if (!alike) best.clear();
+    best.push_back(static_cast<Mistake>(k));
   }
-  return best && !either ? std::optional(static_cast<Mistake>(*best)) : std::nullopt;
+  return best;
 }
 
 std::optional<Pair> pair_of(const Trace& run, std::int64_t first, const Precision& precision) {
