@@ -70,13 +70,14 @@ void App::set_presenter(bool presenter) {
 }
 
 std::string App::lead() const {
-  if (lead_) return *lead_;
   const Lesson* lesson = session_.lesson();
-  return lesson && session_.stop() >= 0 ? lesson->stops[static_cast<std::size_t>(session_.stop())].focus : "";
+  const int stop = session_.stop();
+  const std::string focus = lesson && stop >= 0 ? lesson->stops[static_cast<std::size_t>(stop)].focus : "";
+  return chosen_lead_ && (chosen_lead_->stop == stop || focus.empty()) ? chosen_lead_->pane : focus;
 }
 
 void App::set_lead(const std::string& pane) {
-  lead_ = pane;
+  chosen_lead_ = {pane, session_.stop()};
   session_.touch();
 }
 

@@ -85,8 +85,8 @@ class App {
   Overlay overlay() const { return overlay_; }
   void set_dark(bool dark);
   void set_presenter(bool presenter);
-  /// Which pane leads on the stage, by its id: what the reader asked for, else what the lesson's stop is about, else
-  /// empty, for the method's own.
+  /// Which pane leads on the stage, by its id; empty: what the method has. The reader chooses it, until a stop of the
+  /// lesson speaks that is about something else.
   std::string lead() const;
   void set_lead(const std::string& pane);
   ImVec2 stage_size() const { return stage_size_; }  ///< of what leads, as last drawn
@@ -211,7 +211,11 @@ class App {
   std::unique_ptr<Ui> other_ui_;  ///< of the second run
   std::optional<Pane> only_;
   ImVec2 stage_size_{0, 0};
-  std::optional<std::string> lead_;  ///< what the reader asked to lead, an empty one for what the method has
+  struct ChosenLead {
+    std::string pane;  ///< empty: what the method has
+    int stop;          ///< of the lesson, where it was chosen
+  };
+  std::optional<ChosenLead> chosen_lead_;
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;

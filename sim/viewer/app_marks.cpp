@@ -21,7 +21,8 @@ void App::show_against(const AgainstRun& with) {
   other_ui_ = std::make_unique<Ui>(against_->session(), renderer_);
   other_ui_->asks = false;
   ui_.other = other_ui_.get();
-  if (slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header())) lead_ = slice_pane.id;
+  if (slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header()))
+    set_lead(slice_pane.id);
   ui_.marks = &against_->marks_of_a();
   other_ui_->marks = &against_->marks_of_b();
   session_.touch();

@@ -165,7 +165,15 @@ TEST_CASE("a stop's focus leads while it speaks; one that is no pane is refused 
   CHECK(app.lead().empty());
   app.session().to_stop(2);
   CHECK(app.lead() == "edge_table");
+  // A reader's choice lasts until a stop that is about something else.
+  app.set_lead("");
+  CHECK(app.lead().empty());
+  app.session().to_stop(3);
+  CHECK(app.lead() == lesson.stops[3].focus);
   app.set_lead("scene");
+  CHECK(app.lead() == "scene");
+  lesson.stops[4].focus.clear();
+  app.session().to_stop(4);
   CHECK(app.lead() == "scene");
   lesson.stops[2].focus = "no_such";
   std::string said;
