@@ -92,8 +92,9 @@ class Reader {
     if (const std::size_t semicolon = anchor.find(';'); semicolon != std::string_view::npos) {
       const std::string_view rest = trim(anchor.substr(semicolon + 1));
       if (!starts_with(rest, "focus:") || trim(rest.substr(6)).empty())
-        fail(fmt::format("`{}` is left over in the anchor", rest), "after ; write `focus: edge_table` or another pane");
+        fail(fmt::format("`{}` is left over in the anchor", rest), "after ; write `focus: edge-table` or another pane");
       stop.focus = trim(rest.substr(6));
+      std::replace(stop.focus.begin(), stop.focus.end(), '-', '_');
       anchor = trim(anchor.substr(0, semicolon));
     }
     stop.anchor = anchor;

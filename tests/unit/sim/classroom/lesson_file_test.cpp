@@ -179,8 +179,10 @@ TEST_CASE("slips in the stops") {
   CHECK(contains(load_error(head + "# Title\n"), ":7: a heading with one #"));
   CHECK(contains(load_error(head + "## Here\nText.\n"),
                  ":7: the stop `Here` has no anchor; end its heading with {at: step}"));
+  const LessonFile focused(head + "## Here {at: start; focus: edge-table}\nText.\n");
+  CHECK(load_lesson(focused.path).stops.at(0).focus == "edge_table");
   CHECK(contains(load_error(head + "## Here {at: start; look: scene}\nText.\n"),
-                 ":7: `look: scene` is left over in the anchor; after ; write `focus: edge_table` or another pane"));
+                 ":7: `look: scene` is left over in the anchor; after ; write `focus: edge-table` or another pane"));
   CHECK(contains(load_error(head + "## {at: start}\nText.\n"), ":7: the stop has no heading"));
   CHECK(contains(load_error(head + "## Here {at: start}\n\n## There {at: end}\nText.\n"), ":7: the stop says nothing"));
   CHECK(contains(load_error(head + "## Here {at: cmpare}\nText.\n"),
