@@ -70,6 +70,16 @@ void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& low
   splitter(id, {at.x, at.y + first}, {size.x, gap}, false, share, size.y - gap);
 }
 
+namespace {
+
+const char* what_a_click_does(bool two_runs, bool leading, bool asked_for) {
+  if (two_runs) return asked_for ? "Click: back to its usual place." : "Click: first in this row.";
+  if (asked_for) return "Click: the stage as the method has it.";
+  return leading ? "Click: this pane alone on the stage." : "Click: large, on the stage.";
+}
+
+}  // namespace
+
 /// A pane of the stage. A click on its title makes it lead, and a second one puts it back; a sign says which it is.
 void App::draw_on_stage(const Pane& pane, ImVec2 at, ImVec2 size, bool leading) {
   draw_pane(pane, at, size);
@@ -82,9 +92,7 @@ void App::draw_on_stage(const Pane& pane, ImVec2 at, ImVec2 size, bool leading) 
   ImGui::PopID();
   const bool hot = ImGui::IsItemHovered();
   if (hot)
-    ui_.mouse_help = asked_for ? "Click: the stage as the method has it (Tab: the next pane)."
-                     : leading ? "Click: this pane alone on the stage (Tab: the next pane)."
-                               : "Click: large, on the stage (Tab: the next pane).";
+    ui_.mouse_help = std::string(what_a_click_does(against_.has_value(), leading, asked_for)) + " Tab: the next pane.";
   if (x + side + pad > at.x + size.x) return;
   const Theme& c = ui_.colors();
   const float y = at.y + std::round((head - side) / 2);
