@@ -1,9 +1,7 @@
 #include "sim/viewer/commands.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -362,72 +360,8 @@ const std::vector<Command>& table() {
   return all;
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 }  // namespace
 
 std::span<const Command> commands() { return table(); }
-
-std::string chord_name(const Chord& chord) {
-  if (chord.character) return chord.character == '-' ? "\u2212" : std::string(1, chord.character);
-  std::string name;
-  if (chord.modifiers & Chord::ctrl) name += "Ctrl+";
-  if (chord.modifiers & Chord::alt) name += "Alt+";
-  if (chord.modifiers & Chord::shift) name += "Shift+";
-  switch (chord.key) {
-    case SDLK_RIGHT: return name + "\u2192";
-    case SDLK_LEFT: return name + "\u2190";
-    case SDLK_UP: return name + "\u2191";
-    case SDLK_DOWN: return name + "\u2193";
-    case SDLK_PAGEDOWN: return name + "Page down";
-    case SDLK_PAGEUP: return name + "Page up";
-    case SDLK_ESCAPE: return name + "Esc";
-    case SDLK_RETURN: return name + "Enter";
-    case SDLK_PLUS: return name + "+";
-    case SDLK_MINUS: return name + "\u2212";
-    default: return name + SDL_GetKeyName(chord.key);
-  }
-}
-
-std::string key_names(const Command& command) {
-  std::string names;
-  for (const Chord& chord : command.keys) {
-    // Ctrl+= and the keypad are the same wish as Ctrl++ and need no mention.
-    if (chord.key == SDLK_EQUALS || chord.key == SDLK_KP_PLUS || chord.key == SDLK_KP_MINUS) continue;
-    if (!names.empty()) names += " or ";
-    names += chord_name(chord);
-  }
-  return names;
-}
-
-const Command* command_for(SDL_Keycode key, unsigned modifiers) {
-  for (const Command& command : table())
-    for (const Chord& chord : command.keys)
-      if (chord.key != 0 && chord.key == key && chord.modifiers == modifiers) return &command;
-  return nullptr;
-}
-
-const Command* command_for(char character) {
-  for (const Command& command : table())
-    for (const Chord& chord : command.keys)
-      if (chord.character != 0 && chord.character == character) return &command;
-  return nullptr;
-}
-
-std::vector<const Command*> matching(const std::string& typed) {
-  std::vector<const Command*> found;
-  for (const Command& command : table()) {
-    const std::string title = lower(std::string(command.group) + " " + command.title);
-    std::istringstream words(lower(typed));
-    bool all = true;
-    for (std::string word; words >> word;) all = all && title.find(word) != std::string::npos;
-    if (all) found.push_back(&command);
-  }
-  return found;
-}
 
 }  // namespace zstep::viewer

@@ -48,7 +48,7 @@ std::string caption(const Session& s) {
   return fmt::format("x = {} to {}, in: {}", number(interval.x_left), number(interval.x_right), names_inside(s));
 }
 
-struct Strip {
+struct ScanLineStrip {
   ImVec2 at, end;
   double columns;
   float x(double column) const {
@@ -58,7 +58,7 @@ struct Strip {
 };
 
 /// The pixels of the line as the frame has them by now.
-void draw_cells(const Session& s, ImDrawList* list, const Strip& strip, std::int32_t y, const Theme& c) {
+void draw_cells(const Session& s, ImDrawList* list, const ScanLineStrip& strip, std::int32_t y, const Theme& c) {
   const Picture& picture = s.state().picture;
   list->AddRectFilled(strip.at, strip.end, c.head);
   if (y < 0 || y >= picture.height) return;
@@ -77,7 +77,7 @@ void draw_cells(const Session& s, ImDrawList* list, const Strip& strip, std::int
 }
 
 /// Active edges as ticks with their names above; implied ones by a cross.
-void draw_crossings(Ui& ui, ImDrawList* list, const Strip& strip) {
+void draw_crossings(Ui& ui, ImDrawList* list, const ScanLineStrip& strip) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
@@ -118,7 +118,7 @@ void draw_strip(Ui& ui, std::int32_t y) {
   const float names = ui.fonts.small->FontSize + 6, bar = std::round(ui.em * 1.1f),
               width = ImGui::GetContentRegionAvail().x;
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  const Strip strip{{top.x + 2, top.y + names},
+  const ScanLineStrip strip{{top.x + 2, top.y + names},
                     {top.x + width - 2, top.y + names + bar},
                     std::max(1.0, static_cast<double>(s.scene().raster.width))};
   ImDrawList* list = ImGui::GetWindowDrawList();
