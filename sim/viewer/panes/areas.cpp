@@ -184,6 +184,7 @@ bool serves_areas(const Header& header) { return has_step_of<AreaBegin>(header);
 
 }  // namespace
 
-const Pane areas_pane{"areas", "AREAS", draw_areas, note_of_areas, serves_areas, 0.6f, false, always<30>, false, none_yet<AreaBegin>};
+const Pane areas_pane{"areas", "AREAS", draw_areas, note_of_areas, serves_areas,
+                      0.6f,    false,   always<30>, false,         none_yet<AreaBegin>};
 
 }  // namespace zstep::viewer

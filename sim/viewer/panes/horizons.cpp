@@ -148,6 +148,7 @@ bool serves_horizons(const Header& header) { return has_step_of<HorizonTest>(hea
 
 }  // namespace
 
-const Pane horizons_pane{"horizons", "HORIZONS", draw_horizons, note_of_horizons, serves_horizons, 0.5f, false, always<15>, false, none_yet<HorizonTest>};
+const Pane horizons_pane{"horizons", "HORIZONS", draw_horizons, note_of_horizons,     serves_horizons, 0.5f,
+                         false,      always<15>, false,         none_yet<HorizonTest>};
 
 }  // namespace zstep::viewer

@@ -198,6 +198,7 @@ bool serves_lines(const Header& header) { return has_step_of<LineBegin>(header);
 
 }  // namespace
 
-const Pane lines_pane{"lines", "EDGES", draw_lines, note_of_lines, serves_lines, 0.6f, false, always<15>, false, none_yet<LineBegin>};
+const Pane lines_pane{"lines", "EDGES", draw_lines, note_of_lines, serves_lines,
+                      0.6f,    false,   always<15>, false,         none_yet<LineBegin>};
 
 }  // namespace zstep::viewer

@@ -249,6 +249,7 @@ bool serves_ray_plan(const Header& header) { return has_step_of<RayBegin>(header
 
 }  // namespace
 
-const Pane ray_plan_pane{"ray_plan", "RAYS", draw_ray_plan, note_of_ray_plan, serves_ray_plan, 0.38f, false, always<15>, false, none_yet<RayBegin>};
+const Pane ray_plan_pane{"ray_plan", "RAYS",     draw_ray_plan, note_of_ray_plan,  serves_ray_plan, 0.38f,
+                         false,      always<15>, false,         none_yet<RayBegin>};
 
 }  // namespace zstep::viewer

@@ -18,7 +18,9 @@ std::string facet_label(const Scene& scene, std::int32_t facet) {
 }
 
 template <class E>
-bool just(const Session& s) { return s.event() && holds<E>(s.event()->event); }
+bool just(const Session& s) {
+  return s.event() && holds<E>(s.event()->event);
+}
 
 /// What the ray at work is about: where it was cast, and what for.
 std::string ray_at_work(const RayWork& rays) {
@@ -169,7 +171,9 @@ bool serves_tree(const Header& header) { return has_step_of<RayBegin>(header) &&
 
 }  // namespace
 
-const Pane ray_tests_pane{"ray_tests", "THIS RAY", draw_tests, note_tests, serves_tests, 0.3f, true, nullptr, false, none_yet<RayBegin>};
-const Pane ray_tree_pane{"ray_tree", "RAY TREE", draw_tree, note_tree, serves_tree, 0.34f, true, nullptr, false, none_yet<RayBegin>};
+const Pane ray_tests_pane{"ray_tests", "THIS RAY", draw_tests, note_tests, serves_tests,
+                          0.3f,        true,       nullptr,    false,      none_yet<RayBegin>};
+const Pane ray_tree_pane{"ray_tree", "RAY TREE", draw_tree, note_tree, serves_tree,
+                         0.34f,      true,       nullptr,   false,     none_yet<RayBegin>};
 
 }  // namespace zstep::viewer

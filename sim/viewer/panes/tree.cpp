@@ -206,6 +206,7 @@ bool serves_tree(const Header& header) { return has_step_of<NodeMake>(header); }
 
 }  // namespace
 
-const Pane tree_pane{"tree", "BSP TREE", draw_tree, note_of_tree, serves_tree, 0.4f, true, leads_of_trees, false, none_yet<NodeMake>};
+const Pane tree_pane{"tree", "BSP TREE", draw_tree,      note_of_tree, serves_tree,
+                     0.4f,   true,       leads_of_trees, false,        none_yet<NodeMake>};
 
 }  // namespace zstep::viewer
