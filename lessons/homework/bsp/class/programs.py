@@ -10,7 +10,7 @@ DOWN = """        node["front"] = self.build(front, number, True)
 """
 COLUMNS = "max(0, math.ceil(left)), min(width, math.ceil(right))"
 
-# (name, what the solution has, what stands there instead)
+# (name of the mistake, text of the solution, the text that replaces it)
 CLASS = [
     ("right", "", ""),
     ("other-d_sign", "-(a * p[0] + b * p[1] + c * p[2])", "a * p[0] + b * p[1] + c * p[2]"),

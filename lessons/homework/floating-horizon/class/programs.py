@@ -1,7 +1,7 @@
 """The programs of the class that make_class.py makes."""
 PROGRAM = "horizon.py"
 
-# (name, what the solution has, what stands there instead)
+# (name of the mistake, text of the solution, the text that replaces it)
 CLASS = [
     ("right", "", ""),
     ("depth_axis_reversed", "    emit.view_vertex(", "    z_v = -z_v\n    emit.view_vertex("),

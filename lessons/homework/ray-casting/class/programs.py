@@ -5,7 +5,7 @@ RAY = "[a + x * b + y * c for a, b, c in zip(*rays[which])]"
 KEPT = "nearer = within and t < least"
 SIDES = "zip(polygon, polygon[1:] + polygon[:1]):\n        if (a[v]"
 
-# (name, what the solution has, what stands there instead)
+# (name of the mistake, text of the solution, the text that replaces it)
 CLASS = [
     ("right", "", ""),
     ("nearest_by_index", KEPT, "nearer = within"),

@@ -1,7 +1,7 @@
 """The programs of the class that make_class.py makes."""
 PROGRAM = "scanline.py"
 
-# (name, what the solution has, what stands there instead)
+# (name of the mistake, text of the solution, the text that replaces it)
 CLASS = [
     ("right", "", ""),
     ("plane_d_sign", "-(a * x + b * y + c * z)", "a * x + b * y + c * z"),

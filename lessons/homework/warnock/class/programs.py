@@ -13,7 +13,7 @@ DEPTH = "-(a * x + b * y + d) / c"
 ONE = """            self.fill_part(partly[0], area)
         elif len"""
 
-# (name, what the solution has, what stands there instead)
+# (name of the mistake, text of the solution, the text that replaces it)
 CLASS = [
     ("right", "", ""),
     ("plane_d_sign", "-(a * x + b * y + c * z)", "a * x + b * y + c * z"),

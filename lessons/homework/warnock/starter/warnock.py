@@ -1,4 +1,4 @@
-"""Warnock's areas: what is simple in an area is drawn, and what is not is left to the area's four quarters.
+"""Warnock's algorithm: an area that is simple is drawn; any other is divided into its four quarters.
 
 usage: python3 warnock.py SCENE.txt > SCENE.jsonl
 

@@ -4,7 +4,7 @@ PROGRAM = "zbuffer.py"
 COLUMNS = 'max(0, math.ceil(left["x"])), min(width, math.ceil(right["x"]))'
 BUFFER = "    depth = [[math.inf] * width for _ in range(height)]\n"
 
-# (name, what the solution has, what stands there instead)
+# (name of the mistake, text of the solution, the text that replaces it)
 CLASS = [
     ("right", "", ""),
     ("compare_reversed", "nearer = z < depth[y][x]", "nearer = z > depth[y][x]"),
