@@ -2,8 +2,6 @@
 // the projection plane; parallel ones have t = z_v, those of a screen scene its z.
 #pragma once
 
-#include <cstdint>
-
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -42,9 +40,10 @@ class EyeRays {
   struct Ray {
     glm::dvec3 from, along;
   };
-  Ray through(std::int32_t x, std::int32_t y) const {
+  /// Of a place of the raster; pixels' centres are at integers.
+  Ray through(double x, double y) const {
     if (kind_ == Camera::Kind::screen) return {{x, y, 0}, {0, 0, 1}};
-    const double x_p = ray_x<double>(x, window_x_, width_), y_p = ray_y<double>(y, window_y_, height_);
+    const double x_p = ray_x(x, window_x_, width_), y_p = ray_y(y, window_y_, height_);
     const glm::dvec3 across = x_p * right_ + y_p * up_;
     if (kind_ == Camera::Kind::orthographic) return {eye_ + across, away_};
     return {eye_, across + d_ * away_};
