@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
@@ -122,6 +123,22 @@ void show_slice(App& app) {
 
 void show_error_charts(App& app) {
   toggle_lead(app, depth_error_pane, "This method interpolates no depths along spans, so no errors add up there.");
+}
+
+void turn_scene(App& app) {
+  Ui& ui = app.ui();
+  ui.from_outside = !seen_from_outside(ui);
+  ui.look = {};
+  app.session().touch();
+}
+
+/// Around the scene, by degrees; above the highest place comes the lowest.
+template <int turn, int tilt>
+void walk(App& app) {
+  Look& look = app.ui().look;
+  look.turn += turn;
+  if (tilt > 0) look.tilt = look.tilt < most_tilt ? std::min(look.tilt + tilt, most_tilt) : least_tilt;
+  app.session().touch();
 }
 
 /// Sets one end of what playing repeats; the other is the trace's, or where it was set.
@@ -298,6 +315,9 @@ const std::vector<Command>& table() {
          a.ui().vertices_always = !a.ui().vertices_always;
          a.session().touch();
        }},
+      {"outside", "Look", "The scene from outside, or through the eye", {{SDLK_v, S}}, turn_scene},
+      {"walk", "Look", "Walk round the scene (or drag in it)", {{SDLK_5}}, walk<15, 0>},
+      {"rise", "Look", "Look at the scene from higher up", {{SDLK_6}}, walk<0, 15>},
       {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},
       {"previous-stop", "Lesson", "Previous stop", {{SDLK_n, S}}, [](App& a) { a.session().next_stop(-1); }},
       {"answer-1", "Lesson", "First answer", {{SDLK_1}}, answer<0>},

@@ -19,6 +19,7 @@
 #include "sim/viewer/draw/theme.hpp"
 #include "sim/viewer/model/inquiry.hpp"
 #include "sim/viewer/model/moment.hpp"
+#include "sim/viewer/model/outside.hpp"
 #include "sim/viewer/model/raster_view.hpp"
 #include "sim/viewer/model/summary.hpp"
 
@@ -103,6 +104,15 @@ inline void take(Fingerprint& print, const std::string& text) {
 inline void take(Fingerprint& print, const glm::dvec2& point) {
   take(print, point.x);
   take(print, point.y);
+}
+
+inline void take(Fingerprint& print, const Cell& cell) {
+  take(print, cell.x);
+  take(print, cell.y);
+}
+
+inline void take(Fingerprint& print, const Look& look) {
+  for (const double value : {look.turn, look.tilt, look.zoom, look.across, look.up}) take(print, value);
 }
 
 /// All that a pane draws of it: title and subtitle are the pane's own.

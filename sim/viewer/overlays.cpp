@@ -174,7 +174,7 @@ void draw_columns(App& app, const char* id, const char* title) {
         wider.width() + around <= screen.x && height_of(wider) > height_of(sheet))
       sheet = std::move(wider);
   const float row_height =
-      height_of(sheet) < ui.em * 0.9f ? std::round(ui.em * 1.4f) : height_of(sheet);  // else it scrolls, with room
+      height_of(sheet) < ui.em * 0.87f ? std::round(ui.em * 1.4f) : height_of(sheet);  // else it scrolls, with room
   begin_overlay(app, id, {sheet.width() + around, static_cast<float>(sheet.rows) * row_height + above});
   flow(ui, title, {.font = ui.fonts.bold});
   const ImVec2 top = ImGui::GetCursorScreenPos();

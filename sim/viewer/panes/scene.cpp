@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/scene_pieces.hpp"
 #include "sim/viewer/panes/vertex_stages.hpp"
 #include "sim/words/explain.hpp"
@@ -66,19 +67,6 @@ void paint_wireframe(Canvas& canvas, const RasterMap& map, const Scene& scene, c
     }
 }
 
-/// The piece that the step is about, or that is being drawn; -1 if none.
-std::int32_t piece_shown(const Moment& s) {
-  if (s.event()) {
-    const Event& e = s.event()->event;
-    if (const auto* side = get_if<SideTest>(&e)) return side->piece;
-    if (const auto* made = get_if<PieceMake>(&e)) return made->piece;
-    if (const auto* node = get_if<NodeMake>(&e)) return node->piece;
-    if (const auto* add = get_if<NodeAdd>(&e)) return add->piece;
-    if (const auto* candidate = get_if<RootCandidate>(&e)) return candidate->piece;
-  }
-  return s.state().machine.piece;
-}
-
 /// The facet at work, over the wireframe; its corners dotted and, where there are few, numbered.
 void draw_polygon(Canvas& canvas, const RasterMap& map, const Moment& s, const std::optional<std::int32_t>& lit,
                   const Theme& c, double thin) {
@@ -131,17 +119,9 @@ void paint_scene(Canvas& canvas, const RasterMap& map, const Kept<Canvas>& wires
   draw_polygon(canvas, map, now, lit, c, static_cast<double>(thin));
 }
 
-void draw_scene(Ui& ui) {
+/// As the run's own eye sees it.
+void draw_through_the_eye(Ui& ui, int width, int height) {
   const Session& s = ui.session;
-  const ImVec2 avail = ImGui::GetContentRegionAvail();
-  // Where room is scarce the picture has it, but for the steps that move a vertex.
-  const bool scarce = avail.y < ui.em * 15 && !ui.vertices_always && vertex_at_work(s) < 0;
-  const float way_height = scarce ? 0 : std::min(avail.y * 0.6f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
-  // Side by side when there is more width than height, else the way below the picture.
-  const bool beside = avail.x > avail.y * 1.9f && avail.x > ui.em * 30;
-  const int width = static_cast<int>(beside ? avail.x - ui.em * 18 : avail.x),
-            height = static_cast<int>(beside ? avail.y : avail.y - way_height);
-  if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map = [&] {
     // Not in whole pixels: a wireframe may use all the room.
     RasterMap m(s.scene().raster, {}, width, height);
@@ -158,7 +138,23 @@ void draw_scene(Ui& ui) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(shown.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
   label_pair(ui, map, at);
-  if (scarce && !beside) return;
+}
+
+void draw_scene(Ui& ui) {
+  const ImVec2 avail = ImGui::GetContentRegionAvail();
+  // The picture has all the room while no vertex is at work, and where room is scarce, but for the steps that move one.
+  const bool scarce = avail.y < ui.em * 15 && !ui.vertices_always && vertex_at_work(ui.session.event()) < 0;
+  const bool alone = scarce || vertices_shown(ui.session).empty();
+  const float way_height = alone ? 0 : std::min(avail.y * 0.6f, std::round(ui.fonts.mono->FontSize * 1.3f) * 5 + 4);
+  // Side by side when there is more width than height, else the way below the picture.
+  const bool beside = avail.x > avail.y * 1.9f && avail.x > ui.em * 30 && !vertices_shown(ui.session).empty();
+  const int width = static_cast<int>(beside ? avail.x - ui.em * 18 : avail.x),
+            height = static_cast<int>(beside ? avail.y : avail.y - way_height);
+  if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (seen_from_outside(ui)) draw_outside(ui, {static_cast<float>(width), static_cast<float>(height)});
+  else draw_through_the_eye(ui, width, height);
+  if (alone && !beside) return;
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.5f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
   begin_part(ui, "way");

@@ -7,6 +7,18 @@
 
 namespace zstep::viewer {
 
+std::int32_t piece_shown(const Moment& now) {
+  if (now.event()) {
+    const Event& e = now.event()->event;
+    if (const auto* side = get_if<SideTest>(&e)) return side->piece;
+    if (const auto* made = get_if<PieceMake>(&e)) return made->piece;
+    if (const auto* node = get_if<NodeMake>(&e)) return node->piece;
+    if (const auto* add = get_if<NodeAdd>(&e)) return add->piece;
+    if (const auto* candidate = get_if<RootCandidate>(&e)) return candidate->piece;
+  }
+  return now.state().machine.piece;
+}
+
 void draw_pieces(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, double thin) {
   const MethodState& m = now.state().machine;
   const auto outline = [&](const Piece& piece, double thickness, ImU32 color) {

@@ -21,6 +21,7 @@
 #include "sim/viewer/model/findings.hpp"
 #include "sim/viewer/model/inquiry.hpp"
 #include "sim/viewer/model/label_spots.hpp"
+#include "sim/viewer/model/outside.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/model/raster_view.hpp"
 #include "sim/viewer/model/session.hpp"
@@ -49,6 +50,14 @@ struct ChartPicture {
   std::vector<Word> words;
 };
 
+/// The scene from outside: what is painted of it, and what is written over that.
+struct OutsidePicture {
+  Canvas canvas;
+  Picture seen;  ///< the polygons
+  std::vector<ChartPicture::Word> words;
+  std::vector<LabelSpot> letters;
+};
+
 struct Ui {
   Ui(Session& session_, Renderer& renderer_) : session(session_), renderer(renderer_) {}
   Session& session;
@@ -70,6 +79,8 @@ struct Ui {
   SliceLines slices;
   DepthErrors errors;
   RasterView view;
+  Look look;                         ///< from where the scene is seen from outside
+  std::optional<bool> from_outside;  ///< as the reader chose, or else as it suits the method
   std::optional<HeatMap> heat;                   ///< painted over the frame
   std::string heat_behind;                       ///< how far it is from being counted, or nothing
   enum class RangeMode : std::uint8_t { whole, fitted, by_hand };
@@ -79,6 +90,8 @@ struct Ui {
   KeptThings<Cells> cells;                       ///< by pane
   KeptThings<ChartPicture> charts;
   KeptThings<Canvas> canvases;                   ///< by what is painted there
+  KeptThings<Room> rooms;
+  KeptThings<OutsidePicture> outside_pictures;
   KeptThings<std::vector<LabelSpot>> spots;
   float em = 16;            ///< body text in pixels
   float thin = 1;           ///< pixels of a thin line: more than one on a large screen

@@ -12,9 +12,9 @@
 
 namespace zstep::viewer {
 
-std::int32_t vertex_at_work(const Session& s) {
-  if (s.event()) {
-    const Event& e = s.event()->event;
+std::int32_t vertex_at_work(const RecordedEvent* event) {
+  if (event) {
+    const Event& e = event->event;
     if (const auto* v = get_if<ViewTransform>(&e)) return v->vertex;
     if (const auto* v = get_if<Projection>(&e)) return v->vertex;
     if (const auto* v = get_if<ViewportTransform>(&e)) return v->vertex;
@@ -27,11 +27,9 @@ std::int32_t vertex_at_work(const Session& s) {
   return -1;
 }
 
-namespace {
-
 std::vector<std::int32_t> vertices_shown(const Session& s) {
   const MethodState& m = s.state().machine;
-  const std::int32_t now = vertex_at_work(s);
+  const std::int32_t now = vertex_at_work(s.event());
   std::vector<std::int32_t> shown;
   if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < s.scene().facets.size()) {
     const Facet& facet = s.scene().facets[static_cast<std::size_t>(m.facet)];
@@ -43,8 +41,6 @@ std::vector<std::int32_t> vertices_shown(const Session& s) {
   if (now >= 0 && std::find(shown.begin(), shown.end(), now) == shown.end()) shown.insert(shown.begin(), now);
   return shown;
 }
-
-}  // namespace
 
 StageLayout lay_out_stages(const Ui& ui, const std::vector<StageRow>& rows, float room) {
   std::vector<double> values;
@@ -127,10 +123,8 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
 }  // namespace
 
 void draw_vertex_stages(Ui& ui) {
-  const std::vector<std::int32_t> shown = vertices_shown(ui.session);
-  if (shown.empty()) return say_empty(ui, "A vertex's coordinates appear here while it is processed.");
-  const std::int32_t now = vertex_at_work(ui.session);
-  for (const std::int32_t vertex : shown) draw_stages(ui, vertex, vertex == now);
+  const std::int32_t now = vertex_at_work(ui.session.event());
+  for (const std::int32_t vertex : vertices_shown(ui.session)) draw_stages(ui, vertex, vertex == now);
 }
 
 }  // namespace zstep::viewer

@@ -12,8 +12,10 @@
 namespace zstep::viewer {
 
 /// The vertex that the step is about; −1 for none.
-std::int32_t vertex_at_work(const Session& session);
-/// Of every vertex of the polygon at work, below each other.
+std::int32_t vertex_at_work(const RecordedEvent* event);
+/// Those of the polygon at work, and the one that the step is about.
+std::vector<std::int32_t> vertices_shown(const Session& session);
+/// Their stages, below each other.
 void draw_vertex_stages(Ui& ui);
 
 struct StageRow {

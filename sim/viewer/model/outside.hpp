@@ -1,0 +1,91 @@
+// The scene from outside: the run's own eye, its window and its clipping planes stand in it as things, and a reader
+// walks round them. Looking never changes the run.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "algorithms/viewing/camera.hpp"
+#include "traces/formulas/eye_rays.hpp"
+#include "traces/scene.hpp"
+
+namespace zstep::viewer {
+
+/// From where a reader looks, against where one begins: at the side of the run's eye, and above.
+struct Look {
+  double turn = 0, tilt = 0;    ///< degrees: to the right, and upwards
+  double zoom = 1;
+  double across = 0, up = 0;    ///< moved, in parts of what is seen
+  bool operator==(const Look&) const = default;
+};
+
+/// From straight below to straight above.
+inline constexpr double first_tilt = 24, least_tilt = -88 - first_tilt, most_tilt = 88 - first_tilt;
+
+/// The scene with z upwards. A screen scene is set up in it: x to the right, its rows from the top down, and depth away.
+class Room {
+ public:
+  Room() = default;
+  explicit Room(const Scene& scene);
+
+  const Scene& polygons() const { return polygons_; }
+  /// A point of the space that the scene is given in.
+  glm::dvec3 place(glm::dvec3 point) const;
+  /// What is seen at this place of the raster and has this z_v; in a screen scene z. Pixels' centres are at integers.
+  glm::dvec3 behind(double x, double y, double z_v) const;
+  /// The four corners of a rectangle of the raster at this z_v, in order around it.
+  std::array<glm::dvec3, 4> rectangle(double left, double top, double right, double bottom, double z_v) const;
+  std::array<glm::dvec3, 4> window(double z_v) const;
+
+  const Camera& camera() const { return camera_; }
+  bool has_eye() const { return camera_.kind == Camera::Kind::perspective; }
+  double near() const { return near_; }  ///< z_v from where, and to where, lines of sight are drawn
+  double end() const { return end_; }
+  bool far_is_there() const { return far_is_there_; }  ///< the far plane is not too far away to be shown
+  glm::dvec3 low() const { return low_; }              ///< the box around the polygons
+  glm::dvec3 high() const { return high_; }
+  double size() const;
+  /// Where this plane of the scene's space cuts that box, a little enlarged: the corners in order; none where it does
+  /// not. A x + B y + C z + D = 0.
+  std::vector<glm::dvec3> section(double a, double b, double c, double d) const;
+  /// All that should be seen at first.
+  const std::vector<glm::dvec3>& marks() const { return marks_; }
+
+ private:
+  Scene polygons_;
+  Camera camera_;
+  Raster raster_;
+  std::optional<formulas::EyeRays> sight_;
+  double depth_scale_ = 1, depth_middle_ = 0;  ///< of a screen scene's z
+  double near_ = 0, end_ = 1;
+  bool far_is_there_ = false;
+  glm::dvec3 low_{0}, high_{0}, low_given_{0}, high_given_{0};  ///< in the room, and in the scene's own space
+  std::vector<glm::dvec3> marks_;
+};
+
+/// Where things of a room are in a picture of it.
+class Outside {
+ public:
+  Outside(const Room& room, const Look& look, int width, int height);
+
+  /// The room's scene as this reader sees it: for a picture of polygons and depths.
+  Scene seen(const Scene& polygons) const;
+  struct Spot {
+    double x, y, depth;  ///< pixels from the picture's corner; depth as such a picture has it
+  };
+  std::optional<Spot> spot(glm::dvec3 point) const;
+  /// Both ends of what is seen of a line.
+  std::optional<std::array<Spot, 2>> line(glm::dvec3 from, glm::dvec3 to) const;
+
+ private:
+  Spot spot_of(glm::dvec3 view) const;
+
+  Camera camera_;
+  Raster raster_;
+  std::optional<viewing::Lens> lens_;
+};
+
+}  // namespace zstep::viewer
