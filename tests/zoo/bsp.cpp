@@ -146,9 +146,11 @@ std::string bsp(const Task& task) {
   std::vector<int> all;
   for (std::size_t i = 0; i < divider.pieces.size(); ++i) all.push_back(static_cast<int>(i));
   divider.build(all, -1, false);
-  divider.out.print("clear", "z", INFINITY);
+  const bool late = divider.is("cleared_late");  // after the vertices, not before
+  if (!late) divider.out.print("clear", "z", INFINITY);
   for (const Point& p : divider.points)
     divider.screen.push_back(see(task, divider.out, static_cast<int>(divider.screen.size()), p));
+  if (late) divider.out.print("clear", "z", INFINITY);
   divider.draw(0);
   return divider.out.text;
 }

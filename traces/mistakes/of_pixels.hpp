@@ -89,7 +89,9 @@ inline void suppose(const BuffersClear& e, const Situation& at, Supposed& out) {
   const double empty = at.header.empty_depth();
   if (e.z == 0 && empty != 0) out.says(buffer_begins_at_0, true, false);
   if (e.z == empty && empty != 0) out.rules_out(buffer_begins_at_0);
-  if (at.before.position > 0 && at.method().polygon != no_polygon) out.says(buffer_reset, true, false);
+  // A method that compares no depths can clear its buffers when it likes.
+  if (at.before.position > 0 && at.method().polygon != no_polygon && at.has_step<DepthCompare>())
+    out.says(buffer_reset, true, false);
 }
 
 inline void suppose(const DepthInterpolate& e, const Situation& at, Supposed& out) {
