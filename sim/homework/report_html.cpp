@@ -128,7 +128,8 @@ std::string first_wrong(const Graded& task, const std::string& command) {
   const FirstWrong& first = *task.first;
   const std::string to_see = task.from_picture
                                  ? ""  // it has no steps that a window could show
-                                 : fmt::format(" To see both runs at this step:<br><code>{} --scene {} --view</code>",
+                                 : fmt::format(" To see both runs at this step: "
+                                             "<code class=\"command\">{} --scene {} --view</code>",
                                                shown(command), shown(shell_word(task.task->name)));
   return fmt::format(
       "<h2>Look at this first</h2>\n<p>In {}{}: <strong>{}{}</strong></p>\n<p>{}</p>\n{}{}"
