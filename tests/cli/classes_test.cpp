@@ -227,7 +227,7 @@ Names each_is_told(const std::string& method, const std::string& program, const 
   const Folder folder;
   REQUIRE(run(folder, "homework new " + method + " hw").code == 0);
   REQUIRE(shell(folder, "python3 hw/class/make_class.py class").code == 0);
-  REQUIRE(shell(folder, "python3 '" + in_checkout("tests/cli/run_class.py").string() + "' class " + program +
+  REQUIRE(shell(folder, "python3 '" + in_checkout("tests/cli/run_class.py") + "' class " + program +
                             " runs hw/scenes/*.txt hw/hidden/*.txt")
               .code == 0);
   int students = 0;
