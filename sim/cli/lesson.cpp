@@ -46,10 +46,10 @@ Lesson lesson_named(const std::string& name) {
                    did_you_mean(name, ids, fmt::format("the lessons are {}", enumerate(ids, "and"))));
 }
 
-int open(Lesson lesson, const ShowOptions& options) {
+int open(Lesson lesson, const ShowOptions& options, bool at_start = false) {
   check_can_show(options);
   const Trace trace = run_lesson(lesson);
-  return show(trace, options, {.lesson = &lesson});
+  return show(trace, options, {.lesson = &lesson, .at_start = at_start});
 }
 
 [[maybe_unused]] std::string first_steps_without_display(const std::string& lesson) {
@@ -80,8 +80,11 @@ int start() {
     fmt::print("{}", first_steps_without_display(id));
     return code;
   }
+  // The one that was open last waits behind the start page.
+  for (Lesson& one : all_lessons())
+    if (one.id == last_lesson()) lesson = std::move(one);
 #endif
-  return open(std::move(lesson), options);
+  return open(std::move(lesson), options, true);
 }
 
 void add_lesson(CLI::App& app, Action& action) {

@@ -5,6 +5,7 @@
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/open.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
@@ -130,6 +131,9 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   viewer.checked = with.checked;
   viewer.against = with.against;
   viewer.other_method = record_other_method;
+  viewer.offers = all_offers;
+  viewer.open = open_offer;
+  viewer.at_start = with.at_start;
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
   const int code = run_viewer(trace, viewer);
   if (code == exit_code::done && viewer.screenshot)

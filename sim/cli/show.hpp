@@ -32,6 +32,7 @@ struct ShownWith {
   const Lesson* lesson = nullptr;
   const CheckedRun* checked = nullptr;  ///< what check found in it
   const AgainstRun* against = nullptr;  ///< a second run
+  bool at_start = false;                ///< with the start page before it
 };
 
 /// Opens the viewer, or writes the screenshot and says so. Throws InputError when a window is wanted and there is no

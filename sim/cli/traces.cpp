@@ -100,6 +100,8 @@ Conventions for_method(const Method& other, Conventions conventions) {
   return plain;
 }
 
+}  // namespace
+
 bool can_draw(const Method& method, const Scene& scene, const Conventions& conventions) {
   try {
     check_run(method, scene, conventions);
@@ -109,7 +111,26 @@ bool can_draw(const Method& method, const Scene& scene, const Conventions& conve
   }
 }
 
-}  // namespace
+OtherRun record_patiently(const Method& method, const Scene& scene, const Conventions& conventions) {
+  check_run(method, scene, conventions);
+  TraceRecorder recorder(header_for(method, conventions), scene);
+  recorder.on_block([](std::int64_t events) {
+    if (events > patience) throw TooLong{};
+  });
+  bool whole = true;
+  try {
+    method.record(scene, conventions, recorder);
+  } catch (const TooLong&) {
+    whole = false;
+  }
+  recorder.on_block(nullptr);
+  recorder.finish();
+  return OtherRun{Trace::from_bytes(recorder.take_bytes(), scene.name), whole};
+}
+
+OtherRun record_by(const Method& method, const Trace& trace) {
+  return record_patiently(method, trace.scene(), for_method(method, trace.header().conventions));
+}
 
 std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
   const std::span<const Method> all = methods();
@@ -118,21 +139,7 @@ std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
   while (place < count && all[static_cast<std::size_t>(place)].id != trace.header().algorithm) ++place;
   for (std::int64_t away = 1; away < count; ++away) {
     const Method& other = all[static_cast<std::size_t>(((place + direction * away) % count + count) % count)];
-    const Conventions conventions = for_method(other, trace.header().conventions);
-    if (!can_draw(other, trace.scene(), conventions)) continue;
-    TraceRecorder recorder(header_for(other, conventions), trace.scene());
-    recorder.on_block([](std::int64_t events) {
-      if (events > patience) throw TooLong{};
-    });
-    bool whole = true;
-    try {
-      other.record(trace.scene(), conventions, recorder);
-    } catch (const TooLong&) {
-      whole = false;
-    }
-    recorder.on_block(nullptr);
-    recorder.finish();
-    return OtherRun{Trace::from_bytes(recorder.take_bytes(), trace.scene().name), whole};
+    if (can_draw(other, trace.scene(), for_method(other, trace.header().conventions))) return record_by(other, trace);
   }
   return std::nullopt;
 }

@@ -24,8 +24,16 @@ Trace open_to_judge(const std::string& path, std::string& impossible, Cost cost 
 /// Records the run to memory. Throws Interrupted after Ctrl-C.
 Trace record_to_memory(const Run& run);
 
+/// Whether a method can draw a scene under these conventions.
+bool can_draw(const Method& method, const Scene& scene, const Conventions& conventions);
+/// A run for who waits before a window: one that is too long for a reader's patience is cut off there. Throws InputError
+/// where the method cannot draw the scene.
+OtherRun record_patiently(const Method& method, const Scene& scene, const Conventions& conventions);
+/// This method's, on the scene of a trace; its own options have their standard values.
+OtherRun record_by(const Method& method, const Trace& trace);
+
 /// The run of the next (1) or previous (-1) method of the catalog that can draw this trace's scene, in a circle;
-/// nullopt when there is no other. A run that is too long for a reader's patience is cut off there.
+/// nullopt when there is no other.
 std::optional<OtherRun> record_other_method(const Trace& trace, int direction);
 
 }  // namespace zstep::cli

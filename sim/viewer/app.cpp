@@ -188,6 +188,7 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
   if (edit_place(code, modifiers)) return true;
   if (asks && code == SDLK_TAB) return paint_answer(), true;
   if (overlay_ == Overlay::why_ask) return pick_candidate(code);
+  if (overlay_ == Overlay::start) return pick_offer(code);
   if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
   if (code == SDLK_RETURN && asks) return ask_typed(), true;
   if (overlay_ != Overlay::palette && !asks) return false;
@@ -341,6 +342,10 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
     case SDL_WINDOWEVENT:
       if (event.window.event == SDL_WINDOWEVENT_LEAVE) mouse(-1e6f, -1e6f);
       if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) session_.looking_back = false;
+      return false;
+    case SDL_DROPFILE:
+      if (event.drop.file) open_offer({Offer::What::scene, event.drop.file, {}, {}});
+      SDL_free(event.drop.file);
       return false;
     case SDL_QUIT: requests.quit = true; return false;
     default: return false;

@@ -28,10 +28,12 @@ struct WindowRequests {
   std::optional<std::string> clipboard;
   std::optional<std::string> save_picture;  ///< path
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
+  std::optional<Offer> open;
 };
 
 enum class Overlay {
-  none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range
+  none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range,
+  start
 };
 
 class App {
@@ -79,6 +81,14 @@ class App {
   Settings& settings() { return settings_; }
   const Settings& settings() const { return settings_; }
   WindowRequests requests;
+
+  /// What the start page offers, and it can be opened; asked for once, when the page is first shown.
+  void offer(std::function<std::vector<Offer>()> offers) { ask_for_offers_ = std::move(offers); }
+  /// What has the typed text in its name or title, in the order in which the page shows it; last, if a path is typed,
+  /// the file.
+  std::vector<const Offer*> choices();
+  void open_start();  ///< with the lesson picked that was open last
+  void open_offer(const Offer& offer);
 
   // --- What commands do
   void open(Overlay overlay);
@@ -169,11 +179,12 @@ class App {
   bool typing() const {
     return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query ||
            overlay_ == Overlay::why_ask || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark ||
-           overlay_ == Overlay::range;
+           overlay_ == Overlay::range || overlay_ == Overlay::start;
   }
   bool type(SDL_Keycode code, unsigned modifiers);
   bool edit(SDL_Keycode code, unsigned modifiers);
   bool pick_candidate(SDL_Keycode code);
+  bool pick_offer(SDL_Keycode code);
   bool pick_link(SDL_Keycode code);
   bool pick_row(SDL_Keycode code);
   bool pick_bookmark(SDL_Keycode code);
@@ -216,6 +227,9 @@ class App {
     int stop;          ///< of the lesson, where it was chosen
   };
   std::optional<ChosenLead> chosen_lead_;
+  std::function<std::vector<Offer>()> ask_for_offers_;
+  std::vector<Offer> offers_;
+  Offer typed_file_;
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
@@ -234,6 +248,8 @@ void draw_history(App& app);
 void draw_why_ask(App& app);
 void draw_why(App& app);
 void draw_explain(App& app);
+// start_overlay.cpp
+void draw_start(App& app);
 // places_overlay.cpp
 void draw_range(App& app);
 void draw_until(App& app);

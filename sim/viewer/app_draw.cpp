@@ -54,7 +54,13 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   ImGui::SetCursorScreenPos({at.x + size.x - menu_width, at.y + std::round(ui_.em * 0.12f)});
   if (button(ui_, menu, overlay_ == Overlay::menu)) open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
   if (ImGui::IsItemHovered()) ui_.mouse_help = "Every command, with its key.";
-  const float right = at.x + size.x - menu_width - ui_.em;
+  const std::string open_word = "Open";
+  const float open_width = text_size(ui_, font, open_word).x + std::round(ui_.em * 1.1f);
+  const float buttons = menu_width + open_width + std::round(ui_.em * 0.3f);
+  ImGui::SetCursorScreenPos({at.x + size.x - buttons, at.y + std::round(ui_.em * 0.12f)});
+  if (button(ui_, open_word, overlay_ == Overlay::start)) open_start();
+  if (ImGui::IsItemHovered()) ui_.mouse_help = "Another lesson, method or scene, or a file.";
+  const float right = at.x + size.x - buttons - ui_.em;
 
   // From the right: what there is room for, the most important first.
   std::vector<std::string> parts{fmt::format("step {} of {}", grouped(session_.position()), grouped(session_.size()))};
@@ -109,6 +115,7 @@ void App::draw_overlay() {
     case Overlay::name_bookmark: return draw_name_bookmark(*this);
     case Overlay::bookmarks: return draw_bookmarks(*this);
     case Overlay::range: return draw_range(*this);
+    case Overlay::start: return draw_start(*this);
   }
 }
 
@@ -152,6 +159,7 @@ void App::begin_scrolling() {
 void App::draw() {
   ImGui::SetCurrentContext(context_.context);
   places_.look_on();
+  if (session_.lesson() && overlay_ != Overlay::start) settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
   if (asking_ > 0 && --asking_ == 0) ask_now();
   follow_overlay();
   update_fonts();

@@ -6,15 +6,12 @@
 #include "sim/viewer/commands.hpp"
 
 namespace zstep::viewer {
-namespace {
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
-
-}  // namespace
 
 std::string chord_name(const Chord& chord) {
   if (chord.character) return chord.character == '-' ? "\u2212" : std::string(1, chord.character);

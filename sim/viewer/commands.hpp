@@ -42,4 +42,7 @@ const Command* command_for(char character);
 /// Commands whose title holds all words typed, in table order.
 std::vector<const Command*> matching(const std::string& typed);
 
+/// The same with small letters, as what is typed is looked for.
+std::string lower(std::string text);
+
 }  // namespace zstep::viewer

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/image/png.hpp"
 #include "sim/viewer/charts/chart.hpp"
 #include "sim/viewer/draw/canvas.hpp"
 #include "sim/viewer/draw/depth_scale.hpp"
@@ -105,6 +106,9 @@ inline void take(Fingerprint& print, const glm::dvec2& point) {
   take(print, point.x);
   take(print, point.y);
 }
+
+/// An offer's picture, which stays as it is.
+inline void take(Fingerprint& print, const Image& image) { print.take(std::bit_cast<std::uintptr_t>(image.rgb.data())); }
 
 inline void take(Fingerprint& print, const Cell& cell) {
   take(print, cell.x);

@@ -18,20 +18,27 @@ float share_or(float given, float otherwise) {
   return std::isfinite(given) ? std::clamp(given, 0.05f, 0.95f) : otherwise;
 }
 
-}  // namespace
-
-std::optional<std::int64_t> Settings::place(const std::string& key) const {
-  for (const auto& [name, position] : places)
-    if (name == key) return position;
+std::optional<std::int64_t> find(const Settings::Kept& kept, const std::string& key) {
+  for (const auto& [name, value] : kept)
+    if (name == key) return value;
   return std::nullopt;
 }
 
-void Settings::remember(const std::string& key, std::int64_t position) {
-  places.erase(std::remove_if(places.begin(), places.end(), [&](const auto& place) { return place.first == key; }),
-               places.end());
-  places.emplace_back(key, position);
-  if (places.size() > places_kept)
-    places.erase(places.begin(), places.end() - static_cast<std::ptrdiff_t>(places_kept));
+void put_last(Settings::Kept& kept, const std::string& key, std::int64_t value) {
+  kept.erase(std::remove_if(kept.begin(), kept.end(), [&](const auto& one) { return one.first == key; }), kept.end());
+  kept.emplace_back(key, value);
+  if (kept.size() > places_kept) kept.erase(kept.begin(), kept.end() - static_cast<std::ptrdiff_t>(places_kept));
+}
+
+}  // namespace
+
+std::optional<std::int64_t> Settings::place(const std::string& key) const { return find(places, key); }
+void Settings::remember(const std::string& key, std::int64_t position) { put_last(places, key, position); }
+
+int Settings::stops_seen(const std::string& lesson) const { return static_cast<int>(find(lessons, lesson).value_or(0)); }
+void Settings::see_stop(const std::string& lesson, int stops) {
+  const bool known = !lessons.empty() && lessons.back().first == lesson && lessons.back().second >= stops;
+  if (!known) put_last(lessons, lesson, std::max(stops, stops_seen(lesson)));
 }
 
 Settings kept_settings(const Settings& stored, const Settings& begun, Settings ended) {
@@ -76,6 +83,7 @@ Settings load_settings(const std::filesystem::path& path) {
     else if (key.rfind("structure ", 0) == 0) s.layout.structures[key.substr(10)] = share_or(real, 0.3f);
     else if (key.rfind("place ", 0) == 0)
       s.remember(key.substr(6), std::max<std::int64_t>(0, std::strtoll(value.c_str(), nullptr, 10)));
+    else if (key.rfind("lesson ", 0) == 0) s.see_stop(key.substr(7), static_cast<int>(std::clamp(whole, 0L, 9999L)));
   }
   return s;
 }
@@ -94,6 +102,7 @@ bool save_settings(const std::filesystem::path& path, const Settings& s) {
                         s.layout.both, s.layout.words);
     for (const auto& [id, weight] : s.layout.structures) file << fmt::format("structure {} = {}\n", id, weight);
     for (const auto& [key, position] : s.places) file << fmt::format("place {} = {}\n", key, position);
+    for (const auto& [id, stops] : s.lessons) file << fmt::format("lesson {} = {}\n", id, stops);
     file.flush();
     if (!file) return false;
   }

@@ -31,10 +31,14 @@ struct Settings {
   int width = 0, height = 0;                ///< of the window; 0: never set
   int speed = 2;
   Layout layout;
-  std::vector<std::pair<std::string, std::int64_t>> places;  ///< by trace, newest last
+  using Kept = std::vector<std::pair<std::string, std::int64_t>>;
+  Kept places;   ///< by trace, newest last
+  Kept lessons;  ///< how many of its stops were come to, by lesson, the one that was open last at the end
 
   std::optional<std::int64_t> place(const std::string& key) const;
   void remember(const std::string& key, std::int64_t position);
+  int stops_seen(const std::string& lesson) const;
+  void see_stop(const std::string& lesson, int stops);  ///< so many, counted from its first
 };
 
 /// What to save when a run ends: what options of the command line set for this run alone (dark, presenter: in `begun`,

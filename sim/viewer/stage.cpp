@@ -8,21 +8,62 @@
 #include <fmt/format.h>
 
 #include "sim/places/search.hpp"
+#include "sim/viewer/panes/workspace.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {
 
+std::string place_key(const Trace& trace) {
+  return fmt::format("{}|{}|{}", trace.name(), trace.size(), trace.scene().points.size());
+}
+
 Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height,
              float dpi_scale)
-    : first_(trace),
-      options_(options),
-      dpi_scale_(dpi_scale),
-      first_app_(trace, options.lesson, settings, width, height, dpi_scale) {
-  first_app_.opened_by = options.opened_by;
-  if (options.checked) first_app_.show_findings(*options.checked);
-  if (options.against) first_app_.show_against(*options.against);
+    : first_(&trace), lesson_(options.lesson), options_(options), dpi_scale_(dpi_scale) {
+  begin(settings, width, height);
+  app().opened_by = options.opened_by;
+  if (options.checked) app().show_findings(*options.checked);
+  if (options.against) app().show_against(*options.against);
+}
+
+void Stage::begin(const Settings& settings, int width, int height) {
+  first_app_ = std::make_unique<App>(*first_, lesson_, settings, width, height, dpi_scale_);
+  first_app_->offer(options_.offers);
+}
+
+void Stage::open(const Offer& offer) {
+  if (!options_.open) return app().say("Nothing else can be opened from here.");
+  std::unique_ptr<Opened> opened;
+  try {
+    opened = options_.open(trace(), offer);
+    if (opened->lesson) check_focus(*opened->lesson, opened->trace.header());
+  } catch (const InputError& error) {
+    if (app().overlay() != Overlay::start) app().open_start();
+    app().wrong = error.what();
+    return app().session().touch();
+  }
+  Settings settings = app().settings();
+  settings.speed = app().session().speed;
+  settings.remember(place_key(trace()), app().session().position());
+  settings.remember(place_key(*first_), first_app_->session().position());
+  const int width = app().renderer().width(), height = app().renderer().height();
+  other_app_.reset();
+  other_.reset();
+  first_app_.reset();  // it looks at what goes
+  opened_ = std::move(opened);
+  first_ = &opened_->trace;
+  lesson_ = opened_->lesson ? &*opened_->lesson : nullptr;
+  begin(settings, width, height);
+  app().opened_by = opened_->opened_by;
+  moment_ = {};
+  arrived_ = -1;
+  Session& s = app().session();
+  if (const auto place = settings.place(place_key(*first_))) s.go_to(*place);
+  else if (lesson_ && !lesson_->stops.empty()) s.to_stop(0);
+  if (!opened_->whole)
+    app().say(fmt::format("Cut off after {} steps, so the picture is not done.", grouped(first_->size())));
 }
 
 std::int64_t last_write(const Trace& trace, Cell cell) {
@@ -95,15 +136,16 @@ void Stage::switch_method(int direction) {
   Settings settings = app().settings();
   settings.speed = left.speed;
   const int width = app().renderer().width(), height = app().renderer().height();
-  const bool back = other->trace.header().algorithm == first_.header().algorithm;
+  const bool back = other->trace.header().algorithm == first_->header().algorithm;
   other_app_.reset();  // it looks at the trace that goes
   other_ = std::move(other);
   if (back) {
     other_.reset();
-    first_app_.take_settings(settings);
-    first_app_.resize(width, height);
+    first_app_->take_settings(settings);
+    first_app_->resize(width, height);
   } else {
     other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
+    other_app_->offer(options_.offers);
   }
 
   Session& s = app().session();
@@ -117,7 +159,7 @@ void Stage::switch_method(int direction) {
   arrived_ = s.position();
   if (other_ && !other_->whole)
     place += fmt::format("; cut off after {} steps, so the picture is not done", grouped(trace().size()));
-  if (other_ && options_.lesson) place += "; the lesson waits where it was left";
+  if (other_ && lesson_) place += "; the lesson waits where it was left";
   app().say(trace().header().title + ": " + place + ".");
 }
 

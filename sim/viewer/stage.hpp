@@ -30,10 +30,15 @@ class Stage {
   Stage(const Trace& trace, const ViewerOptions& options, const Settings& settings, int width, int height,
         float dpi_scale = 1);
 
-  App& app() { return other_app_ ? *other_app_ : first_app_; }
-  const Trace& trace() const { return other_ ? other_->trace : first_; }
+  App& app() { return other_app_ ? *other_app_ : *first_app_; }
+  const Trace& trace() const { return other_ ? other_->trace : *first_; }
   /// The trace that was opened, with its lesson, as the reader left it.
-  App& first_app() { return first_app_; }
+  App& first_app() { return *first_app_; }
+  const Trace& first() const { return *first_; }
+
+  /// Opens something else in place of all that is shown, at the place where it was left. What cannot be opened is said
+  /// on the start page, and all stays as it is.
+  void open(const Offer& offer);
 
   /// Shows the next (or previous) method's run on this scene at the same moment. The trace that was opened has its
   /// place among them and keeps the reader's place, the lesson's answers and all else meanwhile. What cannot be done is
@@ -41,15 +46,22 @@ class Stage {
   void switch_method(int direction);
 
  private:
-  const Trace& first_;
+  void begin(const Settings& settings, int width, int height);
+
+  std::unique_ptr<Opened> opened_;  ///< from the window, once something was
+  const Trace* first_;
+  const Lesson* lesson_;
   const ViewerOptions& options_;
   float dpi_scale_;
-  App first_app_;
+  std::unique_ptr<App> first_app_;
   std::optional<OtherRun> other_;  ///< nullopt while the first is shown
   std::unique_ptr<App> other_app_;
   Whereabouts moment_;                  ///< where the reader went last, by hand
   std::int64_t arrived_ = -1;      ///< where switching led; the reader has not moved while that is the position
 };
+
+/// What a trace is called in the settings: its name, its length and its scene, so that another run is another place.
+std::string place_key(const Trace& trace);
 
 /// The last event of the trace that gave this pixel a colour; its size if none did.
 std::int64_t last_write(const Trace& trace, Cell cell);

@@ -18,11 +18,6 @@ namespace {
 
 using namespace viewer;
 
-/// What a trace is called in the settings: its name, its length and its scene, so that another run is another place.
-std::string place_key(const Trace& trace) {
-  return fmt::format("{}|{}|{}", trace.name(), trace.size(), trace.scene().points.size());
-}
-
 void go_to_start(App& app, const Trace& trace, const ViewerOptions& options) {
   Session& s = app.session();
   if (options.stop) return s.to_stop(*options.stop);
@@ -55,6 +50,10 @@ void serve(Stage& stage, const Window& window) {
     stage.switch_method(direction);
     name_window(window, stage.trace());
   }
+  if (const auto offer = std::exchange(stage.app().requests.open, std::nullopt)) {
+    stage.open(*offer);
+    name_window(window, stage.trace());
+  }
   App& app = stage.app();
   WindowRequests& r = app.requests;
   if (r.toggle_full_screen)
@@ -80,6 +79,7 @@ double seconds() {
 void loop(Stage& stage, const Window& window) {
   int frames_due = App::frames_to_settle;  // after a change, until nothing moves any more
   std::uint64_t drawn = 0;
+  const App* drawn_app = nullptr;
   bool on_way = false;  // the title says so
   while (!stage.app().requests.quit) {
     stage.app().ends_waiting = &Window::is_ended;
@@ -92,7 +92,7 @@ void loop(Stage& stage, const Window& window) {
       window.show_progress(share);
       return Window::is_ended();
     };
-    if (stage.app().session().revision() < drawn) drawn = 0;  // another method's
+    if (std::exchange(drawn_app, &stage.app()) != &stage.app()) drawn = 0;  // another run's
     const double wait = stage.app().session().play(seconds());
     if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, App::frames_to_settle);
     SDL_Event event;
@@ -121,6 +121,11 @@ void loop(Stage& stage, const Window& window) {
 
 }  // namespace
 
+std::string last_lesson() {
+  const Settings settings = load_settings(settings_path());
+  return settings.lessons.empty() ? "" : settings.lessons.back().first;
+}
+
 int run_viewer(const Trace& trace, const ViewerOptions& options) {
   if (options.screenshot) return write_screenshot(trace, options);
   const std::filesystem::path path = settings_path();
@@ -134,6 +139,7 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   Stage stage(trace, options, settings, window.surface()->w, window.surface()->h, window.dpi_scale());
   name_window(window, trace);
   go_to_start(stage.app(), trace, options);
+  if (options.at_start) stage.app().open_start();
   loop(stage, window);
   App& app = stage.app();
 
@@ -143,7 +149,7 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   kept.speed = app.session().speed;
   // The trace that was opened keeps its place whatever was looked at besides.
   kept.remember(place_key(stage.trace()), app.session().position());
-  kept.remember(place_key(trace), stage.first_app().session().position());
+  kept.remember(place_key(stage.first()), stage.first_app().session().position());
   if (!path.empty() && !save_settings(path, kept))
     fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
   return 0;

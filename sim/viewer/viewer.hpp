@@ -4,14 +4,35 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/classroom/lesson.hpp"
+#include "sim/image/png.hpp"
 #include "sim/words/judged.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep {
+
+/// What can be opened from the window.
+struct Offer {
+  enum class What : std::uint8_t { lesson, method, scene };
+  What what = What::lesson;
+  std::string id;       ///< a lesson's or a method's, a built-in scene's name, or the path of a file
+  std::string title, summary;
+  int stops = 0;        ///< of a lesson
+  Image picture{};      ///< of a scene
+};
+
+/// A run that was opened from the window.
+struct Opened {
+  Trace trace;
+  std::optional<Lesson> lesson{};  ///< resolved against it
+  std::string opened_by{};         ///< as in ViewerOptions
+  bool whole = true;               ///< false: it was cut off, as it would take too long
+};
 
 /// A run of another method on the scene of a trace.
 struct OtherRun {
@@ -45,11 +66,19 @@ struct ViewerOptions {
   /// Runs the next (1) or previous (-1) method that can draw this trace's scene; nullopt when there is none. Empty
   /// where no method can be run. May throw InputError.
   std::function<std::optional<OtherRun>(const Trace&, int direction)> other_method;
+  /// What can be opened from the window, asked for when a reader wants to choose; empty where nothing can be.
+  std::function<std::vector<Offer>()> offers;
+  /// Opens it: a method draws the scene of this trace, a scene is drawn by its method. Throws InputError.
+  std::function<std::unique_ptr<Opened>(const Trace&, const Offer&)> open;
+  bool at_start = false;  ///< opens with the choice of what to open
   std::string opened_by;  ///< command line that opens this view again, quoted for a shell, without --at
 };
 
 /// Opens the window and runs until it is closed; with `screenshot` draws one frame headless. Returns the exit code.
 int run_viewer(const Trace& trace, const ViewerOptions& options);
+
+/// The lesson that was open last, by its id; empty where none is known.
+std::string last_lesson();
 
 /// Whether a window can be opened here.
 bool display_available();

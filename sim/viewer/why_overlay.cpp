@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/commands.hpp"
 #include "sim/viewer/overlays.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -16,12 +17,6 @@ namespace zstep::viewer {
 namespace {
 
 constexpr std::size_t listed = 200;  // polygons; of more, something must be typed
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 std::string place_text(const std::optional<Cell>& cell) {
   return cell ? fmt::format("at pixel ({}, {})", cell->x, cell->y) : "anywhere";

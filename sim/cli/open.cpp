@@ -1,0 +1,85 @@
+#include "sim/cli/open.hpp"
+
+#include <fmt/format.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "algorithms/fast/z_buffer.hpp"
+#include "algorithms/scene/load.hpp"
+#include "sim/classroom/lesson.hpp"
+#include "sim/cli/run_options.hpp"
+#include "sim/cli/traces.hpp"
+#include "sim/cli/messages.hpp"
+#include "sim/words/shell_word.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::cli {
+namespace {
+
+/// As small as it is shown; a screen scene as large as it is.
+Image picture_of(const std::string& name) {
+  const SceneFile file = load_scene(name);
+  ViewOptions view;
+  if (file.scene.camera.kind != Camera::Kind::screen) view.width = 52, view.height = 39;
+  const Scene scene = look_at_scene(file.scene, view);
+  const Picture picture = z_buffer::run_fast(scene, file.conventions);
+  Image image{picture.width, picture.height, {}};
+  for (std::size_t at = 0; at < picture.polygon.size(); ++at) {
+    const Color color = color_at(picture, scene, at);
+    image.rgb.insert(image.rgb.end(), {color.red, color.green, color.blue});
+  }
+  return image;
+}
+
+std::unique_ptr<Opened> opened(OtherRun run, std::string by) {
+  auto made = std::make_unique<Opened>(Opened{std::move(run.trace), {}, std::move(by), run.whole});
+  return made;
+}
+
+std::unique_ptr<Opened> open_lesson(const std::string& name) {
+  Lesson lesson = find_lesson(name);
+  Trace trace = run_lesson(lesson);
+  return std::make_unique<Opened>(
+      Opened{std::move(trace), std::move(lesson), as_typed("zstep lesson " + shell_word(name)), true});
+}
+
+std::unique_ptr<Opened> open_scene(const Trace& now, const std::string& name) {
+  if (name.ends_with(".md")) return open_lesson(name);
+  if (is_trace(name))
+    return std::make_unique<Opened>(
+        Opened{open_trace(name, Cost::free), {}, as_typed("zstep view " + shell_word(name)), true});
+  RunOptions options;
+  options.scene = name;
+  const Run run = prepare(options);  // by the Z-buffer, which draws every scene
+  const Method& by = method(now.header().algorithm);
+  const bool can = can_draw(by, run.scene, run.conventions);
+  const Method& takes = can ? by : *run.method;
+  std::string line = "zstep view " + shell_word(name);
+  if (can && by.id != run.method->id) line += " --algorithm " + shell_word(std::string(by.id));
+  return opened(record_patiently(takes, run.scene, run.conventions), as_typed(line));
+}
+
+}  // namespace
+
+std::vector<Offer> all_offers() {
+  std::vector<Offer> offers;
+  for (const Lesson& lesson : all_lessons())
+    offers.push_back({Offer::What::lesson, lesson.id, lesson.title, lesson.summary,
+                      static_cast<int>(lesson.stops.size())});
+  for (const Method& one : methods())
+    offers.push_back({Offer::What::method, std::string(one.id), std::string(one.title), std::string(one.paper)});
+  for (const BuiltIn& scene : built_in_scenes())
+    offers.push_back({Offer::What::scene, std::string(scene.name), std::string(scene.name),
+                      std::string(scene.description), 0, picture_of(std::string(scene.name))});
+  return offers;
+}
+
+std::unique_ptr<Opened> open_offer(const Trace& now, const Offer& offer) {
+  switch (offer.what) {
+    case Offer::What::lesson: return open_lesson(offer.id);
+    case Offer::What::method: return opened(record_by(method(offer.id), now), "");
+    case Offer::What::scene: break;
+  }
+  return open_scene(now, offer.id);
+}
+
+}  // namespace zstep::cli

@@ -1,0 +1,173 @@
+// The start page: lessons with how far they were read, methods for the scene at hand, scenes as pictures, and files.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/app.hpp"
+#include "sim/viewer/commands.hpp"
+#include "sim/viewer/overlays.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// An offer's picture so high, each pixel of it a square.
+void paint_offer(Canvas& canvas, const Image& image) {
+  for (int y = 0; y < canvas.height(); ++y)
+    for (int x = 0; x < canvas.width(); ++x) {
+      const auto from = [](int at, int size, int of) { return static_cast<std::size_t>(at * of / size); };
+      const std::size_t at = 3 * (from(y, canvas.height(), image.height) * static_cast<std::size_t>(image.width) +
+                                  from(x, canvas.width(), image.width));
+      canvas.row(y)[x] = opaque({image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]});
+    }
+}
+
+const char* heading_of(Offer::What what) {
+  switch (what) {
+    case Offer::What::lesson: return "Lessons";
+    case Offer::What::method: return "Methods, for this scene";
+    case Offer::What::scene: break;
+  }
+  return "Scenes, by this method";
+}
+
+/// How far a lesson was read, as a bar and in numbers.
+void draw_progress(Ui& ui, const ListRow& row, int seen, int stops) {
+  if (seen <= 0 || stops <= 0) return;
+  const Theme& c = ui.colors();
+  const std::string text = seen >= stops ? "read" : fmt::format("{} of {}", seen, stops);
+  const float bar = std::round(ui.em * 3), right = row.end.x - ui.em * 0.6f;
+  const float middle = (row.at.y + row.end.y) / 2, thick = std::round(ui.em * 0.3f);
+  draw_text(ui, {right - bar - ui.em * 0.5f - text_size(ui, ui.fonts.small, text).x,
+                 std::round(middle - ui.fonts.small->FontSize / 2)},
+            ui.fonts.small, c.muted, text);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 from{right - bar, std::round(middle - thick / 2)};
+  list->AddRectFilled(from, {right, from.y + thick}, c.head);
+  const float share = std::min(1.0f, static_cast<float>(seen) / static_cast<float>(stops));
+  list->AddRectFilled(from, {from.x + std::round(bar * share), from.y + thick}, c.text);
+  frame_box(ui, from, {right, from.y + thick}, c.muted);
+}
+
+void draw_choice(App& app, const Offer& offer, const ListRow& row, int number) {
+  Ui& ui = app.ui();
+  const float height = row.end.y - row.at.y, pad = std::round(ui.em * 0.5f);
+  float x = row.at.x + pad;
+  if (offer.picture.height > 0) {
+    const float tall = height - 4, wide = std::round(tall * static_cast<float>(offer.picture.width) /
+                                                     static_cast<float>(offer.picture.height));
+    const ImVec2 at{std::round(x), std::round(row.at.y + 2)};
+    const Canvas& canvas = keep_canvas(ui.canvases, "offer " + offer.id, static_cast<int>(wide),
+                                       static_cast<int>(tall), paint_offer, offer.picture)
+                               ->made;
+    ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + wide, at.y + tall});
+    frame_box(ui, at, {at.x + wide, at.y + tall}, ui.colors().rule);
+    x += std::round(height * 1.4f) + pad;
+  }
+  const bool lesson = offer.what == Offer::What::lesson;
+  const std::string title = lesson ? fmt::format("{}. {}", number, offer.title) : offer.title;
+  const float room = row.end.x - x - (lesson ? ui.em * 8 : 0);
+  draw_text(ui, {x, row.at.y + std::round((height - ui.em) / 2) - 1}, ui.fonts.text, ui.colors().text,
+            fitted(ui, ui.fonts.text, title, room));
+  if (lesson) draw_progress(ui, row, app.settings().stops_seen(offer.id), offer.stops);
+}
+
+}  // namespace
+
+std::vector<const Offer*> App::choices() {
+  if (offers_.empty() && ask_for_offers_) offers_ = ask_for_offers_();
+  const std::string part = lower(typed);
+  std::vector<const Offer*> found;
+  for (const Offer& offer : offers_)
+    if (lower(offer.id + "\n" + offer.title).find(part) != std::string::npos) found.push_back(&offer);
+  if (typed.find_first_of("/.=\\") != std::string::npos) {
+    typed_file_ = {Offer::What::scene, typed, "Open " + typed, "A mesh, a scene, a trace, a program's JSON Lines, or a "
+                                                               "surface by its formula."};
+    found.push_back(&typed_file_);
+  }
+  return found;
+}
+
+void App::open_start() {
+  open(Overlay::start);
+  const std::vector<const Offer*> all = choices();
+  for (std::size_t k = 0; k < all.size() && !settings_.lessons.empty(); ++k)
+    if (all[k]->what == Offer::What::lesson && all[k]->id == settings_.lessons.back().first)
+      picked = static_cast<int>(k);
+  scroll_to_picked = true;
+}
+
+void App::open_offer(const Offer& offer) {
+  wrong.clear();
+  requests.open = offer;
+  session_.touch();
+}
+
+bool App::pick_offer(SDL_Keycode code) {
+  const std::vector<const Offer*> all = choices();
+  const int count = static_cast<int>(all.size());
+  if (code == SDLK_RETURN) {
+    if (picked < count) open_offer(*all[static_cast<std::size_t>(picked)]);
+    return true;
+  }
+  const auto what = [&](int k) { return all[static_cast<std::size_t>(k)]->what; };
+  int to = picked;
+  if (code == SDLK_UP || code == SDLK_DOWN) to += code == SDLK_DOWN ? 1 : -1;
+  else if (code == SDLK_PAGEUP || code == SDLK_PAGEDOWN) to += code == SDLK_PAGEDOWN ? 1 : -1;  // a clicker's keys
+  else if (code == SDLK_TAB) {  // to the next column, and from the last to the first
+    while (to < count && what(to) == what(picked)) ++to;
+    if (to >= count) to = 0;
+  } else return false;
+  picked = std::clamp(to, 0, std::max(0, count - 1));
+  scroll_to_picked = true;
+  return true;
+}
+
+void draw_start(App& app) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  begin_overlay(app, "start", {screen.x - 3 * ui.em, screen.y - 3 * ui.em}, 0.5f);
+  flow(ui, "zstep shows, step by step, how a computer decides what is visible. What do you want to see?",
+       {.font = ui.fonts.bold});
+  ImGui::Dummy({1, std::round(ui.em * 0.3f)});
+  app.draw_field("Type a part of a name, or the path of a file");
+  const std::vector<const Offer*> all = app.choices();
+  const float foot = std::round(ui.em * 3.4f), gap = std::round(ui.em * 0.7f);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const float heights[] = {std::round(ui.em * 1.5f), std::round(ui.em * 1.5f), std::round(ui.em * 2.7f)};
+  const float shares[] = {0.5f, 0.24f, 0.26f};
+  float x = at.x;
+  const Offer* clicked = nullptr;
+  for (const Offer::What what : {Offer::What::lesson, Offer::What::method, Offer::What::scene}) {
+    const auto column = static_cast<std::size_t>(what);
+    const float width = std::floor((room.x - 2 * gap) * shares[column]);
+    ImGui::SetCursorScreenPos({x, at.y + gap});
+    ImGui::BeginChild(heading_of(what), {width, room.y - foot - gap}, false, ImGuiWindowFlags_NoNav);
+    flow(ui, heading_of(what), {.color = c.now, .font = ui.fonts.bold});
+    int number = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k]->what != what) continue;
+      const ListRow row = list_row(app, k, heights[column]);
+      if (row.clicked) clicked = all[k];
+      ++number;
+      if (row.visible) draw_choice(app, *all[k], row, number);
+    }
+    ImGui::EndChild();
+    x += width + gap;
+  }
+  app.scroll_to_picked = false;
+  ImGui::SetCursorScreenPos({at.x, at.y + room.y - foot});
+  const auto picked = static_cast<std::size_t>(app.picked);
+  if (!app.wrong.empty()) say_wrong(ui, app.wrong);
+  else if (picked < all.size() && !all[picked]->summary.empty()) flow(ui, all[picked]->summary, {});
+  else if (all.empty()) say_empty(ui, "Nothing has this in its name.");
+  flow(ui,
+       "Enter or a click opens it; Tab: the next column; Esc: back. A file can be dropped on the window: a mesh, a "
+       "scene, a trace, or the JSON Lines of a program.",
+       {.color = c.muted});
+  ImGui::End();
+  if (clicked) app.open_offer(*clicked);
+}
+
+}  // namespace zstep::viewer

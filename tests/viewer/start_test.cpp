@@ -1,0 +1,139 @@
+// The start page: what it offers, and that opening something else leaves the place in what was open.
+#include <doctest/doctest.h>
+
+#include "sim/viewer/stage.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+#include "traces/error.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+namespace {
+
+ViewerOptions with_offers(int* asked = nullptr) {
+  ViewerOptions options;
+  options.offers = [asked] {
+    if (asked) ++*asked;
+    std::vector<Offer> offers;
+    for (const Lesson& lesson : all_lessons())
+      offers.push_back({Offer::What::lesson, lesson.id, lesson.title, lesson.summary,
+                        static_cast<int>(lesson.stops.size())});
+    offers.push_back({Offer::What::method, "painter", "Painter's algorithm", "far to near"});
+    offers.push_back({Offer::What::scene, "cube", "cube", "a cube", 0, {2, 1, {255, 0, 0, 0, 0, 255}}});
+    return offers;
+  };
+  options.open = [](const Trace&, const Offer& offer) {
+    if (offer.what == Offer::What::lesson) {
+      Lesson lesson = find_lesson(offer.id);
+      Trace trace = run_lesson(lesson);
+      return std::make_unique<Opened>(Opened{std::move(trace), std::move(lesson), "zstep lesson " + offer.id, true});
+    }
+    if (offer.id != "cube") throw InputError(offer.id, "there is no such file", "give the path of one");
+    return std::make_unique<Opened>(Opened{test::record_run("cube"), {}, "zstep view cube", true});
+  };
+  return options;
+}
+
+/// What the window does with a request.
+void serve(Stage& stage) {
+  if (const auto offer = std::exchange(stage.app().requests.open, std::nullopt)) stage.open(*offer);
+}
+
+std::string picked_id(App& app) { return app.choices().at(static_cast<std::size_t>(app.picked))->id; }
+
+}  // namespace
+
+TEST_CASE("the start page is asked for what it offers once, and finds it by a part of its name") {
+  const Trace trace = test::record_run("pyramid");
+  int asked = 0;
+  const ViewerOptions options = with_offers(&asked);
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  App& app = stage.app();
+  CHECK(asked == 0);
+  test::press(app, SDLK_o, KMOD_LCTRL);
+  REQUIRE(app.overlay() == Overlay::start);
+  const test::Bytes all = test::picture(app);
+  CHECK(app.choices().size() == all_lessons().size() + 2);
+  test::type(app, "Warn");
+  REQUIRE(app.choices().size() == 1);
+  CHECK(app.choices()[0]->id == "warnock");
+  CHECK(test::picture(app) != all);
+  for (int k = 0; k < 4; ++k) test::press(app, SDLK_BACKSPACE), test::release(app, SDLK_BACKSPACE);
+  CHECK(app.choices().size() == all_lessons().size() + 2);
+  CHECK(asked == 1);
+}
+
+TEST_CASE("a lesson is opened from the start page, by keys alone, and how far it was read is kept") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = with_offers();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.app().session().go_to(100);
+  test::press(stage.app(), SDLK_o, KMOD_LCTRL);
+  for (int k = 0; k < 3; ++k) test::press(stage.app(), SDLK_DOWN);
+  CHECK(picked_id(stage.app()) == "z-buffer");
+  test::press(stage.app(), SDLK_RETURN);
+  serve(stage);
+  REQUIRE(stage.app().session().lesson());
+  CHECK(stage.app().session().lesson()->id == "z-buffer");
+  CHECK(stage.app().overlay() == Overlay::none);
+  CHECK(stage.app().session().stop() == 0);
+  CHECK(stage.app().link().rfind("zstep lesson z-buffer --at ", 0) == 0);
+  test::press(stage.app(), SDLK_n);
+  (void)test::picture(stage.app());
+  CHECK(stage.app().settings().stops_seen("z-buffer") == 2);
+  CHECK(stage.app().settings().place(place_key(trace)) == 100);
+  // What was open last is picked.
+  test::press(stage.app(), SDLK_o, KMOD_LCTRL);
+  CHECK(picked_id(stage.app()) == "z-buffer");
+  // The next column, and the one after it.
+  test::press(stage.app(), SDLK_TAB);
+  CHECK(picked_id(stage.app()) == "painter");
+  test::press(stage.app(), SDLK_TAB);
+  CHECK(picked_id(stage.app()) == "cube");
+  const std::int64_t left_at = stage.app().session().position();
+  const std::string left = place_key(stage.trace());
+  test::press(stage.app(), SDLK_RETURN);
+  serve(stage);
+  CHECK_FALSE(stage.app().session().lesson());
+  CHECK(stage.trace().scene().name == "cube");
+  CHECK(stage.app().settings().place(left) == left_at);
+  (void)test::picture(stage.app());
+}
+
+TEST_CASE("what cannot be opened is said on the start page, and all stays as it is") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = with_offers();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.app().session().go_to(7);
+  test::press(stage.app(), SDLK_o, KMOD_LCTRL);
+  test::type(stage.app(), "none.obj");
+  REQUIRE(stage.app().choices().size() == 1);
+  test::press(stage.app(), SDLK_RETURN);
+  serve(stage);
+  CHECK(stage.app().overlay() == Overlay::start);
+  CHECK(stage.app().wrong.find("there is no such file") != std::string::npos);
+  CHECK(stage.app().typed == "none.obj");
+  CHECK(&stage.trace() == &trace);
+  CHECK(stage.app().session().position() == 7);
+  // A file that is dropped, too.
+  test::press(stage.app(), SDLK_ESCAPE);
+  SDL_Event drop{};
+  drop.type = SDL_DROPFILE;
+  drop.drop.file = SDL_strdup("gone.off");
+  test::send(stage.app(), drop);
+  serve(stage);
+  CHECK(stage.app().overlay() == Overlay::start);
+  CHECK(stage.app().wrong.find("gone.off") != std::string::npos);
+}
+
+TEST_CASE("settings keep how far lessons were read, and which was open last") {
+  Settings s;
+  s.see_stop("bsp", 3);
+  s.see_stop("warnock", 9);
+  s.see_stop("bsp", 1);
+  CHECK(s.stops_seen("bsp") == 3);
+  CHECK(s.stops_seen("warnock") == 9);
+  CHECK(s.stops_seen("none") == 0);
+  CHECK(s.lessons.back().first == "bsp");
+}
