@@ -52,7 +52,7 @@ void declare(CLI::App& app, Action& action) {
   add_compare_methods(app, action);
   add_completion(app, action);
   app.footer(
-      "Without a command the Z-buffer lesson opens.\n"
+      "Without a command a page opens to choose a lesson, a method, a scene or a file.\n"
       "\n"
       "Examples:\n"
       "  zstep\n"

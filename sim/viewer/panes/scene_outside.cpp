@@ -394,6 +394,7 @@ void write_words(Ui& ui, const OutsidePicture& picture, ImVec2 at) {
     if (static_cast<float>(spot.pixels) > 1.5f * ui.em * ui.em && ++letters <= 26)
       write({static_cast<float>(spot.cell.x), static_cast<float>(spot.cell.y)}, ui.fonts.bold, ui.colors().text,
             polygon_label(scene, spot.polygon), true);
+  if (static_cast<float>(picture.canvas.width()) < 15 * ui.em) return;  // letters alone
   for (const ChartPicture::Word& word : picture.words) write(word.at, ui.fonts.small, word.color, word.text, false);
 }
 
