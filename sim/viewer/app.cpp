@@ -233,6 +233,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
       if (command.release && !command.keys.empty() && command.keys[0].key == code) command.release(*this);
     return false;
   }
+  if (std::exchange(black_, false)) {
+    session_.touch();
+    return true;
+  }
   if ((overlay_ == Overlay::history || overlay_ == Overlay::explain) && pick_row(code)) {
     session_.touch();
     return true;
@@ -315,6 +319,10 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       mouse(static_cast<float>(event.button.x) * pixels_per_point,
             static_cast<float>(event.button.y) * pixels_per_point);
       const bool down = event.type == SDL_MOUSEBUTTONDOWN;
+      if (down && std::exchange(black_, false)) {
+        session_.touch();
+        return false;
+      }
       if (down) session_.message.clear();
       const int which = event.button.button == SDL_BUTTON_LEFT     ? 0
                         : event.button.button == SDL_BUTTON_RIGHT  ? 1

@@ -152,6 +152,8 @@ class App {
   void go_to_typed();  ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
   void take_settings(const Settings& settings);  ///< as another App was left
   void say(std::string message);
+  void make_black() { black_ = true, session_.touch(); }  ///< until the next key or click, which does nothing else
+  bool has_causes() const { return findings_.has_value() || against_.has_value(); }
   void hold(const Command& command);  ///< what a key is held for, until the next key or click
 
  private:
@@ -233,6 +235,8 @@ class App {
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
+  bool black_ = false;
+  bool clicker_ = false;      ///< what is picked on the start page was picked by a clicker's keys
   bool text_taken_ = false;   ///< the text of the key that went down last is not typed: a command was run by it
   const Command* held_ = nullptr;
   std::uint64_t seen_revision_ = 0;

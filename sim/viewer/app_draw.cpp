@@ -203,6 +203,7 @@ void App::draw() {
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);
   if (overlay_ == Overlay::none) take_clicks();
+  if (black_) ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32_BLACK);
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
   if (ui_.pointed != ui_.pointed_next || session_.hovered_edge != ui_.hovered_edge_next) session_.touch();

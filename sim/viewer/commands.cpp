@@ -17,6 +17,13 @@ constexpr unsigned S = Chord::shift, C = Chord::ctrl;
 template <Unit unit, int direction>
 void move(App& app) { app.session().move(unit, direction); }
 
+/// By polygons; before a class by the lesson's stops, for a clicker has these two keys.
+template <int direction>
+void page(App& app) {
+  if (app.ui().presenter && app.session().lesson()) app.session().next_stop(direction);
+  else app.session().move(Unit::polygon, direction);
+}
+
 template <int direction>
 void same_line(App& app) {
   if (const RecordedEvent* event = app.session().event()) app.session().to_step(event->step, direction);
@@ -111,6 +118,12 @@ void fit_range(App& app) {
               : "The colours span all depths of the trace.");
 }
 
+/// A clicker sends a full stop or a B for a black screen.
+void next_cause(App& app) {
+  if (app.ui().presenter && !app.has_causes()) app.make_black();
+  else app.to_cause(1);
+}
+
 /// Lets a pane lead, and the second time what led before.
 void toggle_lead(App& app, const Pane& pane, const char* lacking) {
   if (!pane.serves(app.session().header())) return app.say(lacking);
@@ -170,8 +183,8 @@ const std::vector<Command>& table() {
       {"previous-span", "Move", "Previous span", {{SDLK_LEFT, C | S}}, move<Unit::span, -1>},
       {"next-line", "Move", "Next scan line", {{SDLK_RIGHT, C}, {SDLK_DOWN}}, move<Unit::scan_line, 1>},
       {"previous-line", "Move", "Previous scan line", {{SDLK_LEFT, C}, {SDLK_UP}}, move<Unit::scan_line, -1>},
-      {"next-polygon", "Move", "Next polygon", {{SDLK_PAGEDOWN}}, move<Unit::polygon, 1>},
-      {"previous-polygon", "Move", "Previous polygon", {{SDLK_PAGEUP}}, move<Unit::polygon, -1>},
+      {"next-polygon", "Move", "Next polygon; in presenter mode next stop", {{SDLK_PAGEDOWN}}, page<1>},
+      {"previous-polygon", "Move", "Previous polygon, or stop", {{SDLK_PAGEUP}}, page<-1>},
       {"next-same", "Move", "Next time this line runs", {{SDLK_k}}, same_line<1>},
       {"previous-same", "Move", "Last time this line ran", {{SDLK_k, S}}, same_line<-1>},
       {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
@@ -199,7 +212,7 @@ const std::vector<Command>& table() {
        "Last step where it was true",
        {{SDLK_j, S}},
        [](App& a) { a.places().again(Places::Way::backwards); }},
-      {"next-cause", "Move", "Next cause of what is wrong or differs", {{0, 0, '.'}}, [](App& a) { a.to_cause(1); }},
+      {"next-cause", "Move", "Next cause of what is wrong or differs", {{0, 0, '.'}}, next_cause},
       {"previous-cause", "Move", "Previous cause", {{0, 0, ','}}, [](App& a) { a.to_cause(-1); }},
       {"next-marked", "Move", "Next step that is marked", {{0, 0, '>'}}, [](App& a) { a.to_marked(1); }},
       {"previous-marked", "Move", "Previous step that is marked", {{0, 0, '<'}}, [](App& a) { a.to_marked(-1); }},
@@ -254,9 +267,10 @@ const std::vector<Command>& table() {
       {"next-edge", "Pixel", "Light the next edge of the table (or click one)", {{SDLK_e}}, next_edge},
       {"before",
        "Look",
-       "Hold: the buffers before the last move",
+       "Hold: the buffers before the last move; in presenter mode a black window",
        {{SDLK_b}},
        [](App& a) {
+         if (a.ui().presenter) return a.make_black();
          a.session().looking_back = true;
          a.session().touch();
        },

@@ -1,6 +1,7 @@
 // The start page: lessons with how far they were read, methods for the scene at hand, scenes as pictures, and files.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -106,14 +107,16 @@ void App::open_offer(const Offer& offer) {
 bool App::pick_offer(SDL_Keycode code) {
   const std::vector<const Offer*> all = choices();
   const int count = static_cast<int>(all.size());
-  if (code == SDLK_RETURN) {
+  // With a clicker one goes through the rows by its two keys, and opens by the third.
+  const bool clicker = std::exchange(clicker_, code == SDLK_PAGEUP || code == SDLK_PAGEDOWN);
+  if (code == SDLK_RETURN || (clicker && (code == SDLK_PERIOD || code == SDLK_b))) {
     if (picked < count) open_offer(*all[static_cast<std::size_t>(picked)]);
     return true;
   }
   const auto what = [&](int k) { return all[static_cast<std::size_t>(k)]->what; };
   int to = picked;
   if (code == SDLK_UP || code == SDLK_DOWN) to += code == SDLK_DOWN ? 1 : -1;
-  else if (code == SDLK_PAGEUP || code == SDLK_PAGEDOWN) to += code == SDLK_PAGEDOWN ? 1 : -1;  // a clicker's keys
+  else if (code == SDLK_PAGEUP || code == SDLK_PAGEDOWN) to += code == SDLK_PAGEDOWN ? 1 : -1;
   else if (code == SDLK_TAB) {  // to the next column, and from the last to the first
     while (to < count && what(to) == what(picked)) ++to;
     if (to >= count) to = 0;

@@ -137,3 +137,36 @@ TEST_CASE("settings keep how far lessons were read, and which was open last") {
   CHECK(s.stops_seen("none") == 0);
   CHECK(s.lessons.back().first == "bsp");
 }
+
+TEST_CASE("before a class a clicker's four keys are enough: choose a lesson, go from stop to stop, black window") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = with_offers();
+  Settings settings;
+  settings.presenter = true;
+  Stage stage(trace, options, settings, 1280, 720);
+  stage.app().open_start();
+  for (int k = 0; k < 3; ++k) test::press(stage.app(), SDLK_PAGEDOWN);
+  test::press(stage.app(), SDLK_PERIOD);
+  serve(stage);
+  App& app = stage.app();
+  REQUIRE(app.session().lesson());
+  CHECK(app.session().lesson()->id == "z-buffer");
+  CHECK(app.ui().presenter);
+  for (std::size_t stop = 0; stop < app.session().lesson()->stops.size(); ++stop) {
+    CHECK(app.session().stop() == static_cast<int>(stop));
+    test::press(app, SDLK_PAGEDOWN);
+  }
+  test::press(app, SDLK_PAGEUP);
+  CHECK(app.session().stop() == static_cast<int>(app.session().lesson()->stops.size()) - 2);
+  app.session().message.clear();
+  const test::Bytes shown = test::picture(app);
+  for (const SDL_Keycode key : {SDLK_b, SDLK_PERIOD}) {
+    test::press(app, key);
+    test::release(app, key);
+    const test::Bytes black = test::picture(app);
+    CHECK(test::count_of(black, 0x000000) == 1280 * 720);
+    test::press(app, key);
+    test::release(app, key);
+    CHECK(test::picture(app) == shown);
+  }
+}

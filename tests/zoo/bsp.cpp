@@ -23,6 +23,7 @@ struct Divider {
   std::vector<WorldPiece> pieces{};
   std::vector<TreeOfPieces> nodes{};
   std::vector<Point> screen{};
+  int drawn = 0;
 
   bool is(const char* mistake) const { return task.mistake == mistake; }
   WorldPiece& piece(int number) { return pieces[static_cast<std::size_t>(number)]; }
@@ -124,6 +125,7 @@ struct Divider {
     std::vector<int> parts = node.pieces;
     std::sort(parts.begin(), parts.end(), [&](int a, int b) { return piece(a).polygon > piece(b).polygon; });
     for (const int part : parts) {
+      if (is("cleared_again") && drawn++ == 1) out.print("clear", "z", INFINITY);  // and the first piece is lost
       out.print("draw", "piece", part, "polygon", piece(part).polygon);
       std::vector<Point> outline;
       for (const int corner : piece(part).corners) {
@@ -146,11 +148,9 @@ std::string bsp(const Task& task) {
   std::vector<int> all;
   for (std::size_t i = 0; i < divider.pieces.size(); ++i) all.push_back(static_cast<int>(i));
   divider.build(all, -1, false);
-  const bool late = divider.is("cleared_late");  // after the vertices, not before
-  if (!late) divider.out.print("clear", "z", INFINITY);
+  divider.out.print("clear", "z", INFINITY);
   for (const Point& p : divider.points)
     divider.screen.push_back(see(task, divider.out, static_cast<int>(divider.screen.size()), p));
-  if (late) divider.out.print("clear", "z", INFINITY);
   divider.draw(0);
   return divider.out.text;
 }

@@ -226,7 +226,7 @@ void Session::to_stop(int index) {
 
 void Session::next_stop(int direction) {
   if (!lesson_ || lesson_->stops.empty()) {
-    message = "There is no lesson here; open one with: zstep lesson";
+    message = "There is no lesson here; Ctrl+O opens one.";
     touch();
     return;
   }
