@@ -77,8 +77,9 @@ class Reader {
     if (homework_.tasks.empty())
       throw InputError(file_, "none of the scenes is here", "copy the files that it names beside it");
     for (const auto& [name, at] : texts(also)) printed_.insert(step_called(name, *at).name);
-    for (const StepInfo& step : page_)
-      if (printed_.contains(step.name)) homework_.steps.push_back(step);
+    for (const StepInfo& step : page_)  // of two modules' steps of one name, as `outline`, a program prints the first
+      if (printed_.contains(step.name) && &step == find_step(page_, std::string_view(step.name)))
+        homework_.steps.push_back(step);
     if (homework_.points() <= 0) throw InputError(file_, "all parts together are worth nothing", "give them points");
     return std::move(homework_);
   }

@@ -21,7 +21,7 @@ template <class E>
 concept Supposable = requires(const E& e, const Situation& at, Supposed& out) { suppose(e, at, out); };
 
 void suppose_all(const Trace& run, Supposed& supposed) {
-  formulas::walk(
+  const State end = formulas::walk(
       run,
       [&]<class E>(std::int64_t step, const E& e, const formulas::Situation& at) {
         supposed.begin(step);
@@ -29,6 +29,7 @@ void suppose_all(const Trace& run, Supposed& supposed) {
         return true;
       },
       [](std::int64_t, const Impossible&) {});
+  if (end.machine.list.empty()) detail::suppose_put_back(supposed);
 }
 
 /// With what is in the depth buffer, and how a depth is compared with it. None of these changes the depth itself.

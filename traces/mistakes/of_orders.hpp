@@ -19,13 +19,22 @@ inline void suppose_after_side(const Situation& at, Supposed& out, bool passed) 
   const bool third = test.piece == pair->piece && test.plane_of == pair->other,
              fourth = test.piece == pair->other && test.plane_of == pair->piece;
   if (!third && !fourth) return;
-  const bool behind = test.side == Side::behind, front = test.side == Side::front;
-  if (!behind && !front) return;
+  bool behind = test.side == Side::behind, front = test.side == Side::front;
+  const bool in_plane = test.side == Side::on;
+  const Piece *piece = at.piece(test.piece), *plane_of = at.piece(test.plane_of);
+  if (in_plane && piece && plane_of)  // the later one of the scene counts as behind
+    behind = piece->polygon >= plane_of->polygon, front = plane_of->polygon >= piece->polygon;
+  if (behind == front) return;
   const bool right = third ? behind : front;
+  if (in_plane) {  // alone it tells nothing, as in one plane other mistakes have the same answer
+    if (passed != right) out.note_in_plane();
+    return;
+  }
+  if (passed != right) out.shows_since_in_plane(tests_3_4_swapped);
   out.says(tests_3_4_swapped, passed != right, passed == right);
 }
 
-/// Pieces that were cut off are in the list again when work on it goes on.
+/// Pieces that were cut off are in the list again when work on it goes on, or when it is over.
 inline void suppose_put_back(Supposed& out) {
   for (std::size_t lost = 0; lost < out.cut_off.size(); ++lost) out.says(pieces_lost, true, false);
   out.cut_off.clear();
@@ -39,14 +48,15 @@ inline void suppose_placed(std::int32_t piece, Supposed& out) {
 }  // namespace detail
 
 inline void suppose(const ListInsert& e, const Situation& at, Supposed& out) {
-  if (out.cut_off.erase(e.piece)) out.says(pieces_lost, false, true);
-  if (at.method().pair) return;  // later pieces are moved, too, and not to where they belong by depth
+  const bool is_part = out.cut_off.erase(e.piece) > 0;
+  if (is_part) out.says(pieces_lost, false, true);
+  if (at.method().pair && !is_part) return;  // others are moved, too, and not to where they belong by depth
   const Piece* piece = at.piece(e.piece);
   const auto& list = at.method().list;
   const auto place = static_cast<std::size_t>(e.place);
   if (!piece || !piece->extent || e.place < 0 || place > list.size()) return;
   const auto piece_at = [&](std::size_t which) -> const Piece* {
-    const Piece* other = at.piece(list[which].piece);
+    const Piece* other = list[which].marked ? nullptr : at.piece(list[which].piece);
     return other && other->extent ? other : nullptr;
   };
   const Piece* before = place > 0 ? piece_at(place - 1) : nullptr;
@@ -55,14 +65,19 @@ inline void suppose(const ListInsert& e, const Situation& at, Supposed& out) {
   const auto in_order = [&](double Extent::*by) {
     return (!before || (*before->extent).*by >= own.*by) && (!after || own.*by >= (*after->extent).*by);
   };
-  out.says(sorted_by_nearest, in_order(&Extent::z_min), in_order(&Extent::z_max));
-  // Of equals the first one of the scene has to win, so it is painted last.
+  if (!is_part) out.says(sorted_by_nearest, in_order(&Extent::z_min), in_order(&Extent::z_max));
+  // Of equals the first one of the scene has to win, so it is painted last; of its parts, the one that was made first.
   const bool tie_before = before && before->extent->z_max == own.z_max,
              tie_after = after && after->extent->z_max == own.z_max;
   if (!tie_before && !tie_after) return;
-  const bool right =
-      (!tie_before || before->polygon >= piece->polygon) && (!tie_after || piece->polygon >= after->polygon);
-  out.says(ties_unstable, !right, right);
+  const auto in_turn = [&](const Piece& one, std::int32_t number, const Piece& other, std::int32_t other_number) {
+    if (one.polygon != other.polygon) return one.polygon > other.polygon;
+    return !is_part || number > other_number;
+  };
+  const bool right = (!tie_before || in_turn(*before, list[place - 1].piece, *piece, e.piece)) &&
+                     (!tie_after || in_turn(*piece, e.piece, *after, list[place].piece));
+  // A program that puts each one behind all of its depth has some of them in the right order by chance.
+  out.says(ties_unstable, !right || !tie_after, right);
 }
 
 inline void suppose(const PairBegin&, const Situation& at, Supposed& out) {

@@ -81,6 +81,14 @@ class Supposed {
     count(fit, as_made);
     if (as_made) fit.numbers += std::bit_cast<std::uint64_t>(number) ^ static_cast<std::uint64_t>(step_);
   }
+  /// What may be this mistake, but shows no more than that: a later step may tell that it was.
+  void note_in_plane() {
+    if (in_plane_ == 0) in_plane_ = step_;
+  }
+  void shows_since_in_plane(Mistake mistake) {
+    Fit& fit = fits_[static_cast<std::size_t>(mistake)];
+    if (in_plane_ != 0 && fit.first == 0) fit.first = in_plane_;
+  }
   /// The mistake is not made: it would have shown from the beginning.
   void rules_out(Mistake mistake) { ++fits_[static_cast<std::size_t>(mistake)].against_after; }
   void number(Mistake mistake, double recorded, std::initializer_list<Rounded> made, const Rounded& right) {
@@ -136,6 +144,7 @@ class Supposed {
   bool with_pairs_;
   std::map<Pair, Fit> pairs_{};
   std::int64_t step_ = 0;
+  std::int64_t in_plane_ = 0;  ///< the first step that may be a mistake with what lies in one plane
   std::array<Fit, mistake_count> fits_{};
 };
 
