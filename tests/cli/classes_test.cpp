@@ -129,6 +129,31 @@ const FirstSteps ray_steps{
     {"crashes", {"plane"}},
 };
 
+const FirstSteps depth_sort_steps{
+    {"plane_d_sign", {"plane"}},
+    {"other-d_forgotten", {"plane"}},
+    {"other-normal_turned", {"cut"}},
+    {"sorted_by_nearest", {"insert"}},
+    {"other-sorted_by_middle", {"insert", "insert_part"}},
+    {"other-nearest_first", {"insert"}},
+    {"ties_unstable", {"insert", "insert_part"}},
+    {"tests_3_4_swapped", {"test_4", "test_5", "pair", "move"}},
+    {"other-test_5_forgotten", {"test_3_swapped", "pair"}},
+    {"other-plane_not_turned", {"test_3"}},
+    {"other-turned_away", {"test_3", "test_4", "pair"}},
+    {"pieces_lost", {"insert_part"}},
+    {"other-one_part_lost", {"insert_part"}},
+    {"other-put_back_at_end", {"insert_part"}},
+    {"other-split_at_once", {"test_3_swapped", "test_4_swapped"}},
+    {"other-moved_unasked", {"move", "test_3", "test_3_swapped"}},
+    {"other-painters_algorithm", {"draw", "outline"}},
+    {"other-in_plane_is_no", {"test_4"}},
+    {"other-last_vertex_forgotten", {"extent"}},
+    {"other-t_from_other_end", {"cut"}},
+    {"other-depth_kept_along_span", {"paint"}},
+    {"crashes", {"paint"}},
+};
+
 const FirstSteps bsp_steps{
     {"other-d_sign", {"plane"}},
     {"other-normal_turned", {"vertex_side"}},
@@ -269,6 +294,13 @@ TEST_CASE("classes: of thirty ray casters, each is told the own mistake") {
   if (!has_python()) return;
   const Names names = each_is_told("ray-casting", "raycast.py", ray_steps);
   CHECK(names.right >= 6);
+  CHECK(names.none + names.wrong == 0);
+}
+
+TEST_CASE("classes: of thirty depth sorts, each is told the own mistake") {
+  if (!has_python()) return;
+  const Names names = each_is_told("depth-sort", "depthsort.py", depth_sort_steps);
+  CHECK(names.right >= 30);
   CHECK(names.none + names.wrong == 0);
 }
 
