@@ -29,7 +29,7 @@ void suppose_all(const Trace& run, Supposed& supposed) {
         return true;
       },
       [](std::int64_t, const Impossible&) {});
-  if (end.machine.list.empty()) detail::suppose_put_back(supposed);
+  if (run.has(kind_of<ListInsert>) && end.machine.list.empty()) detail::suppose_put_back(supposed);
 }
 
 /// With what is in the depth buffer, and how a depth is compared with it. None of these changes the depth itself.
