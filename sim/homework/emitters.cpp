@@ -38,7 +38,7 @@ std::string in_c(const StepFields& f) {
 }
 
 std::string in_python(const StepFields& f) {
-  return fmt::format("def {}({}):\n    \"\"\"{}\"\"\"\n    _step(\"{}\"{}{})\n", f.step, listed(f.fields, name_of),
+  return fmt::format("def {}({}):  # {}\n    _step(\"{}\"{}{})\n", f.step, listed(f.fields, name_of),
                      f.meaning, f.step, f.fields.empty() ? "" : ", ",
                      listed(f.fields, [](const StepField& one) { return one.name + "=" + one.name; }));
 }
@@ -58,7 +58,7 @@ std::string in_java(const StepFields& f) {
   const std::string parameters = listed(f.fields, [&](const StepField& one) {
     return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
   });
-  return fmt::format("  static void {}({}) {{\n    step(\"{}\"{}{});\n  }}\n", name, parameters, f.step,
+  return fmt::format("  static void {}({}) {{\n    step(\"{}\"{}{}); }}\n", name, parameters, f.step,
                      f.fields.empty() ? "" : ", ",
                      listed(f.fields, [](const StepField& one) { return fmt::format("\"{0}\", {0}", one.name); }));
 }
