@@ -183,8 +183,8 @@ const std::vector<Command>& table() {
       {"previous-span", "Move", "Previous span", {{SDLK_LEFT, C | S}}, move<Unit::span, -1>},
       {"next-line", "Move", "Next scan line", {{SDLK_RIGHT, C}, {SDLK_DOWN}}, move<Unit::scan_line, 1>},
       {"previous-line", "Move", "Previous scan line", {{SDLK_LEFT, C}, {SDLK_UP}}, move<Unit::scan_line, -1>},
-      {"next-polygon", "Move", "Next polygon; in presenter mode next stop", {{SDLK_PAGEDOWN}}, page<1>},
-      {"previous-polygon", "Move", "Previous polygon, or stop", {{SDLK_PAGEUP}}, page<-1>},
+      {"next-polygon", "Move", "Next polygon (presenter: next stop)", {{SDLK_PAGEDOWN}}, page<1>},
+      {"previous-polygon", "Move", "Previous polygon (presenter: stop)", {{SDLK_PAGEUP}}, page<-1>},
       {"next-same", "Move", "Next time this line runs", {{SDLK_k}}, same_line<1>},
       {"previous-same", "Move", "Last time this line ran", {{SDLK_k, S}}, same_line<-1>},
       {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
@@ -267,7 +267,7 @@ const std::vector<Command>& table() {
       {"next-edge", "Pixel", "Light the next edge of the table (or click one)", {{SDLK_e}}, next_edge},
       {"before",
        "Look",
-       "Hold: the buffers before the last move; in presenter mode a black window",
+       "Hold: the buffers before the last move (presenter: black)",
        {{SDLK_b}},
        [](App& a) {
          if (a.ui().presenter) return a.make_black();
