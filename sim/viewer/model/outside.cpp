@@ -49,7 +49,7 @@ glm::dvec3 normal_of(const Scene& scene, const Facet& facet) {
 
 }  // namespace
 
-Room::Room(const Scene& scene)
+Room::Room(const Scene& scene, bool by_lamp)
     : polygons_(scene), camera_(scene.camera), raster_(scene.raster), sight_(std::in_place, scene.camera, scene.raster) {
   Box given = around(scene.points);
   if (scene.points.empty()) given.low = given.high = glm::dvec3(0);
@@ -87,6 +87,13 @@ Room::Room(const Scene& scene)
   std::vector<glm::dvec3> all = marks_;
   for (const glm::dvec3& corner : window(end_)) all.push_back(corner);
   if (around(all).size() <= 1.35 * around(marks_).size()) marks_ = std::move(all);
+  if (!screen) towards_ = has_eye() ? camera_.eye - (low_ + high_) / 2.0 : camera_.eye;
+  by_lamp_ = by_lamp && scene.light.has_value();
+  if (!by_lamp_) return;
+  camera_ = viewing::camera_of(*scene.light);
+  sight_.emplace(camera_, raster_);
+  near_ = camera_.near, end_ = camera_.far;
+  far_is_there_ = true;
 }
 
 glm::dvec3 Room::place(glm::dvec3 p) const {
@@ -141,11 +148,7 @@ Outside::Outside(const Room& room, const Look& look, int width, int height) {
   const Box box = around(room.marks());
   glm::dvec3 target = (box.low + box.high) / 2.0;
   const double radius = std::max(box.size() / 2, 1e-9), distance = 3.5 * radius;
-  const Camera& own = room.camera();
-  const glm::dvec3 towards = own.kind == Camera::Kind::screen ? glm::dvec3(0, -1, 0)
-                             : room.has_eye()                 ? own.eye - (room.low() + room.high()) / 2.0
-                                                              : own.eye;
-  const double azimuth = std::atan2(towards.y, towards.x);
+  const double azimuth = std::atan2(room.towards().y, room.towards().x);
   const auto direction = [&](double turn, double tilt) {
     const double around = azimuth + glm::radians(52 + turn), above = glm::radians(std::clamp(tilt, least_tilt, most_tilt) + first_tilt);
     return glm::dvec3(std::cos(above) * std::cos(around), std::cos(above) * std::sin(around), std::sin(above));

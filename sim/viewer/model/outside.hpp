@@ -29,7 +29,8 @@ inline constexpr double first_tilt = 24, least_tilt = -88 - first_tilt, most_til
 class Room {
  public:
   Room() = default;
-  explicit Room(const Scene& scene);
+  /// With lines of sight from its eye; `by_lamp`: from its light, whose picture is made.
+  explicit Room(const Scene& scene, bool by_lamp = false);
 
   const Scene& polygons() const { return polygons_; }
   /// A point of the space that the scene is given in.
@@ -40,7 +41,9 @@ class Room {
   std::array<glm::dvec3, 4> rectangle(double left, double top, double right, double bottom, double z_v) const;
   std::array<glm::dvec3, 4> window(double z_v) const;
 
-  const Camera& camera() const { return camera_; }
+  const Camera& camera() const { return camera_; }  ///< from which lines of sight go
+  bool by_lamp() const { return by_lamp_; }
+  glm::dvec3 towards() const { return towards_; }   ///< from the polygons to the scene's own eye
   bool has_eye() const { return camera_.kind == Camera::Kind::perspective; }
   double near() const { return near_; }  ///< z_v from where, and to where, lines of sight are drawn
   double end() const { return end_; }
@@ -61,7 +64,8 @@ class Room {
   std::optional<formulas::EyeRays> sight_;
   double depth_scale_ = 1, depth_middle_ = 0;  ///< of a screen scene's z
   double near_ = 0, end_ = 1;
-  bool far_is_there_ = false;
+  bool far_is_there_ = false, by_lamp_ = false;
+  glm::dvec3 towards_{0, -1, 0};
   glm::dvec3 low_{0}, high_{0}, low_given_{0}, high_given_{0};  ///< in the room, and in the scene's own space
   std::vector<glm::dvec3> marks_;
 };

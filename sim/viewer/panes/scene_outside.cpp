@@ -15,7 +15,6 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
-#include "traces/lamp.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -144,11 +143,11 @@ void draw_eye(RoomPen& pen) {
   }
   if (!perspective) return;
   pen.dot(camera.eye, 5, 0, c.text);
-  pen.word(camera.eye, "eye", c.text);
+  pen.word(camera.eye, room.by_lamp() ? "light" : "eye", c.text);
 }
 
 void draw_axes(RoomPen& pen, const Moment& now) {
-  const Camera& camera = pen.room.camera();
+  const Camera& camera = now.scene().camera;
   if (camera.kind == Camera::Kind::screen) return;
   const Theme& c = pen.colors;
   const double length = 0.45 * pen.room.size();
@@ -164,7 +163,7 @@ void draw_axes(RoomPen& pen, const Moment& now) {
   const bool views = now.event() && get_if<ViewTransform>(&now.event()->event),
              begins = (vertices.empty() || vertices[0].stage == VertexStages::untouched) &&
                       now.state().machine.pieces.empty() && now.state().machine.rays.tree.empty();
-  if (!camera.polar || !pen.room.has_eye() || !(views || begins)) return;
+  if (!camera.polar || camera.kind != Camera::Kind::perspective || pen.room.by_lamp() || !(views || begins)) return;
   const double theta = glm::radians(camera.theta), phi = glm::radians(camera.phi), radius = 0.6 * length;
   const glm::dvec3 foot(camera.eye.x, camera.eye.y, 0);
   pen.line(glm::dvec3(0), camera.eye, c.now, 1.6);
@@ -189,7 +188,7 @@ std::optional<glm::dvec3> vertex_in(const Room& room, const Moment& now, std::in
   const auto point = cutting_point(now.scene(), now.state(), vertex);
   if (!point) return std::nullopt;
   if (cuts_in_world(now.scene(), now.state().machine)) return room.place(*point);
-  return room.behind(point->x, point->y, view_depth(now.scene().camera, now.header().conventions, point->z));
+  return room.behind(point->x, point->y, view_depth(room.camera(), now.header().conventions, point->z));
 }
 
 void draw_outline(RoomPen& pen, const Moment& now, const std::vector<std::int32_t>& outline, ImU32 color) {
@@ -262,7 +261,7 @@ void draw_scan_plane(RoomPen& pen, const Moment& now) {
   pen.around(plane, c.now, 1.4);
   if (!m.span || m.span->y != *m.scan_line) return;
   const auto place = [&](double x, double z) {
-    return room.behind(x, y, view_depth(now.scene().camera, now.header().conventions, z));
+    return room.behind(x, y, view_depth(room.camera(), now.header().conventions, z));
   };
   if (std::isfinite(m.span->z_left) && std::isfinite(m.span->z_right))
     pen.line(place(m.span->x_left, m.span->z_left), place(m.span->x_right, m.span->z_right), c.now, 4);
@@ -274,7 +273,7 @@ void draw_line_of_sight(RoomPen& pen, const Moment& now, const std::optional<Cel
   const Room& room = pen.room;
   const auto& fragment = now.state().machine.fragment;
   const bool here = fragment && fragment->x == cell->x && fragment->y == cell->y && std::isfinite(fragment->z);
-  const double z = here ? view_depth(now.scene().camera, now.header().conventions, fragment->z) : room.end();
+  const double z = here ? view_depth(room.camera(), now.header().conventions, fragment->z) : room.end();
   const glm::dvec3 end = room.behind(cell->x, cell->y, z);
   pen.line(room.has_eye() ? room.camera().eye : room.behind(cell->x, cell->y, room.near()), end, pen.colors.now, 1.6);
   if (here) pen.dot(end, 5, 0, pen.colors.now);
@@ -319,21 +318,22 @@ void draw_area(RoomPen& pen, const Moment& now) {
   pen.around(back, pen.colors.now, 1.2);
 }
 
-/// The lamp, and what it sees.
+/// The lamp, and what it sees; while its own picture is made, the eye.
 void draw_lamp(RoomPen& pen, const Moment& now) {
   const auto& light = now.scene().light;
   if (!light) return;
   const Theme& c = pen.colors;
+  if (pen.room.by_lamp()) {
+    if (now.scene().camera.kind != Camera::Kind::perspective) return;
+    pen.dot(now.scene().camera.eye, 5, 0, c.muted);
+    return pen.word(now.scene().camera.eye, "eye", c.muted);
+  }
   pen.dot(light->position, 7, 3, c.text);
   pen.word(light->position, "light", c.text);
   if (!has_step_of<ShadowCompare>(now.header())) return;
-  const formulas::EyeRays sight(camera_of(*light), Raster{1, 1, false});
-  std::vector<glm::dvec3> end;
-  for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
-    const auto ray = sight.through(x, y);
-    end.push_back(ray.from + ray.along * light->far);
-    pen.line(light->position, end.back(), c.muted, 1);
-  }
+  const Room seen(now.scene(), true);
+  const auto end = seen.window(light->far);
+  for (const glm::dvec3& corner : end) pen.line(light->position, corner, c.muted, 1);
   pen.around(end, c.muted, 1, true);
 }
 
@@ -444,8 +444,9 @@ bool seen_from_outside(const Ui& ui) {
 }
 
 void draw_outside(Ui& ui, ImVec2 size) {
-  const auto make_room = [](Room& room, const Scene& scene) { room = Room(scene); };
-  const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene());
+  const auto make_room = [](Room& room, const Scene& scene, const bool& by_lamp) { room = Room(scene, by_lamp); };
+  const bool by_lamp = ui.session.state().machine.pass == Pass::light;
+  const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
   const OutsidePicture& picture =
       keep<OutsidePicture>(ui.outside_pictures, "outside", paint_outside, room, ui.look, whole, ui.moment(),
@@ -456,8 +457,8 @@ void draw_outside(Ui& ui, ImVec2 size) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,
                                        {at.x + static_cast<float>(whole.x), at.y + static_cast<float>(whole.y)});
   write_words(ui, picture, at);
-  tell_what_is_pointed_at(ui, picture, at);
   walk_round(ui, size);
+  tell_what_is_pointed_at(ui, picture, at);
 }
 
 }  // namespace zstep::viewer
