@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/sparse.hpp"
 #include "tests/zoo/runs.hpp"
 #include "tests/zoo/wrong_programs.hpp"
 
@@ -103,6 +104,7 @@ void add_other_builds(Table& table, const std::vector<Scene>& scenes) {
 }  // namespace
 
 TEST_CASE("zoo: the table") {
+  if (test::sparse > 1) return;  // it counts, and the tests of each method run the same programs under sanitizers
   Table table;
   std::vector<Scene> scenes = test::scenes_of_edge_table();
   table.add_all("edge table", test::edge_table_program, scenes, rows(test::of_edge_table, test::others_of_edge_table));
