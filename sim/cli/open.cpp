@@ -63,8 +63,8 @@ std::unique_ptr<Opened> open_scene(const Trace& now, const std::string& name) {
 std::vector<Offer> all_offers() {
   std::vector<Offer> offers;
   for (const Lesson& lesson : all_lessons())
-    offers.push_back({Offer::What::lesson, lesson.id, lesson.title, lesson.summary,
-                      static_cast<int>(lesson.stops.size())});
+    offers.push_back(
+        {Offer::What::lesson, lesson.id, lesson.title, lesson.summary, static_cast<int>(lesson.stops.size())});
   for (const Method& one : methods())
     offers.push_back({Offer::What::method, std::string(one.id), std::string(one.title), std::string(one.paper)});
   for (const BuiltIn& scene : built_in_scenes())
@@ -75,9 +75,12 @@ std::vector<Offer> all_offers() {
 
 std::unique_ptr<Opened> open_offer(const Trace& now, const Offer& offer) {
   switch (offer.what) {
-    case Offer::What::lesson: return open_lesson(offer.id);
-    case Offer::What::method: return opened(record_by(method(offer.id), now), "");
-    case Offer::What::scene: break;
+    case Offer::What::lesson:
+      return open_lesson(offer.id);
+    case Offer::What::method:
+      return opened(record_by(method(offer.id), now), "");
+    case Offer::What::scene:
+      break;
   }
   return open_scene(now, offer.id);
 }

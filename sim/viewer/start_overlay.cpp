@@ -25,9 +25,12 @@ void paint_offer(Canvas& canvas, const Image& image) {
 
 const char* heading_of(Offer::What what) {
   switch (what) {
-    case Offer::What::lesson: return "Lessons";
-    case Offer::What::method: return "Methods, for this scene";
-    case Offer::What::scene: break;
+    case Offer::What::lesson:
+      return "Lessons";
+    case Offer::What::method:
+      return "Methods, for this scene";
+    case Offer::What::scene:
+      break;
   }
   return "Scenes, by this method";
 }
@@ -39,8 +42,9 @@ void draw_progress(Ui& ui, const ListRow& row, int seen, int stops) {
   const std::string text = seen >= stops ? "read" : fmt::format("{} of {}", seen, stops);
   const float bar = std::round(ui.em * 3), right = row.end.x - ui.em * 0.6f;
   const float middle = (row.at.y + row.end.y) / 2, thick = std::round(ui.em * 0.3f);
-  draw_text(ui, {right - bar - ui.em * 0.5f - text_size(ui, ui.fonts.small, text).x,
-                 std::round(middle - ui.fonts.small->FontSize / 2)},
+  draw_text(ui,
+            {right - bar - ui.em * 0.5f - text_size(ui, ui.fonts.small, text).x,
+             std::round(middle - ui.fonts.small->FontSize / 2)},
             ui.fonts.small, c.muted, text);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 from{right - bar, std::round(middle - thick / 2)};
@@ -58,8 +62,8 @@ void draw_choice(App& app, const Offer& offer, const ListRow& row, int number) {
     const float tall = height - 4, wide = std::round(tall * static_cast<float>(offer.picture.width) /
                                                      static_cast<float>(offer.picture.height));
     const ImVec2 at{std::round(x), std::round(row.at.y + 2)};
-    const Canvas& canvas = keep_canvas(ui.canvases, "offer " + offer.id, static_cast<int>(wide),
-                                       static_cast<int>(tall), paint_offer, offer.picture)
+    const Canvas& canvas = keep_canvas(ui.canvases, "offer " + offer.id, static_cast<int>(wide), static_cast<int>(tall),
+                                       paint_offer, offer.picture)
                                ->made;
     ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + wide, at.y + tall});
     frame_box(ui, at, {at.x + wide, at.y + tall}, ui.colors().rule);
@@ -82,8 +86,9 @@ std::vector<const Offer*> App::choices() {
   for (const Offer& offer : offers_)
     if (lower(offer.id + "\n" + offer.title).find(part) != std::string::npos) found.push_back(&offer);
   if (typed.find_first_of("/.=\\") != std::string::npos) {
-    typed_file_ = {Offer::What::scene, typed, "Open " + typed, "A mesh, a scene, a trace, a program's JSON Lines, or a "
-                                                               "surface by its formula."};
+    typed_file_ = {Offer::What::scene, typed, "Open " + typed,
+                   "A mesh, a scene, a trace, a program's JSON Lines, or a "
+                   "surface by its formula."};
     found.push_back(&typed_file_);
   }
   return found;

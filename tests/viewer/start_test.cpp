@@ -17,8 +17,8 @@ ViewerOptions with_offers(int* asked = nullptr) {
     if (asked) ++*asked;
     std::vector<Offer> offers;
     for (const Lesson& lesson : all_lessons())
-      offers.push_back({Offer::What::lesson, lesson.id, lesson.title, lesson.summary,
-                        static_cast<int>(lesson.stops.size())});
+      offers.push_back(
+          {Offer::What::lesson, lesson.id, lesson.title, lesson.summary, static_cast<int>(lesson.stops.size())});
     offers.push_back({Offer::What::method, "painter", "Painter's algorithm", "far to near"});
     offers.push_back({Offer::What::scene, "cube", "cube", "a cube", 0, {2, 1, {255, 0, 0, 0, 0, 255}}});
     return offers;

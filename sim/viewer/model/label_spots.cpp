@@ -10,8 +10,9 @@ namespace {
 /// The pixels that a map shows at least half of.
 struct SeenPart {
   int left, right, low, high;  ///< the last ones exclusive
-  int width() const { return right - left; }
-  int height() const { return high - low; }
+  int every = 1;               ///< of columns and rows one in so many is looked at, where there are very many
+  int width() const { return (right - left + every - 1) / every; }
+  int height() const { return (high - low + every - 1) / every; }
 };
 
 SeenPart seen_part_of(const RasterMap& map) {
@@ -22,6 +23,9 @@ SeenPart seen_part_of(const RasterMap& map) {
   SeenPart seen{first(map.left), end(map.left, map.box_width, map.width), first(map.top),
                 end(map.top, map.box_height, map.height)};
   if (map.y_up) seen = {seen.left, seen.right, map.height - seen.high, map.height - seen.low};
+  constexpr double enough = 40'000;
+  const double pixels = std::max(0, seen.right - seen.left) * static_cast<double>(std::max(0, seen.high - seen.low));
+  seen.every = pixels <= enough ? 1 : static_cast<int>(std::ceil(std::sqrt(pixels / enough)));
   return seen;
 }
 
@@ -29,7 +33,9 @@ SeenPart seen_part_of(const RasterMap& map) {
 std::vector<int> depth_inside(const Picture& picture, const SeenPart& seen) {
   const int width = seen.width(), height = seen.height();
   std::vector<int> inside(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  const auto polygon = [&](int x, int y) { return picture.polygon[picture.at(seen.left + x, seen.low + y)]; };
+  const auto polygon = [&](int x, int y) {
+    return picture.polygon[picture.at(seen.left + x * seen.every, seen.low + y * seen.every)];
+  };
   const auto at = [&](int x, int y) -> int& {
     return inside[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
   };
@@ -65,8 +71,8 @@ void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const
   std::map<std::int32_t, Best> best;
   const auto each = [&](auto&& visit) {
     std::size_t i = 0;
-    for (int y = seen.low; y < seen.high; ++y)
-      for (int x = seen.left; x < seen.right; ++x, ++i)
+    for (int y = seen.low; y < seen.high; y += seen.every)
+      for (int x = seen.left; x < seen.right; x += seen.every, ++i)
         if (const std::int32_t polygon = picture.polygon[picture.at(x, y)]; polygon >= 0)
           visit(best[polygon], inside[i], x, y);
   };
@@ -83,7 +89,7 @@ void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const
         std::hypot(x - static_cast<double>(one.sum_x) / ties, y - static_cast<double>(one.sum_y) / ties);
     if (distance < one.distance) one.distance = distance, one.cell = {x, y};
   });
-  for (const auto& [polygon, one] : best) spots.push_back({polygon, one.cell, one.pixels});
+  for (const auto& [polygon, one] : best) spots.push_back({polygon, one.cell, one.pixels * seen.every * seen.every});
   std::stable_sort(spots.begin(), spots.end(),
                    [](const LabelSpot& a, const LabelSpot& b) { return a.pixels > b.pixels; });
 }

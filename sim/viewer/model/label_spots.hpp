@@ -12,7 +12,7 @@ namespace zstep::viewer {
 struct LabelSpot {
   std::int32_t polygon = no_polygon;
   Cell cell;                ///< the pixel that lies farthest inside what is seen of the polygon
-  std::int64_t pixels = 0;  ///< how many of it are seen
+  std::int64_t pixels = 0;  ///< how many of it are seen, about
 };
 
 /// One for each polygon that is seen in this part of the framebuffer, the largest first.

@@ -50,7 +50,10 @@ glm::dvec3 normal_of(const Scene& scene, const Facet& facet) {
 }  // namespace
 
 Room::Room(const Scene& scene, bool by_lamp)
-    : polygons_(scene), camera_(scene.camera), raster_(scene.raster), sight_(std::in_place, scene.camera, scene.raster) {
+    : polygons_(scene),
+      camera_(scene.camera),
+      raster_(scene.raster),
+      sight_(std::in_place, scene.camera, scene.raster) {
   Box given = around(scene.points);
   if (scene.points.empty()) given.low = given.high = glm::dvec3(0);
   low_given_ = given.low, high_given_ = given.high;
@@ -74,8 +77,7 @@ Room::Room(const Scene& scene, bool by_lamp)
                         (corner & 4) ? low_.z : high_.z);
   if (!screen) {
     double farthest = 0;
-    for (const glm::dvec3& point : marks_)
-      farthest = std::max(farthest, (camera_.view * glm::dvec4(point, 1)).z);
+    for (const glm::dvec3& point : marks_) farthest = std::max(farthest, (camera_.view * glm::dvec4(point, 1)).z);
     near_ = camera_.near > 0 || !has_eye() ? camera_.near : 0.1 * farthest;
     far_is_there_ = camera_.far > near_ && camera_.far <= 1.6 * farthest;
     end_ = far_is_there_ ? camera_.far : std::max(1.05 * farthest, near_ + 1e-9);
@@ -136,8 +138,11 @@ std::vector<glm::dvec3> Room::section(double a, double b, double c, double d) co
   glm::dvec3 middle(0);
   for (const glm::dvec3& corner : corners) middle += corner / static_cast<double>(corners.size());
   const glm::dvec3 right = glm::normalize(corners[0] - middle), up = glm::cross(glm::normalize(normal), right);
-  const auto angle = [&](const glm::dvec3& p) { return std::atan2(glm::dot(up, p - middle), glm::dot(right, p - middle)); };
-  std::sort(corners.begin(), corners.end(), [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
+  const auto angle = [&](const glm::dvec3& p) {
+    return std::atan2(glm::dot(up, p - middle), glm::dot(right, p - middle));
+  };
+  std::sort(corners.begin(), corners.end(),
+            [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
   for (glm::dvec3& corner : corners) corner = place(corner);
   return corners;
 }
@@ -150,7 +155,8 @@ Outside::Outside(const Room& room, const Look& look, int width, int height) {
   const double radius = std::max(box.size() / 2, 1e-9), distance = 3.5 * radius;
   const double azimuth = std::atan2(room.towards().y, room.towards().x);
   const auto direction = [&](double turn, double tilt) {
-    const double around = azimuth + glm::radians(52 + turn), above = glm::radians(std::clamp(tilt, least_tilt, most_tilt) + first_tilt);
+    const double around = azimuth + glm::radians(52 + turn),
+                 above = glm::radians(std::clamp(tilt, least_tilt, most_tilt) + first_tilt);
     return glm::dvec3(std::cos(above) * std::cos(around), std::cos(above) * std::sin(around), std::sin(above));
   };
   // As large as it goes from where one begins; then that stays, so that walking round changes no size.
@@ -172,7 +178,8 @@ Outside::Outside(const Room& room, const Look& look, int width, int height) {
   camera_.window = half / look.zoom;
   camera_.eye = target + distance * direction(look.turn, look.tilt);
   camera_.view = viewing::look_at_view(camera_.eye, target, {0, 0, 1});
-  const glm::dvec3 moved(-2 * look.across * camera_.window * aspect * distance, -2 * look.up * camera_.window * distance, 0);
+  const glm::dvec3 moved(-2 * look.across * camera_.window * aspect * distance,
+                         -2 * look.up * camera_.window * distance, 0);
   camera_.view[3] -= glm::dvec4(moved, 0);
   camera_.eye = glm::dvec3(glm::inverse(camera_.view)[3]);
   camera_.near = radius;

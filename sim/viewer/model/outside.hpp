@@ -16,16 +16,17 @@ namespace zstep::viewer {
 
 /// From where a reader looks, against where one begins: at the side of the run's eye, and above.
 struct Look {
-  double turn = 0, tilt = 0;    ///< degrees: to the right, and upwards
+  double turn = 0, tilt = 0;  ///< degrees: to the right, and upwards
   double zoom = 1;
-  double across = 0, up = 0;    ///< moved, in parts of what is seen
+  double across = 0, up = 0;  ///< moved, in parts of what is seen
   bool operator==(const Look&) const = default;
 };
 
 /// From straight below to straight above.
 inline constexpr double first_tilt = 24, least_tilt = -88 - first_tilt, most_tilt = 88 - first_tilt;
 
-/// The scene with z upwards. A screen scene is set up in it: x to the right, its rows from the top down, and depth away.
+/// The scene with z upwards. A screen scene is set up in it: x to the right, its rows from the top down, and depth
+/// away.
 class Room {
  public:
   Room() = default;
@@ -43,7 +44,7 @@ class Room {
 
   const Camera& camera() const { return camera_; }  ///< from which lines of sight go
   bool by_lamp() const { return by_lamp_; }
-  glm::dvec3 towards() const { return towards_; }   ///< from the polygons to the scene's own eye
+  glm::dvec3 towards() const { return towards_; }  ///< from the polygons to the scene's own eye
   bool has_eye() const { return camera_.kind == Camera::Kind::perspective; }
   double near() const { return near_; }  ///< z_v from where, and to where, lines of sight are drawn
   double end() const { return end_; }

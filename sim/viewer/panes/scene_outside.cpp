@@ -28,8 +28,9 @@ Picture polygons_seen(const Outside& outside, const Scene& polygons) {
 /// Draws lines and planes into the room: what a polygon hides of them is faint.
 class RoomPen {
  public:
-  RoomPen(OutsidePicture& picture, const Room& of, const Outside& outside, const Theme& theme, double thin)
-      : room(of), colors(theme), picture_(picture), outside_(outside), thin_(thin) {}
+  RoomPen(ChartPicture& picture, const Picture& seen, const Room& of, const Outside& outside, const Theme& theme,
+          double thin)
+      : room(of), colors(theme), picture_(picture), seen_(seen), outside_(outside), thin_(thin) {}
 
   void line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness = 1, bool dashed = false) {
     const auto ends = outside_.line(from, to);
@@ -64,7 +65,7 @@ class RoomPen {
   }
   void word(glm::dvec3 at, const std::string& text, ImU32 color) {
     const auto spot = outside_.spot(at);
-    if (spot && spot->x >= 0 && spot->y >= 0 && spot->x < picture_.seen.width && spot->y < picture_.seen.height)
+    if (spot && spot->x >= 0 && spot->y >= 0 && spot->x < seen_.width && spot->y < seen_.height)
       picture_.words.push_back({{static_cast<float>(spot->x), static_cast<float>(spot->y)}, color, text});
   }
   /// A plane that one sees through; a convex outline.
@@ -81,7 +82,7 @@ class RoomPen {
         const std::size_t at = veil.at(x, y);
         if (veil.polygon[at] == no_polygon) continue;
         Pixel32& pixel = picture_.canvas.row(y)[x];
-        pixel = mixed(pixel, to_pixel(color), veil.depth[at] <= picture_.seen.depth[at] + as_near ? share : share / 5);
+        pixel = mixed(pixel, to_pixel(color), veil.depth[at] <= seen_.depth[at] + as_near ? share : share / 5);
       }
   }
   void veil(const std::array<glm::dvec3, 4>& corners, ImU32 color, unsigned share) {
@@ -94,13 +95,14 @@ class RoomPen {
  private:
   bool hidden(const Outside::Spot& a, const Outside::Spot& b) const {
     const double x = (a.x + b.x) / 2, y = (a.y + b.y) / 2, depth = (a.depth + b.depth) / 2;
-    if (!(x >= 0 && y >= 0 && x < picture_.seen.width && y < picture_.seen.height)) return false;
-    return depth > picture_.seen.depth[picture_.seen.at(static_cast<int>(x), static_cast<int>(y))] + as_near;
+    if (!(x >= 0 && y >= 0 && x < seen_.width && y < seen_.height)) return false;
+    return depth > seen_.depth[seen_.at(static_cast<int>(x), static_cast<int>(y))] + as_near;
   }
 
   static constexpr double as_near = 1e-3;  ///< what lies in a polygon's plane is not hidden by it
 
-  OutsidePicture& picture_;
+  ChartPicture& picture_;
+  const Picture& seen_;
   const Outside& outside_;
   double thin_;
 };
@@ -174,8 +176,10 @@ void draw_axes(RoomPen& pen, const Moment& now) {
     for (int k = 0; k < parts; ++k) pen.line(place(angle * k / parts), place(angle * (k + 1) / parts), c.now, 1.6);
     pen.word(place(angle / 2), name, c.now);
   };
-  arc(theta, [&](double t) { return radius * glm::dvec3(std::cos(t), std::sin(t), 0); }, "\u03b8");
-  arc(phi,
+  arc(
+      theta, [&](double t) { return radius * glm::dvec3(std::cos(t), std::sin(t), 0); }, "\u03b8");
+  arc(
+      phi,
       [&](double t) {
         return radius * glm::dvec3(std::sin(t) * std::cos(theta), std::sin(t) * std::sin(theta), std::cos(t));
       },
@@ -207,8 +211,9 @@ void draw_at_work(RoomPen& pen, const Moment& now) {
     const Facet& facet = polygons.facets[static_cast<std::size_t>(m.facet)];
     std::vector<glm::dvec3> corners;
     for (std::int32_t k = 0; k < facet.corner_count; ++k)
-      corners.push_back(polygons.points[static_cast<std::size_t>(
-          polygons.corners[static_cast<std::size_t>(facet.first_corner + k)])]);
+      corners.push_back(
+          polygons
+              .points[static_cast<std::size_t>(polygons.corners[static_cast<std::size_t>(facet.first_corner + k)])]);
     pen.around(corners, c.now, 2.6);
   }
   const auto piece = [&](std::int32_t number, ImU32 color) {
@@ -312,7 +317,8 @@ void draw_area(RoomPen& pen, const Moment& now) {
   };
   const bool window = room.has_eye() && room.camera().d < room.end();
   const auto front = at(window ? room.camera().d : room.near()), back = at(room.end());
-  for (std::size_t k = 0; k < 4; ++k) pen.line(room.has_eye() ? room.camera().eye : front[k], back[k], pen.colors.now, 1.2);
+  for (std::size_t k = 0; k < 4; ++k)
+    pen.line(room.has_eye() ? room.camera().eye : front[k], back[k], pen.colors.now, 1.2);
   pen.veil(front, pen.colors.now, 60);
   pen.around(front, pen.colors.now, 2);
   pen.around(back, pen.colors.now, 1.2);
@@ -337,25 +343,32 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
   pen.around(end, c.muted, 1, true);
 }
 
-void paint_outside(OutsidePicture& picture, const Kept<Room>& kept, const Look& look, const glm::dvec2& size,
-                   const Moment& now, const std::optional<Cell>& cell, const Theme& c, const float& thin) {
+void see_polygons(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const glm::dvec2& size) {
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
-  const Room& room = kept.made;
-  const Outside outside(room, look, width, height);
+  seen.polygons = polygons_seen(Outside(room.made, look, width, height), room.made.polygons());
+  find_label_spots(seen.letters, RasterMap({width, height, false}, {}, width, height), seen.polygons);
+}
+
+void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
+                   const glm::dvec2& size, const Moment& now, const std::optional<Cell>& cell, const Theme& c,
+                   const float& thin) {
+  const Room& room = kept_room.made;
+  const Picture& seen = kept.made.polygons;
+  const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
-  picture.seen = polygons_seen(outside, room.polygons());
-  picture.canvas.resize(width, height);
+  picture.canvas.resize(static_cast<int>(size.x), static_cast<int>(size.y));
+  picture.canvas.fill(to_pixel(c.pane));
   const std::int32_t at_work = now.state().machine.polygon;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const std::int32_t polygon = picture.seen.polygon[picture.seen.at(x, y)];
-      Pixel32& pixel = picture.canvas.row(y)[x];
-      pixel = to_pixel(c.pane);
-      if (polygon == no_polygon) continue;
-      const Pixel32 own = opaque(room.polygons().polygons[static_cast<std::size_t>(polygon)].color);
-      pixel = mixed(pixel, own, at_work == no_polygon || at_work == polygon ? 255 : 190);
+  for (int y = 0; y < seen.height; ++y) {
+    Pixel32* const row = picture.canvas.row(y);
+    const std::int32_t* const polygons = seen.polygon.data() + seen.at(0, y);
+    for (int x = 0; x < seen.width; ++x) {
+      if (polygons[x] == no_polygon) continue;
+      const Pixel32 own = opaque(room.polygons().polygons[static_cast<std::size_t>(polygons[x])].color);
+      row[x] = at_work == no_polygon || at_work == polygons[x] ? own : mixed(row[x], own, 190);
     }
-  RoomPen pen(picture, room, outside, c, static_cast<double>(thin));
+  }
+  RoomPen pen(picture, seen, room, outside, c, static_cast<double>(thin));
   draw_edges(pen, room.polygons());
   draw_axes(pen, now);
   draw_eye(pen);
@@ -367,16 +380,15 @@ void paint_outside(OutsidePicture& picture, const Kept<Room>& kept, const Look& 
   draw_vertex(pen, now);
   draw_line_of_sight(pen, now, cell);
   draw_rays(pen, now);
-  RasterMap pixels({width, height, false}, {}, width, height);
-  find_label_spots(picture.letters, pixels, picture.seen);
 }
 
 /// Letters of polygons, then the other words, each where no other stands.
-void write_words(Ui& ui, const OutsidePicture& picture, ImVec2 at) {
+void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, ImVec2 at) {
   std::vector<ImVec4> taken;
   const auto write = [&](ImVec2 middle, const ImFont* font, ImU32 color, const std::string& text, bool on_polygon) {
     const ImVec2 size = text_size(ui, font, text);
-    const float width = static_cast<float>(picture.canvas.width()), height = static_cast<float>(picture.canvas.height());
+    const float width = static_cast<float>(picture.canvas.width()),
+                height = static_cast<float>(picture.canvas.height());
     if (size.x + 4 > width || size.y + 2 > height) return;
     const float left = std::clamp(middle.x + (on_polygon ? -size.x / 2 : 6), 2.0f, width - size.x - 2);
     const float top = std::clamp(middle.y - size.y / 2, 0.0f, height - size.y);
@@ -390,7 +402,7 @@ void write_words(Ui& ui, const OutsidePicture& picture, ImVec2 at) {
   };
   const Scene& scene = ui.session.scene();
   int letters = 0;
-  for (const LabelSpot& spot : picture.letters)
+  for (const LabelSpot& spot : seen.letters)
     if (static_cast<float>(spot.pixels) > 1.5f * ui.em * ui.em && ++letters <= 26)
       write({static_cast<float>(spot.cell.x), static_cast<float>(spot.cell.y)}, ui.fonts.bold, ui.colors().text,
             polygon_label(scene, spot.polygon), true);
@@ -421,12 +433,12 @@ void walk_round(Ui& ui, ImVec2 size) {
   if (!(look == before)) ui.session.touch();
 }
 
-void tell_what_is_pointed_at(Ui& ui, const OutsidePicture& picture, ImVec2 at) {
+void tell_what_is_pointed_at(Ui& ui, const Picture& seen, ImVec2 at) {
   if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const int x = static_cast<int>(mouse.x - at.x), y = static_cast<int>(mouse.y - at.y);
-  if (x < 0 || y < 0 || x >= picture.seen.width || y >= picture.seen.height) return;
-  const std::int32_t polygon = picture.seen.polygon[picture.seen.at(x, y)];
+  if (x < 0 || y < 0 || x >= seen.width || y >= seen.height) return;
+  const std::int32_t polygon = seen.polygon[seen.at(x, y)];
   if (polygon == no_polygon) return;
   const Scene& scene = ui.session.scene();
   const Polygon& told = scene.polygons[static_cast<std::size_t>(polygon)];
@@ -448,17 +460,17 @@ void draw_outside(Ui& ui, ImVec2 size) {
   const bool by_lamp = ui.session.state().machine.pass == Pass::light;
   const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
-  const OutsidePicture& picture =
-      keep<OutsidePicture>(ui.outside_pictures, "outside", paint_outside, room, ui.look, whole, ui.moment(),
-                           ui.session.current_cell(), ui.colors(), ui.thin)
-          ->made;
+  const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_polygons, room, ui.look, whole);
+  const ChartPicture& picture = keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, whole,
+                                                   ui.moment(), ui.session.current_cell(), ui.colors(), ui.thin)
+                                    ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,
                                        {at.x + static_cast<float>(whole.x), at.y + static_cast<float>(whole.y)});
-  write_words(ui, picture, at);
+  write_words(ui, seen.made, picture, at);
   walk_round(ui, size);
-  tell_what_is_pointed_at(ui, picture, at);
+  tell_what_is_pointed_at(ui, seen.made.polygons, at);
 }
 
 }  // namespace zstep::viewer

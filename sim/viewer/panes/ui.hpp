@@ -50,11 +50,9 @@ struct ChartPicture {
   std::vector<Word> words;
 };
 
-/// The scene from outside: what is painted of it, and what is written over that.
-struct OutsidePicture {
-  Canvas canvas;
-  Picture seen;  ///< the polygons
-  std::vector<ChartPicture::Word> words;
+/// A scene's polygons from outside, and where their letters go. The step changes nothing of it.
+struct OutsideSeen {
+  Picture polygons;
   std::vector<LabelSpot> letters;
 };
 
@@ -91,7 +89,7 @@ struct Ui {
   KeptThings<ChartPicture> charts;
   KeptThings<Canvas> canvases;                   ///< by what is painted there
   KeptThings<Room> rooms;
-  KeptThings<OutsidePicture> outside_pictures;
+  KeptThings<OutsideSeen> seen_from_outside;
   KeptThings<std::vector<LabelSpot>> spots;
   float em = 16;            ///< body text in pixels
   float thin = 1;           ///< pixels of a thin line: more than one on a large screen
