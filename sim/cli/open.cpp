@@ -6,9 +6,10 @@
 #include "algorithms/fast/z_buffer.hpp"
 #include "algorithms/scene/load.hpp"
 #include "sim/classroom/lesson.hpp"
+#include "sim/cli/messages.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/traces.hpp"
-#include "sim/cli/messages.hpp"
+#include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
@@ -30,46 +31,54 @@ Image picture_of(const std::string& name) {
   return image;
 }
 
-std::unique_ptr<Opened> opened(OtherRun run, std::string by) {
-  auto made = std::make_unique<Opened>(Opened{std::move(run.trace), {}, std::move(by), run.whole});
-  return made;
+std::unique_ptr<Opened> opened(OtherRun run, std::string by, std::string note = {}) {
+  if (!run.whole)
+    note += fmt::format("{}Cut off after {} steps, so the picture is not done.", note.empty() ? "" : " ",
+                        grouped(run.trace.size()));
+  return std::make_unique<Opened>(Opened{std::move(run.trace), {}, std::move(by), std::move(note)});
 }
 
 std::unique_ptr<Opened> open_lesson(const std::string& name) {
   Lesson lesson = find_lesson(name);
   Trace trace = run_lesson(lesson);
   return std::make_unique<Opened>(
-      Opened{std::move(trace), std::move(lesson), as_typed("zstep lesson " + shell_word(name)), true});
+      Opened{std::move(trace), std::move(lesson), as_typed("zstep lesson " + shell_word(name)), {}});
 }
 
 std::unique_ptr<Opened> open_scene(const Trace& now, const std::string& name) {
   if (name.ends_with(".md")) return open_lesson(name);
   if (is_trace(name))
     return std::make_unique<Opened>(
-        Opened{open_trace(name, Cost::free), {}, as_typed("zstep view " + shell_word(name)), true});
+        Opened{open_trace(name, Cost::free), {}, as_typed("zstep view " + shell_word(name)), {}});
   RunOptions options;
   options.scene = name;
   const Run run = prepare(options);  // by the Z-buffer, which draws every scene
-  const Method& by = method(now.header().algorithm);
-  const bool can = can_draw(by, run.scene, run.conventions);
-  const Method& takes = can ? by : *run.method;
   std::string line = "zstep view " + shell_word(name);
-  if (can && by.id != run.method->id) line += " --algorithm " + shell_word(std::string(by.id));
-  return opened(record_patiently(takes, run.scene, run.conventions), as_typed(line));
+  for (const Method& by : methods())  // a trace from elsewhere may be of a method that is none of ours
+    if (by.id == now.header().algorithm && by.id != run.method->id && can_draw(by, run.scene, run.conventions))
+      return opened(record_patiently(by, run.scene, run.conventions),
+                    as_typed(line + " --algorithm " + shell_word(std::string(by.id))));
+  const std::string& before = now.header().title;
+  return opened(record_patiently(*run.method, run.scene, run.conventions), as_typed(line),
+                now.header().algorithm == run.method->id
+                    ? ""
+                    : fmt::format("By the {}, as {} cannot draw this scene.", run.method->title,
+                                  before.empty() ? now.header().algorithm : before));
 }
 
 }  // namespace
 
 std::vector<Offer> all_offers() {
   std::vector<Offer> offers;
+  int number = 0;
   for (const Lesson& lesson : all_lessons())
-    offers.push_back(
-        {Offer::What::lesson, lesson.id, lesson.title, lesson.summary, static_cast<int>(lesson.stops.size())});
+    offers.push_back({Offer::What::lesson, lesson.id, lesson.title, lesson.summary,
+                      static_cast<int>(lesson.stops.size()), ++number});
   for (const Method& one : methods())
     offers.push_back({Offer::What::method, std::string(one.id), std::string(one.title), std::string(one.paper)});
   for (const BuiltIn& scene : built_in_scenes())
     offers.push_back({Offer::What::scene, std::string(scene.name), std::string(scene.name),
-                      std::string(scene.description), 0, picture_of(std::string(scene.name))});
+                      std::string(scene.description), 0, 0, picture_of(std::string(scene.name))});
   return offers;
 }
 

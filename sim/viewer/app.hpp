@@ -89,6 +89,7 @@ class App {
   std::vector<const Offer*> choices();
   void open_start();  ///< with the lesson picked that was open last
   void open_offer(const Offer& offer);
+  void say_on_start(const std::string& why);  ///< that it could not be opened
 
   // --- What commands do
   void open(Overlay overlay);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,10 +41,10 @@ void Stage::open(const Offer& offer) {
   try {
     opened = options_.open(trace(), offer);
     if (opened->lesson) check_focus(*opened->lesson, opened->trace.header());
-  } catch (const InputError& error) {
-    if (app().overlay() != Overlay::start) app().open_start();
-    app().wrong = error.what();
-    return app().session().touch();
+  } catch (const std::bad_alloc&) {
+    return app().say_on_start("There is not enough memory to open it; close other programs, or make it smaller.");
+  } catch (const std::exception& error) {
+    return app().say_on_start(error.what());
   }
   Settings settings = app().settings();
   settings.speed = app().session().speed;
@@ -62,8 +64,7 @@ void Stage::open(const Offer& offer) {
   Session& s = app().session();
   if (const auto place = settings.place(place_key(*first_))) s.go_to(*place);
   else if (lesson_ && !lesson_->stops.empty()) s.to_stop(0);
-  if (!opened_->whole)
-    app().say(fmt::format("Cut off after {} steps, so the picture is not done.", grouped(first_->size())));
+  if (!opened_->note.empty()) app().say(opened_->note);
 }
 
 std::int64_t last_write(const Trace& trace, Cell cell) {

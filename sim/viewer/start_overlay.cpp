@@ -54,7 +54,7 @@ void draw_progress(Ui& ui, const ListRow& row, int seen, int stops) {
   frame_box(ui, from, {right, from.y + thick}, c.muted);
 }
 
-void draw_choice(App& app, const Offer& offer, const ListRow& row, int number) {
+void draw_choice(App& app, const Offer& offer, const ListRow& row) {
   Ui& ui = app.ui();
   const float height = row.end.y - row.at.y, pad = std::round(ui.em * 0.5f);
   float x = row.at.x + pad;
@@ -70,7 +70,7 @@ void draw_choice(App& app, const Offer& offer, const ListRow& row, int number) {
     x += std::round(height * 1.4f) + pad;
   }
   const bool lesson = offer.what == Offer::What::lesson;
-  const std::string title = lesson ? fmt::format("{}. {}", number, offer.title) : offer.title;
+  const std::string title = lesson ? fmt::format("{}. {}", offer.number, offer.title) : offer.title;
   const float room = row.end.x - x - (lesson ? ui.em * 8 : 0);
   draw_text(ui, {x, row.at.y + std::round((height - ui.em) / 2) - 1}, ui.fonts.text, ui.colors().text,
             fitted(ui, ui.fonts.text, title, room));
@@ -106,6 +106,12 @@ void App::open_start() {
 void App::open_offer(const Offer& offer) {
   wrong.clear();
   requests.open = offer;
+  session_.touch();
+}
+
+void App::say_on_start(const std::string& why) {
+  if (overlay_ != Overlay::start) open_start();
+  wrong = why;
   session_.touch();
 }
 
@@ -153,13 +159,11 @@ void draw_start(App& app) {
     ImGui::SetCursorScreenPos({x, at.y + gap});
     ImGui::BeginChild(heading_of(what), {width, room.y - foot - gap}, false, ImGuiWindowFlags_NoNav);
     flow(ui, heading_of(what), {.color = c.now, .font = ui.fonts.bold});
-    int number = 0;
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k]->what != what) continue;
       const ListRow row = list_row(app, k, heights[column]);
       if (row.clicked) clicked = all[k];
-      ++number;
-      if (row.visible) draw_choice(app, *all[k], row, number);
+      if (row.visible) draw_choice(app, *all[k], row);
     }
     ImGui::EndChild();
     x += width + gap;

@@ -23,6 +23,7 @@ struct Offer {
   std::string id;       ///< a lesson's or a method's, a built-in scene's name, or the path of a file
   std::string title, summary;
   int stops = 0;        ///< of a lesson
+  int number = 0;       ///< of a lesson, in teaching order from 1
   Image picture{};      ///< of a scene
 };
 
@@ -31,7 +32,7 @@ struct Opened {
   Trace trace;
   std::optional<Lesson> lesson{};  ///< resolved against it
   std::string opened_by{};         ///< as in ViewerOptions
-  bool whole = true;               ///< false: it was cut off, as it would take too long
+  std::string note{};              ///< what a reader should know of it, in a sentence; mostly empty
 };
 
 /// A run of another method on the scene of a trace.

@@ -16,21 +16,22 @@ ViewerOptions with_offers(int* asked = nullptr) {
   options.offers = [asked] {
     if (asked) ++*asked;
     std::vector<Offer> offers;
+    int number = 0;
     for (const Lesson& lesson : all_lessons())
-      offers.push_back(
-          {Offer::What::lesson, lesson.id, lesson.title, lesson.summary, static_cast<int>(lesson.stops.size())});
+      offers.push_back({Offer::What::lesson, lesson.id, lesson.title, lesson.summary,
+                        static_cast<int>(lesson.stops.size()), ++number});
     offers.push_back({Offer::What::method, "painter", "Painter's algorithm", "far to near"});
-    offers.push_back({Offer::What::scene, "cube", "cube", "a cube", 0, {2, 1, {255, 0, 0, 0, 0, 255}}});
+    offers.push_back({Offer::What::scene, "cube", "cube", "a cube", 0, 0, {2, 1, {255, 0, 0, 0, 0, 255}}});
     return offers;
   };
   options.open = [](const Trace&, const Offer& offer) {
     if (offer.what == Offer::What::lesson) {
       Lesson lesson = find_lesson(offer.id);
       Trace trace = run_lesson(lesson);
-      return std::make_unique<Opened>(Opened{std::move(trace), std::move(lesson), "zstep lesson " + offer.id, true});
+      return std::make_unique<Opened>(Opened{std::move(trace), std::move(lesson), "zstep lesson " + offer.id, {}});
     }
     if (offer.id != "cube") throw InputError(offer.id, "there is no such file", "give the path of one");
-    return std::make_unique<Opened>(Opened{test::record_run("cube"), {}, "zstep view cube", true});
+    return std::make_unique<Opened>(Opened{test::record_run("cube"), {}, "zstep view cube", "By the Z-buffer."});
   };
   return options;
 }
@@ -58,6 +59,7 @@ TEST_CASE("the start page is asked for what it offers once, and finds it by a pa
   test::type(app, "Warn");
   REQUIRE(app.choices().size() == 1);
   CHECK(app.choices()[0]->id == "warnock");
+  CHECK(app.choices()[0]->number == 10);  // as among all
   CHECK(test::picture(app) != all);
   for (int k = 0; k < 4; ++k) test::press(app, SDLK_BACKSPACE), test::release(app, SDLK_BACKSPACE);
   CHECK(app.choices().size() == all_lessons().size() + 2);
@@ -98,6 +100,7 @@ TEST_CASE("a lesson is opened from the start page, by keys alone, and how far it
   CHECK_FALSE(stage.app().session().lesson());
   CHECK(stage.trace().scene().name == "cube");
   CHECK(stage.app().settings().place(left) == left_at);
+  CHECK(stage.app().session().message == "By the Z-buffer.");
   (void)test::picture(stage.app());
 }
 

@@ -37,7 +37,8 @@ class RoomPen {
     if (!ends) return;
     const auto& [a, b] = *ends;
     const double length = std::hypot(b.x - a.x, b.y - a.y);
-    const int parts = std::clamp(static_cast<int>(length / 3), 1, 2000);
+    if (!std::isfinite(length)) return;
+    const int parts = static_cast<int>(std::clamp(length / 3, 1.0, 2000.0));
     const auto at = [&](int k) {
       const double t = static_cast<double>(k) / parts;
       return Outside::Spot{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.depth + (b.depth - a.depth) * t};
