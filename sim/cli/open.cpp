@@ -54,16 +54,18 @@ std::unique_ptr<Opened> open_scene(const Trace& now, const std::string& name) {
   options.scene = name;
   const Run run = prepare(options);  // by the Z-buffer, which draws every scene
   std::string line = "zstep view " + shell_word(name);
-  for (const Method& by : methods())  // a trace from elsewhere may be of a method that is none of ours
-    if (by.id == now.header().algorithm && by.id != run.method->id && can_draw(by, run.scene, run.conventions))
-      return opened(record_patiently(by, run.scene, run.conventions),
-                    as_typed(line + " --algorithm " + shell_word(std::string(by.id))));
-  const std::string& before = now.header().title;
-  return opened(record_patiently(*run.method, run.scene, run.conventions), as_typed(line),
-                now.header().algorithm == run.method->id
-                    ? ""
-                    : fmt::format("By the {}, as {} cannot draw this scene.", run.method->title,
-                                  before.empty() ? now.header().algorithm : before));
+  const std::string id = now.header().algorithm;
+  std::string note =
+      fmt::format("Drawn by the {}, as the method of the run before is none of zstep's.", run.method->title);
+  for (const Method& by : methods()) {
+    if (by.id != id) continue;
+    if (by.id != run.method->id) line += " --algorithm " + shell_word(id);
+    if (can_draw(by, run.scene, run.conventions))
+      return opened(record_patiently(by, run.scene, run.conventions), as_typed(line));
+    note = fmt::format("{} cannot draw this scene, so it is drawn by the {}.", by.title, run.method->title);
+    line = "zstep view " + shell_word(name);
+  }
+  return opened(record_patiently(*run.method, run.scene, run.conventions), as_typed(line), note);
 }
 
 }  // namespace

@@ -147,7 +147,16 @@ void draw_start(App& app) {
   ImGui::Dummy({1, std::round(ui.em * 0.3f)});
   app.draw_field("Type a part of a name, or the path of a file");
   const std::vector<const Offer*> all = app.choices();
-  const float foot = std::round(ui.em * 3.4f), gap = std::round(ui.em * 0.7f);
+  const auto picked = static_cast<std::size_t>(app.picked);
+  const std::string told = picked < all.size() ? all[picked]->summary : "",
+                    how_to =
+                        "Enter or a click opens it; Tab: the next column; Esc: back. A file can be dropped on the "
+                        "window: a mesh, a scene, "
+                        "a trace, or the JSON Lines of a program.";
+  const Flow muted{.color = c.muted};
+  const float gap = std::round(ui.em * 0.7f);
+  const float foot = std::ceil(flow_height(ui, app.wrong.empty() ? told : app.wrong, {.font = ui.fonts.bold}) +
+                               flow_height(ui, how_to, muted) + gap);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float heights[] = {std::round(ui.em * 1.5f), std::round(ui.em * 1.5f), std::round(ui.em * 2.7f)};
   const float shares[] = {0.5f, 0.24f, 0.26f};
@@ -169,15 +178,11 @@ void draw_start(App& app) {
     x += width + gap;
   }
   app.scroll_to_picked = false;
-  ImGui::SetCursorScreenPos({at.x, at.y + room.y - foot});
-  const auto picked = static_cast<std::size_t>(app.picked);
+  ImGui::SetCursorScreenPos({at.x, at.y + room.y - foot + std::round(gap / 2)});
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
-  else if (picked < all.size() && !all[picked]->summary.empty()) flow(ui, all[picked]->summary, {});
   else if (all.empty()) say_empty(ui, "Nothing has this in its name.");
-  flow(ui,
-       "Enter or a click opens it; Tab: the next column; Esc: back. A file can be dropped on the window: a mesh, a "
-       "scene, a trace, or the JSON Lines of a program.",
-       {.color = c.muted});
+  else if (!told.empty()) flow(ui, told, {});
+  flow(ui, how_to, muted);
   ImGui::End();
   if (clicked) app.open_offer(*clicked);
 }
