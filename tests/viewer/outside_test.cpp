@@ -88,7 +88,8 @@ TEST_CASE("law: at first all of a scene is seen from outside, with its eye and i
   test::for_each_golden([&](const std::string& name, const Trace& trace) {
     CAPTURE(name);
     const Room room(trace.scene());
-    for (const auto& [width, height] : {std::pair{640, 360}, {200, 300}, {90, 60}}) {
+    for (const auto& size : {std::pair{640, 360}, {200, 300}, {90, 60}}) {
+      const int width = size.first, height = size.second;
       CAPTURE(width);
       const Outside outside(room, {}, width, height);
       double left = width, right = 0, top = height, bottom = 0;

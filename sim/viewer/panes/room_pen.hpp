@@ -1,0 +1,50 @@
+// A pen that draws into the room of a scene that is seen from outside.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "sim/viewer/panes/ui.hpp"
+
+namespace zstep::viewer {
+
+/// Which polygon is seen at each pixel, and its depth.
+Picture polygons_seen(const Outside& outside, const Scene& polygons);
+
+/// Draws lines and planes into the room: what a polygon hides of them is faint. Thicknesses in thin lines.
+class RoomPen {
+ public:
+  RoomPen(ChartPicture& picture, const Picture& seen, const Room& of, const Outside& outside, const Theme& theme,
+          double thin)
+      : room(of), colors(theme), picture_(picture), seen_(seen), outside_(outside), thin_(thin) {}
+
+  void line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness = 1, bool dashed = false);
+  void around(const std::vector<glm::dvec3>& corners, ImU32 color, double thickness = 1, bool dashed = false);
+  void around(const std::array<glm::dvec3, 4>& corners, ImU32 color, double thickness = 1, bool dashed = false) {
+    around(std::vector(corners.begin(), corners.end()), color, thickness, dashed);
+  }
+  /// `shape` as of Canvas::mark.
+  void dot(glm::dvec3 at, double radius, int shape, ImU32 color);
+  void word(glm::dvec3 at, const std::string& text, ImU32 color);
+  /// A plane that one sees through; a convex outline. `share` of 255.
+  void veil(const std::vector<glm::dvec3>& corners, ImU32 color, unsigned share);
+  void veil(const std::array<glm::dvec3, 4>& corners, ImU32 color, unsigned share) {
+    veil(std::vector(corners.begin(), corners.end()), color, share);
+  }
+
+  const Room& room;
+  const Theme& colors;
+
+ private:
+  bool hidden(const Outside::Spot& a, const Outside::Spot& b) const;
+
+  ChartPicture& picture_;
+  const Picture& seen_;
+  const Outside& outside_;
+  double thin_;
+};
+
+}  // namespace zstep::viewer

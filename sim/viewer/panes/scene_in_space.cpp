@@ -1,0 +1,270 @@
+#include "sim/viewer/panes/scene_in_space.hpp"
+
+#include <cmath>
+#include <set>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/scene_pieces.hpp"
+#include "sim/viewer/panes/vertex_stages.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/pieces.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+constexpr std::size_t few_corners = 2000;  ///< up to so many, edges are drawn
+
+void draw_edges(RoomPen& pen, const Scene& polygons) {
+  if (polygons.corners.size() > few_corners) return;
+  std::set<std::pair<std::int32_t, std::int32_t>> drawn;
+  for (const Facet& facet : polygons.facets)
+    for (std::int32_t k = 0; k < facet.corner_count; ++k) {
+      const auto corner = [&](std::int32_t i) {
+        return polygons.corners[static_cast<std::size_t>(facet.first_corner + i % facet.corner_count)];
+      };
+      if (!drawn.insert(std::minmax(corner(k), corner(k + 1))).second) continue;
+      pen.line(polygons.points[static_cast<std::size_t>(corner(k))],
+               polygons.points[static_cast<std::size_t>(corner(k + 1))], pen.colors.text, 0.8);
+    }
+}
+
+/// The eye with its window and its planes; of parallel projection the box that is seen.
+void draw_eye(RoomPen& pen) {
+  const Room& room = pen.room;
+  const Theme& c = pen.colors;
+  const Camera& camera = room.camera();
+  const bool perspective = room.has_eye();
+  const auto near = room.window(room.near()), end = room.window(room.end());
+  const bool window_apart = perspective && camera.d > 0 && camera.d < room.end();
+  const auto window = room.window(window_apart ? camera.d : room.near());
+  for (std::size_t k = 0; k < 4; ++k) pen.line(perspective ? camera.eye : near[k], end[k], c.muted, 1);
+  pen.around(window, c.text, 2);
+  pen.word(window[0], camera.kind == Camera::Kind::screen ? "raster" : "window", c.text);
+  if (window_apart && std::abs(room.near() - camera.d) > 0.02 * room.end()) {
+    pen.around(near, c.muted, 1, true);
+    pen.word(near[3], "near", c.muted);
+  }
+  if (room.far_is_there()) {
+    pen.around(end, c.muted, 1, true);
+    pen.word(end[3], "far", c.muted);
+  }
+  if (!perspective) return;
+  pen.dot(camera.eye, 5, 0, c.text);
+  pen.word(camera.eye, room.by_lamp() ? "light" : "eye", c.text);
+}
+
+void draw_axes(RoomPen& pen, const Moment& now) {
+  const Camera& camera = now.scene().camera;
+  if (camera.kind == Camera::Kind::screen) return;
+  const Theme& c = pen.colors;
+  const double length = 0.45 * pen.room.size();
+  constexpr const char* names[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 end(0);
+    end[axis] = length;
+    pen.line(glm::dvec3(0), end, c.muted, 1.2);
+    pen.word(end, names[axis], c.muted);
+  }
+  // Where the eye is, as 000 says it, while points are moved into its coordinates.
+  const auto& vertices = now.state().vertices;
+  const bool views = now.event() && get_if<ViewTransform>(&now.event()->event),
+             begins = (vertices.empty() || vertices[0].stage == VertexStages::untouched) &&
+                      now.state().machine.pieces.empty() && now.state().machine.rays.tree.empty();
+  if (!camera.polar || camera.kind != Camera::Kind::perspective || pen.room.by_lamp() || !(views || begins)) return;
+  const double theta = glm::radians(camera.theta), phi = glm::radians(camera.phi), radius = 0.6 * length;
+  const glm::dvec3 foot(camera.eye.x, camera.eye.y, 0);
+  pen.line(glm::dvec3(0), camera.eye, c.now, 1.6);
+  pen.line(glm::dvec3(0), foot, c.muted, 1, true);
+  pen.line(foot, camera.eye, c.muted, 1, true);
+  const auto arc = [&](double angle, auto place, const char* name) {
+    constexpr int parts = 24;
+    for (int k = 0; k < parts; ++k) pen.line(place(angle * k / parts), place(angle * (k + 1) / parts), c.now, 1.6);
+    pen.word(place(angle / 2), name, c.now);
+  };
+  arc(
+      theta, [&](double t) { return radius * glm::dvec3(std::cos(t), std::sin(t), 0); }, "\u03b8");
+  arc(
+      phi,
+      [&](double t) {
+        return radius * glm::dvec3(std::sin(t) * std::cos(theta), std::sin(t) * std::sin(theta), std::cos(t));
+      },
+      "\u03c6");
+  pen.word(0.55 * camera.eye, "\u03c1", c.now);
+}
+
+/// A vertex that pieces are made of.
+std::optional<glm::dvec3> vertex_in(const Room& room, const Moment& now, std::int32_t vertex) {
+  const auto point = cutting_point(now.scene(), now.state(), vertex);
+  if (!point) return std::nullopt;
+  if (cuts_in_world(now.scene(), now.state().machine)) return room.place(*point);
+  return room.behind(point->x, point->y, view_depth(room.camera(), now.header().conventions, point->z));
+}
+
+void draw_outline(RoomPen& pen, const Moment& now, const std::vector<std::int32_t>& outline, ImU32 color) {
+  std::vector<glm::dvec3> corners;
+  for (const std::int32_t vertex : outline)
+    if (const auto corner = vertex_in(pen.room, now, vertex)) corners.push_back(*corner);
+  if (corners.size() == outline.size()) pen.around(corners, color, 2.6);
+}
+
+/// The polygon or piece at work, and the pair under test.
+void draw_at_work(RoomPen& pen, const Moment& now) {
+  const MethodState& m = now.state().machine;
+  const Scene& polygons = pen.room.polygons();
+  const Theme& c = pen.colors;
+  if (m.facet >= 0 && static_cast<std::size_t>(m.facet) < polygons.facets.size()) {
+    const Facet& facet = polygons.facets[static_cast<std::size_t>(m.facet)];
+    std::vector<glm::dvec3> corners;
+    for (std::int32_t k = 0; k < facet.corner_count; ++k)
+      corners.push_back(
+          polygons
+              .points[static_cast<std::size_t>(polygons.corners[static_cast<std::size_t>(facet.first_corner + k)])]);
+    pen.around(corners, c.now, 2.6);
+  }
+  const auto piece = [&](std::int32_t number, ImU32 color) {
+    if (number >= 0 && static_cast<std::size_t>(number) < m.pieces.size())
+      draw_outline(pen, now, m.pieces[static_cast<std::size_t>(number)].outline, color);
+  };
+  piece(piece_shown(now), c.now);
+  if (m.pair && !m.list.empty()) piece(m.pair->other, c.selected), piece(m.pair->piece, c.now);
+}
+
+/// The vertex at work, and where its line of sight meets the window.
+void draw_vertex(RoomPen& pen, const Moment& now) {
+  const std::int32_t vertex = vertex_at_work(now.event());
+  const auto at = static_cast<std::size_t>(vertex);
+  if (vertex < 0 || at >= pen.room.polygons().points.size()) return;
+  const Theme& c = pen.colors;
+  const glm::dvec3 point = pen.room.polygons().points[at];
+  pen.dot(point, 5, 0, c.now);
+  const auto seen = on_raster(now.scene(), now.state(), vertex);
+  if (!pen.room.has_eye() || !seen) return;
+  const glm::dvec3 on_window = pen.room.behind(seen->x, seen->y, pen.room.camera().d);
+  pen.line(pen.room.camera().eye, point, c.now, 1.2, true);
+  pen.dot(on_window, 4, 1, c.now);
+}
+
+/// The plane that divides space at the node at work.
+void draw_dividing_plane(RoomPen& pen, const Moment& now) {
+  const MethodState& m = now.state().machine;
+  if (m.node < 0 || static_cast<std::size_t>(m.node) >= m.tree.size()) return;
+  const TreeNode& node = m.tree[static_cast<std::size_t>(m.node)];
+  if (node.pieces.empty() || static_cast<std::size_t>(node.pieces[0]) >= m.pieces.size()) return;
+  const auto& plane = m.pieces[static_cast<std::size_t>(node.pieces[0])].plane;
+  if (!plane) return;
+  if (pen.room.camera().kind != Camera::Kind::screen && !cuts_in_world(now.scene(), m)) return;
+  const auto corners = pen.room.section(plane->plane_a, plane->plane_b, plane->plane_c, plane->plane_d);
+  pen.veil(corners, pen.colors.selected, 80);
+  pen.around(corners, pen.colors.selected, 1.6);
+}
+
+/// The plane of the scan line through the scene, and the span in it.
+void draw_scan_plane(RoomPen& pen, const Moment& now) {
+  const MethodState& m = now.state().machine;
+  if (!m.scan_line) return;
+  const Room& room = pen.room;
+  const Theme& c = pen.colors;
+  const double y = *m.scan_line, left = -0.5, right = now.scene().raster.width - 0.5;
+  const std::array plane{room.behind(left, y, room.near()), room.behind(right, y, room.near()),
+                         room.behind(right, y, room.end()), room.behind(left, y, room.end())};
+  pen.veil(plane, c.now, 55);
+  pen.around(plane, c.now, 1.4);
+  if (!m.span || m.span->y != *m.scan_line) return;
+  const auto place = [&](double x, double z) {
+    return room.behind(x, y, view_depth(room.camera(), now.header().conventions, z));
+  };
+  if (std::isfinite(m.span->z_left) && std::isfinite(m.span->z_right))
+    pen.line(place(m.span->x_left, m.span->z_left), place(m.span->x_right, m.span->z_right), c.now, 4);
+}
+
+/// The line of sight through the pixel at work, to what has been found there.
+void draw_line_of_sight(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell) {
+  if (!cell || !now.state().machine.rays.tree.empty()) return;
+  const Room& room = pen.room;
+  const auto& fragment = now.state().machine.fragment;
+  const bool here = fragment && fragment->x == cell->x && fragment->y == cell->y && std::isfinite(fragment->z);
+  const double z = here ? view_depth(room.camera(), now.header().conventions, fragment->z) : room.end();
+  const glm::dvec3 end = room.behind(cell->x, cell->y, z);
+  pen.line(room.has_eye() ? room.camera().eye : room.behind(cell->x, cell->y, room.near()), end, pen.colors.now, 1.6);
+  if (here) pen.dot(end, 5, 0, pen.colors.now);
+}
+
+void draw_rays(RoomPen& pen, const Moment& now) {
+  const RayWork& work = now.state().machine.rays;
+  const Theme& c = pen.colors;
+  for (const RayRow& row : work.tree) {
+    const RayBegin& ray = row.entry;
+    const glm::dvec3 from(ray.x_0, ray.y_0, ray.z_0), along(ray.dir_x, ray.dir_y, ray.dir_z);
+    const double length = glm::length(along);
+    if (!(length > 0)) continue;
+    std::optional<double> meets;
+    if (row.end && row.end->nearest_facet >= 0) meets = row.end->t;
+    const bool at_work = work.ray && *work.ray == ray.ray;
+    if (at_work && !meets)
+      for (const RayHit& hit : work.hits)
+        if (hit.nearest) meets = hit.t;
+    const double beyond = (glm::length(pen.room.camera().eye) + 1.5 * pen.room.size()) / length;
+    const glm::dvec3 end = from + along * meets.value_or(beyond);
+    const ImU32 color = at_work ? c.now : c.selected;
+    pen.line(pen.room.place(from), pen.room.place(end), color, at_work ? 2 : 1.4, !meets);
+    if (meets) pen.dot(pen.room.place(end), 5, 0, color);
+  }
+}
+
+/// Warnock's area as the part of space that is seen through it.
+void draw_area(RoomPen& pen, const Moment& now) {
+  const MethodState& m = now.state().machine;
+  if (m.area < 0 || static_cast<std::size_t>(m.area) >= m.areas.size()) return;
+  const AreaBegin& area = m.areas[static_cast<std::size_t>(m.area)].entry;
+  const Room& room = pen.room;
+  const auto at = [&](double z) {
+    return room.rectangle(area.first_column - 0.5, area.first_row - 0.5, area.end_column - 0.5, area.end_row - 0.5, z);
+  };
+  const bool window = room.has_eye() && room.camera().d < room.end();
+  const auto front = at(window ? room.camera().d : room.near()), back = at(room.end());
+  for (std::size_t k = 0; k < 4; ++k)
+    pen.line(room.has_eye() ? room.camera().eye : front[k], back[k], pen.colors.now, 1.2);
+  pen.veil(front, pen.colors.now, 60);
+  pen.around(front, pen.colors.now, 2);
+  pen.around(back, pen.colors.now, 1.2);
+}
+
+/// The lamp, and what it sees; while its own picture is made, the eye.
+void draw_lamp(RoomPen& pen, const Moment& now) {
+  const auto& light = now.scene().light;
+  if (!light) return;
+  const Theme& c = pen.colors;
+  if (pen.room.by_lamp()) {
+    if (now.scene().camera.kind != Camera::Kind::perspective) return;
+    pen.dot(now.scene().camera.eye, 5, 0, c.muted);
+    return pen.word(now.scene().camera.eye, "eye", c.muted);
+  }
+  pen.dot(light->position, 7, 3, c.text);
+  pen.word(light->position, "light", c.text);
+  if (!has_step_of<ShadowCompare>(now.header())) return;
+  const Room seen(now.scene(), true);
+  const auto end = seen.window(light->far);
+  for (const glm::dvec3& corner : end) pen.line(light->position, corner, c.muted, 1);
+  pen.around(end, c.muted, 1, true);
+}
+
+}  // namespace
+
+void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell) {
+  draw_edges(pen, pen.room.polygons());
+  draw_axes(pen, now);
+  draw_eye(pen);
+  draw_lamp(pen, now);
+  draw_dividing_plane(pen, now);
+  draw_scan_plane(pen, now);
+  draw_area(pen, now);
+  draw_at_work(pen, now);
+  draw_vertex(pen, now);
+  draw_line_of_sight(pen, now, cell);
+  draw_rays(pen, now);
+}
+
+}  // namespace zstep::viewer
