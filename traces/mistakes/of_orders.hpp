@@ -26,7 +26,7 @@ inline void suppose_after_side(const Situation& at, Supposed& out, bool passed) 
     behind = piece->polygon >= plane_of->polygon, front = plane_of->polygon >= piece->polygon;
   if (behind == front) return;
   const bool right = third ? behind : front;
-  if (in_plane) {  // alone it tells nothing, as in one plane other mistakes have the same answer
+  if (in_plane) {  // no proof yet: in one plane, other mistakes give the same answer
     if (passed != right) out.note_in_plane();
     return;
   }
