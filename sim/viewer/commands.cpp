@@ -329,6 +329,14 @@ const std::vector<Command>& table() {
          a.ui().vertices_always = !a.ui().vertices_always;
          a.session().touch();
        }},
+      {"whole-code",
+       "Look",
+       "The whole pseudo-code, or folded around its line",
+       {{SDLK_7}},
+       [](App& a) {
+         a.ui().whole_code = !a.ui().whole_code;
+         a.session().touch();
+       }},
       {"outside", "Look", "The scene from outside, or through the eye", {{SDLK_v, S}}, turn_scene},
       {"walk", "Look", "Walk round the scene (or drag in it)", {{SDLK_5}}, walk<15, 0>},
       {"rise", "Look", "Look at the scene from higher up", {{SDLK_6}}, walk<0, 15>},

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/overlays.hpp"
+#include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -114,7 +115,7 @@ void draw_history(App& app) {
   if (picked < app.history().size()) {
     const answers::Visit& visit = app.told_visit(picked);
     flow(ui, visit.sentence, {});
-    for (const std::string& line : visit.formulas) flow(ui, line, {.font = ui.fonts.mono});
+    for (const std::string& line : visit.formulas) set_formula(ui, line, {});
   }
   ImGui::EndChild();
   ImGui::End();

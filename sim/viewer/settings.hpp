@@ -16,7 +16,7 @@ namespace zstep::viewer {
 struct Layout {
   float left = 0.22f;        ///< width of pseudo-code and explanation
   float right = 0.225f;      ///< width of the lesson
-  float code = 0.62f;        ///< height of the pseudo-code in its column
+  float code = 0.5f;         ///< height of the pseudo-code in its column
   float stage = 0.8f;        ///< height of what leads above the small panes
   float frame = 0.5f;        ///< width of the first of two panes that lead
   float table = 0.58f;       ///< the same beside a table

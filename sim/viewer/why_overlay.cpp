@@ -8,6 +8,7 @@
 
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/overlays.hpp"
+#include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/replay/units.hpp"
@@ -186,16 +187,15 @@ void draw_why(App& app) {
        fmt::format("Enter or a click goes to a step; Tab asks {}; Backspace picks another polygon; Esc closes.",
                    app.why_of() ? "of the whole picture" : "of the pixel"),
        how);
-  const Flow formula{.font = ui.fonts.mono};
   // The steps stand right below the verdict; where both are long, each has half of the room.
   const float room = ImGui::GetContentRegionAvail().y, row = std::round(ui.em * 1.4f);
   const float rows = std::min(room * 0.5f, row * static_cast<float>(app.why().chain.size()) + ui.em * 0.5f);
   float text = flow_height(ui, app.why().sentence, {}) + ui.em * 0.8f;
-  for (const std::string& line : app.why().formulas) text += flow_height(ui, line, formula) + ui.em * 0.25f;
+  for (const std::string& line : app.why().formulas) text += formula_height(ui, line, {}) + ui.em * 0.25f;
   ImGui::BeginChild("verdict", {ImGui::GetContentRegionAvail().x, std::min(text, room - rows)}, false,
                     ImGuiWindowFlags_NoNav);
   flow(ui, app.why().sentence, {});
-  for (const std::string& line : app.why().formulas) flow(ui, line, formula);
+  for (const std::string& line : app.why().formulas) set_formula(ui, line, {});
   ImGui::EndChild();
   std::optional<std::size_t> clicked;
   if (!app.why().chain.empty()) {

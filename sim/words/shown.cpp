@@ -37,11 +37,13 @@ Shown Shown::joined(const Shown& a, const Shown& b, Binding how, const char* sig
   const bool left = a.binding_ < how, right = b.binding_ < how || (b.binding_ == how && (subtracts || divides));
   // (a + b)(c + d), without a sign between.
   const bool side_by_side = left && right && how == Binding::product && !divides;
-  const auto join = [&](const std::string& one, const std::string& other) {
+  const auto join = [&](const std::string& one, const std::string& other, bool bracketed) {
     return (left ? in_parentheses(one) : one) + (side_by_side ? "" : sign) +
-           (right ? in_parentheses(other) : to_the_right(other));
+           (bracketed ? in_parentheses(other) : to_the_right(other));
   };
-  Shown all(join(a.symbols_, b.symbols_), result.value, join(a.numbers_, b.numbers_));
+  // Divided by what is called 1/z.
+  const bool by_quotient = divides && b.leaf_ && b.symbols_.find('/') != std::string::npos;
+  Shown all(join(a.symbols_, b.symbols_, right || by_quotient), result.value, join(a.numbers_, b.numbers_, right));
   all.rounded_ = result, all.binding_ = how, all.leaf_ = false;
   return all;
 }

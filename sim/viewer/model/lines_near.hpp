@@ -1,4 +1,4 @@
-// Which lines of the pseudo-code a class needs to see.
+// Which lines of the pseudo-code matter at a step: what a class is shown, and what stays where there is no room for all.
 #pragma once
 
 #include <cstddef>

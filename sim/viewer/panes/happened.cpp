@@ -1,30 +1,11 @@
 // What the step did: a sentence, and the formula with its numbers.
-#include <algorithm>
-
-#include <fmt/format.h>
-
 #include "sim/viewer/panes/exact_line.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
 namespace {
-
-/// Lines break before "=" rather than inside a term: what lies between is kept together where it fits a line.
-std::string keep_terms(const Ui& ui, const std::string& formula, float width) {
-  std::string out;
-  for (std::size_t from = 0; from <= formula.size();) {
-    const std::size_t equals = std::min(formula.find(" = ", from == 0 ? 0 : from + 3), formula.size());
-    std::string term = formula.substr(from, equals - from);
-    if (text_size(ui, ui.fonts.mono, term).x < width)
-      for (std::size_t at = term.find(' ', 1); at != std::string::npos; at = term.find(' ', at))
-        term.replace(at, 1, "\u00a0");
-    out += term;
-    if (equals == formula.size()) break;
-    from = equals;
-  }
-  return out;
-}
 
 /// A number of the step's own in the sentence tells where it comes from.
 void tell(Ui& ui, const std::string& sentence) {
@@ -39,7 +20,8 @@ void tell(Ui& ui, const std::string& sentence) {
 
 /// A click on a formula asks about the number that it gives, or else about the step's main one; on one of its numbers,
 /// about that.
-void tell_formula(Ui& ui, const std::string& formula, Flow how) {
+void tell_formula(Ui& ui, const std::string& formula) {
+  Flow how;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float right = top.x + ImGui::GetContentRegionAvail().x;
   const auto ask = [&](ImVec2 a, ImVec2 b) {
@@ -55,7 +37,7 @@ void tell_formula(Ui& ui, const std::string& formula, Flow how) {
     on_number = true;
     if (ui.asked) ui.asked_as = number;
   };
-  flow(ui, keep_terms(ui, formula, right - top.x - how.indent), how);
+  set_formula(ui, formula, how);
   if (!on_number) ask(top, {right, ImGui::GetCursorScreenPos().y});
 }
 
@@ -91,7 +73,7 @@ void draw_happened(Ui& ui) {
   tell(ui, told.sentence);
   ImGui::Dummy({1, ui.em * 0.25f});
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  for (const std::string& formula : told.formulas) tell_formula(ui, formula, {.indent = ui.em, .font = ui.fonts.mono});
+  for (const std::string& formula : told.formulas) tell_formula(ui, formula);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
   if (told.doubt && found.lines.empty()) {
     const Flow doubt{.color = c.bad, .font = ui.fonts.bold};

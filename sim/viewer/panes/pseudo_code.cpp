@@ -19,21 +19,35 @@ float indent_of(const Ui& ui, const Page& page) {
       3.0f, std::round(std::min(ui.em * 0.8f, ImGui::GetContentRegionAvail().x * 0.22f / static_cast<float>(deepest))));
 }
 
+float gutter(const Ui& ui) { return std::round(ui.em * 1.15f); }
+
+/// How a line of the page is written, and how often it ran.
+struct Line {
+  Flow how;
+  float indent, height;
+  std::string hits;
+  float hits_width;
+};
+Line line_of(Ui& ui, const StepInfo& step, bool now, float level) {
+  const Theme& c = ui.colors();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const auto count = ui.hits.of(step.id);
+  Line line;
+  line.indent = gutter(ui) + static_cast<float>(step.indent) * level;
+  line.hits = count && *count > 0 && !ui.presenter ? grouped(*count) : "";
+  line.hits_width = line.hits.empty() ? 0 : text_size(ui, ui.fonts.small, line.hits).x + ui.em * 0.4f;
+  line.how.font = ui.fonts.mono;
+  line.how.indent = std::round(std::min(ui.em * 0.9f, width * 0.05f));
+  line.how.width = std::max(ui.em * 4, width - line.indent - line.hits_width - 2);
+  line.how.color = now ? c.text : count && *count == 0 ? c.muted : c.text;
+  line.height = flow_height(ui, step.text, line.how) + 2;
+  return line;
+}
+
 void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   const Theme& c = ui.colors();
   const float width = ImGui::GetContentRegionAvail().x;
-  const float gutter = std::round(ui.em * 1.15f), indent = gutter + static_cast<float>(step.indent) * level;
-  const auto count = ui.hits.of(step.id);
-  const std::string hits = count && *count > 0 && !ui.presenter ? grouped(*count) : "";
-  const float hits_width = hits.empty() ? 0 : text_size(ui, ui.fonts.small, hits).x + ui.em * 0.4f;
-
-  Flow how;
-  how.font = ui.fonts.mono;
-  how.indent = std::round(std::min(ui.em * 0.9f, width * 0.05f));
-  how.width = std::max(ui.em * 4, width - indent - hits_width - 2);
-  how.color = now ? c.text : count && *count == 0 ? c.muted : c.text;
-  const float height = flow_height(ui, step.text, how) + 2;
-
+  const auto [how, indent, height, hits, hits_width] = line_of(ui, step, now, level);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(step.id);
   const bool clicked = ImGui::InvisibleButton("line", {width, height});
@@ -59,17 +73,53 @@ void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
 }
 
+/// Stands for lines that are folded; a click shows them all.
+void draw_fold(Ui& ui, const StepInfo& first, std::size_t lines, float level) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = std::round(ui.fonts.small->FontSize * 1.35f);
+  ImGui::PushID(first.id);
+  if (ImGui::InvisibleButton("fold", {width, height})) ui.whole_code = true, ui.session.touch();
+  ImGui::PopID();
+  if (ImGui::IsItemHovered()) {
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, ui.colors().head);
+    ui.mouse_help = "Click: the whole page. 7: folded again, around the line at work.";
+  }
+  draw_text(ui, {at.x + gutter(ui) + static_cast<float>(first.indent) * level, at.y}, ui.fonts.small, ui.colors().muted,
+            lines == 1 ? "\u2026 1 line" : fmt::format("\u2026 {} lines", lines));
+}
+
+/// All of the page where it fits or is asked for, else what is near the line at work.
+std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
+  std::vector<bool> all(page.size(), true);
+  const RecordedEvent* event = ui.session.event();
+  const auto now =
+      std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
+  if (now == page.end() || (ui.whole_code && !ui.presenter)) return all;
+  if (!ui.presenter) {
+    // With room to spare: counts beside the lines grow, and the page must not fold for that.
+    float height = ui.line();
+    for (const StepInfo& step : page) height += line_of(ui, step, false, level).height;
+    if (height <= ImGui::GetContentRegionAvail().y) return all;
+  }
+  return lines_near(page, static_cast<std::size_t>(now - page.begin()));
+}
+
 void draw_pseudo_code(Ui& ui) {
   const Page& page = ui.session.header().page;
   if (page.empty()) return say_empty(ui, "This trace has no step table, so there is no pseudo-code to show.");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const RecordedEvent* event = ui.session.event();
   const float level = indent_of(ui, page);
-  std::vector<bool> shown(page.size(), true);
-  for (std::size_t i = 0; i < page.size(); ++i)
-    if (ui.presenter && event && event->step == page[i].id) shown = lines_near(page, i);
-  for (std::size_t i = 0; i < page.size(); ++i)
-    if (shown[i]) draw_line(ui, page[i], event && event->step == page[i].id, level);
+  const std::vector<bool> shown = lines_shown(ui, page, level);
+  for (std::size_t i = 0; i < page.size(); ++i) {
+    if (shown[i]) {
+      draw_line(ui, page[i], event && event->step == page[i].id, level);
+      continue;
+    }
+    const std::size_t first = i;
+    while (i + 1 < page.size() && !shown[i + 1]) ++i;
+    if (!ui.presenter) draw_fold(ui, page[first], i + 1 - first, level);
+  }
   ImGui::PopStyleVar();
 }
 

@@ -94,6 +94,7 @@ struct Ui {
   float em = 16;            ///< body text in pixels
   float thin = 1;           ///< pixels of a thin line: more than one on a large screen
   bool presenter = false;
+  bool whole_code = false;           ///< no line of the pseudo-code is folded
   bool vertices_always = false;      ///< the way of the vertices is shown even where room is scarce
   std::optional<Cell> pointed;       ///< cell under the mouse, in either buffer
   std::optional<Cell> pointed_next;  ///< collected while this frame is drawn
