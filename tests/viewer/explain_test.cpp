@@ -94,7 +94,7 @@ TEST_CASE(
   app.settle();
   std::set<std::int64_t> steps;
   std::set<std::string> fields;
-  for (int y = 400; y < 640; y += 9)
+  for (int y = 340; y < 640; y += 9)
     for (int x = 10; x < 380; x += 9) {
       test::move_mouse(app, x, y);
       if (app.ui().mouse_help != "Click: where this number comes from.") continue;

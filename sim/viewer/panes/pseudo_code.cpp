@@ -1,6 +1,7 @@
 // The page of the lecture, the line at work lit, with how often each line ran. A click runs on to the next time.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -73,10 +74,12 @@ void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
 }
 
+float fold_height(const Ui& ui) { return std::round(ui.fonts.small->FontSize * 1.35f); }
+
 /// Stands for lines that are folded; a click shows them all.
 void draw_fold(Ui& ui, const StepInfo& first, std::size_t lines, float level) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = std::round(ui.fonts.small->FontSize * 1.35f);
+  const float width = ImGui::GetContentRegionAvail().x, height = fold_height(ui);
   ImGui::PushID(first.id);
   if (ImGui::InvisibleButton("fold", {width, height})) ui.whole_code = true, ui.session.touch();
   ImGui::PopID();
@@ -88,20 +91,36 @@ void draw_fold(Ui& ui, const StepInfo& first, std::size_t lines, float level) {
             lines == 1 ? "\u2026 1 line" : fmt::format("\u2026 {} lines", lines));
 }
 
+/// What is near the line at work, and as many lines more as there is room for, the nearest first.
+std::vector<bool> lines_that_fit(const Page& page, std::size_t now, const std::vector<float>& heights, float room) {
+  std::vector<bool> shown = lines_near(page, now);
+  for (std::size_t i = 0; i < page.size(); ++i)
+    if (shown[i]) room -= heights[i];
+  for (std::size_t away = 1; away < page.size(); ++away)
+    for (const std::size_t i : {now + away, now - away}) {  // before the first is beyond the last
+      if (i >= page.size() || shown[i]) continue;
+      room -= heights[i];
+      if (room < 0) return shown;
+      shown[i] = true;
+    }
+  return shown;
+}
+
 /// All of the page where it fits or is asked for, else what is near the line at work.
 std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   std::vector<bool> all(page.size(), true);
   const RecordedEvent* event = ui.session.event();
-  const auto now =
+  const auto at_work =
       std::find_if(page.begin(), page.end(), [&](const StepInfo& step) { return event && event->step == step.id; });
-  if (now == page.end() || (ui.whole_code && !ui.presenter)) return all;
-  if (!ui.presenter) {
-    // With room to spare: counts beside the lines grow, and the page must not fold for that.
-    float height = ui.line();
-    for (const StepInfo& step : page) height += line_of(ui, step, false, level).height;
-    if (height <= ImGui::GetContentRegionAvail().y) return all;
-  }
-  return lines_near(page, static_cast<std::size_t>(now - page.begin()));
+  if (at_work == page.end() || (ui.whole_code && !ui.presenter)) return all;
+  const auto now = static_cast<std::size_t>(at_work - page.begin());
+  if (ui.presenter) return lines_near(page, now);
+  std::vector<float> heights;
+  for (const StepInfo& step : page) heights.push_back(line_of(ui, step, false, level).height);
+  // With room to spare: counts beside the lines grow, and the page must not fold for that.
+  const float room = ImGui::GetContentRegionAvail().y - ui.line();
+  if (std::accumulate(heights.begin(), heights.end(), 0.0f) <= room) return all;
+  return lines_that_fit(page, now, heights, room - 3 * fold_height(ui));
 }
 
 void draw_pseudo_code(Ui& ui) {

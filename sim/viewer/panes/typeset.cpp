@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -171,6 +172,14 @@ struct Row {
   }
 };
 
+/// Where a line of text may break after `from`: at a space, and in a formula behind a sign that is not set apart.
+std::size_t next_break(const std::string& text, std::size_t from) {
+  std::size_t end = std::min(text.find(' ', from + 1), text.size());
+  for (const std::string_view sign : {"/", "\u00b7", ")("})
+    if (const std::size_t at = text.find(sign, from + 1); at < end) end = at + (sign == ")(" ? 1 : sign.size());
+  return end;
+}
+
 /// The parts of a side between which a line may break; words one by one.
 std::vector<Box> pieces_of(const Ui& ui, const Box& side) {
   if (side.what.kind != Kind::row) return {side};
@@ -182,7 +191,7 @@ std::vector<Box> pieces_of(const Ui& ui, const Box& side) {
     }
     const std::string& text = part.what.text;
     for (std::size_t from = 0; from < text.size();) {
-      const std::size_t end = std::min(text.find(' ', from + 1), text.size());
+      const std::size_t end = next_break(text, from);
       pieces.push_back(measured(ui, Notation{Kind::text, text.substr(from, end - from)}));
       from = end;
     }
