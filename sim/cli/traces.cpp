@@ -132,6 +132,15 @@ OtherRun record_by(const Method& method, const Trace& trace) {
   return record_patiently(method, trace.scene(), for_method(method, trace.header().conventions));
 }
 
+OtherRun run_changed(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes) {
+  const Method& by = method(method_id);
+  const Conventions& given = opened.header().conventions;
+  Conventions conventions = method_id == opened.header().algorithm ? given : for_method(by, given);
+  Scene scene = opened.scene();
+  for (const Change& change : changes) make_change(by, change, scene, conventions, "");
+  return record_patiently(by, scene, conventions);
+}
+
 std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
   const std::span<const Method> all = methods();
   const auto count = static_cast<std::int64_t>(all.size());

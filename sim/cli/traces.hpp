@@ -32,6 +32,9 @@ OtherRun record_patiently(const Method& method, const Scene& scene, const Conven
 /// This method's, on the scene of a trace; its own options have their standard values.
 OtherRun record_by(const Method& method, const Trace& trace);
 
+/// A method's run on the scene of a trace, with these changes made one after the other.
+OtherRun run_changed(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes);
+
 /// The run of the next (1) or previous (-1) method of the catalog that can draw this trace's scene, in a circle;
 /// nullopt when there is no other.
 std::optional<OtherRun> record_other_method(const Trace& trace, int direction);

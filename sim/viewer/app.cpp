@@ -189,6 +189,7 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
   if (asks && code == SDLK_TAB) return paint_answer(), true;
   if (overlay_ == Overlay::why_ask) return pick_candidate(code);
   if (overlay_ == Overlay::start) return pick_offer(code);
+  if (overlay_ == Overlay::what_if) return pick_changeable(code, modifiers);
   if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
   if (code == SDLK_RETURN && asks) return ask_typed(), true;
   if (overlay_ != Overlay::palette && !asks) return false;

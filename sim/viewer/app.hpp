@@ -29,11 +29,25 @@ struct WindowRequests {
   std::optional<std::string> save_picture;  ///< path
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
   std::optional<Offer> open;
+  std::optional<Change> change;             ///< of the run
+  bool change_goes_on = false;              ///< it takes the place of the one before, which a hand has not let go
+  int undo_change = 0;                      ///< 1, or -1: make what was undone again
+};
+
+/// What a reader changed, against the run that was opened.
+struct Changed {
+  struct Made {
+    Change change;
+    std::string was;  ///< its value in the run that was opened
+  };
+  std::vector<Made> made;         ///< each thing once
+  std::vector<PixelMark> pixels;  ///< that end otherwise than in the run before
+  std::string told;               ///< what the last change did, in a sentence
 };
 
 enum class Overlay {
   none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range,
-  start
+  start, what_if
 };
 
 class App {
@@ -90,6 +104,21 @@ class App {
   void open_start();  ///< with the lesson picked that was open last
   void open_offer(const Offer& offer);
   void say_on_start(const std::string& why);  ///< that it could not be opened
+
+  // --- What if (app_changes.cpp, what_if_overlay.cpp)
+  void allow_changes() { may_change_ = true; }
+  bool may_change() const { return may_change_; }
+  void show_changes(Changed changed) { changed_ = std::move(changed), session_.touch(); }
+  const Changed& changed() const { return changed_; }
+  /// What has the typed name in its name, as it is now; empty where the method is none of zstep's.
+  std::vector<Changeable> found_changeables() const;
+  void open_what_if();
+  void change_typed();
+  void ask_change(Change change, bool goes_on = false);
+  void nudge(const Changeable& what, int direction);  ///< a little more, or the next of its words
+  void say_unchanged(const std::string& why);         ///< that it could not be changed
+  /// Looks at this run as a reader did at the one before: the same panes, places and what is typed.
+  void look_as(const App& before);
 
   // --- What commands do
   void open(Overlay overlay);
@@ -162,6 +191,7 @@ class App {
   void update_fonts();
   void begin_scrolling();
   void take_clicks();
+  void take_vertex();
   void draw_title(ImVec2 at, ImVec2 size);
   void draw_panes(ImVec2 at, ImVec2 size);
   void draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) { draw_pane(ui_, pane, pane.title, at, size); }
@@ -182,12 +212,14 @@ class App {
   bool typing() const {
     return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query ||
            overlay_ == Overlay::why_ask || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark ||
-           overlay_ == Overlay::range || overlay_ == Overlay::start;
+           overlay_ == Overlay::range || overlay_ == Overlay::start ||
+           overlay_ == Overlay::what_if;
   }
   bool type(SDL_Keycode code, unsigned modifiers);
   bool edit(SDL_Keycode code, unsigned modifiers);
   bool pick_candidate(SDL_Keycode code);
   bool pick_offer(SDL_Keycode code);
+  bool pick_changeable(SDL_Keycode code, unsigned modifiers);
   bool pick_link(SDL_Keycode code);
   bool pick_row(SDL_Keycode code);
   bool pick_bookmark(SDL_Keycode code);
@@ -236,6 +268,9 @@ class App {
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
+  Changed changed_;
+  bool may_change_ = false;
+  ImVec2 drawer_at_{0, 0}, drawer_size_{0, 0};
   bool black_ = false;
   bool clicker_ = false;      ///< what is picked on the start page was picked by a clicker's keys
   bool text_taken_ = false;   ///< the text of the key that went down last is not typed: a command was run by it
@@ -253,6 +288,8 @@ void draw_history(App& app);
 void draw_why_ask(App& app);
 void draw_why(App& app);
 void draw_explain(App& app);
+// what_if_overlay.cpp
+void draw_what_if(App& app, ImVec2 at, ImVec2 size);
 // start_overlay.cpp
 void draw_start(App& app);
 // places_overlay.cpp

@@ -116,6 +116,7 @@ void App::draw_overlay() {
     case Overlay::bookmarks: return draw_bookmarks(*this);
     case Overlay::range: return draw_range(*this);
     case Overlay::start: return draw_start(*this);
+    case Overlay::what_if: return draw_what_if(*this, drawer_at_, drawer_size_);
   }
 }
 
@@ -187,6 +188,10 @@ void App::draw() {
   const float timeline = timeline_height(ui_);
   const ImVec2 at{pad, 0};
   const float width = size.x - 2 * pad, height = size.y - title - timeline - 2 * pad;
+  // Where there is no column for it, what is changed is asked over the right half.
+  drawer_at_ = {std::round(size.x / 2), title}, drawer_size_ = {std::round(size.x / 2) - pad, std::max(1.0f, height)};
+  ui_.changes = overlay_ == Overlay::what_if;
+  if (!ui_.changes) ui_.taken.reset();
   if (only_) draw_pane(*only_, {0, 0}, size);
   else draw_title(at, {width, title});
   if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
@@ -199,6 +204,7 @@ void App::draw() {
   ImGui::End();
   const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history ||
                        overlay_ == Overlay::query;
+  take_vertex();
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);

@@ -234,7 +234,7 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   if (ui_.presenter) return draw_presented(at, size);
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
-  const float left = std::round(size.x * l.left), right = session_.lesson() ? std::round(size.x * l.right) : 0;
+  const float left = std::round(size.x * l.left), right = session_.lesson() || overlay_ == Overlay::what_if ? std::round(size.x * l.right) : 0;
   const float x = at.x + left + gap, middle = at.x + size.x - x - (right > 0 ? right + gap : 0);
   draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, l.code, "code");
   splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
@@ -244,7 +244,8 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   draw_small(stage.small, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
   splitter("stage", {x, at.y + upper}, {middle, gap}, false, l.stage, size.y - gap);
   if (right > 0) {
-    draw_pane(lesson_pane, {x + middle + gap, at.y}, {right, size.y});
+    drawer_at_ = {x + middle + gap, at.y}, drawer_size_ = {right, size.y};
+    if (overlay_ != Overlay::what_if) draw_pane(lesson_pane, drawer_at_, drawer_size_);
     float others = 1 - l.right;
     if (splitter("right", {x + middle, at.y}, {gap, size.y}, true, others, size.x)) l.right = 1 - others;
   }

@@ -100,7 +100,7 @@ void App::to_alike(int direction) {
 
 /// What is marked at this moment; the second run comes to it.
 void App::follow_marks() {
-  ui_.pixel_marks = nullptr;
+  ui_.pixel_marks = changed_.pixels.empty() ? nullptr : &changed_.pixels;
   if (findings_ && !session_.looking_back)
     ui_.pixel_marks = &findings_->pixels(session_.position(), session_.state().machine.pass == Pass::light);
   if (!against_) return;

@@ -15,7 +15,9 @@ namespace {
 constexpr unsigned S = Chord::shift, C = Chord::ctrl;
 
 template <Unit unit, int direction>
-void move(App& app) { app.session().move(unit, direction); }
+void move(App& app) {
+  app.session().move(unit, direction);
+}
 
 /// By polygons; before a class by the lesson's stops, for a clicker has these two keys.
 template <int direction>
@@ -95,7 +97,9 @@ void escape(App& app) {
 }
 
 template <int n>
-void answer(App& app) { app.session().answer(n); }
+void answer(App& app) {
+  app.session().answer(n);
+}
 
 /// Asks for a name only where a bookmark can be kept.
 void name_bookmark(App& app) {
@@ -189,11 +193,7 @@ const std::vector<Command>& table() {
       {"previous-same", "Move", "Last time this line ran", {{SDLK_k, S}}, same_line<-1>},
       {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
       {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.session().go_to(a.session().size()); }},
-      {"go-to",
-       "Move",
-       "Go to a step, a percentage, a polygon, a stop or a pixel",
-       {{SDLK_g}},
-       [](App& a) { a.open(Overlay::go_to); }},
+      {"go-to", "Move", "Go to a step, polygon, stop or pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
       {"run-until",
        "Move",
        "Run until a condition is true",
@@ -212,15 +212,11 @@ const std::vector<Command>& table() {
        "Last step where it was true",
        {{SDLK_j, S}},
        [](App& a) { a.places().again(Places::Way::backwards); }},
-      {"next-cause", "Move", "Next cause of what is wrong or differs", {{0, 0, '.'}}, next_cause},
+      {"next-cause", "Move", "Next cause of an error or difference", {{0, 0, '.'}}, next_cause},
       {"previous-cause", "Move", "Previous cause", {{0, 0, ','}}, [](App& a) { a.to_cause(-1); }},
       {"next-marked", "Move", "Next step that is marked", {{0, 0, '>'}}, [](App& a) { a.to_marked(1); }},
       {"previous-marked", "Move", "Previous step that is marked", {{0, 0, '<'}}, [](App& a) { a.to_marked(-1); }},
-      {"next-alike",
-       "Move",
-       "Next difference of this field of two runs",
-       {{0, 0, ';'}},
-       [](App& a) { a.to_alike(1); }},
+      {"next-alike", "Move", "Next difference of this field", {{0, 0, ';'}}, [](App& a) { a.to_alike(1); }},
       {"previous-alike", "Move", "Previous difference of this field", {{0, 0, ':'}}, [](App& a) { a.to_alike(-1); }},
       {"pixel-apart",
        "Move",
@@ -238,22 +234,18 @@ const std::vector<Command>& table() {
       {"loop-end", "Play", "Repeat no longer", {{SDLK_l, S}}, end_loop},
       {"next-touch",
        "Pixel",
-       "Next step that touches the selected pixel",
+       "Next step at the selected pixel",
        {{SDLK_f}},
        [](App& a) { a.session().to_selected_pixel(1); }},
       {"previous-touch",
        "Pixel",
-       "Last step that touched the selected pixel",
+       "Last step at the selected pixel",
        {{SDLK_f, S}},
        [](App& a) { a.session().to_selected_pixel(-1); }},
-      {"history", "Pixel", "All that happened to the selected pixel", {{SDLK_h}}, [](App& a) { a.open_history(); }},
-      {"why-not", "Pixel", "Why a polygon is not what is seen there", {{SDLK_y}}, [](App& a) { a.open_why(); }},
-      {"explain",
-       "Pixel",
-       "Where this step's number comes from (or click one)",
-       {{SDLK_e, S}},
-       [](App& a) { a.explain_step(); }},
-      {"select-pixel", "Pixel", "Select the pixel at work (or click one)", {{SDLK_RETURN}}, select_current},
+      {"history", "Pixel", "History of the selected pixel", {{SDLK_h}}, [](App& a) { a.open_history(); }},
+      {"why-not", "Pixel", "Why a polygon is not seen there", {{SDLK_y}}, [](App& a) { a.open_why(); }},
+      {"explain", "Pixel", "Where a number comes from (or click)", {{SDLK_e, S}}, [](App& a) { a.explain_step(); }},
+      {"select-pixel", "Pixel", "Select the pixel at work (or click)", {{SDLK_RETURN}}, select_current},
       {"next-method",
        "Pixel",
        "The same moment by the next method",
@@ -261,13 +253,16 @@ const std::vector<Command>& table() {
        [](App& a) { a.requests.switch_method = 1; }},
       {"previous-method",
        "Pixel",
-       "The same moment by the previous method",
+       "The same by the previous method",
        {{SDLK_x, S}},
        [](App& a) { a.requests.switch_method = -1; }},
-      {"next-edge", "Pixel", "Light the next edge of the table (or click one)", {{SDLK_e}}, next_edge},
+      {"next-edge", "Pixel", "Light the next edge (or click one)", {{SDLK_e}}, next_edge},
+      {"what-if", "Change", "What if: change the run", {{SDLK_e, C}}, [](App& a) { a.open_what_if(); }},
+      {"undo", "Change", "Undo a change", {{SDLK_z, C}}, [](App& a) { a.requests.undo_change = 1; }},
+      {"redo", "Change", "Make it again", {{SDLK_y, C}}, [](App& a) { a.requests.undo_change = -1; }},
       {"before",
        "Look",
-       "Hold: the buffers before the last move (presenter: black)",
+       "Hold: buffers before (presenter: black)",
        {{SDLK_b}},
        [](App& a) {
          if (a.ui().presenter) return a.make_black();
@@ -293,13 +288,9 @@ const std::vector<Command>& table() {
       {"pan-right", "Look", "Pan right", {{SDLK_d}}, pan<1, 0>},
       {"pan-up", "Look", "Pan up", {{SDLK_w}}, pan<0, -1>},
       {"pan-down", "Look", "Pan down", {{SDLK_s}}, pan<0, 1>},
-      {"overlay",
-       "Look",
-       "Over the frame: overdraw, failed compares, \u2026",
-       {{SDLK_o}},
-       [](App& a) { a.turn_overlay(1); }},
+      {"overlay", "Look", "Over the frame: overdraw, \u2026", {{SDLK_o}}, [](App& a) { a.turn_overlay(1); }},
       {"previous-overlay", "Look", "Over the frame: the one before", {{SDLK_o, S}}, [](App& a) { a.turn_overlay(-1); }},
-      {"fit-range", "Look", "Depth colours: fitted to what is shown, or not", {{SDLK_r}}, fit_range},
+      {"fit-range", "Look", "Depth colours: fitted, or not", {{SDLK_r}}, fit_range},
       {"range", "Look", "Depth colours: a range by hand", {{SDLK_r, S}}, [](App& a) { a.open(Overlay::range); }},
       {"histogram",
        "Look",
@@ -309,21 +300,13 @@ const std::vector<Command>& table() {
          a.ui().histogram = !a.ui().histogram;
          a.session().touch();
        }},
-      {"next-lead",
-       "Look",
-       "Large on the stage: the next pane (or click its title)",
-       {{SDLK_TAB}},
-       [](App& a) { a.turn_lead(1); }},
-      {"previous-lead", "Look", "Large on the stage: the pane before", {{SDLK_TAB, S}}, [](App& a) { a.turn_lead(-1); }},
-      {"slice", "Look", "Slice: depth over x along a line of pixels", {{SDLK_s, S}}, show_slice},
-      {"error-charts",
-       "Look",
-       "Errors of depth along span and edge, and the buffer's depths",
-       {{SDLK_i, S}},
-       show_error_charts},
+      {"next-lead", "Look", "Large: the next pane (or its title)", {{SDLK_TAB}}, [](App& a) { a.turn_lead(1); }},
+      {"previous-lead", "Look", "Large: the pane before", {{SDLK_TAB, S}}, [](App& a) { a.turn_lead(-1); }},
+      {"slice", "Look", "Slice: depth over x", {{SDLK_s, S}}, show_slice},
+      {"error-charts", "Look", "Errors of depth, as charts", {{SDLK_i, S}}, show_error_charts},
       {"vertices",
        "Look",
-       "The way of the vertices, always or where it fits",
+       "The way of the vertices, always",
        {{SDLK_v}},
        [](App& a) {
          a.ui().vertices_always = !a.ui().vertices_always;
@@ -331,14 +314,14 @@ const std::vector<Command>& table() {
        }},
       {"whole-code",
        "Look",
-       "The whole pseudo-code, or folded around its line",
+       "The whole pseudo-code, or folded",
        {{SDLK_7}},
        [](App& a) {
          a.ui().whole_code = !a.ui().whole_code;
          a.session().touch();
        }},
-      {"outside", "Look", "The scene from outside, or through the eye", {{SDLK_v, S}}, turn_scene},
-      {"walk", "Look", "Walk round the scene (or drag in it)", {{SDLK_5}}, walk<15, 0>},
+      {"outside", "Look", "The scene from outside, or not", {{SDLK_v, S}}, turn_scene},
+      {"walk", "Look", "Walk round the scene (or drag)", {{SDLK_5}}, walk<15, 0>},
       {"rise", "Look", "Look at the scene from higher up", {{SDLK_6}}, walk<0, 15>},
       {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},
       {"previous-stop", "Lesson", "Previous stop", {{SDLK_n, S}}, [](App& a) { a.session().next_stop(-1); }},
@@ -346,11 +329,7 @@ const std::vector<Command>& table() {
       {"answer-2", "Lesson", "Second answer", {{SDLK_2}}, answer<1>},
       {"answer-3", "Lesson", "Third answer", {{SDLK_3}}, answer<2>},
       {"answer-4", "Lesson", "Fourth answer", {{SDLK_4}}, answer<3>},
-      {"open",
-       "Window",
-       "Open a lesson, a method, a scene or a file",
-       {{SDLK_o, C}},
-       [](App& a) { a.open_start(); }},
+      {"open", "Window", "Open a lesson, scene, method or file", {{SDLK_o, C}}, [](App& a) { a.open_start(); }},
       {"larger",
        "Window",
        "Larger text",
@@ -364,7 +343,7 @@ const std::vector<Command>& table() {
       {"usual-text", "Window", "Usual text size", {{SDLK_0, C}}, [](App& a) { a.scale_text(0); }},
       {"presenter",
        "Window",
-       "Presenter mode: large, only what a class needs",
+       "Presenter mode, for a class",
        {{SDLK_p}},
        [](App& a) { a.set_presenter(!a.settings().presenter); }},
       {"theme", "Window", "Light or dark", {{SDLK_t}}, [](App& a) { a.set_dark(!a.settings().dark); }},
@@ -379,7 +358,7 @@ const std::vector<Command>& table() {
        }},
       {"copy-link",
        "Window",
-       "Copy the command that opens this place",
+       "Copy what opens this place",
        {{SDLK_c, C}},
        [](App& a) {
          a.requests.clipboard = a.link();

@@ -33,6 +33,7 @@ Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& s
 void Stage::begin(const Settings& settings, int width, int height) {
   first_app_ = std::make_unique<App>(*first_, lesson_, settings, width, height, dpi_scale_);
   first_app_->offer(options_.offers);
+  if (options_.run_changed) first_app_->allow_changes();
 }
 
 void Stage::open(const Offer& offer) {
@@ -61,6 +62,7 @@ void Stage::open(const Offer& offer) {
   app().opened_by = opened_->opened_by;
   moment_ = {};
   arrived_ = -1;
+  changes_.clear(), undone_.clear(), before_change_.reset();
   Session& s = app().session();
   if (const auto place = settings.place(place_key(*first_))) s.go_to(*place);
   else if (lesson_ && !lesson_->stops.empty()) s.to_stop(0);
@@ -72,16 +74,19 @@ std::int64_t last_write(const Trace& trace, Cell cell) {
     const Event& event = recorded.event;
     const std::optional<Trace::Pixel> at = pixel_of(event);
     if (!at || at->x != cell.x || at->y != cell.y) return false;
-    return holds<PixelWrite>(event) || holds<PixelPaint>(event) ||
-           holds<ColorWrite>(event) || holds<ColorBlend>(event);
+    return holds<PixelWrite>(event) || holds<PixelPaint>(event) || holds<ColorWrite>(event) || holds<ColorBlend>(event);
   };
   return trace.previous(trace.size() + 1, writes, Trace::Pixel{cell.x, cell.y}).value_or(trace.size());
 }
 
 Whereabouts moment_of(const Session& session) {
+  const StepInfo* step = session.event() ? find_step(session.header().page, session.event()->step) : nullptr;
+  const MethodState& machine = session.state().machine;
+  Whereabouts moment{session.selected, session.current_cell(), machine.polygon, machine.scan_line};
+  if (step) moment.step = step->name;
   const auto size = static_cast<double>(std::max<std::int64_t>(1, session.size()));
-  return {session.selected, session.current_cell(), session.state().machine.polygon,
-          static_cast<double>(session.position()) / size};
+  moment.share = static_cast<double>(session.position()) / size;
+  return moment;
 }
 
 namespace {
@@ -110,16 +115,24 @@ MomentThere moment_in(const Trace& trace, const Whereabouts& moment) {
   if (moment.share >= 1) return {trace.size(), "the end"};
   if (moment.cell) {
     const std::string touches = fmt::format("touches({}, {})", moment.cell->x, moment.cell->y);
-    if (moment.polygon >= 0)
-      if (const auto step = first_where(trace, fmt::format("{} and polygon == {}", touches, moment.polygon)))
-        return {*step, fmt::format("polygon {} reaches {}", polygon, name(*moment.cell))};
+    if (moment.polygon >= 0) {
+      const std::string there = fmt::format("{} and polygon == {}", touches, moment.polygon),
+                        what = fmt::format("polygon {} reaches {}", polygon, name(*moment.cell));
+      if (!moment.step.empty())
+        if (const auto step = first_where(trace, moment.step + " where " + there)) return {*step, what};
+      if (const auto step = first_where(trace, there)) return {*step, what};
+    }
     if (const auto step = first_where(trace, touches)) return {*step, fmt::format("{} is reached", name(*moment.cell))};
   }
+  const std::string gone = moment.cell ? fmt::format("{} is not reached here; ", name(*moment.cell)) : "";
+  if (moment.line && moment.polygon >= 0)
+    if (const auto step = first_where(trace, fmt::format("line == {} and polygon == {}", *moment.line, moment.polygon)))
+      return {*step, fmt::format("{}scan line {} of polygon {}", gone, *moment.line, polygon)};
   for (const PolygonMark& mark : trace.polygons())
     if (moment.polygon >= 0 && mark.polygon == moment.polygon)
-      return {mark.position, fmt::format("work on polygon {} begins", polygon)};
+      return {mark.position, fmt::format("{}work on polygon {} begins", gone, polygon)};
   return {std::llround(moment.share * static_cast<double>(trace.size())),
-          fmt::format("as much of the run is done, {:.0f} %", moment.share * 100)};
+          fmt::format("{}as much of the run is done, {:.0f} %", gone, moment.share * 100)};
 }
 
 void Stage::switch_method(int direction) {
@@ -137,9 +150,9 @@ void Stage::switch_method(int direction) {
   Settings settings = app().settings();
   settings.speed = left.speed;
   const int width = app().renderer().width(), height = app().renderer().height();
-  const bool back = other->trace.header().algorithm == first_->header().algorithm;
+  const bool back = changes_.empty() && other->trace.header().algorithm == first_->header().algorithm;
   other_app_.reset();  // it looks at the trace that goes
-  other_ = std::move(other);
+  other_ = std::make_unique<OtherRun>(*std::move(other));
   if (back) {
     other_.reset();
     first_app_->take_settings(settings);
@@ -147,6 +160,7 @@ void Stage::switch_method(int direction) {
   } else {
     other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
     other_app_->offer(options_.offers);
+    if (options_.run_changed) other_app_->allow_changes();
   }
 
   Session& s = app().session();

@@ -13,6 +13,8 @@ namespace zstep::viewer {
 struct Whereabouts {
   std::optional<Cell> selected, cell;  ///< cell: at work
   std::int32_t polygon = no_polygon;   ///< at work
+  std::optional<std::int32_t> line{};  ///< the scan line at work
+  std::string step{};                  ///< of the page, by its name
   double share = 0;                    ///< of the run
 };
 Whereabouts moment_of(const Session& session);
@@ -45,8 +47,17 @@ class Stage {
   /// said in the window.
   void switch_method(int direction);
 
+  /// Runs the method shown anew with one thing changed; `goes_on`: in place of the last change, if that was of the same
+  /// thing. The window stays at the same moment. What cannot be is said, and all stays as it is.
+  void change(const Change& change, bool goes_on);
+  /// Takes the last change back (1), or makes again what was taken back (-1).
+  void undo(int direction);
+  const std::vector<Change>& changes() const { return changes_; }
+
  private:
   void begin(const Settings& settings, int width, int height);
+  bool run_with(const std::vector<Change>& changes, bool goes_on);
+  Changed told_of(const std::vector<Change>& changes, const Trace& before);
 
   std::unique_ptr<Opened> opened_;  ///< from the window, once something was
   const Trace* first_;
@@ -54,8 +65,10 @@ class Stage {
   const ViewerOptions& options_;
   float dpi_scale_;
   std::unique_ptr<App> first_app_;
-  std::optional<OtherRun> other_;  ///< nullopt while the first is shown
+  std::unique_ptr<OtherRun> other_;  ///< none while the first is shown
   std::unique_ptr<App> other_app_;
+  std::vector<Change> changes_, undone_;
+  std::unique_ptr<OtherRun> before_change_;  ///< none: the first
   Whereabouts moment_;                  ///< where the reader went last, by hand
   std::int64_t arrived_ = -1;      ///< where switching led; the reader has not moved while that is the position
 };

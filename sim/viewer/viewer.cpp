@@ -54,6 +54,9 @@ void serve(Stage& stage, const Window& window) {
     stage.open(*offer);
     name_window(window, stage.trace());
   }
+  if (const auto change = std::exchange(stage.app().requests.change, std::nullopt))
+    stage.change(*change, stage.app().requests.change_goes_on);
+  if (const int direction = std::exchange(stage.app().requests.undo_change, 0); direction != 0) stage.undo(direction);
   App& app = stage.app();
   WindowRequests& r = app.requests;
   if (r.toggle_full_screen)

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "sim/image/png.hpp"
 #include "sim/words/judged.hpp"
@@ -71,6 +72,10 @@ struct ViewerOptions {
   std::function<std::vector<Offer>()> offers;
   /// Opens it: a method draws the scene of this trace, a scene is drawn by its method. Throws InputError.
   std::function<std::unique_ptr<Opened>(const Trace&, const Offer&)> open;
+  /// Runs a method on the scene of a trace with these changes made, one after the other. Throws InputError. Empty where
+  /// nothing can be changed.
+  std::function<OtherRun(const Trace& opened, const std::string& method, const std::vector<Change>& changes)>
+      run_changed;
   bool at_start = false;  ///< opens with the choice of what to open
   std::string opened_by;  ///< command line that opens this view again, quoted for a shell, without --at
 };

@@ -103,6 +103,11 @@ glm::dvec3 Room::place(glm::dvec3 p) const {
   return {p.x, (p.z - depth_middle_) * depth_scale_, raster_.y_up ? p.y : -p.y};
 }
 
+glm::dvec3 Room::point_at(glm::dvec3 p) const {
+  if (camera_.kind != Camera::Kind::screen) return p;
+  return {p.x, raster_.y_up ? p.z : -p.z, p.y / depth_scale_ + depth_middle_};
+}
+
 glm::dvec3 Room::behind(double x, double y, double z_v) const {
   if (camera_.kind == Camera::Kind::screen) return place({x, y, z_v});
   const formulas::EyeRays::Ray ray = sight_->through(x, y);
@@ -218,6 +223,13 @@ std::optional<Outside::Spot> Outside::spot(glm::dvec3 point) const {
   const glm::dvec3 view(camera_.view * glm::dvec4(point, 1));
   if (!(view.z >= camera_.near)) return std::nullopt;
   return spot_of(view);
+}
+
+glm::dvec3 Outside::pulled(glm::dvec3 point, double right, double down) const {
+  const glm::dmat4& view = camera_.view;
+  const double z = (view * glm::dvec4(point, 1)).z, pixel = 2 * camera_.window / raster_.height * z / camera_.d;
+  const glm::dvec3 x(view[0][0], view[1][0], view[2][0]), y(view[0][1], view[1][1], view[2][1]);
+  return point + pixel * (right * x - down * y);
 }
 
 std::optional<std::array<Outside::Spot, 2>> Outside::line(glm::dvec3 from, glm::dvec3 to) const {

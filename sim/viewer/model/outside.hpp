@@ -36,6 +36,8 @@ class Room {
   const Scene& polygons() const { return polygons_; }
   /// A point of the space that the scene is given in.
   glm::dvec3 place(glm::dvec3 point) const;
+  /// The point of that space which stands at this place.
+  glm::dvec3 point_at(glm::dvec3 place) const;
   /// What is seen at this place of the raster and has this z_v; in a screen scene z. Pixels' centres are at integers.
   glm::dvec3 behind(double x, double y, double z_v) const;
   /// The four corners of a rectangle of the raster at this z_v, in order around it.
@@ -82,6 +84,8 @@ class Outside {
     double x, y, depth;  ///< pixels from the picture's corner; depth as such a picture has it
   };
   std::optional<Spot> spot(glm::dvec3 point) const;
+  /// Where a point is to go so that it is seen so many pixels to the right and further down, as far from this eye.
+  glm::dvec3 pulled(glm::dvec3 point, double right, double down) const;
   /// Both ends of what is seen of a line.
   std::optional<std::array<Spot, 2>> line(glm::dvec3 from, glm::dvec3 to) const;
 

@@ -34,7 +34,7 @@ void frame(Canvas& canvas, const Box& b, int thickness, Pixel32 color) {
 
 bool has_pixels(const AreaBegin& a) { return a.first_column < a.end_column && a.first_row < a.end_row; }
 
-void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& thin) {
+void paint_areas(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& thin) {
   const MethodState& m = now.state().machine;
   const Picture& picture = now.state().picture;
   const int line = static_cast<int>(std::lround(thin));
@@ -159,7 +159,7 @@ void draw_areas(Ui& ui) {
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width - 4, height - 4);
   const Kept<Canvas>& canvas =
-      *keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint, map, ui.moment(), ui.colors(), ui.thin);
+      *keep_canvas(ui.canvases, "areas", width - 4, height - 4, paint_areas, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});

@@ -55,8 +55,8 @@ bool one_horizon(const Header& header) {
   return found != options.end() && found->second == "one";
 }
 
-void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const std::vector<CurveMarks::Mark>& curves,
-           const Theme& c, const float& thin) {
+void paint_horizons(Canvas& canvas, const RasterMap& map, const Moment& now,
+                    const std::vector<CurveMarks::Mark>& curves, const Theme& c, const float& thin) {
   const HorizonWork& work = now.state().machine.horizon;
   const Pixel32 paper = to_pixel(c.head);
   const auto line = static_cast<double>(thin);
@@ -123,7 +123,7 @@ void draw_horizons(Ui& ui) {
   const int width = static_cast<int>(avail.x), height = static_cast<int>(avail.y - legend);
   if (width < 8 || height < 8) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(s.scene().raster, {}, width, height);
-  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "horizons", width, height, paint, map, ui.moment(),
+  const Kept<Canvas>& canvas = *keep_canvas(ui.canvases, "horizons", width, height, paint_horizons, map, ui.moment(),
                                             ui.curves.of(s.trace()), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,

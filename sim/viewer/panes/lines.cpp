@@ -64,7 +64,7 @@ void draw_pieces(const Moment& s, Canvas& canvas, const RasterMap& map, const Li
   }
 }
 
-void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& weight) {
+void paint_lines(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const float& weight) {
   const MethodState& m = now.state().machine;
   const auto thin = static_cast<double>(weight);
   canvas.fill(to_pixel(c.pane));
@@ -175,7 +175,7 @@ void draw_lines(Ui& ui) {
   map.left = std::floor((width - map.width * map.cell) / 2);
   map.top = std::floor((height - map.height * map.cell) / 2);
   const Kept<Canvas>& canvas =
-      *keep_canvas(ui.canvases, "lines", width, height, paint, map, ui.moment(), ui.colors(), ui.thin);
+      *keep_canvas(ui.canvases, "lines", width, height, paint_lines, map, ui.moment(), ui.colors(), ui.thin);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});

@@ -69,6 +69,55 @@ void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, I
   for (const ChartPicture::Word& word : picture.words) write(word.at, ui.fonts.small, word.color, word.text, false);
 }
 
+/// As many decimals as a hundredth of the scene has.
+double rounded(double value, double size) {
+  const double unit = std::pow(10, std::floor(std::log10(std::max(size, 1e-300) / 100)));
+  return std::round(value / unit) * unit;
+}
+
+/// Vertices with a handle each, by which they are pulled across what the reader sees. True while one is held, or the
+/// mouse lies on one.
+bool pull_vertices(Ui& ui, const Room& room, ImVec2 size, ImVec2 at) {
+  const Scene& scene = ui.session.scene();
+  if (!ui.changes || !can_pull_vertices(scene)) return false;
+  const Outside outside(room, ui.look, static_cast<int>(size.x), static_cast<int>(size.y));
+  const ImGuiIO& io = ImGui::GetIO();
+  const Theme& c = ui.colors();
+  const float half = std::round(ui.em * 0.28f), reach = ui.em * 0.7f;
+  std::optional<std::int32_t> nearest;
+  float least = reach * reach;
+  for (std::size_t k = 0; k < scene.points.size(); ++k) {
+    const auto spot = outside.spot(room.place(scene.points[k]));
+    if (!spot || spot->x < 0 || spot->y < 0 || spot->x > size.x || spot->y > size.y) continue;
+    const ImVec2 middle{at.x + static_cast<float>(spot->x), at.y + static_cast<float>(spot->y)};
+    const float x = io.MousePos.x - middle.x, y = io.MousePos.y - middle.y, away = x * x + y * y;
+    if (away < least) least = away, nearest = static_cast<std::int32_t>(k);
+    const bool held = ui.taken && ui.taken->vertex == static_cast<std::int32_t>(k);
+    const ImVec2 low{middle.x - half, middle.y - half}, high{middle.x + half, middle.y + half};
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, held ? c.selected : c.pane);
+    frame_box(ui, low, high, held ? c.text : c.selected, 2);
+  }
+  const bool over = ImGui::IsItemHovered() && nearest;
+  if (over && !ui.taken) {
+    ui.mouse_help = fmt::format("Drag: moves vertex {}.", *nearest);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+      ui.taken = Taken{*nearest, room.place(scene.points[static_cast<std::size_t>(*nearest)])};
+  }
+  if (!ui.taken) return over;
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    ui.taken.reset();
+    ui.session.touch();
+    return true;
+  }
+  Taken& taken = *ui.taken;
+  if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return true;
+  taken.place = outside.pulled(taken.place, static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y));
+  const glm::dvec3 point = room.point_at(taken.place);
+  for (int axis = 0; axis < 3; ++axis) taken.point[axis] = rounded(point[axis], room.size());
+  ui.moved_vertex = taken.point != scene.points[static_cast<std::size_t>(taken.vertex)];
+  return true;
+}
+
 void walk_round(Ui& ui, ImVec2 size) {
   const ImGuiIO& io = ImGui::GetIO();
   Look& look = ui.look;
@@ -114,6 +163,11 @@ bool seen_from_outside(const Ui& ui) {
   return ui.from_outside.value_or(!has_step_of<ListInsert>(s.header()) && s.scene().corners.size() <= many_corners);
 }
 
+bool can_pull_vertices(const Scene& scene) {
+  constexpr std::size_t most_handles = 200;
+  return !scene.surface && scene.points.size() <= most_handles;
+}
+
 void draw_outside(Ui& ui, ImVec2 size) {
   const auto make_room = [](Room& room, const Scene& scene, const bool& by_lamp) { room = Room(scene, by_lamp); };
   const bool by_lamp = ui.session.state().machine.pass == Pass::light;
@@ -128,6 +182,7 @@ void draw_outside(Ui& ui, ImVec2 size) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,
                                        {at.x + static_cast<float>(whole.x), at.y + static_cast<float>(whole.y)});
   write_words(ui, seen.made, picture, at);
+  if (pull_vertices(ui, room.made, size, at)) return;
   walk_round(ui, size);
   tell_what_is_pointed_at(ui, seen.made.polygons, at);
 }

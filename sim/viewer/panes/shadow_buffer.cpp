@@ -13,7 +13,7 @@ namespace zstep::viewer {
 namespace {
 
 /// The range of the light's depths at this step: near is bright, as in the depth buffer.
-void paint(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const DepthScale& scale) {
+void paint_shadow_buffer(Canvas& canvas, const RasterMap& map, const Moment& now, const Theme& c, const DepthScale& scale) {
   const Picture& light = now.state().light;
   const DepthRange range = fitted_range(light, now.header());
   std::vector<Pixel32> cells(light.depth.size());
@@ -54,7 +54,7 @@ void draw_shadow_buffer(Ui& ui) {
   if (width < 16 || height < 16) return say_empty(ui, "Too small to draw; drag a border or enlarge the window.");
   const RasterMap map(Raster{state.light.width, state.light.height, false}, {}, width, height);
   const Kept<Canvas>& canvas =
-      *keep_canvas(ui.canvases, "shadow", width, height, paint, map, ui.moment(), ui.colors(), ui.depth_scale);
+      *keep_canvas(ui.canvases, "shadow", width, height, paint_shadow_buffer, map, ui.moment(), ui.colors(), ui.depth_scale);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});

@@ -56,6 +56,14 @@ struct OutsideSeen {
   std::vector<LabelSpot> letters;
 };
 
+/// A vertex that a hand holds, and where it was pulled to.
+struct Taken {
+  std::int32_t vertex = 0;
+  glm::dvec3 place{0};  ///< in the room
+  glm::dvec3 point{0};  ///< in the scene's space, as a round number
+  bool moved = false;   ///< since it was taken
+};
+
 struct Ui {
   Ui(Session& session_, Renderer& renderer_) : session(session_), renderer(renderer_) {}
   Session& session;
@@ -108,6 +116,9 @@ struct Ui {
   int speaks_frames = 0;
   bool speaks_now = false;
   std::optional<answers::Question> asked;  ///< the number that was clicked in this frame
+  bool changes = false;                    ///< vertices can be taken hold of where they are seen
+  std::optional<Taken> taken;              ///< the vertex that a hand holds
+  bool moved_vertex = false;               ///< in this frame, to where `taken` says
   std::optional<Cell> asked_history;       ///< the pixel whose history was asked for in this frame
   const Command* clicked = nullptr;        ///< the command whose button was clicked in this frame
   std::string asked_as;                    ///< how it is written there, where it is one of a formula's

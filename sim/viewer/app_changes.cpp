@@ -1,0 +1,129 @@
+// What if: what a reader changes of the run, and how the window stays where it was.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "sim/viewer/app.hpp"
+#include "sim/viewer/commands.hpp"
+#include "sim/viewer/panes/scene_outside.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+const Method* method_of(const Header& header) {
+  for (const Method& one : methods())
+    if (one.id == header.algorithm) return &one;
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<Changeable> App::found_changeables() const {
+  const Method* method = method_of(session_.header());
+  if (!method) return {};
+  std::string name = typed.substr(0, typed.find('='));
+  while (!name.empty() && name.back() == ' ') name.pop_back();
+  const std::string part = lower(name);
+  std::vector<Changeable> found;
+  for (Changeable& one : changeables(*method, session_.scene(), session_.header().conventions))
+    if (lower(one.name).find(part) != std::string::npos) found.push_back(std::move(one));
+  // What is named whole comes first: vertex 1 before vertex 10.
+  std::stable_partition(found.begin(), found.end(), [&](const Changeable& one) { return lower(one.name) == part; });
+  return found;
+}
+
+void App::open_what_if() {
+  if (!may_change_) return say("This run cannot be changed from here.");
+  if (!method_of(session_.header())) return say("The method of this run is none of zstep's, so it cannot be run anew.");
+  open(Overlay::what_if);
+  if (can_pull_vertices(session_.scene())) ui_.from_outside = true;
+}
+
+void App::ask_change(Change change, bool goes_on) {
+  wrong.clear();
+  requests.change = std::move(change), requests.change_goes_on = goes_on;
+  session_.touch();
+}
+
+void App::change_typed() {
+  try {
+    ask_change(read_change(typed, ""));
+  } catch (const InputError& error) {
+    say_unchanged(error.what());
+  }
+}
+
+void App::nudge(const Changeable& what, int direction) {
+  if (!what.choices.empty()) {
+    const auto count = static_cast<std::ptrdiff_t>(what.choices.size());
+    const auto now = std::find(what.choices.begin(), what.choices.end(), what.value) - what.choices.begin();
+    return ask_change({what.name, what.choices[static_cast<std::size_t>((now % count + direction + count) % count)]});
+  }
+  if (what.nudge == 0) return put(fmt::format("{} = {}", what.name, what.value));
+  // In whole steps, so that 0.1 and 0.2 give 0.3.
+  const double steps = std::round(std::stod(what.value) / what.nudge) + direction;
+  ask_change({what.name, fmt::format("{:.12g}", steps * what.nudge)});
+}
+
+void App::say_unchanged(const std::string& why) {
+  if (overlay_ == Overlay::what_if) wrong = why;
+  else say(why);
+  session_.touch();
+}
+
+bool App::pick_changeable(SDL_Keycode code, unsigned modifiers) {
+  const bool ctrl = (modifiers & Chord::ctrl) != 0;
+  if (ctrl && typed.empty() && (code == SDLK_z || code == SDLK_y)) {
+    requests.undo_change = code == SDLK_z ? 1 : -1;
+    return true;
+  }
+  const std::vector<Changeable> found = found_changeables();
+  const auto row = static_cast<std::size_t>(std::max(0, picked));
+  if (code == SDLK_RETURN) {
+    if (typed.find('=') != std::string::npos) change_typed();
+    else if (row < found.size()) put(fmt::format("{} = {}", found[row].name, found[row].value));
+    return true;
+  }
+  if (code != SDLK_UP && code != SDLK_DOWN) return false;
+  if (ctrl) {
+    if (row < found.size()) nudge(found[row], code == SDLK_UP ? 1 : -1);
+    return true;
+  }
+  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(found.size()) - 1));
+  scroll_to_picked = true;
+  return true;
+}
+
+/// The vertex that a hand moved in this frame.
+void App::take_vertex() {
+  if (!std::exchange(ui_.moved_vertex, false) || !ui_.taken) return;
+  const glm::dvec3& to = ui_.taken->point;
+  ask_change({fmt::format("vertex {}", ui_.taken->vertex), fmt::format("{:.12g} {:.12g} {:.12g}", to.x, to.y, to.z)},
+             std::exchange(ui_.taken->moved, true));
+}
+
+void App::look_as(const App& before) {
+  overlay_ = before.overlay_;
+  put(before.typed);
+  picked = before.picked;
+  chosen_lead_ = before.chosen_lead_;
+  if (chosen_lead_) chosen_lead_->stop = session_.stop();
+  ui_.look = before.ui_.look, ui_.from_outside = before.ui_.from_outside;
+  ui_.view = before.ui_.view;
+  ui_.whole_code = before.ui_.whole_code, ui_.vertices_always = before.ui_.vertices_always;
+  ui_.range_mode = before.ui_.range_mode, ui_.hand_range = before.ui_.hand_range, ui_.histogram = before.ui_.histogram;
+  ui_.taken = before.ui_.taken;
+  session_.selected = before.session_.selected;
+  // The hand holds what it held.
+  ImGui::SetCurrentContext(before.context_.context);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool down = ImGui::GetIO().MouseDown[0];
+  ImGui::SetCurrentContext(context_.context);
+  ImGui::GetIO().MousePos = mouse, ImGui::GetIO().MouseDown[0] = down;
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,185 @@
+// What if, on the stage: the run is made anew with what was changed, at the same moment, and what differs is marked.
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/viewer/stage.hpp"
+#include "sim/words/numbers.hpp"
+#include "traces/error.hpp"
+#include "traces/replay/replay.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+Picture end_of(const Trace& trace) {
+  Replay replay(trace);
+  replay.go_to(trace.size());
+  return replay.state().picture;
+}
+
+/// Pixels of two pictures that differ: in colour, or in depth alone; none where they are not of one size.
+struct Apart {
+  std::vector<PixelMark> colors, depths;
+};
+Apart apart(const Picture& before, const Picture& now) {
+  Apart marks;
+  if (before.width != now.width || before.height != now.height) return marks;
+  for (std::size_t at = 0; at < now.polygon.size(); ++at) {
+    const bool ink = !before.ink.empty() && !now.ink.empty() && before.ink[at] != now.ink[at];
+    if (before.polygon[at] != now.polygon[at] || ink) marks.colors.push_back({static_cast<std::int64_t>(at), true});
+    else if (!before.depth.empty() && !now.depth.empty() && before.depth[at] != now.depth[at])
+      marks.depths.push_back({static_cast<std::int64_t>(at), false});
+  }
+  return marks;
+}
+
+/// How often each line of the page ran.
+std::array<std::int64_t, step_limit + 1> runs_of_lines(const Trace& trace) {
+  std::array<std::int64_t, step_limit + 1> counts{};
+  trace.each(0, trace.size(), [&](std::int64_t, const RecordedEvent& recorded) {
+    ++counts[recorded.step];
+    return true;
+  });
+  return counts;
+}
+
+/// "1 144 steps, now 1 198; compare 512, now 530", the two lines that differ most.
+std::string counts_text(const Trace& before, const Trace& now) {
+  std::string text = before.size() == now.size()
+                         ? fmt::format("As many steps, {}", grouped(now.size()))
+                         : fmt::format("{} steps, now {}", grouped(before.size()), grouped(now.size()));
+  const auto was = runs_of_lines(before), is = runs_of_lines(now);
+  std::vector<const StepInfo*> lines;
+  for (const StepInfo& line : now.header().page)
+    if (was[line.id] != is[line.id]) lines.push_back(&line);
+  std::stable_sort(lines.begin(), lines.end(), [&](const StepInfo* a, const StepInfo* b) {
+    return std::abs(is[a->id] - was[a->id]) > std::abs(is[b->id] - was[b->id]);
+  });
+  for (std::size_t k = 0; k < std::min<std::size_t>(2, lines.size()); ++k)
+    text += fmt::format("; {} {}, now {}", lines[k]->name, grouped(was[lines[k]->id]), grouped(is[lines[k]->id]));
+  return text + ".";
+}
+
+std::string value_in(const Trace& trace, const std::string& name) {
+  for (const Method& method : methods())
+    if (method.id == trace.header().algorithm)
+      for (const Changeable& one : changeables(method, trace.scene(), trace.header().conventions))
+        if (one.name == name) return one.value;
+  return "";
+}
+
+}  // namespace
+
+Changed Stage::told_of(const std::vector<Change>& changes, const Trace& before) {
+  Changed changed;
+  for (const Change& change : changes) {
+    const auto same = [&](const Changed::Made& made) { return made.change.name == change.name; };
+    const auto known = std::find_if(changed.made.begin(), changed.made.end(), same);
+    if (known != changed.made.end()) known->change = change;
+    else changed.made.push_back({change, value_in(*first_, change.name)});
+  }
+  const Picture was = end_of(before), is = end_of(trace());
+  Apart differ = apart(was, is);
+  const auto pixels = [](const std::vector<PixelMark>& marks) {
+    return marks.size() == 1 ? std::string("1 pixel has")
+                             : grouped(static_cast<std::int64_t>(marks.size())) + " pixels have";
+  };
+  // What only lies elsewhere is marked where nothing else is.
+  if (was.width != is.width || was.height != is.height) changed.told = "Another raster. ";
+  else if (!differ.colors.empty())
+    changed.told = fmt::format("In the end {} another colour, marked. ", pixels(differ.colors));
+  else if (!differ.depths.empty())
+    changed.told = fmt::format("The picture ends the same, but {} another depth, marked. ", pixels(differ.depths));
+  else changed.told = "The picture ends the same. ";
+  changed.pixels = std::move(differ.colors.empty() ? differ.depths : differ.colors);
+  changed.told += counts_text(before, trace());
+  return changed;
+}
+
+bool Stage::run_with(const std::vector<Change>& changes, bool goes_on) {
+  if (!options_.run_changed) return app().say_unchanged("This run cannot be changed from here."), false;
+  std::optional<OtherRun> made;
+  try {
+    made = options_.run_changed(*first_, trace().header().algorithm, changes);
+  } catch (const std::bad_alloc&) {
+    return app().say_unchanged("There is not enough memory to run it so."), false;
+  } catch (const InputError& error) {
+    return app().say_unchanged(error.what()), false;
+  }
+  const bool moved = app().session().position() != arrived_ || app().session().selected != moment_.selected;
+  if (moved) moment_ = moment_of(app().session());
+  Settings settings = app().settings();
+  settings.speed = app().session().speed;
+  const int width = app().renderer().width(), height = app().renderer().height();
+  const bool back = changes.empty() && made->trace.header().algorithm == first_->header().algorithm;
+
+  // What was shown stays until the new run is told against it.
+  std::unique_ptr<OtherRun> run_before = std::exchange(other_, nullptr);
+  std::unique_ptr<App> app_before = std::exchange(other_app_, nullptr);
+  App& left = app_before ? *app_before : *first_app_;
+  if (!back) {
+    other_ = std::make_unique<OtherRun>(*std::move(made));
+    other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
+    other_app_->offer(options_.offers);
+    other_app_->allow_changes();
+    other_app_->look_as(left);
+    if (!app_before) first_app_->open(Overlay::none);
+  } else if (app_before) {
+    first_app_->take_settings(settings);
+    first_app_->resize(width, height);
+    first_app_->look_as(left);
+  }
+  Session& s = app().session();
+  const Raster& raster = trace().scene().raster;
+  if (moment_.selected && (moment_.selected->x >= raster.width || moment_.selected->y >= raster.height))
+    moment_.selected.reset();
+  std::string place;
+  if (!back || moved) {
+    const MomentThere there = moment_in(trace(), moment_);
+    s.select(moment_.selected);
+    s.go_to(there.step);
+    place = there.what;
+  }
+  arrived_ = s.position();
+  // While a hand still holds it, all is told against the run before it was taken.
+  const OtherRun* against = goes_on ? before_change_.get() : run_before.get();
+  Changed changed = told_of(changes, against ? against->trace : *first_);
+  if (other_ && !other_->whole) changed.told += " Cut off, as it would take too long.";
+  if (other_ && lesson_) changed.told += " The lesson waits.";
+  if (!place.empty()) changed.told += fmt::format(" Here: {}.", place);
+  if (app().overlay() != Overlay::what_if) app().say(changed.told);
+  app().show_changes(std::move(changed));
+  app_before.reset();  // it looks at that run
+  if (!goes_on) before_change_ = std::move(run_before);
+  return true;
+}
+
+void Stage::change(const Change& change, bool goes_on) {
+  std::vector<Change> changes = changes_;
+  goes_on = goes_on && !changes.empty() && changes.back().name == change.name;
+  if (goes_on) changes.pop_back();
+  changes.push_back(change);
+  if (!run_with(changes, goes_on)) return;
+  changes_ = std::move(changes);
+  undone_.clear();
+  if (app().overlay() == Overlay::what_if && !goes_on) app().put("");
+}
+
+void Stage::undo(int direction) {
+  std::vector<Change>& from = direction > 0 ? changes_ : undone_;
+  if (from.empty()) return app().say_unchanged(direction > 0 ? "Nothing is changed." : "Nothing was taken back.");
+  std::vector<Change> changes = changes_;
+  if (direction > 0) changes.pop_back();
+  else changes.push_back(undone_.back());
+  if (!run_with(changes, false)) return;
+  if (direction > 0) undone_.push_back(changes_.back());
+  else undone_.pop_back();
+  changes_ = std::move(changes);
+}
+
+}  // namespace zstep::viewer

@@ -1,0 +1,243 @@
+// What if: the run is made anew with what was changed, at the same moment, and what differs is marked.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "algorithms/catalog/catalog.hpp"
+#include "sim/viewer/stage.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+#include "traces/error.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+namespace {
+
+struct Run {
+  Scene scene;
+  Conventions conventions;
+};
+Run changed_run(const Trace& opened, const std::string& id, const std::vector<Change>& changes) {
+  Run run{opened.scene(), id == opened.header().algorithm ? opened.header().conventions : Conventions{}};
+  for (const Change& change : changes) make_change(method(id), change, run.scene, run.conventions, "");
+  return run;
+}
+
+ViewerOptions changing() {
+  ViewerOptions options;
+  options.run_changed = [](const Trace& opened, const std::string& id, const std::vector<Change>& changes) {
+    const Run run = changed_run(opened, id, changes);
+    TraceRecorder recorder(header_for(method(id), run.conventions), run.scene);
+    method(id).record(run.scene, run.conventions, recorder);
+    recorder.finish();
+    return OtherRun{Trace::from_bytes(recorder.take_bytes(), run.scene.name), true};
+  };
+  options.other_method = [](const Trace& trace, int) -> std::optional<OtherRun> {
+    TraceRecorder recorder(header_for(method("bsp"), {}), trace.scene());
+    method("bsp").record(trace.scene(), {}, recorder);
+    recorder.finish();
+    return OtherRun{Trace::from_bytes(recorder.take_bytes(), trace.scene().name), true};
+  };
+  return options;
+}
+
+/// As the window's loop does.
+void do_asked(Stage& stage) {
+  if (const auto change = std::exchange(stage.app().requests.change, std::nullopt))
+    stage.change(*change, stage.app().requests.change_goes_on);
+  if (const int direction = std::exchange(stage.app().requests.undo_change, 0); direction != 0) stage.undo(direction);
+}
+
+void ask(Stage& stage, const std::string& text) {
+  test::type(stage.app(), text);
+  test::press(stage.app(), SDLK_RETURN);
+  do_asked(stage);
+  stage.app().settle();
+}
+
+Picture end_of(const Trace& trace) {
+  Replay replay(trace);
+  replay.go_to(trace.size());
+  return replay.state().picture;
+}
+
+}  // namespace
+
+TEST_CASE("what if: a change that is typed makes the run anew, at the same moment, and marks what ends otherwise") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = changing();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.app().session().go_to(trace.size() / 2);
+  const Whereabouts moment = moment_of(stage.app().session());
+  REQUIRE(moment.cell);
+  test::press(stage.app(), SDLK_e, KMOD_CTRL);
+  REQUIRE(stage.app().overlay() == Overlay::what_if);
+  ask(stage, "theta = 40");
+  REQUIRE(stage.changes() == std::vector<Change>{{"theta", "40"}});
+  CHECK(stage.trace().scene().camera.theta == 40);
+  CHECK(stage.app().overlay() == Overlay::what_if);
+  CHECK(stage.app().typed.empty());
+  // The same polygon at the same pixel by the same line of the page, or else as near as the run has it, which is said.
+  const MomentThere there = moment_in(stage.trace(), moment);
+  CHECK(stage.app().session().position() == there.step);
+  CHECK(stage.app().changed().told.find("Here: " + there.what + ".") != std::string::npos);
+  CHECK(stage.app().session().current_cell() == moment.cell);
+
+  const Picture was = end_of(trace), is = end_of(stage.trace());
+  std::vector<std::int64_t> differ, marked;
+  for (std::size_t at = 0; at < was.polygon.size(); ++at)
+    if (was.polygon[at] != is.polygon[at]) differ.push_back(static_cast<std::int64_t>(at));
+  for (const PixelMark& mark : stage.app().changed().pixels) marked.push_back(mark.pixel);
+  CHECK(!differ.empty());
+  CHECK(marked == differ);
+  REQUIRE(stage.app().changed().made.size() == 1);
+  CHECK(stage.app().changed().made[0].was == fmt::format("{}", trace.scene().camera.theta));
+  CHECK(stage.app().changed().told.find(fmt::format("In the end {} pixels have another colour", differ.size())) == 0);
+}
+
+TEST_CASE("law: after any change the window shows what a run of the changed scene shows, and undo brings all back") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = changing();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.app().session().go_to(trace.size());
+  const test::Bytes at_first = test::picture(stage.app());
+  std::vector<Change> made;
+  const glm::dvec3 apex = trace.scene().points[0];
+  for (const Change& change :
+       {Change{"phi", "50"}, Change{"vertex 0", fmt::format("{} {} {}", apex.x + 3, apex.y, apex.z)},
+        Change{"size", "30x20"}, Change{"coverage", "inclusive"}, Change{"cull", "off"},
+        Change{"vertex 0", fmt::format("{} {} {}", apex.x, apex.y, apex.z)}}) {
+    CAPTURE(change.name);
+    stage.change(change, false);
+    made.push_back(change);
+    CHECK(stage.changes() == made);
+    const Run run = changed_run(trace, "z-buffer", made);
+    CHECK(stage.trace().scene() == run.scene);
+    NullRecorder none;
+    const Picture picture = method("z-buffer").render(run.scene, run.conventions, none);
+    CHECK(end_of(stage.trace()).polygon == picture.polygon);
+    CHECK(end_of(stage.trace()).depth == picture.depth);
+    CHECK(!test::picture(stage.app()).empty());
+  }
+  for (std::size_t left = made.size(); left-- > 0;) {
+    stage.undo(1);
+    CHECK(stage.changes().size() == left);
+  }
+  CHECK(&stage.trace() == &trace);
+  stage.app().show_changes({});
+  stage.app().session().message.clear();
+  CHECK(test::picture(stage.app()) == at_first);
+  for (std::size_t again = 1; again <= made.size(); ++again) {
+    stage.undo(-1);
+    CHECK(stage.changes() == std::vector<Change>(made.begin(), made.begin() + static_cast<std::ptrdiff_t>(again)));
+  }
+  stage.undo(-1);
+  CHECK(stage.app().session().message == "Nothing was taken back.");
+}
+
+TEST_CASE("what if: what cannot be is said where it was asked, and all stays as it was") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = changing();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.app().session().go_to(100);
+  test::press(stage.app(), SDLK_e, KMOD_CTRL);
+  ask(stage, "theta = east");
+  CHECK(stage.app().wrong.find("theta = east: east is no number for it") == 0);
+  CHECK(stage.app().typed == "theta = east");
+  CHECK(stage.changes().empty());
+  CHECK(&stage.trace() == &trace);
+  CHECK(stage.app().session().position() == 100);
+  stage.undo(1);
+  CHECK(stage.app().wrong == "Nothing is changed.");
+}
+
+TEST_CASE("what if: buttons and Ctrl with an arrow change a little, and the next of some words") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = changing();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  test::press(stage.app(), SDLK_e, KMOD_CTRL);
+  test::type(stage.app(), "theta");
+  const double theta = trace.scene().camera.theta;
+  test::press(stage.app(), SDLK_UP, KMOD_CTRL);
+  do_asked(stage);
+  CHECK(stage.trace().scene().camera.theta == doctest::Approx(theta + 5).epsilon(0.1));
+  CHECK(std::fmod(stage.trace().scene().camera.theta, 5) == 0);
+  stage.app().put("coverage");
+  stage.app().settle();
+  test::press(stage.app(), SDLK_DOWN, KMOD_CTRL);
+  do_asked(stage);
+  CHECK(stage.trace().header().conventions.coverage == Conventions::Coverage::ceil_floor);
+}
+
+TEST_CASE("what if: a vertex that is pulled in the scene moves with the hand, and is one change") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = changing();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.app().session().go_to(trace.size());
+  stage.app().set_lead("scene");
+  test::press(stage.app(), SDLK_e, KMOD_CTRL);
+  stage.app().settle();
+  // Its handle is looked for on the stage.
+  int x = 0, y = 0;
+  for (int row = 60; row < 500 && x == 0; row += 6)
+    for (int column = 300; column < 980 && x == 0; column += 6) {
+      test::move_mouse(stage.app(), column, row);
+      if (stage.app().ui().mouse_help == "Drag: moves vertex 0.") x = column, y = row;
+    }
+  REQUIRE(x > 0);
+  SDL_Event button{};
+  button.type = SDL_MOUSEBUTTONDOWN;
+  button.button.button = SDL_BUTTON_LEFT;
+  button.button.x = x, button.button.y = y;
+  test::send(stage.app(), button);
+  stage.app().frame();
+  for (int k = 1; k <= 5; ++k) {
+    SDL_Event motion{};
+    motion.type = SDL_MOUSEMOTION;
+    motion.motion.x = x + 6 * k, motion.motion.y = y - 4 * k;
+    test::send(stage.app(), motion);
+    stage.app().frame();
+    do_asked(stage);
+  }
+  button.type = SDL_MOUSEBUTTONUP;
+  test::send(stage.app(), button);
+  stage.app().settle();
+  REQUIRE(stage.changes().size() == 1);
+  CHECK(stage.changes()[0].name == "vertex 0");
+  const glm::dvec3 from = trace.scene().points[0], to = stage.trace().scene().points[0];
+  CHECK(to != from);
+  CHECK(to.z > from.z);  // upwards
+  CHECK_FALSE(stage.app().ui().taken);
+  stage.undo(1);
+  CHECK(&stage.trace() == &trace);
+}
+
+TEST_CASE("what if: what was changed goes with the scene to another method") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = changing();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.change({"theta", "70"}, false);
+  stage.switch_method(1);
+  CHECK(stage.trace().header().algorithm == "bsp");
+  CHECK(stage.trace().scene().camera.theta == 70);
+  stage.change({"phi", "40"}, false);
+  CHECK(stage.trace().header().algorithm == "bsp");
+  CHECK(stage.trace().scene().camera.theta == 70);
+  CHECK(stage.trace().scene().camera.phi == 40);
+}
+
+TEST_CASE("what if: a run that cannot be made anew says so") {
+  const Trace trace = test::record_run("pyramid");
+  App app(trace, nullptr, {}, 1280, 720);
+  test::press(app, SDLK_e, KMOD_CTRL);
+  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.session().message == "This run cannot be changed from here.");
+}
