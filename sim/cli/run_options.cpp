@@ -115,6 +115,19 @@ void add_method_options(CLI::App& command, RunOptions& options) {
           ->allow_extra_args(false)
           ->take_all()
           ->group("Method"));
+  const auto take_changes = [&options](const std::vector<std::string>& given) {
+    for (const std::string& text : given) options.changes.push_back(read_change(text));
+  };
+  options.declared.push_back(
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--change", take_changes,
+              "One thing other than it would be, as the viewer changes it (Ctrl+E): \"vertex 3 = 1 0 2\"; may be given "
+              "more than once, and comes after all other options")
+          ->type_name("\"NAME = VALUE\"")
+          ->allow_extra_args(false)
+          ->take_all()
+          ->group("Method"));
 }
 
 }  // namespace
@@ -194,6 +207,7 @@ Run prepare_with(const RunOptions& options, bool notes) {
   if (options.no_cull) run.conventions.cull = false;
   run.conventions.options = options.options;
   check_run(*run.method, run.scene, run.conventions);
+  for (const Change& change : options.changes) make_change(*run.method, change, run.scene, run.conventions);
   return run;
 }
 

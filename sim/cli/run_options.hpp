@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "algorithms/catalog/changes.hpp"
 #include "algorithms/scene/load.hpp"
 #include "traces/scene.hpp"
 
@@ -21,6 +22,7 @@ struct RunOptions {
   ConventionChoices conventions;
   bool no_cull = false;
   std::map<std::string, std::string> options;  ///< of the method
+  std::vector<Change> changes;                 ///< made last, one after the other
   std::vector<CLI::Option*> declared;  ///< all of the options below
 
   /// The first of these options that the command line gives, or "".

@@ -142,6 +142,8 @@ std::string App::link() const {
                           scene.camera.phi, scene.camera.d, scene.camera.window);
     if (scene.camera.kind == Camera::Kind::orthographic) text += " --ortho";
   }
+  for (const Changed::Made& made : changed_.made)
+    text += " --change " + shell_word(made.change.name + " = " + made.change.value);
   return fmt::format("{} --at {}", text, session_.position());
 }
 

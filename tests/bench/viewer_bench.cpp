@@ -12,6 +12,7 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "algorithms/scene/load.hpp"
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/stage.hpp"
 #include "traces/record/trace_recorder.hpp"
 
 namespace {
@@ -91,9 +92,39 @@ void bench_large(const std::string& scene, std::int32_t w, std::int32_t h) {
   report("  previous step, median frame", median(back));
 }
 
+/// From a change to its picture, as when a hand pulls a vertex; both in turn, so that each makes another run.
+void bench_changes(const std::string& scene, int changes) {
+  const Trace trace = Trace::from_bytes(record(scene, 64, 64), scene);
+  ViewerOptions options;
+  options.run_changed = [](const Trace& opened, const std::string& id, const std::vector<Change>& made) {
+    Scene changed = opened.scene();
+    Conventions conventions = opened.header().conventions;
+    for (const Change& change : made) make_change(method(id), change, changed, conventions);
+    TraceRecorder recorder(header_for(method(id), conventions), changed);
+    method(id).record(changed, conventions, recorder);
+    recorder.finish();
+    return OtherRun{Trace::from_bytes(recorder.take_bytes(), changed.name), true};
+  };
+  Stage stage(trace, options, Settings{}, width, height);
+  stage.app().session().go_to(trace.size() / 2);
+  stage.app().open_what_if();
+  stage.app().settle();
+  const glm::dvec3 point = trace.scene().points[0];
+  std::vector<double> times;
+  for (int k = 0; k < changes; ++k) {
+    const double begin = milliseconds();
+    stage.change({"vertex 0", fmt::format("{} {} {}", point.x + 0.01 * (k % 2), point.y, point.z)}, k > 0);
+    stage.app().frame();
+    times.push_back(milliseconds() - begin);
+  }
+  report(fmt::format("{} 64x64 at 1600x900: a change to its picture, median", scene), median(times));
+}
+
 }  // namespace
 
 int main() {
+  bench_changes("pyramid-behind", 60);
+  bench_changes("pyramid", 60);
   const Trace trace = Trace::from_bytes(record("pyramid-behind", 64, 64), "pyramid-behind");
   App app(trace, nullptr, {}, width, height);
   app.session().go_to(trace.size() / 3);
