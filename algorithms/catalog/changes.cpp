@@ -72,7 +72,13 @@ constexpr std::array<CameraNumber, 7> camera_numbers{{
     {"far", "z_v of the far plane", &Camera::far, &ViewOptions::far, 0},
 }};
 
-bool has_camera(const Scene& scene) { return scene.camera.kind != Camera::Kind::screen && scene.camera.polar; }
+/// The angles and the distance of the eye are those of a camera that is given by them.
+bool has(const Scene& scene, const CameraNumber& number) {
+  const Camera& camera = scene.camera;
+  const bool polar = number.name == "rho" || number.name == "theta" || number.name == "phi";
+  return camera.kind != Camera::Kind::screen && (camera.polar || !polar) &&
+         (number.name != "d" || camera.kind == Camera::Kind::perspective);
+}
 
 /// Whether the clipping planes stand where a scene gets them that states none: then they go with it.
 bool planes_follow(Scene scene) {
@@ -282,16 +288,13 @@ Change read_change(std::string_view text, const std::string& who) {
 
 std::vector<Changeable> changeables(const Method& method, const Scene& scene, const Conventions& conventions) {
   std::vector<Changeable> all;
-  if (has_camera(scene))
-    for (const CameraNumber& number : camera_numbers) {
-      const double now = scene.camera.*number.now;
-      if (number.name == "d" && scene.camera.kind == Camera::Kind::orthographic) continue;
+  for (const CameraNumber& number : camera_numbers)
+    if (const double now = scene.camera.*number.now; has(scene, number))
       all.push_back({std::string(number.name),
                      fmt::format("{}", now),
                      std::string(number.meaning),
                      {},
                      number.nudge != 0 ? number.nudge : nudge_of(now)});
-    }
   all.push_back({"size", fmt::format("{}x{}", scene.raster.width, scene.raster.height), "pixels of the raster"});
   all.push_back({"cull", conventions.cull ? "on" : "off", "back faces are dropped", {"off", "on"}});
   for_each_convention([&]<class E>(std::string_view key, E Conventions::*member) {
@@ -327,7 +330,7 @@ void make_change(const Method& method, const Change& change, Scene& scene, Conve
   if (follow) other.camera.near = other.camera.far = 0;
   const auto camera = std::find_if(camera_numbers.begin(), camera_numbers.end(),
                                    [&](const CameraNumber& number) { return number.name == change.name; });
-  if (camera != camera_numbers.end() && has_camera(scene)) {
+  if (camera != camera_numbers.end() && has(scene, *camera)) {
     ViewOptions options;
     options.*(camera->then) = place.number(change.value);
     other = look_at_scene(std::move(other), options);

@@ -30,11 +30,22 @@ struct Question {
   std::int32_t line = 0;  ///< of its text
 };
 
+/// Something to be tried: the run is to be changed until a condition holds at its end.
+struct Task {
+  std::string text;                   ///< Markdown: what is to be done
+  std::string done;                   ///< an expression, true at the end of a run that does it
+  std::string now;                    ///< Markdown, said of a run that does not; filled with that run's numbers
+  std::vector<std::string> hints;     ///< one after the other, as they are asked for
+  std::vector<std::string> solution;  ///< changes that do it together, as "theta = 60"
+  std::int32_t line = 0, text_line = 0, done_line = 0, now_line = 0;  ///< of the lesson's file
+};
+
 /// One stop of the narration.
 struct Stop {
   std::string heading;
   std::string text;                      ///< Markdown; its {…} are filled with the trace's numbers when resolved
   std::optional<Question> question;      ///< asked here, answered by the steps that follow
+  std::optional<Task> task;
   std::string anchor;                    ///< as written in the file: step name and condition
   std::string focus;                     ///< the pane that leads meanwhile, as the viewer calls it; mostly none
   std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
@@ -69,6 +80,14 @@ Lesson load_lesson(const std::filesystem::path& path);
 Trace run_lesson(Lesson& lesson);
 /// Resolves a loaded lesson against a trace that exists already (a student's, say). run_lesson does it against its own.
 void resolve_lesson(Lesson& lesson, const Trace& trace);
+
+/// How a run stands to a task of a lesson: whether it does it, and what is to be said where it does not, as far as the
+/// run has what that speaks of.
+struct TaskState {
+  bool done = false;
+  std::string now;
+};
+TaskState state_of(const Task& task, const Trace& trace);
 
 /// Where lessons, and what homework is made from, may lie: $ZSTEP_LESSONS, beside the program, in the source tree.
 std::vector<std::filesystem::path> lesson_folders();

@@ -1,6 +1,7 @@
 // A lesson's file: a TOML head between +++ lines, then stops, each a `## ` heading with its anchor.
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/anchor.hpp"
 #include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/fill.hpp"
@@ -63,7 +65,7 @@ class Reader {
       if (starts_with(text, "## ")) begin_stop();
       else if (starts_with(text, "# "))
         fail("a heading with one #", "the title stands in the head; a stop's heading has ##");
-      else if (starts_with(text, ":::")) question();
+      else if (starts_with(text, ":::")) block();
       else narration();
     }
     if (lesson_.stops.empty())
@@ -112,6 +114,7 @@ class Reader {
       return;
     }
     Stop& stop = lesson_.stops.back();
+    if (stop.task && !blank) fail("text after a task", "put it before the task, or into a stop of its own");
     if (stop.question && !blank) fail("text after a question", "put it before the question, or into a stop of its own");
     if (starts_with(trim(text), "```")) return code(stop);
     append(stop.text, text);
@@ -132,12 +135,68 @@ class Reader {
     text += '\n';
   }
 
-  void question() {
-    const std::size_t opened = at_;
+  void block() {
     const std::string_view name = trim(lines_[at_].text.substr(3));
     if (name.empty()) fail("`:::` closes nothing", "remove it, or open a question with `::: question`");
-    if (name != "question") fail(fmt::format("a block of the unknown kind `{}`", name), "write `::: question`");
-    if (lesson_.stops.empty()) fail("a question before the first stop", "write `## Heading {at: start}` above it");
+    if (name != "question" && name != "task")
+      fail(fmt::format("a block of the unknown kind `{}`", name), "write `::: question` or `::: task`");
+    if (lesson_.stops.empty())
+      fail(fmt::format("a {} before the first stop", name), "write `## Heading {at: start}` above it");
+    if (name == "task") task();
+    else question();
+  }
+
+  /// What is to be tried; then `done:`, `now:`, `hint:` and `solution:`, each on a line of its own.
+  void task() {
+    const std::size_t opened = at_;
+    Stop& stop = lesson_.stops.back();
+    if (stop.task) fail("a second task at one stop", "give it a stop of its own; {at: here} stays at the same place");
+    if (stop.question) fail("a task and a question at one stop", "give one of them a stop of its own");
+    Task asked;
+    asked.line = lines_[at_].number, asked.text_line = asked.line + 1;
+    while (true) {
+      if (++at_ == lines_.size() || starts_with(lines_[at_].text, "## "))
+        throw InputError(where(opened), "the task is not closed", "add a line `:::` after it");
+      const std::string_view text = lines_[at_].text;
+      if (trim(text) == ":::") break;
+      task_line(asked, text);
+    }
+    asked.text = strip(asked.text, asked.text_line);
+    if (asked.text.empty()) throw InputError(where(opened), "the task asks for nothing", "write it under `::: task`");
+    if (asked.done.empty())
+      throw InputError(where(opened), "the task is never done", "add a line as `done: frame(3, 2) == \"A\"`");
+    if (asked.solution.empty())
+      throw InputError(where(opened), "the task has no solution", "add a line as `solution: theta = 60`");
+    stop.task = std::move(asked);
+  }
+
+  void task_line(Task& asked, std::string_view text) {
+    const auto after = [&](std::string_view key) -> std::optional<std::string> {
+      if (!starts_with(text, key)) return std::nullopt;
+      const std::string rest(trim(text.substr(key.size())));
+      if (rest.empty()) fail(fmt::format("nothing stands after `{}`", key), "write it on the same line");
+      return rest;
+    };
+    if (const auto done = after("done:")) {
+      if (!asked.done.empty()) fail("a second `done:`", "join the two with `and`");
+      asked.done = *done, asked.done_line = lines_[at_].number;
+    } else if (const auto now = after("now:")) {
+      asked.now = *now, asked.now_line = lines_[at_].number;
+    } else if (auto hint = after("hint:")) {
+      asked.hints.push_back(*std::move(hint));
+    } else if (auto solution = after("solution:")) {
+      read_change(*solution, where(at_) + ":");
+      asked.solution.push_back(*std::move(solution));
+    } else if (asked.done.empty()) {
+      append(asked.text, text);
+    } else if (!trim(text).empty()) {
+      fail("a line that is no part of the task", "begin it with `now:`, `hint:` or `solution:`");
+    }
+  }
+
+  void question() {
+    const std::size_t opened = at_;
+    if (lesson_.stops.back().task) fail("a task and a question at one stop", "give one of them a stop of its own");
     if (lesson_.stops.back().question)
       fail("a second question at one stop", "give it a stop of its own; {at: here} stays at the same place");
     Question asked;
@@ -210,7 +269,7 @@ class Reader {
 
   void finish(Stop& stop) const {
     stop.text = strip(stop.text, stop.text_line);
-    if (stop.text.empty() && !stop.question) {
+    if (stop.text.empty() && !stop.question && !stop.task) {
       throw InputError(fmt::format("{}:{}", file_, stop.line), "the stop says nothing",
                        "write a sentence or a question under it");
     }
@@ -268,6 +327,14 @@ void check_stops(const Lesson& lesson, const std::string& file) {
     else if (anchor.kind != Anchor::Kind::here) kind = no_kind;
     check_fill(stop.heading, place, kind, page);
     check_fill(stop.text, {file, stop.text_line}, kind, page);
+    if (stop.task) {
+      const std::string done = Place{file, stop.task->done_line}.str();
+      if (check(parse_expression(stop.task->done, done), no_kind, page, done) != Quantity::Type::truth)
+        throw InputError(done, fmt::format("`{}` is neither true nor false", stop.task->done),
+                         "write a condition, as `frame(3, 2) == \"A\"`");
+      check_fill(stop.task->text, {file, stop.task->text_line}, kind, page);
+      check_fill(stop.task->now, {file, stop.task->now_line}, no_kind, page);
+    }
     if (!stop.question) continue;
     check_fill(stop.question->text, {file, stop.question->line}, kind, page);
     for (const Answer& answer : stop.question->answers) {
@@ -283,6 +350,10 @@ void make_printable(Lesson& lesson) {
   for (Stop& stop : lesson.stops) {
     mend(stop.heading);
     mend(stop.text);
+    if (stop.task) {
+      mend(stop.task->text), mend(stop.task->now);
+      for (std::string& hint : stop.task->hints) mend(hint);
+    }
     if (!stop.question) continue;
     mend(stop.question->text);
     for (Answer& answer : stop.question->answers) mend(answer.text), mend(answer.reply);

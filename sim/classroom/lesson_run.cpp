@@ -3,6 +3,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "sim/classroom/anchor.hpp"
+#include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/fill.hpp"
 #include "sim/classroom/lesson.hpp"
 #include "traces/error.hpp"
@@ -32,6 +33,23 @@ Conventions with_options(Conventions conventions, const ConventionOptions& optio
 
 }  // namespace
 
+TaskState state_of(const Task& task, const Trace& trace) {
+  Replay replay(trace);
+  const Place at{"", task.done_line};
+  TaskState state;
+  try {
+    state.done = holds(parse_expression(task.done, at.str()), Moment(replay, nullptr, trace.size(), at.str()));
+  } catch (const InputError&) {
+    // A run in which there is no such thing does not do it.
+  }
+  if (state.done || task.now.empty()) return state;
+  try {
+    state.now = fill(task.now, {"", task.now_line}, replay, nullptr, trace.size());
+  } catch (const InputError&) {
+  }
+  return state;
+}
+
 void resolve_lesson(Lesson& lesson, const Trace& trace) {
   const std::string file = lesson.path.string();
   Replay replay(trace);
@@ -46,6 +64,12 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
     };
     stop.heading = filled(stop.heading, stop.line);
     stop.text = filled(stop.text, stop.text_line);
+    if (stop.task) {
+      stop.task->text = filled(stop.task->text, stop.task->text_line);
+      if (state_of(*stop.task, trace).done)
+        throw InputError(Place{file, stop.task->done_line}.str(), "the lesson's own run does the task already",
+                         "give a condition that holds only after a change");
+    }
     if (!stop.question) continue;
     stop.question->text = filled(stop.question->text, stop.question->line);
     for (Answer& answer : stop.question->answers) {

@@ -29,7 +29,7 @@ struct WindowRequests {
   std::optional<std::string> save_picture;  ///< path
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
   std::optional<Offer> open;
-  std::optional<Change> change;             ///< of the run
+  std::vector<Change> changes;              ///< of the run, one after the other
   bool change_goes_on = false;              ///< it takes the place of the one before, which a hand has not let go
   int undo_change = 0;                      ///< 1, or -1: make what was undone again
 };
@@ -43,6 +43,7 @@ struct Changed {
   std::vector<Made> made;         ///< each thing once
   std::vector<PixelMark> pixels;  ///< that end otherwise than in the run before
   std::string told;               ///< what the last change did, in a sentence
+  std::optional<TaskState> task;  ///< how the run stands to what is to be tried
 };
 
 enum class Overlay {
@@ -113,6 +114,10 @@ class App {
   /// What has the typed name in its name, as it is now; empty where the method is none of zstep's.
   std::vector<Changeable> found_changeables() const;
   void open_what_if();
+  /// What the lesson asks to be tried where it stands, also once its run was changed; null where it asks for nothing.
+  const Task* task() const;
+  std::size_t hints_given() const { return hints_given_; }
+  void give_hint();  ///< the next one, and after the last the solution
   void change_typed();
   void ask_change(Change change, bool goes_on = false);
   void nudge(const Changeable& what, int direction);  ///< a little more, or the next of its words
@@ -270,6 +275,8 @@ class App {
   Overlay overlay_ = Overlay::none;
   Changed changed_;
   bool may_change_ = false;
+  const Task* task_before_ = nullptr;  ///< of the lesson whose run this one changes
+  std::size_t hints_given_ = 0;
   ImVec2 drawer_at_{0, 0}, drawer_size_{0, 0};
   bool black_ = false;
   bool clicker_ = false;      ///< what is picked on the start page was picked by a clicker's keys

@@ -43,9 +43,28 @@ void App::open_what_if() {
   if (can_pull_vertices(session_.scene())) ui_.from_outside = true;
 }
 
+const Task* App::task() const {
+  const Lesson* lesson = session_.lesson();
+  if (!lesson || session_.stop() < 0) return task_before_;
+  const std::optional<Task>& task = lesson->stops[static_cast<std::size_t>(session_.stop())].task;
+  return task ? &*task : nullptr;
+}
+
+void App::give_hint() {
+  const Task* asked = task();
+  if (!asked) return;
+  if (hints_given_ < asked->hints.size()) {
+    ++hints_given_;
+    return session_.touch();
+  }
+  requests.change_goes_on = false;
+  for (const std::string& change : asked->solution) requests.changes.push_back(read_change(change));
+  session_.touch();
+}
+
 void App::ask_change(Change change, bool goes_on) {
   wrong.clear();
-  requests.change = std::move(change), requests.change_goes_on = goes_on;
+  requests.changes = {std::move(change)}, requests.change_goes_on = goes_on;
   session_.touch();
 }
 
@@ -81,6 +100,7 @@ bool App::pick_changeable(SDL_Keycode code, unsigned modifiers) {
     requests.undo_change = code == SDLK_z ? 1 : -1;
     return true;
   }
+  if (ctrl && code == SDLK_h) return give_hint(), true;
   const std::vector<Changeable> found = found_changeables();
   const auto row = static_cast<std::size_t>(std::max(0, picked));
   if (code == SDLK_RETURN) {
@@ -108,6 +128,8 @@ void App::take_vertex() {
 
 void App::look_as(const App& before) {
   overlay_ = before.overlay_;
+  task_before_ = before.task();
+  hints_given_ = before.hints_given_;
   put(before.typed);
   picked = before.picked;
   chosen_lead_ = before.chosen_lead_;

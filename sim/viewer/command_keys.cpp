@@ -59,6 +59,12 @@ const Command* command_for(char character) {
   return nullptr;
 }
 
+const Command* command_called(std::string_view id) {
+  for (const Command& command : commands())
+    if (command.id == id) return &command;
+  return nullptr;
+}
+
 std::vector<const Command*> matching(const std::string& typed) {
   std::vector<const Command*> found;
   for (const Command& command : commands()) {

@@ -39,6 +39,9 @@ std::string key_names(const Command& command);
 const Command* command_for(SDL_Keycode key, unsigned modifiers);
 const Command* command_for(char character);
 
+/// The command of this id, or nullptr.
+const Command* command_called(std::string_view id);
+
 /// Commands whose title holds all words typed, in table order.
 std::vector<const Command*> matching(const std::string& typed);
 

@@ -26,12 +26,12 @@ Picture end_of(const Trace& trace) {
 struct Apart {
   std::vector<PixelMark> colors, depths;
 };
-Apart apart(const Picture& before, const Picture& now) {
+Apart apart(const Picture& before, const Scene& scene_before, const Picture& now, const Scene& scene) {
   Apart marks;
   if (before.width != now.width || before.height != now.height) return marks;
   for (std::size_t at = 0; at < now.polygon.size(); ++at) {
-    const bool ink = !before.ink.empty() && !now.ink.empty() && before.ink[at] != now.ink[at];
-    if (before.polygon[at] != now.polygon[at] || ink) marks.colors.push_back({static_cast<std::int64_t>(at), true});
+    // Not by polygons' numbers: their order may be what was changed.
+    if (color_at(before, scene_before, at) != color_at(now, scene, at)) marks.colors.push_back({static_cast<std::int64_t>(at), true});
     else if (!before.depth.empty() && !now.depth.empty() && before.depth[at] != now.depth[at])
       marks.depths.push_back({static_cast<std::int64_t>(at), false});
   }
@@ -84,7 +84,7 @@ Changed Stage::told_of(const std::vector<Change>& changes, const Trace& before) 
     else changed.made.push_back({change, value_in(*first_, change.name)});
   }
   const Picture was = end_of(before), is = end_of(trace());
-  Apart differ = apart(was, is);
+  Apart differ = apart(was, before.scene(), is, trace().scene());
   const auto pixels = [](const std::vector<PixelMark>& marks) {
     return marks.size() == 1 ? std::string("1 pixel has")
                              : grouped(static_cast<std::int64_t>(marks.size())) + " pixels have";
@@ -149,6 +149,7 @@ bool Stage::run_with(const std::vector<Change>& changes, bool goes_on) {
   // While a hand still holds it, all is told against the run before it was taken.
   const OtherRun* against = goes_on ? before_change_.get() : run_before.get();
   Changed changed = told_of(changes, against ? against->trace : *first_);
+  if (const Task* task = app().task()) changed.task = state_of(*task, trace());
   if (other_ && !other_->whole) changed.told += " Cut off, as it would take too long.";
   if (other_ && lesson_) changed.told += " The lesson waits.";
   if (!place.empty()) changed.told += fmt::format(" Here: {}.", place);

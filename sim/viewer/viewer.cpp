@@ -54,8 +54,8 @@ void serve(Stage& stage, const Window& window) {
     stage.open(*offer);
     name_window(window, stage.trace());
   }
-  if (const auto change = std::exchange(stage.app().requests.change, std::nullopt))
-    stage.change(*change, stage.app().requests.change_goes_on);
+  const bool goes_on = stage.app().requests.change_goes_on;
+  for (const Change& change : std::exchange(stage.app().requests.changes, {})) stage.change(change, goes_on);
   if (const int direction = std::exchange(stage.app().requests.undo_change, 0); direction != 0) stage.undo(direction);
   App& app = stage.app();
   WindowRequests& r = app.requests;

@@ -70,6 +70,25 @@ int draw_changeable(App& app, const Changeable& what, std::size_t place) {
   return asked;
 }
 
+/// What is to be tried, whether it is done, and the hints that were asked for.
+void draw_task(App& app, const Task& task) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  flow(ui, "Try it", {.font = ui.fonts.bold});
+  flow_markdown(ui, task.text);
+  const std::optional<TaskState>& state = app.changed().task;
+  for (std::size_t k = 0; k < std::min(app.hints_given(), task.hints.size()); ++k)
+    flow_markdown(ui, "*Hint:* " + task.hints[k]);
+  if (state && state->done) {
+    flow(ui, "\u2713 Done.", {.color = c.good, .font = ui.fonts.bold});
+  } else {
+    if (state) flow_markdown(ui, "**\u2717 Not yet.** " + state->now);
+    const bool all = app.hints_given() >= task.hints.size();
+    if (button(ui, all ? "Show how (Ctrl+H)" : "A hint (Ctrl+H)")) app.give_hint();
+  }
+  ImGui::Dummy({1, std::round(ui.em * 0.3f)});
+}
+
 }  // namespace
 
 void draw_what_if(App& app, ImVec2 at, ImVec2 size) {
@@ -85,7 +104,8 @@ void draw_what_if(App& app, ImVec2 at, ImVec2 size) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleVar();
   ImGui::PopStyleColor(2);
-  flow(ui, "What if\u2026", {.font = ui.fonts.bold});
+  if (app.task()) draw_task(app, *app.task());
+  else flow(ui, "What if\u2026", {.font = ui.fonts.bold});
   app.draw_field("theta = 60, vertex 3 = 1 0 2");
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
   else if (!app.changed().told.empty()) flow(ui, app.changed().told, {});

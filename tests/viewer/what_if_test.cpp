@@ -51,8 +51,8 @@ ViewerOptions changing() {
 
 /// As the window's loop does.
 void do_asked(Stage& stage) {
-  if (const auto change = std::exchange(stage.app().requests.change, std::nullopt))
-    stage.change(*change, stage.app().requests.change_goes_on);
+  const bool goes_on = stage.app().requests.change_goes_on;
+  for (const Change& change : std::exchange(stage.app().requests.changes, {})) stage.change(change, goes_on);
   if (const int direction = std::exchange(stage.app().requests.undo_change, 0); direction != 0) stage.undo(direction);
 }
 
@@ -232,6 +232,54 @@ TEST_CASE("what if: what was changed goes with the scene to another method") {
   CHECK(stage.trace().header().algorithm == "bsp");
   CHECK(stage.trace().scene().camera.theta == 70);
   CHECK(stage.trace().scene().camera.phi == 40);
+}
+
+TEST_CASE("what if: another order of the polygons is no other colour") {
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = changing();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  std::string back;
+  for (std::size_t at = trace.scene().polygons.size(); at-- > 0;) back += *trace.scene().polygons[at].name + " ";
+  stage.change({"polygons", back}, false);
+  REQUIRE(stage.changes().size() == 1);
+  CHECK(stage.app().changed().told.find("The picture ends the same") == 0);
+}
+
+TEST_CASE("what if: a lesson's task is asked in the drawer, with hints one at a time, and is seen to be done") {
+  Lesson lesson = find_lesson("z-buffer");
+  const Trace trace = run_lesson(lesson);
+  ViewerOptions options = changing();
+  options.lesson = &lesson;
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.app().session().to_stop(static_cast<int>(lesson.stops.size()) - 1);
+  const Task* task = stage.app().task();
+  REQUIRE(task);
+  test::press(stage.app(), SDLK_e, KMOD_CTRL);
+  REQUIRE(stage.app().overlay() == Overlay::what_if);
+  CHECK_FALSE(stage.app().changed().task);
+  ask(stage, "polygons = W A B C S D E");
+  REQUIRE(stage.app().changed().task);
+  CHECK_FALSE(stage.app().changed().task->done);
+  CHECK(stage.app().changed().task->now == "224 depths are written.");
+  CHECK(stage.app().task() == task);  // the lesson waits, and what it asks stays
+  for (std::size_t hints = 1; hints <= task->hints.size(); ++hints) {
+    test::press(stage.app(), SDLK_h, KMOD_CTRL);
+    do_asked(stage);
+    CHECK(stage.app().hints_given() == hints);
+    CHECK(stage.changes().size() == 1);
+  }
+  test::press(stage.app(), SDLK_h, KMOD_CTRL);  // how it is done
+  do_asked(stage);
+  REQUIRE(stage.app().changed().task);
+  CHECK(stage.app().changed().task->done);
+  stage.undo(1);
+  REQUIRE(stage.app().changed().task);
+  CHECK_FALSE(stage.app().changed().task->done);
+  stage.undo(1);
+  CHECK(&stage.trace() == &trace);
+  CHECK(stage.app().task() == task);
+  stage.app().session().to_stop(0);
+  CHECK(stage.app().task() == nullptr);
 }
 
 TEST_CASE("what if: a run that cannot be made anew says so") {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/pane.hpp"
 
 namespace zstep::viewer {
@@ -54,6 +55,12 @@ void draw_question(Ui& ui, const Question& question) {
   }
 }
 
+/// What is to be tried; it is tried in the drawer in which the run is changed.
+void draw_task(Ui& ui, const Task& task) {
+  flow_markdown(ui, task.text);
+  if (button(ui, "Try it (Ctrl+E)")) ui.clicked = command_called("what-if");
+}
+
 void draw_lesson(Ui& ui) {
   Session& s = ui.session;
   const Theme& c = ui.colors();
@@ -72,6 +79,7 @@ void draw_lesson(Ui& ui) {
   ImGui::Dummy({1, ui.em * 0.25f});
   flow_markdown(ui, stop.text);
   if (stop.question) draw_question(ui, *stop.question);
+  if (stop.task) draw_task(ui, *stop.task);
   ImGui::Dummy({1, ui.em * 0.4f});
   if (button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
   const bool last = s.stop() + 1 == static_cast<int>(s.lesson()->stops.size());

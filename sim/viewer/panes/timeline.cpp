@@ -279,11 +279,9 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
 
 /// A button that does what a key does, and says so.
 void command_button(Ui& ui, const char* label, const char* id, bool lit = false) {
-  const auto all = commands();
-  const auto command =
-      std::find_if(all.begin(), all.end(), [&](const Command& one) { return one.id == std::string(id); });
-  if (command == all.end()) return;
-  if (button(ui, label, lit)) ui.clicked = &*command;
+  const Command* command = command_called(id);
+  if (!command) return;
+  if (button(ui, label, lit)) ui.clicked = command;
   if (!ImGui::IsItemHovered()) return;
   const std::string says = fmt::format("{} ({})", command->title, key_names(*command));
   tooltip(ui, {says});

@@ -199,6 +199,25 @@ TEST_CASE("slips in the stops") {
                  ":10: `{z = 4}` does not hold: it is 5 here"));
 }
 
+TEST_CASE("slips in tasks") {
+  const std::string stop = head + "## Here {at: compare}\n";  // line 7
+  const std::string task = stop + "::: task\nDo it.\n", done = "done: width > 3\n", solved = "solution: size = 40x40\n";
+  CHECK(contains(load_error(task), ":8: the task is not closed; add a line `:::`"));
+  CHECK(contains(load_error(stop + "::: task\n" + done + solved + ":::\n"), ":8: the task asks for nothing"));
+  CHECK(contains(load_error(task + solved + ":::\n"), ":8: the task is never done"));
+  CHECK(contains(load_error(task + done + ":::\n"), ":8: the task has no solution"));
+  CHECK(contains(load_error(task + done + done + solved + ":::\n"), ":11: a second `done:`"));
+  CHECK(contains(load_error(task + "done: width\n" + solved + ":::\n"), ":10: `width` is neither true nor false"));
+  CHECK(contains(load_error(task + "done: wdth > 3\n" + solved + ":::\n"), ":10: "));
+  CHECK(contains(load_error(task + done + "now: {wdth}\n" + solved + ":::\n"), ":11: "));
+  CHECK(contains(load_error(task + done + "hint:\n" + solved + ":::\n"), ":11: nothing stands after `hint:`"));
+  CHECK(contains(load_error(task + done + "solution: wider\n:::\n"), ":11: "));
+  CHECK(contains(load_error(task + done + "and more\n" + solved + ":::\n"), ":11: a line that is no part of the task"));
+  CHECK(contains(load_error(task + done + solved + ":::\nmore\n"), ":13: text after a task"));
+  CHECK(contains(load_error(task + done + solved + ":::\n::: task\n"), ":13: a second task at one stop"));
+  CHECK(contains(load_error(head + "::: task\n"), ":7: a task before the first stop"));
+}
+
 TEST_CASE("slips in questions") {
   const std::string stop = head + "## Here {at: compare}\n";  // line 7
   CHECK(load_error(stop + question) == "");
