@@ -103,6 +103,7 @@ class App {
   /// the file.
   std::vector<const Offer*> choices();
   void open_start();  ///< with the lesson picked that was open last
+  void open_start(Offer::What what);  ///< with the first of these picked that is not what is shown
   void open_offer(const Offer& offer);
   void say_on_start(const std::string& why);  ///< that it could not be opened
 

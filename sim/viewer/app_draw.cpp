@@ -49,18 +49,22 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   const State& state = session_.state();
   const ImFont* font = ui_.fonts.text;
   const float y = at.y + std::round((size.y - font->FontSize) / 2) - 1;
-  const std::string menu = "Menu";
-  const float menu_width = text_size(ui_, font, menu).x + std::round(ui_.em * 1.1f);
-  ImGui::SetCursorScreenPos({at.x + size.x - menu_width, at.y + std::round(ui_.em * 0.12f)});
-  if (button(ui_, menu, overlay_ == Overlay::menu)) open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
-  if (ImGui::IsItemHovered()) ui_.mouse_help = "Every command, with its key.";
-  const std::string open_word = "Open";
-  const float open_width = text_size(ui_, font, open_word).x + std::round(ui_.em * 1.1f);
-  const float buttons = menu_width + open_width + std::round(ui_.em * 0.3f);
-  ImGui::SetCursorScreenPos({at.x + size.x - buttons, at.y + std::round(ui_.em * 0.12f)});
-  if (button(ui_, open_word, overlay_ == Overlay::start)) open_start();
-  if (ImGui::IsItemHovered()) ui_.mouse_help = "Another lesson, method or scene, or a file.";
-  const float right = at.x + size.x - buttons - ui_.em;
+  float right = at.x + size.x;
+  const auto button_before = [&](const char* word, Overlay lit, const char* help) {
+    right -= text_size(ui_, font, word).x + std::round(ui_.em * 1.1f);
+    ImGui::SetCursorScreenPos({right, at.y + std::round(ui_.em * 0.12f)});
+    right -= std::round(ui_.em * 0.3f);
+    const bool clicked = button(ui_, word, overlay_ == lit);
+    if (ImGui::IsItemHovered()) ui_.mouse_help = help;
+    return clicked;
+  };
+  if (button_before("Menu", Overlay::menu, "Every command, with its key."))
+    open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
+  if (button_before("Open", Overlay::start, "Another lesson, method or scene, or a file (Ctrl+O).")) open_start();
+  if (may_change_ &&
+      button_before("Change", Overlay::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
+    overlay_ == Overlay::what_if ? open(Overlay::none) : open_what_if();
+  right -= std::round(ui_.em * 0.7f);
 
   // From the right: what there is room for, the most important first.
   std::vector<std::string> parts{fmt::format("step {} of {}", grouped(session_.position()), grouped(session_.size()))};
@@ -71,18 +75,25 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   if (state.machine.scan_line) parts.push_back(fmt::format("line {}", *state.machine.scan_line));
   if (const auto cell = session_.current_cell()) parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
   const Scene& scene = session_.scene();
+  // A click on a lesson, a method or a scene offers the others.
   std::vector<std::string> names{"zstep"};
-  if (session_.lesson()) names.push_back(session_.lesson()->title);
+  std::vector<std::optional<Offer::What>> others{std::nullopt};
+  if (session_.lesson()) names.push_back(session_.lesson()->title), others.push_back(Offer::What::lesson);
   if (against_) {
     const Session& b = against_->session();
-    parts.insert(parts.begin() + 1,
-                 fmt::format("run B: step {} of {}", grouped(b.position()), grouped(b.size())));
-    for (const Session* run : {static_cast<const Session*>(&session_), &b})
+    parts.insert(parts.begin() + 1, fmt::format("run B: step {} of {}", grouped(b.position()), grouped(b.size())));
+    for (const Session* run : {static_cast<const Session*>(&session_), &b}) {
       names.push_back((run == &b ? "B: " : "A: ") + std::filesystem::path(run->trace().name()).filename().string());
+      others.push_back(std::nullopt);
+    }
   } else {
     names.push_back(session_.header().title.empty() ? session_.header().algorithm : session_.header().title);
     names.push_back(scene.name.empty() ? session_.trace().name() : scene.name);
+    others.push_back(Offer::What::method), others.push_back(Offer::What::scene);
   }
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (others[k] && ask_for_offers_) names[k] += " \u25be";
+    else others[k].reset();
   const auto joined = [](const std::vector<std::string>& all) {
     std::string text;
     for (const std::string& part : all) text += (text.empty() ? "" : " \u00b7 ") + part;
@@ -94,29 +105,60 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   if (where_width <= right - at.x) draw_text(ui_, {right - where_width, y}, font, c.text, where);
   while (names.size() > 1 && text_size(ui_, ui_.fonts.bold, joined(names)).x > right - where_width - at.x - ui_.em)
     names.pop_back();
-  const std::string name = joined(names);
-  if (text_size(ui_, ui_.fonts.bold, name).x <= right - where_width - at.x - ui_.em)
-    draw_text(ui_, {at.x, y}, ui_.fonts.bold, c.text, name);
+  if (text_size(ui_, ui_.fonts.bold, joined(names)).x > right - where_width - at.x - ui_.em) return;
+  float x = at.x;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string text = (k == 0 ? "" : " \u00b7 ") + names[k];
+    const ImVec2 from{x, at.y}, to{x + text_size(ui_, ui_.fonts.bold, text).x, at.y + size.y};
+    draw_text(ui_, {x, y}, ui_.fonts.bold, c.text, text);
+    x = to.x;
+    if (!others[k]) continue;
+    ImGui::SetCursorScreenPos(from);
+    const bool clicked = ImGui::InvisibleButton(("title" + std::to_string(k)).c_str(), {to.x - from.x, to.y - from.y});
+    if (clicked) open_start(*others[k]);
+    if (!ImGui::IsItemHovered()) continue;
+    const float left = from.x + text_size(ui_, ui_.fonts.bold, " \u00b7 ").x;
+    ImGui::GetWindowDrawList()->AddRectFilled({left, y + font->FontSize}, {to.x, y + font->FontSize + 2}, c.selected);
+    ui_.mouse_help = *others[k] == Offer::What::lesson   ? "Click: another lesson."
+                     : *others[k] == Offer::What::method ? "Click: another method, for this scene."
+                                                         : "Click: another scene, by this method.";
+  }
 }
 
 void App::draw_overlay() {
   switch (overlay_) {
-    case Overlay::none: return;
-    case Overlay::keys: return draw_key_sheet(*this);
-    case Overlay::palette: return draw_palette(*this);
-    case Overlay::go_to: return draw_go_to(*this);
-    case Overlay::menu: return draw_menu(*this);
-    case Overlay::query: return draw_query(*this);
-    case Overlay::history: return draw_history(*this);
-    case Overlay::why_ask: return draw_why_ask(*this);
-    case Overlay::why: return draw_why(*this);
-    case Overlay::explain: return draw_explain(*this);
-    case Overlay::until: return draw_until(*this);
-    case Overlay::name_bookmark: return draw_name_bookmark(*this);
-    case Overlay::bookmarks: return draw_bookmarks(*this);
-    case Overlay::range: return draw_range(*this);
-    case Overlay::start: return draw_start(*this);
-    case Overlay::what_if: return draw_what_if(*this, drawer_at_, drawer_size_);
+    case Overlay::none:
+      return;
+    case Overlay::keys:
+      return draw_key_sheet(*this);
+    case Overlay::palette:
+      return draw_palette(*this);
+    case Overlay::go_to:
+      return draw_go_to(*this);
+    case Overlay::menu:
+      return draw_menu(*this);
+    case Overlay::query:
+      return draw_query(*this);
+    case Overlay::history:
+      return draw_history(*this);
+    case Overlay::why_ask:
+      return draw_why_ask(*this);
+    case Overlay::why:
+      return draw_why(*this);
+    case Overlay::explain:
+      return draw_explain(*this);
+    case Overlay::until:
+      return draw_until(*this);
+    case Overlay::name_bookmark:
+      return draw_name_bookmark(*this);
+    case Overlay::bookmarks:
+      return draw_bookmarks(*this);
+    case Overlay::range:
+      return draw_range(*this);
+    case Overlay::start:
+      return draw_start(*this);
+    case Overlay::what_if:
+      return draw_what_if(*this, drawer_at_, drawer_size_);
   }
 }
 

@@ -52,6 +52,7 @@ void Stage::open(const Offer& offer) {
   settings.remember(place_key(trace()), app().session().position());
   settings.remember(place_key(*first_), first_app_->session().position());
   const int width = app().renderer().width(), height = app().renderer().height();
+  const Whereabouts moment = moment_of(app().session());
   other_app_.reset();
   other_.reset();
   first_app_.reset();  // it looks at what goes
@@ -66,6 +67,12 @@ void Stage::open(const Offer& offer) {
   Session& s = app().session();
   if (const auto place = settings.place(place_key(*first_))) s.go_to(*place);
   else if (lesson_ && !lesson_->stops.empty()) s.to_stop(0);
+  else if (offer.what == Offer::What::method) {  // of the same scene: at the same moment
+    const MomentThere there = moment_in(*first_, moment);
+    s.select(moment.selected);
+    s.go_to(there.step);
+    opened_->note += fmt::format("{}Here: {}.", opened_->note.empty() ? "" : " ", there.what);
+  }
   if (!opened_->note.empty()) app().say(opened_->note);
 }
 

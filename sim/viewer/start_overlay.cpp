@@ -103,6 +103,17 @@ void App::open_start() {
   scroll_to_picked = true;
 }
 
+void App::open_start(Offer::What what) {
+  open_start();
+  const std::vector<const Offer*> all = choices();
+  const auto shown = [&](const Offer& offer) {
+    return offer.id == session_.header().algorithm || offer.id == session_.scene().name ||
+           (session_.lesson() && offer.id == session_.lesson()->id);
+  };
+  for (std::size_t k = all.size(); k-- > 0;)
+    if (all[k]->what == what && !shown(*all[k])) picked = static_cast<int>(k);
+}
+
 void App::open_offer(const Offer& offer) {
   wrong.clear();
   requests.open = offer;

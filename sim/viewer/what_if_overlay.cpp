@@ -109,6 +109,11 @@ void draw_what_if(App& app, ImVec2 at, ImVec2 size) {
   app.draw_field("theta = 60, vertex 3 = 1 0 2");
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
   else if (!app.changed().told.empty()) flow(ui, app.changed().told, {});
+  if (button(ui, "Undo", false, !app.changed().made.empty())) app.requests.undo_change = 1;
+  ImGui::SameLine(0, ui.em * 0.4f);
+  if (button(ui, "Redo")) app.requests.undo_change = -1;
+  ImGui::SameLine(0, ui.em * 0.4f);
+  const bool closed = button(ui, "Close");
   const std::string how =
       "Enter: do it. Ctrl+\u2191 \u2193: a little. Ctrl+Z, Ctrl+Y: undo, redo. Esc closes; what is changed stays.";
   const Flow muted{.color = c.muted};
@@ -127,6 +132,7 @@ void draw_what_if(App& app, ImVec2 at, ImVec2 size) {
   ImGui::EndChild();
   flow(ui, how, muted);
   ImGui::End();
+  if (closed) return app.open(Overlay::none);
   if (asked == 0) return;
   app.picked = static_cast<int>(of);
   if (asked == 2) app.put(fmt::format("{} = {}", found[of].name, found[of].value));
