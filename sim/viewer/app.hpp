@@ -11,6 +11,7 @@
 #include "sim/answers/explain_value.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
+#include "sim/viewer/board.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/model/against.hpp"
 #include "sim/viewer/model/pixel_overlay.hpp"
@@ -188,6 +189,10 @@ class App {
   void go_to_typed();  ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
   void take_settings(const Settings& settings);  ///< as another App was left
   void say(std::string message);
+  Board& board() { return board_; }
+  /// The time, as a clock on the board counts it; seconds until what it shows changes, for who waits.
+  double clock_time = 0;
+  double until_clock() const { return board_.clock_runs() ? 1 : 1e9; }
   void make_black() { black_ = true, session_.touch(); }  ///< until the next key or click, which does nothing else
   bool has_causes() const { return findings_.has_value() || against_.has_value(); }
   void hold(const Command& command);  ///< what a key is held for, until the next key or click
@@ -274,6 +279,7 @@ class App {
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
+  Board board_;
   Changed changed_;
   bool may_change_ = false;
   const Task* task_before_ = nullptr;  ///< of the lesson whose run this one changes

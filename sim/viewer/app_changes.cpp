@@ -145,7 +145,12 @@ void App::look_as(const App& before) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool down = ImGui::GetIO().MouseDown[0];
   ImGui::SetCurrentContext(context_.context);
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().AddMousePosEvent(mouse.x, mouse.y);
+  ImGui::GetIO().AddMouseButtonEvent(0, down);
+#else
   ImGui::GetIO().MousePos = mouse, ImGui::GetIO().MouseDown[0] = down;
+#endif
 }
 
 }  // namespace zstep::viewer

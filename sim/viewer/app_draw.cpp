@@ -65,6 +65,12 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
       button_before("Change", Overlay::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
     overlay_ == Overlay::what_if ? open(Overlay::none) : open_what_if();
   right -= std::round(ui_.em * 0.7f);
+  if (board_.clock_runs()) {
+    const std::string clock = board_.clock(clock_time);
+    right -= text_size(ui_, ui_.fonts.bold, clock).x;
+    draw_text(ui_, {right, y}, ui_.fonts.bold, c.now, clock);
+    right -= ui_.em;
+  }
 
   // From the right: what there is room for, the most important first.
   std::vector<std::string> parts{fmt::format("step {} of {}", grouped(session_.position()), grouped(session_.size()))};
@@ -247,6 +253,7 @@ void App::draw() {
   const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history ||
                        overlay_ == Overlay::query;
   take_vertex();
+  board_.draw(ui_, {0, title}, {size.x, std::max(1.0f, size.y - title - timeline)});
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);

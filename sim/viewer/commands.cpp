@@ -88,6 +88,7 @@ void escape(App& app) {
   if (app.places().searching()) return app.places().stop();
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
   Session& s = app.session();
+  if (app.board().put_away()) return s.touch();
   if (app.ui().heat) return app.end_painting();
   s.selected.reset();
   s.selected_edge.reset();
@@ -158,6 +159,22 @@ void walk(App& app) {
   app.session().touch();
 }
 
+template <bool stays>
+void turn_pen(App& app) {
+  app.board().turn_pen(stays);
+  app.session().touch();
+}
+
+void turn_spotlight(App& app) {
+  app.board().turn_spotlight();
+  app.session().touch();
+}
+
+void turn_clock(App& app) {
+  app.board().turn_clock(app.clock_time);
+  app.session().touch();
+}
+
 /// Sets one end of what playing repeats; the other is the trace's, or where it was set.
 template <bool first>
 void set_loop(App& app) {
@@ -187,13 +204,13 @@ const std::vector<Command>& table() {
       {"previous-span", "Move", "Previous span", {{SDLK_LEFT, C | S}}, move<Unit::span, -1>},
       {"next-line", "Move", "Next scan line", {{SDLK_RIGHT, C}, {SDLK_DOWN}}, move<Unit::scan_line, 1>},
       {"previous-line", "Move", "Previous scan line", {{SDLK_LEFT, C}, {SDLK_UP}}, move<Unit::scan_line, -1>},
-      {"next-polygon", "Move", "Next polygon (presenter: next stop)", {{SDLK_PAGEDOWN}}, page<1>},
-      {"previous-polygon", "Move", "Previous polygon (presenter: stop)", {{SDLK_PAGEUP}}, page<-1>},
+      {"next-polygon", "Move", "Next polygon (class: next stop)", {{SDLK_PAGEDOWN}}, page<1>},
+      {"previous-polygon", "Move", "Previous polygon (class: stop)", {{SDLK_PAGEUP}}, page<-1>},
       {"next-same", "Move", "Next time this line runs", {{SDLK_k}}, same_line<1>},
       {"previous-same", "Move", "Last time this line ran", {{SDLK_k, S}}, same_line<-1>},
       {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
       {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.session().go_to(a.session().size()); }},
-      {"go-to", "Move", "Go to a step, polygon, stop or pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
+      {"go-to", "Move", "Go to a step, polygon or pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
       {"run-until",
        "Move",
        "Run until a condition is true",
@@ -212,17 +229,13 @@ const std::vector<Command>& table() {
        "Last step where it was true",
        {{SDLK_j, S}},
        [](App& a) { a.places().again(Places::Way::backwards); }},
-      {"next-cause", "Move", "Next cause of an error or difference", {{0, 0, '.'}}, next_cause},
+      {"next-cause", "Move", "Next cause of an error", {{0, 0, '.'}}, next_cause},
       {"previous-cause", "Move", "Previous cause", {{0, 0, ','}}, [](App& a) { a.to_cause(-1); }},
       {"next-marked", "Move", "Next step that is marked", {{0, 0, '>'}}, [](App& a) { a.to_marked(1); }},
       {"previous-marked", "Move", "Previous step that is marked", {{0, 0, '<'}}, [](App& a) { a.to_marked(-1); }},
-      {"next-alike", "Move", "Next difference of this field", {{0, 0, ';'}}, [](App& a) { a.to_alike(1); }},
-      {"previous-alike", "Move", "Previous difference of this field", {{0, 0, ':'}}, [](App& a) { a.to_alike(-1); }},
-      {"pixel-apart",
-       "Move",
-       "First pixel in which two runs differ",
-       {{0, 0, '#'}},
-       [](App& a) { a.to_pixel_apart(); }},
+      {"next-alike", "Move", "Next like difference", {{0, 0, ';'}}, [](App& a) { a.to_alike(1); }},
+      {"previous-alike", "Move", "Previous like difference", {{0, 0, ':'}}, [](App& a) { a.to_alike(-1); }},
+      {"pixel-apart", "Move", "First pixel that differs", {{0, 0, '#'}}, [](App& a) { a.to_pixel_apart(); }},
       {"bookmark", "Move", "Set a bookmark here", {{SDLK_b, C}}, name_bookmark},
       {"bookmarks", "Move", "Bookmarks", {{SDLK_l}}, [](App& a) { a.open(Overlay::bookmarks); }},
       {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Overlay::query); }},
@@ -232,37 +245,29 @@ const std::vector<Command>& table() {
       {"loop-first", "Play", "Repeat from here", {{0, 0, '['}}, set_loop<true>},
       {"loop-last", "Play", "Repeat up to here", {{0, 0, ']'}}, set_loop<false>},
       {"loop-end", "Play", "Repeat no longer", {{SDLK_l, S}}, end_loop},
-      {"next-touch",
-       "Pixel",
-       "Next step at the selected pixel",
-       {{SDLK_f}},
-       [](App& a) { a.session().to_selected_pixel(1); }},
+      {"next-touch", "Pixel", "Next step at this pixel", {{SDLK_f}}, [](App& a) { a.session().to_selected_pixel(1); }},
       {"previous-touch",
        "Pixel",
-       "Last step at the selected pixel",
+       "Last step at this pixel",
        {{SDLK_f, S}},
        [](App& a) { a.session().to_selected_pixel(-1); }},
-      {"history", "Pixel", "History of the selected pixel", {{SDLK_h}}, [](App& a) { a.open_history(); }},
-      {"why-not", "Pixel", "Why a polygon is not seen there", {{SDLK_y}}, [](App& a) { a.open_why(); }},
-      {"explain", "Pixel", "Where a number comes from (or click)", {{SDLK_e, S}}, [](App& a) { a.explain_step(); }},
-      {"select-pixel", "Pixel", "Select the pixel at work (or click)", {{SDLK_RETURN}}, select_current},
-      {"next-method",
-       "Pixel",
-       "The same moment by the next method",
-       {{SDLK_x}},
-       [](App& a) { a.requests.switch_method = 1; }},
+      {"history", "Pixel", "History of this pixel", {{SDLK_h}}, [](App& a) { a.open_history(); }},
+      {"why-not", "Pixel", "Why a polygon is not seen", {{SDLK_y}}, [](App& a) { a.open_why(); }},
+      {"explain", "Pixel", "Where a number comes from", {{SDLK_e, S}}, [](App& a) { a.explain_step(); }},
+      {"select-pixel", "Pixel", "Select the pixel at work", {{SDLK_RETURN}}, select_current},
+      {"next-method", "Pixel", "The same by the next method", {{SDLK_x}}, [](App& a) { a.requests.switch_method = 1; }},
       {"previous-method",
        "Pixel",
-       "The same by the previous method",
+       "The same by the one before",
        {{SDLK_x, S}},
        [](App& a) { a.requests.switch_method = -1; }},
-      {"next-edge", "Pixel", "Light the next edge (or click one)", {{SDLK_e}}, next_edge},
+      {"next-edge", "Pixel", "Light the next edge", {{SDLK_e}}, next_edge},
       {"what-if", "Change", "What if: change the run", {{SDLK_e, C}}, [](App& a) { a.open_what_if(); }},
       {"undo", "Change", "Undo a change", {{SDLK_z, C}}, [](App& a) { a.requests.undo_change = 1; }},
       {"redo", "Change", "Make it again", {{SDLK_y, C}}, [](App& a) { a.requests.undo_change = -1; }},
       {"before",
        "Look",
-       "Hold: buffers before (presenter: black)",
+       "Hold: buffers before (class: black)",
        {{SDLK_b}},
        [](App& a) {
          if (a.ui().presenter) return a.make_black();
@@ -314,7 +319,7 @@ const std::vector<Command>& table() {
        }},
       {"whole-code",
        "Look",
-       "The whole pseudo-code, or folded",
+       "Pseudo-code whole, or folded",
        {{SDLK_7}},
        [](App& a) {
          a.ui().whole_code = !a.ui().whole_code;
@@ -329,7 +334,11 @@ const std::vector<Command>& table() {
       {"answer-2", "Lesson", "Second answer", {{SDLK_2}}, answer<1>},
       {"answer-3", "Lesson", "Third answer", {{SDLK_3}}, answer<2>},
       {"answer-4", "Lesson", "Fourth answer", {{SDLK_4}}, answer<3>},
-      {"open", "Window", "Open a lesson, scene, method or file", {{SDLK_o, C}}, [](App& a) { a.open_start(); }},
+      {"pen", "Class", "Pen: write until the next step", {{SDLK_8}}, turn_pen<false>},
+      {"pen-stays", "Class", "Pen: what is written stays", {{SDLK_8, S}}, turn_pen<true>},
+      {"spotlight", "Class", "Spotlight at the mouse", {{SDLK_9}}, turn_spotlight},
+      {"clock", "Class", "Clock: start, or end", {{SDLK_9, S}}, turn_clock},
+      {"open", "Window", "Open a lesson, scene or file", {{SDLK_o, C}}, [](App& a) { a.open_start(); }},
       {"larger",
        "Window",
        "Larger text",

@@ -2,6 +2,7 @@
 #include "sim/viewer/viewer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -96,7 +97,10 @@ void loop(Stage& stage, const Window& window) {
       return Window::is_ended();
     };
     if (std::exchange(drawn_app, &stage.app()) != &stage.app()) drawn = 0;  // another run's
-    const double wait = stage.app().session().play(seconds());
+    const double time = seconds();
+    const double wait = std::min(stage.app().session().play(time), stage.app().until_clock());
+    if (std::floor(time) != std::floor(std::exchange(stage.app().clock_time, time)) && stage.app().board().clock_runs())
+      stage.app().session().touch();
     if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, App::frames_to_settle);
     SDL_Event event;
     const int milliseconds = frames_due > 0 ? 0 : static_cast<int>(std::min(wait, 3600.0) * 1000);
