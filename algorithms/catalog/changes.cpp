@@ -20,6 +20,8 @@
 namespace zstep {
 namespace {
 
+constexpr std::size_t most_vertices = 1000;  ///< that are listed
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last + 1 - first);
@@ -277,6 +279,12 @@ bool starts_with_word(const std::string& name, std::string_view word) {
 
 }  // namespace
 
+bool can_change(const Method& method, const Scene& scene, const Conventions& conventions, std::string_view name) {
+  if (name.starts_with("vertex ")) return !scene.surface;
+  const std::vector<Changeable> all = changeables(method, scene, conventions);
+  return std::any_of(all.begin(), all.end(), [&](const Changeable& one) { return one.name == name; });
+}
+
 Change read_change(std::string_view text, const std::string& who) {
   const std::size_t equals = text.find('=');
   const Change change{std::string(trimmed(text.substr(0, equals))),
@@ -315,7 +323,7 @@ std::vector<Changeable> changeables(const Method& method, const Scene& scene, co
       all.push_back({"colour " + *polygon.name, text_of(polygon.color), "red, green and blue, two digits each"});
   }
   if (!scene.surface)
-    for (std::size_t at = 0; at < scene.points.size(); ++at)
+    for (std::size_t at = 0; at < std::min(scene.points.size(), most_vertices); ++at)
       all.push_back({fmt::format("vertex {}", at), text_of(scene.points[at]),
                      scene.camera.kind == Camera::Kind::screen ? "x and y on the raster, z" : "x, y, z in the world"});
   return all;

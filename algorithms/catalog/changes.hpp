@@ -26,9 +26,12 @@ struct Changeable {
   std::vector<std::string> choices = {};  ///< where it is one of some words
   double nudge = 0;                       ///< of a single number, by how much a hand changes it; 0: it is none
 };
-/// In the order in which a reader looks for them; vertices last. Of the vertices of a surface, of a camera that is no
-/// place in polar coordinates and of the rest that has no name there are none.
+/// In the order in which a reader looks for them; vertices last, of many the first thousand. Of the vertices of a
+/// surface, of a camera that is no place in polar coordinates and of the rest that has no name there are none.
 std::vector<Changeable> changeables(const Method& method, const Scene& scene, const Conventions& conventions);
+
+/// Whether a run has something of this name to change.
+bool can_change(const Method& method, const Scene& scene, const Conventions& conventions, std::string_view name);
 
 /// Makes a run's scene and conventions so. Throws InputError, with both as they were, where there is no such thing or
 /// it cannot be so. A vertex that moves parts its scene from the files that it came from: no vertex has a line there

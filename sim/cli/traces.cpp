@@ -137,7 +137,11 @@ OtherRun run_changed(const Trace& opened, const std::string& method_id, const st
   const Conventions& given = opened.header().conventions;
   Conventions conventions = method_id == opened.header().algorithm ? given : for_method(by, given);
   Scene scene = opened.scene();
-  for (const Change& change : changes) make_change(by, change, scene, conventions, "");
+  for (const Change& change : changes) {
+    // What another method had and this one has not is left out; the last change is the one that is asked for.
+    const bool before = &change != &changes.back() && method_id != opened.header().algorithm;
+    if (!before || can_change(by, scene, conventions, change.name)) make_change(by, change, scene, conventions, "");
+  }
   return record_patiently(by, scene, conventions);
 }
 

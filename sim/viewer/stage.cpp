@@ -151,6 +151,16 @@ void Stage::switch_method(int direction) {
     return app().say(error.what());
   }
   if (!other) return app().say("No other method can draw this scene.");
+  Changed changed;
+  if (!changes_.empty()) {
+    // Made anew from what was opened: conventions that a method in between does not have are not lost.
+    try {
+      if (options_.run_changed) other = options_.run_changed(*first_, other->trace.header().algorithm, changes_);
+    } catch (const InputError& error) {
+      return app().say(error.what());
+    }
+    changed.made = app().changed().made;
+  }
   const Session& left = app().session();
   const bool moved = left.position() != arrived_ || left.selected != moment_.selected;
   if (moved) moment_ = moment_of(left);
@@ -179,6 +189,7 @@ void Stage::switch_method(int direction) {
     place = there.what;
   }
   arrived_ = s.position();
+  app().show_changes(std::move(changed));
   if (other_ && !other_->whole)
     place += fmt::format("; cut off after {} steps, so the picture is not done", grouped(trace().size()));
   if (other_ && lesson_) place += "; the lesson waits where it was left";

@@ -152,6 +152,18 @@ TEST_CASE("changes: the order of polygons, and their colours") {
   CHECK(a->color == Color{0x10, 0x20, 0x30});
 }
 
+TEST_CASE("changes: of many vertices a thousand are listed, and all can be moved") {
+  Run run = run_of("teapot:16");
+  REQUIRE(run.scene.points.size() > 5000);
+  const std::vector<Changeable> all = changeables(method("z-buffer"), run.scene, run.conventions);
+  CHECK(all.size() < 1100);
+  CHECK(can_change(method("z-buffer"), run.scene, run.conventions, "vertex 5000"));
+  CHECK(can_change(method("z-buffer"), run.scene, run.conventions, "coverage"));
+  CHECK_FALSE(can_change(method("bsp"), run.scene, run.conventions, "coverage"));
+  change("z-buffer", run, "vertex 5000 = 1 2 3");
+  CHECK(run.scene.points[5000] == glm::dvec3(1, 2, 3));
+}
+
 TEST_CASE("changes: what cannot be is one line, and nothing is changed") {
   Run run = run_of("pyramid");
   CHECK(has_part(refused("z-buffer", run, "thta = 3"), "there is no thta to change; there are rho, theta"));
