@@ -40,7 +40,7 @@ LineChart chart_of(Ui& ui, const Drift& drift) {
   chart.y_title = what_of(ui);
   if (ui.other && what_of(*ui.other) != chart.y_title)
     chart.y_title = fmt::format("A: {}; B: {}", chart.y_title, what_of(*ui.other));
-  chart.x_title = "pixels after the span's first, lines after the edge's first";
+  chart.x_title = "pixels, or lines, after the first";
   chart.x_reach = {0, ui.errors.longest()};
   chart.y_reach = {std::min(-1.0, ui.errors.least()), std::max(1.0, ui.errors.most())};
   if (ui.other) {
