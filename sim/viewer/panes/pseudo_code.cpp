@@ -91,17 +91,23 @@ void draw_fold(Ui& ui, const StepInfo& first, std::size_t lines, float level) {
             lines == 1 ? "\u2026 1 line" : fmt::format("\u2026 {} lines", lines));
 }
 
+float height_of(const std::vector<bool>& shown, const std::vector<float>& heights, float fold) {
+  float height = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) height += shown[i] ? heights[i] : i == 0 || shown[i - 1] ? fold : 0;
+  return height;
+}
+
 /// What is near the line at work, and as many lines more as there is room for, the nearest first.
-std::vector<bool> lines_that_fit(const Page& page, std::size_t now, const std::vector<float>& heights, float room) {
+std::vector<bool> lines_that_fit(const Page& page, std::size_t now, const std::vector<float>& heights, float fold,
+                                 float room) {
   std::vector<bool> shown = lines_near(page, now);
-  for (std::size_t i = 0; i < page.size(); ++i)
-    if (shown[i]) room -= heights[i];
   for (std::size_t away = 1; away < page.size(); ++away)
     for (const std::size_t i : {now + away, now - away}) {  // before the first is beyond the last
       if (i >= page.size() || shown[i]) continue;
-      room -= heights[i];
-      if (room < 0) return shown;
       shown[i] = true;
+      if (height_of(shown, heights, fold) <= room) continue;
+      shown[i] = false;
+      return shown;
     }
   return shown;
 }
@@ -120,7 +126,7 @@ std::vector<bool> lines_shown(Ui& ui, const Page& page, float level) {
   // With room to spare: counts beside the lines grow, and the page must not fold for that.
   const float room = ImGui::GetContentRegionAvail().y - ui.line();
   if (std::accumulate(heights.begin(), heights.end(), 0.0f) <= room) return all;
-  return lines_that_fit(page, now, heights, room - 3 * fold_height(ui));
+  return lines_that_fit(page, now, heights, fold_height(ui), room);
 }
 
 void draw_pseudo_code(Ui& ui) {
