@@ -94,7 +94,7 @@ std::int32_t count_splits(const Tree& tree, const Numbers& pieces, std::int32_t 
 template <Recorder R>
 std::int32_t choose_root(const Tree& tree, const Numbers& pieces, const BuildOptions& options, std::mt19937_64& random,
                          R& record) {
-  if (options.root == Root::random) return pieces[random() % pieces.size()];
+  if (options.root == Root::random) return pieces[static_cast<std::size_t>(random() % pieces.size())];
   if (options.root == Root::first || pieces.size() == 1) return pieces.front();
 
   const std::size_t count = std::min(static_cast<std::size_t>(options.candidates), pieces.size());

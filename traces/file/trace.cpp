@@ -145,8 +145,8 @@ void Trace::Impl::refuse_lies() const {
     try {
       if (blocks[block].lost) continue;
       const Bytes bytes = read_chunk(*source, blocks[block].place);
-      check(block, decompress(std::span(bytes).subspan(std::min<std::size_t>(blocks[block].frame_offset, bytes.size())),
-                              block_limit));
+      const std::uint64_t frame = std::min<std::uint64_t>(blocks[block].frame_offset, bytes.size());
+      check(block, decompress(std::span(bytes).subspan(static_cast<std::size_t>(frame)), block_limit));
       blocks[block].checked = true;
     } catch (const DeniedEvents&) {
       throw;
