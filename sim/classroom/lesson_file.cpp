@@ -190,7 +190,7 @@ class Reader {
     } else if (asked.done.empty()) {
       append(asked.text, text);
     } else if (!trim(text).empty()) {
-      fail("a line that is no part of the task", "begin it with `now:`, `hint:` or `solution:`");
+      fail("a line that does not belong to the task", "begin it with `now:`, `hint:` or `solution:`");
     }
   }
 

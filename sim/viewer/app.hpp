@@ -115,7 +115,7 @@ class App {
   const Changed& changed() const { return changed_; }
   /// What has the typed name in its name, as it is now; empty where the method is none of zstep's.
   std::vector<Changeable> found_changeables() const;
-  void open_what_if();
+  void open_what_if();  ///< or closes it
   /// What the lesson asks to be tried where it stands, also once its run was changed; null where it asks for nothing.
   const Task* task() const;
   std::size_t hints_given() const { return hints_given_; }

@@ -63,7 +63,7 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   if (button_before("Open", Overlay::start, "Another lesson, method or scene, or a file (Ctrl+O).")) open_start();
   if (may_change_ &&
       button_before("Change", Overlay::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
-    overlay_ == Overlay::what_if ? open(Overlay::none) : open_what_if();
+    open_what_if();
   right -= std::round(ui_.em * 0.7f);
   if (board_.clock_runs()) {
     const std::string clock = board_.clock(clock_time);

@@ -311,7 +311,7 @@ const std::vector<Command>& table() {
       {"error-charts", "Look", "Errors of depth, as charts", {{SDLK_i, S}}, show_error_charts},
       {"vertices",
        "Look",
-       "The way of the vertices, always",
+       "Coordinates of the vertex, always",
        {{SDLK_v}},
        [](App& a) {
          a.ui().vertices_always = !a.ui().vertices_always;

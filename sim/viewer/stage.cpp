@@ -53,6 +53,7 @@ void Stage::open(const Offer& offer) {
   settings.remember(place_key(*first_), first_app_->session().position());
   const int width = app().renderer().width(), height = app().renderer().height();
   const Whereabouts moment = moment_of(app().session());
+  Board board = app().board();
   other_app_.reset();
   other_.reset();
   first_app_.reset();  // it looks at what goes
@@ -60,6 +61,7 @@ void Stage::open(const Offer& offer) {
   first_ = &opened_->trace;
   lesson_ = opened_->lesson ? &*opened_->lesson : nullptr;
   begin(settings, width, height);
+  app().board() = std::move(board);
   app().opened_by = opened_->opened_by;
   moment_ = {};
   arrived_ = -1;
@@ -142,6 +144,25 @@ MomentThere moment_in(const Trace& trace, const Whereabouts& moment) {
           fmt::format("{}as much of the run is done, {:.0f} %", gone, moment.share * 100)};
 }
 
+Stage::Before Stage::show_in_place(std::optional<OtherRun> next) {
+  Settings settings = app().settings();
+  settings.speed = app().session().speed;
+  const int width = app().renderer().width(), height = app().renderer().height();
+  Board board = app().board();
+  Before before{std::exchange(other_, nullptr), std::exchange(other_app_, nullptr)};
+  if (next) {
+    other_ = std::make_unique<OtherRun>(*std::move(next));
+    other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
+    other_app_->offer(options_.offers);
+    if (options_.run_changed) other_app_->allow_changes();
+  } else {
+    first_app_->take_settings(settings);
+    first_app_->resize(width, height);
+  }
+  app().board() = std::move(board);
+  return before;
+}
+
 void Stage::switch_method(int direction) {
   if (!options_.other_method) return app().say("No other method can be run from here.");
   std::optional<OtherRun> other;
@@ -164,21 +185,8 @@ void Stage::switch_method(int direction) {
   const Session& left = app().session();
   const bool moved = left.position() != arrived_ || left.selected != moment_.selected;
   if (moved) moment_ = moment_of(left);
-  Settings settings = app().settings();
-  settings.speed = left.speed;
-  const int width = app().renderer().width(), height = app().renderer().height();
   const bool back = changes_.empty() && other->trace.header().algorithm == first_->header().algorithm;
-  other_app_.reset();  // it looks at the trace that goes
-  other_ = std::make_unique<OtherRun>(*std::move(other));
-  if (back) {
-    other_.reset();
-    first_app_->take_settings(settings);
-    first_app_->resize(width, height);
-  } else {
-    other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
-    other_app_->offer(options_.offers);
-    if (options_.run_changed) other_app_->allow_changes();
-  }
+  show_in_place(back ? std::nullopt : std::move(other));
 
   Session& s = app().session();
   std::string place = "here as it was left";

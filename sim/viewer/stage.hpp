@@ -57,6 +57,14 @@ class Stage {
  private:
   void begin(const Settings& settings, int width, int height);
   bool run_with(const std::vector<Change>& changes, bool goes_on);
+  /// What was shown: the App goes before the run that it looks at.
+  struct Before {
+    std::unique_ptr<OtherRun> run;
+    std::unique_ptr<App> app;
+  };
+  /// Shows another run in the same window, or without one the first again. What a lecturer wrote stays, as does the
+  /// clock.
+  Before show_in_place(std::optional<OtherRun> next);
   Changed told_of(const std::vector<Change>& changes, const Trace& before);
 
   std::unique_ptr<Opened> opened_;  ///< from the window, once something was

@@ -31,7 +31,8 @@ Apart apart(const Picture& before, const Scene& scene_before, const Picture& now
   if (before.width != now.width || before.height != now.height) return marks;
   for (std::size_t at = 0; at < now.polygon.size(); ++at) {
     // Not by polygons' numbers: their order may be what was changed.
-    if (color_at(before, scene_before, at) != color_at(now, scene, at)) marks.colors.push_back({static_cast<std::int64_t>(at), true});
+    if (color_at(before, scene_before, at) != color_at(now, scene, at))
+      marks.colors.push_back({static_cast<std::int64_t>(at), true});
     else if (!before.depth.empty() && !now.depth.empty() && before.depth[at] != now.depth[at])
       marks.depths.push_back({static_cast<std::int64_t>(at), false});
   }
@@ -113,27 +114,13 @@ bool Stage::run_with(const std::vector<Change>& changes, bool goes_on) {
   }
   const bool moved = app().session().position() != arrived_ || app().session().selected != moment_.selected;
   if (moved) moment_ = moment_of(app().session());
-  Settings settings = app().settings();
-  settings.speed = app().session().speed;
-  const int width = app().renderer().width(), height = app().renderer().height();
   const bool back = changes.empty() && made->trace.header().algorithm == first_->header().algorithm;
 
-  // What was shown stays until the new run is told against it.
-  std::unique_ptr<OtherRun> run_before = std::exchange(other_, nullptr);
-  std::unique_ptr<App> app_before = std::exchange(other_app_, nullptr);
-  App& left = app_before ? *app_before : *first_app_;
-  if (!back) {
-    other_ = std::make_unique<OtherRun>(*std::move(made));
-    other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
-    other_app_->offer(options_.offers);
-    other_app_->allow_changes();
-    other_app_->look_as(left);
-    if (!app_before) first_app_->open(Overlay::none);
-  } else if (app_before) {
-    first_app_->take_settings(settings);
-    first_app_->resize(width, height);
-    first_app_->look_as(left);
-  }
+  // What was shown stays until the new run was compared with it.
+  Before before = show_in_place(back ? std::nullopt : std::move(made));
+  App& left = before.app ? *before.app : *first_app_;
+  if (&left != &app()) app().look_as(left);
+  if (&left == first_app_.get() && !back) first_app_->open(Overlay::none);
   Session& s = app().session();
   const Raster& raster = trace().scene().raster;
   if (moment_.selected && (moment_.selected->x >= raster.width || moment_.selected->y >= raster.height))
@@ -146,8 +133,8 @@ bool Stage::run_with(const std::vector<Change>& changes, bool goes_on) {
     place = there.what;
   }
   arrived_ = s.position();
-  // While a hand still holds it, all is told against the run before it was taken.
-  const OtherRun* against = goes_on ? before_change_.get() : run_before.get();
+  // While a hand still holds a vertex, each run is compared with the one before the hand took it.
+  const OtherRun* against = goes_on ? before_change_.get() : before.run.get();
   Changed changed = told_of(changes, against ? against->trace : *first_);
   if (const Task* task = app().task()) changed.task = state_of(*task, trace());
   if (other_ && !other_->whole) changed.told += " Cut off, as it would take too long.";
@@ -155,8 +142,8 @@ bool Stage::run_with(const std::vector<Change>& changes, bool goes_on) {
   if (!place.empty()) changed.told += fmt::format(" Here: {}.", place);
   if (app().overlay() != Overlay::what_if) app().say(changed.told);
   app().show_changes(std::move(changed));
-  app_before.reset();  // it looks at that run
-  if (!goes_on) before_change_ = std::move(run_before);
+  before.app.reset();  // it looks at that run
+  if (!goes_on) before_change_ = std::move(before.run);
   return true;
 }
 

@@ -157,6 +157,8 @@ TEST_CASE("what if: what cannot be is said where it was asked, and all stays as 
   CHECK(stage.app().session().position() == 100);
   stage.undo(1);
   CHECK(stage.app().wrong == "Nothing is changed.");
+  test::press(stage.app(), SDLK_e, KMOD_CTRL);
+  CHECK(stage.app().overlay() == Overlay::none);
 }
 
 TEST_CASE("what if: buttons and Ctrl with an arrow change a little, and the next of some words") {
@@ -224,8 +226,11 @@ TEST_CASE("what if: what was changed goes with the scene to another method") {
   const Trace trace = test::record_run("pyramid");
   const ViewerOptions options = changing();
   Stage stage(trace, options, Settings{}, 1280, 720);
+  stage.app().board().turn_clock(10);
   stage.change({"theta", "70"}, false);
+  CHECK(stage.app().board().clock(75) == "1:05");  // the clock goes on, whatever is shown
   stage.switch_method(1);
+  CHECK(stage.app().board().clock(75) == "1:05");
   CHECK(stage.trace().header().algorithm == "bsp");
   CHECK(stage.trace().scene().camera.theta == 70);
   stage.change({"phi", "40"}, false);

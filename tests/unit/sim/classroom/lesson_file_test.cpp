@@ -212,7 +212,7 @@ TEST_CASE("slips in tasks") {
   CHECK(contains(load_error(task + done + "now: {wdth}\n" + solved + ":::\n"), ":11: "));
   CHECK(contains(load_error(task + done + "hint:\n" + solved + ":::\n"), ":11: nothing stands after `hint:`"));
   CHECK(contains(load_error(task + done + "solution: wider\n:::\n"), ":11: "));
-  CHECK(contains(load_error(task + done + "and more\n" + solved + ":::\n"), ":11: a line that is no part of the task"));
+  CHECK(contains(load_error(task + done + "and more\n" + solved + ":::\n"), ":11: a line that does not belong to the task"));
   CHECK(contains(load_error(task + done + solved + ":::\nmore\n"), ":13: text after a task"));
   CHECK(contains(load_error(task + done + solved + ":::\n::: task\n"), ":13: a second task at one stop"));
   CHECK(contains(load_error(head + "::: task\n"), ":7: a task before the first stop"));
