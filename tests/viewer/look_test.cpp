@@ -16,43 +16,16 @@
 #include "sim/viewer/panes/workspace.hpp"
 #include "sim/words/numbers.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/tones.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
 using namespace zstep::viewer;
+using test::contrast;
+using test::distance;
+using test::Tone;
 
 namespace {
-
-double linear(double byte) {
-  const double c = byte / 255;
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
-struct Tone {
-  double red, green, blue;
-  explicit Tone(Color c) : red(linear(c.red)), green(linear(c.green)), blue(linear(c.blue)) {}
-  explicit Tone(Pixel32 c) : red(linear(c >> 16 & 255u)), green(linear(c >> 8 & 255u)), blue(linear(c & 255u)) {}
-  double luminance() const { return 0.2126 * red + 0.7152 * green + 0.0722 * blue; }
-};
-
-/// As WCAG 2 defines it.
-double contrast(const Tone& a, const Tone& b) {
-  const double high = std::max(a.luminance(), b.luminance()), low = std::min(a.luminance(), b.luminance());
-  return (high + 0.05) / (low + 0.05);
-}
-
-/// In OKLab: 0.02 can just be told apart side by side.
-double distance(const Tone& p, const Tone& q) {
-  const auto lab = [](const Tone& c) {
-    const double l = std::cbrt(0.4122214708 * c.red + 0.5363325363 * c.green + 0.0514459929 * c.blue);
-    const double m = std::cbrt(0.2119034982 * c.red + 0.6806995451 * c.green + 0.1073969566 * c.blue);
-    const double s = std::cbrt(0.0883024619 * c.red + 0.2817188376 * c.green + 0.6299787005 * c.blue);
-    return glm::dvec3(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
-                      1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
-                      0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s);
-  };
-  return glm::length(lab(p) - lab(q));
-}
 
 Scene polygon_at(const std::vector<double>& depths) {
   Scene scene;
@@ -103,6 +76,45 @@ TEST_CASE("no accent can be taken for a polygon, or for another accent, and each
       for (const Tone& other : accents) CHECK((&accent == &other || distance(accent, other) >= 0.18));
     }
   }
+}
+
+// A polygon may look like an accent then; that is why each accent has a second sign, and each polygon its letter.
+TEST_CASE("accents are told from one another, from text and from their soft bands by colour-blind readers") {
+  for (const Theme* theme : {&light_theme(), &dark_theme()})
+    for (const test::Sight sight : test::every_sight) {
+      CAPTURE(static_cast<int>(sight));
+      const auto seen = [&](ImU32 color) { return test::as_seen(Tone(to_pixel(color)), sight); };
+      const std::pair<ImU32, ImU32> accents[] = {{theme->now, theme->now_soft},
+                                                 {theme->changed, theme->changed_soft},
+                                                 {theme->selected, theme->selected_soft}};
+      for (const auto& [accent, soft] : accents) {
+        CHECK(distance(seen(accent), seen(theme->text)) >= 0.15);
+        CHECK(contrast(seen(accent), seen(soft)) >= 3);
+        CHECK(contrast(seen(theme->text), seen(soft)) >= 4.5);
+        for (const auto& other : accents)
+          CHECK((other.first == accent || distance(seen(accent), seen(other.first)) >= 0.1));
+      }
+    }
+}
+
+TEST_CASE("near is brighter than far for every sight, step by step") {
+  const DepthScale scale;
+  for (const test::Sight sight : test::every_sight)
+    for (int k = 1; k <= 64; ++k) {
+      const auto light = [&](int n) { return test::as_seen(Tone(scale.at(n / 64.0)), sight).luminance(); };
+      CAPTURE(static_cast<int>(sight));
+      CAPTURE(k);
+      CHECK(light(k) < light(k - 1));
+    }
+}
+
+TEST_CASE("the ink on a cell is read on every colour that a cell may have") {
+  for (unsigned red = 0; red < 256; red += 15)
+    for (unsigned green = 0; green < 256; green += 15)
+      for (unsigned blue = 0; blue < 256; blue += 15) {
+        const Pixel32 back = 0xff000000u | red << 16 | green << 8 | blue;
+        CHECK(contrast(Tone(to_pixel(ink_on(back))), Tone(back)) >= 4.5);
+      }
 }
 
 TEST_CASE("the colours of depths span what is in view, near bright, and know no way to a step") {

@@ -9,7 +9,9 @@
 namespace zstep::viewer {
 namespace {
 
-struct Lab { double L, a, b; };
+struct Lab {
+  double L, a, b;
+};
 
 double encoded(double linear) {
   linear = std::clamp(linear, 0.0, 1.0);
@@ -44,9 +46,15 @@ Pixel32 DepthScale::at(double t) const {
   return table_[static_cast<std::size_t>(std::lround(std::min(t, 1.0) * 255))];
 }
 
-bool wants_dark_text(Pixel32 background) {
-  const double red = background >> 16 & 255u, green = background >> 8 & 255u, blue = background & 255u;
-  return 0.299 * red + 0.587 * green + 0.114 * blue > 140;
+ImU32 ink_on(Pixel32 background) {
+  const auto light = [](unsigned byte) {
+    const double c = byte / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  const double luminance = 0.2126 * light(background >> 16 & 255u) + 0.7152 * light(background >> 8 & 255u) +
+                           0.0722 * light(background & 255u);
+  // Where (L + 0.05) / 0.05 = 1.05 / (L + 0.05), and so at least 4.58 on either side (WCAG 2).
+  return luminance > std::sqrt(1.05 * 0.05) - 0.05 ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 255, 255, 255);
 }
 
 }  // namespace zstep::viewer

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <imgui.h>
+
 #include "sim/viewer/draw/canvas.hpp"
 
 namespace zstep::viewer {
@@ -17,7 +19,7 @@ class DepthScale {
   std::array<Pixel32, 256> table_{};
 };
 
-/// Black or white, whichever reads better on this colour.
-bool wants_dark_text(Pixel32 background);
+/// Black or white, whichever has the higher contrast with this colour: at least 4.5 : 1.
+ImU32 ink_on(Pixel32 background);
 
 }  // namespace zstep::viewer

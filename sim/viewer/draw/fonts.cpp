@@ -122,7 +122,7 @@ void Fonts::load(float pixels) {
   text = add(text_path, symbols, std::round(pixels));
   bold = bold_path.empty() ? text : add(bold_path, symbols, std::round(pixels));
   mono = add(mono_path, symbols, std::round(pixels * 0.92f));
-  small = add(mono_path, symbols, std::max(9.0f, std::round(pixels * 0.76f)));
+  small = add(mono_path, symbols, std::max(std::min(13.0f, std::round(pixels * 0.84f)), std::round(pixels * 0.76f)));
   ImGui::GetIO().Fonts->Build();
 
   lacking.clear();

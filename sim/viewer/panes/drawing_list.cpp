@@ -189,7 +189,8 @@ void draw_drawing_list(Ui& ui) {
   const float least_list = ui.em * 14;
   // Side by side where there is room, else the tests above the list; both keep to their place.
   const TestTable table = lay_out_tests(ui, made.value_or(std::vector<RecordedEvent>{}), avail.x - least_list - ui.em);
-  const bool beside = find_step(s.header().page, "test_1") && table.width + least_list + ui.em <= avail.x;
+  const bool beside =
+      find_step(s.header().page, "test_1") && table.words && table.width + least_list + ui.em <= avail.x;
   const float row = std::round(ui.fonts.mono->FontSize * 1.35f);
   if (!beside && made) {
     const TestTable above = lay_out_tests(ui, *made, avail.x);
@@ -223,7 +224,8 @@ bool serves_drawing_list(const Header& header) { return has_step_of<ListInsert>(
 
 }  // namespace
 
-const Pane drawing_list_pane{"drawing_list", "DRAWING LIST", draw_drawing_list, note_of_drawing_list,
-                             serves_drawing_list, 0.7f, false, always<15>, false, none_yet<ListInsert>};
+const Pane drawing_list_pane{
+    "drawing_list", "DRAWING LIST", draw_drawing_list,   note_of_drawing_list, serves_drawing_list, 0.7f, false,
+    always<15>,     false,          none_yet<ListInsert>};
 
 }  // namespace zstep::viewer

@@ -83,7 +83,7 @@ void draw_lesson(Ui& ui) {
   ImGui::Dummy({1, ui.em * 0.4f});
   if (button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
   const bool last = s.stop() + 1 == static_cast<int>(s.lesson()->stops.size());
-  const std::string on = last ? "This was the last stop" : "Next (N) \u25b6";
+  const std::string on = last ? "The last stop" : "Next (N) \u25b6";
   const float needed =
       text_size(ui, ui.fonts.text, "\u25c0 Back").x + text_size(ui, ui.fonts.text, on).x + ui.em * 2.8f;
   if (needed <= ImGui::GetContentRegionAvail().x) ImGui::SameLine(0, ui.em * 0.4f);

@@ -94,8 +94,7 @@ std::optional<std::vector<RecordedEvent>> since_pair(const Session& s) {
       std::reverse(made.begin(), made.end());
       return made;
     }
-    if (holds<ListInsert>(recorded.event) || holds<PieceDraw>(recorded.event))
-      return std::nullopt;
+    if (holds<ListInsert>(recorded.event) || holds<PieceDraw>(recorded.event)) return std::nullopt;
     made.push_back(recorded);
   }
   return std::nullopt;
@@ -116,6 +115,12 @@ TestTable lay_out_tests(Ui& ui, const std::vector<RecordedEvent>& made, float ro
       table.column[1] = std::max(table.column[1], text_size(ui, font, line.numbers).x);
     table.width = table.column[0] + table.column[1] + table.column[2] + 2 * table.gap + ui.em * 0.7f;
     if (table.width <= room) break;
+  }
+  if (table.width > room) {  // the mark alone says what came out
+    table.words = false;
+    table.width -= table.column[2];
+    table.column[2] = text_size(ui, table.font, "\u2713").x;
+    table.width += table.column[2];
   }
   table.height = line_height(*ui.fonts.bold) + line_height(*table.font) * static_cast<float>(table.lines.size());
   return table;
@@ -149,7 +154,7 @@ void draw_tests(Ui& ui, const PairBegin& pair, const TestTable& table) {
     x += table.column[1] + table.gap;
     if (line.made)
       draw_text(ui, {x, at.y}, table.font, line.passed ? c.good : c.text,
-                (line.passed ? "\u2713 " : "\u2717 ") + line.outcome);
+                (line.passed ? "\u2713" : "\u2717") + (table.words ? " " + line.outcome : ""));
     ImGui::Dummy({table.width, height});
     if (line.now) follow(ui, at.y, height);
   }

@@ -25,6 +25,7 @@ struct TestTable {
   const ImFont* font = nullptr;
   std::array<float, 3> column{};
   float gap = 0, width = 0, height = 0;
+  bool words = true;  ///< what came out is said, and not only marked
 };
 
 TestTable lay_out_tests(Ui& ui, const std::vector<RecordedEvent>& made, float room);

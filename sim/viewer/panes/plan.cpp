@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
 
@@ -110,6 +111,7 @@ struct View {
   Frame frame;
   std::int32_t node;
   ImDrawList* list;
+  TakenPlaces* names;  ///< of pieces
 
   std::vector<glm::dvec2> outline(const Piece& piece) const {
     std::vector<glm::dvec2> points;
@@ -177,6 +179,7 @@ void draw_pieces(const View& v) {
     const ImVec2 place{std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)};
     v.list->AddRectFilled({place.x - 1, place.y}, {place.x + size.x + 1, place.y + size.y}, v.c.pane);
     draw_text(v.ui, place, v.ui.fonts.bold, lit ? v.c.now : v.c.text, name);
+    v.names->take(place, size);
   }
 }
 
@@ -207,13 +210,21 @@ void draw_sides(const View& v) {
   glm::dvec2 low = points[0], high = points[0];
   for (const glm::dvec2 p : points) low = glm::min(low, p), high = glm::max(high, p);
   const glm::dvec2 normal = glm::normalize(glm::dvec2(*line));
-  const glm::dvec2 way(-normal.y, normal.x), end = (low + high) / 2.0 + way * (glm::length(high - low) * 0.32);
-  for (const double sign : {1.0, -1.0}) {
-    const ImVec2 place = v.frame.place(end + normal * (sign * static_cast<double>(v.ui.em) * 0.8 / v.frame.scale));
-    const std::string text = sign > 0 ? "+" : "\u2212";
-    const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, text);
-    draw_text(v.ui, {std::round(place.x - size.x / 2), std::round(place.y - size.y / 2)}, v.ui.fonts.bold, v.c.now,
-              text);
+  const glm::dvec2 way(-normal.y, normal.x);
+  const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, "+");
+  for (const double along : {0.32, -0.32, 0.48, -0.48, 0.16, -0.16, 0.64, -0.64, 0.8, -0.8}) {
+    const glm::dvec2 end = (low + high) / 2.0 + way * (glm::length(high - low) * along);
+    const auto corner = [&](double sign) {
+      const ImVec2 place = v.frame.place(end + normal * (sign * static_cast<double>(v.ui.em) * 0.8 / v.frame.scale));
+      return ImVec2{std::round(place.x - size.x / 2), std::round(place.y - size.y / 2)};
+    };
+    if (!v.names->free(corner(1), size) || !v.names->free(corner(-1), size)) continue;
+    for (const double sign : {1.0, -1.0}) {
+      const ImVec2 at = corner(sign);
+      v.list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, v.c.pane);
+      draw_text(v.ui, at, v.ui.fonts.bold, v.c.now, sign > 0 ? "+" : "\u2212");
+    }
+    return;
   }
 }
 
@@ -240,6 +251,7 @@ void draw_the_eye(const View& v) {
       std::max(v.frame.top.x, place.x + margin + size.x > v.frame.top.x + v.frame.size.x ? place.x - margin - size.x
                                                                                          : place.x + margin);
   const float y = std::clamp(place.y - size.y / 2, v.frame.top.y, v.frame.top.y + v.frame.size.y - size.y);
+  if (!v.names->free({x - 1, y}, {size.x + 2, size.y})) return;  // the ring says it
   v.list->AddRectFilled({x - 1, y}, {x + size.x + 1, y + size.y}, v.c.pane);
   draw_text(v.ui, {std::round(x), std::round(y)}, v.ui.fonts.small, v.c.text, text);
 }
@@ -249,6 +261,7 @@ void draw_plan(Ui& ui) {
   const MethodState& m = s.state().machine;
   if (m.pieces.empty()) return say_empty(ui, "Empty: nothing is gathered yet.");
   const std::int32_t node = node_at_work(m, s.event() ? &s.event()->event : nullptr);
+  TakenPlaces names;
   View v{ui,
          s,
          m,
@@ -256,7 +269,8 @@ void draw_plan(Ui& ui) {
          section_of(plane_of_node(m, node), s.scene().camera.kind),
          {},
          node,
-         ImGui::GetWindowDrawList()};
+         ImGui::GetWindowDrawList(),
+         &names};
   for (const Piece& piece : m.pieces)
     for (const glm::dvec2 p : v.outline(piece)) v.frame.take(p);
   const ImVec2 top = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();

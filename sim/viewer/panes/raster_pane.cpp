@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -45,10 +46,9 @@ void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rule
     const float middle = static_cast<float>(map.py(y)), half = font->FontSize / 2;
     const float place = std::clamp(middle, half, std::max(half, static_cast<float>(map.box_height) - half));
     if (std::abs(place - middle) > half * 0.6f) continue;
-    if (line && y != *line && std::abs(map.py(y) - map.py(*line)) < font->FontSize) continue;
+    if (line && std::abs(map.py(y) - map.py(*line)) < font->FontSize) continue;  // the one at work is drawn last
     const std::string text = std::to_string(y);
-    draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + place - half}, font, line == y ? c.now : c.muted,
-              text);
+    draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + place - half}, font, c.muted, text);
   }
   if (line && map.py(*line) >= 0 && map.py(*line) <= map.box_height) {
     // The scan line at work: its number and an arrow, wherever it stands.
@@ -177,7 +177,7 @@ bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cell
         draw_text(ui,
                   {origin.x + static_cast<float>(map.px(x)) - size.x / 2,
                    origin.y + static_cast<float>(map.py(y)) - size.y / 2},
-                  font, wants_dark_text(back) ? IM_COL32(20, 20, 20, 255) : IM_COL32(250, 250, 250, 255), text);
+                  font, ink_on(back), text);
       }
     return true;
   }
@@ -190,26 +190,37 @@ void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const auto find = static_cast<void (*)(std::vector<LabelSpot>&, const RasterMap&, const Moment&)>(find_label_spots);
   const ImFont* font = ui.fonts.bold;
   const float halo = std::round(2 * ui.thin);
-  struct Box {
-    float left, top, right, bottom;
-  };
-  std::vector<Box> taken;
+  TakenPlaces taken;
+  if (const auto cell = ui.session.current_cell()) {  // its frame is drawn over the letters
+    const float around = halo + std::round(3 * ui.thin), side = static_cast<float>(map.cell);
+    taken.take({origin.x + static_cast<float>(map.px(cell->x)) - side / 2 - around,
+                origin.y + static_cast<float>(map.py(cell->y)) - side / 2 - around},
+               {side + 2 * around, side + 2 * around});
+  }
   for (const LabelSpot& spot : keep(ui.spots, "frame", find, map, ui.moment())->made) {
     const std::string label = polygon_label(ui.session.scene(), spot.polygon);
     const ImVec2 size = text_size(ui, font, label);
     // What is seen of it must be as large as its letter.
     if (static_cast<double>(spot.pixels) * map.cell * map.cell < static_cast<double>(size.x * font->FontSize)) continue;
-    const ImVec2 at{
+    const ImVec2 best{
         std::round(origin.x + std::clamp(static_cast<float>(map.px(spot.cell.x)) - size.x / 2, halo,
                                          std::max(halo, static_cast<float>(map.box_width) - size.x - halo))),
         std::round(origin.y + std::clamp(static_cast<float>(map.py(spot.cell.y)) - size.y / 2, halo,
                                          std::max(halo, static_cast<float>(map.box_height) - size.y - halo)))};
-    const Box box{at.x - halo, at.y, at.x + size.x + halo, at.y + size.y};
-    const auto meets = [&](const Box& other) {
-      return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
-    };
-    if (std::any_of(taken.begin(), taken.end(), meets)) continue;
-    taken.push_back(box);
+    // There, or beside what stands there, where the polygon is seen, too.
+    std::optional<ImVec2> free;
+    for (int k = 0; k < 25 && !free; ++k) {
+      constexpr int order[] = {0, 1, -1, 2, -2};
+      const ImVec2 at{best.x + std::round(size.x * static_cast<float>(order[k % 5])),
+                      best.y + std::round(size.y * static_cast<float>(order[k / 5]))};
+      const auto cell = map.cell_at(at.x + size.x / 2 - origin.x, at.y + size.y / 2 - origin.y);
+      const Picture& shown = ui.session.picture();
+      if (k > 0 && (!cell || shown.polygon[shown.at(cell->x, cell->y)] != spot.polygon)) continue;
+      if (taken.free({at.x - halo, at.y}, {size.x + 2 * halo, size.y})) free = at;
+    }
+    if (!free) continue;
+    const ImVec2 at = *free;
+    taken.take({at.x - halo, at.y}, {size.x + 2 * halo, size.y});
     for (const float x : {-halo, 0.0f, halo})
       for (const float y : {-halo, 0.0f, halo}) draw_text(ui, {at.x + x, at.y + y}, font, ui.colors().pane, label);
     draw_text(ui, at, font, ui.colors().text, label);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/viewer/panes/slice_plot.hpp"
+#include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -10,13 +11,12 @@ namespace {
 
 struct Box {
   ImVec2 a, b;
-  bool meets(const Box& o) const { return a.x < o.b.x && o.a.x < b.x && a.y < o.b.y && o.a.y < b.y; }
 };
 
 class Labels {
  public:
   Labels(Ui& ui, Box plot) : ui_(ui), plot_(plot) {}
-  void keep_free(const Box& box) { taken_.push_back(box); }
+  void keep_free(ImVec2 at, ImVec2 size) { taken_.take(at, size); }
   void avoid(ImVec2 from, ImVec2 to) { lines_.push_back({from, to}); }
   /// Draws the text at the first of these places where it lies in the plot and on no other, rather on no line, too.
   /// False if there is none.
@@ -26,10 +26,11 @@ class Labels {
       for (const ImVec2& at : places) {
         const Box box{{at.x - 2, at.y}, {at.x + size.x + 2, at.y + size.y}};
         if (box.a.x < plot_.a.x || box.b.x > plot_.b.x || box.a.y < plot_.a.y || box.b.y > plot_.b.y) continue;
-        if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) { return other.meets(box); })) continue;
+        const ImVec2 extent{box.b.x - box.a.x, box.b.y - box.a.y};
+        if (!taken_.free(box.a, extent)) continue;
         if (clear && std::any_of(lines_.begin(), lines_.end(), [&](const Box& line) { return crosses(line, box); }))
           continue;
-        taken_.push_back(box);
+        taken_.take(box.a, extent);
         ImGui::GetWindowDrawList()->AddRectFilled(box.a, box.b, ui_.colors().pane);
         draw_text(ui_, at, font, color, text);
         return true;
@@ -52,7 +53,7 @@ class Labels {
   std::vector<Box> lines_;
   Ui& ui_;
   Box plot_;
-  std::vector<Box> taken_;
+  TakenPlaces taken_;
 };
 
 /// Each polygon's name at its line; at the span at work first.
@@ -86,8 +87,7 @@ void name_markers(Ui& ui, Labels& labels, ImVec2 origin, std::vector<SliceMarker
   std::sort(markers.begin(), markers.end(), [](const SliceMarker& a, const SliceMarker& b) { return a.y < b.y; });
   const float reach = std::max(7.0f, 0.5f * ui.em);
   for (const SliceMarker& marker : markers)
-    labels.keep_free({{origin.x + marker.x - reach, origin.y + marker.y - reach},
-                      {origin.x + marker.x + reach, origin.y + marker.y + reach}});
+    labels.keep_free({origin.x + marker.x - reach, origin.y + marker.y - reach}, {2 * reach, 2 * reach});
   for (std::size_t k = 0; k < markers.size(); ++k) {
     const SliceMarker& marker = markers[k];
     const ImVec2 size = text_size(ui, font, marker.text);

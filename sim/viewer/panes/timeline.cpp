@@ -16,7 +16,7 @@ namespace {
 /// What stands on a strip and is gone to by a click: a bookmark, or a stop of the lesson.
 struct Sign {
   std::int64_t step = 0;
-  int stop = -1;     ///< −1: a bookmark
+  int stop = -1;  ///< −1: a bookmark
   std::string help;
 };
 
@@ -111,11 +111,48 @@ void scrub(Ui& ui, const char* id, const Strip& strip, bool with_stops) {
   else if (s.stop() != sign->stop || s.position() != sign->step) s.to_stop(sign->stop);
 }
 
+float place_x(const Ui& ui, const Strip& strip) { return std::floor(strip.x(ui.session.position())); }
+float head_of_place(const Ui& ui) { return std::round(ui.em * 0.35f); }
+
+/// Words of a strip: over all its shapes, and beside the mark of where the reader is.
+class StripWords {
+ public:
+  StripWords(const Ui& ui, const Strip& strip) : ui_(ui), strip_(strip) { list_->ChannelsSplit(2); }
+  ~StripWords() { list_->ChannelsMerge(); }
+  StripWords(const StripWords&) = delete;
+  StripWords& operator=(const StripWords&) = delete;
+
+  /// At x, or else near it between these ends; left out where there is no room.
+  void write(float x, float low, float high, ImU32 color, const std::string& text) {
+    const float width = text_size(ui_, ui_.fonts.small, text).x;
+    if (strip_.holds(ui_.session.position())) {
+      const float mark = place_x(ui_, strip_), clear = head_of_place(ui_) + 2;
+      if (x < mark + clear && x + width > mark - clear)
+        x = mark + clear + width <= high ? mark + clear : mark - clear - width;
+    }
+    if (x < low || x + width > high) return;
+    list_->ChannelsSetCurrent(1);
+    draw_text(ui_, {x, strip_.at.y + 1}, ui_.fonts.small, color, text);
+    list_->ChannelsSetCurrent(0);
+  }
+  void write_first(ImU32 color, const std::string& text) {
+    write(strip_.at.x + 4, strip_.at.x, strip_.at.x + strip_.width, color, text);
+  }
+  void write_between(float low, float high, ImU32 color, const std::string& text) {
+    write((low + high - text_size(ui_, ui_.fonts.small, text).x) / 2, low + 3, high - 3, color, text);
+  }
+
+ private:
+  const Ui& ui_;
+  Strip strip_;
+  ImDrawList* list_ = ImGui::GetWindowDrawList();
+};
+
 /// Where the reader is: a line and, as its second sign, an arrow head from below.
 void draw_place(Ui& ui, const Strip& strip) {
   const std::int64_t p = ui.session.position();
   if (!strip.holds(p)) return;
-  const float x = std::floor(strip.x(p)), head = std::round(ui.em * 0.35f), bottom = strip.at.y + strip.height;
+  const float x = place_x(ui, strip), head = head_of_place(ui), bottom = strip.at.y + strip.height;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float half = std::round(1.5f * ui.thin);
   list->AddRectFilled({x + 1 - half, strip.at.y}, {x + half, bottom}, ui.colors().now);
@@ -135,9 +172,10 @@ std::int64_t end_of_gathering(const Session& s) {
   const auto marks = s.trace().polygons();
   const bool gathers = has_step_of<AreaBegin>(s.header()) || has_step_of<LineBegin>(s.header());
   if (!gathers || marks.empty()) return s.size();
-  return s.trace().next(marks.back().position, [](const RecordedEvent& e) {
-    return holds<AreaBegin>(e.event) || holds<LineBegin>(e.event);
-  }).value_or(s.size());
+  return s.trace()
+      .next(marks.back().position,
+            [](const RecordedEvent& e) { return holds<AreaBegin>(e.event) || holds<LineBegin>(e.event); })
+      .value_or(s.size());
 }
 
 /// A curve of a surface, or a row of pixels: what a trace consists of that has no polygons one after another.
@@ -164,7 +202,7 @@ Sections sections_of(Ui& ui) {
   return sections;
 }
 
-void draw_sections(Ui& ui, const Strip& strip, const Sections& sections) {
+void draw_sections(Ui& ui, const Strip& strip, const Sections& sections, StripWords& words) {
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const std::vector<Section>& marks = sections.all;
@@ -180,8 +218,7 @@ void draw_sections(Ui& ui, const Strip& strip, const Sections& sections) {
     list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, bottom}, c.rule);
     const std::string number = std::to_string(marks[i].number),
                       label = (x1 - x0 > ui.em * 6 ? sections.word + std::string(" ") : "") + number;
-    const float width = text_size(ui, ui.fonts.small, label).x;
-    if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, ui.fonts.small, c.text, label);
+    words.write_between(x0, x1, c.text, label);
   }
 }
 
@@ -189,10 +226,10 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
   const Session& s = ui.session;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
+  StripWords words(ui, strip);
   const ImVec2 end{strip.at.x + strip.width, strip.at.y + strip.height};
   list->AddRectFilled(strip.at, end, c.head);
   const auto marks = s.trace().polygons();
-  const ImFont* font = ui.fonts.small;
   float drawn_to = -1;
   const auto sweep = ui.lines.sweep_from(s.trace());
   const std::int64_t gathered = sweep ? *sweep : end_of_gathering(s);
@@ -200,7 +237,7 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
     const char* units = sweep ? "lines of all polygons" : has_step_of<AreaBegin>(s.header()) ? "areas" : "edges";
     const float x0 = std::floor(strip.x(gathered));
     list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, end.y}, c.rule);
-    draw_text(ui, {(x0 + end.x - text_size(ui, font, units).x) / 2, strip.at.y + 1}, font, c.text, units);
+    words.write_between(x0, end.x, c.text, units);
   }
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const float x0 = std::floor(strip.x(marks[i].position)),
@@ -211,13 +248,11 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
     if (x1 - x0 < 4) continue;
     list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, end.y}, c.rule);
     const std::string label = (x1 - x0 > ui.em * 6 ? "polygon " : "") + polygon_label(s.scene(), marks[i].polygon);
-    const float width = text_size(ui, font, label).x;
-    if (width + 6 < x1 - x0) draw_text(ui, {x0 + (x1 - x0 - width) / 2, strip.at.y + 1}, font, c.text, label);
+    words.write_between(x0, x1, c.text, label);
   }
-  if (!sections.all.empty()) draw_sections(ui, strip, sections);
+  if (!sections.all.empty()) draw_sections(ui, strip, sections, words);
   else if (marks.empty())
-    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted,
-              has_step_of<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
+    words.write_first(c.muted, has_step_of<LineBegin>(s.header()) ? "edge by edge" : "this trace marks no polygons");
   if (s.lesson())
     for (const Stop& stop : s.lesson()->stops) {
       const float arm = std::round(4 * ui.thin), x = std::floor(strip.x(stop.position)), y = end.y - arm;
@@ -235,6 +270,7 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
   const Theme& c = ui.colors();
   const ImFont* font = ui.fonts.small;
   ImDrawList* list = ImGui::GetWindowDrawList();
+  StripWords words(ui, strip);
   const ImVec2 end{strip.at.x + strip.width, strip.at.y + strip.height};
   list->AddRectFilled(strip.at, end, c.head);
   std::optional<std::pair<std::int32_t, std::int32_t>> lit;
@@ -253,24 +289,22 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
     }
     list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, end.y}, c.rule);
     if (x0 < labelled_to || x0 + needed > end.x) continue;
-    draw_text(ui, {x0 + 3, strip.at.y + 1}, font, c.muted, fmt::format("y {}", mark.y));
+    words.write(x0 + 3, x0, x0 + needed, c.muted, fmt::format("y {}", mark.y));
     labelled_to = x0 + needed;
   }
   if (!sections.all.empty()) {
     const std::string which = sections.at < 0 ? fmt::format("before the first {}", sections.word)
                                               : fmt::format("{} {}", sections.word,
                                                             sections.all[static_cast<std::size_t>(sections.at)].number);
-    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, which);
+    words.write_first(c.muted, which);
   } else if (interval.polygon == no_polygon && interval.lines.empty() && interval.complete &&
              !s.trace().polygons().empty())
-    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "before the first polygon: clearing and viewing");
-  else if (!has_step_of<ScanLineBegin>(s.header()))
-    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "this method has no scan lines");
-  else if (!interval.complete)
-    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted, "too many events to mark the scan lines");
+    words.write_first(c.muted, "before the first polygon: clearing and viewing");
+  else if (!has_step_of<ScanLineBegin>(s.header())) words.write_first(c.muted, "this method has no scan lines");
+  else if (!interval.complete) words.write_first(c.muted, "too many events to mark the scan lines");
   else if (interval.lines.empty())
-    draw_text(ui, {strip.at.x + 4, strip.at.y + 1}, font, c.muted,
-              fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), interval.polygon)));
+    words.write_first(c.muted,
+                      fmt::format("polygon {} meets no scan line", polygon_label(s.scene(), interval.polygon)));
   frame_box(ui, strip.at, end, c.rule);
   draw_step_marks(ui, strip);
   draw_places(ui, strip);

@@ -115,6 +115,7 @@ void draw_whole(Ui& ui) {
     }
   }
   const std::vector<std::int32_t> draw_places = zstep::draw_places(m);
+  float lowest = top.y;  // that anything is written
   for (std::size_t node = 0; node < places.size(); ++node) {
     const TreeNode& one = m.tree[node];
     const std::string name = name_of(s, one);
@@ -135,6 +136,7 @@ void draw_whole(Ui& ui) {
     std::int32_t drawn = -1;
     for (const std::int32_t piece : one.pieces)
       if (at(piece) < m.pieces.size()) drawn = std::max(drawn, draw_places[at(piece)]);
+    lowest = std::max(lowest, end.y + (drawn >= 0 ? ui.fonts.small->FontSize : 0));
     if (drawn >= 0)
       draw_text(ui, {std::round(end.x - half * 0.6f), end.y + 1}, ui.fonts.small, c.changed,
                 fmt::format("#{}", drawn + 1));
@@ -142,7 +144,7 @@ void draw_whole(Ui& ui) {
   const std::string long_text = "+ in front, \u2212 behind   arrow: the eye's side   #1: drawn first";
   for (const std::string& text :
        {long_text, std::string("arrow: the eye's side   #1: drawn first"), std::string("arrow: the eye's side")})
-    if (text_size(ui, ui.fonts.small, text).x <= room.x) {
+    if (text_size(ui, ui.fonts.small, text).x <= room.x && lowest <= top.y + room.y - legend) {
       draw_text(ui, {top.x, top.y + room.y - legend}, ui.fonts.small, c.muted, text);
       break;
     }

@@ -1,0 +1,70 @@
+// Laws of what is read: at every stop of every lesson, in windows of every size and in every look, no word is cut or
+// covered, none stands on another, none is small or faint. Measured from what is drawn.
+#include <cstdlib>
+
+#include <doctest/doctest.h>
+#include <fmt/ranges.h>
+
+#include "sim/classroom/lesson.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/letters.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+namespace {
+
+constexpr std::pair<int, int> sizes_of_window[] = {{1280, 720}, {1600, 900}, {1920, 1080}, {3840, 2160}};
+enum class Dress { light, dark, presenter };
+
+void check_read(App& app) {
+  app.settle();
+  const test::Letters drawn = test::letters_of(app.ui().fonts);
+  CHECK(drawn.all.size() > 100);
+  const auto none = [](const char* what, const std::vector<std::string>& found) {
+    INFO(what, ": ", fmt::format("{}", fmt::join(found, "; ")));
+    CHECK(found.empty());
+  };
+  none("cut", test::cut_at_the_side(drawn));
+  none("covered", drawn.covered);
+  none("over each other", test::over_each_other(drawn));
+  none("small", test::smaller_than(drawn, 13));
+  none("faint", test::faint(app, drawn));
+}
+
+/// Each stop in one size, seldom in the largest; with ZSTEP_ALL_SIZES set in all of them, which takes six times as
+/// long.
+void check_stops(Dress dress) {
+  const bool all = std::getenv("ZSTEP_ALL_SIZES") != nullptr;
+  Settings settings;
+  settings.dark = dress == Dress::dark, settings.presenter = dress == Dress::presenter;
+  constexpr int turns[] = {0, 1, 2, 0, 1, 2, 3};
+  int turn = 2 * static_cast<int>(dress);
+  for (Lesson& lesson : all_lessons()) {
+    const Trace trace = run_lesson(lesson);
+    CAPTURE(lesson.id);
+    const int stops = static_cast<int>(lesson.stops.size());
+    for (int n = 0; n < 4; ++n) {
+      const auto [width, height] = sizes_of_window[n];
+      CAPTURE(width);
+      App app(trace, &lesson, settings, width, height);
+      for (int stop = 0; stop < stops; ++stop) {
+        if (!all && turns[(stop + turn) % 7] != n) continue;
+        app.session().to_stop(stop);
+        CAPTURE(stop);
+        CAPTURE(app.session().position());
+        check_read(app);
+      }
+    }
+    ++turn;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("law: all that stands in a light window is read, at the stops of every lesson") { check_stops(Dress::light); }
+TEST_CASE("law: all that stands in a dark window is read, at the stops of every lesson") { check_stops(Dress::dark); }
+TEST_CASE("law: all that stands before a class is read, at the stops of every lesson") {
+  check_stops(Dress::presenter);
+}
