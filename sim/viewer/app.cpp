@@ -248,6 +248,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     session_.touch();
     return true;
   }
+  if (overlay_ == Overlay::here && pick_here(code)) {
+    session_.touch();
+    return true;
+  }
   if (overlay_ == Overlay::bookmarks && pick_bookmark(code)) {
     session_.touch();
     return true;
@@ -358,8 +362,11 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       if (event.drop.file) open_offer({Offer::What::scene, event.drop.file, {}, {}});
       SDL_free(event.drop.file);
       return false;
-    case SDL_QUIT: requests.quit = true; return false;
-    default: return false;
+    case SDL_QUIT:
+      requests.quit = true;
+      return false;
+    default:
+      return false;
   }
 }
 

@@ -49,7 +49,7 @@ struct Changed {
 
 enum class Overlay {
   none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range,
-  start, what_if
+  start, what_if, here
 };
 
 class App {
@@ -190,6 +190,8 @@ class App {
   void take_settings(const Settings& settings);  ///< as another App was left
   void say(std::string message);
   Board& board() { return board_; }
+  const std::vector<HereLine>& here() const { return here_; }  ///< what the last right click offers
+  void take_here(std::size_t line);
   /// The time, as a clock on the board counts it; seconds until what it shows changes, for who waits.
   double clock_time = 0;
   double until_clock() const { return board_.clock_runs() ? 1 : 1e9; }
@@ -232,6 +234,7 @@ class App {
   bool pick_offer(SDL_Keycode code);
   bool pick_changeable(SDL_Keycode code, unsigned modifiers);
   bool pick_link(SDL_Keycode code);
+  bool pick_here(SDL_Keycode code);
   bool pick_row(SDL_Keycode code);
   bool pick_bookmark(SDL_Keycode code);
   void follow_overlay();
@@ -248,6 +251,8 @@ class App {
   Renderer renderer_;
   Session session_;
   Inquiry inquiry_;
+  std::vector<HereLine> here_;
+  ImVec2 here_at_{0, 0};
   int asking_ = 0;  ///< frames until the question that is typed is asked, so that one sees that it is
   Places places_;
   std::optional<Findings> findings_;
@@ -304,6 +309,7 @@ void draw_why(App& app);
 void draw_explain(App& app);
 // what_if_overlay.cpp
 void draw_what_if(App& app, ImVec2 at, ImVec2 size);
+void draw_here(App& app, ImVec2 mouse);  ///< what a right click offers
 // start_overlay.cpp
 void draw_start(App& app);
 // places_overlay.cpp

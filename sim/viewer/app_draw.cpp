@@ -163,6 +163,8 @@ void App::draw_overlay() {
       return draw_range(*this);
     case Overlay::start:
       return draw_start(*this);
+    case Overlay::here:
+      return draw_here(*this, here_at_);
     case Overlay::what_if:
       return draw_what_if(*this, drawer_at_, drawer_size_);
   }
@@ -174,9 +176,10 @@ void App::take_clicks() {
     session_.message.clear();
     ui_.clicked->run(*this);
     session_.touch();
-  } else if (ui_.asked_history) {
-    session_.select(ui_.asked_history);
-    open_history();
+  } else if (!ui_.here.empty()) {
+    here_ = ui_.here;
+    here_at_ = ImGui::GetIO().MousePos;
+    open(Overlay::here);
   } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
     open(Overlay::menu);
   }
@@ -220,7 +223,7 @@ void App::draw() {
   ui_.mouse_help = ui_.fonts.lacking;
   ui_.asked.reset();
   ui_.asked_as.clear();
-  ui_.asked_history.reset();
+  ui_.here.clear();
   ui_.clicked = nullptr;
   ui_.pointed_next.reset();
   ui_.hovered_edge_next.reset();

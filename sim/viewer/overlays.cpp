@@ -15,10 +15,16 @@
 namespace zstep::viewer {
 
 void begin_overlay(App& app, const char* id, ImVec2 size, float down) {
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  begin_overlay(app, id, size, ImVec2{(whole.x - size.x) / 2, (whole.y - size.y) * down});
+}
+
+void begin_overlay(App& app, const char* id, ImVec2 size, ImVec2 corner) {
   Ui& ui = app.ui();
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   size = {std::min(size.x, whole.x - 8), std::min(size.y, whole.y - 8)};
-  const ImVec2 at{std::floor((whole.x - size.x) / 2), std::floor((whole.y - size.y) * down)};
+  const ImVec2 at{std::floor(std::clamp(corner.x, 0.0f, whole.x - size.x)),
+                  std::floor(std::clamp(corner.y, 0.0f, whole.y - size.y))};
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(size);
   ImGui::SetNextWindowFocus();
@@ -35,9 +41,7 @@ void begin_overlay(App& app, const char* id, ImVec2 size, float down) {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !inside) app.open(Overlay::none);
 }
 
-void say_wrong(Ui& ui, const std::string& what) {
-  flow(ui, what, {.color = ui.colors().bad, .font = ui.fonts.bold});
-}
+void say_wrong(Ui& ui, const std::string& what) { flow(ui, what, {.color = ui.colors().bad, .font = ui.fonts.bold}); }
 
 ListRow list_row(App& app, std::size_t place, float height) {
   Ui& ui = app.ui();

@@ -11,6 +11,8 @@ namespace zstep::viewer {
 /// Begins a framed window over the others: `down` 0 at the top of the screen, 1 at its bottom. A click outside closes
 /// it.
 void begin_overlay(App& app, const char* id, ImVec2 size, float down = 1 / 2.4f);
+/// The same with a corner at this place, as far as the screen has room.
+void begin_overlay(App& app, const char* id, ImVec2 size, ImVec2 corner);
 
 /// The next row of a list of answers: where it is, and whether it was clicked. The picked one is marked and scrolled
 /// to.

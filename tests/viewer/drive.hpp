@@ -80,20 +80,20 @@ inline void move_mouse(viewer::App& app, int x, int y) {
   app.frame();
 }
 
-inline void mouse_button(viewer::App& app, int x, int y, bool down) {
+inline void mouse_button(viewer::App& app, int x, int y, bool down, std::uint8_t button = SDL_BUTTON_LEFT) {
   SDL_Event event{};
   event.type = down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
-  event.button.button = SDL_BUTTON_LEFT;
+  event.button.button = button;
   event.button.x = x;
   event.button.y = y;
   app.handle(event);
   app.frame();
 }
 
-inline void click(viewer::App& app, int x, int y) {
+inline void click(viewer::App& app, int x, int y, std::uint8_t button = SDL_BUTTON_LEFT) {
   move_mouse(app, x, y);
-  mouse_button(app, x, y, true);
-  mouse_button(app, x, y, false);
+  mouse_button(app, x, y, true, button);
+  mouse_button(app, x, y, false, button);
   app.frame();
 }
 

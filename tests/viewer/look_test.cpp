@@ -217,7 +217,7 @@ TEST_CASE("dragging on the strip of a polygon goes to its steps, and the marker 
 }
 
 TEST_CASE(
-    "a diamond leads to its stop, the transport says what it does, a right click asks, and a held key can be clicked") {
+    "a diamond leads to its stop, the transport says what it does, and a held key can be clicked") {
   std::vector<Lesson> lessons = all_lessons();
   Lesson& lesson = lessons[3];
   const Trace trace = run_lesson(lesson);
@@ -252,19 +252,6 @@ TEST_CASE(
   App app(trace, &lesson, {}, 1280, 720);
   app.session().go_to(trace.size());
   (void)test::picture(app);
-  test::move_mouse(app, 480, 200);
-  REQUIRE(app.ui().pointed);
-  for (const bool down : {true, false}) {
-    SDL_Event event{};
-    event.type = down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
-    event.button.button = SDL_BUTTON_RIGHT;
-    event.button.x = 480, event.button.y = 200;
-    app.handle(event);
-    app.frame();
-  }
-  CHECK((app.overlay() == Overlay::history || app.session().message.find("Nothing reached") != std::string::npos));
-  CHECK(app.session().selected.has_value());
-  app.open(Overlay::none);
   for (const Command& command : commands())
     if (command.release) app.hold(command);
   CHECK(app.session().looking_back);

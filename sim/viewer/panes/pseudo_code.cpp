@@ -70,7 +70,17 @@ void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   if (!hits.empty()) draw_text(ui, {end.x - hits_width + ui.em * 0.2f, at.y + 3}, ui.fonts.small, c.muted, hits);
 
   if (now) follow(ui, at.y, height);
-  if (hovered) ui.mouse_help = "Click: on to the next time this line runs. Shift+click: back to the last time.";
+  if (hovered)
+    ui.mouse_help = "Click: on to the next time this line runs. Shift+click: back to the last time. Right click: more.";
+  if (hovered && ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    const std::uint8_t id = step.id;
+    const auto run = [id](int direction) { return [id, direction](Session& s) { s.to_step(id, direction); }; };
+    ui.here = {{.text = "On to the next time this line runs", .first = run(1)},
+               {.text = "Back to the last time it ran", .first = run(-1)},
+               {.text = "Run until a condition is true", .command = "run-until"},
+               {.text = "The whole page, or folded", .command = "whole-code"},
+               {.text = "Copy its name: " + step.name, .copies = step.name}};
+  }
   if (clicked) ui.session.to_step(step.id, ImGui::GetIO().KeyShift ? -1 : 1);
 }
 

@@ -363,6 +363,30 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   }
 }
 
+namespace {
+
+/// What a right click on a pixel offers.
+std::vector<HereLine> lines_of_pixel(const Session& s, Cell cell, const std::optional<answers::Question>& depth) {
+  const auto select = [cell](Session& session) { session.select(cell); };
+  std::vector<HereLine> lines{
+      {fmt::format("All that happened to pixel ({}, {})", cell.x, cell.y), "history", select},
+      {"Why a polygon is not seen here", "why-not", select},
+      {"On to the next step that touches it", "next-touch", select},
+      {"Back to the last one", "previous-touch", select},
+      {"Zoom to it", "center", select},
+  };
+  if (depth) lines.push_back({.text = "Where its depth comes from", .asks = depth});
+  const Picture& shown = s.picture();
+  const std::int32_t polygon = shown.polygon[shown.at(cell.x, cell.y)];
+  if (polygon == no_polygon) return lines;
+  const std::int32_t line = s.scene().polygons[static_cast<std::size_t>(polygon)].source_line;
+  const std::string place = fmt::format("{}:{}", s.scene().source, line);
+  if (line > 0) lines.push_back({.text = "Copy where the file has its polygon: " + place, .copies = place});
+  return lines;
+}
+
+}  // namespace
+
 void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>& cells,
                  const std::function<std::string(std::size_t, int)>& cell_text,
                  const std::function<std::vector<std::string>(Cell)>& cell_tip, const RasterTalk& talk) {
@@ -394,14 +418,13 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     ui.mouse_help =
         !ui.asks ? fmt::format("Click: select this pixel in both runs. {}", moves)
         : asks   ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
-                 : fmt::format(
-                       "Click: select this pixel; F goes to the next step that touches it. Right click: its history. {}",
-                       moves);
+               : fmt::format("Click: select this pixel; F goes to the next step that touches it. Right click: more. {}",
+                             moves);
     if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
       if (asks) ui.asked = asks;
       else s.select(s.selected == under ? std::nullopt : under);
     }
-    if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.asked_history = under;
+    if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.here = lines_of_pixel(s, *under, asks);
   }
   ImGui::PushClipRect(origin, end, true);
   if (!draw_numbers(ui, map, origin, cells.made, cell_text) && talk.polygons) draw_labels(ui, map, origin);

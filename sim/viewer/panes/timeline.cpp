@@ -103,6 +103,15 @@ void scrub(Ui& ui, const char* id, const Strip& strip, bool with_stops) {
     ui.mouse_help = sign ? sign->help : "Click or drag: go to any step.";
     if (sign && !active) tooltip(ui, {sign->help});
   }
+  if (hovered && ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    const std::int64_t step = sign ? sign->step : strip.position(ImGui::GetIO().MousePos.x);
+    const auto go = [step](Session& session) { session.go_to(step); };
+    ui.here = {{.text = fmt::format("Go to step {}", grouped(step)), .first = go},
+               {"Set a bookmark there", "bookmark", go},
+               {"Repeat from there", "loop-first", go},
+               {"Repeat up to there", "loop-last", go},
+               {.text = "Copy its number: " + std::to_string(step), .copies = std::to_string(step)}};
+  }
   if (!active) return;
   Session& s = ui.session;
   s.playing = false;

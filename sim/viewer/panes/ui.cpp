@@ -180,9 +180,15 @@ void flow_markdown(Ui& ui, const std::string& markdown) {
     const float indent = static_cast<float>(block.depth) * ui.em * 1.2f;
     Flow how;
     switch (block.kind) {
-      case TextBlock::Kind::heading: how.font = ui.fonts.bold; break;
-      case TextBlock::Kind::code: how.font = ui.fonts.mono; break;
-      case TextBlock::Kind::quote: how.color = ui.colors().muted; break;
+      case TextBlock::Kind::heading:
+        how.font = ui.fonts.bold;
+        break;
+      case TextBlock::Kind::code:
+        how.font = ui.fonts.mono;
+        break;
+      case TextBlock::Kind::quote:
+        how.color = ui.colors().muted;
+        break;
       case TextBlock::Kind::rule: {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + ImGui::GetContentRegionAvail().x, at.y + 1},
@@ -196,7 +202,8 @@ void flow_markdown(Ui& ui, const std::string& markdown) {
                   block.number ? std::to_string(block.number) + "." : "\u2022");
         break;
       }
-      case TextBlock::Kind::paragraph: break;
+      case TextBlock::Kind::paragraph:
+        break;
     }
     if (indent > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
     if (block.kind == TextBlock::Kind::code) {
@@ -207,9 +214,7 @@ void flow_markdown(Ui& ui, const std::string& markdown) {
   }
 }
 
-void say_empty(Ui& ui, const std::string& why) {
-  flow(ui, why, {.color = ui.colors().muted});
-}
+void say_empty(Ui& ui, const std::string& why) { flow(ui, why, {.color = ui.colors().muted}); }
 
 float scroll_for(float at, float height, float view) {
   const float page = view / 2, foot = view * 0.92f;
@@ -254,15 +259,18 @@ void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
   list->AddRectFilled({b.x - line, a.y + line}, {b.x, b.y - line}, color);
 }
 
-bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question) {
+bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question, const std::string& written) {
   if (!ui.asks) return false;
   // What it lies on, a row of a table, may have taken the press already.
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) || !ImGui::IsMouseHoveringRect(a, b))
     return false;
   ImGui::GetWindowDrawList()->AddRectFilled({a.x, b.y - 2}, b, ui.colors().selected);
   ui.mouse_help = "Click: where this number comes from.";
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right))
-    ui.asked = question;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) ui.asked = question;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    ui.here = {{.text = "Where this number comes from", .asks = question}};
+    if (!written.empty()) ui.here.push_back({.text = "Copy " + written, .copies = written});
+  }
   return true;
 }
 

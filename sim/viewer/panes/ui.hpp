@@ -64,6 +64,16 @@ struct Taken {
   bool moved = false;   ///< since it was taken
 };
 
+/// A line of what a right click offers where the mouse is: what is done first, then a command of the table, a question
+/// or something to copy.
+struct HereLine {
+  std::string text;
+  const char* command = "";
+  std::function<void(Session&)> first = {};
+  std::optional<answers::Question> asks = {};
+  std::string copies = {};
+};
+
 struct Ui {
   Ui(Session& session_, Renderer& renderer_) : session(session_), renderer(renderer_) {}
   Session& session;
@@ -119,7 +129,7 @@ struct Ui {
   bool changes = false;                    ///< vertices can be taken hold of where they are seen
   std::optional<Taken> taken;              ///< the vertex that a hand holds
   bool moved_vertex = false;               ///< in this frame, to where `taken` says
-  std::optional<Cell> asked_history;       ///< the pixel whose history was asked for in this frame
+  std::vector<HereLine> here;              ///< what a right click in this frame offers
   const Command* clicked = nullptr;        ///< the command whose button was clicked in this frame
   std::string asked_as;                    ///< how it is written there, where it is one of a formula's
   bool reads = false;  ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
@@ -172,8 +182,8 @@ float scroll_for(float at, float height, float view);
 void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 1);
 
 /// What stands between these corners is a number that can be asked about: under the mouse it is underlined, a click
-/// puts the question into `asked`. True under the mouse: whatever else a click does there must then give way.
-bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question);
+/// puts the question into `asked`, a right click offers it and to copy the number as it is `written`. True under the mouse: whatever else a click does there must then give way.
+bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question, const std::string& written = "");
 
 /// The sign of what is wrong in front of a name: "!" where it is wrong itself, "\u2190" where it follows from that.
 std::string with_sign(Findings::Trust trust, const std::string& name);

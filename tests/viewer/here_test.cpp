@@ -1,0 +1,100 @@
+// What a right click offers: of a pixel, a line of code, a place in time, a number; taken by mouse or by keys.
+#include <algorithm>
+
+#include <doctest/doctest.h>
+#include <imgui_internal.h>
+
+#include "sim/viewer/commands.hpp"
+#include "sim/viewer/panes/pane.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+namespace {
+
+bool offers(const App& app, const std::string& part) {
+  return std::any_of(app.here().begin(), app.here().end(),
+                     [&](const HereLine& line) { return line.text.find(part) != std::string::npos; });
+}
+
+void right_click(App& app, int x, int y) { test::click(app, x, y, SDL_BUTTON_RIGHT); }
+
+}  // namespace
+
+TEST_CASE("a right click on a pixel offers what can be asked of it; keys take a line, Esc none") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().go_to(trace.size());
+  app.settle();
+  right_click(app, 592, 208);
+  REQUIRE(app.overlay() == Overlay::here);
+  CHECK(offers(app, "All that happened to pixel"));
+  CHECK_FALSE(app.session().selected);
+  test::press(app, SDLK_ESCAPE);
+  CHECK(app.overlay() == Overlay::none);
+  CHECK_FALSE(app.session().selected);
+  right_click(app, 592, 208);
+  test::press(app, SDLK_RETURN);
+  CHECK(app.overlay() == Overlay::history);
+  REQUIRE(app.session().selected);
+  CHECK(app.history_of() == *app.session().selected);
+  test::press(app, SDLK_ESCAPE);
+  right_click(app, 592, 208);
+  test::press(app, SDLK_DOWN);
+  test::press(app, SDLK_RETURN);
+  CHECK((app.overlay() == Overlay::why_ask || app.overlay() == Overlay::why));
+}
+
+TEST_CASE("a right click on a place in time goes there or repeats from it, on a line of code runs to it") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.settle();
+  const int strip = 720 - static_cast<int>(timeline_height(app.ui()));
+  right_click(app, 640, strip);
+  REQUIRE(app.overlay() == Overlay::here);
+  REQUIRE(offers(app, "Go to step"));
+  test::press(app, SDLK_RETURN);
+  CHECK(app.overlay() == Overlay::none);
+  CHECK(std::abs(app.session().position() - trace.size() / 2) <= trace.size() / 100 + 1);
+  right_click(app, 640, strip);
+  test::press(app, SDLK_DOWN);
+  test::press(app, SDLK_DOWN);
+  test::press(app, SDLK_RETURN);
+  CHECK(app.session().loops());
+  const std::int64_t here = app.session().position();
+  right_click(app, 120, 120);
+  REQUIRE(offers(app, "next time this line runs"));
+  test::press(app, SDLK_RETURN);
+  CHECK(app.session().position() != here);
+}
+
+TEST_CASE("what a right click offers stands within the window, wherever the mouse is, and names the keys that do it") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 900, 600);
+  app.session().go_to(trace.size() / 2);
+  app.settle();
+  int opened = 0;
+  for (int x = 5; x < 900; x += 41)
+    for (int y = 5; y < 600; y += 37) {
+      right_click(app, x, y);
+      if (app.overlay() == Overlay::here) {
+        ++opened;
+        for (const HereLine& line : app.here()) {
+          CAPTURE(line.text);
+          CHECK((line.command[0] == '\0' || command_called(line.command) != nullptr));
+          CHECK((line.command[0] != '\0' || line.first || line.asks || !line.copies.empty()));
+        }
+        for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+          if (window->Active && std::string(window->Name) == "here") {
+            CHECK(window->Pos.x >= 0);
+            CHECK(window->Pos.y >= 0);
+            CHECK(window->Pos.x + window->Size.x <= 900);
+            CHECK(window->Pos.y + window->Size.y <= 600);
+          }
+      }
+      app.open(Overlay::none);
+    }
+  CHECK(opened > 20);
+}
