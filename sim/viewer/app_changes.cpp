@@ -7,6 +7,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "traces/error.hpp"
@@ -135,6 +136,7 @@ void App::look_as(const App& before) {
   picked = before.picked;
   chosen_lead_ = before.chosen_lead_;
   if (chosen_lead_) chosen_lead_->stop = session_.stop();
+  ui_.chosen_viewing = {viewing_step(before.ui_), session_.stop()};
   ui_.look = before.ui_.look, ui_.from_outside = before.ui_.from_outside;
   ui_.view = before.ui_.view;
   ui_.whole_code = before.ui_.whole_code, ui_.vertices_always = before.ui_.vertices_always;

@@ -7,6 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -202,6 +203,8 @@ void App::begin_scrolling() {
   take(moment, session_.position());
   take(stop, session_.stop());
   ui_.scroll_now = scrolls(moment.value(), ui_.scroll_follows, ui_.scroll_frames);
+  take(layout, viewing_step(ui_));
+  take(layout, motion_.panes_move());
   ui_.speaks_now = scrolls(stop.value(), ui_.speaks_follows, ui_.speaks_frames);
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/panes/workspace.hpp"
 
 namespace zstep::viewer {
@@ -62,6 +63,20 @@ bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float&
   session_.touch();
   return true;
 }
+
+namespace {
+
+/// While T_1 … T_4 are shown, the scene has the stage alone: its matrices need the room.
+Workspace stage_of(const Ui& ui, const std::string& lead) {
+  Workspace stage = workspace(ui.session.header(), lead);
+  if (lead != scene_pane.id || viewing_step(ui) == 0) return stage;
+  for (const Pane& pane : stage.leading)
+    if (pane.id != lead) stage.small.insert(stage.small.begin(), pane);
+  stage.leading = {scene_pane};
+  return stage;
+}
+
+}  // namespace
 
 void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id) {
   const float gap = std::round(ui_.em * 0.35f), first = std::round((size.y - gap) * share);
@@ -217,7 +232,7 @@ void App::draw_presented(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
   const bool lesson = session_.lesson() != nullptr, asks = session_.question_open();
   const float words = std::round(size.x * (asks ? 0.37f : 0.21f)), stage = size.x - words - gap, x = at.x + stage + gap;
-  draw_leading(workspace(session_.header(), lead()).leading, at, {stage, size.y});
+  draw_leading(stage_of(ui_, lead()).leading, at, {stage, size.y});
   const bool speaks =
       lesson && session_.stop() >= 0 &&
       session_.lesson()->stops[static_cast<std::size_t>(session_.stop())].position == session_.position();
@@ -238,7 +253,7 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   const float x = at.x + left + gap, middle = at.x + size.x - x - (right > 0 ? right + gap : 0);
   draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, l.code, "code");
   splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
-  const Workspace stage = workspace(session_.header(), lead());
+  const Workspace stage = stage_of(ui_, lead());
   const float upper = std::round((size.y - gap) * l.stage);
   draw_leading(stage.leading, {x, at.y}, {middle, upper});
   draw_small(stage.small, {x, at.y + upper + gap}, {middle, size.y - upper - gap});

@@ -7,6 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
@@ -148,6 +149,15 @@ void turn_scene(App& app) {
   ui.from_outside = !seen_from_outside(ui);
   ui.look = {};
   app.session().touch();
+}
+
+/// T_1 to T_4 one by one, then none of them.
+void turn_viewing(App& app) {
+  Ui& ui = app.ui();
+  if (!has_viewing_steps(app.session().scene()))
+    return app.say("This camera's matrix is no product of T\u2081 to T\u2084: it has no eye, or is tilted.");
+  choose_viewing_step(ui, (viewing_step(ui) + 1) % 5);
+  if (viewing_step(ui) > 0) ui.from_outside = true, app.set_lead("scene");
 }
 
 /// Around the scene, by degrees; above the highest place comes the lowest.
@@ -335,6 +345,7 @@ const std::vector<Command>& table() {
       {"answer-3", "Lesson", "Third answer", {{SDLK_3}}, answer<2>},
       {"answer-4", "Lesson", "Fourth answer", {{SDLK_4}}, answer<3>},
       {"pen", "Class", "Pen: write until the next step", {{SDLK_8}}, turn_pen<false>},
+      {"viewing-step", "Look", "T\u2081 to T\u2084 of viewing, in turn", {{SDLK_t, S}}, turn_viewing},
       {"pen-stays", "Class", "Pen: what is written stays", {{SDLK_8, S}}, turn_pen<true>},
       {"spotlight", "Class", "Spotlight at the mouse", {{SDLK_9}}, turn_spotlight},
       {"clock", "Class", "Clock: start, or end", {{SDLK_9, S}}, turn_clock},

@@ -91,6 +91,8 @@ struct Ui {
   std::string heat_behind;                       ///< how far it is from being counted, or nothing
   enum class RangeMode : std::uint8_t { whole, fitted, by_hand };
   RangeMode range_mode = RangeMode::whole;       ///< of the depth buffer's colours
+  struct ChosenViewing { int step, stop; };
+  std::optional<ChosenViewing> chosen_viewing;  ///< T_1 … T_4, or 0, by the reader at that stop of the lesson
   DepthRange hand_range;
   bool histogram = false;                        ///< of depths, below the depth buffer
   KeptThings<Cells> cells;                       ///< by pane
