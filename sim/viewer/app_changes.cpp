@@ -141,6 +141,7 @@ void App::look_as(const App& before) {
   ui_.view = before.ui_.view;
   ui_.whole_code = before.ui_.whole_code, ui_.vertices_always = before.ui_.vertices_always;
   ui_.range_mode = before.ui_.range_mode, ui_.hand_range = before.ui_.hand_range, ui_.histogram = before.ui_.histogram;
+  ui_.relief = before.ui_.relief, ui_.relief_look = before.ui_.relief_look;
   ui_.taken = before.ui_.taken;
   session_.selected = before.session_.selected;
   // The hand holds what it held.

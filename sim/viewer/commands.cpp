@@ -315,6 +315,15 @@ const std::vector<Command>& table() {
          a.ui().histogram = !a.ui().histogram;
          a.session().touch();
        }},
+      {"relief",
+       "Look",
+       "Depth buffer as a relief",
+       {{SDLK_d, S}},
+       [](App& a) {
+         if (!depth_pane.serves(a.session().header())) return a.say("There are no depths in this trace.");
+         a.ui().relief = !a.ui().relief;
+         a.session().touch();
+       }},
       {"next-lead", "Look", "Large: the next pane (or its title)", {{SDLK_TAB}}, [](App& a) { a.turn_lead(1); }},
       {"previous-lead", "Look", "Large: the pane before", {{SDLK_TAB, S}}, [](App& a) { a.turn_lead(-1); }},
       {"slice", "Look", "Slice: depth over x", {{SDLK_s, S}}, show_slice},

@@ -95,6 +95,8 @@ struct Ui {
   std::optional<ChosenViewing> chosen_viewing;  ///< T_1 … T_4, or 0, by the reader at that stop of the lesson
   DepthRange hand_range;
   bool histogram = false;                        ///< of depths, below the depth buffer
+  bool relief = false;                           ///< the depth buffer as a surface in space
+  Look relief_look;                              ///< from where it is seen
   KeptThings<Cells> cells;                       ///< by pane
   KeptThings<ChartPicture> charts;
   KeptThings<Canvas> canvases;                   ///< by what is painted there
