@@ -368,3 +368,5 @@ void App::settle() {
 }
 
 }  // namespace zstep::viewer
+  const bool moved = std::exchange(moves, false);  // to the end of what moves
+  moves = moved;

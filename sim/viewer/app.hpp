@@ -16,6 +16,7 @@
 #include "sim/viewer/model/against.hpp"
 #include "sim/viewer/model/pixel_overlay.hpp"
 #include "sim/viewer/field.hpp"
+#include "sim/viewer/motion.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/panes/ui.hpp"
@@ -132,6 +133,7 @@ class App {
   Overlay overlay() const { return overlay_; }
   void set_dark(bool dark);
   void set_presenter(bool presenter);
+  void set_reduced_motion(bool reduced);
   /// Which pane leads on the stage, by its id; empty: what the method has. The reader chooses it, until a stop of the
   /// lesson speaks that is about something else.
   std::string lead() const;
@@ -192,6 +194,8 @@ class App {
   Board& board() { return board_; }
   /// The time, as a clock on the board counts it; seconds until what it shows changes, for who waits.
   double clock_time = 0;
+  bool moves = false;     ///< panes and rows move to where they go, by that time; else they are there at once
+  bool moving() const;    ///< and the next frame is another
   double until_clock() const { return board_.clock_runs() ? 1 : 1e9; }
   void make_black() { black_ = true, session_.touch(); }  ///< until the next key or click, which does nothing else
   bool has_causes() const { return findings_.has_value() || against_.has_value(); }
@@ -200,6 +204,9 @@ class App {
  private:
   void draw();
   void update_fonts();
+  void begin_motion();
+  const EdgeEnter* entering_edge() const;
+  void draw_entering_edge();
   void begin_scrolling();
   void take_clicks();
   void take_vertex();
@@ -267,6 +274,8 @@ class App {
   Ui ui_;
   std::unique_ptr<Ui> other_ui_;  ///< of the second run
   std::optional<Pane> only_;
+  Motion motion_;
+  std::int64_t rows_of_step_ = 0;  ///< whose rows' places are known
   ImVec2 stage_size_{0, 0};
   struct ChosenLead {
     std::string pane;  ///< empty: what the method has

@@ -222,6 +222,7 @@ void App::draw() {
   ui_.hits.follow(session_.trace(), session_.position());
   ui_.mouse_help = ui_.fonts.lacking;
   ui_.asked.reset();
+  begin_motion();
   ui_.asked_as.clear();
   ui_.asked_history.reset();
   ui_.clicked = nullptr;
@@ -260,6 +261,7 @@ void App::draw() {
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);
+  draw_entering_edge();
   if (overlay_ == Overlay::none) take_clicks();
   if (black_) ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32_BLACK);
   ImGui::Render();

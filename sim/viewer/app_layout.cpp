@@ -96,7 +96,8 @@ const char* what_a_click_does(bool two_runs, bool leading, bool asked_for) {
 }  // namespace
 
 /// A pane of the stage. A click on its title makes it lead, and a second one puts it back; a sign says which it is.
-void App::draw_on_stage(const Pane& pane, ImVec2 at, ImVec2 size, bool leading) {
+void App::draw_on_stage(const Pane& pane, ImVec2 goal, ImVec2 goal_size, bool leading) {
+  const auto [at, size] = motion_.of_pane(pane.id, {goal, goal_size});
   draw_pane(pane, at, size);
   const float head = std::round(ui_.em * 1.5f), pad = std::round(ui_.em * 0.5f), side = std::round(ui_.em * 0.45f);
   const float x = at.x + 2 * pad + text_size(ui_, ui_.fonts.small, pane.title).x;
@@ -137,6 +138,7 @@ void App::draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (const Pane& pane : panes) {
     if (at.y + head > size.y) return;
+    motion_.of_pane(pane.id, {at, {size.x, head}});  // from where it sets out when it unfolds
     ImGui::SetCursorScreenPos(at);
     ImGui::PushID(pane.id);
     if (ImGui::InvisibleButton("lead", {size.x, head})) set_lead(pane.id);
@@ -255,8 +257,8 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
   const Workspace stage = stage_of(ui_, lead());
   const float upper = std::round((size.y - gap) * l.stage);
-  draw_leading(stage.leading, {x, at.y}, {middle, upper});
   draw_small(stage.small, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
+  draw_leading(stage.leading, {x, at.y}, {middle, upper});  // over what makes room for it
   splitter("stage", {x, at.y + upper}, {middle, gap}, false, l.stage, size.y - gap);
   if (right > 0) {
     drawer_at_ = {x + middle + gap, at.y}, drawer_size_ = {right, size.y};

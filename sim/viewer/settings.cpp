@@ -76,6 +76,7 @@ Settings load_settings(const std::filesystem::path& path) {
     else if (key == "right") s.layout.right = share_or(real, s.layout.right);
     else if (key == "code") s.layout.code = share_or(real, s.layout.code);
     else if (key == "stage") s.layout.stage = share_or(real, s.layout.stage);
+    else if (key == "reduced_motion") s.reduced_motion = whole == 1;
     else if (key == "table") s.layout.table = share_or(real, s.layout.table);
     else if (key == "both") s.layout.both = share_or(real, s.layout.both);
     else if (key == "words") s.layout.words = share_or(real, s.layout.words);
@@ -95,8 +96,8 @@ bool save_settings(const std::filesystem::path& path, const Settings& s) {
   const std::filesystem::path fresh = path.string() + ".new";
   {
     std::ofstream file(fresh);
-    file << fmt::format("dark = {:d}\npresenter = {:d}\ntext_scale = {}\nwidth = {}\nheight = {}\nspeed = {}\n", s.dark,
-                        s.presenter, s.text_scale, s.width, s.height, s.speed)
+    file << fmt::format("dark = {:d}\npresenter = {:d}\nreduced_motion = {:d}\ntext_scale = {}\nwidth = {}\nheight = {}\nspeed = {}\n", s.dark,
+                        s.presenter, s.reduced_motion, s.text_scale, s.width, s.height, s.speed)
          << fmt::format("left = {}\nright = {}\ncode = {}\nstage = {}\nframe = {}\ntable = {}\nboth = {}\nwords = {}\n",
                         s.layout.left, s.layout.right, s.layout.code, s.layout.stage, s.layout.frame, s.layout.table,
                         s.layout.both, s.layout.words);

@@ -28,6 +28,7 @@ struct Layout {
 struct Settings {
   bool dark = false, presenter = false;
   float text_scale = 1;
+  bool reduced_motion = false;              ///< nothing moves by itself
   int width = 0, height = 0;                ///< of the window; 0: never set
   int speed = 2;
   Layout layout;

@@ -102,6 +102,7 @@ void loop(Stage& stage, const Window& window) {
     if (std::floor(time) != std::floor(std::exchange(stage.app().clock_time, time)) && stage.app().board().clock_runs())
       stage.app().session().touch();
     if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, App::frames_to_settle);
+    stage.app().moves = true;
     SDL_Event event;
     const int milliseconds = frames_due > 0 ? 0 : static_cast<int>(std::min(wait, 3600.0) * 1000);
     bool got = milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) != 0 : SDL_PollEvent(&event) != 0;
@@ -122,7 +123,7 @@ void loop(Stage& stage, const Window& window) {
     drawn = stage.app().session().revision();
     stage.app().frame();
     window.show(stage.app().renderer().picture());
-    --frames_due;
+    if (--frames_due <= 0 && stage.app().moving()) frames_due = 1;
   }
 }
 
