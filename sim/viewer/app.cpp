@@ -248,6 +248,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     session_.touch();
     return true;
   }
+  if (overlay_ == Overlay::settings && pick_setting(code)) {
+    session_.touch();
+    return true;
+  }
   if (overlay_ == Overlay::bookmarks && pick_bookmark(code)) {
     session_.touch();
     return true;
@@ -364,9 +368,9 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
 }
 
 void App::settle() {
+  const bool moved = std::exchange(moves, false);  // to the end of what moves
   for (int i = 0; i < frames_to_settle; ++i) frame();
+  moves = moved;
 }
 
 }  // namespace zstep::viewer
-  const bool moved = std::exchange(moves, false);  // to the end of what moves
-  moves = moved;

@@ -50,7 +50,7 @@ struct Changed {
 
 enum class Overlay {
   none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range,
-  start, what_if
+  start, what_if, settings
 };
 
 class App {
@@ -241,6 +241,7 @@ class App {
   bool pick_link(SDL_Keycode code);
   bool pick_row(SDL_Keycode code);
   bool pick_bookmark(SDL_Keycode code);
+  bool pick_setting(SDL_Keycode code);
   void follow_overlay();
   bool edit_place(SDL_Keycode code, unsigned modifiers);
 
@@ -273,9 +274,9 @@ class App {
   answers::Chain chain_;
   Ui ui_;
   std::unique_ptr<Ui> other_ui_;  ///< of the second run
-  std::optional<Pane> only_;
   Motion motion_;
   std::int64_t rows_of_step_ = 0;  ///< whose rows' places are known
+  std::optional<Pane> only_;
   ImVec2 stage_size_{0, 0};
   struct ChosenLead {
     std::string pane;  ///< empty: what the method has
@@ -311,6 +312,8 @@ void draw_history(App& app);
 void draw_why_ask(App& app);
 void draw_why(App& app);
 void draw_explain(App& app);
+// settings_overlay.cpp
+void draw_settings(App& app);
 // what_if_overlay.cpp
 void draw_what_if(App& app, ImVec2 at, ImVec2 size);
 // start_overlay.cpp

@@ -61,6 +61,8 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   };
   if (button_before("Menu", Overlay::menu, "Every command, with its key."))
     open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
+  if (button_before("\u2699", Overlay::settings, "Settings: text size, speed, colours, motion (Ctrl+,)."))
+    open(overlay_ == Overlay::settings ? Overlay::none : Overlay::settings);
   if (button_before("Open", Overlay::start, "Another lesson, method or scene, or a file (Ctrl+O).")) open_start();
   if (may_change_ &&
       button_before("Change", Overlay::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
@@ -166,6 +168,8 @@ void App::draw_overlay() {
       return draw_start(*this);
     case Overlay::what_if:
       return draw_what_if(*this, drawer_at_, drawer_size_);
+    case Overlay::settings:
+      return draw_settings(*this);
   }
 }
 
@@ -199,12 +203,12 @@ void App::begin_scrolling() {
   take(layout, ui_.presenter);
   take(layout, ui_.vertices_always);
   take(layout, lead());
+  take(layout, viewing_step(ui_));
+  take(layout, motion_.panes_move());
   Fingerprint moment = layout, stop = layout;
   take(moment, session_.position());
   take(stop, session_.stop());
   ui_.scroll_now = scrolls(moment.value(), ui_.scroll_follows, ui_.scroll_frames);
-  take(layout, viewing_step(ui_));
-  take(layout, motion_.panes_move());
   ui_.speaks_now = scrolls(stop.value(), ui_.speaks_follows, ui_.speaks_frames);
 }
 
@@ -218,11 +222,11 @@ void App::draw() {
   apply_style(ui_);
   const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
   ImGui::GetIO().DisplaySize = size;
+  begin_motion();
   begin_scrolling();
   ui_.hits.follow(session_.trace(), session_.position());
   ui_.mouse_help = ui_.fonts.lacking;
   ui_.asked.reset();
-  begin_motion();
   ui_.asked_as.clear();
   ui_.asked_history.reset();
   ui_.clicked = nullptr;
@@ -257,11 +261,11 @@ void App::draw() {
   const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history ||
                        overlay_ == Overlay::query;
   take_vertex();
+  draw_entering_edge();
   board_.draw(ui_, {0, title}, {size.x, std::max(1.0f, size.y - title - timeline)});
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);
-  draw_entering_edge();
   if (overlay_ == Overlay::none) take_clicks();
   if (black_) ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32_BLACK);
   ImGui::Render();

@@ -308,7 +308,8 @@ float set_entry(const Ui& ui, const std::string& entry, bool small, std::optiona
   if (at) draw_text(ui, *at, face, ui.colors().text, letter);
   if (lower.empty()) return own;
   if (at)
-    draw_text(ui, {at->x + own + 1, at->y + std::round(face->FontSize * 0.22f)}, ui.fonts.small, ui.colors().text, lower);
+    draw_text(ui, {at->x + own + 1, at->y + std::round(face->FontSize * 0.22f)}, ui.fonts.small, ui.colors().text,
+              lower);
   return own + 1 + text_size(ui, ui.fonts.small, lower).x;
 }
 
