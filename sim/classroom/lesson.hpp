@@ -48,6 +48,7 @@ struct Stop {
   std::optional<Task> task;
   std::string anchor;                    ///< as written in the file: step name and condition
   std::string focus;                     ///< the pane that leads meanwhile, as the viewer calls it; mostly none
+  int viewing_step = 0;                  ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none
   std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
   std::int64_t position = 0;             ///< where the trace is when it speaks; set by resolve()
 };

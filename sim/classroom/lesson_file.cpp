@@ -79,6 +79,23 @@ class Reader {
   }
   std::string where(std::size_t line) const { return fmt::format("{}:{}", file_, lines_[line].number); }
 
+  /// What a stop shows, as "focus: edge-table" or "viewing: T_2".
+  void read_shown(std::string_view text, Stop& stop) const {
+    const std::string_view value = trim(text.substr(std::min(text.size(), text.find(':') + 1)));
+    if (starts_with(text, "focus:") && !value.empty()) {
+      stop.focus = value;
+      std::replace(stop.focus.begin(), stop.focus.end(), '-', '_');
+      return;
+    }
+    if (starts_with(text, "viewing:") && value.size() == 3 && starts_with(value, "T_") && value[2] >= '1' &&
+        value[2] <= '4') {
+      stop.viewing_step = value[2] - '0';
+      return;
+    }
+    fail(fmt::format("`{}` is left over in the anchor", text),
+         "after ; write `focus: edge-table` or another pane, and `viewing: T_1` to T_4 for a step of viewing");
+  }
+
   void begin_stop() {
     const std::string_view text = trim(lines_[at_].text.substr(3));
     std::size_t open = text.rfind("{at:");
@@ -91,13 +108,13 @@ class Reader {
     stop.heading = trim(text.substr(0, open));
     if (stop.heading.empty()) fail("the stop has no heading", "write a few words before its anchor");
     std::string_view anchor = text.substr(open + 1, text.size() - open - 2);
-    if (const std::size_t semicolon = anchor.find(';'); semicolon != std::string_view::npos) {
-      const std::string_view rest = trim(anchor.substr(semicolon + 1));
-      if (!starts_with(rest, "focus:") || trim(rest.substr(6)).empty())
-        fail(fmt::format("`{}` is left over in the anchor", rest), "after ; write `focus: edge-table` or another pane");
-      stop.focus = trim(rest.substr(6));
-      std::replace(stop.focus.begin(), stop.focus.end(), '-', '_');
-      anchor = trim(anchor.substr(0, semicolon));
+    std::size_t semicolon = anchor.find(';');
+    std::string_view more = semicolon == std::string_view::npos ? std::string_view{} : anchor.substr(semicolon);
+    anchor = trim(anchor.substr(0, semicolon));
+    for (; !more.empty(); more = semicolon == std::string_view::npos ? std::string_view{} : more.substr(semicolon)) {
+      more.remove_prefix(1);
+      semicolon = more.find(';');
+      read_shown(trim(more.substr(0, semicolon)), stop);
     }
     stop.anchor = anchor;
     parse_anchor(stop.anchor, where(at_));

@@ -240,19 +240,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     session_.touch();
     return true;
   }
-  if ((overlay_ == Overlay::history || overlay_ == Overlay::explain) && pick_row(code)) {
-    session_.touch();
-    return true;
-  }
-  if (overlay_ == Overlay::why && pick_link(code)) {
-    session_.touch();
-    return true;
-  }
-  if (overlay_ == Overlay::here && pick_here(code)) {
-    session_.touch();
-    return true;
-  }
-  if (overlay_ == Overlay::bookmarks && pick_bookmark(code)) {
+  const bool answers = overlay_ == Overlay::history || overlay_ == Overlay::explain;
+  if ((answers && pick_row(code)) || (overlay_ == Overlay::why && pick_link(code)) ||
+      (overlay_ == Overlay::here && pick_here(code)) || (overlay_ == Overlay::settings && pick_setting(code)) ||
+      (overlay_ == Overlay::bookmarks && pick_bookmark(code))) {
     session_.touch();
     return true;
   }
@@ -371,7 +362,9 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
 }
 
 void App::settle() {
+  const bool moved = std::exchange(moves, false);  // to the end of what moves
   for (int i = 0; i < frames_to_settle; ++i) frame();
+  moves = moved;
 }
 
 }  // namespace zstep::viewer

@@ -16,6 +16,7 @@
 #include "sim/viewer/model/against.hpp"
 #include "sim/viewer/model/pixel_overlay.hpp"
 #include "sim/viewer/field.hpp"
+#include "sim/viewer/motion.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/panes/ui.hpp"
@@ -49,7 +50,7 @@ struct Changed {
 
 enum class Overlay {
   none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range,
-  start, what_if, here
+  start, what_if, here, settings
 };
 
 class App {
@@ -132,6 +133,7 @@ class App {
   Overlay overlay() const { return overlay_; }
   void set_dark(bool dark);
   void set_presenter(bool presenter);
+  void set_reduced_motion(bool reduced);
   /// Which pane leads on the stage, by its id; empty: what the method has. The reader chooses it, until a stop of the
   /// lesson speaks that is about something else.
   std::string lead() const;
@@ -194,6 +196,8 @@ class App {
   void take_here(std::size_t line);
   /// The time, as a clock on the board counts it; seconds until what it shows changes, for who waits.
   double clock_time = 0;
+  bool moves = false;     ///< panes and rows move to where they go, by that time; else they are there at once
+  bool moving() const;    ///< and the next frame is another
   double until_clock() const { return board_.clock_runs() ? 1 : 1e9; }
   void make_black() { black_ = true, session_.touch(); }  ///< until the next key or click, which does nothing else
   bool has_causes() const { return findings_.has_value() || against_.has_value(); }
@@ -202,6 +206,9 @@ class App {
  private:
   void draw();
   void update_fonts();
+  void begin_motion();
+  const EdgeEnter* entering_edge() const;
+  void draw_entering_edge();
   void begin_scrolling();
   void take_clicks();
   void take_vertex();
@@ -237,6 +244,7 @@ class App {
   bool pick_here(SDL_Keycode code);
   bool pick_row(SDL_Keycode code);
   bool pick_bookmark(SDL_Keycode code);
+  bool pick_setting(SDL_Keycode code);
   void follow_overlay();
   bool edit_place(SDL_Keycode code, unsigned modifiers);
 
@@ -271,6 +279,8 @@ class App {
   answers::Chain chain_;
   Ui ui_;
   std::unique_ptr<Ui> other_ui_;  ///< of the second run
+  Motion motion_;
+  std::int64_t rows_of_step_ = 0;  ///< whose rows' places are known
   std::optional<Pane> only_;
   ImVec2 stage_size_{0, 0};
   struct ChosenLead {
@@ -307,6 +317,8 @@ void draw_history(App& app);
 void draw_why_ask(App& app);
 void draw_why(App& app);
 void draw_explain(App& app);
+// settings_overlay.cpp
+void draw_settings(App& app);
 // what_if_overlay.cpp
 void draw_what_if(App& app, ImVec2 at, ImVec2 size);
 void draw_here(App& app, ImVec2 mouse);  ///< what a right click offers

@@ -7,6 +7,7 @@
 
 #include "algorithms/catalog/catalog.hpp"
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "traces/error.hpp"
@@ -135,10 +136,12 @@ void App::look_as(const App& before) {
   picked = before.picked;
   chosen_lead_ = before.chosen_lead_;
   if (chosen_lead_) chosen_lead_->stop = session_.stop();
+  ui_.chosen_viewing = {viewing_step(before.ui_), session_.stop()};
   ui_.look = before.ui_.look, ui_.from_outside = before.ui_.from_outside;
   ui_.view = before.ui_.view;
   ui_.whole_code = before.ui_.whole_code, ui_.vertices_always = before.ui_.vertices_always;
   ui_.range_mode = before.ui_.range_mode, ui_.hand_range = before.ui_.hand_range, ui_.histogram = before.ui_.histogram;
+  ui_.relief = before.ui_.relief, ui_.relief_look = before.ui_.relief_look;
   ui_.taken = before.ui_.taken;
   session_.selected = before.session_.selected;
   // The hand holds what it held.

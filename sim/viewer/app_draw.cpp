@@ -7,6 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -60,6 +61,8 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   };
   if (button_before("Menu", Overlay::menu, "Every command, with its key."))
     open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
+  if (button_before("\u2699", Overlay::settings, "Settings: text size, speed, colours, motion (Ctrl+,)."))
+    open(overlay_ == Overlay::settings ? Overlay::none : Overlay::settings);
   if (button_before("Open", Overlay::start, "Another lesson, method or scene, or a file (Ctrl+O).")) open_start();
   if (may_change_ &&
       button_before("Change", Overlay::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
@@ -167,6 +170,8 @@ void App::draw_overlay() {
       return draw_here(*this, here_at_);
     case Overlay::what_if:
       return draw_what_if(*this, drawer_at_, drawer_size_);
+    case Overlay::settings:
+      return draw_settings(*this);
   }
 }
 
@@ -201,6 +206,8 @@ void App::begin_scrolling() {
   take(layout, ui_.presenter);
   take(layout, ui_.vertices_always);
   take(layout, lead());
+  take(layout, viewing_step(ui_));
+  take(layout, motion_.panes_move());
   Fingerprint moment = layout, stop = layout;
   take(moment, session_.position());
   take(stop, session_.stop());
@@ -218,6 +225,7 @@ void App::draw() {
   apply_style(ui_);
   const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
   ImGui::GetIO().DisplaySize = size;
+  begin_motion();
   begin_scrolling();
   ui_.hits.follow(session_.trace(), session_.position());
   ui_.mouse_help = ui_.fonts.lacking;
@@ -256,6 +264,7 @@ void App::draw() {
   const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history ||
                        overlay_ == Overlay::query;
   take_vertex();
+  draw_entering_edge();
   board_.draw(ui_, {0, title}, {size.x, std::max(1.0f, size.y - title - timeline)});
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/panes/workspace.hpp"
 
 namespace zstep::viewer {
@@ -63,6 +64,20 @@ bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float&
   return true;
 }
 
+namespace {
+
+/// While T_1 … T_4 are shown, the scene has the stage alone: its matrices need the room.
+Workspace stage_of(const Ui& ui, const std::string& lead) {
+  Workspace stage = workspace(ui.session.header(), lead);
+  if (lead != scene_pane.id || viewing_step(ui) == 0) return stage;
+  for (const Pane& pane : stage.leading)
+    if (pane.id != lead) stage.small.insert(stage.small.begin(), pane);
+  stage.leading = {scene_pane};
+  return stage;
+}
+
+}  // namespace
+
 void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id) {
   const float gap = std::round(ui_.em * 0.35f), first = std::round((size.y - gap) * share);
   draw_pane(upper, at, {size.x, first});
@@ -81,7 +96,8 @@ const char* what_a_click_does(bool two_runs, bool leading, bool asked_for) {
 }  // namespace
 
 /// A pane of the stage. A click on its title makes it lead, and a second one puts it back; a sign says which it is.
-void App::draw_on_stage(const Pane& pane, ImVec2 at, ImVec2 size, bool leading) {
+void App::draw_on_stage(const Pane& pane, ImVec2 goal, ImVec2 goal_size, bool leading) {
+  const auto [at, size] = motion_.of_pane(pane.id, {goal, goal_size});
   draw_pane(pane, at, size);
   const float head = std::round(ui_.em * 1.5f), pad = std::round(ui_.em * 0.5f), side = std::round(ui_.em * 0.45f);
   const float x = at.x + 2 * pad + text_size(ui_, ui_.fonts.small, pane.title).x;
@@ -122,6 +138,7 @@ void App::draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (const Pane& pane : panes) {
     if (at.y + head > size.y) return;
+    motion_.of_pane(pane.id, {at, {size.x, head}});  // from where it sets out when it unfolds
     ImGui::SetCursorScreenPos(at);
     ImGui::PushID(pane.id);
     if (ImGui::InvisibleButton("lead", {size.x, head})) set_lead(pane.id);
@@ -217,7 +234,7 @@ void App::draw_presented(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
   const bool lesson = session_.lesson() != nullptr, asks = session_.question_open();
   const float words = std::round(size.x * (asks ? 0.37f : 0.21f)), stage = size.x - words - gap, x = at.x + stage + gap;
-  draw_leading(workspace(session_.header(), lead()).leading, at, {stage, size.y});
+  draw_leading(stage_of(ui_, lead()).leading, at, {stage, size.y});
   const bool speaks =
       lesson && session_.stop() >= 0 &&
       session_.lesson()->stops[static_cast<std::size_t>(session_.stop())].position == session_.position();
@@ -238,10 +255,10 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   const float x = at.x + left + gap, middle = at.x + size.x - x - (right > 0 ? right + gap : 0);
   draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, l.code, "code");
   splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
-  const Workspace stage = workspace(session_.header(), lead());
+  const Workspace stage = stage_of(ui_, lead());
   const float upper = std::round((size.y - gap) * l.stage);
-  draw_leading(stage.leading, {x, at.y}, {middle, upper});
   draw_small(stage.small, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
+  draw_leading(stage.leading, {x, at.y}, {middle, upper});  // over what makes room for it
   splitter("stage", {x, at.y + upper}, {middle, gap}, false, l.stage, size.y - gap);
   if (right > 0) {
     drawer_at_ = {x + middle + gap, at.y}, drawer_size_ = {right, size.y};

@@ -7,6 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
@@ -148,6 +149,15 @@ void turn_scene(App& app) {
   ui.from_outside = !seen_from_outside(ui);
   ui.look = {};
   app.session().touch();
+}
+
+/// T_1 to T_4 one by one, then none of them.
+void turn_viewing(App& app) {
+  Ui& ui = app.ui();
+  if (!has_viewing_steps(app.session().scene()))
+    return app.say("This camera's matrix is no product of T\u2081 to T\u2084: it has no eye, or is tilted.");
+  choose_viewing_step(ui, (viewing_step(ui) + 1) % 5);
+  if (viewing_step(ui) > 0) ui.from_outside = true, app.set_lead("scene");
 }
 
 /// Around the scene, by degrees; above the highest place comes the lowest.
@@ -305,6 +315,15 @@ const std::vector<Command>& table() {
          a.ui().histogram = !a.ui().histogram;
          a.session().touch();
        }},
+      {"relief",
+       "Look",
+       "Depth buffer as a relief",
+       {{SDLK_d, S}},
+       [](App& a) {
+         if (!depth_pane.serves(a.session().header())) return a.say("There are no depths in this trace.");
+         a.ui().relief = !a.ui().relief;
+         a.session().touch();
+       }},
       {"next-lead", "Look", "Large: the next pane (or its title)", {{SDLK_TAB}}, [](App& a) { a.turn_lead(1); }},
       {"previous-lead", "Look", "Large: the pane before", {{SDLK_TAB, S}}, [](App& a) { a.turn_lead(-1); }},
       {"slice", "Look", "Slice: depth over x", {{SDLK_s, S}}, show_slice},
@@ -326,6 +345,7 @@ const std::vector<Command>& table() {
          a.session().touch();
        }},
       {"outside", "Look", "The scene from outside, or not", {{SDLK_v, S}}, turn_scene},
+      {"viewing-step", "Look", "T\u2081 to T\u2084 of viewing, in turn", {{SDLK_t, S}}, turn_viewing},
       {"walk", "Look", "Walk round the scene (or drag)", {{SDLK_5}}, walk<15, 0>},
       {"rise", "Look", "Look at the scene from higher up", {{SDLK_6}}, walk<0, 15>},
       {"next-stop", "Lesson", "Next stop of the lesson", {{SDLK_n}}, [](App& a) { a.session().next_stop(1); }},
@@ -356,6 +376,16 @@ const std::vector<Command>& table() {
        {{SDLK_p}},
        [](App& a) { a.set_presenter(!a.settings().presenter); }},
       {"theme", "Window", "Light or dark", {{SDLK_t}}, [](App& a) { a.set_dark(!a.settings().dark); }},
+      {"reduced-motion",
+       "Window",
+       "Reduced motion, or not",
+       {{SDLK_m, S}},
+       [](App& a) { a.set_reduced_motion(!a.settings().reduced_motion); }},
+      {"settings",
+       "Window",
+       "Settings",
+       {{SDLK_COMMA, C}},
+       [](App& a) { a.open(a.overlay() == Overlay::settings ? Overlay::none : Overlay::settings); }},
       {"full-screen", "Window", "Full screen", {{SDLK_F11}}, [](App& a) { a.requests.toggle_full_screen = true; }},
       {"layout",
        "Window",

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -41,6 +42,14 @@ void Settings::see_stop(const std::string& lesson, int stops) {
   if (!known) put_last(lessons, lesson, std::max(stops, stops_seen(lesson)));
 }
 
+bool Settings::same_but_for_places(const Settings& other) const {
+  const auto all = [](const Settings& s) {
+    return std::tie(s.dark, s.presenter, s.reduced_motion, s.text_scale, s.width, s.height, s.speed, s.layout,
+                    s.lessons);
+  };
+  return all(*this) == all(other);
+}
+
 Settings kept_settings(const Settings& stored, const Settings& begun, Settings ended) {
   if (ended.dark == begun.dark) ended.dark = stored.dark;
   if (ended.presenter == begun.presenter) ended.presenter = stored.presenter;
@@ -68,6 +77,7 @@ Settings load_settings(const std::filesystem::path& path) {
     const long whole = std::strtol(value.c_str(), nullptr, 10);
     if (key == "dark") s.dark = whole == 1;
     else if (key == "presenter") s.presenter = whole == 1;
+    else if (key == "reduced_motion") s.reduced_motion = whole == 1;
     else if (key == "text_scale") s.text_scale = std::isfinite(real) ? std::clamp(real, 0.5f, 3.0f) : 1;
     else if (key == "width") s.width = static_cast<int>(std::clamp(whole, 0L, 16384L));
     else if (key == "height") s.height = static_cast<int>(std::clamp(whole, 0L, 16384L));
@@ -95,8 +105,9 @@ bool save_settings(const std::filesystem::path& path, const Settings& s) {
   const std::filesystem::path fresh = path.string() + ".new";
   {
     std::ofstream file(fresh);
-    file << fmt::format("dark = {:d}\npresenter = {:d}\ntext_scale = {}\nwidth = {}\nheight = {}\nspeed = {}\n", s.dark,
-                        s.presenter, s.text_scale, s.width, s.height, s.speed)
+    file << fmt::format("dark = {:d}\npresenter = {:d}\nreduced_motion = {:d}\ntext_scale = {}\n", s.dark, s.presenter,
+                        s.reduced_motion, s.text_scale)
+         << fmt::format("width = {}\nheight = {}\nspeed = {}\n", s.width, s.height, s.speed)
          << fmt::format("left = {}\nright = {}\ncode = {}\nstage = {}\nframe = {}\ntable = {}\nboth = {}\nwords = {}\n",
                         s.layout.left, s.layout.right, s.layout.code, s.layout.stage, s.layout.frame, s.layout.table,
                         s.layout.both, s.layout.words);

@@ -23,10 +23,12 @@ struct Layout {
   float both = 0.62f;        ///< height of two runs' frames above what they live by
   float words = 0.6f;        ///< height of what happened above the lesson, in presenter mode
   std::map<std::string, float> structures;  ///< weights by pane id
+  bool operator==(const Layout&) const = default;
 };
 
 struct Settings {
   bool dark = false, presenter = false;
+  bool reduced_motion = false;              ///< nothing moves by itself
   float text_scale = 1;
   int width = 0, height = 0;                ///< of the window; 0: never set
   int speed = 2;
@@ -38,6 +40,8 @@ struct Settings {
   std::optional<std::int64_t> place(const std::string& key) const;
   void remember(const std::string& key, std::int64_t position);
   int stops_seen(const std::string& lesson) const;
+  /// But for places, of which each step makes another.
+  bool same_but_for_places(const Settings& other) const;
   void see_stop(const std::string& lesson, int stops);  ///< so many, counted from its first
 };
 

@@ -80,7 +80,33 @@ double seconds() {
   return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency());
 }
 
-void loop(Stage& stage, const Window& window) {
+/// What stays from run to run, saved when it has changed and at the end.
+class Keeper {
+ public:
+  Keeper(const Settings& stored, const Settings& begun) : stored_(stored), begun_(begun), saved_(stored) {}
+
+  void save(Stage& stage, const Window& window, bool at_end) {
+    App& app = stage.app();
+    // What options set for this run alone is left out.
+    Settings kept = kept_settings(stored_, begun_, app.settings());
+    if (!window.full_screen()) SDL_GetWindowSize(window.get(), &kept.width, &kept.height);
+    kept.speed = app.session().speed;
+    if (!at_end && kept.same_but_for_places(saved_)) return;
+    // The trace that was opened keeps its place whatever was looked at besides.
+    kept.remember(place_key(stage.trace()), app.session().position());
+    kept.remember(place_key(stage.first()), stage.first_app().session().position());
+    const std::filesystem::path path = settings_path();
+    if (!path.empty() && !save_settings(path, kept) && at_end)
+      fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
+    saved_ = std::move(kept);
+  }
+
+ private:
+  const Settings stored_, begun_;
+  Settings saved_;
+};
+
+void loop(Stage& stage, const Window& window, Keeper& keeper) {
   int frames_due = App::frames_to_settle;  // after a change, until nothing moves any more
   std::uint64_t drawn = 0;
   const App* drawn_app = nullptr;
@@ -102,6 +128,8 @@ void loop(Stage& stage, const Window& window) {
     if (std::floor(time) != std::floor(std::exchange(stage.app().clock_time, time)) && stage.app().board().clock_runs())
       stage.app().session().touch();
     if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, App::frames_to_settle);
+    stage.app().moves = true;
+    if (frames_due <= 0) keeper.save(stage, window, false);  // nothing moves, and no hand pulls a border
     SDL_Event event;
     const int milliseconds = frames_due > 0 ? 0 : static_cast<int>(std::min(wait, 3600.0) * 1000);
     bool got = milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) != 0 : SDL_PollEvent(&event) != 0;
@@ -122,7 +150,7 @@ void loop(Stage& stage, const Window& window) {
     drawn = stage.app().session().revision();
     stage.app().frame();
     window.show(stage.app().renderer().picture());
-    --frames_due;
+    if (--frames_due <= 0 && stage.app().moving()) frames_due = 1;
   }
 }
 
@@ -135,8 +163,7 @@ std::string last_lesson() {
 
 int run_viewer(const Trace& trace, const ViewerOptions& options) {
   if (options.screenshot) return write_screenshot(trace, options);
-  const std::filesystem::path path = settings_path();
-  Settings settings = load_settings(path);
+  Settings settings = load_settings(settings_path());
   const Settings stored = settings;
   settings.dark = options.dark.value_or(settings.dark);
   settings.presenter = settings.presenter || options.presenter;
@@ -147,18 +174,9 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   name_window(window, trace);
   go_to_start(stage.app(), trace, options);
   if (options.at_start) stage.app().open_start();
-  loop(stage, window);
-  App& app = stage.app();
-
-  // Closing keeps layout and place.
-  Settings kept = kept_settings(stored, begun, app.settings());
-  if (!window.full_screen()) SDL_GetWindowSize(window.get(), &kept.width, &kept.height);
-  kept.speed = app.session().speed;
-  // The trace that was opened keeps its place whatever was looked at besides.
-  kept.remember(place_key(stage.trace()), app.session().position());
-  kept.remember(place_key(stage.first()), stage.first_app().session().position());
-  if (!path.empty() && !save_settings(path, kept))
-    fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
+  Keeper keeper(stored, begun);
+  loop(stage, window, keeper);
+  keeper.save(stage, window, true);
   return 0;
 }
 

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include "sim/viewer/settings.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep::viewer;
 
@@ -15,7 +17,7 @@ const std::filesystem::path path =
 
 TEST_CASE("settings come back as they were saved") {
   Settings s;
-  s.dark = true;
+  s.dark = s.reduced_motion = true;
   s.text_scale = 1.25f;
   s.width = 1000;
   s.height = 600;
@@ -28,6 +30,8 @@ TEST_CASE("settings come back as they were saved") {
   REQUIRE(save_settings(path, s));
   const Settings back = load_settings(path);
   CHECK(back.dark);
+  CHECK(back.reduced_motion);
+  CHECK(back.same_but_for_places(s));
   CHECK_FALSE(back.presenter);
   CHECK(back.text_scale == 1.25f);
   CHECK(back.width == 1000);
@@ -87,4 +91,61 @@ TEST_CASE("only the latest places are kept") {
   CHECK(s.places.size() <= 200);
   CHECK(s.place("trace 499") == 499);
   CHECK_FALSE(s.place("trace 0"));
+}
+
+TEST_CASE("what is saved at once is every setting, and not each step") {
+  const Settings before;
+  Settings after;
+  after.remember("a run", 12);
+  CHECK(after.same_but_for_places(before));
+  const std::vector<void (*)(Settings&)> changes{[](Settings& s) { s.dark = true; },
+                                                 [](Settings& s) { s.presenter = true; },
+                                                 [](Settings& s) { s.text_scale = 1.125f; },
+                                                 [](Settings& s) { s.reduced_motion = true; },
+                                                 [](Settings& s) { s.speed = 4; },
+                                                 [](Settings& s) { s.layout.left = 0.3f; },
+                                                 [](Settings& s) { s.width = 900; },
+                                                 [](Settings& s) { s.layout.structures["scene"] = 0.4f; },
+                                                 [](Settings& s) { s.see_stop("viewing", 3); }};
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    CAPTURE(k);
+    Settings changed;
+    changes[k](changed);
+    CHECK_FALSE(changed.same_but_for_places(before));
+  }
+}
+
+TEST_CASE("the page of settings opens by key and by its gear, and each row changes what it says") {
+  const zstep::Trace trace = zstep::test::record_run("pyramid", zstep::test::of_size(16, 16));
+  App app(trace, nullptr, {}, 1280, 720);
+  zstep::test::press(app, SDLK_COMMA, KMOD_LCTRL);
+  REQUIRE(app.overlay() == Overlay::settings);
+  const auto key = [&](SDL_Keycode code) { zstep::test::press(app, code); };
+  key(SDLK_RIGHT);
+  CHECK(app.settings().text_scale == doctest::Approx(1.125f));
+  key(SDLK_LEFT), key(SDLK_LEFT);
+  CHECK(app.settings().text_scale == doctest::Approx(1 / 1.125f));
+  key(SDLK_DOWN), key(SDLK_RIGHT);
+  CHECK(app.session().speed == 3);
+  key(SDLK_DOWN), key(SDLK_RETURN);
+  CHECK(app.settings().dark);
+  key(SDLK_DOWN), key(SDLK_RETURN);
+  CHECK(app.settings().presenter);
+  key(SDLK_LEFT);
+  CHECK_FALSE(app.settings().presenter);
+  key(SDLK_DOWN), key(SDLK_RETURN);
+  CHECK(app.settings().reduced_motion);
+  app.settings().layout.left = 0.4f;
+  key(SDLK_DOWN), key(SDLK_RETURN);
+  CHECK(app.settings().layout == Layout{});
+  CHECK(app.session().position() == 0);  // no key of the page has moved the run
+  key(SDLK_ESCAPE);
+  CHECK(app.overlay() == Overlay::none);
+  bool opened = false;
+  for (int x = 1270; x > 1000 && !opened; x -= 6) {
+    zstep::test::click(app, x, 14);
+    opened = app.overlay() == Overlay::settings;
+    key(SDLK_ESCAPE);
+  }
+  CHECK(opened);
 }

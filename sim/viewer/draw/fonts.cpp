@@ -37,11 +37,11 @@ const std::vector<std::string> symbol_files{
     "DejaVuSans.ttf", "NotoSansMath-Regular.ttf", "NotoSansSymbols2-Regular.ttf",
     "seguisym.ttf",   "Arial Unicode.ttf",        "Symbola.ttf"};
 
-/// Latin, Greek, punctuation, super- and subscripts, arrows, mathematics, a branch of a tree, geometric shapes, check
-/// marks.
+/// Latin, Greek, punctuation, super- and subscripts, arrows, mathematics, a branch of a tree, geometric shapes, a
+/// gear, check marks.
 const ImWchar ranges[] = {0x0020, 0x00ff, 0x0370, 0x03ff, 0x2010, 0x2030, 0x2070, 0x209c, 0x2190,
                           0x21ff, 0x2200, 0x22ff, 0x2308, 0x230b, 0x2500, 0x2500, 0x2514, 0x2514,
-                          0x25a0, 0x25ff, 0x2605, 0x2606, 0x2713, 0x2717, 0};
+                          0x25a0, 0x25ff, 0x2605, 0x2606, 0x2699, 0x2699, 0x2713, 0x2717, 0};
 
 struct Substitute { ImWchar code; const char* utf8; const char* ascii; };
 const Substitute substitutes[] = {
@@ -53,11 +53,13 @@ const Substitute substitutes[] = {
     {0x201c, "\u201c", "\""},    {0x201d, "\u201d", "\""},    {0x2022, "\u2022", "*"},   {0x2713, "\u2713", "ok"},
     {0x2717, "\u2717", "x"},     {0x03b8, "\u03b8", "theta"}, {0x03c6, "\u03c6", "phi"}, {0x03c1, "\u03c1", "rho"},
     {0x03b1, "\u03b1", "alpha"}, {0x0394, "\u0394", "D"},     {0x2080, "\u2080", "_0"},  {0x2081, "\u2081", "_1"},
-    {0x2082, "\u2082", "_2"},    {0x2083, "\u2083", "_3"},    {0x2093, "\u2093", "_x"},  {0x00b2, "\u00b2", "^2"},
+    {0x2082, "\u2082", "_2"},    {0x2083, "\u2083", "_3"},    {0x2084, "\u2084", "_4"},
+    {0x2093, "\u2093", "_x"},    {0x00b2, "\u00b2", "^2"},
     {0x221a, "\u221a", "sqrt"},  {0x2208, "\u2208", "in"},    {0x2260, "\u2260", "!="},  {0x00b0, "\u00b0", "deg"},
     {0x00bd, "\u00bd", "1/2"},   {0x00a0, "\u00a0", " "},     {0x2032, "\u2032", "'"},   {0x2308, "\u2308", "["},
     {0x2309, "\u2309", "]"},     {0x230a, "\u230a", "["},     {0x230b, "\u230b", "]"},   {0x2261, "\u2261", "="},
     {0x25a0, "\u25a0", "#"},     {0x25a1, "\u25a1", "#"},     {0x21e4, "\u21e4", "|<"},  {0x21e5, "\u21e5", ">|"},
+    {0x2699, "\u2699", "Settings"}, {0x21c4, "\u21c4", "<>"},
     {0x2261, "\u2261", "="},     {0x2248, "\u2248", "~"},     {0x2514, "\u2514", "`"},   {0x2500, "\u2500", "-"},
 };
 

@@ -57,6 +57,8 @@ class Room {
   /// Where this plane of the scene's space cuts that box, a little enlarged: the corners in order; none where it does
   /// not. A x + B y + C z + D = 0.
   std::vector<glm::dvec3> section(double a, double b, double c, double d) const;
+  /// These too.
+  void show(const std::vector<glm::dvec3>& more) { marks_.insert(marks_.end(), more.begin(), more.end()); }
   /// All that should be seen at first.
   const std::vector<glm::dvec3>& marks() const { return marks_; }
 

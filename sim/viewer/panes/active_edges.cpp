@@ -100,6 +100,9 @@ TableRow row_of(const Session& s, const ActiveEdge& active, const Mark& mark) {
   row.cells.back().brief = mark.word == "left"    ? "L"
                            : mark.word == "right" ? "R"
                                                   : mark.word.substr(0, mark.word.find(' '));
+  if (mark.now && holds<EdgeStep>(s.event()->event)) row.cells[1].changed = row.cells[2].changed = true;
+  if (mark.now && holds<EdgeEnter>(s.event()->event))
+    for (TableCell& cell : row.cells) cell.changed = cell.value.has_value();
   row.look = mark.now ? TableRow::Look::now : TableRow::Look::plain;
   row.lit = s.lit_edge() == active.edge;
   row.key = active.edge;

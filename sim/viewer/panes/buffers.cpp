@@ -8,6 +8,7 @@
 #include "sim/viewer/panes/legend.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/raster_pane.hpp"
+#include "sim/viewer/panes/relief.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -147,16 +148,19 @@ void draw_depth(Ui& ui) {
   const float bottom = corner.y + ImGui::GetContentRegionAvail().y;
   const DepthRange range = range_of(ui, ui.moment());
   const bool spread = ui.histogram && ImGui::GetContentRegionAvail().y > 2.5f * histogram_height(ui);
+  const float reserve = legend_height(ui) + (spread ? histogram_height(ui) : 0.0f);
+  const auto tip = [&](Cell cell) { return about_cell(ui, cell); };
   RasterTalk talk;
   talk.question = [&](Cell cell) -> std::optional<answers::Question> {
     if (!std::isfinite(s.picture().depth[s.picture().at(cell.x, cell.y)])) return std::nullopt;
     return answers::of_pixel(s.looking_back ? s.before() : s.position(), {cell.x, cell.y});
   };
-  draw_raster(
-      ui, "depth", legend_height(ui) + (spread ? histogram_height(ui) : 0.0f),
-      *keep(ui.cells, "depth", color_depths, ui.moment(), range, ui.depth_scale),
-      [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); },
-      [&](Cell cell) { return about_cell(ui, cell); }, talk);
+  if (ui.relief)
+    draw_relief(ui, {ImGui::GetContentRegionAvail().x, ImGui::GetContentRegionAvail().y - reserve}, range, tip);
+  else
+    draw_raster(
+        ui, "depth", reserve, *keep(ui.cells, "depth", color_depths, ui.moment(), range, ui.depth_scale),
+        [&](std::size_t at, int shown) { return number(s.picture().depth[at], shown); }, tip, talk);
   ImGui::SetCursorScreenPos(corner);
   draw_depth_legend(ui, bottom, range);
   if (spread) draw_histogram(ui, bottom, range, s.picture());

@@ -76,6 +76,7 @@ std::vector<TableRow> rows_of(Ui& ui) {
                                : 0),
                  state_word(stage, is_now, s.event())};
     bucket = e.first_row;
+    for (TableCell& cell : out.cells) cell.changed = is_now && cell.value && holds<EdgeTableInsert>(s.event()->event);
     out.cells.back().brief = state_sign(stage, is_now, s.event());
     out.look = is_now                        ? TableRow::Look::now
                : stage == EdgeStage::retired ? TableRow::Look::gone

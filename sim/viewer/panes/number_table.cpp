@@ -111,6 +111,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     if (row.lit) list->AddRectFilled(at, end, c.selected_soft);
     if (row.look == TableRow::Look::now) list->AddRectFilled(at, {at.x + std::round(3 * ui.thin), end.y}, c.now);
     if (row.lit) frame_box(ui, at, end, c.selected);
+    if (row.key >= 0) ui.row_places[{id, row.key}] = {at, {std::min(width, room), height}};
     if (hovered && row.key >= 0) result.hovered = row.key;
     bool on_number = false;
     const ImU32 color = row.trust != Findings::Trust::right || row.look == TableRow::Look::other ? c.bad
@@ -131,6 +132,12 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       }
       if (columns[k].numeric) left = x + columns[k].width - text_size(ui, font, columns[k].shown[r]).x;
       draw_text(ui, {left, at.y + text_top}, font, color, columns[k].shown[r]);
+      if (k < row.cells.size() && row.cells[k].changed) {
+        // A filled corner, as in the pixels that the step changed.
+        const float side = std::round(ui.em * 0.32f);
+        const ImVec2 corner{left + text_size(ui, font, columns[k].shown[r]).x + side, at.y + 1};
+        list->AddTriangleFilled({corner.x - side, corner.y}, corner, {corner.x, corner.y + side}, c.changed);
+      }
       if (k < row.cells.size() && row.cells[k].value && row.cells[k].question)
         if (number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y},
                       *row.cells[k].question)) {

@@ -15,6 +15,7 @@ struct TableCell {
   ImU32 chip = 0;               ///< a swatch of this colour before the text
   std::optional<answers::Question> question;  ///< of a number: what a click asks
   std::string brief;            ///< instead of the text where room is scarce; a sign
+  bool changed = false;         ///< by this step
   bool result = false;          ///< the text is a result as numbers are: the second run's is shown where it is another
   TableCell(std::string t = {}) : text(std::move(t)) {}
   TableCell(double v) : value(v) {}

@@ -10,6 +10,7 @@
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/scene_pieces.hpp"
 #include "sim/viewer/panes/vertex_stages.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/pieces.hpp"
@@ -141,6 +142,7 @@ void draw_through_the_eye(Ui& ui, int width, int height) {
 }
 
 void draw_scene(Ui& ui) {
+  if (draw_viewing_steps(ui)) return draw_outside(ui, ImGui::GetContentRegionAvail());
   const ImVec2 avail = ImGui::GetContentRegionAvail();
   // The picture has all the room while no vertex is at work, and where room is scarce, but for the steps that move one.
   const bool scarce = avail.y < ui.em * 15 && !ui.vertices_always && vertex_at_work(ui.session.event()) < 0;

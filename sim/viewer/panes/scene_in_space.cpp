@@ -9,6 +9,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_pieces.hpp"
 #include "sim/viewer/panes/vertex_stages.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
 
@@ -56,13 +57,14 @@ void draw_eye(RoomPen& pen) {
   pen.word(camera.eye, room.by_lamp() ? "light" : "eye", c.text);
 }
 
-void draw_axes(RoomPen& pen, const Moment& now) {
+void draw_axes(RoomPen& pen, const Moment& now, int viewing) {
   const Camera& camera = now.scene().camera;
   if (camera.kind == Camera::Kind::screen) return;
   const Theme& c = pen.colors;
   const double length = 0.45 * pen.room.size();
+  if (viewing > 0) draw_viewing_axes(pen, camera, viewing);
   constexpr const char* names[] = {"x", "y", "z"};
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3 && viewing == 0; ++axis) {
     glm::dvec3 end(0);
     end[axis] = length;
     pen.line(glm::dvec3(0), end, c.muted, 1.2);
@@ -73,10 +75,16 @@ void draw_axes(RoomPen& pen, const Moment& now) {
   const bool views = now.event() && get_if<ViewTransform>(&now.event()->event),
              begins = (vertices.empty() || vertices[0].stage == VertexStages::untouched) &&
                       now.state().machine.pieces.empty() && now.state().machine.rays.tree.empty();
-  if (!camera.polar || camera.kind != Camera::Kind::perspective || pen.room.by_lamp() || !(views || begins)) return;
+  if (!camera.polar || camera.kind != Camera::Kind::perspective || pen.room.by_lamp() ||
+      !(views || begins || viewing > 0))
+    return;
   const double theta = glm::radians(camera.theta), phi = glm::radians(camera.phi), radius = 0.6 * length;
   const glm::dvec3 foot(camera.eye.x, camera.eye.y, 0);
-  pen.line(glm::dvec3(0), camera.eye, c.now, 1.6);
+  const bool all = viewing == 0;  // else what the step at work needs
+  if (all || viewing == 1) {
+    pen.line(glm::dvec3(0), camera.eye, c.now, 1.6);
+    pen.word(0.55 * camera.eye, "\u03c1", c.now);
+  }
   pen.line(glm::dvec3(0), foot, c.muted, 1, true);
   pen.line(foot, camera.eye, c.muted, 1, true);
   const auto arc = [&](double angle, auto place, const char* name) {
@@ -84,15 +92,16 @@ void draw_axes(RoomPen& pen, const Moment& now) {
     for (int k = 0; k < parts; ++k) pen.line(place(angle * k / parts), place(angle * (k + 1) / parts), c.now, 1.6);
     pen.word(place(angle / 2), name, c.now);
   };
-  arc(
-      theta, [&](double t) { return radius * glm::dvec3(std::cos(t), std::sin(t), 0); }, "\u03b8");
-  arc(
-      phi,
-      [&](double t) {
-        return radius * glm::dvec3(std::sin(t) * std::cos(theta), std::sin(t) * std::sin(theta), std::cos(t));
-      },
-      "\u03c6");
-  pen.word(0.55 * camera.eye, "\u03c1", c.now);
+  if (all || viewing == 2)
+    arc(
+        theta, [&](double t) { return radius * glm::dvec3(std::cos(t), std::sin(t), 0); }, "\u03b8");
+  if (all || viewing == 3)
+    arc(
+        phi,
+        [&](double t) {
+          return radius * glm::dvec3(std::sin(t) * std::cos(theta), std::sin(t) * std::sin(theta), std::cos(t));
+        },
+        "\u03c6");
 }
 
 /// A vertex that pieces are made of.
@@ -253,9 +262,9 @@ void draw_lamp(RoomPen& pen, const Moment& now) {
 
 }  // namespace
 
-void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell) {
+void draw_in_space(RoomPen& pen, const Moment& now, const std::optional<Cell>& cell, int viewing) {
   draw_edges(pen, pen.room.polygons());
-  draw_axes(pen, now);
+  draw_axes(pen, now, viewing);
   draw_eye(pen);
   draw_lamp(pen, now);
   draw_dividing_plane(pen, now);

@@ -7,6 +7,8 @@
 
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_in_space.hpp"
+#include "sim/viewer/panes/taken_places.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -19,8 +21,8 @@ void see_polygons(OutsideSeen& seen, const Kept<Room>& room, const Look& look, c
 }
 
 void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
-                   const glm::dvec2& size, const Moment& now, const std::optional<Cell>& cell, const Theme& c,
-                   const float& thin) {
+                   const glm::dvec2& size, const Moment& now, const std::optional<Cell>& cell, const int& viewing,
+                   const Theme& c, const float& thin) {
   const Room& room = kept_room.made;
   const Picture& seen = kept.made.polygons;
   const Outside outside(room, look, seen.width, seen.height);
@@ -38,35 +40,7 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
     }
   }
   RoomPen pen(picture, seen, room, outside, c, static_cast<double>(thin));
-  draw_in_space(pen, now, cell);
-}
-
-/// Letters of polygons, then the other words, each where no other stands.
-void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, ImVec2 at) {
-  std::vector<ImVec4> taken;
-  const auto write = [&](ImVec2 middle, const ImFont* font, ImU32 color, const std::string& text, bool on_polygon) {
-    const ImVec2 size = text_size(ui, font, text);
-    const float width = static_cast<float>(picture.canvas.width()),
-                height = static_cast<float>(picture.canvas.height());
-    if (size.x + 4 > width || size.y + 2 > height) return;
-    const float left = std::clamp(middle.x + (on_polygon ? -size.x / 2 : 6), 2.0f, width - size.x - 2);
-    const float top = std::clamp(middle.y - size.y / 2, 0.0f, height - size.y);
-    const ImVec4 box{left - 2, top, left + size.x + 2, top + size.y};
-    for (const ImVec4& other : taken)
-      if (box.x < other.z && other.x < box.z && box.y < other.w && other.y < box.w) return;
-    taken.push_back(box);
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x + box.x, at.y + box.y}, {at.x + box.z, at.y + box.w},
-                                              ui.colors().pane);
-    draw_text(ui, {at.x + left, at.y + top}, font, color, text);
-  };
-  const Scene& scene = ui.session.scene();
-  int letters = 0;
-  for (const LabelSpot& spot : seen.letters)
-    if (static_cast<float>(spot.pixels) > 1.5f * ui.em * ui.em && ++letters <= 26)
-      write({static_cast<float>(spot.cell.x), static_cast<float>(spot.cell.y)}, ui.fonts.bold, ui.colors().text,
-            polygon_label(scene, spot.polygon), true);
-  if (static_cast<float>(picture.canvas.width()) < 15 * ui.em) return;  // letters alone
-  for (const ChartPicture::Word& word : picture.words) write(word.at, ui.fonts.small, word.color, word.text, false);
+  draw_in_space(pen, now, cell, viewing);
 }
 
 /// As many decimals as a hundredth of the scene has.
@@ -118,12 +92,57 @@ bool pull_vertices(Ui& ui, const Room& room, ImVec2 size, ImVec2 at) {
   return true;
 }
 
-void walk_round(Ui& ui, ImVec2 size) {
+void tell_what_is_pointed_at(Ui& ui, const Picture& seen, ImVec2 at) {
+  if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const int x = static_cast<int>(mouse.x - at.x), y = static_cast<int>(mouse.y - at.y);
+  if (x < 0 || y < 0 || x >= seen.width || y >= seen.height) return;
+  const std::int32_t polygon = seen.polygon[seen.at(x, y)];
+  if (polygon == no_polygon) return;
+  const Scene& scene = ui.session.scene();
+  const Polygon& told = scene.polygons[static_cast<std::size_t>(polygon)];
+  std::vector<std::string> lines{"polygon " + polygon_label(scene, polygon)};
+  if (told.source_line > 0) lines.push_back(fmt::format("line {} of {}", told.source_line, scene.source));
+  tooltip(ui, lines);
+}
+
+}  // namespace
+
+void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, ImVec2 at) {
+  TakenPlaces taken;
+  const auto write = [&](ImVec2 middle, const ImFont* font, ImU32 color, const std::string& text, bool on_polygon) {
+    const ImVec2 size = text_size(ui, font, text);
+    const float width = static_cast<float>(picture.canvas.width()),
+                height = static_cast<float>(picture.canvas.height());
+    if (size.x + 4 > width || size.y + 2 > height) return;
+    const float left = std::clamp(middle.x + (on_polygon ? -size.x / 2 : 6), 2.0f, width - size.x - 2);
+    const float top = std::clamp(middle.y - size.y / 2, 0.0f, height - size.y);
+    const ImVec2 low{at.x + left - 2, at.y + top}, extent{size.x + 4, size.y + std::round(2 * ui.thin)};  // for x_v
+    if (!taken.free(low, extent)) return;
+    taken.take(low, extent);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + extent.x, low.y + extent.y}, ui.colors().pane);
+    draw_text(ui, {at.x + left, at.y + top}, font, color, text);
+  };
+  const Scene& scene = ui.session.scene();
+  const auto write_letters = [&] {
+    int letters = 0;
+    for (const LabelSpot& spot : seen.letters)
+      if (static_cast<float>(spot.pixels) > 1.5f * ui.em * ui.em && ++letters <= 26)
+        write({static_cast<float>(spot.cell.x), static_cast<float>(spot.cell.y)}, ui.fonts.bold, ui.colors().text,
+              polygon_label(scene, spot.polygon), true);
+  };
+  const bool axes_matter = viewing_step(ui) > 0;
+  if (!axes_matter) write_letters();
+  if (static_cast<float>(picture.canvas.width()) >= 15 * ui.em)  // else letters alone
+    for (const ChartPicture::Word& word : picture.words) write(word.at, ui.fonts.small, word.color, word.text, false);
+  if (axes_matter) write_letters();
+}
+
+void walk_round(Ui& ui, Look& look, ImVec2 size, const char* help) {
   const ImGuiIO& io = ImGui::GetIO();
-  Look& look = ui.look;
   const Look before = look;
   if (ImGui::IsItemHovered()) {
-    ui.mouse_help = "Drag: walk round. Shift+drag: move. Wheel: nearer. Double click: back. Shift+V: through the eye.";
+    ui.mouse_help = help;
     if (io.MouseWheel != 0)
       look.zoom = std::clamp(look.zoom * std::pow(1.25, static_cast<double>(io.MouseWheel)), 0.3, 40.0);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) look = {};
@@ -141,22 +160,6 @@ void walk_round(Ui& ui, ImVec2 size) {
   if (!(look == before)) ui.session.touch();
 }
 
-void tell_what_is_pointed_at(Ui& ui, const Picture& seen, ImVec2 at) {
-  if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const int x = static_cast<int>(mouse.x - at.x), y = static_cast<int>(mouse.y - at.y);
-  if (x < 0 || y < 0 || x >= seen.width || y >= seen.height) return;
-  const std::int32_t polygon = seen.polygon[seen.at(x, y)];
-  if (polygon == no_polygon) return;
-  const Scene& scene = ui.session.scene();
-  const Polygon& told = scene.polygons[static_cast<std::size_t>(polygon)];
-  std::vector<std::string> lines{"polygon " + polygon_label(scene, polygon)};
-  if (told.source_line > 0) lines.push_back(fmt::format("line {} of {}", told.source_line, scene.source));
-  tooltip(ui, lines);
-}
-
-}  // namespace
-
 bool seen_from_outside(const Ui& ui) {
   const Session& s = ui.session;
   constexpr std::size_t many_corners = 400'000;
@@ -169,13 +172,17 @@ bool can_pull_vertices(const Scene& scene) {
 }
 
 void draw_outside(Ui& ui, ImVec2 size) {
-  const auto make_room = [](Room& room, const Scene& scene, const bool& by_lamp) { room = Room(scene, by_lamp); };
+  const auto make_room = [](Room& room, const Scene& scene, const bool& by_lamp, const bool& viewing) {
+    room = Room(scene, by_lamp);
+    if (viewing) room.show(ends_of_viewing_axes(room, scene.camera));
+  };
   const bool by_lamp = ui.session.state().machine.pass == Pass::light;
-  const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp);
+  const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
   const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_polygons, room, ui.look, whole);
   const ChartPicture& picture = keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, whole,
-                                                   ui.moment(), ui.session.current_cell(), ui.colors(), ui.thin)
+                                                   ui.moment(), ui.session.current_cell(), viewing_step(ui), ui.colors(),
+                                                   ui.thin)
                                     ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
@@ -183,7 +190,8 @@ void draw_outside(Ui& ui, ImVec2 size) {
                                        {at.x + static_cast<float>(whole.x), at.y + static_cast<float>(whole.y)});
   write_words(ui, seen.made, picture, at);
   if (pull_vertices(ui, room.made, size, at)) return;
-  walk_round(ui, size);
+  walk_round(ui, ui.look, size,
+             "Drag: walk round. Shift+drag: move. Wheel: nearer. Double click: back. Shift+V: through the eye.");
   tell_what_is_pointed_at(ui, seen.made.polygons, at);
 }
 

@@ -10,6 +10,10 @@ namespace zstep::viewer {
 bool seen_from_outside(const Ui& ui);
 /// Whether its vertices can be pulled there: few enough to be told apart, and not given by a formula.
 bool can_pull_vertices(const Scene& scene);
+/// Letters of polygons, then the other words, each where no other stands.
+void write_words(Ui& ui, const OutsideSeen& seen, const ChartPicture& picture, ImVec2 at);
+/// The mouse over the last item, which is of this size, turns what is seen, moves it and brings it nearer.
+void walk_round(Ui& ui, Look& look, ImVec2 size, const char* help);
 /// Draws it, and takes the mouse: drag, wheel, and what is pointed at.
 void draw_outside(Ui& ui, ImVec2 size);
 

@@ -176,6 +176,9 @@ std::vector<TableRow> polygon_rows(Ui& ui) {
                                          {"plane_c", plane->plane_c},
                                          {"plane_d", plane->plane_d}})
         row.cells.emplace_back(value, answers::made_by<PlaneEquation>(s.position(), field, {{"piece", piece}}));
+    row.cells[1].changed = is_now && holds<FlagFlip>(s.event()->event);
+    for (std::size_t cell = 2; cell < row.cells.size(); ++cell)
+      row.cells[cell].changed = is_now && holds<PlaneEquation>(s.event()->event);
     row.look = is_now ? TableRow::Look::now : in ? TableRow::Look::plain : TableRow::Look::gone;
     rows.push_back(std::move(row));
   }

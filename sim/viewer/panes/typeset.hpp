@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sim/viewer/panes/ui.hpp"
 
@@ -11,5 +12,11 @@ namespace zstep::viewer {
 void set_formula(Ui& ui, const std::string& line, const Flow& how);
 /// Height that set_formula() would take.
 float formula_height(Ui& ui, const std::string& line, const Flow& how);
+
+/// The entries of a matrix, row by row, or those of a column.
+using Entries = std::vector<std::vector<std::string>>;
+/// Sets it in square brackets, in large or small type, with its upper left corner there.
+void set_matrix(Ui& ui, ImVec2 at, const Entries& rows, bool small);
+ImVec2 matrix_size(const Ui& ui, const Entries& rows, bool small);
 
 }  // namespace zstep::viewer

@@ -27,6 +27,7 @@
 #include "sim/viewer/model/session.hpp"
 #include "sim/viewer/model/slice.hpp"
 #include "sim/viewer/model/summary.hpp"
+#include "sim/viewer/motion.hpp"
 
 namespace zstep::viewer {
 
@@ -74,6 +75,9 @@ struct HereLine {
   std::string copies = {};
 };
 
+/// Where rows of tables are on screen, by table and by what a click on them reports.
+using RowPlaces = std::map<std::pair<std::string, int>, Motion::Place>;
+
 struct Ui {
   Ui(Session& session_, Renderer& renderer_) : session(session_), renderer(renderer_) {}
   Session& session;
@@ -97,12 +101,17 @@ struct Ui {
   RasterView view;
   Look look;                         ///< from where the scene is seen from outside
   std::optional<bool> from_outside;  ///< as the reader chose, or else as it suits the method
+  struct ChosenViewing { int step, stop; };
+  std::optional<ChosenViewing> chosen_viewing;  ///< T_1 … T_4, or 0, by the reader at that stop of the lesson
   std::optional<HeatMap> heat;                   ///< painted over the frame
   std::string heat_behind;                       ///< how far it is from being counted, or nothing
   enum class RangeMode : std::uint8_t { whole, fitted, by_hand };
   RangeMode range_mode = RangeMode::whole;       ///< of the depth buffer's colours
   DepthRange hand_range;
   bool histogram = false;                        ///< of depths, below the depth buffer
+  bool relief = false;                           ///< the depth buffer as a surface in space
+  Look relief_look;                              ///< from where it is seen
+  RowPlaces row_places, rows_before;             ///< in this frame, and when the step before was drawn last
   KeptThings<Cells> cells;                       ///< by pane
   KeptThings<ChartPicture> charts;
   KeptThings<Canvas> canvases;                   ///< by what is painted there

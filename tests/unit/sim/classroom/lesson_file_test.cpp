@@ -182,7 +182,15 @@ TEST_CASE("slips in the stops") {
   const LessonFile focused(head + "## Here {at: start; focus: edge-table}\nText.\n");
   CHECK(load_lesson(focused.path).stops.at(0).focus == "edge_table");
   CHECK(contains(load_error(head + "## Here {at: start; look: scene}\nText.\n"),
-                 ":7: `look: scene` is left over in the anchor; after ; write `focus: edge-table` or another pane"));
+                 ":7: `look: scene` is left over in the anchor; after ; write `focus: edge-table` or another "
+                 "pane, and `viewing: T_1` to T_4 for a step of viewing"));
+  const LessonFile viewing(head + "## Here {at: start; focus: scene; viewing: T_3}\nText.\n");
+  CHECK(load_lesson(viewing.path).stops.at(0).focus == "scene");
+  CHECK(load_lesson(viewing.path).stops.at(0).viewing_step == 3);
+  for (const char* wrong : {"T_5", "T_0", "3", "T_12", ""}) {
+    const LessonFile refused(head + "## Here {at: start; viewing: " + wrong + "}\nText.\n");
+    CHECK_THROWS_WITH(load_lesson(refused.path), doctest::Contains(":7: `viewing:"));
+  }
   CHECK(contains(load_error(head + "## {at: start}\nText.\n"), ":7: the stop has no heading"));
   CHECK(contains(load_error(head + "## Here {at: start}\n\n## There {at: end}\nText.\n"), ":7: the stop says nothing"));
   CHECK(contains(load_error(head + "## Here {at: cmpare}\nText.\n"),

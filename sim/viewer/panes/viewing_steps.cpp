@@ -1,0 +1,228 @@
+#include "sim/viewer/panes/viewing_steps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "algorithms/viewing/view_factors.hpp"
+#include "sim/viewer/panes/scene_outside.hpp"
+#include "sim/viewer/panes/typeset.hpp"
+#include "sim/viewer/panes/vertex_stages.hpp"
+#include "sim/words/numbers.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+using Factors = std::array<glm::dmat4, 4>;
+
+struct Told {
+  const char* does;
+  Entries symbols;
+};
+/// What each does, {} the angle that it turns by, and how it is written.
+const Told& told(int step) {
+  static const std::array<Told, 4> all{
+      Told{"T\u2081 moves the origin to the eye e. The axes stay parallel to the world's.",
+           {{"1", "0", "0", "\u2212e_x"},
+            {"0", "1", "0", "\u2212e_y"},
+            {"0", "0", "1", "\u2212e_z"},
+            {"0", "0", "0", "1"}}},
+      Told{"T\u2082 turns about z by 90\u00b0 \u2212 \u03b8 = {}\u00b0. Then x lies level, across the line of sight.",
+           {{"sin \u03b8", "\u2212cos \u03b8", "0", "0"},
+            {"cos \u03b8", "sin \u03b8", "0", "0"},
+            {"0", "0", "1", "0"},
+            {"0", "0", "0", "1"}}},
+      Told{
+          "T\u2083 turns about x by \u03c6 \u2212 180\u00b0 = {}\u00b0. Then z lies along the line of sight, away from "
+          "the eye.",
+          {{"1", "0", "0", "0"},
+           {"0", "\u2212cos \u03c6", "sin \u03c6", "0"},
+           {"0", "\u2212sin \u03c6", "\u2212cos \u03c6", "0"},
+           {"0", "0", "0", "1"}}},
+      Told{"T\u2084 changes the sign of x. Then x_v points to the right of the picture, and the axes are left-handed.",
+           {{"\u22121", "0", "0", "0"}, {"0", "1", "0", "0"}, {"0", "0", "1", "0"}, {"0", "0", "0", "1"}}}};
+  return all[static_cast<std::size_t>(step - 1)];
+}
+
+/// By how many degrees it turns points.
+double turned(const glm::dmat4& t, int step) {
+  const glm::dvec2 to = step == 2 ? glm::dvec2(t[0][0], t[0][1]) : glm::dvec2(t[1][1], t[1][2]);
+  return glm::degrees(std::atan2(to.y, to.x)) + 0.0;
+}
+
+/// How coordinates are called after so many of the four: x_w, x_1, …, x_v.
+std::string name_of(char axis, int step) { return fmt::format("{}_{}", axis, "w123v"[step]); }
+
+/// World to the coordinates after so many.
+glm::dmat4 product(const Factors& factors, int count) {
+  glm::dmat4 all(1);
+  for (int k = 0; k < count; ++k) all = factors[static_cast<std::size_t>(k)] * all;
+  return all;
+}
+
+/// What is but rounding beside the others is 0.
+std::string entry(double value, double greatest) {
+  return number(std::abs(value) < 1e-13 * greatest ? 0.0 : value + 0.0);
+}
+
+Entries numbers_of(const glm::dmat4& matrix) {
+  double greatest = 0;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) greatest = std::max(greatest, std::abs(matrix[column][row]));
+  Entries rows(4, std::vector<std::string>(4));
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = entry(matrix[column][row], greatest);
+  return rows;
+}
+
+Entries column_of(const glm::dvec4& point) {
+  Entries rows;
+  for (int k = 0; k < 4; ++k) rows.push_back({entry(point[k], glm::length(point))});
+  return rows;
+}
+
+glm::dvec3 end_of_axis(const glm::dmat4& axes, int axis, const Room& room) {
+  return glm::dvec3(axes[3] + 0.4 * room.size() * axes[axis]);
+}
+
+Entries names_of(int step) { return {{name_of('x', step)}, {name_of('y', step)}, {name_of('z', step)}, {"1"}}; }
+
+/// A word, or a matrix where there are rows.
+struct Piece {
+  std::string word;
+  Entries rows{};
+};
+/// "T_1 = [..] = [..]", which is not broken.
+using Pieces = std::vector<Piece>;
+
+float width_of(const Ui& ui, const Pieces& pieces, bool small) {
+  float width = 0;
+  for (const Piece& piece : pieces)
+    width += std::round(ui.em * 0.4f) +
+             (piece.rows.empty() ? text_size(ui, ui.fonts.text, piece.word).x : matrix_size(ui, piece.rows, small).x);
+  return width;
+}
+
+/// Formulas side by side where there is room, else below each other.
+void set_formulas(Ui& ui, const std::vector<Pieces>& formulas, float room) {
+  bool small = false;
+  for (const Pieces& pieces : formulas) small = small || width_of(ui, pieces, false) > room;
+  const float tall = matrix_size(ui, names_of(0), small).y, below = std::round(ui.em * 0.4f);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImVec2 at = from;
+  for (const Pieces& pieces : formulas) {
+    if (at.x > from.x && at.x + ui.em * 1.2f + width_of(ui, pieces, small) > from.x + room)
+      at = {from.x, at.y + tall + below};
+    else if (at.x > from.x) at.x += std::round(ui.em * 1.2f);
+    for (const Piece& piece : pieces) {
+      if (piece.rows.empty())
+        draw_text(ui, {at.x, at.y + std::round((tall - ui.em) / 2)}, ui.fonts.text, ui.colors().text, piece.word);
+      else set_matrix(ui, at, piece.rows, small);
+      at.x += width_of(ui, {piece}, small);
+    }
+  }
+  ImGui::Dummy({std::max(1.0f, room), at.y + tall + below - from.y});
+}
+
+}  // namespace
+
+bool has_viewing_steps(const Scene& scene) { return viewing::view_factors(scene.camera).has_value(); }
+
+int viewing_step(const Ui& ui) {
+  const Session& s = ui.session;
+  const int at = s.stop();
+  const int told = s.lesson() && at >= 0 ? s.lesson()->stops[static_cast<std::size_t>(at)].viewing_step : 0;
+  if (ui.chosen_viewing && (ui.chosen_viewing->stop == at || !s.lesson())) return ui.chosen_viewing->step;
+  return has_viewing_steps(s.scene()) ? told : 0;
+}
+
+void choose_viewing_step(Ui& ui, int step) {
+  ui.chosen_viewing = {step, ui.session.stop()};
+  ui.session.touch();
+}
+
+std::vector<glm::dvec3> ends_of_viewing_axes(const Room& room, const Camera& camera) {
+  std::vector<glm::dvec3> ends;
+  const auto factors = viewing::view_factors(camera);
+  for (int count = 0; factors && count <= 4; ++count) {
+    const glm::dmat4 axes = glm::inverse(product(*factors, count));
+    for (int axis = 0; axis < 3; ++axis) ends.push_back(end_of_axis(axes, axis, room));
+  }
+  return ends;
+}
+
+void draw_viewing_axes(RoomPen& pen, const Camera& camera, int step) {
+  const auto factors = viewing::view_factors(camera);
+  if (!factors || pen.room.by_lamp()) return;
+  const Theme& c = pen.colors;
+  const glm::dmat4 before = glm::inverse(product(*factors, step - 1)), after = glm::inverse(product(*factors, step));
+  for (int axis = 0; axis < 3; ++axis) {
+    const char name = "xyz"[axis];
+    const glm::dvec3 was = end_of_axis(before, axis, pen.room), is = end_of_axis(after, axis, pen.room);
+    const bool stays = glm::length(was - is) < 1e-9 * pen.room.size();
+    pen.line(glm::dvec3(after[3]), is, c.now, 2.4);
+    pen.word(is, (stays ? name_of(name, step - 1) + " = " : "") + name_of(name, step), c.now);
+    if (stays) continue;
+    pen.line(glm::dvec3(before[3]), was, c.text, 1.4, true);
+    pen.word(was, name_of(name, step - 1), c.text);
+  }
+}
+
+bool draw_viewing_steps(Ui& ui) {
+  const Session& s = ui.session;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  if (room.x < ui.em * 20 || room.y < ui.em * 16 || !seen_from_outside(ui)) return false;
+  const auto factors = viewing::view_factors(s.scene().camera);
+  if (!factors || s.state().machine.pass == Pass::light) return false;
+  const int step = viewing_step(ui);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const char* names[] = {"T\u2081", "T\u2082", "T\u2083", "T\u2084"};
+  for (int k = 1; k <= 4; ++k) {
+    ImGui::SetCursorScreenPos({at.x + std::round(ui.em * 2.6f) * static_cast<float>(k - 1), at.y});
+    if (button(ui, names[k - 1], k == step)) choose_viewing_step(ui, k == step ? 0 : k);
+    if (ImGui::IsItemHovered())
+      ui.mouse_help =
+          k == step ? "Click: without the steps of viewing." : "Click: this step of viewing (Shift+T: the next).";
+  }
+  const float line = std::round(ui.em * 1.9f);
+  if (step == 0) {
+    const std::string what = "Viewing, step by step";
+    const float x = at.x + std::round(ui.em * 2.6f) * 4;
+    if (x + text_size(ui, ui.fonts.text, what).x < at.x + room.x)
+      draw_text(ui, {x, at.y + std::round(ui.em * 0.25f)}, ui.fonts.text, ui.colors().muted, what);
+    ImGui::SetCursorScreenPos({at.x, at.y + line});
+    return false;
+  }
+  ImGui::SetCursorScreenPos({at.x, at.y + line});
+  const glm::dmat4& t = (*factors)[static_cast<std::size_t>(step - 1)];
+  flow(ui,
+       step == 2 || step == 3 ? fmt::format(fmt::runtime(told(step).does), number(turned(t, step), 2, true))
+                              : told(step).does,
+       {.width = room.x});
+  const std::string name = names[step - 1];
+  std::vector<Pieces> formulas{{{name + " ="}, {"", told(step).symbols}}};
+  if (step < 4) formulas[0].insert(formulas[0].end(), {{"="}, {"", numbers_of(t)}});
+  const std::int32_t vertex = std::max(0, vertex_at_work(s.event()));
+  if (static_cast<std::size_t>(vertex) < s.scene().points.size()) {
+    const glm::dvec4 point(s.scene().points[static_cast<std::size_t>(vertex)], 1);
+    formulas.push_back({{fmt::format("vertex {}:", vertex)},
+                        {"", names_of(step)},
+                        {"= " + name},
+                        {"", column_of(product(*factors, step - 1) * point)},
+                        {"="},
+                        {"", column_of(product(*factors, step) * point)}});
+  }
+  if (step == 4 && room.y > ui.em * 30)
+    formulas.push_back({{"T\u2084 T\u2083 T\u2082 T\u2081 = T_v ="}, {"", numbers_of(s.scene().camera.view)}});
+  set_formulas(ui, formulas, room.x);
+  return true;
+}
+
+}  // namespace zstep::viewer

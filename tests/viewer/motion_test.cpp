@@ -1,0 +1,119 @@
+// What moves: where it is on the way, that it ends, and that its end is the picture of a window in which nothing moves.
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "sim/viewer/commands.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+namespace {
+
+std::int64_t entering(const Trace& trace) {
+  return trace.next(0, [](const RecordedEvent& e) { return holds<EdgeEnter>(e.event); }).value();
+}
+
+/// A frame at this time, as the window's loop draws it.
+test::Bytes at_time(App& app, double time) {
+  app.clock_time = time;
+  app.frame();
+  return app.renderer().rgb();
+}
+
+/// Frames as the loop draws them, until nothing is due: how many of them moved.
+int run_loop(App& app, double& time) {
+  int moving = 0;
+  std::uint64_t drawn = 0;
+  for (int due = App::frames_to_settle; due > 0; time += 0.016) {
+    if (app.session().revision() != drawn) due = App::frames_to_settle;
+    drawn = app.session().revision();
+    at_time(app, time);
+    moving += app.moving();
+    if (--due <= 0 && app.moving()) due = 1;
+    REQUIRE(moving < 100);
+  }
+  return moving;
+}
+
+}  // namespace
+
+TEST_CASE("law: panes and rows are there within 200 ms, with the bytes of a window in which nothing moves") {
+  const Trace trace = test::record_run("pyramid", test::of_size(25, 25));
+  App still(trace, nullptr, {}, 1280, 720), app(trace, nullptr, {}, 1280, 720);
+  app.moves = true;
+  double time = 100;
+  run_loop(app, time);
+  const std::int64_t enters = entering(trace);
+  const std::vector<void (*)(App&, std::int64_t)> wishes{
+      [](App& a, std::int64_t) { a.set_lead("scene"); }, [](App& a, std::int64_t) { a.set_lead("edge_table"); },
+      [](App& a, std::int64_t step) { a.session().go_to(step); }, [](App& a, std::int64_t) { a.set_lead(""); },
+      [](App& a, std::int64_t) { a.set_lead("depth"); }};
+  for (std::size_t k = 0; k < wishes.size(); ++k) {
+    CAPTURE(k);
+    wishes[k](app, enters), wishes[k](still, enters);
+    const double begun = time;
+    const test::Bytes first = at_time(app, time);
+    CHECK(app.moving());
+    const test::Bytes later = at_time(app, time += 0.05);
+    CHECK(app.moving());
+    CHECK(later != first);
+    run_loop(app, time);
+    CHECK(time - begun < 0.2 + 0.016 * (App::frames_to_settle + 2));
+    CHECK_FALSE(app.moving());
+    const test::Bytes end = app.renderer().rgb();
+    CHECK(end != later);
+    CHECK(end == test::picture(still));
+  }
+}
+
+TEST_CASE("what is drawn headless, and what settles, shows the end of what moves at once") {
+  const Trace trace = test::record_run("pyramid", test::of_size(25, 25));
+  App headless(trace, nullptr, {}, 1280, 720), app(trace, nullptr, {}, 1280, 720);
+  app.moves = true;
+  at_time(app, 1), at_time(headless, 1);
+  for (App* one : {&app, &headless}) one->set_lead("scene");
+  headless.frame();
+  CHECK_FALSE(headless.moving());
+  at_time(app, 1.02);
+  CHECK(app.moving());
+  const test::Bytes settled = test::picture(app);
+  CHECK(settled == test::picture(headless));
+  CHECK_FALSE(app.moving());
+}
+
+TEST_CASE("with reduced motion nothing moves; a window that changes its size moves nothing either") {
+  const Trace trace = test::record_run("pyramid", test::of_size(25, 25));
+  App app(trace, nullptr, {}, 1280, 720);
+  app.moves = true;
+  double time = 5;
+  run_loop(app, time);
+  CHECK_FALSE(app.settings().reduced_motion);
+  app.set_lead("scene");
+  CHECK(run_loop(app, time) > 0);
+  app.resize(1000, 700);
+  CHECK(run_loop(app, time) == 0);
+  test::press(app, SDLK_m, KMOD_LSHIFT);
+  CHECK(app.settings().reduced_motion);
+  app.set_lead("depth");
+  CHECK(run_loop(app, time) == 0);
+  app.session().go_to(entering(trace));
+  CHECK(run_loop(app, time) == 0);
+}
+
+TEST_CASE("a loop that waits for events draws nothing once what moves has ended") {
+  const Trace trace = test::record_run("pyramid", test::of_size(25, 25));
+  App app(trace, nullptr, {}, 1280, 720);
+  app.moves = true;
+  double time = 5;
+  run_loop(app, time);
+  app.set_lead("scene");
+  const int moving = run_loop(app, time);
+  CHECK((moving > 5 && moving < 14));  // 180 ms in steps of 16
+  const std::uint64_t revision = app.session().revision();
+  at_time(app, time + 10);
+  CHECK(app.session().revision() == revision);
+  CHECK_FALSE(app.moving());
+}

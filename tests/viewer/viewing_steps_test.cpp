@@ -1,0 +1,63 @@
+// T_1 … T_4 in the scene: by key, by mouse, by a stop of a lesson.
+#include <doctest/doctest.h>
+
+#include "sim/classroom/lesson.hpp"
+#include "sim/viewer/panes/viewing_steps.hpp"
+#include "tests/viewer/drive.hpp"
+#include "tests/viewer/words/some_runs.hpp"
+#include "tests/where.hpp"
+
+using namespace zstep;
+using namespace zstep::viewer;
+
+TEST_CASE("Shift+T shows T_1 to T_4 one after the other, each another picture, and then none") {
+  const Trace trace = test::record_run("pyramid", test::of_size(25, 25));
+  App app(trace, nullptr, {}, 1280, 720);
+  app.set_lead("scene");
+  std::vector<test::Bytes> pictures{test::picture(app)};
+  for (int step = 1; step <= 4; ++step) {
+    test::press(app, SDLK_t, KMOD_LSHIFT);
+    CHECK(viewing_step(app.ui()) == step);
+    pictures.push_back(test::picture(app));
+    for (int k = 0; k < step; ++k) CHECK(pictures[static_cast<std::size_t>(k)] != pictures.back());
+  }
+  test::press(app, SDLK_t, KMOD_LSHIFT);
+  CHECK(viewing_step(app.ui()) == 0);
+  app.session().message.clear();
+  CHECK(test::picture(app) == pictures.front());
+}
+
+TEST_CASE("a scene on the screen has no such steps, and the window says so") {
+  const Trace trace = test::record_run(test::in_checkout("tests/golden/edges.toml"));
+  App app(trace, nullptr, {}, 1280, 720);
+  test::press(app, SDLK_t, KMOD_LSHIFT);
+  CHECK(viewing_step(app.ui()) == 0);
+  CHECK(app.session().message.find("no product") != std::string::npos);
+}
+
+TEST_CASE("the first lesson's stops show the step that they speak of; a reader's choice holds until the next") {
+  Lesson lesson = find_lesson("viewing");
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1280, 720);
+  std::vector<int> shown;
+  for (int stop = 0; stop < static_cast<int>(lesson.stops.size()); ++stop) {
+    app.session().to_stop(stop);
+    if (const int step = viewing_step(app.ui()); step > 0) {
+      CHECK(lesson.stops[static_cast<std::size_t>(stop)].heading.find(
+                std::string("T") + std::vector<std::string>{"₁", "₂", "₃", "₄"}[static_cast<std::size_t>(step - 1)]) ==
+            0);
+      CHECK(app.lead() == "scene");
+      shown.push_back(stop);
+    }
+  }
+  REQUIRE(shown.size() == 4);
+  app.session().to_stop(shown[1]);
+  choose_viewing_step(app.ui(), 4);
+  CHECK(viewing_step(app.ui()) == 4);
+  app.session().to_stop(shown[2]);
+  CHECK(viewing_step(app.ui()) == 3);
+  app.session().to_stop(shown[1]);
+  CHECK(viewing_step(app.ui()) == 4);
+  app.session().to_stop(0);
+  CHECK(viewing_step(app.ui()) == 0);
+}
