@@ -22,7 +22,7 @@ void App::take_here(std::size_t line) {
   open(Overlay::none);
   session_.message.clear();
   if (taken.first) taken.first(session_);
-  if (taken.asks) open_explain(*taken.asks);
+  if (taken.asks) open_explain(*taken.asks, taken.asks_as);
   if (!taken.copies.empty()) {
     requests.clipboard = taken.copies;
     say("Copied: " + taken.copies);

@@ -70,6 +70,36 @@ TEST_CASE("a right click on a place in time goes there or repeats from it, on a 
   CHECK(app.session().position() != here);
 }
 
+TEST_CASE("a number of a formula asks the same by a right click as by a click, and can be copied") {
+  const Trace trace = test::record_run("delhi");
+  const auto at = trace.next(0, [](const RecordedEvent& e) { return holds<SpanBegin>(e.event); });
+  REQUIRE(at);
+  App left(trace, nullptr, {}, 1280, 720), right(trace, nullptr, {}, 1280, 720);
+  for (App* app : {&left, &right}) app->session().go_to(*at), app->settle();
+  int numbers = 0, others = 0;
+  for (int y = 340; y < 560; y += 9)
+    for (int x = 20; x < 280; x += 13) {
+      test::click(left, x, y), right_click(right, x, y);
+      CAPTURE(x);
+      CAPTURE(y);
+      const bool asks = left.overlay() == Overlay::explain;
+      CHECK(asks == (right.overlay() == Overlay::here && offers(right, "Where this number comes from")));
+      if (asks) {
+        if (offers(right, "Copy ")) ++numbers;
+        test::press(right, SDLK_RETURN);
+        REQUIRE(right.overlay() == Overlay::explain);
+        CHECK(right.chain().links.size() == left.chain().links.size());
+        CHECK(right.picked == left.picked);
+        const bool same = test::picture(right) == test::picture(left);
+        CHECK(same);
+        others += left.picked > 0;
+      }
+      for (App* app : {&left, &right}) app->open(Overlay::none), app->session().go_to(*at), app->settle();
+    }
+  CHECK(numbers > 3);
+  CHECK(others > 0);
+}
+
 TEST_CASE("what a right click offers stands within the window, wherever the mouse is, and names the keys that do it") {
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 900, 600);

@@ -24,21 +24,16 @@ void tell_formula(Ui& ui, const std::string& formula) {
   Flow how;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float right = top.x + ImGui::GetContentRegionAvail().x;
-  const auto ask = [&](ImVec2 a, ImVec2 b) {
-    if (!number_at(ui, a, b, {ui.session.position()})) return false;
-    if (ui.asked)
-      ui.asked->field =
-          answers::field_called(ui.session.trace(), ui.session.position(), formula.substr(0, formula.find(" = ")));
-    return true;
+  const auto ask = [&](ImVec2 a, ImVec2 b, const std::string& number) {
+    if (!ImGui::IsMouseHoveringRect(a, b)) return false;
+    const std::int64_t step = ui.session.position();
+    const std::string result = formula.substr(0, formula.find(" = "));
+    return number_at(ui, a, b, {step, answers::field_called(ui.session.trace(), step, result)}, number);
   };
   bool on_number = false;
-  how.on_number = [&](const std::string& number, ImVec2 a, ImVec2 b) {
-    if (!ImGui::IsMouseHoveringRect(a, b) || !ask(a, b)) return;
-    on_number = true;
-    if (ui.asked) ui.asked_as = number;
-  };
+  how.on_number = [&](const std::string& number, ImVec2 a, ImVec2 b) { on_number = ask(a, b, number) || on_number; };
   set_formula(ui, formula, how);
-  if (!on_number) ask(top, {right, ImGui::GetCursorScreenPos().y});
+  if (!on_number) ask(top, {right, ImGui::GetCursorScreenPos().y}, "");
 }
 
 /// What check or diff says of the step, in its own words.

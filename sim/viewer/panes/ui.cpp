@@ -266,9 +266,9 @@ bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question, co
     return false;
   ImGui::GetWindowDrawList()->AddRectFilled({a.x, b.y - 2}, b, ui.colors().selected);
   ui.mouse_help = "Click: where this number comes from.";
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) ui.asked = question;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) ui.asked = question, ui.asked_as = written;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    ui.here = {{.text = "Where this number comes from", .asks = question}};
+    ui.here = {{.text = "Where this number comes from", .asks = question, .asks_as = written}};
     if (!written.empty()) ui.here.push_back({.text = "Copy " + written, .copies = written});
   }
   return true;

@@ -72,6 +72,7 @@ struct HereLine {
   const char* command = "";
   std::function<void(Session&)> first = {};
   std::optional<answers::Question> asks = {};
+  std::string asks_as = {};  ///< how the number that is asked about is written, where it is one of a formula's
   std::string copies = {};
 };
 
@@ -191,7 +192,8 @@ float scroll_for(float at, float height, float view);
 void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness = 1);
 
 /// What stands between these corners is a number that can be asked about: under the mouse it is underlined, a click
-/// puts the question into `asked`, a right click offers it and to copy the number as it is `written`. True under the mouse: whatever else a click does there must then give way.
+/// puts the question into `asked`, a right click offers it. `written`: how it is written there, where it is one of a
+/// formula's; it can then be copied, too. True under the mouse: whatever else a click does there must then give way.
 bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question, const std::string& written = "");
 
 /// The sign of what is wrong in front of a name: "!" where it is wrong itself, "\u2190" where it follows from that.
