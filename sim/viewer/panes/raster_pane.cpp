@@ -5,63 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
 namespace {
-
-/// Column and row numbers along the raster, as many as have room.
-struct Rulers {
-  float left = 0, below = 0;
-};
-
-Rulers room_for_rulers(const Ui& ui, const Raster& raster) {
-  const float digits = text_size(ui, ui.fonts.small, std::to_string(std::max(raster.width, raster.height) - 1)).x;
-  return {std::round(digits + ui.em * 0.9f), std::round(ui.fonts.small->FontSize * 1.25f)};
-}
-
-int label_step(double cell, double needed) {
-  for (int step = 1;; step *= 10)
-    for (const int factor : {1, 2, 5})
-      if (step * factor * cell >= needed) return step * factor;
-}
-
-void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rulers) {
-  const Theme& c = ui.colors();
-  const ImFont* font = ui.fonts.small;
-  const double widest = text_size(ui, font, std::to_string(map.width - 1)).x + 6.0;
-  for (int x = 0, step = label_step(map.cell, widest); x < map.width; x += step) {
-    const std::string text = std::to_string(x);
-    const float at = static_cast<float>(map.px(x)) - text_size(ui, font, text).x / 2;
-    if (map.px(x) < 0 || map.px(x) > map.box_width) continue;
-    const float y =
-        origin.y + static_cast<float>(std::min<double>(map.box_height, map.top + map.height * map.cell)) + 1.0f;
-    draw_text(ui, {std::max(origin.x - rulers.left, origin.x + at), y}, font, c.muted, text);
-  }
-  const auto line = ui.session.state().machine.scan_line;
-  const float edge = origin.x + static_cast<float>(std::max(0.0, map.left));
-  for (int y = 0, step = label_step(map.cell, font->FontSize + 2.0); y < map.height; y += step) {
-    // A number that would stick out by a little is moved in.
-    const float middle = static_cast<float>(map.py(y)), half = font->FontSize / 2;
-    const float place = std::clamp(middle, half, std::max(half, static_cast<float>(map.box_height) - half));
-    if (std::abs(place - middle) > half * 0.6f) continue;
-    if (line && std::abs(map.py(y) - map.py(*line)) < font->FontSize) continue;  // the one at work is drawn last
-    const std::string text = std::to_string(y);
-    draw_text(ui, {edge - 4 - text_size(ui, font, text).x, origin.y + place - half}, font, c.muted, text);
-  }
-  if (line && map.py(*line) >= 0 && map.py(*line) <= map.box_height) {
-    // The scan line at work: its number and an arrow, wherever it stands.
-    const std::string text = std::to_string(*line);
-    const float y = std::clamp(origin.y + static_cast<float>(map.py(*line)) - font->FontSize / 2, origin.y,
-                               origin.y + static_cast<float>(map.box_height) - font->FontSize);
-    const float width = text_size(ui, font, text).x;
-    draw_text(ui, {edge - 4 - width, y}, font, c.now, text);
-    const float tip = edge - 6 - width, middle = y + font->FontSize / 2, size = font->FontSize * 0.3f;
-    ImGui::GetWindowDrawList()->AddTriangleFilled({tip - size * 1.4f, middle - size}, {tip, middle},
-                                                  {tip - size * 1.4f, middle + size}, c.now);
-  }
-}
 
 /// The outline of the polygon at work and the edge that is lit, over the cells.
 void draw_geometry(Canvas& canvas, const RasterMap& map, const Moment& now, const std::optional<std::int32_t>& lit,
@@ -130,103 +77,6 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
   view.center_y = std::clamp(view.center_y, -map.height / 2.0, map.height / 2.0);
 }
 
-/// As many decimals as fit every visible cell; none at all when two do not: a depth without decimals would mislead.
-/// True when there are any.
-bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cells,
-                  const std::function<std::string(std::size_t, int)>& cell_text) {
-  if (map.cell < numbers_from) return false;
-  const int x0 = std::max(0, static_cast<int>(-map.left / map.cell)),
-            x1 = std::min(map.width - 1, static_cast<int>((map.box_width - map.left) / map.cell));
-  const int r0 = std::max(0, static_cast<int>(-map.top / map.cell)),
-            r1 = std::min(map.height - 1, static_cast<int>((map.box_height - map.top) / map.cell));
-  const auto widest_with = [&](const ImFont* font, int decimals) {
-    double widest = 0;
-    for (int r = r0; r <= r1; ++r)
-      for (int x = x0; x <= x1; ++x) {
-        const int y = map.y_up ? map.height - 1 - r : r;
-        widest = std::max<double>(
-            widest, text_size(ui, font,
-                              cell_text(static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-                                            static_cast<std::size_t>(x),
-                                        decimals))
-                        .x);
-      }
-    return widest;
-  };
-  for (const ImFont* font : {ui.fonts.mono, ui.fonts.small}) {
-    if (font->FontSize > map.cell - 3) continue;
-    // Smaller type is better than fewer decimals; fewer decimals are better than nothing.
-    const auto decimals =
-        font == ui.fonts.mono
-            ? widest_with(font, cells.decimals) <= map.cell - 4 ? std::optional(cells.decimals) : std::nullopt
-            : decimals_that_fit(cells.decimals, map.cell - 4, [&](int fewer) { return widest_with(font, fewer); });
-    if (!decimals) continue;
-    for (int r = r0; r <= r1; ++r)
-      for (int x = x0; x <= x1; ++x) {
-        const int y = map.y_up ? map.height - 1 - r : r;
-        const std::size_t at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
-        const std::string text = cell_text(at, *decimals);
-        if (text.empty()) continue;
-        const ImVec2 size = text_size(ui, font, text);
-        // Cells that the pane's border cuts go without.
-        if (map.px(x) - size.x / 2 < 0 || map.px(x) + size.x / 2 > map.box_width || map.py(y) - size.y / 2 < 0 ||
-            map.py(y) + size.y / 2 > map.box_height)
-          continue;
-        const Pixel32 back = cells.colors[at] == hatched_cell ? to_pixel(ui.colors().empty) : cells.colors[at];
-        draw_text(ui,
-                  {origin.x + static_cast<float>(map.px(x)) - size.x / 2,
-                   origin.y + static_cast<float>(map.py(y)) - size.y / 2},
-                  font, ink_on(back), text);
-      }
-    return true;
-  }
-  return false;
-}
-
-/// The letter of each polygon, once, with a halo: where pixels are too small for one each. The largest first, and none
-/// over another.
-void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin) {
-  const auto find = static_cast<void (*)(std::vector<LabelSpot>&, const RasterMap&, const Moment&)>(find_label_spots);
-  const ImFont* font = ui.fonts.bold;
-  const float halo = std::round(2 * ui.thin);
-  TakenPlaces taken;
-  if (const auto cell = ui.session.current_cell()) {  // its frame is drawn over the letters
-    const float around = halo + std::round(3 * ui.thin), side = static_cast<float>(map.cell);
-    taken.take({origin.x + static_cast<float>(map.px(cell->x)) - side / 2 - around,
-                origin.y + static_cast<float>(map.py(cell->y)) - side / 2 - around},
-               {side + 2 * around, side + 2 * around});
-  }
-  for (const LabelSpot& spot : keep(ui.spots, "frame", find, map, ui.moment())->made) {
-    const std::string label = polygon_label(ui.session.scene(), spot.polygon);
-    const ImVec2 size = text_size(ui, font, label);
-    // What is seen of it must be as large as its letter.
-    if (static_cast<double>(spot.pixels) * map.cell * map.cell < static_cast<double>(size.x * font->FontSize)) continue;
-    const ImVec2 best{
-        std::round(origin.x + std::clamp(static_cast<float>(map.px(spot.cell.x)) - size.x / 2, halo,
-                                         std::max(halo, static_cast<float>(map.box_width) - size.x - halo))),
-        std::round(origin.y + std::clamp(static_cast<float>(map.py(spot.cell.y)) - size.y / 2, halo,
-                                         std::max(halo, static_cast<float>(map.box_height) - size.y - halo)))};
-    // There, or beside what stands there, where the polygon is seen, too.
-    std::optional<ImVec2> free;
-    for (int k = 0; k < 25 && !free; ++k) {
-      constexpr int order[] = {0, 1, -1, 2, -2};
-      const ImVec2 at{best.x + std::round(size.x * static_cast<float>(order[k % 5])),
-                      best.y + std::round(size.y * static_cast<float>(order[k / 5]))};
-      const auto cell = map.cell_at(at.x + size.x / 2 - origin.x, at.y + size.y / 2 - origin.y);
-      const Picture& shown = ui.session.picture();
-      if (k > 0 && (!cell || shown.polygon[shown.at(cell->x, cell->y)] != spot.polygon)) continue;
-      if (taken.free({at.x - halo, at.y}, {size.x + 2 * halo, size.y})) free = at;
-    }
-    if (!free) continue;
-    const ImVec2 at = *free;
-    taken.take({at.x - halo, at.y}, {size.x + 2 * halo, size.y});
-    for (const float x : {-halo, 0.0f, halo})
-      for (const float y : {-halo, 0.0f, halo}) draw_text(ui, {at.x + x, at.y + y}, font, ui.colors().pane, label);
-    draw_text(ui, at, font, ui.colors().text, label);
-  }
-}
-
 void frame_cell(const Ui& ui, const RasterMap& map, ImVec2 origin, Cell cell, float out, float thickness, ImU32 color) {
   out = std::round(out * ui.thin);
   const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)) - out,
@@ -235,16 +85,6 @@ void frame_cell(const Ui& ui, const RasterMap& map, ImVec2 origin, Cell cell, fl
                  origin.y + static_cast<float>(map.row_end(cell.y)) + out - 1};
   frame_box(ui, a, b, color, thickness);
 }
-
-}  // namespace
-
-std::optional<int> decimals_that_fit(int most, double room, const std::function<double(int)>& widest) {
-  for (int decimals = most; decimals >= std::min(2, most); --decimals)
-    if (widest(decimals) <= room) return decimals;
-  return std::nullopt;
-}
-
-namespace {
 
 /// Pixels that are wrong, or part from the other run's: in the lower left corner a triangle, filled or hollow. On
 /// pixels too small for that a box around the one and a dot on the other, with lines that a class sees and an edge of

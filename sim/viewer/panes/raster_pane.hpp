@@ -1,4 +1,4 @@
-// What framebuffer and depth buffer share: zoom, pan, rulers, marks, the mouse.
+// What framebuffer and depth buffer share: zoom, pan, marks, the mouse.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/viewer/panes/raster_canvas.hpp"
+#include "sim/viewer/panes/raster_words.hpp"
 #include "sim/viewer/panes/ui.hpp"
 
 namespace zstep::viewer {
@@ -22,10 +23,6 @@ struct RasterTalk {
 void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>& cells,
                  const std::function<std::string(std::size_t, int)>& cell_text,
                  const std::function<std::vector<std::string>(Cell)>& cell_tip, const RasterTalk& talk);
-
-/// How many decimals a cell's numbers are written with, from `most` down to the fewest that say something: two, or all
-/// that they have. `widest` tells the width of the widest of them; nullopt when not even the shortest has room.
-std::optional<int> decimals_that_fit(int most, double room, const std::function<double(int)>& widest);
 
 /// Marks over the raster: changed, selected, pointed at, now.
 void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin);

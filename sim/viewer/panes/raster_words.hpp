@@ -1,0 +1,33 @@
+// What is written on a raster and beside it: numbers in pixels, letters of polygons, columns and rows along the sides.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "sim/viewer/panes/raster_canvas.hpp"
+#include "sim/viewer/panes/ui.hpp"
+
+namespace zstep::viewer {
+
+/// Column and row numbers along the raster, as many as have room.
+struct Rulers {
+  float left = 0, below = 0;
+};
+Rulers room_for_rulers(const Ui& ui, const Raster& raster);
+void draw_rulers(Ui& ui, const RasterMap& map, ImVec2 origin, const Rulers& rulers);
+
+/// How many decimals a cell's numbers are written with, from `most` down to the fewest that say something: two, or all
+/// that they have. `widest` tells the width of the widest of them; nullopt when not even the shortest has room.
+std::optional<int> decimals_that_fit(int most, double room, const std::function<double(int)>& widest);
+
+/// As many decimals as fit every visible cell; none at all when two do not: a depth without decimals would mislead.
+/// True when there are any.
+bool draw_numbers(Ui& ui, const RasterMap& map, ImVec2 origin, const Cells& cells,
+                  const std::function<std::string(std::size_t, int)>& cell_text);
+
+/// The letter of each polygon, once, with a rim: where pixels are too small for one each. The largest first, and none
+/// over another or over the pixel at work.
+void draw_labels(Ui& ui, const RasterMap& map, ImVec2 origin);
+
+}  // namespace zstep::viewer
