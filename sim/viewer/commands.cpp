@@ -155,7 +155,7 @@ void turn_scene(App& app) {
 void turn_viewing(App& app) {
   Ui& ui = app.ui();
   if (!has_viewing_steps(app.session().scene()))
-    return app.say("This camera's matrix is no product of T\u2081 to T\u2084: it has no eye, or is tilted.");
+    return app.say("This camera is tilted or has no eye: T\u2081 to T\u2084 do not make up its viewing.");
   choose_viewing_step(ui, (viewing_step(ui) + 1) % 5);
   if (viewing_step(ui) > 0) ui.from_outside = true, app.set_lead("scene");
 }

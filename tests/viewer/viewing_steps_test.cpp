@@ -32,7 +32,7 @@ TEST_CASE("a scene on the screen has no such steps, and the window says so") {
   App app(trace, nullptr, {}, 1280, 720);
   test::press(app, SDLK_t, KMOD_LSHIFT);
   CHECK(viewing_step(app.ui()) == 0);
-  CHECK(app.session().message.find("no product") != std::string::npos);
+  CHECK(app.session().message.find("do not make up its viewing") != std::string::npos);
 }
 
 TEST_CASE("the first lesson's stops show the step that they speak of; a reader's choice holds until the next") {

@@ -27,7 +27,7 @@ struct Columns {
 
   double x(std::int32_t column) const { return column - across / 2.0; }
   double y(std::int32_t row) const { return y_up ? row - along / 2.0 : along / 2.0 - row; }
-  /// Finite depths stand above the floor, and the farthest can be told from it.
+  /// The farthest finite depth still stands above the floor, which is for ∞.
   double height(double depth, const DepthRange& range) const {
     return std::isfinite(depth) ? highest * (1 - 0.92 * std::clamp(range.share(depth), 0.0, 1.0)) : 0;
   }
@@ -165,7 +165,7 @@ Room relief_of(const Picture& picture, const Raster& raster, const DepthRange& r
       if (row < columns.along && column < columns.across)
         add(3 * (row * columns.across + column), columns.top(column, row, height(column, row)));
     }
-  // Whatever stands there, it is seen from as far away.
+  // A point above all columns: so the view keeps its distance while they grow.
   scene.points.emplace_back(columns.x(0), columns.y(0), 1.15 * columns.highest);
   return Room(scene);
 }

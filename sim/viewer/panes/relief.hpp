@@ -18,8 +18,8 @@ std::int32_t relief_block(const Raster& raster);
 Room relief_of(const Picture& picture, const Raster& raster, const DepthRange& range, const DepthScale& scale,
                Color floor);
 
-/// Draws it, and takes the mouse: it is turned as the scene is, and a click selects a pixel. `tip`: what the mouse is
-/// told of one.
+/// Draws it, and takes the mouse: it is turned as the scene is, and a click selects a pixel. `tip`: what the
+/// tooltip of a pixel says.
 void draw_relief(Ui& ui, ImVec2 size, const DepthRange& range,
                  const std::function<std::vector<std::string>(Cell)>& tip);
 
