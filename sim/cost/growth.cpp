@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -25,18 +26,18 @@ const GrowthPoint* point_at(const GrowthLine& line, int polygons) {
   return nullptr;
 }
 
-/// The numbers of polygons at which both were measured and one clearly costs less, with the ratio of their costs.
-struct Clear {
-  int polygons;
-  double first, other;
+/// What two lines cost where both were measured.
+struct Pair {
+  double polygons, first, other;
+  /// Below 0 where the first costs less; on logarithmic axes, where the lines are straight.
+  double apart() const { return std::log(first / other); }
+  bool clear() const { return std::abs(apart()) >= std::log(clear_difference); }
 };
-std::vector<Clear> clear_points(const GrowthLine& first, const GrowthLine& other, Measure measure) {
-  std::vector<Clear> all;
+std::vector<Pair> pairs_of(const GrowthLine& first, const GrowthLine& other, Measure measure) {
+  std::vector<Pair> all;
   for (const GrowthPoint& point : first.points)
-    if (const GrowthPoint* there = point_at(other, point.polygons)) {
-      const double a = point.by(measure), b = there->by(measure);
-      if (a > 0 && b > 0 && std::max(a, b) >= clear_difference * std::min(a, b)) all.push_back({point.polygons, a, b});
-    }
+    if (const GrowthPoint* there = point_at(other, point.polygons); there && point.by(measure) > 0)
+      all.push_back({static_cast<double>(point.polygons), point.by(measure), there->by(measure)});
   return all;
 }
 
@@ -50,12 +51,6 @@ std::vector<std::size_t> cheapest(const std::vector<GrowthLine>& lines, Measure 
     if (const GrowthPoint* point = point_at(lines[k], polygons); point && point->by(measure) < clear_difference * least)
       all.push_back(k);
   return all;
-}
-
-/// Two digits that count.
-std::int64_t rounded_off(double value) {
-  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(value)) - 1));
-  return std::llround(std::round(value / unit) * unit);
 }
 
 }  // namespace
@@ -92,21 +87,32 @@ void measure_more(GrowthLine& line, const Entrant& entrant, int polygons, const 
                          measured.median_seconds(), static_cast<int>(measured.seconds.size())});
 }
 
+std::int64_t Crossing::rounded() const {
+  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(polygons)) - 1));
+  return std::llround(std::round(polygons / unit) * unit);
+}
+
 std::vector<Crossing> crossings(const std::vector<GrowthLine>& lines, Measure measure) {
   std::vector<Crossing> all;
   for (std::size_t i = 0; i < lines.size(); ++i)
     for (std::size_t j = i + 1; j < lines.size(); ++j) {
-      const std::vector<Clear> clear = clear_points(lines[i], lines[j], measure);
-      for (std::size_t k = 1; k < clear.size(); ++k) {
-        const Clear &a = clear[k - 1], &b = clear[k];
-        if ((a.first < a.other) == (b.first < b.other)) continue;
-        // On logarithmic axes the lines are straight.
-        const double before = std::log(a.first / a.other), after = std::log(b.first / b.other);
-        const double share = before / (before - after);
-        const auto between = [&](double from, double to) { return from * std::pow(to / from, share); };
-        const bool first = a.first < a.other;
-        all.push_back({first ? i : j, first ? j : i, between(a.polygons, b.polygons), between(a.first, b.first),
-                       a.polygons, b.polygons});
+      const std::vector<Pair> pairs = pairs_of(lines[i], lines[j], measure);
+      const Pair* last = nullptr;  // that was clear
+      std::optional<Crossing> found;
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        if (k > 0 && !found && (pairs[k - 1].apart() < 0) != (pairs[k].apart() < 0)) {
+          const Pair &a = pairs[k - 1], &b = pairs[k];
+          const double share = a.apart() / (a.apart() - b.apart());
+          const auto between = [&](double from, double to) { return from * std::pow(to / from, share); };
+          found = Crossing{i, j, between(a.polygons, b.polygons), between(a.first, b.first)};
+        }
+        if (!pairs[k].clear()) continue;
+        if (last && found && (last->apart() < 0) != (pairs[k].apart() < 0)) {
+          if (last->apart() > 0) std::swap(found->first, found->other);
+          all.push_back(*found);
+        }
+        last = &pairs[k];
+        found.reset();
       }
     }
   std::stable_sort(all.begin(), all.end(),
@@ -119,15 +125,15 @@ std::string tell_growth(const std::vector<GrowthLine>& lines, Measure measure) {
   for (const int size : growth_sizes)
     if (std::all_of(lines.begin(), lines.end(), [&](const GrowthLine& line) { return point_at(line, size); }))
       sizes.push_back(size);
-  std::string text;
+  std::string text = fmt::format("By {}: ", word_of(measure));
   const std::vector<Crossing> all = crossings(lines, measure);
   for (const Crossing& crossing : all)
     text += fmt::format("{} costs less than {} up to about {} polygons, and more beyond. ", lines[crossing.first].title,
-                        lines[crossing.other].title, grouped(rounded_off(crossing.polygons)));
+                        lines[crossing.other].title, grouped(crossing.rounded()));
   const auto titles = [&](const std::vector<std::size_t>& some) {
     std::string names;
     for (const std::size_t k : some) names += (names.empty() ? "" : " and ") + lines[k].title;
-    return names + (some.size() == 1 ? " costs least" : " cost least, as good as the same");
+    return names + (some.size() == 1 ? " costs least" : " cost least, within a twentieth of each other");
   };
   if (sizes.size() > 1) {
     const auto few = cheapest(lines, measure, sizes.front()), many = cheapest(lines, measure, sizes.back());
@@ -140,7 +146,7 @@ std::string tell_growth(const std::vector<GrowthLine>& lines, Measure measure) {
                                       grouped(sizes.back()), titles(many));
   }
   for (const GrowthLine& line : lines)
-    if (!line.ended.empty()) text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", line.title, line.ended);
+    if (!line.ended.empty()) text += fmt::format(" {}: {}.", line.title, line.ended);
   return text;
 }
 

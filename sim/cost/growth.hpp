@@ -42,7 +42,7 @@ void measure_more(GrowthLine& line, const Entrant& entrant, int polygons, const 
 struct Crossing {
   std::size_t first = 0, other = 0;
   double polygons = 0, cost = 0;  ///< between the points measured the costs go as powers of the number
-  int from = 0, to = 0;           ///< the points measured around it
+  std::int64_t rounded() const;   ///< the number of polygons, to two digits that count
 };
 std::vector<Crossing> crossings(const std::vector<GrowthLine>& lines, Measure measure);
 

@@ -319,7 +319,7 @@ class App {
     Race race;
     GrowthChart growth;
     bool shows_growth = false;
-    std::vector<std::unique_ptr<Ui>> looks;  ///< one a racer
+    std::vector<std::unique_ptr<Ui>> looks;  ///< one a racer; none after others were chosen
   };
   std::unique_ptr<RaceView> race_;
   bool race_shown_ = false;
@@ -343,7 +343,7 @@ void draw_history(App& app);
 void draw_why_ask(App& app);
 void draw_why(App& app);
 void draw_explain(App& app);
-// race_view.cpp
+// race_list.cpp
 void draw_racers_list(App& app);
 // what_if_overlay.cpp
 void draw_what_if(App& app, ImVec2 at, ImVec2 size);

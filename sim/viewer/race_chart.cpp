@@ -27,7 +27,7 @@ LineChart growth_chart(const GrowthChart& growth, Measure measure) {
     if (!drawn.points.empty()) chart.lines.push_back(std::move(drawn));
   }
   for (const compare::Crossing& crossing : compare::crossings(growth.lines, measure))
-    chart.now.push_back({{crossing.polygons, unit * crossing.cost}, "they cross"});
+    chart.now.push_back({{crossing.polygons, unit * crossing.cost}, "about " + grouped(crossing.rounded())});
   return chart;
 }
 
@@ -57,7 +57,7 @@ void App::draw_growth(ImVec2 at, ImVec2 size) {
     flow(ui_, fmt::format("Measuring {}; Esc ends it.", growth.next_text()), {.color = c.now, .font = ui_.fonts.bold});
   } else {
     if (button(ui_, growth.lines.empty() ? "Measure (Enter)" : "Measure again (Enter)")) race_->growth.begin(race());
-    if (!growth.lines.empty()) flow(ui_, compare::tell_growth(growth.lines, measure), {.font = ui_.fonts.bold});
+    if (!growth.lines.empty()) flow(ui_, compare::tell_growth(growth.lines, measure), {});
   }
   if (std::any_of(growth.lines.begin(), growth.lines.end(), measured))
     draw_line_chart(ui_, "costs of the race", growth_chart(growth, measure));

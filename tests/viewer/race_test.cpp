@@ -303,7 +303,7 @@ TEST_CASE("lines that cross are found where they do, as far as they clearly diff
   };
   // N² / 100 and 10 N: equal at N = 1000; the third is as good as the second.
   const std::vector<compare::GrowthLine> lines{
-      line("A", {{25, 6.25}, {100, 100}, {250, 625}, {1000, 10200}, {2500, 62500}}),
+      line("A", {{25, 6.25}, {100, 100}, {250, 625}, {1000, 10000}, {2500, 62500}}),
       line("B", {{25, 250}, {100, 1000}, {250, 2500}, {1000, 10000}, {2500, 25000}, {10000, 100000}}),
       line("C", {{25, 251}, {100, 990}, {250, 2510}, {1000, 9990}, {2500, 25100}, {10000, 99000}})};
   const auto found = compare::crossings(lines, Measure::time);
@@ -311,9 +311,14 @@ TEST_CASE("lines that cross are found where they do, as far as they clearly diff
   for (const compare::Crossing& crossing : found) {
     CHECK(crossing.first == 0);
     CHECK(crossing.polygons == doctest::Approx(1000).epsilon(0.02));
-    CHECK(crossing.from == 250);
-    CHECK(crossing.to == 2500);
+    CHECK(crossing.rounded() == 1000);
+    CHECK(crossing.cost == doctest::Approx(0.01).epsilon(0.03));
   }
+  // Of a pair that is as good as equal for a while the place where it changes over is what counts.
+  std::vector<compare::GrowthLine> slow{line("A", {{25, 100}, {100, 1010}, {250, 2490}, {1000, 9000}}),
+                                        line("B", {{25, 250}, {100, 1000}, {250, 2500}, {1000, 5000}})};
+  REQUIRE(compare::crossings(slow, Measure::time).size() == 1);
+  CHECK(compare::crossings(slow, Measure::time)[0].polygons < 100);
   const std::string told = compare::tell_growth(lines, Measure::time);
   CHECK(told.find("A costs less than B up to about 1\u00a0000 polygons, and more beyond.") != std::string::npos);
   CHECK(told.find("With 25 polygons A costs least, with 2\u00a0500 B and C cost least") != std::string::npos);

@@ -56,7 +56,7 @@ std::vector<std::string> Race::chosen() const {
 
 void Race::choose(const std::vector<std::string>& entrants) {
   if (entrants.size() < least || entrants.size() > most)
-    throw InputError("a race", fmt::format("has {} to {} runs, and here are {}", least, most, entrants.size()),
+    throw InputError("a race", fmt::format("it has {} to {} runs, not {}", least, most, entrants.size()),
                      "name them with commas between, as z-buffer,bsp,warnock");
   const double share = end() > 0 ? static_cast<double>(at_) / static_cast<double>(end()) : 0;
   std::vector<std::unique_ptr<Racer>> made(entrants.size());
