@@ -142,7 +142,7 @@ std::string tell_growth(const std::vector<GrowthLine>& lines, Measure measure) {
           fmt::format("From {} to {} polygons no two of them cross. ", grouped(sizes.front()), grouped(sizes.back()));
     text += few == many ? fmt::format("With {} and with {} polygons, {}.", grouped(sizes.front()),
                                       grouped(sizes.back()), titles(few))
-                        : fmt::format("With {} polygons {}, with {} {}.", grouped(sizes.front()), titles(few),
+                        : fmt::format("With {} polygons {}; with {} {}.", grouped(sizes.front()), titles(few),
                                       grouped(sizes.back()), titles(many));
   }
   for (const GrowthLine& line : lines)

@@ -1,5 +1,6 @@
 // Where the costs of the methods of a race cross as the number of polygons grows, as a chart.
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -18,10 +19,10 @@ LineChart growth_chart(const GrowthChart& growth, Measure measure) {
   chart.y_title = measure == Measure::time ? "milliseconds" : std::string(word_of(measure));
   chart.x_ticks.assign(compare::growth_sizes.begin(), compare::growth_sizes.end());
   const double unit = measure == Measure::time ? 1e3 : 1;
-  int look = LineChart::plain_look;  // which is a disc; then the other shapes
+  // Shapes and colours of their own: a disc, a square, a triangle, a diamond.
+  constexpr std::array<int, Race::most> looks{LineChart::plain_look, 1, 2, 6 + LineChart::muted_look};
   for (const compare::GrowthLine& line : growth.lines) {
-    LineChart::Line drawn{line.title, {}, false, look};
-    look = look == LineChart::plain_look ? 1 : look + 1;
+    LineChart::Line drawn{line.title, {}, false, looks[static_cast<std::size_t>(&line - growth.lines.data())]};
     for (const compare::GrowthPoint& point : line.points)
       drawn.points.emplace_back(point.polygons, unit * point.by(measure));
     if (!drawn.points.empty()) chart.lines.push_back(std::move(drawn));

@@ -49,7 +49,7 @@ void draw_racers_list(App& app) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   begin_overlay(app, "who runs", {ui.em * 30, ui.em * 30});
-  flow(ui, "Who runs? Two to four, each with its methods and options.", {.font = ui.fonts.bold});
+  flow(ui, "Who runs? Two to four: methods, and their options.", {.font = ui.fonts.bold});
   app.draw_field("Type a part of a name");
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
   const std::string how = "Enter or a click: in, or out. Esc: to the race.";

@@ -239,7 +239,7 @@ void App::draw_race_head(ImVec2 at, float width) {
     if (next(labels[static_cast<std::size_t>(clock)], race().clock() == clock, helps[static_cast<std::size_t>(clock)]))
       race_by(clock);
   ImGui::SameLine(0, 2 * gap);
-  if (next(race_->shows_growth ? "The pictures" : "Costs as N grows", race_->shows_growth,
+  if (next(race_->shows_growth ? "The pictures" : "Costs as N grows", false,
            "How costs grow with the number of polygons, measured here (Tab, 4)."))
     race_->shows_growth = !race_->shows_growth;
   const float close = text_size(ui_, ui_.fonts.text, "Close").x + ui_.em * 1.2f;
@@ -286,7 +286,7 @@ void App::draw_race_clock(ImVec2 at, float width) {
   float named = 0, told = 0;
   for (const auto& racer : racers) {
     named = std::max(named, text_size(ui_, font, racer->entrant.title).x);
-    told = std::max(told, text_size(ui_, font, race().clock_text(race().finish(*racer))).x);
+    told = std::max(told, text_size(ui_, font, race().finish_text(*racer)).x);
   }
   named = std::min(named, width * 0.25f);
   const Strip strip{{at.x + named + gap, at.y},
@@ -305,8 +305,8 @@ void App::draw_race_clock(ImVec2 at, float width) {
     list->AddRectFilled({strip.at.x, top}, {end, top + thick}, c.head);
     list->AddRectFilled({strip.at.x, top}, {now, top + thick}, done ? c.good : c.muted);
     frame_box(ui_, {strip.at.x, top}, {std::max(end, strip.at.x + 2), top + thick}, c.rule);
-    draw_text(ui_, {at.x + width - text_size(ui_, font, race().clock_text(finish)).x, middle}, font,
-              done ? c.good : c.text, race().clock_text(finish));
+    draw_text(ui_, {at.x + width - text_size(ui_, font, race().finish_text(*racers[k])).x, middle}, font,
+              done ? c.good : c.text, race().finish_text(*racers[k]));
   }
   const float x = std::floor(strip.x(race().at())), half = std::round(1.5f * ui_.thin);
   list->AddRectFilled({x - half, at.y}, {x + half, at.y + strip.height}, c.now);

@@ -321,7 +321,7 @@ TEST_CASE("lines that cross are found where they do, as far as they clearly diff
   CHECK(compare::crossings(slow, Measure::time)[0].polygons < 100);
   const std::string told = compare::tell_growth(lines, Measure::time);
   CHECK(told.find("A costs less than B up to about 1\u00a0000 polygons, and more beyond.") != std::string::npos);
-  CHECK(told.find("With 25 polygons A costs least, with 2\u00a0500 B and C cost least") != std::string::npos);
+  CHECK(told.find("With 25 polygons A costs least; with 2\u00a0500 B and C cost least") != std::string::npos);
   CHECK(compare::crossings({lines[1], lines[2]}, Measure::time).empty());
   CHECK(compare::tell_growth({lines[1], lines[2]}, Measure::time).find("no two of them cross") != std::string::npos);
 }

@@ -146,6 +146,10 @@ std::string Race::clock_text(std::int64_t at) const {
   return fmt::format("{} {}", grouped(at), word_of(clock_));
 }
 
+std::string Race::finish_text(const Racer& racer) const {
+  return clock_ == Measure::time ? seconds_text(racer.seconds.value_or(0)) : clock_text(finish(racer));
+}
+
 std::string Race::place_text() const {
   const std::string now = clock_ == Measure::time ? clock_text(at_) : grouped(at_);
   return fmt::format("{} of {}", now, clock_text(end()));

@@ -53,6 +53,7 @@ class Race {
   /// Where the clock stands when a run is done, and where the run is at a clock.
   std::int64_t finish(const Racer& racer) const;
   std::int64_t position(const Racer& racer, std::int64_t at) const;
+  std::string finish_text(const Racer& racer) const;
   std::string clock_text(std::int64_t at) const;  ///< "4 000 steps", "81.0 µs"
   std::string place_text() const;                 ///< "4 000 of 14 935 steps"
 
