@@ -149,6 +149,23 @@ void check_run(const Method& method, const Scene& scene, const Conventions& conv
     throw InputError(name, id + " needs a light, and this scene has none", "add a [light] to the scene's file");
 }
 
+bool can_draw(const Method& method, const Scene& scene, const Conventions& conventions) {
+  try {
+    check_run(method, scene, conventions);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+Conventions conventions_for(const Method& other, Conventions conventions) {
+  conventions.options.clear();
+  if (other.in_any_way || (other.interpolates && interpolation::is_taught(conventions))) return conventions;
+  Conventions plain;
+  plain.cull = conventions.cull;
+  return plain;
+}
+
 Header header_for(const Method& method, const Conventions& conventions) {
   Header header;
   header.writer = "zstep " ZSTEP_VERSION;

@@ -61,6 +61,12 @@ const Method& method(std::string_view id);
 void check_run(const Method& method, const Scene& scene, const Conventions& conventions,
                const std::string& who = "--option");
 
+/// Whether it can.
+bool can_draw(const Method& method, const Scene& scene, const Conventions& conventions);
+
+/// What stays of a run's conventions for another method: its options are not the other's.
+Conventions conventions_for(const Method& other, Conventions conventions);
+
 /// The header of a trace of this method under these conventions.
 Header header_for(const Method& method, const Conventions& conventions);
 

@@ -367,7 +367,7 @@ void make_change(const Method& method, const Change& change, Scene& scene, Conve
     others.options[change.name] = change.value;
   }
   if (follow) other = look_at_scene(std::move(other), {});
-  check_run(method, other, others, who);
+  check_run(method, other, others, who.empty() ? change.name + " = " + change.value : who);
   scene = std::move(other);
   conventions = std::move(others);
 }

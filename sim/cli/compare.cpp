@@ -19,19 +19,7 @@ namespace {
 
 [[maybe_unused]] constexpr double no_mark = std::numeric_limits<double>::quiet_NaN();
 
-/// Three significant digits, without an exponent.
-std::string three_digits(double value) {
-  if (value >= 1000) return grouped(std::llround(value));
-  const int decimals = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3;
-  return fmt::format("{:.{}f}", value, decimals);
-}
-
 }  // namespace
-
-std::string seconds_text(double seconds) {
-  if (seconds < 0.1e-3) return three_digits(seconds * 1e6) + " µs";
-  return seconds < 1 ? three_digits(seconds * 1000) + " ms" : three_digits(seconds) + " s";
-}
 
 std::string bytes_text(std::int64_t bytes) {
   if (bytes < 0) return "?";

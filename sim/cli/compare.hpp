@@ -8,6 +8,7 @@
 #include "sim/cli/run_options.hpp"
 #include "sim/cost/comparison.hpp"
 #include "sim/image/drawing.hpp"
+#include "sim/words/numbers.hpp"
 
 namespace zstep::cli {
 
@@ -36,8 +37,6 @@ int compare_modes(const CompareOptions& options);
 /// --table: the lecture's table and today's numbers beside it.
 int compare_table(const CompareOptions& options);
 
-/// "85.0 µs", "12.4 ms", "1.24 s": three significant digits.
-std::string seconds_text(double seconds);
 /// "16.4 KiB"; "?" where memory cannot be counted.
 std::string bytes_text(std::int64_t bytes);
 

@@ -1,10 +1,11 @@
 #include "sim/cli/show.hpp"
 
-
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/cli/budget.hpp"
 #include "sim/cli/commands.hpp"
+#include "sim/cli/compare.hpp"
 #include "sim/cli/open.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/traces.hpp"
@@ -50,10 +51,31 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
   command.add_flag("--presenter", options.presenter, "Large text, for a lecture hall, this time")->group("Viewer");
 }
 
+void add_race_options(CLI::App& command, ShowOptions& options) {
+  command
+      .add_option("--race", options.race,
+                  "Methods side by side on this scene, two to four: z-buffer,bsp, or with something other than usual, "
+                  "bsp:root=random; --at is then a place of their clock")
+      ->type_name("METHOD,...")
+      ->group("Viewer");
+  const auto take_clock = [&options](const std::string& text) {
+    const std::vector<std::string> words(compare::words_of_measures.begin(), compare::words_of_measures.end());
+    options.race_by = words[parse_choice("--race-by", text, words)];
+  };
+  command
+      .add_option_function<std::string>("--race-by", take_clock,
+                                        "What their clock counts (default steps); time is measured here and now")
+      ->type_name(fmt::format("{}", fmt::join(compare::words_of_measures, "|")))
+      ->needs("--race")
+      ->group("Viewer");
+}
+
 std::string words_of(const CLI::App& command) {
   std::string arguments, options;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0 || option->check_lname("at")) continue;
+    if (option->count() == 0 || option->check_lname("at") || option->check_lname("race") ||
+        option->check_lname("race-by"))
+      continue;
     const bool takes_value = option->get_items_expected_max() > 0;
     if (!takes_value) options += " " + option->get_name();
     else
@@ -112,13 +134,38 @@ void check_view(bool view, const ShowOptions& options, const std::vector<std::st
       throw InputError(option->get_name(), "is of the viewer", "add --view");
 }
 
+namespace {
+
+/// Where the clock of a race is to stand: a number of what it counts, or a share of all of it.
+[[maybe_unused]] RaceAsked race_of(const ShowOptions& options) {
+  RaceAsked race;
+  race.entrants = parts_of(options.race, ',');
+  while (word_of(race.clock) != options.race_by)
+    race.clock = static_cast<compare::Measure>(static_cast<int>(race.clock) + 1);
+  std::string at = options.at.empty() ? "0" : options.at;
+  race.of_all = at.back() == '%';
+  if (race.of_all) at.pop_back();
+  else if (race.clock == compare::Measure::time && !options.at.empty())
+    throw InputError("--at " + options.at, "is no place of a race by time", "give a share of it, as 50%");
+  race.at = parse_number("--at", at) / (race.of_all ? 100 : 1);
+  if (race.at < 0) throw InputError("--at " + options.at, "lies before the beginning of the race", "give 0 or more");
+  return race;
+}
+
+}  // namespace
+
 int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) {
   check_can_show(options);
   [[maybe_unused]] places::Place place;
-  if (!options.at.empty()) place = place_of(trace, options.at, "--at", with.lesson);
+  if (!options.race.empty() && with.against)
+    throw InputError("--race", "does not go with --against", "open one run, and race methods on its scene");
+  if (!options.race.empty() && !options.pane.empty())
+    throw InputError("--race", "does not go with --pane", "leave out one of them");
+  if (!options.at.empty() && options.race.empty()) place = place_of(trace, options.at, "--at", with.lesson);
 #if ZSTEP_HAS_VIEWER
   ViewerOptions viewer;
-  if (!options.at.empty()) viewer.at = place.step, viewer.stop = place.stop;
+  if (!options.race.empty()) viewer.race = race_of(options);
+  else if (!options.at.empty()) viewer.at = place.step, viewer.stop = place.stop;
   if (!options.screenshot.empty()) viewer.screenshot = options.screenshot;
   if (options.screenshot.empty() && !options.pane.empty())
     throw InputError("--pane", "is of a screenshot", "add --screenshot FILE.png");

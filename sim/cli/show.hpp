@@ -18,13 +18,17 @@ struct ShowOptions {
   std::string pane;  ///< of the screenshot; empty: all of the window
   std::int32_t width = 1280, height = 720;
   bool dark = false, light = false, presenter = false;
+  std::string race, race_by = "steps";  ///< who races, with commas between; empty: no race
   const CLI::App* command = nullptr;  ///< whose words opened the view; lives as long as the action runs
 };
 
 /// Adds --at, --screenshot, --size-window, --dark, --light and --presenter.
 void add_show_options(CLI::App& command, ShowOptions& options);
 
-/// The command line that a parsed command was called by, quoted for a shell, without --at.
+/// Adds --race and --race-by.
+void add_race_options(CLI::App& command, ShowOptions& options);
+
+/// The command line that a parsed command was called by, quoted for a shell, without --at and --race.
 std::string words_of(const CLI::App& command);
 
 /// What is shown beside a trace.

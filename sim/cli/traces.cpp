@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/interpolation/interpolation.hpp"
 #include "sim/cli/budget.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/watch.hpp"
@@ -91,25 +90,7 @@ namespace {
 constexpr std::int64_t patience = 4'000'000;  // events: a second or two
 struct TooLong {};
 
-/// What stays of a run's conventions for another method: its options are not the other's.
-Conventions for_method(const Method& other, Conventions conventions) {
-  conventions.options.clear();
-  if (other.in_any_way || (other.interpolates && interpolation::is_taught(conventions))) return conventions;
-  Conventions plain;
-  plain.cull = conventions.cull;
-  return plain;
-}
-
 }  // namespace
-
-bool can_draw(const Method& method, const Scene& scene, const Conventions& conventions) {
-  try {
-    check_run(method, scene, conventions);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
 
 OtherRun record_patiently(const Method& method, const Scene& scene, const Conventions& conventions) {
   check_run(method, scene, conventions);
@@ -129,13 +110,13 @@ OtherRun record_patiently(const Method& method, const Scene& scene, const Conven
 }
 
 OtherRun record_by(const Method& method, const Trace& trace) {
-  return record_patiently(method, trace.scene(), for_method(method, trace.header().conventions));
+  return record_patiently(method, trace.scene(), conventions_for(method, trace.header().conventions));
 }
 
 OtherRun run_changed(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes) {
   const Method& by = method(method_id);
   const Conventions& given = opened.header().conventions;
-  Conventions conventions = method_id == opened.header().algorithm ? given : for_method(by, given);
+  Conventions conventions = method_id == opened.header().algorithm ? given : conventions_for(by, given);
   Scene scene = opened.scene();
   for (const Change& change : changes) {
     // What another method had and this one has not is left out; the last change is the one that is asked for.
@@ -152,7 +133,7 @@ std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {
   while (place < count && all[static_cast<std::size_t>(place)].id != trace.header().algorithm) ++place;
   for (std::int64_t away = 1; away < count; ++away) {
     const Method& other = all[static_cast<std::size_t>(((place + direction * away) % count + count) % count)];
-    if (can_draw(other, trace.scene(), for_method(other, trace.header().conventions))) return record_by(other, trace);
+    if (can_draw(other, trace.scene(), conventions_for(other, trace.header().conventions))) return record_by(other, trace);
   }
   return std::nullopt;
 }

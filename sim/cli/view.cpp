@@ -54,6 +54,7 @@ void add_view(CLI::App& app, Action& action) {
   command->add_option("--against", options->against, "A second run beside it, stepped through together by meaning")
       ->type_name("FILE.ztrace");
   add_show_options(*command, options->show);
+  add_race_options(*command, options->show);
   add_run_options(*command, options->run);
   command->footer(
       "Examples:\n"
@@ -61,6 +62,7 @@ void add_view(CLI::App& app, Action& action) {
       "  zstep view run.ztrace --at 1056\n"
       "  zstep view right.ztrace --against homework.jsonl\n"
       "  zstep view teapot --size 64x48\n"
+      "  zstep view intersecting --race z-buffer,depth-sort,warnock\n"
       "  zstep view pyramid --at 300 --screenshot pyramid.png --size-window 1920x1080");
   command->callback([options, &action] { action = [options] { return view(*options); }; });
 }

@@ -121,13 +121,19 @@ void App::open(Overlay overlay) {
 }
 
 std::string App::link() const {
-  if (!opened_by.empty()) return fmt::format("{} --at {}", opened_by, session_.position());
-  if (session_.lesson())
-    return fmt::format("zstep lesson {} --at {}", shell_word(session_.lesson()->id), session_.position());
+  if (race_shown_) return fmt::format("{} {}", opening_words(), race_place());
+  return fmt::format("{} --at {}", opening_words(), session_.position());
+}
+
+std::string App::opening_words() const {
+  // Not every command that shows a run has a race.
+  const bool races = opened_by.find("zstep view ") != std::string::npos ||
+                     opened_by.find("zstep lesson") != std::string::npos;
+  if (!opened_by.empty() && (races || !race_shown_)) return opened_by;
+  if (session_.lesson()) return "zstep lesson " + shell_word(session_.lesson()->id);
   const std::string& name = session_.trace().name();
   std::error_code error;
-  if (std::filesystem::is_regular_file(name, error))
-    return fmt::format("zstep view {} --at {}", shell_word(name), session_.position());
+  if (std::filesystem::is_regular_file(name, error)) return "zstep view " + shell_word(name);
   // Recorded on the spot: the scene, and the options that it was recorded with.
   const Scene& scene = session_.scene();
   std::string text =
@@ -144,7 +150,7 @@ std::string App::link() const {
   }
   for (const Changed::Made& made : changed_.made)
     text += " --change " + shell_word(made.change.name + " = " + made.change.value);
-  return fmt::format("{} --at {}", text, session_.position());
+  return text;
 }
 
 /// Body text: 16 px in a window of 1280 x 720. Half of what a window is larger goes into the text, the other half into
@@ -192,6 +198,7 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
   if (overlay_ == Overlay::why_ask) return pick_candidate(code);
   if (overlay_ == Overlay::start) return pick_offer(code);
   if (overlay_ == Overlay::what_if) return pick_changeable(code, modifiers);
+  if (overlay_ == Overlay::racers) return pick_racer(code);
   if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
   if (code == SDLK_RETURN && asks) return ask_typed(), true;
   if (overlay_ != Overlay::palette && !asks) return false;
@@ -201,7 +208,7 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
     const Command* command = found[static_cast<std::size_t>(picked)];
     open(Overlay::none);
     if (command->release) hold(*command);
-    else command->run(*this);
+    else run(*command);
     return true;
   }
   if (code == SDLK_UP || code == SDLK_DOWN) {
@@ -251,6 +258,10 @@ bool App::key(const SDL_KeyboardEvent& event) {
     session_.touch();
     return true;
   }
+  if (overlay_ == Overlay::none && race_shown_ && race_key(code, modifiers)) {
+    session_.touch();
+    return true;
+  }
   if (const Command* command = command_for(code, modifiers)) {
     if (event.repeat && command->release) return true;
     if (overlay_ == Overlay::keys || overlay_ == Overlay::menu) {
@@ -258,7 +269,7 @@ bool App::key(const SDL_KeyboardEvent& event) {
       if (id != "keys" && id != "menu" && id != "escape") open(Overlay::none);
     }
     session_.message.clear();
-    command->run(*this);
+    run(*command);
     session_.touch();
     return true;
   }
@@ -303,7 +314,7 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       }
       if (const Command* command = command_for(event.text.text[0])) {
         session_.message.clear();
-        command->run(*this);
+        run(*command);
         session_.touch();
       }
       return false;

@@ -15,6 +15,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/model/against.hpp"
 #include "sim/viewer/model/pixel_overlay.hpp"
+#include "sim/viewer/model/race.hpp"
 #include "sim/viewer/field.hpp"
 #include "sim/viewer/motion.hpp"
 #include "sim/viewer/model/places.hpp"
@@ -50,7 +51,7 @@ struct Changed {
 
 enum class Overlay {
   none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range,
-  start, what_if, here, settings
+  start, what_if, here, settings, racers
 };
 
 class App {
@@ -110,8 +111,8 @@ class App {
   void say_on_start(const std::string& why);  ///< that it could not be opened
 
   // --- What if (app_changes.cpp, what_if_overlay.cpp)
-  void allow_changes() { may_change_ = true; }
-  bool may_change() const { return may_change_; }
+  void allow_changes(Race::RunBy run_by) { run_by_ = std::move(run_by); }
+  bool may_change() const { return run_by_ != nullptr; }
   void show_changes(Changed changed) { changed_ = std::move(changed), session_.touch(); }
   const Changed& changed() const { return changed_; }
   /// What has the typed name in its name, as it is now; empty where the method is none of zstep's.
@@ -128,7 +129,27 @@ class App {
   /// Looks at this run as a reader did at the one before: the same panes, places and what is typed.
   void look_as(const App& before);
 
+  // --- Race: methods side by side in place of the panes (race_view.cpp, race_chart.cpp)
+  void open_race(const std::optional<RaceAsked>& asked = {});  ///< throws InputError for what is asked and cannot be
+  void close_race();
+  bool racing() const { return race_shown_; }
+  Race& race() { return race_->race; }
+  GrowthChart& growth() { return race_->growth; }
+  bool shows_growth() const { return race_shown_ && race_->shows_growth; }
+  void race_by(compare::Measure clock);
+  void turn_racer(const std::string& entrant);  ///< in or out
+  std::vector<const compare::Entrant*> found_entrants() const;  ///< what is typed is in their names
+
   // --- What commands do
+  /// Runs it, or says that it is not for a race.
+  void run(const Command& command);
+  /// To the next or previous unit; of a race's clock so many parts.
+  void move(Unit unit, int direction);
+  void go_to(std::int64_t position);  ///< of the race's clock while there is one
+  void toggle_play();
+  void change_speed(int direction);
+  /// As Session::play().
+  double play(double now);
   void open(Overlay overlay);
   Overlay overlay() const { return overlay_; }
   void set_dark(bool dark);
@@ -141,7 +162,7 @@ class App {
   ImVec2 stage_size() const { return stage_size_; }  ///< of what leads, as last drawn
   void turn_lead(int direction);  ///< to the next pane that can lead, or the one before
   void scale_text(float factor);  ///< 0: back to the usual size
-  std::string link() const;       ///< the command line that opens this place
+  std::string link() const;       ///< the command line that opens this place, or this race
   std::string opened_by;          ///< as in ViewerOptions; what link() begins with
   std::string typed;              ///< in the field of a box
   void put(const std::string& text);  ///< in place of what is typed
@@ -217,6 +238,17 @@ class App {
   void draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) { draw_pane(ui_, pane, pane.title, at, size); }
   void draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size);
   void draw_panes_of_both(ImVec2 at, ImVec2 size);
+  void share_look(Ui& beside) const;
+  bool draw_beside(Ui& beside, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size);
+  std::string opening_words() const;
+  void draw_race(ImVec2 at, ImVec2 size);
+  void draw_race_head(ImVec2 at, float width);
+  void draw_racers(ImVec2 at, ImVec2 size);
+  void draw_race_clock(ImVec2 at, float width);
+  void draw_growth(ImVec2 at, ImVec2 size);
+  std::string race_place() const;
+  bool race_key(SDL_Keycode code, unsigned modifiers);
+  bool pick_racer(SDL_Keycode code);
   void draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size);
   void follow_marks();
   void draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id);
@@ -233,7 +265,7 @@ class App {
     return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query ||
            overlay_ == Overlay::why_ask || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark ||
            overlay_ == Overlay::range || overlay_ == Overlay::start ||
-           overlay_ == Overlay::what_if;
+           overlay_ == Overlay::what_if || overlay_ == Overlay::racers;
   }
   bool type(SDL_Keycode code, unsigned modifiers);
   bool edit(SDL_Keycode code, unsigned modifiers);
@@ -296,7 +328,16 @@ class App {
   Overlay overlay_ = Overlay::none;
   Board board_;
   Changed changed_;
-  bool may_change_ = false;
+  Race::RunBy run_by_;  ///< none: nothing can be run from here
+  struct RaceView {
+    RaceView(const Trace& shown, Race::RunBy run_by) : race(shown, std::move(run_by)) {}
+    Race race;
+    GrowthChart growth;
+    bool shows_growth = false;
+    std::vector<std::unique_ptr<Ui>> looks;  ///< one a racer; none after others were chosen
+  };
+  std::unique_ptr<RaceView> race_;
+  bool race_shown_ = false;
   const Task* task_before_ = nullptr;  ///< of the lesson whose run this one changes
   std::size_t hints_given_ = 0;
   ImVec2 drawer_at_{0, 0}, drawer_size_{0, 0};
@@ -319,6 +360,8 @@ void draw_why(App& app);
 void draw_explain(App& app);
 // settings_overlay.cpp
 void draw_settings(App& app);
+// race_list.cpp
+void draw_racers_list(App& app);
 // what_if_overlay.cpp
 void draw_what_if(App& app, ImVec2 at, ImVec2 size);
 void draw_here(App& app, ImVec2 mouse);  ///< what a right click offers

@@ -10,25 +10,29 @@
 
 namespace zstep::viewer {
 
-/// A pane of either run. What a reader does in the second one's, zooming and selecting, both take.
-void App::draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size) {
-  const std::string title = fmt::format("{}: {}", first ? "A" : "B", pane.title);
-  if (first) return draw_pane(ui_, pane, title, at, size);
-  Ui& b = *other_ui_;
-  Session& session = against_->session();
-  const std::uint64_t revision = session.revision();
+/// A pane of another run. What a reader does in it, zooming and selecting, this run takes; then it is true.
+bool App::draw_beside(Ui& b, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size) {
+  const std::uint64_t revision = b.session.revision();
   b.mouse_help.clear();
   b.pointed_next.reset();
   b.view = ui_.view;
-  ImGui::PushID("second run");
+  ImGui::PushID(&b);
   draw_pane(b, pane, title, at, size);
   ImGui::PopID();
   if (!b.mouse_help.empty()) ui_.mouse_help = b.mouse_help;
   if (b.pointed_next) ui_.pointed_next = b.pointed_next;
-  if (session.revision() == revision) return;
+  if (b.session.revision() == revision) return false;
   ui_.view = b.view;
-  if (session.selected != session_.selected) session_.select(session.selected);
+  if (b.session.selected != session_.selected) session_.select(b.session.selected);
   session_.touch();
+  return true;
+}
+
+/// A pane of either run.
+void App::draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size) {
+  const std::string title = fmt::format("{}: {}", first ? "A" : "B", pane.title);
+  if (first) draw_pane(ui_, pane, title, at, size);
+  else draw_beside(*other_ui_, pane, title, at, size);
 }
 
 /// The frames of both side by side, and their depth buffers, in one row or two, whichever shows larger pixels; below

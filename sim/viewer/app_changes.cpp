@@ -39,7 +39,7 @@ std::vector<Changeable> App::found_changeables() const {
 
 void App::open_what_if() {
   if (overlay_ == Overlay::what_if) return open(Overlay::none);
-  if (!may_change_) return say("This run cannot be changed from here.");
+  if (!may_change()) return say("This run cannot be changed from here.");
   if (!method_of(session_.header())) return say("The method of this run is none of zstep's, so it cannot be run anew.");
   open(Overlay::what_if);
   if (can_pull_vertices(session_.scene())) ui_.from_outside = true;

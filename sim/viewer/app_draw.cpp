@@ -51,21 +51,23 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   const ImFont* font = ui_.fonts.text;
   const float y = at.y + std::round((size.y - font->FontSize) / 2) - 1;
   float right = at.x + size.x;
-  const auto button_before = [&](const char* word, Overlay lit, const char* help) {
+  const auto button_before = [&](const char* word, bool lit, const char* help) {
     right -= text_size(ui_, font, word).x + std::round(ui_.em * 1.1f);
     ImGui::SetCursorScreenPos({right, at.y + std::round(ui_.em * 0.12f)});
     right -= std::round(ui_.em * 0.3f);
-    const bool clicked = button(ui_, word, overlay_ == lit);
+    const bool clicked = button(ui_, word, lit);
     if (ImGui::IsItemHovered()) ui_.mouse_help = help;
     return clicked;
   };
-  if (button_before("Menu", Overlay::menu, "Every command, with its key."))
+  if (button_before("Menu", overlay_ == Overlay::menu, "Every command, with its key."))
     open(overlay_ == Overlay::menu ? Overlay::none : Overlay::menu);
-  if (button_before("\u2699", Overlay::settings, "Settings: text size, speed, colours, motion (Ctrl+,)."))
+  if (button_before("\u2699", overlay_ == Overlay::settings, "Settings: text size, speed, colours, motion (Ctrl+,)."))
     open(overlay_ == Overlay::settings ? Overlay::none : Overlay::settings);
-  if (button_before("Open", Overlay::start, "Another lesson, method or scene, or a file (Ctrl+O).")) open_start();
-  if (may_change_ &&
-      button_before("Change", Overlay::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
+  if (button_before("Open", overlay_ == Overlay::start, "Another lesson, method or scene, or a file (Ctrl+O).")) open_start();
+  if (may_change() && button_before("Race", race_shown_, "Methods side by side on this scene (Ctrl+R)."))
+    race_shown_ ? close_race() : open_race();
+  if (may_change() && !race_shown_ &&
+      button_before("Change", overlay_ == Overlay::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
     open_what_if();
   right -= std::round(ui_.em * 0.7f);
   if (board_.clock_runs()) {
@@ -84,6 +86,7 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   if (state.machine.scan_line) parts.push_back(fmt::format("line {}", *state.machine.scan_line));
   if (const auto cell = session_.current_cell()) parts.push_back(fmt::format("pixel ({}, {})", cell->x, cell->y));
   const Scene& scene = session_.scene();
+  if (race_shown_) parts = {race().place_text()};
   // A click on a lesson, a method or a scene offers the others.
   std::vector<std::string> names{"zstep"};
   std::vector<std::optional<Offer::What>> others{std::nullopt};
@@ -96,9 +99,11 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
       others.push_back(std::nullopt);
     }
   } else {
-    names.push_back(session_.header().title.empty() ? session_.header().algorithm : session_.header().title);
+    const Header& header = session_.header();
+    names.push_back(race_shown_ ? "Race" : header.title.empty() ? header.algorithm : header.title);
     names.push_back(scene.name.empty() ? session_.trace().name() : scene.name);
-    others.push_back(Offer::What::method), others.push_back(Offer::What::scene);
+    others.push_back(race_shown_ ? std::nullopt : std::optional(Offer::What::method));
+    others.push_back(Offer::What::scene);
   }
   for (std::size_t k = 0; k < names.size(); ++k)
     if (others[k] && ask_for_offers_) names[k] += " \u25be";
@@ -172,6 +177,8 @@ void App::draw_overlay() {
       return draw_what_if(*this, drawer_at_, drawer_size_);
     case Overlay::settings:
       return draw_settings(*this);
+    case Overlay::racers:
+      return draw_racers_list(*this);
   }
 }
 
@@ -179,7 +186,7 @@ void App::draw_overlay() {
 void App::take_clicks() {
   if (ui_.clicked) {
     session_.message.clear();
-    ui_.clicked->run(*this);
+    run(*ui_.clicked);
     session_.touch();
   } else if (!ui_.here.empty()) {
     here_ = ui_.here;
@@ -220,6 +227,7 @@ void App::draw() {
   places_.look_on();
   if (session_.lesson() && overlay_ != Overlay::start) settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
   if (asking_ > 0 && --asking_ == 0) ask_now();
+  if (race_ && growth().at_work && growth().shown++ > 0) growth().measure_next(ends_waiting), session_.touch();
   follow_overlay();
   update_fonts();
   apply_style(ui_);
@@ -253,8 +261,9 @@ void App::draw() {
   if (!ui_.changes) ui_.taken.reset();
   if (only_) draw_pane(*only_, {0, 0}, size);
   else draw_title(at, {width, title});
-  if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
-  if (!only_ && size.y > title + timeline) {
+  if (race_shown_) draw_race({pad, title}, {width, size.y - title - pad});
+  else if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
+  if (!only_ && !race_shown_ && size.y > title + timeline) {
     ImGui::SetCursorScreenPos({pad, size.y - timeline - pad});
     const std::int64_t b_was = against_ ? against_->session().position() : 0;
     draw_timeline(ui_, {width, timeline});

@@ -98,6 +98,18 @@ void App::to_alike(int direction) {
             : fmt::format("There is no {} difference in {}.", direction > 0 ? "later" : "earlier", found->what));
 }
 
+/// Another run's panes look as this one's.
+void App::share_look(Ui& b) const {
+  b.fonts = ui_.fonts;
+  b.theme = ui_.theme;
+  b.depth_range = ui_.depth_range, b.range_mode = ui_.range_mode, b.hand_range = ui_.hand_range;
+  b.histogram = ui_.histogram;
+  b.em = ui_.em, b.thin = ui_.thin, b.presenter = ui_.presenter, b.reads = ui_.reads;
+  b.view = ui_.view;
+  b.pointed = ui_.pointed;
+  b.scroll_now = ui_.scroll_now;
+}
+
 /// What is marked at this moment; the second run comes to it.
 void App::follow_marks() {
   ui_.pixel_marks = changed_.pixels.empty() ? nullptr : &changed_.pixels;
@@ -107,16 +119,8 @@ void App::follow_marks() {
   against_->follow();
   against_->session().looking_back = session_.looking_back;
   if (!session_.looking_back) ui_.pixel_marks = &against_->pixels();
-  Ui& b = *other_ui_;
-  b.fonts = ui_.fonts;
-  b.theme = ui_.theme;
-  b.depth_range = ui_.depth_range, b.range_mode = ui_.range_mode, b.hand_range = ui_.hand_range;
-  b.histogram = ui_.histogram;
-  b.em = ui_.em, b.thin = ui_.thin, b.presenter = ui_.presenter, b.reads = ui_.reads;
-  b.view = ui_.view;
-  b.pointed = ui_.pointed;
-  b.scroll_now = ui_.scroll_now;
-  b.pixel_marks = ui_.pixel_marks;
+  share_look(*other_ui_);
+  other_ui_->pixel_marks = ui_.pixel_marks;
 }
 
 }  // namespace zstep::viewer

@@ -17,14 +17,14 @@ constexpr unsigned S = Chord::shift, C = Chord::ctrl;
 
 template <Unit unit, int direction>
 void move(App& app) {
-  app.session().move(unit, direction);
+  app.move(unit, direction);
 }
 
 /// By polygons; before a class by the lesson's stops, for a clicker has these two keys.
 template <int direction>
 void page(App& app) {
-  if (app.ui().presenter && app.session().lesson()) app.session().next_stop(direction);
-  else app.session().move(Unit::polygon, direction);
+  if (app.ui().presenter && app.session().lesson() && !app.racing()) app.session().next_stop(direction);
+  else app.move(Unit::polygon, direction);
 }
 
 template <int direction>
@@ -34,9 +34,7 @@ void same_line(App& app) {
 
 template <int direction>
 void change_speed(App& app) {
-  Session& s = app.session();
-  s.speed = std::clamp(s.speed + direction, 0, static_cast<int>(Session::speeds().size()) - 1);
-  app.say(fmt::format("Plays at {}.", Session::speeds()[static_cast<std::size_t>(s.speed)].name));
+  app.change_speed(direction);
 }
 
 template <int direction>
@@ -90,6 +88,7 @@ void escape(App& app) {
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
   Session& s = app.session();
   if (app.board().put_away()) return s.touch();
+  if (app.racing()) return app.close_race();
   if (app.ui().heat) return app.end_painting();
   s.selected.reset();
   s.selected_edge.reset();
@@ -218,8 +217,8 @@ const std::vector<Command>& table() {
       {"previous-polygon", "Move", "Previous polygon (class: stop)", {{SDLK_PAGEUP}}, page<-1>},
       {"next-same", "Move", "Next time this line runs", {{SDLK_k}}, same_line<1>},
       {"previous-same", "Move", "Last time this line ran", {{SDLK_k, S}}, same_line<-1>},
-      {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.session().go_to(0); }},
-      {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.session().go_to(a.session().size()); }},
+      {"first", "Move", "To the beginning", {{SDLK_HOME}}, [](App& a) { a.go_to(0); }},
+      {"last", "Move", "To the end", {{SDLK_END}}, [](App& a) { a.go_to(INT64_MAX); }},
       {"go-to", "Move", "Go to a step, polygon or pixel", {{SDLK_g}}, [](App& a) { a.open(Overlay::go_to); }},
       {"run-until",
        "Move",
@@ -249,7 +248,7 @@ const std::vector<Command>& table() {
       {"bookmark", "Move", "Set a bookmark here", {{SDLK_b, C}}, name_bookmark},
       {"bookmarks", "Move", "Bookmarks", {{SDLK_l}}, [](App& a) { a.open(Overlay::bookmarks); }},
       {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Overlay::query); }},
-      {"play", "Play", "Play or pause", {{SDLK_SPACE}}, [](App& a) { a.session().toggle_play(); }},
+      {"play", "Play", "Play or pause", {{SDLK_SPACE}}, [](App& a) { a.toggle_play(); }},
       {"faster", "Play", "Faster", {{0, 0, '+'}}, change_speed<1>},
       {"slower", "Play", "Slower", {{0, 0, '-'}}, change_speed<-1>},
       {"loop-first", "Play", "Repeat from here", {{0, 0, '['}}, set_loop<true>},
@@ -272,6 +271,11 @@ const std::vector<Command>& table() {
        {{SDLK_x, S}},
        [](App& a) { a.requests.switch_method = -1; }},
       {"next-edge", "Pixel", "Light the next edge", {{SDLK_e}}, next_edge},
+      {"race",
+       "Change",
+       "Race: methods side by side",
+       {{SDLK_r, C}},
+       [](App& a) { a.racing() ? a.close_race() : a.open_race(); }},
       {"what-if", "Change", "What if: change the run", {{SDLK_e, C}}, [](App& a) { a.open_what_if(); }},
       {"undo", "Change", "Undo a change", {{SDLK_z, C}}, [](App& a) { a.requests.undo_change = 1; }},
       {"redo", "Change", "Make it again", {{SDLK_y, C}}, [](App& a) { a.requests.undo_change = -1; }},

@@ -27,7 +27,7 @@ void App::take_here(std::size_t line) {
     requests.clipboard = taken.copies;
     say("Copied: " + taken.copies);
   }
-  if (const Command* command = command_called(taken.command)) command->run(*this);
+  if (const Command* command = command_called(taken.command)) run(*command);
   session_.touch();
 }
 

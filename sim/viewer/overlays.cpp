@@ -161,7 +161,7 @@ KeySheet sheet_in(Ui& ui, std::size_t columns) {
 void run(App& app, const Command& command) {
   app.open(Overlay::none);
   if (command.release) app.hold(command);
-  else command.run(app);
+  else app.run(command);
 }
 
 void draw_columns(App& app, const char* id, const char* title) {

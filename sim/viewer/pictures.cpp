@@ -45,6 +45,7 @@ struct Pictures::Impl {
       : trace(trace_), app(trace_, options.lesson, settings, options.width, options.height) {
     if (options.checked) app.show_findings(*options.checked);
     if (options.against) app.show_against(*options.against);
+    if (options.race) app.allow_changes(options.run_by), app.open_race(options.race);
   }
   const Trace& trace;
   App app;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,8 @@ struct PictureOptions {
   const Lesson* lesson = nullptr;  ///< already resolved
   const CheckedRun* checked = nullptr;  ///< as in ViewerOptions
   const AgainstRun* against = nullptr;  ///< likewise
+  std::optional<RaceAsked> race{};      ///< in place of the panes; run by what ViewerOptions::run_changed is
+  std::function<OtherRun(const Trace&, const std::string&, const std::vector<Change>&)> run_by{};
 };
 
 /// The panes that a trace has, by the names that PictureOptions takes.

@@ -39,8 +39,8 @@ const std::array<SettingRow, 7>& setting_rows() {
   return all;
 }
 
-void run(App& app, const char* id) {
-  command_called(id)->run(app);
+void carry_out(App& app, const char* id) {
+  app.run(*command_called(id));
   app.session().touch();
 }
 
@@ -55,8 +55,8 @@ bool App::pick_setting(SDL_Keycode code) {
   const int rows = static_cast<int>(setting_rows().size());
   const SettingRow& row = setting_rows()[static_cast<std::size_t>(std::clamp(picked, 0, rows - 1))];
   if (code == SDLK_UP || code == SDLK_DOWN) picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, rows - 1);
-  else if (code == SDLK_LEFT) run(*this, row.less);
-  else if (code == SDLK_RIGHT || code == SDLK_RETURN) run(*this, row.more);
+  else if (code == SDLK_LEFT) carry_out(*this, row.less);
+  else if (code == SDLK_RIGHT || code == SDLK_RETURN) carry_out(*this, row.more);
   else return false;
   return true;
 }
@@ -114,7 +114,7 @@ void draw_settings(App& app) {
   ImGui::Dummy({1, ui.em * 0.5f});
   flow(ui, kept, small);
   ImGui::End();
-  if (clicked) run(app, clicked);
+  if (clicked) carry_out(app, clicked);
 }
 
 }  // namespace zstep::viewer

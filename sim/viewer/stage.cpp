@@ -33,7 +33,7 @@ Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& s
 void Stage::begin(const Settings& settings, int width, int height) {
   first_app_ = std::make_unique<App>(*first_, lesson_, settings, width, height, dpi_scale_);
   first_app_->offer(options_.offers);
-  if (options_.run_changed) first_app_->allow_changes();
+  if (options_.run_changed) first_app_->allow_changes(options_.run_changed);
 }
 
 void Stage::open(const Offer& offer) {
@@ -154,7 +154,7 @@ Stage::Before Stage::show_in_place(std::optional<OtherRun> next) {
     other_ = std::make_unique<OtherRun>(*std::move(next));
     other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
     other_app_->offer(options_.offers);
-    if (options_.run_changed) other_app_->allow_changes();
+    if (options_.run_changed) other_app_->allow_changes(options_.run_changed);
   } else {
     first_app_->take_settings(settings);
     first_app_->resize(width, height);

@@ -35,6 +35,7 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   how.dark = options.dark.value_or(false), how.presenter = options.presenter;
   how.pane = options.pane, how.lesson = options.lesson, how.checked = options.checked;
   how.against = options.against;
+  how.race = options.race, how.run_by = options.run_changed;
   Pictures pictures(trace, how);
   const Image image = options.stop ? pictures.at_stop(*options.stop) : pictures.at(options.at);
   write_png(*options.screenshot, image.width, image.height, image.rgb);
@@ -124,7 +125,7 @@ void loop(Stage& stage, const Window& window, Keeper& keeper) {
     };
     if (std::exchange(drawn_app, &stage.app()) != &stage.app()) drawn = 0;  // another run's
     const double time = seconds();
-    const double wait = std::min(stage.app().session().play(time), stage.app().until_clock());
+    const double wait = std::min(stage.app().play(time), stage.app().until_clock());
     if (std::floor(time) != std::floor(std::exchange(stage.app().clock_time, time)) && stage.app().board().clock_runs())
       stage.app().session().touch();
     if (stage.app().session().revision() != drawn) frames_due = std::max(frames_due, App::frames_to_settle);
@@ -173,6 +174,7 @@ int run_viewer(const Trace& trace, const ViewerOptions& options) {
   Stage stage(trace, options, settings, window.surface()->w, window.surface()->h, window.dpi_scale());
   name_window(window, trace);
   go_to_start(stage.app(), trace, options);
+  if (options.race) stage.app().open_race(options.race);
   if (options.at_start) stage.app().open_start();
   Keeper keeper(stored, begun);
   loop(stage, window, keeper);

@@ -11,6 +11,7 @@
 
 #include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/lesson.hpp"
+#include "sim/cost/growth.hpp"
 #include "sim/image/png.hpp"
 #include "sim/words/judged.hpp"
 #include "traces/file/trace.hpp"
@@ -49,6 +50,14 @@ struct AgainstRun {
   bool at_first_cause = false;  ///< opens where the runs first part
 };
 
+/// Methods side by side on the scene of the trace.
+struct RaceAsked {
+  std::vector<std::string> entrants;  ///< as "z-buffer", "bsp:root=random"; none: the method of the trace and the next
+  compare::Measure clock = compare::Measure::steps;
+  double at = 0;         ///< of the clock
+  bool of_all = false;   ///< `at` is a share of the whole race, not a number of steps or operations
+};
+
 struct WindowSize {
   std::int32_t width = 1280, height = 720;
   bool operator==(const WindowSize&) const = default;
@@ -76,6 +85,7 @@ struct ViewerOptions {
   /// nothing can be changed.
   std::function<OtherRun(const Trace& opened, const std::string& method, const std::vector<Change>& changes)>
       run_changed;
+  std::optional<RaceAsked> race{};  ///< opens with it
   bool at_start = false;  ///< opens with the choice of what to open
   std::string opened_by;  ///< command line that opens this view again, quoted for a shell, without --at
 };

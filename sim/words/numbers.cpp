@@ -174,4 +174,14 @@ std::string grouped(std::int64_t value) {
   return value < 0 ? minus_sign + digits : digits;
 }
 
+std::string three_digits(double value) {
+  const int decimals = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3;
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds < 0.1e-3) return three_digits(seconds * 1e6) + " µs";
+  return seconds < 1 ? three_digits(seconds * 1000) + " ms" : three_digits(seconds) + " s";
+}
+
 }  // namespace zstep

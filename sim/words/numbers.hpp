@@ -42,4 +42,9 @@ bool shown_as(double value, std::string_view text);
 /// Thousands set apart by a no-break space: "12 041".
 std::string grouped(std::int64_t value);
 
+/// Three significant digits, without an exponent.
+std::string three_digits(double value);
+/// "85.0 µs", "12.4 ms", "1.24 s".
+std::string seconds_text(double seconds);
+
 }  // namespace zstep

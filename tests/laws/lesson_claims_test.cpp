@@ -129,6 +129,8 @@ polygon = [
 )";
 
 TEST_CASE("what lessons say about other runs than their own is so") {
+  const Edits first_hides_all{
+      {"[[37, 15.1, 71.9], [40.6, 24.6, 69.2], [45.7, 27.1, 77.2]]", "[[-60, -5, 1], [100, -5, 1], [20, 110, 1]]"}};
   const std::vector<Run> runs{
       {"viewing: nearer, a vertex of A leaves the window and A is cut to four vertices", "pyramid.toml", "z-buffer",
        "[camera]\nrho = 40", "{y_p(2) = -35} {count(outline where polygon == 0) = 4}"},
@@ -198,6 +200,18 @@ TEST_CASE("what lessons say about other runs than their own is so") {
        "[options]\norder = \"opaque-first\"", "{depth(13, 5) = 8}"},
       {"comparison: depth sort paints what the Z-buffer compares", "hundred.toml", "depth-sort", "",
        "{count(paint) = 2950}"},
+      {"comparison: of the four Warnock takes the most steps", "hundred.toml", "scan-line", "", "{steps = 14715}"},
+      {"comparison: and the fewest where one hides all", "hundred.toml", "scan-line", "", "{steps = 17540}",
+       first_hides_all},
+      {"comparison: of the four Warnock takes the most steps", "hundred.toml", "depth-sort", "", "{steps = 24675}"},
+      {"comparison: and the fewest where one hides all", "hundred.toml", "depth-sort", "", "{steps = 26318}",
+       first_hides_all},
+      {"comparison: of the four Warnock takes the most steps", "hundred.toml", "warnock", "", "{steps = 25713}"},
+      {"comparison: and the fewest where one hides all", "hundred.toml", "warnock", "", "{steps = 15650}",
+       first_hides_all},
+      {"comparison: of the four Warnock takes the most steps", "hundred.toml", "z-buffer", "", "{steps = 14935}"},
+      {"comparison: and the fewest where one hides all", "hundred.toml", "z-buffer", "", "{steps = 17265}",
+       first_hides_all},
       {"which-z: with pseudodepth R is in front of C in the middle", "receding.toml", "z-buffer", "",
        "{frame(10, 8) = R} {depth(10, 8) = 0.125} {frame(12, 8) = R} {frame(13, 8) = C}"},
       {"which-z: and with z_v by way of its reciprocal", "receding.toml", "z-buffer",

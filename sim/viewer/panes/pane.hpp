@@ -52,6 +52,8 @@ extern const Pane scene_pane;
 /// Across the window, below the panes.
 void draw_timeline(Ui& ui, ImVec2 size);
 float timeline_height(const Ui& ui);
+/// Buttons that move and play, each a command's, and the speed, in a place as wide as the widest.
+void draw_transport(Ui& ui, bool playing, const std::string& speed, float widest);
 
 /// Does this trace's pseudo-code have a step that records this event?
 template <class E>

@@ -256,7 +256,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
                         std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).y);
     const auto asks = ui.asks && talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
     ui.mouse_help =
-        !ui.asks ? fmt::format("Click: select this pixel in both runs. {}", moves)
+        !ui.asks ? fmt::format("Click: select this pixel in every run. {}", moves)
         : asks   ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
                : fmt::format("Click: select this pixel; F goes to the next step that touches it. Right click: more. {}",
                              moves);

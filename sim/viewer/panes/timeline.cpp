@@ -202,14 +202,15 @@ void command_button(Ui& ui, const char* label, const char* id, bool lit = false)
   ui.mouse_help = says;
 }
 
-void draw_transport(Ui& ui) {
-  const Session& s = ui.session;
+}  // namespace
+
+void draw_transport(Ui& ui, bool playing, const std::string& speed, float widest) {
   const float gap = ui.em * 0.25f;
   command_button(ui, "|\u25c0", "first");
   ImGui::SameLine(0, gap);
   command_button(ui, "\u25c0", "previous");
   ImGui::SameLine(0, gap);
-  command_button(ui, s.playing ? "Pause" : "Play \u25b6\u25b6", "play", s.playing);
+  command_button(ui, playing ? "Pause" : "Play \u25b6\u25b6", "play", playing);
   ImGui::SameLine(0, gap);
   command_button(ui, "\u25b6", "next");
   ImGui::SameLine(0, gap);
@@ -218,17 +219,12 @@ void draw_transport(Ui& ui) {
   command_button(ui, "\u2212##slower", "slower");
   ImGui::SameLine(0, gap);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  float widest = 0;
-  for (const auto& speed : Session::speeds()) widest = std::max(widest, text_size(ui, ui.fonts.text, speed.name).x);
-  const std::string name = Session::speeds()[static_cast<std::size_t>(s.speed)].name;
-  draw_text(ui, {at.x + (widest - text_size(ui, ui.fonts.text, name).x) / 2, at.y + std::round(ui.em * 0.25f)},
-            ui.fonts.text, ui.colors().text, name);
+  draw_text(ui, {at.x + (widest - text_size(ui, ui.fonts.text, speed).x) / 2, at.y + std::round(ui.em * 0.25f)},
+            ui.fonts.text, ui.colors().text, speed);
   ImGui::Dummy({widest, ui.em});
   ImGui::SameLine(0, gap);
   command_button(ui, "+##faster", "faster");
 }
-
-}  // namespace
 
 namespace {
 
@@ -284,10 +280,12 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   scrub(ui, "polygon", polygon, false);
   draw_polygon(ui, polygon, interval, sections);
   ImGui::SetCursorScreenPos({origin.x, y});
-  draw_transport(ui);
+  const Session& s = ui.session;
+  float widest = 0;
+  for (const auto& speed : Session::speeds()) widest = std::max(widest, text_size(ui, ui.fonts.text, speed.name).x);
+  draw_transport(ui, s.playing, Session::speeds()[static_cast<std::size_t>(s.speed)].name, widest);
   ImGui::SameLine(0, ui.em);
   // What the mouse does here, else where this is; only when there is room for all of it.
-  const Session& s = ui.session;
   const std::string percent =
       s.size() ? fmt::format("{:.1f} %", 100.0 * static_cast<double>(s.position()) / static_cast<double>(s.size()))
                : "0 %";
