@@ -7,6 +7,7 @@
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
 #include "traces/lamp.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewing {
 
@@ -19,8 +20,8 @@ constexpr double pi = 3.14159265358979323846;
 double sine_of(double degrees, int quarter_turns) {
   int quadrant = 0;
   const double rest = std::remquo(degrees, 90.0, &quadrant);  // -45 … 45
-  const double sine = std::abs(rest) == 30 ? std::copysign(0.5, rest) : std::sin(rest * pi / 180);
-  const double cosine = std::cos(rest * pi / 180);
+  const double sine = std::abs(rest) == 30 ? std::copysign(0.5, rest) : portable::sin(rest * pi / 180);
+  const double cosine = portable::cos(rest * pi / 180);
   const double around[4] = {sine, cosine, -sine, -cosine};
   return around[(quadrant + quarter_turns) & 3];
 }
