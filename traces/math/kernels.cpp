@@ -1,10 +1,10 @@
 #include "traces/math/kernels.hpp"
 
-#include <array>
+#include <cmath>
 #include <cstddef>
-#include <cstdlib>
 
 #include "traces/math/quarter_turns.hpp"
+#include "traces/math/tables.hpp"
 
 namespace zstep::portable {
 
@@ -14,13 +14,6 @@ constexpr DoubleDouble one_in(double n) { return DoubleDouble(1) / n; }
 
 constexpr DoubleDouble half{0.5}, third = one_in(3), fifth = one_in(5), seventh = one_in(7);
 constexpr DoubleDouble one_in_6 = one_in(6), one_in_24 = one_in(24), one_in_120 = one_in(120);
-constexpr double log2_of_e = 0x1.71547652b82fep+0;
-// ln 2 in parts of 42 bits: a whole number of 11 bits times one is exact.
-constexpr double ln_2[3] = {0x1.62e42fefa3800p-1, 0x1.ef35793c76000p-45, 0x1.cc01f97b57a08p-87};
-
-constexpr int parts = 64;
-
-int nearest(double value) { return static_cast<int>(value < 0 ? value - 0.5 : value + 0.5); }
 
 // --- Series for |d| <= 2^-7
 
@@ -51,100 +44,49 @@ DoubleDouble small_arc_tangent(DoubleDouble d, double k) {
   return d + d * (s * (third + s * (fifth + s * (seventh + tail))));
 }
 
+}  // namespace
+
 // --- Values at the 64ths, each from the one before it
 
-struct AtParts {
-  std::array<SineCosine, 52> turn;           // 0 … pi / 4
-  std::array<DoubleDouble, 47> exponential;  // -23 … 23
-  std::array<DoubleDouble, 92> logarithm;    // 45 … 91
-  std::array<DoubleDouble, 65> arc_tangent;  // 0 … 1
-
-  AtParts() {
-    const SineVersine step = small_turn(1.0 / 128);
-    const DoubleDouble sine = 2 * step.sine * (1 - step.versine), cosine = 1 - 2 * step.sine * step.sine;
-    turn[0] = {0, 1};
-    for (std::size_t i = 1; i < turn.size(); ++i) {
-      const SineCosine& last = turn[i - 1];
-      turn[i] = {last.sine * cosine + last.cosine * sine, last.cosine * cosine - last.sine * sine};
-    }
-    const DoubleDouble root = 1 + small_exponential(1.0 / 128), growth = root * root;
-    exponential[23] = 1;
-    for (std::size_t i = 1; i <= 23; ++i) {
-      exponential[23 + i] = exponential[22 + i] * growth;
-      exponential[23 - i] = 1 / exponential[23 + i];
-    }
-    const auto ratio = [](std::size_t i) { return 2 * small_arc_tangent(one_in(2 * static_cast<double>(i) + 1), 1); };
-    logarithm[parts] = 0;
-    for (std::size_t i = parts; i + 1 < logarithm.size(); ++i) logarithm[i + 1] = logarithm[i] + ratio(i);
-    for (std::size_t i = parts; i-- > 45;) logarithm[i] = logarithm[i + 1] - ratio(i);
-    arc_tangent[0] = 0;
-    for (std::size_t i = 1; i < arc_tangent.size(); ++i) {
-      const double n = static_cast<double>(i);
-      const DoubleDouble between = DoubleDouble(parts) / (parts * parts + n * (n - 1));
-      const DoubleDouble half_way = between / (1 + square_root(1 + between * between));
-      arc_tangent[i] = arc_tangent[i - 1] + 2 * small_arc_tangent(half_way, -1);
-    }
+AtParts::AtParts() {
+  const SineVersine step = small_turn(1.0 / 128);
+  const DoubleDouble sine = 2 * step.sine * (1 - step.versine), cosine = 1 - 2 * step.sine * step.sine;
+  turn[0] = {0, 1};
+  for (std::size_t i = 1; i < turn.size(); ++i) {
+    const SineCosine& last = turn[i - 1];
+    turn[i] = {last.sine * cosine + last.cosine * sine, last.cosine * cosine - last.sine * sine};
   }
-};
+  const DoubleDouble root = 1 + small_exponential(1.0 / 128), growth = root * root;
+  exponential[23] = 1;
+  for (std::size_t i = 1; i <= 23; ++i) {
+    exponential[23 + i] = exponential[22 + i] * growth;
+    exponential[23 - i] = 1 / exponential[23 + i];
+  }
+  const auto ratio = [](std::size_t i) { return 2 * small_arc_tangent(one_in(2 * static_cast<double>(i) + 1), 1); };
+  logarithm[parts] = 0;
+  for (std::size_t i = parts; i + 1 < logarithm.size(); ++i) logarithm[i + 1] = logarithm[i] + ratio(i);
+  for (std::size_t i = parts; i-- > 45;) logarithm[i] = logarithm[i + 1] - ratio(i);
+  arc_tangent[0] = 0;
+  for (std::size_t i = 1; i < arc_tangent.size(); ++i) {
+    const double n = static_cast<double>(i);
+    const DoubleDouble between = DoubleDouble(parts) / (parts * parts + n * (n - 1));
+    const DoubleDouble half_way = between / (1 + square_root(1 + between * between));
+    arc_tangent[i] = arc_tangent[i - 1] + 2 * small_arc_tangent(half_way, -1);
+  }
+}
 
 const AtParts& at_parts() {
   static const AtParts table;
   return table;
 }
 
-// --- First tries
-
-/// base + slope · step + rest, if that rounds to one number whatever the error is.
-std::optional<double> if_certain(DoubleDouble base, DoubleDouble slope, double step, double rest) {
-  const DoubleDouble product = exact_product(slope.high, step), sum = exact_sum(base.high, product.high);
-  const double low = sum.low + (base.low + product.low + (slope.low * step + rest)), error = 0x1p-64 * sum.high;
-  const double one = sum.high + (low - error), other = sum.high + (low + error);
-  if (one != other) return std::nullopt;
-  return one;
-}
-
-}  // namespace
-
-std::optional<double> quick_sine(double x, int quarters) {
-  // pi / 2 in parts of 33 bits: a whole number of 20 bits times one is exact.
-  constexpr double parts_of_half_pi[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
-  constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
-  if (!(std::abs(x) < 0x1p20)) return std::nullopt;
-  const int turns = nearest(x * two_over_pi);
-  DoubleDouble rest = exact_sum(x - turns * parts_of_half_pi[0], -turns * parts_of_half_pi[1]);
-  rest = sum_of_ordered(rest.high, rest.low - turns * parts_of_half_pi[2]);
-  if (turns != 0 && std::abs(rest.high) < 0x1p-20) return std::nullopt;  // too many digits went
-  const double sign = rest.high < 0 ? -1 : 1;
-  const int part = nearest(sign * parts * rest.high), quadrant = turns + quarters;
-  const double d = sign * rest.high - part / double{parts}, low = sign * rest.low, s = d * d;
-  const double sine = low + d * (s * (-1.0 / 6 + s * (1.0 / 120 - s * (1.0 / 5040))));  // without d
-  const double versine = s * (0.5 - s * (1.0 / 24 - s * (1.0 / 720))) + d * low;
-  const SineCosine& at = at_parts().turn[static_cast<std::size_t>(part)];
-  const bool of_sine = (quadrant & 1) == 0, minus = ((quadrant & 2) != 0) != (of_sine && sign < 0);
-  const auto found = of_sine ? if_certain(at.sine, at.cosine, d, at.cosine.high * sine - at.sine.high * versine)
-                             : if_certain(at.cosine, -at.sine, d, -at.sine.high * sine - at.cosine.high * versine);
-  return found && minus ? std::optional(-*found) : found;
-}
-
-std::optional<double> quick_exponential(double x) {
-  if (!(std::abs(x) < 700)) return std::nullopt;
-  const int exponent = nearest(x * log2_of_e);
-  const DoubleDouble rest = exact_sum(x - exponent * ln_2[0], -exponent * ln_2[1]);
-  const int part = nearest(parts * rest.high);
-  const double d = rest.high - part / double{parts};
-  const double more =
-      rest.low * (1 + d) +
-      d * d * (0.5 + d * (1.0 / 6 + d * (1.0 / 24 + d * (1.0 / 120 + d * (1.0 / 720 + d * (1.0 / 5040 + d / 40320))))));
-  const DoubleDouble& at = at_parts().exponential[static_cast<std::size_t>(part + 23)];
-  const auto found = if_certain(at, at, d, at.high * more);
-  return found ? std::optional(std::ldexp(*found, exponent)) : found;
-}
+// --- Functions
 
 SineCosine sine_cosine(double x) {
   const QuarterTurns turns = quarter_turns(x);
   const bool negative = turns.rest.high < 0;
   const DoubleDouble rest = negative ? -turns.rest : turns.rest;
-  const int part = nearest(parts * rest.high);
+  const int part = nearest_whole(parts * rest.high);
   const SineCosine& at = at_parts().turn[static_cast<std::size_t>(part)];
   const SineVersine small = small_turn(rest + -(part / double{parts}));
   DoubleDouble sine = at.sine + (at.cosine * small.sine - at.sine * small.versine);
@@ -163,9 +105,9 @@ SineCosine sine_cosine(double x) {
 }
 
 Exponential exponential(DoubleDouble x) {
-  const int exponent = nearest(x.high * log2_of_e);
+  const int exponent = nearest_whole(x.high * log2_of_e);
   for (const double part : ln_2) x = x + DoubleDouble(-exponent * part);
-  const int part = nearest(parts * x.high);
+  const int part = nearest_whole(parts * x.high);
   return {at_parts().exponential[static_cast<std::size_t>(part + 23)], small_exponential(x + -(part / double{parts})),
           exponent};
 }
@@ -179,10 +121,8 @@ DoubleDouble exp_minus_1(DoubleDouble x) {
 }
 
 DoubleDouble logarithm(double x) {
-  int exponent = 0;
-  double mantissa = std::frexp(x, &exponent);
-  if (mantissa < 0x1.6a09e667f3bcdp-1) mantissa *= 2, --exponent;  // below the root of one half
-  const int part = nearest(parts * mantissa);
+  const auto [mantissa, exponent] = near_one(x);
+  const int part = nearest_whole(parts * mantissa);
   const double at = part / double{parts};
   DoubleDouble sum = at_parts().logarithm[static_cast<std::size_t>(part)] +
                      2 * small_arc_tangent((mantissa - at) / exact_sum(mantissa, at), 1);
@@ -193,7 +133,7 @@ DoubleDouble logarithm(double x) {
 DoubleDouble angle(DoubleDouble y, DoubleDouble x) {
   if (y.high > x.high) return half_pi - angle(x, y);
   const DoubleDouble tangent = y / x;
-  const int part = nearest(parts * tangent.high);
+  const int part = nearest_whole(parts * tangent.high);
   const double at = part / double{parts};
   return at_parts().arc_tangent[static_cast<std::size_t>(part)] +
          small_arc_tangent((tangent + -at) / (1 + at * tangent), -1);

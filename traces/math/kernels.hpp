@@ -3,8 +3,6 @@
 // up in double. The error of all is below 2^-96, relative to the result.
 #pragma once
 
-#include <optional>
-
 #include "traces/math/double_double.hpp"
 
 namespace zstep::portable {
@@ -15,10 +13,6 @@ inline constexpr DoubleDouble half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-5
 struct SineCosine {
   DoubleDouble sine, cosine;
 };
-/// The sine of x and so many quarter turns, if a first try, which takes a tenth of the time, is good enough: its error
-/// is below 2^-64, which leaves the last bit open once in a thousand times.
-std::optional<double> quick_sine(double x, int quarters);
-std::optional<double> quick_exponential(double x);  ///< the same of e^x
 
 SineCosine sine_cosine(double x);  ///< of any finite angle
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "traces/math/first_tries.hpp"
 #include "traces/math/kernels.hpp"
 
 namespace zstep::portable {
@@ -44,6 +45,7 @@ bool is_odd(double a) { return is_whole(a) && std::fmod(a, 2) != 0; }
 
 /// By multiplications, which leave nothing out while the result has less than 107 bits.
 double whole_power(double base, int n) {
+  if (const auto quick = quick_power(base, n)) return *quick;
   int exponent = 0;
   DoubleDouble square = std::frexp(base, &exponent), product = 1;
   for (int left = std::abs(n); left > 0; left >>= 1, square = square * square)
@@ -55,6 +57,8 @@ double whole_power(double base, int n) {
 double power(double base, double exponent) {  // base > 0
   if (is_whole(exponent) && std::abs(exponent) <= 64) return whole_power(base, static_cast<int>(exponent));
   if (base == 1) return 1;
+  const DoubleDouble tried = quick_logarithm(base) * exponent;
+  if (const auto quick = quick_exponential(tried, std::abs(tried.high) * quick_error)) return *quick;
   const DoubleDouble of_base = logarithm(base);
   const double about = of_base.high * exponent;
   if (about > 710) return infinity;
@@ -64,18 +68,22 @@ double power(double base, double exponent) {  // base > 0
   return nearest(settled(value(e)), e.exponent);
 }
 
+/// The angle of a vector that is not negative, or of its mirror image to the left.
+double rounded_angle(DoubleDouble y, DoubleDouble x, bool mirrored) {
+  const auto whole = [mirrored](DoubleDouble turned) { return mirrored ? pi - turned : turned; };
+  if (const auto quick = if_certain(whole(quick_angle(y, x)))) return *quick;
+  return whole(angle(y, x)).high;
+}
+
 /// Both as multiples of one power of two, so that nothing overflows.
 double angle_of(double y, double x) {  // both finite and not 0
   const double up = std::abs(y), right = std::abs(x);
   const int apart = std::ilogb(up) - std::ilogb(right);
   if (apart < -60 && x > 0) return y / x;
-  DoubleDouble turned = apart > 60 ? half_pi : DoubleDouble(0);
-  if (std::abs(apart) <= 60) {
-    const int scale = -std::max(std::ilogb(up), std::ilogb(right));
-    turned = angle(std::ldexp(up, scale), std::ldexp(right, scale));
-  }
-  if (x < 0) turned = pi - turned;
-  return std::copysign(turned.high, y);
+  if (apart > 60) return std::copysign(half_pi.high, y);
+  if (apart < -60) return std::copysign(pi.high, y);
+  const int scale = -std::max(std::ilogb(up), std::ilogb(right));
+  return std::copysign(rounded_angle(std::ldexp(up, scale), std::ldexp(right, scale), x < 0), y);
 }
 
 }  // namespace
@@ -102,20 +110,19 @@ double asin(double x) {
   if (std::abs(x) < tiny) return x;
   if (!(std::abs(x) <= 1)) return none;
   const double size = std::abs(x);
-  return std::copysign(angle(size, square_root(exact_sum(1, -size) * exact_sum(1, size))).high, x);
+  return std::copysign(rounded_angle(size, square_root(exact_sum(1, -size) * exact_sum(1, size)), false), x);
 }
 
 double acos(double x) {
   if (!(std::abs(x) <= 1)) return none;
   const double size = std::abs(x);
-  const DoubleDouble turned = angle(square_root(exact_sum(1, -size) * exact_sum(1, size)), size);
-  return (x < 0 ? pi - turned : turned).high;
+  return rounded_angle(square_root(exact_sum(1, -size) * exact_sum(1, size)), size, x < 0);
 }
 
 double atan(double x) {
   if (std::abs(x) < tiny || std::isnan(x)) return x;
   if (std::abs(x) > 0x1p60) return std::copysign(half_pi.high, x);
-  return std::copysign(angle(std::abs(x), 1).high, x);
+  return std::copysign(rounded_angle(std::abs(x), 1, false), x);
 }
 
 double atan2(double y, double x) {
@@ -138,13 +145,17 @@ double exp(double x) {
 double log(double x) {
   if (x == 0) return -infinity;
   if (!(x > 0)) return none;
-  return std::isinf(x) ? x : logarithm(x).high;
+  if (std::isinf(x)) return x;
+  const auto quick = if_certain(quick_logarithm(x));
+  return quick ? *quick : logarithm(x).high;
 }
 
 double log10(double x) {
   if (x == 0) return -infinity;
   if (!(x > 0)) return none;
-  return std::isinf(x) ? x : (logarithm(x) * one_over_ln_10).high;
+  if (std::isinf(x)) return x;
+  const auto quick = if_certain(quick_logarithm(x) * one_over_ln_10);
+  return quick ? *quick : (logarithm(x) * one_over_ln_10).high;
 }
 
 double pow(double base, double exponent) {

@@ -1,8 +1,8 @@
 // The functions that IEEE 754 leaves to a library, computed by additions and multiplications alone, so that a trace is
 // the same with every compiler, library and processor: C libraries differ in the last bit. The error before the last
-// rounding is below 2^-90: a result is the nearest double unless the true value is that close to the middle between two,
-// and then it is one of these two, the same everywhere. Where C's Annex F gives an exact result (zeros, infinities, no
-// number), this one is given. Square roots, remainders and roundings are exact everywhere: take std's.
+// rounding is below 2^-90: a result is the nearest double unless the true value is that close to the middle between
+// two, and then it is one of these two, the same everywhere. Where C's Annex F gives an exact result (zeros,
+// infinities, no number), this one is given. Square roots, remainders and roundings are exact everywhere: take std's.
 #pragma once
 
 namespace zstep::portable {
