@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "algorithms/scene/load.hpp"
@@ -12,6 +13,7 @@
 #include "algorithms/viewing/camera.hpp"
 #include "tests/bench/scenes.hpp"
 #include "tests/bench/seconds.hpp"
+#include "traces/lamp.hpp"
 #include "traces/math/portable_math.hpp"
 
 using namespace zstep;
@@ -40,6 +42,28 @@ double compare(const char* name, double (*ours)(double), double (*theirs)(double
   }
   fmt::print("{:6} {:6.0f} ns   C library {:4.0f} ns   {:.1f} times\n", name, median(us), median(them), median(ratios));
   return median(us) - median(them);
+}
+
+/// eckert_view() as it would be with the C library's functions.
+glm::dmat4 with_c_library(double rho, double theta, double phi) {
+  const auto turned_by = [](double degrees) {
+    int quadrant = 0;
+    const double rest = std::remquo(degrees, 90.0, &quadrant) * 3.14159265358979323846 / 180;
+    const double sine = std::sin(rest), cosine = std::cos(rest), around[5] = {sine, cosine, -sine, -cosine, sine};
+    return std::pair(around[quadrant & 3], around[(quadrant & 3) + 1]);
+  };
+  const auto [sin_theta, cos_theta] = turned_by(theta);
+  const auto [sin_phi, cos_phi] = turned_by(phi);
+  return view_from_rows({-sin_theta, cos_theta, 0, 0}, {-cos_phi * cos_theta, -cos_phi * sin_theta, sin_phi, 0},
+                        {-sin_phi * cos_theta, -sin_phi * sin_theta, -cos_phi, rho});
+}
+
+template <class Matrix>
+double nanoseconds_of_matrices(Matrix matrix) {
+  constexpr int matrices = calls / 10;
+  return 1e9 / matrices * processor_seconds_of([&] {
+           for (int i = 0; i < matrices; ++i) kept += matrix(10, 0.01 * i, 50 + 0.001 * i)[0][0];
+         });
 }
 
 }  // namespace
@@ -71,11 +95,13 @@ int main() {
   surface("sin(x) * cos(z)", of_sine + of_cosine);
   surface("exp(-x*x - z*z)", of_exp);
 
-  std::vector<double> times;
-  for (int turn = 0; turn < turns; ++turn)
-    times.push_back(processor_seconds_of([] {
-      for (int i = 0; i < calls / 10; ++i) kept += viewing::eckert_view(10, 0.01 * i, 50)[0][0];
-    }));
-  fmt::print("a camera's matrix: {:.0f} ns\n", median(times) * 1e9 / (calls / 10));
+  std::vector<double> us, them, ratios;
+  for (int turn = 0; turn < turns; ++turn) {
+    us.push_back(nanoseconds_of_matrices(viewing::eckert_view));
+    them.push_back(nanoseconds_of_matrices(with_c_library));
+    ratios.push_back(us.back() / them.back());
+  }
+  fmt::print("a camera's matrix {:.0f} ns   C library {:.0f} ns   {:.1f} times\n", median(us), median(them),
+             median(ratios));
   return std::isnan(kept) ? 1 : 0;
 }
