@@ -1,6 +1,8 @@
 // The slice: what it holds follows from the trace and the step alone, and what a compare holds against what is seen.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "sim/viewer/model/slice.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/pictures.hpp"
@@ -185,6 +187,25 @@ TEST_CASE("law: the window with the slice is the same, walked to or jumped to, a
       CHECK(pane_same);
     }
   }
+}
+
+TEST_CASE("depths that rounding alone sets apart have an axis with room for numbers") {
+  const Trace trace = golden("with-attribute");
+  Session session(trace, nullptr);
+  SliceLines lines;
+  int told_apart_by_rounding = 0;
+  for (std::int64_t at = 1; at <= trace.size(); ++at) {
+    session.go_to(at);
+    const Moment now(session);
+    const auto line = slice_line(now, std::nullopt);
+    if (!line) continue;
+    CAPTURE(at);
+    const Slice slice = slice_of(now, lines, *line);
+    CHECK(slice.high - slice.low > 1e-9 * std::abs(slice.high));
+    for (const SliceSpan& span : slice.spans)
+      if (span.z_left != span.z_right && std::abs(span.z_left - span.z_right) < 1e-12) ++told_apart_by_rounding;
+  }
+  CHECK(told_apart_by_rounding > 0);
 }
 
 TEST_CASE("a method without scan lines has no slice, and says so") {

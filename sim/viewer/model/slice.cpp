@@ -185,8 +185,9 @@ void find_axes(Slice& slice, const SliceLines::Line& line, const Picture& pictur
   slice.x_last = std::isfinite(slice.x_last) ? std::min(right, slice.x_last + 1) : right;
   if (!(slice.x_first < slice.x_last)) slice.x_first = -0.5, slice.x_last = right;
   if (!(slice.low <= slice.high)) slice.low = 0, slice.high = 1;
-  if (slice.low == slice.high) {
-    const double room = slice.low == 0 ? 1 : std::abs(slice.low) * 0.1;
+  const double size = std::max(std::abs(slice.low), std::abs(slice.high));
+  if (slice.high - slice.low <= 1e-12 * size) {  // one depth, but for rounding: no number fits between
+    const double room = size == 0 ? 1 : size * 0.1;
     slice.low -= room, slice.high += room;
   }
 }
