@@ -8,7 +8,8 @@ foreach(file
     bin/zstep share/zstep/lessons/4-z-buffer.md share/zstep/lessons/scenes/abc-def.toml
     share/applications/zstep.desktop share/applications/zstep-view.desktop share/mime/packages/zstep.xml
     share/icons/hicolor/scalable/apps/zstep.svg share/bash-completion/completions/zstep share/man/man1/zstep.1.gz
-    share/doc/zstep/copyright share/doc/zstep/changelog.gz)
+    share/doc/zstep/copyright share/doc/zstep/changelog.gz
+    share/doc/zstep/changelog.Debian.gz)
   string(FIND "${contents}" " ./usr/${file}\n" at)
   if(at EQUAL -1)
     message(SEND_ERROR "the package lacks usr/${file}")
