@@ -16,6 +16,7 @@
 #include "algorithms/scene/files/tokens.hpp"
 #include "algorithms/scene/load.hpp"
 #include "traces/error.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep {
 namespace {
@@ -93,7 +94,7 @@ bool planes_follow(Scene scene) {
 /// A twentieth, as a round number.
 double nudge_of(double value) {
   if (value == 0) return 0.1;
-  const double power = std::pow(10, std::floor(std::log10(std::abs(value) / 20)));
+  const double power = portable::pow(10, std::floor(portable::log10(std::abs(value) / 20)));
   const double digit = std::abs(value) / 20 / power;
   return power * (digit < 2 ? 1 : digit < 5 ? 2 : 5);
 }

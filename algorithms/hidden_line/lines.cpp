@@ -128,7 +128,7 @@ bool bring_into_view(Edge& edge, const Scene& scene, const viewing::Lens& lens, 
   return sound && Line{from, to}.length() > shortest;
 }
 
-double Line::length() const { return std::hypot(to.x - from.x, to.y - from.y); }
+double Line::length() const { return glm::length(glm::dvec2(to - from)); }
 
 namespace {
 

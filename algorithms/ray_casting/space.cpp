@@ -75,11 +75,12 @@ std::int32_t make_hierarchy(Space& space, std::int32_t parent, Places places, do
 std::array<std::int32_t, 3> cells_for(const Box& box, std::size_t facets) {
   const glm::dvec3 size = box.high - box.low;
   const double longest = std::max({size.x, size.y, size.z});
-  const double along_longest = std::min<double>(most_cells, std::ceil(std::cbrt(3.0 * static_cast<double>(facets))));
+  std::size_t along_longest = 1;  // the cube root of three times as many, rounded up
+  while (along_longest < most_cells && along_longest * along_longest * along_longest < 3 * facets) ++along_longest;
   std::array<std::int32_t, 3> cells{};
   for (int axis = 0; axis < 3; ++axis) {
     cells[static_cast<std::size_t>(axis)] =
-        std::max(1, static_cast<std::int32_t>(std::ceil(size[axis] / longest * along_longest - 1e-6)));
+        std::max(1, static_cast<std::int32_t>(std::ceil(size[axis] / longest * static_cast<double>(along_longest) - 1e-6)));
   }
   return cells;
 }

@@ -10,6 +10,7 @@
 #include "algorithms/scene/load.hpp"
 #include "algorithms/viewing/camera.hpp"
 #include "traces/error.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep {
 
@@ -146,9 +147,9 @@ void complete_light(Scene& scene) {
   const double distance = glm::length(to_ball), along = glm::dot(ahead, to_ball);
   if (!(light.window > 0)) {
     constexpr double widest = 80 * 3.14159265358979323846 / 180;
-    const double aside = std::atan2(glm::length(glm::cross(ahead, to_ball)), along);
-    const double half = distance > ball.radius ? std::asin(ball.radius / distance) : widest;
-    light.window = 1.05 * std::tan(std::min(widest, aside + half));
+    const double aside = portable::atan2(glm::length(glm::cross(ahead, to_ball)), along);
+    const double half = distance > ball.radius ? portable::asin(ball.radius / distance) : widest;
+    light.window = 1.05 * portable::tan(std::min(widest, aside + half));
   }
   if (!(light.far > 0))
     light.far = std::max(along + 1.01 * ball.radius, light.near > 0 ? 2 * light.near : 0.01 * ball.radius);

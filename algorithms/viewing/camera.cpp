@@ -7,6 +7,7 @@
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/viewing.hpp"
 #include "traces/lamp.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewing {
 
@@ -14,24 +15,34 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
+struct Turn {
+  double sine, cosine;
+};
+
 // Sine and cosine of an angle in degrees. The reduction is made in degrees, where it is exact: the sine of 180 degrees
 // is 0, not 1e-16, and that of 30 is one half, as a student who checks the matrix by hand expects.
-double sine_of(double degrees, int quarter_turns) {
+Turn turned_by(double degrees) {
   int quadrant = 0;
   const double rest = std::remquo(degrees, 90.0, &quadrant);  // -45 … 45
-  const double sine = std::abs(rest) == 30 ? std::copysign(0.5, rest) : std::sin(rest * pi / 180);
-  const double cosine = std::cos(rest * pi / 180);
-  const double around[4] = {sine, cosine, -sine, -cosine};
-  return around[(quadrant + quarter_turns) & 3];
+  const double sine = std::abs(rest) == 30 ? std::copysign(0.5, rest) : portable::sin(rest * pi / 180);
+  const double cosine = portable::cos(rest * pi / 180);
+  switch (quadrant & 3) {
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case 2:
+      return {-sine, -cosine};
+    default:
+      return {-cosine, sine};
+  }
 }
-double sin_degrees(double degrees) { return sine_of(degrees, 0); }
-double cos_degrees(double degrees) { return sine_of(degrees, 1); }
 
 }  // namespace
 
 glm::dmat4 eckert_view(double rho, double theta_degrees, double phi_degrees) {
-  const double sin_theta = sin_degrees(theta_degrees), cos_theta = cos_degrees(theta_degrees);
-  const double sin_phi = sin_degrees(phi_degrees), cos_phi = cos_degrees(phi_degrees);
+  const auto [sin_theta, cos_theta] = turned_by(theta_degrees);
+  const auto [sin_phi, cos_phi] = turned_by(phi_degrees);
   // 000, "Composite Viewing Transformation Matrix"
   return view_from_rows({-sin_theta, cos_theta, 0, 0},                             //
                         {-cos_phi * cos_theta, -cos_phi * sin_theta, sin_phi, 0},  //
@@ -39,18 +50,20 @@ glm::dmat4 eckert_view(double rho, double theta_degrees, double phi_degrees) {
 }
 
 glm::dvec3 eckert_eye(double rho, double theta_degrees, double phi_degrees) {
-  const double sin_theta = sin_degrees(theta_degrees), cos_theta = cos_degrees(theta_degrees);
-  const double sin_phi = sin_degrees(phi_degrees), cos_phi = cos_degrees(phi_degrees);
+  const auto [sin_theta, cos_theta] = turned_by(theta_degrees);
+  const auto [sin_phi, cos_phi] = turned_by(phi_degrees);
   return glm::dvec3(rho * sin_phi * cos_theta, rho * sin_phi * sin_theta, rho * cos_phi) + 0.0;  // -0 becomes 0
 }
 
-glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up) { return zstep::look_at_view(eye, target, up); }
+glm::dmat4 look_at_view(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up) {
+  return zstep::look_at_view(eye, target, up);
+}
 Camera camera_of(const Light& light) { return zstep::camera_of(light); }
 
 double window_for_field_of_view(double degrees_vertical, double d) {
   // 003, "Field of View", prints ½·tan(α) = ½(T − B)/f; the half belongs to the angle: tan(α/2) = ½(T − B)/f.
-  const double half = degrees_vertical / 2;
-  return d * sin_degrees(half) / cos_degrees(half);
+  const Turn half = turned_by(degrees_vertical / 2);
+  return d * half.sine / half.cosine;
 }
 
 DepthCoefficients depth_coefficients(double near, double far) {

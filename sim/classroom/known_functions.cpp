@@ -8,6 +8,7 @@
 #include "sim/classroom/names.hpp"
 #include "traces/error.hpp"
 #include "traces/formulas/outlines.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::classroom {
 namespace {
@@ -238,9 +239,9 @@ const KnownFunction functions[] = {
     ARITHMETIC("min", 2, std::min(a[0], a[1]), "min(a, b)"),
     ARITHMETIC("max", 2, std::max(a[0], a[1]), "max(a, b)"),
     ARITHMETIC("sqrt", 1, std::sqrt(a[0]), "sqrt(a), also √a"),
-    ARITHMETIC("sin", 1, std::sin(radians(a[0])), "sin(a), degrees"),
-    ARITHMETIC("cos", 1, std::cos(radians(a[0])), "cos(a), degrees"),
-    ARITHMETIC("tan", 1, std::tan(radians(a[0])), "tan(a), degrees"),
+    ARITHMETIC("sin", 1, portable::sin(radians(a[0])), "sin(a), degrees"),
+    ARITHMETIC("cos", 1, portable::cos(radians(a[0])), "cos(a), degrees"),
+    ARITHMETIC("tan", 1, portable::tan(radians(a[0])), "tan(a), degrees"),
 };
 
 }  // namespace

@@ -31,6 +31,10 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
                   "Write the window as a picture instead of opening it; needs no display")
       ->type_name("FILE.png")
       ->group("Viewer");
+  command
+      .add_flag("--describe", options.describe,
+                "Print what is shown at the step instead of opening it, all in words, for a screen reader")
+      ->group("Viewer");
   command.add_option("--pane", options.pane, "The screenshot shows one pane: frame, depth, pseudo-code, ...")
       ->type_name("PANE")
       ->group("Viewer");
@@ -95,6 +99,7 @@ std::string without_display() {
 void check_can_show(const ShowOptions& options) {
 #if ZSTEP_HAS_VIEWER
   if (!options.screenshot.empty()) return check_writable(options.screenshot), begin_budget(0);
+  if (options.describe) return begin_budget(0);
   if (!display_available())
     throw InputError("zstep", "no window can be opened here: there is no display", without_display());
 #else
@@ -183,6 +188,8 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   viewer.open = open_offer;
   viewer.at_start = with.at_start;
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
+  if (options.describe) fmt::print("{}", described(trace, viewer));
+  if (options.describe && options.screenshot.empty()) return exit_code::done;
   const int code = run_viewer(trace, viewer);
   if (code == exit_code::done && viewer.screenshot)
     say_written(options.screenshot, fmt::format("the viewer, {}x{} pixels", options.width, options.height));

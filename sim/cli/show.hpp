@@ -15,7 +15,10 @@ namespace zstep::cli {
 struct ShowOptions {
   std::string at;  ///< a step, or the name of a bookmark
   std::string screenshot;
+  bool describe = false;  ///< text instead of a window
   std::string pane;  ///< of the screenshot; empty: all of the window
+  /// Neither a picture nor text is asked for.
+  bool opens_window() const { return screenshot.empty() && !describe; }
   std::int32_t width = 1280, height = 720;
   bool dark = false, light = false, presenter = false;
   std::string race, race_by = "steps";  ///< who races, with commas between; empty: no race
@@ -56,7 +59,7 @@ void check_can_show(const ShowOptions& options);
 void check_view(bool view, const ShowOptions& options, const std::vector<std::string>& inputs);
 /// A person before a window ends what takes too long.
 inline Cost cost_of(bool view, const ShowOptions& options) {
-  return view && options.screenshot.empty() ? Cost::free : Cost::limited;
+  return view && options.opens_window() ? Cost::free : Cost::limited;
 }
 
 /// The commands that need no display, for those who have none.

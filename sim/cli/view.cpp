@@ -39,7 +39,7 @@ int view(const ViewOptionsOfCommand& options) {
     note_input(what), note_input(options.against);
     return view_against(what, options.against, options.show);
   }
-  return show(open_trace(what, options.show.screenshot.empty() ? Cost::free : Cost::limited), options.show);
+  return show(open_trace(what, options.show.opens_window() ? Cost::free : Cost::limited), options.show);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/image/png.hpp"
+#include "sim/viewer/description.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/viewer/window.hpp"
@@ -160,6 +161,15 @@ void loop(Stage& stage, const Window& window, Keeper& keeper) {
 std::string last_lesson() {
   const Settings settings = load_settings(settings_path());
   return settings.lessons.empty() ? "" : settings.lessons.back().first;
+}
+
+std::string described(const Trace& trace, const ViewerOptions& options) {
+  Settings settings;
+  App app(trace, options.lesson, settings, 640, 360);
+  if (options.checked) app.show_findings(*options.checked);
+  if (options.against) app.show_against(*options.against);
+  go_to_start(app, trace, options);
+  return describe(app);
 }
 
 int run_viewer(const Trace& trace, const ViewerOptions& options) {

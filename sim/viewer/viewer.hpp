@@ -93,6 +93,10 @@ struct ViewerOptions {
 /// Opens the window and runs until it is closed; with `screenshot` draws one frame headless. Returns the exit code.
 int run_viewer(const Trace& trace, const ViewerOptions& options);
 
+/// What is shown at the place that `options` opens at, as text for a screen reader: the sentence and the formulas in
+/// words, the lesson and its question, and the tables. Needs no display.
+std::string described(const Trace& trace, const ViewerOptions& options);
+
 /// The lesson that was open last, by its id; empty where none is known.
 std::string last_lesson();
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -134,6 +135,41 @@ TEST_CASE("what a run leaves behind knows nothing of what judges it") {
       CHECK_MESSAGE(!judges(included(line)), file, ": ", line, " is of zstep_judge, which is built on zstep_traces");
   }
   CHECK(seen > 50);
+}
+
+namespace {
+
+/// Functions that a C library may round as it likes: what is called with one of them is not the same everywhere.
+std::string platforms_own(const std::string& line) {
+  const std::string code = line.substr(0, line.find("//"));
+  static const std::regex call(
+      R"(\bstd::(a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p)?|pow|cbrt|hypot|[lt]gamma|erfc?)f?\b)"
+      R"(|\bglm::(a?(?:sin|cos|tan)h?|exp2?|log2?|pow|rotate|perspective|frustum|angleAxis)\b)");
+  std::smatch found;
+  return std::regex_search(code, found, call) ? found.str() : std::string();
+}
+
+}  // namespace
+
+TEST_CASE("what a trace holds is computed by portable functions alone") {
+  CHECK(platforms_own("  return std::sin(x);") == "std::sin");
+  CHECK(platforms_own("  one(\"exp\", std::exp);") == "std::exp");
+  CHECK(platforms_own("  x = glm::rotate(m, a, axis);") == "glm::rotate");
+  CHECK(platforms_own("  return portable::sin(x) + std::sqrt(y);  // not std::sin(x)").empty());
+  CHECK(platforms_own("  std::rotate(first, middle, last);").empty());
+  int seen = 0;
+  for (const char* folder : {"traces", "algorithms"})
+    for (const std::string& file : files_below(folder)) {
+      if (!is_code(file) || file == "traces/math/portable_math.cpp") continue;
+      ++seen;
+      int number = 0;
+      for (const std::string& line : lines_of(root / file)) {
+        ++number;
+        const std::string name = platforms_own(line);
+        CHECK_MESSAGE(name.empty(), file, ":", number, ": take ", name, " from traces/math/portable_math.hpp");
+      }
+    }
+  CHECK(seen > 300);
 }
 
 TEST_CASE("one library a folder, so that the linker sees what leans on what") {

@@ -13,6 +13,7 @@
 
 #include "traces/events/slots.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep {
 
@@ -187,7 +188,7 @@ Precision precision_of(const Trace& trace, const HeldTo& held) {
     return fmt::format("written with {} {}{}", count, what, count < digits ? fmt::format(", held to {}", digits) : "");
   };
   if (const auto decimals = Seen::cut_at(seen.by_decimals, seen.numbers)) {
-    const double unit = std::pow(10.0, -std::max(*decimals, digits));
+    const double unit = portable::pow(10.0, -std::max(*decimals, digits));
     return {formulas::rounding_of_float64,
             unit,
             false,
@@ -197,7 +198,7 @@ Precision precision_of(const Trace& trace, const HeldTo& held) {
             *decimals < digits};
   }
   if (const auto all = Seen::cut_at(seen.by_digits, seen.numbers))
-    return {2 * std::pow(10.0, 1 - std::max(*all, digits)),
+    return {2 * portable::pow(10.0, 1 - std::max(*all, digits)),
             0,
             false,
             written(*all, "digits"),

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "algorithms/scene/built_in/built_in.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::scene {
 
@@ -59,7 +60,7 @@ PolygonSoup dodecahedron_solid() {
     std::sort(ring.begin(), ring.end(), [&](std::int32_t a, std::int32_t b) {
       const auto angle = [&](std::int32_t i) {
         const glm::dvec3 p = soup.points[static_cast<std::size_t>(i)] - middle;
-        const double turn = std::atan2(glm::dot(p, v), glm::dot(p, u));
+        const double turn = portable::atan2(glm::dot(p, v), glm::dot(p, u));
         return turn < -1e-9 ? turn + 7 : turn;
       };
       return angle(a) < angle(b);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "traces/math/portable_math.hpp"
+
 namespace zstep::scene {
 
 namespace {
@@ -12,7 +14,7 @@ namespace {
 glm::dmat3 rotation(int axis, double degrees) {
   int quadrant = 0;
   const double rest = std::remquo(degrees, 90.0, &quadrant) * (3.14159265358979323846 / 180);
-  double c = std::cos(rest), s = std::sin(rest);
+  double c = portable::cos(rest), s = portable::sin(rest);
   for (int i = 0; i < (quadrant & 3); ++i) {
     const double old = c;
     c = -s;

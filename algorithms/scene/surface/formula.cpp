@@ -11,6 +11,7 @@
 #include "algorithms/scene/files/tokens.hpp"
 #include "traces/error.hpp"
 #include "traces/limits.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::scene {
 
@@ -42,6 +43,9 @@ std::string what_is_wrong(const mu::ParserError& error) {
   const std::string token = in_quotes(trimmed(error.GetToken()));
   switch (error.GetCode()) {
     case mu::ecUNASSIGNABLE_TOKEN:
+      // An operator that has no left side: the token is all that follows it.
+      if (const std::string_view text = trimmed(error.GetToken()); text.find_first_of("*/^") == 0)
+        return in_quotes(text.substr(0, 1)) + " stands in a wrong place";
       return token + " is not known";
     case mu::ecUNEXPECTED_EOF:
       return "the formula ends too early";
@@ -67,26 +71,40 @@ void define_functions(mu::Parser& parser) {
   using Of2 = double (*)(double, double);
   const auto one = [&](const char* name, Of1 function) { parser.DefineFun(name, function); };
   const auto two = [&](const char* name, Of2 function) { parser.DefineFun(name, function); };
+  // Operators too, as muParser's own ^ is std::pow. A sign binds less than ^ and as much as *, as in muParser.
+  parser.EnableBuiltInOprt(false);
+  const auto between = [&](const char* name, Of2 function, mu::EOprtPrecedence binds, mu::EOprtAssociativity from) {
+    parser.DefineOprt(name, function, static_cast<unsigned>(binds), from);
+  };
+  between(
+      "+", [](double a, double b) { return a + b; }, mu::prADD_SUB, mu::oaLEFT);
+  between(
+      "-", [](double a, double b) { return a - b; }, mu::prADD_SUB, mu::oaLEFT);
+  between(
+      "*", [](double a, double b) { return a * b; }, mu::prMUL_DIV, mu::oaLEFT);
+  between(
+      "/", [](double a, double b) { return a / b; }, mu::prMUL_DIV, mu::oaLEFT);
+  between("^", portable::pow, mu::prPOW, mu::oaRIGHT);
   one("sqrt", [](double a) { return std::sqrt(a); });
   one("abs", [](double a) { return std::abs(a); });
   one("sign", [](double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : 0.0; });
-  one("exp", [](double a) { return std::exp(a); });
-  one("ln", [](double a) { return std::log(a); });
-  one("log10", [](double a) { return std::log10(a); });
-  one("sin", [](double a) { return std::sin(a); });
-  one("cos", [](double a) { return std::cos(a); });
-  one("tan", [](double a) { return std::tan(a); });
-  one("asin", [](double a) { return std::asin(a); });
-  one("acos", [](double a) { return std::acos(a); });
-  one("atan", [](double a) { return std::atan(a); });
-  one("sinh", [](double a) { return std::sinh(a); });
-  one("cosh", [](double a) { return std::cosh(a); });
-  one("tanh", [](double a) { return std::tanh(a); });
+  one("exp", portable::exp);
+  one("ln", portable::log);
+  one("log10", portable::log10);
+  one("sin", portable::sin);
+  one("cos", portable::cos);
+  one("tan", portable::tan);
+  one("asin", portable::asin);
+  one("acos", portable::acos);
+  one("atan", portable::atan);
+  one("sinh", portable::sinh);
+  one("cosh", portable::cosh);
+  one("tanh", portable::tanh);
   one("floor", [](double a) { return std::floor(a); });
   one("ceil", [](double a) { return std::ceil(a); });
   two("min", [](double a, double b) { return std::min(a, b); });
   two("max", [](double a, double b) { return std::max(a, b); });
-  two("atan2", [](double a, double b) { return std::atan2(a, b); });
+  two("atan2", portable::atan2);
 }
 
 }  // namespace

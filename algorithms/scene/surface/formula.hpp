@@ -7,8 +7,8 @@
 
 namespace zstep::scene {
 
-/// Numbers, x, z, pi, e, + - * / ^ ( ) and a fixed list of functions; angles in radians. Evaluated as it is written, so
-/// that the same formula gives the same bits everywhere but for what the C library's sin, exp … differ in.
+/// Numbers, x, z, pi, e, + - * / ^ ( ) and a fixed list of functions; angles in radians. Evaluated as it is written, by
+/// portable functions, so that the same formula gives the same bits everywhere.
 class Formula {
  public:
   /// A "y =" before it is passed over. Throws InputError at `where` (FILE:LINE, or what the command line calls it) that

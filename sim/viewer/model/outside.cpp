@@ -10,6 +10,8 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
+#include "traces/math/portable_math.hpp"
+
 namespace zstep::viewer {
 namespace {
 
@@ -144,7 +146,7 @@ std::vector<glm::dvec3> Room::section(double a, double b, double c, double d) co
   for (const glm::dvec3& corner : corners) middle += corner / static_cast<double>(corners.size());
   const glm::dvec3 right = glm::normalize(corners[0] - middle), up = glm::cross(glm::normalize(normal), right);
   const auto angle = [&](const glm::dvec3& p) {
-    return std::atan2(glm::dot(up, p - middle), glm::dot(right, p - middle));
+    return portable::atan2(glm::dot(up, p - middle), glm::dot(right, p - middle));
   };
   std::sort(corners.begin(), corners.end(),
             [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
@@ -158,11 +160,12 @@ Outside::Outside(const Room& room, const Look& look, int width, int height) {
   const Box box = around(room.marks());
   glm::dvec3 target = (box.low + box.high) / 2.0;
   const double radius = std::max(box.size() / 2, 1e-9), distance = 3.5 * radius;
-  const double azimuth = std::atan2(room.towards().y, room.towards().x);
+  const double azimuth = portable::atan2(room.towards().y, room.towards().x);
   const auto direction = [&](double turn, double tilt) {
     const double around = azimuth + glm::radians(52 + turn),
                  above = glm::radians(std::clamp(tilt, least_tilt, most_tilt) + first_tilt);
-    return glm::dvec3(std::cos(above) * std::cos(around), std::cos(above) * std::sin(around), std::sin(above));
+    return glm::dvec3(portable::cos(above) * portable::cos(around), portable::cos(above) * portable::sin(around),
+                      portable::sin(above));
   };
   // As large as it goes from where one begins; then that stays, so that walking round changes no size.
   camera_.polar = false;

@@ -44,6 +44,17 @@ std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, co
   return columns;
 }
 
+TableSeen seen(const std::vector<std::string>& headings, const std::vector<TableRow>& rows,
+               const std::vector<Column>& columns) {
+  TableSeen table{headings, {}};
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    TableSeen::Row row{{}, rows[r].look == TableRow::Look::now};
+    for (const Column& column : columns) row.cells.push_back(column.shown[r]);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 float total(const std::vector<Column>& columns, float gap) {
   float width = 0;
   for (const Column& column : columns) width += column.hidden ? 0 : column.width + gap;
@@ -64,6 +75,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
   int at_most = usual_decimals;
   bool brief = false;
   std::vector<Column> columns = lay_out(ui, headings, rows, font, at_most, brief);
+  if (ui.tables_seen) ui.tables_seen->push_back(seen(headings, rows, columns));
   const auto fits = [&] { return total(columns, gap) <= room; };
   const auto again = [&] { columns = lay_out(ui, headings, rows, font, at_most, brief); };
   while (!fits() && gap > ui.em * 0.5f) gap -= 1;

@@ -79,6 +79,16 @@ struct HereLine {
 /// Where rows of tables are on screen, by table and by what a click on them reports.
 using RowPlaces = std::map<std::pair<std::string, int>, Motion::Place>;
 
+/// A table as it was drawn, for who is read it.
+struct TableSeen {
+  struct Row {
+    std::vector<std::string> cells;
+    bool now = false;  ///< the step is about it
+  };
+  std::vector<std::string> headings;
+  std::vector<Row> rows;
+};
+
 struct Ui {
   Ui(Session& session_, Renderer& renderer_) : session(session_), renderer(renderer_) {}
   Session& session;
@@ -143,6 +153,7 @@ struct Ui {
   const Command* clicked = nullptr;        ///< the command whose button was clicked in this frame
   std::string asked_as;                    ///< how it is written there, where it is one of a formula's
   bool reads = false;  ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
+  std::vector<TableSeen>* tables_seen = nullptr;  ///< where they are put while a frame is drawn
   std::string mouse_help;            ///< what the mouse does here, for the bottom line
 
   const Theme& colors() const { return *theme; }

@@ -10,6 +10,7 @@
 #include "algorithms/scene/surface/formula.hpp"
 #include "tests/unit/algorithms/scene/input_error.hpp"
 #include "traces/limits.hpp"
+#include "traces/math/portable_math.hpp"
 
 using namespace zstep;
 using namespace zstep::scene;
@@ -43,11 +44,14 @@ TEST_SUITE("surfaces") {
     CHECK(value("8/4/2 - 1 - 1", 0, 0) == -1);
     CHECK(value("x^-2", 2, 0) == 0.25);
     CHECK(value("1.5e-3 * .5", 0, 0) == 1.5e-3 * .5);
-    CHECK(value("sin(x) * cos(z)", 0.3, 0.7) == std::sin(0.3) * std::cos(0.7));
-    CHECK(value("min(x, z) + max(x, z) - atan2(x, z)", 1, 2) == 3 - std::atan2(1, 2));
+    CHECK(value("sin(x) * cos(z)", 0.3, 0.7) == portable::sin(0.3) * portable::cos(0.7));
+    CHECK(value("min(x, z) + max(x, z) - atan2(x, z)", 1, 2) == 3 - portable::atan2(1, 2));
     CHECK(value("sign(-3) + abs(-2) + floor(1.5) + ceil(1.5)", 0, 0) == 4);
     CHECK(value("ln(e) + log10(1000) + sqrt(16)", 0, 0) == doctest::Approx(8));
     CHECK(value("cos(pi)", 0, 0) == -1);
+    CHECK(value("x^0.3 - -z^1.5/2*-x", 1.7, 2.9) == portable::pow(1.7, 0.3) - -portable::pow(2.9, 1.5) / 2 * -1.7);
+    CHECK(value("-2^2 + (-2)^2 + 2^-x", 1, 0) == 0.5);
+    CHECK(value("6 - -x - - 1 / + 2", 1, 0) == 7.5);
     CHECK(std::signbit(value("0 * x", -1, 0)) == false);
     CHECK(Formula("  y  =  x+ 1 ", "here").text() == "x+ 1");
   }
@@ -66,7 +70,8 @@ TEST_SUITE("surfaces") {
     says("2x", "at character 2: an operator is missing before 'x'");
     says("x +", "the formula ends too early");
     says("x)", "at character 2: the parenthesis ')' stands in a wrong place");
-    says("x */ z", "'/' stands in a wrong place");
+    says("x */ z", "at character 4: '/' stands in a wrong place");
+    says("^x", "at character 1: '^' stands in a wrong place");
     says("sin(x, z)", "'sin' is given too many numbers");
     says("max(x)", "'max' is given too few numbers");
     says("x, z", "it gives more than one number");

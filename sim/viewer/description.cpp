@@ -1,0 +1,103 @@
+#include "sim/viewer/description.hpp"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "sim/words/explain.hpp"
+#include "sim/words/spoken.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+class Text {
+ public:
+  void title(const std::string& words) { text_ += (text_.empty() ? "" : "\n") + words::spoken(words) + "\n"; }
+  void line(const std::string& words) {
+    if (!words.empty()) text_ += words::spoken(words) + "\n";
+  }
+  void formula(const std::string& line) { text_ += words::spoken_formula(line) + "\n"; }
+  void markdown(const std::string& source) {
+    const std::string plain = plain_text(parse_markdown(source));
+    for (std::size_t from = 0; from < plain.size();) {
+      const std::size_t end = std::min(plain.find('\n', from), plain.size());
+      line(plain.substr(from, end - from));
+      from = end + 1;
+    }
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+void tell_step(Text& text, App& app) {
+  Session& s = app.session();
+  StepMarks::Told found;
+  if (StepMarks* marks = app.ui().marks) found = marks->told(s);  // moves the replay
+  const RecordedEvent* event = s.event();
+  const StepInfo* step = event ? find_step(s.header().page, event->step) : nullptr;
+  text.title(fmt::format("Step {} of {}{}", s.position(), s.size(), step ? ": " + step->text : ""));
+  for (const std::string& what : found.lines) text.line(found.head + what);
+  text.line(found.note);
+  if (!event) return text.line(s.size() == 0 ? "This trace has no events." : "Nothing has happened yet.");
+  const Explanation told = explain(s.trace(), s.state(), *event);
+  text.line(told.sentence);
+  for (const std::string& formula : told.formulas) text.formula(formula);
+  if (told.doubt && found.lines.empty()) text.line(*told.doubt);
+}
+
+void tell_lesson(Text& text, const Session& s) {
+  if (!s.lesson() || s.stop() < 0) return;
+  const Stop& stop = s.lesson()->stops[static_cast<std::size_t>(s.stop())];
+  text.title(fmt::format("Lesson: {}, stop {} of {}", s.lesson()->title, s.stop() + 1, s.lesson()->stops.size()));
+  text.line(stop.heading);
+  text.markdown(stop.text);
+  if (stop.task) text.markdown(stop.task->text);
+  if (!stop.question) return;
+  text.title("Question");
+  text.markdown(stop.question->text);
+  int number = 0;
+  for (const Answer& answer : stop.question->answers) text.line(fmt::format("Answer {}: {}", ++number, answer.text));
+}
+
+/// "edge AB, x 3, z 4.25, leaves 5, right".
+std::string row_text(const std::vector<std::string>& headings, const TableSeen::Row& row) {
+  std::string line;
+  for (std::size_t k = 0; k < row.cells.size(); ++k) {
+    const std::string cell = words::spoken(row.cells[k]);
+    if (cell.empty()) continue;
+    line += (line.empty() ? "" : ", ") + (headings[k].empty() ? cell : headings[k] + " " + cell);
+  }
+  return line + (row.now ? ", now" : "");
+}
+
+void tell_tables(Text& text, App& app) {
+  Ui& ui = app.ui();
+  for (const Pane& pane : App::all_panes(app.session().header(), false)) {
+    std::vector<TableSeen> tables;
+    app.show_only(pane.id);
+    app.settle();
+    ui.tables_seen = &tables;
+    app.frame();
+    ui.tables_seen = nullptr;
+    bool titled = false;
+    for (const TableSeen& table : tables)
+      for (const TableSeen::Row& row : table.rows) {
+        if (!std::exchange(titled, true)) text.title(std::string("Table: ") + pane.title);
+        text.line(row_text(table.headings, row));
+      }
+  }
+}
+
+}  // namespace
+
+std::string describe(App& app) {
+  Text text;
+  tell_step(text, app);
+  tell_lesson(text, app.session());
+  tell_tables(text, app);
+  return text.take();
+}
+
+}  // namespace zstep::viewer

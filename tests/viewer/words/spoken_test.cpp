@@ -1,0 +1,92 @@
+// What is read aloud: all that is printed, and no sign that a screen reader passes over.
+#include "sim/words/spoken.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+#include "tests/golden/golden.hpp"
+#include "traces/replay/replay.hpp"
+
+using namespace zstep;
+using words::spoken, words::spoken_formula;
+
+namespace {
+
+/// What is no letter, digit or mark of a sentence.
+std::string unspeakable(const std::string& text) {
+  for (const char c : text) {
+    const bool speaks = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                        std::string_view(" .,:;?!()'\"-").find(c) != std::string_view::npos;
+    if (!speaks) return {c};
+  }
+  return {};
+}
+
+/// The digits of a text, in order: no number may be lost.
+std::string digits_of(std::string_view text) {
+  std::string digits;
+  for (const char c : text)
+    if (c >= '0' && c <= '9') digits += c;
+  return digits;
+}
+
+}  // namespace
+
+TEST_CASE("spoken: signs are words") {
+  CHECK(spoken("z* \u2265 \u22120.5") == "z star at least minus 0.5");
+  CHECK(spoken("5 < 5 is false: equal is not nearer, so A stays.") ==
+        "5 less than 5 is false: equal is not nearer, so A stays.");
+  CHECK(spoken("Edge 4 (41\u20136) begins at (4.81, 3.55).") == "Edge 4 (41 to 6) begins at (4.81, 3.55).");
+  CHECK(spoken("step 12\u00a0041") == "step 12041");
+  CHECK(spoken("1.2e\u221207") == "1.2 times 10 to the power minus 07");
+  CHECK(spoken("of 75 % of the area") == "of 75 percent of the area");
+  CHECK(spoken("the polygon's \u221e") == "the polygon's infinity");
+  CHECK(spoken("\u2192 enters") == "enters");
+  CHECK(spoken("z \u2190 z + dz") == "z becomes z plus dz");
+  CHECK(spoken("\u2500\u2500 visible") == "visible");
+  CHECK(spoken("\u25cf active") == "active");
+  CHECK(spoken("").empty());
+}
+
+TEST_CASE("spoken: a formula in words") {
+  CHECK(spoken_formula("z = 3/4") == "z equals 3 over 4");
+  CHECK(spoken_formula("z = (a + b)/4 = 0.75") == "z equals, a plus b, over 4 equals 0.75");
+  CHECK(spoken_formula("z* = z*_L + (z*_R \u2212 z*_L)(x \u2212 x_L)/(x_R \u2212 x_L) = 0.5") ==
+        "z star equals z star sub L plus, z star sub R minus z star sub L, times, x minus x sub L, over, "
+        "x sub R minus x sub L, equals 0.5");
+  CHECK(spoken_formula("x = 12 + (\u22120.5)(4 \u2212 2)") == "x equals 12 plus minus 0.5 times, 4 minus 2");
+  CHECK(spoken_formula("k\u00b7dz/dx") == "k times dz over dx");
+  CHECK(spoken_formula("zbuffer[x,y]: 0.7 < \u221e is true") == "zbuffer at x,y: 0.7 less than infinity is true");
+  CHECK(spoken_formula("\u2308x_L \u2212 1/2\u2309") == "the ceiling of x sub L minus 1 over 2");
+}
+
+TEST_CASE("spoken: every sentence and formula of the golden traces, with every number, and nothing but words") {
+  std::set<std::string> signs;
+  int sentences = 0, formulas = 0;
+  test::for_each_golden([&](const std::string& name, const Trace& trace) {
+    Replay replay(trace);
+    for (std::int64_t at = 1; at <= trace.size(); ++at) {
+      replay.go_to(at);
+      const Explanation told = explain(trace, replay.state(), trace.event(at));
+      const std::string sentence = spoken(told.sentence);
+      ++sentences;
+      if (const std::string sign = unspeakable(sentence); !sign.empty() && signs.insert(sign).second)
+        CHECK_MESSAGE(false, name, " ", at, ": ", told.sentence, " is read as ", sentence);
+      REQUIRE(digits_of(sentence) == digits_of(told.sentence));
+      for (const std::string& line : told.formulas) {
+        const std::string formula = spoken_formula(line);
+        ++formulas;
+        if (const std::string sign = unspeakable(formula); !sign.empty() && signs.insert(sign).second)
+          CHECK_MESSAGE(false, name, " ", at, ": ", line, " is read as ", formula);
+        REQUIRE(digits_of(formula).size() >= digits_of(line).size());
+      }
+    }
+  });
+  CHECK(signs.empty());
+  CHECK(sentences > 10'000);
+  CHECK(formulas > 1'000);
+}

@@ -1,0 +1,25 @@
+// The functions that IEEE 754 leaves to a library, computed by additions and multiplications alone, so that a trace is
+// the same with every compiler, library and processor: C libraries differ in the last bit. The error before the last
+// rounding is below 2^-90: a result is the nearest double unless the true value is that close to the middle between
+// two, and then it is one of these two, the same everywhere. Where C's Annex F gives an exact result (zeros,
+// infinities, no number), this one is given. Square roots, remainders and roundings are exact everywhere: take std's.
+#pragma once
+
+namespace zstep::portable {
+
+double sin(double x);  ///< of radians, as all here
+double cos(double x);
+double tan(double x);
+double asin(double x);
+double acos(double x);
+double atan(double x);
+double atan2(double y, double x);
+double exp(double x);
+double log(double x);
+double log10(double x);
+double pow(double base, double exponent);
+double sinh(double x);
+double cosh(double x);
+double tanh(double x);
+
+}  // namespace zstep::portable
