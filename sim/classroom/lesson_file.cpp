@@ -9,12 +9,13 @@
 #include <fmt/core.h>
 
 #include "algorithms/catalog/catalog.hpp"
-#include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/anchor.hpp"
 #include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/fill.hpp"
 #include "sim/classroom/lesson.hpp"
+#include "sim/classroom/lesson_blocks.hpp"
 #include "sim/classroom/lesson_head.hpp"
+#include "sim/classroom/marking.hpp"
 #include "traces/error.hpp"
 #include "traces/file/output.hpp"
 #include "traces/text.hpp"
@@ -26,13 +27,6 @@ using namespace classroom;
 namespace {
 
 constexpr std::size_t largest_file = 1 << 20;
-
-struct Line {
-  std::string_view text;
-  std::int32_t number = 0;
-};
-
-bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
 bool is_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
@@ -56,29 +50,23 @@ std::string id_of(const std::filesystem::path& path) {
 
 class Reader {
  public:
-  Reader(Lesson& lesson, const std::string& file, const std::vector<Line>& lines)
-      : lesson_(lesson), file_(file), lines_(lines) {}
+  Reader(Lesson& lesson, Lines& lines) : lesson_(lesson), lines_(lines) {}
 
-  void read(std::size_t first) {
-    for (at_ = first; at_ < lines_.size(); ++at_) {
-      const std::string_view text = lines_[at_].text;
+  void read() {
+    for (; lines_.at < lines_.all.size(); ++lines_.at) {
+      const std::string_view text = lines_.text();
       if (starts_with(text, "## ")) begin_stop();
       else if (starts_with(text, "# "))
-        fail("a heading with one #", "the title stands in the head; a stop's heading has ##");
+        lines_.fail("a heading with one #", "the title stands in the head; a stop's heading has ##");
       else if (starts_with(text, ":::")) block();
       else narration();
     }
     if (lesson_.stops.empty())
-      throw InputError(file_, "the lesson has no stop", "write `## Heading {at: start}` and its text");
+      throw InputError(lines_.file, "the lesson has no stop", "write `## Heading {at: start}` and its text");
     for (Stop& stop : lesson_.stops) finish(stop);
   }
 
  private:
-  [[noreturn]] void fail(std::string_view what, std::string_view mend) const {
-    throw InputError(where(at_), what, mend);
-  }
-  std::string where(std::size_t line) const { return fmt::format("{}:{}", file_, lines_[line].number); }
-
   /// What a stop shows, as "focus: edge-table" or "viewing: T_2".
   void read_shown(std::string_view text, Stop& stop) const {
     const std::string_view value = trim(text.substr(std::min(text.size(), text.find(':') + 1)));
@@ -92,21 +80,22 @@ class Reader {
       stop.viewing_step = value[2] - '0';
       return;
     }
-    fail(fmt::format("`{}` is left over in the anchor", text),
-         "after ; write `focus: edge-table` or another pane, and `viewing: T_1` to T_4 for a step of viewing");
+    lines_.fail(fmt::format("`{}` is left over in the anchor", text),
+                "after ; write `focus: edge-table` or another pane, and `viewing: T_1` to T_4 for a step of viewing");
   }
 
   void begin_stop() {
-    const std::string_view text = trim(lines_[at_].text.substr(3));
+    const std::string_view text = trim(lines_.text().substr(3));
     std::size_t open = text.rfind("{at:");
     if (open == std::string_view::npos) open = text.rfind("{before:");
     if (open == std::string_view::npos || text.back() != '}') {
-      fail(fmt::format("the stop `{}` has no anchor", text),
-           "end its heading with {at: step}, {before: step where condition}, {at: here}, {at: start} or {at: end}");
+      lines_.fail(
+          fmt::format("the stop `{}` has no anchor", text),
+          "end its heading with {at: step}, {before: step where condition}, {at: here}, {at: start} or {at: end}");
     }
     Stop stop;
     stop.heading = trim(text.substr(0, open));
-    if (stop.heading.empty()) fail("the stop has no heading", "write a few words before its anchor");
+    if (stop.heading.empty()) lines_.fail("the stop has no heading", "write a few words before its anchor");
     std::string_view anchor = text.substr(open + 1, text.size() - open - 2);
     std::size_t semicolon = anchor.find(';');
     std::string_view more = semicolon == std::string_view::npos ? std::string_view{} : anchor.substr(semicolon);
@@ -117,185 +106,57 @@ class Reader {
       read_shown(trim(more.substr(0, semicolon)), stop);
     }
     stop.anchor = anchor;
-    parse_anchor(stop.anchor, where(at_));
-    stop.line = lines_[at_].number;
+    parse_anchor(stop.anchor, lines_.where(lines_.at));
+    stop.line = lines_.number();
     stop.text_line = stop.line + 1;
     lesson_.stops.push_back(std::move(stop));
   }
 
   void narration() {
-    const std::string_view text = lines_[at_].text;
+    const std::string_view text = lines_.text();
     const bool blank = trim(text).empty();
     if (lesson_.stops.empty()) {
-      if (!blank) fail("text before the first stop", "write `## Heading {at: start}` above it");
+      if (!blank) lines_.fail("text before the first stop", "write `## Heading {at: start}` above it");
       return;
     }
     Stop& stop = lesson_.stops.back();
-    if (stop.task && !blank) fail("text after a task", "put it before the task, or into a stop of its own");
-    if (stop.question && !blank) fail("text after a question", "put it before the question, or into a stop of its own");
+    if (stop.task && !blank) lines_.fail("text after a task", "put it before the task, or into a stop of its own");
+    if (stop.marking && !blank)
+      lines_.fail("text after what is to be marked", "put it before the block, or into a stop of its own");
+    if (stop.question && !blank)
+      lines_.fail("text after a question", "put it before the question, or into a stop of its own");
     if (starts_with(trim(text), "```")) return code(stop);
-    append(stop.text, text);
+    append_line(stop.text, text);
   }
 
   /// A fenced block goes in whole: what looks like a heading in it is none.
   void code(Stop& stop) {
-    const std::size_t opened = at_;
+    const std::size_t opened = lines_.at;
     do {
-      append(stop.text, lines_[at_].text);
-      if (++at_ == lines_.size()) throw InputError(where(opened), "a code block is not closed", "add a line with ```");
-    } while (!starts_with(trim(lines_[at_].text), "```"));
-    append(stop.text, lines_[at_].text);
-  }
-
-  static void append(std::string& text, std::string_view line) {
-    text += line;
-    text += '\n';
+      append_line(stop.text, lines_.text());
+      if (++lines_.at == lines_.all.size())
+        throw InputError(lines_.where(opened), "a code block is not closed", "add a line with ```");
+    } while (!starts_with(trim(lines_.text()), "```"));
+    append_line(stop.text, lines_.text());
   }
 
   void block() {
-    const std::string_view name = trim(lines_[at_].text.substr(3));
-    if (name.empty()) fail("`:::` closes nothing", "remove it, or open a question with `::: question`");
-    if (name != "question" && name != "task")
-      fail(fmt::format("a block of the unknown kind `{}`", name), "write `::: question` or `::: task`");
     if (lesson_.stops.empty())
-      fail(fmt::format("a {} before the first stop", name), "write `## Heading {at: start}` above it");
-    if (name == "task") task();
-    else question();
-  }
-
-  /// What is to be tried; then `done:`, `now:`, `hint:` and `solution:`, each on a line of its own.
-  void task() {
-    const std::size_t opened = at_;
-    Stop& stop = lesson_.stops.back();
-    if (stop.task) fail("a second task at one stop", "give it a stop of its own; {at: here} stays at the same place");
-    if (stop.question) fail("a task and a question at one stop", "give one of them a stop of its own");
-    Task asked;
-    asked.line = lines_[at_].number, asked.text_line = asked.line + 1;
-    while (true) {
-      if (++at_ == lines_.size() || starts_with(lines_[at_].text, "## "))
-        throw InputError(where(opened), "the task is not closed", "add a line `:::` after it");
-      const std::string_view text = lines_[at_].text;
-      if (trim(text) == ":::") break;
-      task_line(asked, text);
-    }
-    asked.text = strip(asked.text, asked.text_line);
-    if (asked.text.empty()) throw InputError(where(opened), "the task asks for nothing", "write it under `::: task`");
-    if (asked.done.empty())
-      throw InputError(where(opened), "the task is never done", "add a line as `done: frame(3, 2) == \"A\"`");
-    if (asked.solution.empty())
-      throw InputError(where(opened), "the task has no solution", "add a line as `solution: theta = 60`");
-    stop.task = std::move(asked);
-  }
-
-  void task_line(Task& asked, std::string_view text) {
-    const auto after = [&](std::string_view key) -> std::optional<std::string> {
-      if (!starts_with(text, key)) return std::nullopt;
-      const std::string rest(trim(text.substr(key.size())));
-      if (rest.empty()) fail(fmt::format("nothing stands after `{}`", key), "write it on the same line");
-      return rest;
-    };
-    if (const auto done = after("done:")) {
-      if (!asked.done.empty()) fail("a second `done:`", "join the two with `and`");
-      asked.done = *done, asked.done_line = lines_[at_].number;
-    } else if (const auto now = after("now:")) {
-      asked.now = *now, asked.now_line = lines_[at_].number;
-    } else if (auto hint = after("hint:")) {
-      asked.hints.push_back(*std::move(hint));
-    } else if (auto solution = after("solution:")) {
-      read_change(*solution, where(at_) + ":");
-      asked.solution.push_back(*std::move(solution));
-    } else if (asked.done.empty()) {
-      append(asked.text, text);
-    } else if (!trim(text).empty()) {
-      fail("a line that does not belong to the task", "begin it with `now:`, `hint:` or `solution:`");
-    }
-  }
-
-  void question() {
-    const std::size_t opened = at_;
-    if (lesson_.stops.back().task) fail("a task and a question at one stop", "give one of them a stop of its own");
-    if (lesson_.stops.back().question)
-      fail("a second question at one stop", "give it a stop of its own; {at: here} stays at the same place");
-    Question asked;
-    asked.line = lines_[opened].number + 1;
-    while (true) {
-      if (++at_ == lines_.size() || starts_with(lines_[at_].text, "## ")) {
-        throw InputError(where(opened), "the question is not closed", "add a line `:::` after its last reply");
-      }
-      const std::string_view text = lines_[at_].text;
-      if (trim(text) == ":::") break;
-      question_line(asked, text);
-    }
-    finish(asked, opened);
-    lesson_.stops.back().question = std::move(asked);
-  }
-
-  void question_line(Question& asked, std::string_view text) {
-    const std::string_view bare = trim(text);
-    const bool marked = starts_with(text, "- [x] ") || starts_with(text, "- [X] ");
-    if (marked || starts_with(text, "- [ ] ")) {
-      Answer answer;
-      answer.right = marked;
-      answer.text = trim(text.substr(6));
-      answer.line = lines_[at_].number;
-      asked.answers.push_back(std::move(answer));
-    } else if (starts_with(text, "- ")) {
-      fail("an answer without its box", "write `- [ ] wrong answer` or `- [x] right answer`");
-    } else if (asked.answers.empty()) {
-      append(asked.text, text);
-    } else if (starts_with(bare, ">")) {
-      Answer& answer = asked.answers.back();
-      if (answer.reply.empty()) answer.reply_line = lines_[at_].number;
-      append(answer.reply, trim(bare.substr(1)));
-    } else if (!bare.empty()) {
-      Answer& answer = asked.answers.back();
-      if (!answer.reply.empty()) fail("a line that is neither answer nor reply", "begin a reply's lines with `  > `");
-      answer.text += '\n';
-      answer.text += bare;
-    }
-  }
-
-  void finish(Question& asked, std::size_t opened) const {
-    asked.text = strip(asked.text, asked.line);
-    if (asked.text.empty())
-      throw InputError(where(opened), "the question asks nothing", "write it under `::: question`");
-    if (asked.answers.size() < 2)
-      throw InputError(where(opened), "the question has fewer than two answers",
-                       "write `- [ ] wrong` and `- [x] right`");
-    const auto right =
-        std::count_if(asked.answers.begin(), asked.answers.end(), [](const Answer& answer) { return answer.right; });
-    if (right != 1)
-      throw InputError(where(opened), fmt::format("the question has {} right answers", right),
-                       "mark exactly one with [x]");
-    for (Answer& answer : asked.answers) {
-      const std::string line = fmt::format("{}:{}", file_, answer.line);
-      if (answer.text.empty()) throw InputError(line, "the answer is empty", "write it after its box");
-      if (trim(answer.reply).empty())
-        throw InputError(line, "the answer has no reply", "say under it, after `  > `, why it is so or is not");
-      answer.reply = strip(answer.reply, answer.reply_line);
-    }
-  }
-
-  /// Without blank lines around it; `line` follows its first one.
-  static std::string strip(const std::string& text, std::int32_t& line) {
-    std::size_t first = 0;
-    while (first < text.size() && (text[first] == '\n' || text[first] == ' ')) line += text[first++] == '\n';
-    const std::size_t last = text.find_last_not_of(" \n");
-    return last == std::string::npos ? std::string() : text.substr(first, last + 1 - first);
+      lines_.fail(fmt::format("a {} before the first stop", trim(lines_.text().substr(3))),
+                  "write `## Heading {at: start}` above it");
+    read_block(lines_, lesson_.stops.back());
   }
 
   void finish(Stop& stop) const {
-    stop.text = strip(stop.text, stop.text_line);
-    if (stop.text.empty() && !stop.question && !stop.task) {
-      throw InputError(fmt::format("{}:{}", file_, stop.line), "the stop says nothing",
+    stop.text = strip_lines(stop.text, stop.text_line);
+    if (stop.text.empty() && !stop.question && !stop.task && !stop.marking) {
+      throw InputError(fmt::format("{}:{}", lines_.file, stop.line), "the stop says nothing",
                        "write a sentence or a question under it");
     }
   }
 
   Lesson& lesson_;
-  const std::string& file_;
-  const std::vector<Line>& lines_;
-  std::size_t at_ = 0;
+  Lines& lines_;
 };
 
 std::string read_file(const std::filesystem::path& path) {
@@ -352,6 +213,11 @@ void check_stops(const Lesson& lesson, const std::string& file) {
       check_fill(stop.task->text, {file, stop.task->text_line}, kind, page);
       check_fill(stop.task->now, {file, stop.task->now_line}, no_kind, page);
     }
+    if (stop.marking) {
+      check_marking(*stop.marking, page, file);
+      check_fill(stop.marking->text, {file, stop.marking->text_line}, kind, page);
+      check_fill(stop.marking->why, {file, stop.marking->why_line}, kind, page);
+    }
     if (!stop.question) continue;
     check_fill(stop.question->text, {file, stop.question->line}, kind, page);
     for (const Answer& answer : stop.question->answers) {
@@ -371,6 +237,10 @@ void make_printable(Lesson& lesson) {
       mend(stop.task->text), mend(stop.task->now);
       for (std::string& hint : stop.task->hints) mend(hint);
     }
+    if (stop.marking) {
+      mend(stop.marking->text), mend(stop.marking->why);
+      for (std::string& hint : stop.marking->hints) mend(hint);
+    }
     if (!stop.question) continue;
     mend(stop.question->text);
     for (Answer& answer : stop.question->answers) mend(answer.text), mend(answer.reply);
@@ -385,19 +255,21 @@ Lesson load_lesson(const std::filesystem::path& path) {
   lesson.id = id_of(path);
   const std::string file = path.string();
   const std::string text = read_file(path);
-  const std::vector<Line> lines = split_lines(text, file);
+  Lines lines{file, split_lines(text, file)};
 
-  if (lines.empty() || trim(lines[0].text) != "+++")
+  if (lines.all.empty() || trim(lines.text()) != "+++")
     throw InputError(file + ":1", "the lesson has no head", "begin with a line +++, then title = \"…\"");
   std::size_t close = 1;
   std::string head;
-  while (close < lines.size() && trim(lines[close].text) != "+++") {
-    head += lines[close++].text;
+  while (close < lines.all.size() && trim(lines.all[close].text) != "+++") {
+    head += lines.all[close++].text;
     head += '\n';
   }
-  if (close == lines.size()) throw InputError(file + ":1", "the head is not closed", "add a second line +++ after it");
+  if (close == lines.all.size())
+    throw InputError(file + ":1", "the head is not closed", "add a second line +++ after it");
   read_lesson_head(lesson, file, head, 2);
-  Reader(lesson, file, lines).read(close + 1);
+  lines.at = close + 1;
+  Reader(lesson, lines).read();
   check_stops(lesson, file);
   make_printable(lesson);
   return lesson;

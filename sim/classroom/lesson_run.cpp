@@ -6,6 +6,7 @@
 #include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/fill.hpp"
 #include "sim/classroom/lesson.hpp"
+#include "sim/classroom/marking.hpp"
 #include "traces/error.hpp"
 #include "traces/record/trace_recorder.hpp"
 #include "traces/replay/replay.hpp"
@@ -69,6 +70,11 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
       if (state_of(*stop.task, trace).done)
         throw InputError(Place{file, stop.task->done_line}.str(), "the lesson's own run does the task already",
                          "give a condition that holds only after a change");
+    }
+    if (stop.marking) {
+      stop.marking->text = filled(stop.marking->text, stop.marking->text_line);
+      stop.marking->why = filled(stop.marking->why, stop.marking->why_line);
+      resolve_marking(*stop.marking, replay, stop.position, file);
     }
     if (!stop.question) continue;
     stop.question->text = filled(stop.question->text, stop.question->line);

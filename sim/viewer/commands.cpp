@@ -13,7 +13,7 @@
 namespace zstep::viewer {
 namespace {
 
-constexpr unsigned S = Chord::shift, C = Chord::ctrl;
+constexpr unsigned S = Chord::shift, C = Chord::ctrl, A = Chord::alt;
 
 template <Unit unit, int direction>
 void move(App& app) {
@@ -78,9 +78,23 @@ void next_edge(App& app) {
   s.touch();
 }
 
+/// What a stop asks to be marked is marked where the selection is.
 void select_current(App& app) {
+  Session& s = app.session();
+  if (s.marks_cells() && s.selected) return s.mark(*s.selected);
   if (const auto cell = app.session().current_cell()) app.session().select(cell);
   else app.say("No pixel is at work; click one, or type its column and row after G.");
+}
+
+/// The selection to the next pixel; the first one is that at work.
+template <int x, int y>
+void move_selected(App& app) {
+  Session& s = app.session();
+  const Raster& raster = s.scene().raster;
+  const Cell from = s.selected.value_or(s.current_cell().value_or(Cell{0, 0}));
+  if (!s.selected) return s.select(from);
+  s.select(Cell{std::clamp(from.x + x, 0, raster.width - 1),
+                std::clamp(from.y + (raster.y_up ? -y : y), 0, raster.height - 1)});
 }
 
 void escape(App& app) {
@@ -263,7 +277,11 @@ const std::vector<Command>& table() {
       {"history", "Pixel", "History of this pixel", {{SDLK_h}}, [](App& a) { a.open_history(); }},
       {"why-not", "Pixel", "Why a polygon is not seen", {{SDLK_y}}, [](App& a) { a.open_why(); }},
       {"explain", "Pixel", "Where a number comes from", {{SDLK_e, S}}, [](App& a) { a.explain_step(); }},
-      {"select-pixel", "Pixel", "Select the pixel at work", {{SDLK_RETURN}}, select_current},
+      {"select-pixel", "Pixel", "Select the pixel at work (or mark it)", {{SDLK_RETURN}}, select_current},
+      {"pixel-left", "Pixel", "The pixel to the left", {{SDLK_LEFT, A}}, move_selected<-1, 0>},
+      {"pixel-right", "Pixel", "The pixel to the right", {{SDLK_RIGHT, A}}, move_selected<1, 0>},
+      {"pixel-above", "Pixel", "The pixel above", {{SDLK_UP, A}}, move_selected<0, -1>},
+      {"pixel-below", "Pixel", "The pixel below", {{SDLK_DOWN, A}}, move_selected<0, 1>},
       {"next-method", "Pixel", "The same by the next method", {{SDLK_x}}, [](App& a) { a.requests.switch_method = 1; }},
       {"previous-method",
        "Pixel",
@@ -358,6 +376,8 @@ const std::vector<Command>& table() {
       {"answer-2", "Lesson", "Second answer", {{SDLK_2}}, answer<1>},
       {"answer-3", "Lesson", "Third answer", {{SDLK_3}}, answer<2>},
       {"answer-4", "Lesson", "Fourth answer", {{SDLK_4}}, answer<3>},
+      {"check-marks", "Lesson", "Check what you marked", {{SDLK_RETURN, C}}, [](App& a) { a.session().check_marks(); }},
+      {"marks-hint", "Lesson", "A hint for what to mark", {{SDLK_h, C}}, [](App& a) { a.session().help_with_marks(); }},
       {"pen", "Class", "Pen: write until the next step", {{SDLK_8}}, turn_pen<false>},
       {"pen-stays", "Class", "Pen: what is written stays", {{SDLK_8, S}}, turn_pen<true>},
       {"spotlight", "Class", "Spotlight at the mouse", {{SDLK_9}}, turn_spotlight},

@@ -54,6 +54,7 @@ void tell_lesson(Text& text, const Session& s) {
   text.line(stop.heading);
   text.markdown(stop.text);
   if (stop.task) text.markdown(stop.task->text);
+  if (stop.marking) text.markdown(stop.marking->text);
   if (!stop.question) return;
   text.title("Question");
   text.markdown(stop.question->text);

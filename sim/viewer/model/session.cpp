@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/classroom/marking.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 #include "traces/file/visit.hpp"
@@ -44,7 +45,7 @@ const char* unit_word(Unit unit) {
 }
 
 Session::Session(const Trace& trace, const Lesson* lesson)
-    : trace_(trace), lesson_(lesson), replay_(trace), chosen_(lesson ? lesson->stops.size() : 0) {
+    : trace_(trace), lesson_(lesson), replay_(trace), chosen_(lesson ? lesson->stops.size() : 0), marks_(chosen_.size()) {
   stop_ = stop_at(0);
 }
 
@@ -258,6 +259,11 @@ bool Session::nudged() const {
 
 void Session::answer(int choice) {
   if (stop_ < 0) return;
+  if (const Marking* asked = marking(); asked && asked->kind == Marking::Kind::order) {
+    const std::vector<std::int32_t> choices = choices_of(*asked);
+    if (choice >= 0 && choice < static_cast<int>(choices.size())) mark(choices[static_cast<std::size_t>(choice)]);
+    return;
+  }
   const auto& question = lesson_->stops[static_cast<std::size_t>(stop_)].question;
   if (!question || choice < 0 || choice >= static_cast<int>(question->answers.size())) return;
   chosen_[static_cast<std::size_t>(stop_)] = choice;

@@ -75,6 +75,21 @@ class Session {
   bool question_open() const;                ///< the current stop asks and has no right answer yet
   bool nudged() const;                       ///< beyond the question of the current stop, which has no answer yet
 
+  // --- Marked by hand, where a stop asks for it; kept by stop
+  struct Marks {
+    std::vector<std::int32_t> made;          ///< as Marking::right has them; in an order, as they were made
+    bool checked = false;                    ///< as they are now
+    std::size_t hints = 0;                   ///< that were given
+    bool shown = false;                      ///< what is right
+  };
+  const Marking* marking() const;            ///< of the stop that speaks, or nullptr
+  bool marks_cells() const;                  ///< pixels or a scan line are asked for
+  const Marks& marks() const { return marks_[static_cast<std::size_t>(stop_)]; }  ///< where marking() is one
+  void mark(std::int32_t what);              ///< or takes the mark away
+  void mark(Cell cell);                      ///< or its scan line, where that is asked for
+  void check_marks();
+  void help_with_marks();                    ///< the next hint, and after the last what is right
+
   // --- Selected and pointed at, the same in every pane
   std::optional<Cell> selected;
   std::optional<std::int32_t> selected_edge, hovered_edge, selected_vertex;
@@ -118,6 +133,7 @@ class Session {
   bool told_to_answer_ = false;  ///< the reader wanted to play on from an open question
   int stop_ = -1;
   std::vector<std::optional<int>> chosen_;
+  std::vector<Marks> marks_;
   double played_until_ = -1, owed_ = 0, reading_until_ = -1;
   int waits_ = 0;  ///< seconds, as last said
   std::uint64_t revision_ = 1;

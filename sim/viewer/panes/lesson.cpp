@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/panes/marking.hpp"
 #include "sim/viewer/panes/pane.hpp"
 
 namespace zstep::viewer {
@@ -80,6 +81,7 @@ void draw_lesson(Ui& ui) {
   flow_markdown(ui, stop.text);
   if (stop.question) draw_question(ui, *stop.question);
   if (stop.task) draw_task(ui, *stop.task);
+  if (stop.marking) draw_marking(ui, *stop.marking);
   ImGui::Dummy({1, ui.em * 0.4f});
   if (button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
   const bool last = s.stop() + 1 == static_cast<int>(s.lesson()->stops.size());

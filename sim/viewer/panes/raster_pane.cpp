@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/marking.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -254,14 +255,18 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
     const char* moves = ui.view.zoom > 1 ? "Wheel: zoom. Drag: pan." : "Wheel: zoom.";
     const float moved = std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).x) +
                         std::abs(ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 4).y);
-    const auto asks = ui.asks && talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
+    const bool marks = ui.asks && s.marks_cells();
+    const auto asks = ui.asks && !marks && talk.question && s.selected == under ? talk.question(*under) : std::nullopt;
     ui.mouse_help =
         !ui.asks ? fmt::format("Click: select this pixel in every run. {}", moves)
+        : marks  ? fmt::format("Click: mark {}, or take the mark away. {}",
+                              s.marking()->kind == Marking::Kind::pixels ? "this pixel" : "this scan line", moves)
         : asks   ? fmt::format("Click: where this depth comes from. Esc: select nothing. {}", moves)
                : fmt::format("Click: select this pixel; F goes to the next step that touches it. Right click: more. {}",
                              moves);
     if (ImGui::IsItemDeactivated() && moved == 0 && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
-      if (asks) ui.asked = asks;
+      if (marks) s.mark(*under), s.select(under);
+      else if (asks) ui.asked = asks;
       else s.select(s.selected == under ? std::nullopt : under);
     }
     if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.here = lines_of_pixel(s, *under, asks);
@@ -269,6 +274,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   ImGui::PushClipRect(origin, end, true);
   if (!draw_numbers(ui, map, origin, cells.made, cell_text) && talk.polygons) draw_labels(ui, map, origin);
   draw_marks(ui, map, origin);
+  if (ui.asks && s.marks_cells()) draw_hand_marks(ui, map, origin);
   ImGui::PopClipRect();
   draw_rulers(ui, map, origin, rulers);
   if (under) tooltip(ui, cell_tip(*under));

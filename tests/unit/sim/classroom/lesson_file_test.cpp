@@ -220,10 +220,43 @@ TEST_CASE("slips in tasks") {
   CHECK(contains(load_error(task + done + "now: {wdth}\n" + solved + ":::\n"), ":11: "));
   CHECK(contains(load_error(task + done + "hint:\n" + solved + ":::\n"), ":11: nothing stands after `hint:`"));
   CHECK(contains(load_error(task + done + "solution: wider\n:::\n"), ":11: "));
-  CHECK(contains(load_error(task + done + "and more\n" + solved + ":::\n"), ":11: a line that does not belong to the task"));
+  CHECK(contains(load_error(task + done + "and more\n" + solved + ":::\n"),
+                 ":11: a line that does not belong to the task"));
   CHECK(contains(load_error(task + done + solved + ":::\nmore\n"), ":13: text after a task"));
   CHECK(contains(load_error(task + done + solved + ":::\n::: task\n"), ":13: a second task at one stop"));
   CHECK(contains(load_error(head + "::: task\n"), ":7: a task before the first stop"));
+}
+
+TEST_CASE("slips in what is to be marked") {
+  const std::string stop = head + "## Here {at: clear}\n";  // line 7
+  const std::string mark = stop + "::: mark\nMark it.\n", why = "why: It is so.\n";
+  CHECK(run_error(mark + "pixels: compare where y == 3\n" + why + ":::\n") == "");
+  CHECK(contains(load_error(mark), ":8: the mark is not closed; add a line `:::`"));
+  CHECK(
+      contains(load_error(stop + "::: mark\npixels: compare\n" + why + ":::\n"), ":8: nothing is asked to be marked"));
+  CHECK(contains(load_error(mark + why + ":::\n"), ":8: nothing says which marks are right"));
+  CHECK(contains(load_error(mark + "pixels: compare\n:::\n"), ":8: nothing says why the marks are right"));
+  CHECK(contains(load_error(mark + "pixels: compare\npixels: compare\n" + why + ":::\n"),
+                 ":11: a second line that says what is right"));
+  CHECK(contains(load_error(mark + "pixels: cmpare\n" + why + ":::\n"), ":10: the method has no step named `cmpare`"));
+  CHECK(contains(load_error(mark + "pixels: compare, first\n" + why + ":::\n"), ":10: `compare, first` does not name"));
+  CHECK(
+      contains(load_error(mark + "pixels: insert_edge\n" + why + ":::\n"), ":10: `insert_edge` is no step of a pixel"));
+  CHECK(
+      contains(load_error(mark + "scan line: insert_edge\n" + why + ":::\n"), ":10: `insert_edge` does not say what"));
+  CHECK(contains(load_error(mark + "scan line: polygon of insert_edge\n" + why + ":::\n"),
+                 ":10: `polygon` is no number"));
+  CHECK(contains(load_error(mark + "order: y of compare\n" + why + ":::\n"), ":10: `y` is no polygon"));
+  CHECK(contains(load_error(mark + "pixels: compare\nand more\n" + why + ":::\n"),
+                 ":11: a line that does not belong to what is marked"));
+  CHECK(contains(load_error(mark + "pixels: compare\n" + why + ":::\nmore\n"), ":13: text after what is to be marked"));
+  CHECK(contains(load_error(mark + "pixels: compare\n" + why + ":::\n" + question),
+                 ":13: a mark and a question at one stop"));
+  CHECK(contains(run_error(mark + "pixels: compare where x > 90\n" + why + ":::\n"),
+                 ":10: no step `compare` after this stop"));
+  CHECK(contains(run_error(mark + "scan line: y of compare\n" + why + ":::\n"), "7 scan lines are right; add a condition"));
+  CHECK(contains(run_error(mark + "order: polygon of compare where polygon == \"A\"\n" + why + ":::\n"),
+                 ":10: an order of 1 is asked for"));
 }
 
 TEST_CASE("slips in questions") {
