@@ -2,11 +2,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/overlays.hpp"
 #include "sim/viewer/panes/pane.hpp"
 
 namespace zstep::viewer {
+
+namespace {
+
+/// Tabs as they can be drawn in one line.
+std::string spaced(std::string text) {
+  std::replace(text.begin(), text.end(), '\t', ' ');
+  return text;
+}
+
+}  // namespace
 
 bool App::pick_here(SDL_Keycode code) {
   const int last = static_cast<int>(here_.size()) - 1;
@@ -25,7 +37,9 @@ void App::take_here(std::size_t line) {
   if (taken.asks) open_explain(*taken.asks, taken.asks_as);
   if (!taken.copies.empty()) {
     requests.clipboard = taken.copies;
-    say("Copied: " + taken.copies);
+    const auto ends = std::count(taken.copies.begin(), taken.copies.end(), '\n');
+    say(ends > 0 ? fmt::format("Copied {} lines; a spreadsheet takes them as a table.", ends)
+                 : "Copied: " + spaced(taken.copies));
   }
   if (const Command* command = command_called(taken.command)) run(*command);
   session_.touch();

@@ -128,3 +128,41 @@ TEST_CASE("what a right click offers stands within the window, wherever the mous
     }
   CHECK(opened > 20);
 }
+
+TEST_CASE("a right click in a table copies a number, its row or the whole table") {
+  const Trace trace = test::record_run("foley");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().go_to(14);
+  app.set_lead("edge_table");
+  app.settle();
+  const auto place = std::find_if(app.ui().row_places.begin(), app.ui().row_places.end(),
+                                  [](const auto& row) { return row.first.first == "edges"; });
+  REQUIRE(place != app.ui().row_places.end());
+  const int y = static_cast<int>(place->second.at.y + place->second.size.y / 2),
+            left = static_cast<int>(place->second.at.x);
+  bool number_seen = false;
+  for (int x = left + 4; x < left + 300; x += 6) {
+    right_click(app, x, y);
+    REQUIRE(app.overlay() == Overlay::here);
+    REQUIRE(offers(app, "Copy this row"));
+    REQUIRE(offers(app, "Copy the table"));
+    CHECK(offers(app, "Where this number comes from") == (app.here().size() == 4));
+    if (app.here().size() == 4 && !number_seen) {
+      number_seen = true;
+      app.picked = 1;
+      test::press(app, SDLK_RETURN);
+      REQUIRE(app.requests.clipboard);
+      CHECK(std::stod(*app.requests.clipboard) >= 0);
+    }
+    test::press(app, SDLK_ESCAPE);
+  }
+  CHECK(number_seen);
+  right_click(app, left + 4, y);
+  app.picked = static_cast<int>(app.here().size()) - 1;
+  test::press(app, SDLK_RETURN);
+  REQUIRE(app.requests.clipboard);
+  const std::string table = *app.requests.clipboard;
+  CHECK(table.starts_with("y\tedge\tleaves\tx\t1/m\t"));
+  CHECK(std::count(table.begin(), table.end(), '\n') ==
+        static_cast<std::ptrdiff_t>(app.session().state().machine.edge_table.size()) + 1);
+}

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/ranges.h>
+
 #include "sim/viewer/panes/exact_line.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -59,6 +61,24 @@ float total(const std::vector<Column>& columns, float gap) {
   float width = 0;
   for (const Column& column : columns) width += column.hidden ? 0 : column.width + gap;
   return width;
+}
+
+}  // namespace
+
+namespace {
+
+/// A row as it is copied: numbers in full, tabs between cells, as a spreadsheet takes them.
+std::string as_copied(const TableRow& row) {
+  std::string line;
+  for (std::size_t k = 0; k < row.cells.size(); ++k)
+    line += (k ? "\t" : "") + (row.cells[k].value ? exact(*row.cells[k].value) : row.cells[k].text);
+  return line;
+}
+
+std::string as_copied(const std::vector<std::string>& headings, const std::vector<TableRow>& rows) {
+  std::string lines = fmt::format("{}\n", fmt::join(headings, "\t"));
+  for (const TableRow& row : rows) lines += as_copied(row) + "\n";
+  return lines;
 }
 
 }  // namespace
@@ -127,10 +147,11 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     if (hovered && row.key >= 0) result.hovered = row.key;
     bool on_number = false;
     const ImU32 color = row.trust != Findings::Trust::right || row.look == TableRow::Look::other ? c.bad
-                        : row.look == TableRow::Look::gone  ? c.muted
-                                                            : c.text;
+                        : row.look == TableRow::Look::gone                                       ? c.muted
+                                                                                                 : c.text;
     x = at.x + gap / 2;
     std::vector<std::string> exact_values;
+    std::optional<double> number;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (k < row.cells.size() && row.cells[k].value)
         exact_values.push_back(headings[k] + " = " + exact(*row.cells[k].value));
@@ -153,7 +174,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
       if (k < row.cells.size() && row.cells[k].value && row.cells[k].question)
         if (number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y},
                       *row.cells[k].question)) {
-          on_number = true;
+          on_number = true, number = row.cells[k].value;
           const std::string line = exact_line(ui.session.trace(), *row.cells[k].question);
           if (!line.empty()) exact_values.push_back(line);
         }
@@ -163,6 +184,11 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     if (clicked && row.key >= 0 && !on_number) result.clicked = row.key;
     if (row.look == TableRow::Look::now) follow(ui, at.y, height);
     if (hovered && !exact_values.empty()) tooltip(ui, exact_values);
+    if (hovered && ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+      if (number) ui.here.push_back({.text = "Copy " + exact(*number), .copies = exact(*number)});
+      ui.here.push_back({.text = "Copy this row", .copies = as_copied(row)});
+      ui.here.push_back({.text = "Copy the table", .copies = as_copied(headings, rows)});
+    }
   }
   // When they have scrolled away, the headings stay at the top of the pane as long as some row does.
   const float pane = ImGui::GetWindowPos().y, foot = ImGui::GetCursorScreenPos().y;
