@@ -166,3 +166,24 @@ TEST_CASE("a right click in a table copies a number, its row or the whole table"
   CHECK(std::count(table.begin(), table.end(), '\n') ==
         static_cast<std::ptrdiff_t>(app.session().state().machine.edge_table.size()) + 1);
 }
+
+TEST_CASE("a right click on a polygon of the scene from outside leads to where the run begins it") {
+  const Trace trace = test::record_run("delhi");
+  App app(trace, nullptr, {}, 1280, 720);
+  app.session().go_to(trace.size());
+  app.ui().from_outside = true;
+  app.set_lead("scene");
+  app.settle();
+  bool offered = false;
+  for (int y = 60; y < 480 && !offered; y += 12)
+    for (int x = 756; x < 1260 && !offered; x += 12) {
+      right_click(app, x, y);
+      offered = app.overlay() == Overlay::here && app.here().front().text == "Back to where polygon B was begun";
+      if (!offered) test::press(app, SDLK_ESCAPE);
+    }
+  REQUIRE(offered);
+  test::press(app, SDLK_RETURN);
+  CHECK(app.session().position() < trace.size());
+  REQUIRE(app.session().event());
+  CHECK(app.session().state().machine.polygon == 1);
+}

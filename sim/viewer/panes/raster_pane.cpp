@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/marking.hpp"
 #include "sim/words/explain.hpp"
 
@@ -203,30 +204,6 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
     frame_cell(ui, map, origin, *now, small - 1, 1, ui.colors().pane);
   }
 }
-
-namespace {
-
-/// What a right click on a pixel offers.
-std::vector<HereLine> lines_of_pixel(const Session& s, Cell cell, const std::optional<answers::Question>& depth) {
-  const auto select = [cell](Session& session) { session.select(cell); };
-  std::vector<HereLine> lines{
-      {fmt::format("All that happened to pixel ({}, {})", cell.x, cell.y), "history", select},
-      {"Why a polygon is not seen here", "why-not", select},
-      {"On to the next step that touches it", "next-touch", select},
-      {"Back to the last one", "previous-touch", select},
-      {"Zoom to it", "center", select},
-  };
-  if (depth) lines.push_back({.text = "Where its depth comes from", .asks = depth});
-  const Picture& shown = s.picture();
-  const std::int32_t polygon = shown.polygon[shown.at(cell.x, cell.y)];
-  if (polygon == no_polygon) return lines;
-  const std::int32_t line = s.scene().polygons[static_cast<std::size_t>(polygon)].source_line;
-  const std::string place = fmt::format("{}:{}", s.scene().source, line);
-  if (line > 0) lines.push_back({.text = "Copy where the file has its polygon: " + place, .copies = place});
-  return lines;
-}
-
-}  // namespace
 
 void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>& cells,
                  const std::function<std::string(std::size_t, int)>& cell_text,

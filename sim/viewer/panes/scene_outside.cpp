@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_in_space.hpp"
 #include "sim/viewer/panes/taken_places.hpp"
@@ -104,6 +105,7 @@ void tell_what_is_pointed_at(Ui& ui, const Picture& seen, ImVec2 at) {
   std::vector<std::string> lines{"polygon " + polygon_label(scene, polygon)};
   if (told.source_line > 0) lines.push_back(fmt::format("line {} of {}", told.source_line, scene.source));
   tooltip(ui, lines);
+  if (ui.asks && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ui.here = lines_of_polygon(ui.session, polygon);
 }
 
 }  // namespace
