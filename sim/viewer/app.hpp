@@ -28,6 +28,7 @@ namespace zstep::viewer {
 /// What the window is asked to do; whoever owns it takes the requests and clears them.
 struct WindowRequests {
   bool quit = false, toggle_full_screen = false;
+  bool choose_file = false;                 ///< by the desktop's own dialogue
   std::optional<std::string> clipboard;
   std::optional<std::string> save_picture;  ///< path
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene

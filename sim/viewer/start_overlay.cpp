@@ -157,6 +157,7 @@ void draw_start(App& app) {
        {.font = ui.fonts.bold});
   ImGui::Dummy({1, std::round(ui.em * 0.3f)});
   app.draw_field("Type a part of a name, or the path of a file");
+  if (button(ui, "Choose a file\u2026 (Ctrl+Shift+O)")) app.requests.choose_file = true;
   const std::vector<const Offer*> all = app.choices();
   const auto picked = static_cast<std::size_t>(app.picked);
   const std::string told = picked < all.size() ? all[picked]->summary : "",

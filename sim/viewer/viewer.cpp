@@ -1,5 +1,6 @@
 // The window around the App: opens it, feeds it events, shows its surface, keeps what stays.
 #include "sim/viewer/viewer.hpp"
+#include "sim/viewer/file_dialogue.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ void name_window(const Window& window, const Trace& trace) {
                      fmt::format("zstep \u00b7 {} \u00b7 {}", trace.header().title, trace.scene().name).c_str());
 }
 
-void serve(Stage& stage, const Window& window) {
+void serve(Stage& stage, const Window& window, FileDialogue& dialogue) {
   if (const int direction = std::exchange(stage.app().requests.switch_method, 0); direction != 0) {
     stage.switch_method(direction);
     name_window(window, stage.trace());
@@ -64,6 +65,8 @@ void serve(Stage& stage, const Window& window) {
   WindowRequests& r = app.requests;
   if (r.toggle_full_screen)
     SDL_SetWindowFullscreen(window.get(), window.full_screen() ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+  if (r.choose_file && !dialogue.ask(std::filesystem::current_path()))
+    app.say_on_start("This desktop has no dialogue for files (zenity or kdialog); type the path of a file.");
   if (r.clipboard) SDL_SetClipboardText(r.clipboard->c_str());
   if (r.save_picture) {
     try {
@@ -109,6 +112,7 @@ class Keeper {
 };
 
 void loop(Stage& stage, const Window& window, Keeper& keeper) {
+  FileDialogue dialogue;
   int frames_due = App::frames_to_settle;  // after a change, until nothing moves any more
   std::uint64_t drawn = 0;
   const App* drawn_app = nullptr;
@@ -140,7 +144,7 @@ void loop(Stage& stage, const Window& window, Keeper& keeper) {
       if (stage.app().handle(event, window.pixels_per_point())) break;
       got = SDL_PollEvent(&event) != 0;
     }
-    serve(stage, window);
+    serve(stage, window, dialogue);
     if (std::exchange(on_way, false)) name_window(window, stage.trace());
     SDL_Surface* target = window.surface();
     if (target->w != stage.app().renderer().width() || target->h != stage.app().renderer().height()) {
