@@ -207,8 +207,9 @@ class App {
   Places& places() { return places_; }
   std::string wrong;              ///< with what is typed; said below it
   void run_until(const std::string& condition, Places::Way way);
-  void keep_bookmark();           ///< here, by the name typed
+  void keep_bookmark();           ///< here, by the name typed, or else by the step's number
   void go_to_bookmark(std::size_t place);
+  void remove_bookmark(std::size_t place);
   void paint_answer();            ///< over the frame, or no longer
   void go_to_typed();  ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
   void take_settings(const Settings& settings);  ///< as another App was left

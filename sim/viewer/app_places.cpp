@@ -18,9 +18,10 @@ void App::run_until(const std::string& condition, Places::Way way) {
 }
 
 void App::keep_bookmark() {
-  wrong = places_.bookmark(typed);
+  const bool named = typed.find_first_not_of(' ') != std::string::npos;
+  const std::string name = named ? typed : fmt::format("step {}", session_.position());
+  wrong = places_.bookmark(name);
   if (!wrong.empty()) return session_.touch();
-  const std::string name = typed;
   open(Overlay::none);
   say(fmt::format("Step {} is kept as {}; L lists all bookmarks.", grouped(session_.position()), name));
 }
@@ -32,6 +33,15 @@ void App::go_to_bookmark(std::size_t place) {
   open(Overlay::none);
   session_.go_to(mark.step);
   say(fmt::format("Bookmark: {}", mark.name));
+}
+
+void App::remove_bookmark(std::size_t place) {
+  const auto& all = places_.bookmarks();
+  if (all.empty()) return;
+  const std::string name = all[std::min(place, all.size() - 1)].name;
+  const std::string fault = places_.remove_bookmark(place);
+  say(fault.empty() ? fmt::format("Removed the bookmark {}.", name) : fault);
+  picked = std::clamp(static_cast<int>(place), 0, std::max(0, static_cast<int>(places_.bookmarks().size()) - 1));
 }
 
 void App::turn_overlay(int direction) {
@@ -100,14 +110,7 @@ bool App::pick_bookmark(SDL_Keycode code) {
   const int last = static_cast<int>(places_.bookmarks().size()) - 1;
   const auto place = static_cast<std::size_t>(std::max(0, picked));
   if (code == SDLK_RETURN) return go_to_bookmark(place), true;
-  if (code == SDLK_DELETE) {
-    if (last < 0) return true;
-    const std::string name = places_.bookmarks()[std::min(place, static_cast<std::size_t>(last))].name;
-    const std::string fault = places_.remove_bookmark(place);
-    say(fault.empty() ? fmt::format("Removed the bookmark {}.", name) : fault);
-    picked = std::clamp(picked, 0, std::max(0, last - 1));
-    return true;
-  }
+  if (code == SDLK_DELETE) return remove_bookmark(place), true;
   if (code != SDLK_UP && code != SDLK_DOWN) return false;
   picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, last));
   scroll_to_picked = true;

@@ -10,9 +10,9 @@
 namespace zstep::viewer {
 namespace {
 
-/// A row of two columns, the second muted; true when clicked.
+/// A row of two columns, the second muted; true when clicked. At its end, so wide, a sign that removes it.
 bool draw_row(App& app, std::size_t place, float split, const ImFont* font, const std::string& first,
-              const std::string& second, bool second_muted) {
+              const std::string& second, bool second_muted, float removes = 0) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const ListRow row = list_row(app, place, std::round(ui.em * 1.4f));
@@ -21,9 +21,9 @@ bool draw_row(App& app, std::size_t place, float split, const ImFont* font, cons
   ImGui::PushClipRect(at, {at.x + split - ui.em * 0.5f, end.y}, true);
   draw_text(ui, {at.x + ui.em * 0.5f, y}, font, c.text, first);
   ImGui::PopClipRect();
-  ImGui::PushClipRect(at, end, true);
-  draw_text(ui, {at.x + split, y}, ui.fonts.text, second_muted ? c.muted : c.text, second);
-  ImGui::PopClipRect();
+  draw_text(ui, {at.x + split, y}, ui.fonts.text, second_muted ? c.muted : c.text,
+            fitted(ui, ui.fonts.text, second, end.x - removes - at.x - split));
+  if (removes > 0) draw_text(ui, {end.x - removes + ui.em * 0.4f, y}, ui.fonts.bold, c.muted, "\u00d7");
   return row.clicked;
 }
 
@@ -58,9 +58,12 @@ void draw_name_bookmark(App& app) {
   begin_overlay(app, "name bookmark", {ui.em * 30, ui.em * (app.wrong.empty() ? 7.0f : 9.5f)});
   flow(ui, fmt::format("A bookmark at step {}", grouped(app.session().position())), {.font = ui.fonts.bold});
   app.draw_field("the first tie");
-  if (app.wrong.empty()) flow(ui, "Its name. Enter keeps it; L lists all of them.", {.color = ui.colors().muted});
+  const bool clicked = button(ui, "Keep it");
+  ImGui::SameLine(0, ui.em * 0.6f);
+  if (app.wrong.empty()) flow(ui, "Its name, or none. Enter keeps it; L lists all.", {.color = ui.colors().muted});
   else say_wrong(ui, app.wrong);
   ImGui::End();
+  if (clicked) app.keep_bookmark();
 }
 
 void draw_range(App& app) {
@@ -82,18 +85,23 @@ void draw_bookmarks(App& app) {
   begin_overlay(app, "bookmarks",
                 {ui.em * 42, ui.em * (4.5f + rows * 1.4f) + (app.places().trouble().empty() ? 0 : ui.em * 2)});
   const Flow heading{.font = ui.fonts.bold};
-  flow(ui, "Bookmarks. Enter or a click goes there; Delete removes one; Ctrl+B sets one; Esc closes.", heading);
+  flow(ui, "Bookmarks. Enter or a click goes there; Delete or \u00d7 removes one; Ctrl+B sets one.", heading);
   ImGui::Dummy({1, ui.em * 0.3f});
   if (!app.places().trouble().empty()) say_wrong(ui, app.places().trouble());
   else if (all.empty()) say_empty(ui, "None yet. Ctrl+B sets one at the step where you are.");
   ImGui::BeginChild("list", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   std::optional<std::size_t> clicked;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (draw_row(app, i, ui.em * 8, ui.fonts.mono, grouped(all[i].step), all[i].name, false)) clicked = i;
+  bool removes = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, sign = ui.em * 1.6f;
+    if (draw_row(app, i, ui.em * 8, ui.fonts.mono, grouped(all[i].step), all[i].name, false, sign))
+      clicked = i, removes = ImGui::GetIO().MousePos.x >= end - sign;
+  }
   app.scroll_to_picked = false;
   ImGui::EndChild();
   ImGui::End();
-  if (clicked) app.go_to_bookmark(*clicked);
+  if (clicked && removes) app.remove_bookmark(*clicked);
+  else if (clicked) app.go_to_bookmark(*clicked);
 }
 
 void draw_search(App& app) {

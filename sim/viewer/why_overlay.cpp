@@ -29,6 +29,13 @@ bool only_begins(const Event& event) {
   return begins.unit == Unit::polygon || begins.unit == Unit::scan_line;
 }
 
+/// From the pixel to the whole picture, or back; more stands behind it on the line. True when clicked.
+bool turn_button(App& app) {
+  const bool clicked = button(app.ui(), app.why_of() ? "Of the whole picture (Tab)" : "Of the pixel (Tab)");
+  ImGui::SameLine(0, app.ui().em * 0.6f);
+  return clicked;
+}
+
 bool draw_link(App& app, std::size_t place, float steps) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
@@ -146,11 +153,8 @@ void draw_why_ask(App& app) {
   begin_overlay(app, "why ask", {ui.em * 30, height * 12 + ui.em * 5});
   flow(ui, fmt::format("Why not \u2026 {}?", place_text(app.why_of())), {.font = ui.fonts.bold});
   app.draw_field("A polygon's name or number");
-  const Flow how{.color = ui.colors().muted};
-  flow(ui,
-       fmt::format("Enter or a click asks; Tab asks {}; Esc closes.",
-                   app.why_of() ? "of the whole picture" : "of the pixel"),
-       how);
+  const bool turned = turn_button(app);
+  flow(ui, "Enter or a click asks; Esc closes.", {.color = ui.colors().muted});
   const std::vector<std::int32_t> found = app.why_candidates();
   std::optional<std::int32_t> clicked;
   ImGui::BeginChild("polygons", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
@@ -171,7 +175,8 @@ void draw_why_ask(App& app) {
                               grouped(static_cast<std::int64_t>(scene.polygons.size()))));
   ImGui::EndChild();
   ImGui::End();
-  if (clicked) app.ask_why(*clicked);
+  if (turned) app.turn_why();
+  else if (clicked) app.ask_why(*clicked);
 }
 
 void draw_why(App& app) {
@@ -182,11 +187,10 @@ void draw_why(App& app) {
   flow(ui,
        fmt::format("Why not {} {}?", polygon_label(app.session().scene(), app.why_polygon()), place_text(app.why_of())),
        heading);
-  const Flow how{.color = ui.colors().muted};
-  flow(ui,
-       fmt::format("Enter or a click goes to a step; Tab asks {}; Backspace picks another polygon; Esc closes.",
-                   app.why_of() ? "of the whole picture" : "of the pixel"),
-       how);
+  const bool turned = turn_button(app);
+  const bool another = button(ui, "Another polygon (Backspace)");
+  ImGui::SameLine(0, ui.em * 0.6f);
+  flow(ui, "Enter or a click goes to a step; Esc closes.", {.color = ui.colors().muted});
   // The steps stand right below the verdict; where both are long, each has half of the room.
   const float room = ImGui::GetContentRegionAvail().y, row = std::round(ui.em * 1.4f);
   const float rows = std::min(room * 0.5f, row * static_cast<float>(app.why().chain.size()) + ui.em * 0.5f);
@@ -209,7 +213,9 @@ void draw_why(App& app) {
   }
   app.scroll_to_picked = false;
   ImGui::End();
-  if (clicked) app.go_to_link(*clicked);
+  if (turned) app.turn_why();
+  else if (another) app.open(Overlay::why_ask);
+  else if (clicked) app.go_to_link(*clicked);
 }
 
 }  // namespace zstep::viewer

@@ -1,0 +1,25 @@
+// Where words are seen in the window, read out of what it was told to draw.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "sim/viewer/app.hpp"
+
+namespace zstep::test {
+
+struct SeenWords {
+  float x, y;   ///< of the middle of what was looked for
+  float end_x;  ///< of the middle of its last letter
+};
+
+/// Each place where a text is seen, from the first drawn to the last; where some stand for themselves, only those.
+std::vector<SeenWords> find_words(viewer::App& app, const std::string& text);
+
+/// Of a canvas that is seen, the upper left corner on the screen.
+std::optional<ImVec2> corner_of(ImTextureID image);
+
+}  // namespace zstep::test
