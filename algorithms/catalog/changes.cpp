@@ -103,20 +103,33 @@ double nudge_of(double value) {
 
 std::string text_of(const glm::dvec3& point) { return fmt::format("{} {} {}", point.x, point.y, point.z); }
 
-/// Cuts facets that a moved vertex has bent, and puts all of them into the order of their polygons.
-void cut_anew(Scene& scene, const Place& place) {
+/// Cuts facets that a moved vertex has bent, puts together those that it has made flat, and puts all of them into the
+/// order of their polygons: as if the scene had been read so. `before`: where the points were.
+void cut_anew(Scene& scene, const std::vector<glm::dvec3>& before, const Place& place) {
   std::vector<int> facets_of(scene.polygons.size(), 0);
   for (const Facet& facet : scene.facets) ++facets_of[static_cast<std::size_t>(facet.polygon)];
   std::vector<Facet> old = std::exchange(scene.facets, {});
   const std::vector<std::int32_t> corners = std::exchange(scene.corners, {});
   std::stable_sort(old.begin(), old.end(), [](const Facet& a, const Facet& b) { return a.polygon < b.polygon; });
   scene::EarClipper clipper;
-  for (const Facet& facet : old) {
-    const std::span ring = std::span(corners).subspan(static_cast<std::size_t>(facet.first_corner),
-                                                      static_cast<std::size_t>(facet.corner_count));
-    std::vector<std::int32_t> pieces(ring.begin(), ring.end());
+  for (std::size_t at = 0; at < old.size(); ++at) {
+    const Facet& facet = old[at];
+    const auto corners_of = [&](const Facet& one) {
+      const auto first = corners.begin() + one.first_corner;
+      return std::vector<std::int32_t>(first, first + one.corner_count);
+    };
+    std::vector<std::int32_t> ring = corners_of(facet), triangles;
+    bool whole = facets_of[static_cast<std::size_t>(facet.polygon)] == 1;
+    if (const bool first = at == 0 || old[at - 1].polygon != facet.polygon; first && !whole) {
+      for (std::size_t k = at; k < old.size() && old[k].polygon == facet.polygon; ++k)
+        for (const std::int32_t corner : corners_of(old[k])) triangles.push_back(corner);
+      std::vector<std::int32_t> outline = scene::outline_of(before, triangles);
+      whole = !outline.empty();
+      if (whole) ring = std::move(outline), at += triangles.size() / 3 - 1;
+    }
+    std::vector<std::int32_t> pieces = ring;
     std::size_t size = pieces.size();
-    if (facets_of[static_cast<std::size_t>(facet.polygon)] == 1 && !scene::is_planar(scene.points, ring)) {
+    if (whole && !scene::is_planar(scene.points, ring)) {
       pieces.clear();
       size = 3;
       if (!clipper.cut(scene.points, ring, pieces))
@@ -143,10 +156,12 @@ void move_vertex(const Place& place, Scene& scene) {
                  scene.points.empty() ? "there is none" : fmt::format("there are 0 to {}", scene.points.size() - 1));
   if (numbers.size() != 3)
     place.refuse("a vertex is at three numbers", fmt::format("for example {} = 1 0 2.5", place.change.name));
-  scene.points[vertex] = {place.number(numbers[0]), place.number(numbers[1]), place.number(numbers[2])};
+  const std::vector<glm::dvec3> before = scene.points;
+  scene.points[vertex] =
+      glm::dvec3(place.number(numbers[0]), place.number(numbers[1]), place.number(numbers[2])) + 0.0;  // -0 becomes 0
   // No file says any more where it is.
   scene.point_lines.clear(), scene.file_points.clear(), scene.placements.clear(), scene.fit.reset();
-  cut_anew(scene, place);
+  cut_anew(scene, before, place);
 }
 
 /// Whether each polygon has a name of its own, and there are few enough to be put in order by hand.
@@ -174,20 +189,17 @@ std::string names_of(const Scene& scene) {
 void put_in_order(const Place& place, Scene& scene) {
   const std::vector<std::string> names = words_in(place.change.value);
   std::vector<std::int32_t> place_of(scene.polygons.size(), -1);
-  std::vector<Polygon> polygons;
+  std::int32_t next = 0;
   for (const std::string& name : names) {
     const auto at = polygon_called(scene, name);
     if (!at || place_of[*at] >= 0)
       place.refuse(at ? fmt::format("{} stands in it twice", name) : fmt::format("there is no polygon {}", name),
                    "give each once: " + names_of(scene));
-    place_of[*at] = static_cast<std::int32_t>(polygons.size());
-    polygons.push_back(scene.polygons[*at]);
+    place_of[*at] = next++;
   }
-  if (polygons.size() != scene.polygons.size())
+  if (names.size() != scene.polygons.size())
     place.refuse("not all polygons stand in it", "give each once: " + names_of(scene));
-  scene.polygons = std::move(polygons);
-  for (Facet& facet : scene.facets) facet.polygon = place_of[static_cast<std::size_t>(facet.polygon)];
-  cut_anew(scene, place);
+  scene::put_in_order(scene, place_of);
 }
 
 std::string text_of(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }

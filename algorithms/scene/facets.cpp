@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -109,6 +112,45 @@ bool EarClipper::cut(std::span<const glm::dvec3> points, std::span<const std::in
   }
   for (const std::int32_t i : left) triangles.push_back(corners[static_cast<std::size_t>(i)]);
   return true;
+}
+
+std::vector<std::int32_t> outline_of(std::span<const glm::dvec3> points, std::span<const std::int32_t> triangles) {
+  // An edge that two triangles share runs once in each direction; those of the outline have no opposite.
+  std::map<std::int32_t, std::int32_t> next;
+  std::set<std::pair<std::int32_t, std::int32_t>> edges;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    edges.insert({triangles[i], triangles[i % 3 == 2 ? i - 2 : i + 1]});
+  for (const auto& [from, to] : edges)
+    if (!edges.contains({to, from}) && !next.try_emplace(from, to).second) return {};  // it meets itself
+  std::vector<std::int32_t> ring;
+  if (!next.empty())
+    for (std::int32_t at = next.begin()->first; ring.size() < next.size() && next.contains(at); at = next.at(at))
+      ring.push_back(at);
+  if (3 * ring.size() != triangles.size() + 6) return {};
+  EarClipper clipper;
+  std::vector<std::int32_t> cut;
+  for (std::size_t turned = 0; turned < ring.size(); ++turned) {
+    cut.clear();
+    if (clipper.cut(points, ring, cut) && std::equal(cut.begin(), cut.end(), triangles.begin(), triangles.end()))
+      return ring;
+    std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+  }
+  return {};
+}
+
+void put_in_order(Scene& scene, std::span<const std::int32_t> place_of) {
+  const std::vector<Polygon> polygons = scene.polygons;
+  for (std::size_t k = 0; k < polygons.size(); ++k) scene.polygons[static_cast<std::size_t>(place_of[k])] = polygons[k];
+  std::vector<Facet> facets = std::exchange(scene.facets, {});
+  const std::vector<std::int32_t> corners = std::exchange(scene.corners, {});
+  for (Facet& facet : facets) facet.polygon = place_of[static_cast<std::size_t>(facet.polygon)];
+  std::stable_sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.polygon < b.polygon; });
+  for (Facet facet : facets) {
+    const auto first = corners.begin() + facet.first_corner;
+    facet.first_corner = static_cast<std::int32_t>(scene.corners.size());
+    scene.corners.insert(scene.corners.end(), first, first + facet.corner_count);
+    scene.facets.push_back(facet);
+  }
 }
 
 }  // namespace zstep::scene

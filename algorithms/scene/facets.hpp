@@ -7,6 +7,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "traces/scene.hpp"
+
 namespace zstep::scene {
 
 /// Newell's normal: the sum of the cross products of neighbouring corners, seen from the first. Its length is twice the
@@ -35,5 +37,11 @@ class EarClipper {
  private:
   std::int64_t steps_ = 0;
 };
+
+/// The outline that EarClipper cuts into just these triangles: empty where there is none.
+std::vector<std::int32_t> outline_of(std::span<const glm::dvec3> points, std::span<const std::int32_t> triangles);
+
+/// Puts the polygons of a scene into another order, and the facets with them: polygon k becomes place_of[k].
+void put_in_order(Scene& scene, std::span<const std::int32_t> place_of);
 
 }  // namespace zstep::scene

@@ -46,7 +46,7 @@ SceneFile load_mesh(const std::filesystem::path& path) {
   return builder.finish();
 }
 
-SceneFile load_scene_file(const std::filesystem::path& path) {
+SceneFile scene_from_text(const std::string& text, const std::filesystem::path& path) {
   std::size_t budget = largest_file;  // of all its meshes together
   const auto mesh = [&](const std::string& written) {
     const std::filesystem::path beside = path.parent_path() / std::filesystem::path(written);
@@ -57,7 +57,7 @@ SceneFile load_scene_file(const std::filesystem::path& path) {
     if (!error) budget -= static_cast<std::size_t>(size);
     return read_mesh(beside);
   };
-  return read_scene(read_bytes(path, largest_scene_file), path.string(), path.stem().string(), mesh);
+  return read_scene(text, path.string(), path.stem().string(), mesh);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ SceneFile load_any(const std::string& name_or_path) {
     return file;
   }
   const std::filesystem::path path(name_or_path);
-  if (has_extension(path, ".toml")) return load_scene_file(path);
+  if (has_extension(path, ".toml")) return scene_from_text(read_bytes(path, largest_scene_file), path);
   if (mesh_format(path)) return load_mesh(path);
 
   std::vector<std::string_view> names;
@@ -89,6 +89,12 @@ SceneFile load_any(const std::string& name_or_path) {
 
 SceneFile load_scene(const std::string& name_or_path) {
   SceneFile file = load_any(name_or_path);
+  make_printable(file.scene);
+  return file;
+}
+
+SceneFile read_scene_text(const std::string& text, const std::filesystem::path& path) {
+  SceneFile file = scene_from_text(text, path);
   make_printable(file.scene);
   return file;
 }

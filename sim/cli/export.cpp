@@ -1,4 +1,4 @@
-// zstep export: buffers as tables, contact sheets, films.
+// zstep export: buffers as tables, contact sheets, films, the scene.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -110,24 +110,30 @@ int export_table(const Trace& trace, const ExportOptions& options) {
 int run_export(const ExportOptions& options) {
   const std::filesystem::path path = options.out;
   const std::string extension = path.extension().string();
+  const bool scene = extension == ".toml";
   const bool table = extension == ".npy" || extension == ".csv", pictures = extension == ".png" || is_video(path);
-  if (!table && !pictures)
+  if (!table && !pictures && !scene)
     throw InputError(options.out, "does not say what to write",
-                     "end its name with .npy or .csv (a buffer), .png (pictures), .gif, .mp4, .webm or .mkv (a film)");
+                     "end its name with .npy or .csv (a buffer), .png (pictures), .gif, .mp4, .webm or .mkv (a film), "
+                     ".toml (the scene)");
   check_outputs({}, {options.trace}, {options.out});
   const auto needless = [&](const char* name, bool given, const char* of) {
     if (given) throw InputError(name, fmt::format("does not go with {}", options.out), fmt::format("it is for {}", of));
   };
-  needless("--buffer", pictures && !options.buffer.empty(), "tables: .npy, .csv");
+  needless("--buffer", !table && !options.buffer.empty(), "tables: .npy, .csv");
   for (const auto& [name, given] : {std::pair{"--sheet", options.sheet.has_value()},
                                     {"--steps", !options.steps.empty()},
                                     {"--from", options.from.has_value()},
                                     {"--to", options.to.has_value()},
                                     {"--pane", !options.pane.empty()}})
-    needless(name, table && given, "pictures: .png, .gif, .mp4");
+    needless(name, !pictures && given, "pictures: .png, .gif, .mp4");
   needless("--fps", !is_video(path) && options.fps.has_value(), "films: .gif, .mp4, .webm, .mkv");
   const Trace trace = open_trace(options.trace);
   if (pictures) return export_pictures(trace, options);
+  if (scene) {
+    write_scene_file(options.out, trace.scene(), trace.header().conventions, trace.header().algorithm);
+    return exit_code::done;
+  }
   return export_table(trace, options);
 }
 
@@ -138,7 +144,7 @@ void add_export(CLI::App& app, Action& action) {
   std::string buffers;
   for (const std::string& name : buffer_names()) buffers += (buffers.empty() ? "" : "|") + name;
   CLI::App* command =
-      app.add_subcommand("export", "Write a buffer of any step as a table, a sheet of pictures, or a film");
+      app.add_subcommand("export", "Write a buffer of any step as a table, a sheet of pictures, a film, or the scene");
   command->add_option("trace", options->trace, "A .ztrace or .jsonl file")->type_name("FILE.ztrace")->required();
   add_budget_options(*command);
   command->add_option("-o,--out", options->out, "What to write; its extension says in which form")
@@ -177,6 +183,7 @@ void add_export(CLI::App& app, Action& action) {
       "  zstep export run.ztrace --at 1056 --buffer depth -o depth.npy\n"
       "  zstep export run.ztrace --buffer overdraw -o overdraw.csv\n"
       "  zstep export run.ztrace --sheet 12 -o handout.png\n"
+      "  zstep export run.ztrace -o scene.toml\n"
       "  zstep export run.ztrace --from 300 --to 400 --pane frame -o run.gif");
   command->callback([options, &action] { action = [options] { return run_export(*options); }; });
 }

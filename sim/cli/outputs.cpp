@@ -13,6 +13,7 @@
 #include "sim/image/npy.hpp"
 #include "sim/pages/pictures.hpp"
 #include "sim/pages/rows.hpp"
+#include "sim/scenes/save_scene.hpp"
 #include "traces/error.hpp"
 #include "traces/file/output.hpp"
 
@@ -42,6 +43,8 @@ void add_outputs(CLI::App& command, Outputs& outputs) {
   add("--save-depth", outputs.depth, "FILE.npy",
       "Write the distance z_v seen at each pixel: float32 [H,W], +inf where nothing is");
   add("--save-depth-raw", outputs.raw_depth, "FILE.npy", "Write the depth buffer's own numbers: float64 [H,W]");
+  add("--save-scene", outputs.scene, "FILE.toml",
+      "Write the scene as it is run, with all that --change and other options say of it; comments of a scene file stay");
   const auto take = [&outputs](const std::string& text) { outputs.enlarge = parse_whole("--enlarge", text, 1); };
   command.add_option_function<std::string>("--enlarge", take, "Draw each pixel as N x N pixels of the PNG (default 1)")
       ->type_name("N")
@@ -51,9 +54,11 @@ void add_outputs(CLI::App& command, Outputs& outputs) {
 void check_outputs(const Outputs& outputs, const std::vector<std::string>& inputs,
                    const std::vector<std::string>& others) {
   std::vector<std::string> files;
-  for (const std::string& path : {outputs.image, outputs.ids, outputs.depth, outputs.raw_depth})
+  for (const std::string& path : {outputs.image, outputs.ids, outputs.depth, outputs.raw_depth, outputs.scene})
     if (!path.empty()) files.push_back(path);
   files.insert(files.end(), others.begin(), others.end());
+  if (!outputs.scene.empty() && fs::path(outputs.scene).extension() != ".toml")
+    throw InputError(outputs.scene, "is no name of a scene file", "end it with .toml");
   for (const std::string& input : inputs) note_input(input);
   for (std::size_t k = 0; k < files.size(); ++k) {
     check_writable(files[k]);
@@ -108,6 +113,18 @@ void write_outputs(const Outputs& outputs, const Picture& picture, const Scene& 
         height, width);
     say_written(outputs.raw_depth, fmt::format("depth buffer, float64 [{},{}]", height, width));
   }
+}
+
+void write_scene_file(const std::string& path, const Scene& scene, const Conventions& conventions,
+                      std::string_view method) {
+  const std::string told = save_scene(path, scene, conventions, method);
+  say_written(path, "scene");
+  if (!told.empty()) complain("note: " + told);
+}
+
+void write_scene_asked(const Outputs& outputs, const Scene& scene, const Conventions& conventions,
+                       const Method& method) {
+  if (!outputs.scene.empty()) write_scene_file(outputs.scene, scene, conventions, method.id);
 }
 
 }  // namespace zstep::cli

@@ -11,6 +11,7 @@
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/scenes/save_scene.hpp"
 #include "traces/outcome.hpp"
 #include "traces/record/trace_recorder.hpp"
 
@@ -42,6 +43,7 @@ int record(const RecordOptions& options) {
     check_outputs(options.outputs, inputs, {path});
   }
 
+  write_scene_asked(options.outputs, run.scene, run.conventions, *run.method);
   TraceRecorder recorder(path, header_for(*run.method, run.conventions), run.scene);
   std::optional<Picture> picture;
   bool out_of_time = false;

@@ -10,6 +10,7 @@
 #include "sim/cli/outputs.hpp"
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/scenes/save_scene.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -35,6 +36,7 @@ int render(const RenderOptions& options) {
     outputs.image = file_stem(run.scene) + ".png";
     check_outputs(outputs, {options.run.scene});
   }
+  write_scene_asked(outputs, run.scene, run.conventions, *run.method);
   NullRecorder nothing;
   const Picture picture = run.method->render(run.scene, run.conventions, nothing);
   write_outputs(outputs, picture, run.scene, run.conventions);

@@ -233,14 +233,4 @@ Run prepare_within_budget(const RunOptions& options) {
   return run;
 }
 
-std::string file_stem(const Scene& scene) {
-  std::string stem = scene.name.empty() || names_formula(scene.name) ? scene.surface ? "surface" : "scene" : scene.name;
-  for (char& c : stem) {
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    if (!plain) c = '-';
-  }
-  return stem.front() == '.' || stem.front() == '-' ? "scene" + stem : stem;
-}
-
 }  // namespace zstep::cli

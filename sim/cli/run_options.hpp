@@ -52,9 +52,6 @@ Run prepare_again(const RunOptions& options);
 /// --size, a byte a pixel. Built-in scenes and formulas cost what they cost.
 Run prepare_within_budget(const RunOptions& options);
 
-/// What to call a file made from this scene, without extension: "teapot", "bunny" for meshes/bunny.obj.
-std::string file_stem(const Scene& scene);
-
 /// Adds an option that takes a number, a size, or one of some words, with errors that say what was expected.
 CLI::Option* add_number(CLI::App& command, const std::string& name, std::optional<double>& value,
                         const std::string& help);

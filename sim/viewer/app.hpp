@@ -114,8 +114,9 @@ class App {
   // --- What if (app_changes.cpp, what_if_overlay.cpp)
   void allow_changes(Race::RunBy run_by) { run_by_ = std::move(run_by); }
   bool may_change() const { return run_by_ != nullptr; }
-  void show_changes(Changed changed) { changed_ = std::move(changed), session_.touch(); }
+  void show_changes(Changed changed) { changed_ = std::move(changed), saved_scene_.clear(), session_.touch(); }
   const Changed& changed() const { return changed_; }
+  const std::string& saved_scene() const { return saved_scene_; }
   /// What has the typed name in its name, as it is now; empty where the method is none of zstep's.
   std::vector<Changeable> found_changeables() const;
   void open_what_if();  ///< or closes it
@@ -126,6 +127,7 @@ class App {
   void change_typed();
   void ask_change(Change change, bool goes_on = false);
   void nudge(const Changeable& what, int direction);  ///< a little more, or the next of its words
+  void save_scene();  ///< of the run that is shown, as a scene file in the folder zstep was started in
   void say_unchanged(const std::string& why);         ///< that it could not be changed
   /// Looks at this run as a reader did at the one before: the same panes, places and what is typed.
   void look_as(const App& before);
@@ -330,6 +332,7 @@ class App {
   Overlay overlay_ = Overlay::none;
   Board board_;
   Changed changed_;
+  std::string saved_scene_;  ///< what was said of it; until the next change
   Race::RunBy run_by_;  ///< none: nothing can be run from here
   struct RaceView {
     RaceView(const Trace& shown, Race::RunBy run_by) : race(shown, std::move(run_by)) {}

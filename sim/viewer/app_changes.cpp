@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "sim/scenes/save_scene.hpp"
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/commands.hpp"
@@ -103,6 +104,7 @@ bool App::pick_changeable(SDL_Keycode code, unsigned modifiers) {
     return true;
   }
   if (ctrl && code == SDLK_h) return give_hint(), true;
+  if (ctrl && (modifiers & Chord::shift) != 0 && code == SDLK_s) return save_scene(), true;
   const std::vector<Changeable> found = found_changeables();
   const auto row = static_cast<std::size_t>(std::max(0, picked));
   if (code == SDLK_RETURN) {
@@ -118,6 +120,22 @@ bool App::pick_changeable(SDL_Keycode code, unsigned modifiers) {
   picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(found.size()) - 1));
   scroll_to_picked = true;
   return true;
+}
+
+void App::save_scene() {
+  try {
+    const Scene& scene = session_.scene();
+    const std::filesystem::path path = name_for_changed(scene, "");
+    const Header& header = session_.header();
+    const std::string told = zstep::save_scene(path, scene, header.conventions, header.algorithm);
+    saved_scene_ = fmt::format("Saved {} in the folder zstep was started in.{}", path.string(),
+                               told.empty() ? "" : " " + told);
+    wrong.clear();
+    say(saved_scene_);
+  } catch (const InputError& error) {
+    saved_scene_.clear();
+    say_unchanged(error.what());
+  }
 }
 
 /// The vertex that a hand moved in this frame.

@@ -297,6 +297,7 @@ const std::vector<Command>& table() {
       {"what-if", "Change", "What if: change the run", {{SDLK_e, C}}, [](App& a) { a.open_what_if(); }},
       {"undo", "Change", "Undo a change", {{SDLK_z, C}}, [](App& a) { a.requests.undo_change = 1; }},
       {"redo", "Change", "Make it again", {{SDLK_y, C}}, [](App& a) { a.requests.undo_change = -1; }},
+      {"save-scene", "Change", "Save the changed scene", {{SDLK_s, C | S}}, [](App& a) { a.save_scene(); }},
       {"before",
        "Look",
        "Hold: buffers before (class: black)",

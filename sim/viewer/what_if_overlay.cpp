@@ -108,10 +108,14 @@ void draw_what_if(App& app, ImVec2 at, ImVec2 size) {
   else flow(ui, "What if\u2026", {.font = ui.fonts.bold});
   app.draw_field("theta = 60, vertex 3 = 1 0 2");
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
+  else if (!app.saved_scene().empty()) flow(ui, app.saved_scene(), {});
   else if (!app.changed().told.empty()) flow(ui, app.changed().told, {});
   if (button(ui, "Undo", false, !app.changed().made.empty())) app.requests.undo_change = 1;
   ImGui::SameLine(0, ui.em * 0.4f);
   if (button(ui, "Redo")) app.requests.undo_change = -1;
+  ImGui::SameLine(0, ui.em * 0.4f);
+  if (button(ui, "Save")) app.save_scene();
+  if (ImGui::IsItemHovered()) ui.mouse_help = "Save the changed scene as a scene file (Ctrl+Shift+S).";
   ImGui::SameLine(0, ui.em * 0.4f);
   const bool closed = button(ui, "Close");
   const std::string how =

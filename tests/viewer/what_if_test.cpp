@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +14,8 @@
 #include <fmt/format.h>
 
 #include "algorithms/catalog/catalog.hpp"
+#include "algorithms/scene/load.hpp"
+#include "algorithms/scene/save.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
@@ -294,4 +299,31 @@ TEST_CASE("what if: a run that cannot be made anew says so") {
   test::press(app, SDLK_e, KMOD_CTRL);
   CHECK(app.overlay() == Overlay::none);
   CHECK(app.session().message == "This run cannot be changed from here.");
+}
+
+TEST_CASE("what if: the changed scene is saved beside what is there") {
+  namespace fs = std::filesystem;
+  const fs::path started = fs::current_path(), folder = fs::temp_directory_path() / "zstep-what-if-saved";
+  fs::remove_all(folder);
+  fs::create_directory(folder);
+  fs::current_path(folder);
+  const Trace trace = test::record_run("pyramid");
+  const ViewerOptions options = changing();
+  Stage stage(trace, options, Settings{}, 1280, 720);
+  test::press(stage.app(), SDLK_e, KMOD_CTRL);
+  ask(stage, "vertex 2 = 0 0 1.5");
+  test::press(stage.app(), SDLK_s, KMOD_CTRL | KMOD_SHIFT);  // in the drawer
+  CHECK(stage.app().saved_scene() == "Saved pyramid-changed.toml in the folder zstep was started in.");
+  const SceneFile saved = load_scene("pyramid-changed.toml");
+  CHECK(runs_alike(look_at_scene(saved.scene, {}), stage.trace().scene()));
+  ask(stage, "theta = 41");
+  CHECK(stage.app().saved_scene().empty());
+  test::press(stage.app(), SDLK_ESCAPE);
+  test::press(stage.app(), SDLK_s, KMOD_CTRL | KMOD_SHIFT);
+  CHECK(stage.app().session().message == "Saved pyramid-changed-2.toml in the folder zstep was started in.");
+  CHECK(load_scene("pyramid-changed.toml").scene.camera.theta == 30);
+  CHECK(load_scene("pyramid-changed-2.toml").scene.camera.theta == 41);
+
+  fs::current_path(started);
+  fs::remove_all(folder);
 }

@@ -45,21 +45,56 @@ class Reader {
     read_options(top_, file_, screen_ || surface != nullptr, result.conventions);
     scene.light = read_light(top_, file_, screen_);
     const toml::array* points = top_.array("points");
+    keep_points_ = top_.boolean("keep_points").value_or(false);
+    const toml::array* order = top_.array("order");
     const toml::array* polygons = top_.array("polygon");
     const toml::array* meshes = top_.array("mesh");
+    if (keep_points_ && (points == nullptr || meshes != nullptr))
+      fail_at(*top_.find("keep_points"), file_, "keep_points is for scenes all of whose points stand in one list",
+              "remove it, or give points = [[x, y, z], …] and polygons with corners");
     for (const std::string_view other : {"points", "polygon", "mesh"})
       top_.not_both("surface", other, "a surface is a scene by itself: remove one of them");
     top_.finish();
-    if (surface != nullptr) return read_surface_scene(*surface, std::move(result));
+    if (surface != nullptr) {
+      result = read_surface_scene(*surface, std::move(result));
+      if (order != nullptr) put_in_order_of(*order, result.scene);
+      return result;
+    }
 
     SceneBuilder builder(std::move(result));
     if (points != nullptr) read_points(*points);
     read_in_file_order(polygons, meshes, builder);
     if (builder.size() == 0) throw InputError(file_, "the scene has no polygons", "add a [[polygon]] or a [[mesh]]");
-    return builder.finish();
+    result = builder.finish();
+    if (order != nullptr) put_in_order_of(*order, result.scene);
+    return result;
   }
 
  private:
+  /// order = ["B", "A"]: each polygon once, by its name.
+  void put_in_order_of(const toml::array& order, Scene& scene) const {
+    std::map<std::string_view, std::size_t> by_name;
+    for (std::size_t k = 0; k < scene.polygons.size(); ++k) by_name.try_emplace(*scene.polygons[k].name, k);
+    std::vector<std::int32_t> place_of(scene.polygons.size(), -1);
+    std::int32_t next = 0;
+    for (const toml::node& node : order) {
+      const auto name = node.value<std::string>();
+      if (!name || name->empty()) fail_at(node, file_, "order is no list of names", "write order = [\"A\", \"B\", …]");
+      const auto found = by_name.find(*name);
+      if (found == by_name.end())
+        fail_at(node, file_, fmt::format("there is no polygon {} to put in order", in_quotes(*name)),
+                "give each polygon's name once");
+      if (place_of[found->second] >= 0)
+        fail_at(node, file_, fmt::format("{} stands in the order twice", in_quotes(*name)),
+                "give each polygon's name once");
+      place_of[found->second] = next++;
+    }
+    if (static_cast<std::size_t>(next) != scene.polygons.size())
+      fail_at(order, file_, fmt::format("the order names {} of {} polygons", next, scene.polygons.size()),
+              "give each polygon's name once");
+    put_in_order(scene, place_of);
+  }
+
   std::optional<Color> color(Keys& keys, std::string_view key) {
     const auto text = keys.text(key);
     if (!text) return std::nullopt;
@@ -96,6 +131,9 @@ class Reader {
     });
     PolygonSoup soup;
     PointMerger merger;
+    if (keep_points_)
+      for (const SharedPoint& point : shared_points_)
+        soup.add_point(point.position, point.line, [&] { return fmt::format("{}:{}", file_, point.line); });
     const auto flush = [&] {
       if (!soup.outlines.empty()) builder.add(std::exchange(soup, {}), file_, {});
       merger = PointMerger();
@@ -133,6 +171,8 @@ class Reader {
     const toml::array* points = keys.array("points");
     const toml::array* corners = keys.array("corners");
     keys.finish();
+    if (keep_points_ && points != nullptr)
+      fail_at(*points, file_, "with keep_points all points stand in one list", "give the polygon corners instead");
     if (points == nullptr && corners == nullptr)
       fail_at(table, file_, "the polygon has no points", "add points = [[x, y, z], [x, y, z], [x, y, z]]");
     if ((points != nullptr ? points : corners)->size() < 3)
@@ -148,7 +188,7 @@ class Reader {
                   shared_points_.empty() ? std::string("put points = [[x, y, z], …] at the top of the file")
                                          : fmt::format("the indices are 0 to {}", shared_points_.size() - 1));
         const SharedPoint& point = shared_points_[static_cast<std::size_t>(*index)];
-        soup.add_corner(merger.add(soup, point.position, point.line, where), where);
+        soup.add_corner(keep_points_ ? *index : merger.add(soup, point.position, point.line, where), where);
       }
     soup.close_outline(line, polygon_color, where);
     soup.materials.push_back(material.over({}));
@@ -214,6 +254,7 @@ class Reader {
   const std::string& file_;
   const MeshFiles& meshes_;
   bool screen_ = false;
+  bool keep_points_ = false;  ///< each of the list is a vertex, under its number there
   std::vector<SharedPoint> shared_points_;
   std::map<std::string, std::int32_t> lines_of_names_;
 };

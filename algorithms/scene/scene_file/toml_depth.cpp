@@ -6,9 +6,6 @@
 
 namespace zstep::scene {
 
-namespace {
-
-/// The end of the string that opens at `at`; strings of one line end with their line at the latest.
 std::size_t skip_string(std::string_view text, std::size_t at, int& line) {
   const char quote = text[at];
   const bool escapes = quote == '"';
@@ -27,8 +24,6 @@ std::size_t skip_string(std::string_view text, std::size_t at, int& line) {
     if (escapes && text[at] == '\\' && at + 1 < text.size() && text[at + 1] != '\n') ++at;
   return at < text.size() && text[at] == quote ? at + 1 : at;
 }
-
-}  // namespace
 
 void check_toml_depth(std::string_view text, const std::string& name, int first_line) {
   constexpr int most_parts = 32;

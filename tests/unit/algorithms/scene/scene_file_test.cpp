@@ -48,6 +48,30 @@ std::vector<std::string> examples(const std::string& path) {
 }  // namespace
 
 TEST_SUITE("scene files") {
+  TEST_CASE("polygons take the order that is asked for, and keep_points keeps the numbers of the list") {
+    const std::string two =
+        "[[polygon]]\nname = \"A\"\ncorners = [3, 0, 2]\n[[polygon]]\nname = \"B\"\ncorners = [2, 1, 3]\n";
+    const std::string points = "points = [[0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 1, 1]]\n";
+    const Scene plain = read(points + two).scene, kept = read("keep_points = true\n" + points + two).scene,
+                turned = read("order = [\"B\", \"A\"]\nkeep_points = true\n" + points + two).scene;
+    CHECK(plain.points.size() == 3);
+    CHECK(kept.points.size() == 4);
+    CHECK(kept.corners == std::vector<std::int32_t>{3, 0, 2, 2, 1, 3});
+    CHECK(*turned.polygons[0].name == "B");
+    CHECK(turned.corners == std::vector<std::int32_t>{2, 1, 3, 3, 0, 2});
+    CHECK(turned.facets[0].polygon == 0);
+    CHECK(turned.points == kept.points);
+    CHECK(error_of("order = [\"B\"]\n" + points + two) ==
+          "s.toml:1: the order names 1 of 2 polygons; give each polygon's name once");
+    CHECK(error_of("order = [\"B\", \"B\"]\n" + points + two) ==
+          "s.toml:1: \"B\" stands in the order twice; give each polygon's name once");
+    CHECK(error_of("order = [\"B\", \"C\"]\n" + points + two) ==
+          "s.toml:1: there is no polygon \"C\" to put in order; give each polygon's name once");
+    CHECK(error_of("keep_points = true\n" + triangle) ==
+          "s.toml:1: keep_points is for scenes all of whose points stand in one list; remove it, or give points = [[x, "
+          "y, z], …] and polygons with corners");
+  }
+
   TEST_CASE("the examples of docs/scene-format.md are scenes") {
     const auto blocks = examples("docs/scene-format.md");
     REQUIRE(blocks.size() == 6);
