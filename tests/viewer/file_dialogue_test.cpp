@@ -45,7 +45,7 @@ std::string dropped(int milliseconds) {
 }  // namespace
 
 TEST_CASE("the file that is chosen in the desktop's dialogue comes as one that is dropped") {
-  REQUIRE(SDL_Init(SDL_INIT_VIDEO) == 0);
+  REQUIRE(SDL_InitSubSystem(SDL_INIT_VIDEO) == 0);
   SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
   SUBCASE("zenity") {
     const Desktop desktop("zenity", "echo \"/a folder/mesh of zenity.obj\"");
@@ -83,5 +83,5 @@ TEST_CASE("the file that is chosen in the desktop's dialogue comes as one that i
     FileDialogue dialogue;
     CHECK_FALSE(dialogue.ask("/x"));
   }
-  SDL_Quit();
+  SDL_QuitSubSystem(SDL_INIT_VIDEO);
 }
