@@ -121,13 +121,13 @@ SceneText text_of_scene(const Scene& scene, const Conventions& conventions, cons
   if (least_of_point * scene.points.size() + least_of_polygon * scene.polygons.size() > largest_scene_file)
     throw InputError(scene.name,
                      fmt::format("{} polygons are too many to be written into a scene file", scene.polygons.size()),
-                     "change a scene of fewer polygons, or keep the run as a trace: zstep record --change");
+                     "change a scene of fewer polygons, or keep the run as a trace (`record` takes --change)");
   if (auto text = with_polygons_written(origin, wanted)) return {std::move(*text), false};
   const std::string bare = scene.camera.kind == Camera::Kind::screen ? "coordinates = \"screen\"\n" : "";
   if (auto text = with_polygons_written(bare, wanted)) return {std::move(*text), false};
   throw InputError(scene.name, "no scene file can say this scene",
                    scene.surface ? "of a surface only the camera, the raster and options can be saved"
-                                 : "keep the run as a trace: zstep record --change");
+                                 : "keep the run as a trace (`record` takes --change)");
 }
 
 }  // namespace zstep
