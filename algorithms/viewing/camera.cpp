@@ -8,6 +8,7 @@
 #include "traces/formulas/viewing.hpp"
 #include "traces/lamp.hpp"
 #include "traces/math/portable_math.hpp"
+#include "traces/math/quarter_turns.hpp"
 
 namespace zstep::viewing {
 
@@ -26,16 +27,7 @@ Turn turned_by(double degrees) {
   const double rest = std::remquo(degrees, 90.0, &quadrant);  // -45 … 45
   const double sine = std::abs(rest) == 30 ? std::copysign(0.5, rest) : portable::sin(rest * pi / 180);
   const double cosine = portable::cos(rest * pi / 180);
-  switch (quadrant & 3) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
+  return portable::after_quarter_turns(quadrant, Turn{sine, cosine});
 }
 
 }  // namespace

@@ -92,16 +92,7 @@ SineCosine sine_cosine(double x) {
   DoubleDouble sine = at.sine + (at.cosine * small.sine - at.sine * small.versine);
   const DoubleDouble cosine = at.cosine - (at.sine * small.sine + at.cosine * small.versine);
   if (negative) sine = -sine;
-  switch (turns.count) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
+  return after_quarter_turns(turns.count, SineCosine{sine, cosine});
 }
 
 Exponential exponential(DoubleDouble x) {
