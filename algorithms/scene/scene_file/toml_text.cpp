@@ -149,7 +149,7 @@ void TomlText::rename(std::string_view name, std::string_view key, std::string_v
     }
 }
 
-/// What lies between, gone, with its line where nothing else stands there; comments in it stay.
+/// Removes what is between two places but its comments, and its whole line where nothing else is on it.
 TomlText::Edit TomlText::without(std::size_t from, std::size_t to) const {
   std::string comments = comments_in(std::string_view(text_).substr(from, to - from));
   std::size_t begin = from, end = to;

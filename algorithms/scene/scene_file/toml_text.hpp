@@ -19,18 +19,18 @@ class TomlText {
   const toml::table& top() const { return top_; }  ///< of the text as it is now: each change reads it anew
   const toml::table* table(std::string_view name) const { return name.empty() ? &top_ : top_[name].as_table(); }
 
-  /// A value, as TOML writes it, in place of what stands there; all at once.
+  /// Replaces values of the table, each by a text as TOML writes it; all of them at once, as the text moves.
   void replace(const std::vector<std::pair<const toml::node*, std::string>>& values);
-  /// key = value in [table], at the top of the file where `table` is ""; either is made where it is not there.
+  /// Sets key = value in [table], or at the top of the file where `table` is ""; adds the table and the key if missing.
   void set(std::string_view table, std::string_view key, const std::string& value);
-  /// key = value in a table with a header, beside its other keys.
+  /// The same in this table, which has a header of its own.
   void set(const toml::table& table, std::string_view key, const std::string& value);
   void rename(std::string_view table, std::string_view key, std::string_view name);
-  /// Without its comments, which stay.
+  /// Removes a key and its value; comments in it stay.
   void erase(std::string_view table, std::string_view key);
-  /// A [table], or all [[tables]] of this name; their comments stay.
+  /// Removes a [table], or all [[tables]] of this name; their comments stay.
   void erase_tables(std::string_view name);
-  /// Parts are divided by an empty line.
+  /// Adds a part at the end, after an empty line.
   void append(const std::string& part);
 
  private:

@@ -36,11 +36,12 @@ std::vector<std::string> names_of_polygons(const Scene& scene) {
   return names;
 }
 
-/// The points of one stretch of polygons, between meshes, by what they are: equal ones are one vertex.
+/// A point's group and coordinates. Within a group, the polygons between two meshes, points that are equal are one
+/// vertex.
 using PlaceOfPoint = std::array<double, 4>;
-PlaceOfPoint place_of(std::size_t stretch, const glm::dvec3& point) {
+PlaceOfPoint place_of(std::size_t group, const glm::dvec3& point) {
   const glm::dvec3 plain = point + 0.0;
-  return {static_cast<double>(stretch), plain.x, plain.y, plain.z};
+  return {static_cast<double>(group), plain.x, plain.y, plain.z};
 }
 
 class PolygonEdits {
@@ -53,9 +54,9 @@ class PolygonEdits {
     for (std::size_t at = 0; at < read_.points.size(); ++at) {
       if (read_.points[at] == wanted_.scene.points[at]) continue;
       if (placement_of(read_, static_cast<std::int32_t>(at)) != nullptr) return false;  // in another file
-      std::size_t stretch = 0;
-      for (const Placement& mesh : read_.placements) stretch += static_cast<std::size_t>(mesh.first_point) <= at;
-      if (!moved.try_emplace(place_of(stretch, read_.points[at]), at).second) return false;
+      std::size_t group = 0;
+      for (const Placement& mesh : read_.placements) group += static_cast<std::size_t>(mesh.first_point) <= at;
+      if (!moved.try_emplace(place_of(group, read_.points[at]), at).second) return false;
     }
     if (moved.empty()) return true;
     if (const toml::array* shared = text_.top()["points"].as_array()) move_all(*shared, moved);
@@ -94,10 +95,10 @@ class PolygonEdits {
   void move_all(const toml::array& list, const std::map<PlaceOfPoint, std::size_t>& moved) {
     for (const toml::node& node : list) {
       const glm::dvec3 point = point_in(node, "", "", true);
-      // A list of shared points serves all stretches; where they disagree, the text reads otherwise than wanted.
+      // A list of shared points serves all groups; where these disagree, the text reads otherwise than wanted.
       auto found = moved.end();
-      for (std::size_t stretch = 0; stretch <= read_.placements.size() && found == moved.end(); ++stretch)
-        found = moved.find(place_of(stretch, point));
+      for (std::size_t group = 0; group <= read_.placements.size() && found == moved.end(); ++group)
+        found = moved.find(place_of(group, point));
       if (found == moved.end()) continue;
       const glm::dvec3& to = wanted_.scene.points[found->second];
       const toml::array& numbers = *node.as_array();

@@ -64,7 +64,7 @@ TEST_SUITE("scene files") {
     CHECK(error_of("order = [\"B\"]\n" + points + two) ==
           "s.toml:1: the order names 1 of 2 polygons; give each polygon's name once");
     CHECK(error_of("order = [\"B\", \"B\"]\n" + points + two) ==
-          "s.toml:1: 'B' stands in the order twice; give each polygon's name once");
+          "s.toml:1: 'B' is in the order twice; give each polygon's name once");
     CHECK(error_of("order = [\"B\", \"C\"]\n" + points + two) ==
           "s.toml:1: there is no polygon 'C' to put in order; give each polygon's name once");
     CHECK(error_of("keep_points = true\n" + triangle) ==
