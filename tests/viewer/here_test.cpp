@@ -178,7 +178,7 @@ TEST_CASE("a right click on a polygon of the scene from outside leads to where t
   for (int y = 60; y < 480 && !offered; y += 12)
     for (int x = 756; x < 1260 && !offered; x += 12) {
       right_click(app, x, y);
-      offered = app.overlay() == Overlay::here && app.here().front().text == "Back to where polygon B was begun";
+      offered = app.overlay() == Overlay::here && app.here().front().text == "Back to where work on polygon B began";
       if (!offered) test::press(app, SDLK_ESCAPE);
     }
   REQUIRE(offered);

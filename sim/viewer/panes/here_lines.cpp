@@ -16,8 +16,8 @@ std::vector<HereLine> lines_of_polygon(const Session& s, std::int32_t polygon) {
   }
   const auto go = [](std::int64_t position) { return [position](Session& session) { session.go_to(position); }; };
   const std::string name = polygon_label(s.scene(), polygon);
-  if (later) lines.push_back({fmt::format("On to where polygon {} is begun", name), "", go(*later)});
-  if (earlier) lines.push_back({fmt::format("Back to where polygon {} was begun", name), "", go(*earlier)});
+  if (later) lines.push_back({fmt::format("On to where work on polygon {} begins", name), "", go(*later)});
+  if (earlier) lines.push_back({fmt::format("Back to where work on polygon {} began", name), "", go(*earlier)});
   const std::int32_t line = s.scene().polygons[static_cast<std::size_t>(polygon)].source_line;
   const std::string place = fmt::format("{}:{}", s.scene().source, line);
   if (line > 0) lines.push_back({.text = "Copy where the file has its polygon: " + place, .copies = place});
