@@ -14,6 +14,7 @@
 #include "sim/cli/commands.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/words/link.hpp"
 #include "traces/file/output.hpp"
 #include "traces/outcome.hpp"
 #if ZSTEP_HAS_VIEWER
@@ -142,7 +143,13 @@ Action printing(std::string text) {
 
 }  // namespace
 
-std::function<int()> parse(const std::vector<std::string>& words) {
+std::function<int()> parse(std::vector<std::string> words) {
+  if (!words.empty() && is_link(words[0])) {
+    std::vector<std::string> meant = words_of_link(words[0]);
+    if (meant[0] == "view") meant.emplace_back("--patient");
+    meant.insert(meant.end(), words.begin() + 1, words.end());
+    words = std::move(meant);
+  }
   Action action = start;
   // Kept by what is returned: a command may ask for the others.
   const auto kept = std::make_shared<CLI::App>(

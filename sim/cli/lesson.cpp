@@ -48,8 +48,13 @@ Lesson lesson_named(const std::string& name) {
 
 int open(Lesson lesson, const ShowOptions& options, bool at_start = false) {
   check_can_show(options);
-  const Trace trace = run_lesson(lesson);
-  return show(trace, options, {.lesson = &lesson, .at_start = at_start});
+  struct Shown {
+    Lesson lesson;
+    Trace trace;
+  };
+  Trace trace = run_lesson(lesson);
+  const auto shown = std::make_shared<const Shown>(Shown{std::move(lesson), std::move(trace)});
+  return show(shown->trace, options, {.lesson = &shown->lesson, .at_start = at_start, .kept = shown});
 }
 
 [[maybe_unused]] std::string first_steps_without_display(const std::string& lesson) {

@@ -31,7 +31,7 @@ Image picture_of(const std::string& name) {
   return image;
 }
 
-std::unique_ptr<Opened> opened(OtherRun run, std::string by, std::string note = {}) {
+std::unique_ptr<Opened> opened(OtherRun run, std::vector<std::string> by, std::string note = {}) {
   if (!run.whole)
     note += fmt::format("{}Cut off after {} steps, so the picture is not done.", note.empty() ? "" : " ",
                         grouped(run.trace.size()));
@@ -42,30 +42,30 @@ std::unique_ptr<Opened> open_lesson(const std::string& name) {
   Lesson lesson = find_lesson(name);
   Trace trace = run_lesson(lesson);
   return std::make_unique<Opened>(
-      Opened{std::move(trace), std::move(lesson), as_typed("zstep lesson " + shell_word(name)), {}});
+      Opened{std::move(trace), std::move(lesson), std::vector<std::string>{"lesson", name}, {}});
 }
 
 std::unique_ptr<Opened> open_scene(const Trace& now, const std::string& name) {
   if (name.ends_with(".md")) return open_lesson(name);
   if (is_trace(name))
     return std::make_unique<Opened>(
-        Opened{open_trace(name, Cost::free), {}, as_typed("zstep view " + shell_word(name)), {}});
+        Opened{open_trace(name, Cost::free), {}, std::vector<std::string>{"view", name}, {}});
   RunOptions options;
   options.scene = name;
   const Run run = prepare(options);  // by the Z-buffer, which draws every scene
-  std::string line = "zstep view " + shell_word(name);
+  std::vector<std::string> words = {"view", name};
   const std::string id = now.header().algorithm;
   std::string note =
       fmt::format("Drawn by the {}, as the method of the run before is none of zstep's.", run.method->title);
   for (const Method& by : methods()) {
     if (by.id != id) continue;
-    if (by.id != run.method->id) line += " --algorithm " + shell_word(id);
-    if (can_draw(by, run.scene, run.conventions))
-      return opened(record_patiently(by, run.scene, run.conventions), as_typed(line));
+    if (can_draw(by, run.scene, run.conventions)) {
+      if (by.id != run.method->id) words.insert(words.end(), {"--algorithm", id});
+      return opened(record_patiently(by, run.scene, run.conventions), words);
+    }
     note = fmt::format("{} cannot draw this scene, so it is drawn by the {}.", by.title, run.method->title);
-    line = "zstep view " + shell_word(name);
   }
-  return opened(record_patiently(*run.method, run.scene, run.conventions), as_typed(line), note);
+  return opened(record_patiently(*run.method, run.scene, run.conventions), words, note);
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ std::unique_ptr<Opened> open_offer(const Trace& now, const Offer& offer) {
     case Offer::What::lesson:
       return open_lesson(offer.id);
     case Offer::What::method:
-      return opened(record_by(method(offer.id), now), "");
+      return opened(record_by(method(offer.id), now), {});
     case Offer::What::scene:
       break;
   }

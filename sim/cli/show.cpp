@@ -38,6 +38,11 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
   command.add_option("--pane", options.pane, "The screenshot shows one pane: frame, depth, pseudo-code, ...")
       ->type_name("PANE")
       ->group("Viewer");
+  command.add_option("--pixel", options.pixel, "Select this pixel of the raster")->type_name("X,Y")->group("Viewer");
+  command.add_option("--lead", options.lead, "This pane leads on the stage: frame, depth, slice, pseudo-code, ...")
+      ->type_name("PANE")
+      ->group("Viewer");
+  command.add_flag("--patient", options.patient)->group("");
   const auto take_size = [&options](const std::string& text) {
     const auto [width, height] = parse_size("--size-window", text);
     if (width > 16384 || height > 16384)
@@ -74,21 +79,25 @@ void add_race_options(CLI::App& command, ShowOptions& options) {
       ->group("Viewer");
 }
 
-std::string words_of(const CLI::App& command) {
-  std::string arguments, options;
+std::vector<std::string> words_of(const CLI::App& command) {
+  std::vector<std::string> words = {command.get_name()}, options;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0 || option->check_lname("at") || option->check_lname("race") ||
-        option->check_lname("race-by"))
+    const auto names_place = [&](const char* name) { return option->check_lname(name); };
+    if (option->count() == 0 || names_place("at") || names_place("pixel") || names_place("lead") ||
+        names_place("race") || names_place("race-by") || names_place("patient"))
       continue;
-    const bool takes_value = option->get_items_expected_max() > 0;
-    if (!takes_value) options += " " + option->get_name();
-    else
-      for (const std::string& value : option->results()) {
-        const bool named = !option->get_lnames().empty();
-        (named ? options : arguments) += (named ? " " + option->get_name() + " " : " ") + shell_word(value);
-      }
+    if (option->get_items_expected_max() == 0) {
+      options.push_back(option->get_name());
+      continue;
+    }
+    for (const std::string& value : option->results()) {
+      const bool named = !option->get_lnames().empty();
+      if (named) options.push_back(option->get_name());
+      (named ? options : words).push_back(value);
+    }
   }
-  return as_typed("zstep " + command.get_name() + arguments + options);
+  words.insert(words.end(), options.begin(), options.end());
+  return words;
 }
 
 std::string without_display() {
@@ -157,6 +166,17 @@ namespace {
   return race;
 }
 
+std::optional<Trace::Pixel> pixel_of(const std::string& text, const Raster& raster) {
+  if (text.empty()) return std::nullopt;
+  const std::vector<std::string> parts = parts_of(text, ',');
+  if (parts.size() != 2) throw InputError("--pixel " + text, "is no pixel", "write --pixel X,Y, as 13,6");
+  const std::int64_t x = parse_whole("--pixel", parts[0], 0), y = parse_whole("--pixel", parts[1], 0);
+  if (x >= raster.width || y >= raster.height)
+    throw InputError("--pixel " + text, fmt::format("the raster has {}x{} pixels", raster.width, raster.height),
+                     "they count from 0");
+  return Trace::Pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+}
+
 }  // namespace
 
 int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) {
@@ -187,6 +207,11 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   viewer.offers = all_offers;
   viewer.open = open_offer;
   viewer.at_start = with.at_start;
+  viewer.kept = with.kept;
+  viewer.pixel = pixel_of(options.pixel, trace.scene().raster);
+  viewer.lead = options.lead;
+  if (!with.whole)
+    viewer.note = fmt::format("Cut off after {} steps, so the picture is not done.", grouped(trace.size()));
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
   if (options.describe) fmt::print("{}", described(trace, viewer));
   if (options.describe && options.screenshot.empty()) return exit_code::done;

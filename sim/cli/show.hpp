@@ -1,8 +1,10 @@
 // The viewer's side of view, lesson and zstep alone.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -21,6 +23,8 @@ struct ShowOptions {
   bool opens_window() const { return screenshot.empty() && !describe; }
   std::int32_t width = 1280, height = 720;
   bool dark = false, light = false, presenter = false;
+  std::string pixel, lead;                       ///< to be selected; to lead on the stage
+  bool patient = false;  ///< a link asks for it: what takes too long is cut off
   std::string race, race_by = "steps";  ///< who races, with commas between; empty: no race
   const CLI::App* command = nullptr;  ///< whose words opened the view; lives as long as the action runs
 };
@@ -31,8 +35,8 @@ void add_show_options(CLI::App& command, ShowOptions& options);
 /// Adds --race and --race-by.
 void add_race_options(CLI::App& command, ShowOptions& options);
 
-/// The command line that a parsed command was called by, quoted for a shell, without --at and --race.
-std::string words_of(const CLI::App& command);
+/// The words that a parsed command was called by, without those that name a place in what it opens.
+std::vector<std::string> words_of(const CLI::App& command);
 
 /// What is shown beside a trace.
 struct ShownWith {
@@ -40,6 +44,8 @@ struct ShownWith {
   const CheckedRun* checked = nullptr;  ///< what check found in it
   const AgainstRun* against = nullptr;  ///< a second run
   bool at_start = false;                ///< with the start page before it
+  bool whole = true;                    ///< false: the run was cut off, as it would take too long
+  std::shared_ptr<const void> kept{};   ///< what the trace and these lie in, where a window may outlive the call
 };
 
 /// Opens the viewer, or writes the screenshot and says so. Throws InputError when a window is wanted and there is no

@@ -30,7 +30,13 @@ int view(const ViewOptionsOfCommand& options) {
         throw InputError(path, "is no trace, and --against holds two runs against each other",
                          "record both first: zstep record SCENE -o FILE.ztrace");
   if (!is_trace(what)) extend_budget(53);  // recording it is asked for
-  if (!is_trace(what)) return show(record_to_memory(prepare(options.run)), options.show);
+  if (!is_trace(what)) {
+    const Run run = prepare(options.run);
+    const auto shown = std::make_shared<const OtherRun>(options.show.patient
+                                                            ? record_patiently(*run.method, run.scene, run.conventions)
+                                                            : OtherRun{record_to_memory(run)});
+    return show(shown->trace, options.show, {.whole = shown->whole, .kept = shown});
+  }
   const std::string given = options.run.given();
   if (!given.empty())
     throw InputError(given, fmt::format("{} was recorded already, with options of its own", what),

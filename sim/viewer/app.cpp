@@ -10,6 +10,7 @@
 #include "sim/query/columns.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/workspace.hpp"
+#include "sim/words/link.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
@@ -120,37 +121,51 @@ void App::open(Overlay overlay) {
   session_.touch();
 }
 
-std::string App::link() const {
-  if (race_shown_) return fmt::format("{} {}", opening_words(), race_place());
-  return fmt::format("{} --at {}", opening_words(), session_.position());
+std::string App::command_line() const { return as_command(place_words()); }
+
+std::optional<std::string> App::link() const {
+  std::vector<std::string> words = place_words();
+  if (session_.selected) words.push_back(fmt::format("--pixel={},{}", session_.selected->x, session_.selected->y));
+  if (!lead().empty()) words.push_back("--lead=" + lead());
+  return link_of(words);
 }
 
-std::string App::opening_words() const {
+std::vector<std::string> App::place_words() const {
+  std::vector<std::string> words = opening_words();
+  const std::vector<std::string> place =
+      race_shown_ ? race_place() : std::vector<std::string>{"--at", std::to_string(session_.position())};
+  words.insert(words.end(), place.begin(), place.end());
+  return words;
+}
+
+std::vector<std::string> App::opening_words() const {
   // Not every command that shows a run has a race.
-  const bool races = opened_by.find("zstep view ") != std::string::npos ||
-                     opened_by.find("zstep lesson") != std::string::npos;
+  const bool races = !opened_by.empty() && (opened_by[0] == "view" || opened_by[0] == "lesson");
   if (!opened_by.empty() && (races || !race_shown_)) return opened_by;
-  if (session_.lesson()) return "zstep lesson " + shell_word(session_.lesson()->id);
+  if (session_.lesson()) return {"lesson", session_.lesson()->id};
   const std::string& name = session_.trace().name();
   std::error_code error;
-  if (std::filesystem::is_regular_file(name, error)) return "zstep view " + shell_word(name);
+  if (std::filesystem::is_regular_file(name, error)) return {"view", name};
   // Recorded on the spot: the scene, and the options that it was recorded with.
   const Scene& scene = session_.scene();
-  std::string text =
-      "zstep view " + shell_word(std::filesystem::is_regular_file(scene.source, error) ? scene.source : name);
-  if (session_.header().algorithm != "z-buffer") text += " --algorithm " + shell_word(session_.header().algorithm);
-  for (const auto& [option, value] : session_.header().conventions.options)
-    text += " --option " + shell_word(option + "=" + value);
-  if (scene.camera.kind != Camera::Kind::screen) {
-    text += fmt::format(" --size {}x{}", scene.raster.width, scene.raster.height);
-    if (scene.camera.polar)
-      text += fmt::format(" --rho {} --theta {} --phi {} --d {} --window {}", scene.camera.rho, scene.camera.theta,
-                          scene.camera.phi, scene.camera.d, scene.camera.window);
-    if (scene.camera.kind == Camera::Kind::orthographic) text += " --ortho";
+  std::vector<std::string> words = {"view",
+                                    std::filesystem::is_regular_file(scene.source, error) ? scene.source : name};
+  const auto say = [&](const char* option, std::string value) {
+    words.insert(words.end(), {option, std::move(value)});
+  };
+  if (session_.header().algorithm != "z-buffer") say("--algorithm", session_.header().algorithm);
+  for (const auto& [option, value] : session_.header().conventions.options) say("--option", option + "=" + value);
+  if (const Camera& camera = scene.camera; camera.kind != Camera::Kind::screen) {
+    say("--size", fmt::format("{}x{}", scene.raster.width, scene.raster.height));
+    if (camera.polar) {
+      const auto number = [&](const char* option, double value) { say(option, fmt::format("{}", value)); };
+      number("--rho", camera.rho), number("--theta", camera.theta), number("--phi", camera.phi);
+      number("--d", camera.d), number("--window", camera.window);
+    }
+    if (camera.kind == Camera::Kind::orthographic) words.emplace_back("--ortho");
   }
-  for (const Changed::Made& made : changed_.made)
-    text += " --change " + shell_word(made.change.name + " = " + made.change.value);
-  return text;
+  for (const Changed::Made& made : changed_.made) say("--change", made.change.name + " = " + made.change.value);
+  return words;
 }
 
 /// Body text: 16 px in a window of 1280 x 720. Half of what a window is larger goes into the text, the other half into

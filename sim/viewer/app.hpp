@@ -162,11 +162,17 @@ class App {
   /// lesson speaks that is about something else.
   std::string lead() const;
   void set_lead(const std::string& pane);
+  /// Selects a pixel, and lets a pane lead, where they are given. Throws InputError where that cannot lead here.
+  void look_at(std::optional<Trace::Pixel> pixel, const std::string& lead);
   ImVec2 stage_size() const { return stage_size_; }  ///< of what leads, as last drawn
   void turn_lead(int direction);  ///< to the next pane that can lead, or the one before
   void scale_text(float factor);  ///< 0: back to the usual size
-  std::string link() const;       ///< the command line that opens this place, or this race
-  std::string opened_by;          ///< as in ViewerOptions; what link() begins with
+  std::string command_line() const;     ///< what opens this place, or this race
+  std::optional<std::string> link() const;  ///< the same as a link; none where it is of a file
+  /// Goes where a link says. False where the link opens something else than what is shown. Throws InputError.
+  bool go_to_link(const std::string& link);
+  std::string copied;                   ///< last, of what opens a place
+  std::vector<std::string> opened_by;   ///< as in ViewerOptions; what command_line() begins with
   std::string typed;              ///< in the field of a box
   void put(const std::string& text);  ///< in place of what is typed
   void draw_field(const std::string& hint);
@@ -244,13 +250,14 @@ class App {
   void draw_panes_of_both(ImVec2 at, ImVec2 size);
   void share_look(Ui& beside) const;
   bool draw_beside(Ui& beside, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size);
-  std::string opening_words() const;
+  std::vector<std::string> opening_words() const;
+  std::vector<std::string> place_words() const;  ///< the same with the place in it
   void draw_race(ImVec2 at, ImVec2 size);
   void draw_race_head(ImVec2 at, float width);
   void draw_racers(ImVec2 at, ImVec2 size);
   void draw_race_clock(ImVec2 at, float width);
   void draw_growth(ImVec2 at, ImVec2 size);
-  std::string race_place() const;
+  std::vector<std::string> race_place() const;
   bool race_key(SDL_Keycode code, unsigned modifiers);
   bool pick_racer(SDL_Keycode code);
   void draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size);
@@ -378,5 +385,9 @@ void draw_until(App& app);
 void draw_name_bookmark(App& app);
 void draw_bookmarks(App& app);
 void draw_search(App& app);
+
+/// Goes where `options` say, else to where the reader left it, else to the lesson's first stop. Throws InputError where
+/// that cannot be.
+void go_to_start(App& app, const ViewerOptions& options);
 
 }  // namespace zstep::viewer

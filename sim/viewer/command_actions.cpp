@@ -7,6 +7,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_outside.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
+#include "sim/viewer/system.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer::actions {
@@ -118,6 +119,17 @@ void turn_spotlight(App& app) {
 void turn_clock(App& app) {
   app.board().turn_clock(app.clock_time);
   app.session().touch();
+}
+
+void copy_place(App& app) {
+  const std::string command = app.command_line(), address = system::address();
+  const std::optional<std::string> link = app.link();
+  const bool again = app.copied == command;
+  if (link && (again || !address.empty())) app.copied = address + *link;
+  else if (address.empty()) app.copied = command;
+  else return app.say("A link opens what zstep has; this is a file, or changed too much for one: save it instead.");
+  app.requests.clipboard = app.copied;
+  app.say("Copied: " + app.copied + (link && app.copied == command ? "  Once more: as a link." : ""));
 }
 
 void end_loop(App& app) {

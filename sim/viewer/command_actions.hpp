@@ -10,6 +10,9 @@
 
 namespace zstep::viewer::actions {
 
+/// The command that opens this place, and asked again the link; in a browser the link.
+void copy_place(App& app);
+
 template <Unit unit, int direction>
 void move(App& app) {
   app.move(unit, direction);

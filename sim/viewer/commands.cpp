@@ -221,14 +221,7 @@ const std::vector<Command>& table() {
          a.settings().layout = {};
          a.session().touch();
        }},
-      {"copy-link",
-       "Window",
-       "Copy what opens this place",
-       {{SDLK_c, C}},
-       [](App& a) {
-         a.requests.clipboard = a.link();
-         a.say("Copied: " + a.link());
-       }},
+      {"copy-place", "Window", "Copy what opens this place", {{SDLK_c, C}}, copy_place},
       {"picture",
        "Window",
        "Save a picture of the window",

@@ -40,6 +40,7 @@ void tell_step(Text& text, App& app) {
   text.title(fmt::format("Step {} of {}{}", s.position(), s.size(), step ? ": " + step->text : ""));
   for (const std::string& what : found.lines) text.line(found.head + what);
   text.line(found.note);
+  text.line(s.message);
   if (!event) return text.line(s.size() == 0 ? "This trace has no events." : "Nothing has happened yet.");
   const Explanation told = explain(s.trace(), s.state(), *event);
   text.line(told.sentence);
@@ -92,6 +93,13 @@ void tell_tables(Text& text, App& app) {
 }
 
 }  // namespace
+
+std::string describe_step(App& app) {
+  Text text;
+  tell_step(text, app);
+  tell_lesson(text, app.session());
+  return text.take();
+}
 
 std::string describe(App& app) {
   Text text;

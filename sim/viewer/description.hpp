@@ -11,4 +11,7 @@ namespace zstep::viewer {
 /// under its title; one thing a line, signs as words. Draws each pane alone: the App is for nothing else afterwards.
 std::string describe(App& app);
 
+/// The same without the tables; changes nothing.
+std::string describe_step(App& app);
+
 }  // namespace zstep::viewer

@@ -45,10 +45,12 @@ struct Pictures::Impl {
       : trace(trace_), app(trace_, options.lesson, settings, options.width, options.height) {
     if (options.checked) app.show_findings(*options.checked);
     if (options.against) app.show_against(*options.against);
+    look_at = [this, pixel = options.pixel, lead = options.lead] { app.look_at(pixel, lead); };
     if (options.race) app.allow_changes(options.run_by), app.open_race(options.race);
   }
   const Trace& trace;
   App app;
+  std::function<void()> look_at;  ///< as was asked, after each place that is gone to
 };
 
 std::vector<std::string> pane_names(const Trace& trace, bool with_lesson) {
@@ -91,6 +93,7 @@ Image Pictures::at_stop(int stop) {
 }
 
 Image Pictures::settled() {
+  impl_->look_at();
   impl_->app.settle();
   return {impl_->app.renderer().width(), impl_->app.renderer().height(), impl_->app.renderer().rgb()};
 }

@@ -23,6 +23,8 @@ struct PictureOptions {
   const Lesson* lesson = nullptr;  ///< already resolved
   const CheckedRun* checked = nullptr;  ///< as in ViewerOptions
   const AgainstRun* against = nullptr;  ///< likewise
+  std::optional<Trace::Pixel> pixel{};  ///< to be selected
+  std::string lead{};                   ///< as in ViewerOptions
   std::optional<RaceAsked> race{};      ///< in place of the panes; run by what ViewerOptions::run_changed is
   std::function<OtherRun(const Trace&, const std::string&, const std::vector<Change>&)> run_by{};
 };

@@ -199,14 +199,16 @@ void App::race_by(Measure clock) {
   session_.touch();
 }
 
-std::string App::race_place() const {
+std::vector<std::string> App::race_place() const {
   const Race& race = race_->race;
   const bool time = race.clock() == Measure::time;
-  const std::string by = race.clock() == Measure::steps ? "" : fmt::format(" --race-by {}", word_of(race.clock()));
   const std::string at = time ? fmt::format("{:.4g}%", 100 * static_cast<double>(race.at()) /
                                                            static_cast<double>(std::max<std::int64_t>(1, race.end())))
                               : std::to_string(race.at());
-  return fmt::format("--race {}{} --at {}", shell_word(fmt::format("{}", fmt::join(race.chosen(), ","))), by, at);
+  std::vector<std::string> words = {"--race", fmt::format("{}", fmt::join(race.chosen(), ","))};
+  if (race.clock() != Measure::steps) words.insert(words.end(), {"--race-by", std::string(word_of(race.clock()))});
+  words.insert(words.end(), {"--at", at});
+  return words;
 }
 
 /// Keys that only a race has.

@@ -33,7 +33,7 @@ struct Offer {
 struct Opened {
   Trace trace;
   std::optional<Lesson> lesson{};  ///< resolved against it
-  std::string opened_by{};         ///< as in ViewerOptions
+  std::vector<std::string> opened_by{};  ///< as in ViewerOptions
   std::string note{};              ///< what a reader should know of it, in a sentence; mostly empty
 };
 
@@ -87,7 +87,12 @@ struct ViewerOptions {
       run_changed;
   std::optional<RaceAsked> race{};  ///< opens with it
   bool at_start = false;  ///< opens with the choice of what to open
-  std::string opened_by;  ///< command line that opens this view again, quoted for a shell, without --at
+  std::vector<std::string> opened_by;  ///< words of the command line that opens this view again, without the place in it
+  std::optional<Trace::Pixel> pixel{};  ///< to be selected
+  std::string lead{};                   ///< the pane that leads on the stage; empty: what the method has
+  std::string note{};                   ///< what a reader should know of what is opened, in a sentence
+  /// What the trace and all that is pointed to lie in, where the window may outlive the call, as it does in a browser.
+  std::shared_ptr<const void> kept{};
 };
 
 /// Opens the window and runs until it is closed; with `screenshot` draws one frame headless. Returns the exit code.

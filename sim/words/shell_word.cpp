@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <string_view>
 
 namespace zstep {
@@ -19,6 +20,13 @@ std::string shell_word(const std::string& text) {
   }
   out.push_back('\'');
   return out;
+}
+
+std::string as_command(std::span<const std::string> words) {
+  const char* const called = std::getenv("ZSTEP_CALLED");
+  std::string line = called != nullptr && *called != '\0' ? called : "zstep";
+  for (const std::string& word : words) line += " " + shell_word(word);
+  return line;
 }
 
 }  // namespace zstep

@@ -277,20 +277,20 @@ TEST_CASE("the wheel zooms about the cell under the mouse, in both buffers alike
   CHECK(app.ui().view.zoom == 1);
 }
 
-TEST_CASE("the copied link names trace and step, and quotes what a shell would split") {
+TEST_CASE("the copied command names trace and step, and quotes what a shell would split") {
   const Trace plain = test::record_run("delhi");
   App app(plain, nullptr, {}, 640, 480);
   app.session().go_to(42);
-  CHECK(app.link() == "zstep view delhi --at 42");
-  app.opened_by = "zstep view teapot --no-cull";
-  CHECK(app.link() == "zstep view teapot --no-cull --at 42");
+  CHECK(app.command_line() == "zstep view delhi --at 42");
+  app.opened_by = {"view", "teapot", "--no-cull"};
+  CHECK(app.command_line() == "zstep view teapot --no-cull --at 42");
   Lesson lesson;
   lesson.id = "worked-example";
   App in_lesson(plain, &lesson, {}, 640, 480);
   in_lesson.session().go_to(7);
-  CHECK(in_lesson.link() == "zstep lesson worked-example --at 7");
+  CHECK(in_lesson.command_line() == "zstep lesson worked-example --at 7");
   test::press(app, SDLK_c, KMOD_LCTRL);
-  CHECK(app.requests.clipboard == app.link());
+  CHECK(app.requests.clipboard == app.command_line());
 }
 
 TEST_CASE("a key has one owner: what runs a command types nothing, and what the field takes runs none") {

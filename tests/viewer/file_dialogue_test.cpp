@@ -7,7 +7,7 @@
 #include <SDL.h>
 #include <doctest/doctest.h>
 
-#include "sim/viewer/file_dialogue.hpp"
+#include "sim/viewer/desktop/file_dialogue.hpp"
 #include "tests/fuzz/temporary_folder.hpp"
 
 using namespace zstep;

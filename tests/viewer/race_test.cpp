@@ -262,7 +262,7 @@ TEST_CASE("a race is opened, driven, chosen and closed by keys, and looks the sa
   // What is copied opens the same race.
   app.race().go_to(700);
   test::press(app, SDLK_c, KMOD_LCTRL);
-  CHECK(app.link().ends_with("--race 'z-buffer,scan-line,warnock' --race-by operations --at 700"));
+  CHECK(app.command_line().ends_with("--race 'z-buffer,scan-line,warnock' --race-by operations --at 700"));
   app.session().message.clear();
   PictureOptions how;
   how.race = RaceAsked{{"z-buffer", "scan-line", "warnock"}, Measure::operations, 700, false};

@@ -28,10 +28,10 @@ ViewerOptions with_offers(int* asked = nullptr) {
     if (offer.what == Offer::What::lesson) {
       Lesson lesson = find_lesson(offer.id);
       Trace trace = run_lesson(lesson);
-      return std::make_unique<Opened>(Opened{std::move(trace), std::move(lesson), "zstep lesson " + offer.id, {}});
+      return std::make_unique<Opened>(Opened{std::move(trace), std::move(lesson), {"lesson", offer.id}, {}});
     }
     if (offer.id != "cube") throw InputError(offer.id, "there is no such file", "give the path of one");
-    return std::make_unique<Opened>(Opened{test::record_run("cube"), {}, "zstep view cube", "By the Z-buffer."});
+    return std::make_unique<Opened>(Opened{test::record_run("cube"), {}, {"view", "cube"}, "By the Z-buffer."});
   };
   return options;
 }
@@ -80,7 +80,7 @@ TEST_CASE("a lesson is opened from the start page, by keys alone, and how far it
   CHECK(stage.app().session().lesson()->id == "z-buffer");
   CHECK(stage.app().overlay() == Overlay::none);
   CHECK(stage.app().session().stop() == 0);
-  CHECK(stage.app().link().rfind("zstep lesson z-buffer --at ", 0) == 0);
+  CHECK(stage.app().command_line().rfind("zstep lesson z-buffer --at ", 0) == 0);
   test::press(stage.app(), SDLK_n);
   (void)test::picture(stage.app());
   CHECK(stage.app().settings().stops_seen("z-buffer") == 2);

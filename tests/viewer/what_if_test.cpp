@@ -242,7 +242,7 @@ TEST_CASE("what if: what was changed goes with the scene to another method") {
   CHECK(stage.trace().header().algorithm == "bsp");
   CHECK(stage.trace().scene().camera.theta == 70);
   CHECK(stage.trace().scene().camera.phi == 40);
-  CHECK(stage.app().link().find("--change 'theta = 70' --change 'phi = 40'") != std::string::npos);
+  CHECK(stage.app().command_line().find("--change 'theta = 70' --change 'phi = 40'") != std::string::npos);
 }
 
 TEST_CASE("what if: another order of the polygons is no other colour") {

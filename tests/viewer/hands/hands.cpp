@@ -44,8 +44,8 @@ Hands::Hands(const HandStart& start) {
   options_->run_changed = cli::run_changed;
   options_->offers = cli::all_offers;
   options_->open = cli::open_offer;
-  options_->opened_by = fmt::format("zstep {} {}", start.lesson ? "lesson" : "view", start.name);
-  if (!start.method.empty()) options_->opened_by += " --algorithm " + start.method;
+  options_->opened_by = {start.lesson ? "lesson" : "view", start.name};
+  if (!start.method.empty()) options_->opened_by.insert(options_->opened_by.end(), {"--algorithm", start.method});
   viewer::Settings settings;
   settings.presenter = start.presenter;
   stage_ = std::make_unique<viewer::Stage>(opened_->trace, *options_, settings, width, height);
@@ -245,7 +245,7 @@ std::string Hands::state() {
       "{} stop {} message '{}' overlay {} picked {} typed '{}' selected {} edge {} playing {} loop {} {} speed {} dark "
       "{} "
       "presenter {} text {} reduced {} lead {} zoom {} {} {} look {} {} clipboard '{}' saved '{}' quit {} full {}",
-      app().link(), s.stop(), s.message, static_cast<int>(app().overlay()), app().picked, app().typed,
+      app().command_line(), s.stop(), s.message, static_cast<int>(app().overlay()), app().picked, app().typed,
       s.selected ? fmt::format("{},{}", s.selected->x, s.selected->y) : "none", s.selected_edge.value_or(-1), s.playing,
       s.loop_first, s.loop_last, s.speed, kept.dark, kept.presenter, kept.text_scale, kept.reduced_motion, app().lead(),
       app().ui().view.zoom, app().ui().view.center_x, app().ui().view.center_y, app().ui().look.turn,

@@ -1,4 +1,4 @@
-#include "sim/viewer/file_dialogue.hpp"
+#include "sim/viewer/desktop/file_dialogue.hpp"
 
 #include <csignal>
 #include <cstdlib>

@@ -1,0 +1,171 @@
+#include "sim/viewer/loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/image/png.hpp"
+#include "sim/viewer/description.hpp"
+#include "sim/viewer/system.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+void name_window(const Window& window, const Trace& trace) {
+  SDL_SetWindowTitle(window.get(),
+                     fmt::format("zstep \u00b7 {} \u00b7 {}", trace.header().title, trace.scene().name).c_str());
+}
+
+double seconds() {
+  return static_cast<double>(SDL_GetPerformanceCounter()) / static_cast<double>(SDL_GetPerformanceFrequency());
+}
+
+Settings with_options(Settings settings, const ViewerOptions& options) {
+  settings.dark = options.dark.value_or(settings.dark);
+  settings.presenter = settings.presenter || options.presenter;
+  return settings;
+}
+
+WindowSize size_of(const Settings& settings, const ViewerOptions& options) {
+  return opening_size(settings, options.size);
+}
+
+}  // namespace
+
+Loop::Loop(const Trace& trace, ViewerOptions options)
+    : options_(std::move(options)),
+      stored_(load_settings(settings_path())),
+      begun_(with_options(stored_, options_)),
+      saved_(stored_),
+      window_(size_of(begun_, options_).width, size_of(begun_, options_).height),
+      stage_(trace, options_, begun_, window_.surface()->w, window_.surface()->h, window_.dpi_scale()) {
+  name_window(window_, trace);
+  go_to_start(stage_.app(), options_);
+  if (options_.race) stage_.app().open_race(options_.race);
+  if (options_.at_start) stage_.app().open_start();
+}
+
+Loop::~Loop() { save(true); }
+
+void Loop::serve() {
+  if (const int direction = std::exchange(stage_.app().requests.switch_method, 0); direction != 0) {
+    stage_.switch_method(direction);
+    name_window(window_, stage_.trace());
+  }
+  if (const auto offer = std::exchange(stage_.app().requests.open, std::nullopt)) {
+    stage_.open(*offer);
+    name_window(window_, stage_.trace());
+  }
+  const bool goes_on = stage_.app().requests.change_goes_on;
+  for (const Change& change : std::exchange(stage_.app().requests.changes, {})) stage_.change(change, goes_on);
+  if (const int direction = std::exchange(stage_.app().requests.undo_change, 0); direction != 0) stage_.undo(direction);
+  App& app = stage_.app();
+  WindowRequests& r = app.requests;
+  if (r.toggle_full_screen)
+    SDL_SetWindowFullscreen(window_.get(), window_.full_screen() ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+  if (r.choose_file)
+    if (const std::string wrong = system::ask_for_file(); !wrong.empty()) app.say_on_start(wrong);
+  if (r.clipboard) system::copy_text(*r.clipboard);
+  if (r.save_picture) {
+    try {
+      write_png(*r.save_picture, app.renderer().width(), app.renderer().height(), app.renderer().rgb());
+      app.say(fmt::format("Saved {} {}.", *r.save_picture, system::hand_over(*r.save_picture)));
+    } catch (const InputError& error) {
+      app.say(error.what());
+    }
+  }
+  const bool quit = r.quit;
+  r = {};
+  r.quit = quit;
+}
+
+void Loop::save(bool at_end) {
+  App& app = stage_.app();
+  // What options set for this run alone is left out.
+  Settings kept = kept_settings(stored_, begun_, app.settings());
+  if (!window_.full_screen()) SDL_GetWindowSize(window_.get(), &kept.width, &kept.height);
+  kept.speed = app.session().speed;
+  if (!at_end && kept.same_but_for_places(saved_)) return;
+  // The trace that was opened keeps its place whatever was looked at besides.
+  kept.remember(place_key(stage_.trace()), app.session().position());
+  kept.remember(place_key(stage_.first()), stage_.first_app().session().position());
+  const std::filesystem::path path = settings_path();
+  if (!path.empty()) {
+    if (save_settings(path, kept)) system::settings_saved(path);
+    else if (at_end) fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
+  }
+  saved_ = std::move(kept);
+}
+
+void Loop::tell_place() {
+  App& app = stage_.app();
+  const std::string link = app.link().value_or("");
+  if (link == told_) return;
+  const std::int64_t stop = app.session().stop();
+  const bool at_stop = stop != told_stop_ && app.session().lesson() != nullptr;
+  told_ = link, told_stop_ = stop;
+  system::arrived(link, at_stop);
+  if (system::is_heard()) system::say(describe_step(app));
+}
+
+bool Loop::go_to_link(const std::string& link) {
+  try {
+    if (!stage_.app().go_to_link(link)) return false;
+  } catch (const InputError&) {
+    return false;
+  }
+  // It is the page that is there already.
+  told_ = stage_.app().link().value_or(""), told_stop_ = stage_.app().session().stop();
+  if (system::is_heard()) system::say(describe_step(stage_.app()));
+  return true;
+}
+
+bool Loop::turn(May may) {
+  if (stage_.app().requests.quit) return false;
+  stage_.app().ends_waiting = &Window::is_ended;
+  stage_.app().session().on_way = [&, begun = seconds()](double share) mutable {
+    if (share == 0) begun = seconds();
+    if (seconds() - begun < 0.25) return false;
+    if (!std::exchange(on_way_, true))
+      SDL_SetWindowTitle(window_.get(),
+                         fmt::format("{} \u00b7 on the way, Esc ends it", SDL_GetWindowTitle(window_.get())).c_str());
+    window_.show_progress(share);
+    return Window::is_ended();
+  };
+  if (std::exchange(drawn_app_, &stage_.app()) != &stage_.app()) drawn_ = 0;  // another run's
+  const double time = seconds();
+  const double wait = std::min(stage_.app().play(time), stage_.app().until_clock());
+  if (std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) && stage_.app().board().clock_runs())
+    stage_.app().session().touch();
+  if (stage_.app().session().revision() != drawn_) frames_due_ = std::max(frames_due_, App::frames_to_settle);
+  stage_.app().moves = true;
+  if (frames_due_ <= 0) save(false), tell_place();  // nothing moves, and no hand pulls a border
+  SDL_Event event;
+  const int milliseconds = frames_due_ > 0 || may == May::go_on ? 0 : static_cast<int>(std::min(wait, 3600.0) * 1000);
+  bool got = milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) != 0 : SDL_PollEvent(&event) != 0;
+  while (got) {
+    frames_due_ = std::max(frames_due_, App::frames_to_settle);
+    if (stage_.app().handle(event, window_.pixels_per_point())) break;
+    got = SDL_PollEvent(&event) != 0;
+  }
+  serve();
+  if (std::exchange(on_way_, false)) name_window(window_, stage_.trace());
+  SDL_Surface* target = window_.surface();
+  if (target->w != stage_.app().renderer().width() || target->h != stage_.app().renderer().height()) {
+    stage_.app().resize(target->w, target->h);
+    stage_.app().set_dpi_scale(window_.dpi_scale());
+    frames_due_ = App::frames_to_settle;
+  }
+  if (frames_due_ <= 0 && stage_.app().session().revision() == drawn_) return true;
+  drawn_ = stage_.app().session().revision();
+  stage_.app().frame();
+  window_.show(stage_.app().renderer().picture());
+  if (--frames_due_ <= 0 && stage_.app().moving()) frames_due_ = 1;
+  return true;
+}
+
+}  // namespace zstep::viewer

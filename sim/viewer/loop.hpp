@@ -1,0 +1,53 @@
+// The window with what it shows, turn by turn: events in, a frame out when something changed.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/viewer/settings.hpp"
+#include "sim/viewer/stage.hpp"
+#include "sim/viewer/viewer.hpp"
+#include "sim/viewer/window.hpp"
+
+namespace zstep::viewer {
+
+class Loop {
+ public:
+  /// Opens the window. The trace and what the options point to must live as long; `options.kept` is kept. Throws
+  /// std::runtime_error where no window can be opened, InputError where the trace has no such place.
+  Loop(const Trace& trace, ViewerOptions options);
+  /// Saves what stays from run to run.
+  ~Loop();
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  /// Whether a turn waits for the next event or the next thing to move.
+  enum class May { wait, go_on };
+  /// Takes events and draws, if something changed. False once the window is to be closed.
+  bool turn(May may);
+
+  /// Goes to the place that a link names in what is shown. False where the link opens something else, or its place
+  /// cannot be gone to.
+  bool go_to_link(const std::string& link);
+  void save_now() { save(true); }
+
+ private:
+  void serve();
+  void save(bool at_end);
+  void tell_place();
+
+  const ViewerOptions options_;
+  const Settings stored_;  ///< what was saved,
+  const Settings begun_;   ///< and what options make of it for this run
+  Settings saved_;
+  Window window_;
+  Stage stage_;
+  std::string told_;  ///< the link of where the reader is, as last said
+  std::int64_t told_stop_ = -1;
+  int frames_due_ = App::frames_to_settle;  ///< after a change, until nothing moves any more
+  std::uint64_t drawn_ = 0;
+  const App* drawn_app_ = nullptr;
+  bool on_way_ = false;  ///< the title says so
+};
+
+}  // namespace zstep::viewer

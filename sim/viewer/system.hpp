@@ -1,0 +1,42 @@
+// What the viewer asks of the system around its window. One implementation is linked: the desktop's
+// (sim/viewer/desktop/), or a browser's (sim/web/).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace zstep::viewer {
+
+class Loop;
+
+namespace system {
+
+/// Turns it until the window is closed. In a browser the page turns it, and this returns at once.
+void keep_turning(std::unique_ptr<Loop> loop);
+
+void copy_text(const std::string& text);
+
+/// Lets the reader choose a file, which comes to the window as one that is dropped on it does. Says what is wrong where
+/// that cannot be, else nothing.
+std::string ask_for_file();
+
+/// A file was written for the reader, by a name without a folder. What became of it: "in the folder zstep was started
+/// in".
+std::string hand_over(const std::filesystem::path& file);
+
+/// The settings were saved there.
+void settings_saved(const std::filesystem::path& file);
+
+/// What stands before a link when it is copied: the address of the page, or nothing.
+std::string address();
+
+/// The reader is there now; `at_stop`: come to anew, so that going back leads here.
+void arrived(const std::string& link, bool at_stop);
+
+/// Whether what is shown is said besides, for a screen reader, and saying it.
+bool is_heard();
+void say(const std::string& text);
+
+}  // namespace system
+}  // namespace zstep::viewer

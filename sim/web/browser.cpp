@@ -1,0 +1,99 @@
+// The system around the window, where it is a page of a browser: what the page's own script does (page/page.js).
+#include <memory>
+#include <string>
+
+#include <SDL.h>
+#include <emscripten.h>
+
+#include "sim/viewer/loop.hpp"
+#include "sim/viewer/system.hpp"
+
+// clang-format off
+EM_JS(void, page_copy, (const char* text), { Module.page.copy(UTF8ToString(text)); })
+EM_JS(void, page_choose_file, (), { Module.page.chooseFile(); })
+EM_JS(void, page_hand_over, (const char* file), { Module.page.handOver(UTF8ToString(file)); })
+EM_JS(void, page_keep_settings, (const char* file), { Module.page.keepSettings(UTF8ToString(file)); })
+EM_JS(void, page_arrived, (const char* link, int at_stop), { Module.page.arrived(UTF8ToString(link), at_stop !== 0); })
+EM_JS(void, page_say, (const char* text), { Module.page.say(UTF8ToString(text)); })
+EM_JS(void, page_closed, (), { Module.page.closed(); })
+EM_JS(char*, page_address, (), { return stringToNewUTF8(Module.page.address()); })
+// clang-format on
+
+namespace zstep::viewer::system {
+namespace {
+
+/// What the page turns; it lives as long as the page does, or until the window is closed.
+std::unique_ptr<Loop> turned_by_page;
+
+void turn() {
+  if (!turned_by_page) return;
+  if (turned_by_page->turn(Loop::May::go_on)) return;
+  emscripten_cancel_main_loop();
+  turned_by_page.reset();
+  page_closed();
+}
+
+}  // namespace
+
+void keep_turning(std::unique_ptr<Loop> loop) {
+  turned_by_page = std::move(loop);
+  emscripten_set_main_loop(turn, 0, false);
+}
+
+void copy_text(const std::string& text) {
+  SDL_SetClipboardText(text.c_str());  // what is pasted into a field comes from there
+  page_copy(text.c_str());
+}
+
+std::string ask_for_file() {
+  page_choose_file();
+  return "";
+}
+
+std::string hand_over(const std::filesystem::path& file) {
+  page_hand_over(file.c_str());
+  return "among your downloads";
+}
+
+void settings_saved(const std::filesystem::path& file) { page_keep_settings(file.c_str()); }
+
+std::string address() {
+  const std::unique_ptr<char, decltype(&std::free)> text(page_address(), &std::free);
+  return text.get();
+}
+
+void arrived(const std::string& link, bool at_stop) { page_arrived(link.c_str(), at_stop ? 1 : 0); }
+
+bool is_heard() { return true; }
+
+void say(const std::string& text) { page_say(text.c_str()); }
+
+}  // namespace zstep::viewer::system
+
+extern "C" {
+
+/// The page's address has become another link. 1: the window went there; 0: it shows something else, and the page is
+/// to be opened anew.
+EMSCRIPTEN_KEEPALIVE int zstep_go_to_link(const char* link) {
+  using namespace zstep::viewer;
+  return system::turned_by_page && system::turned_by_page->go_to_link(link) ? 1 : 0;
+}
+
+/// A file was dropped on the page or chosen, and lies there now.
+EMSCRIPTEN_KEEPALIVE void zstep_drop_file(const char* path) {
+  SDL_Event event{};
+  event.type = SDL_DROPFILE;
+  event.drop.file = SDL_strdup(path);
+  if (SDL_PushEvent(&event) < 1) SDL_free(event.drop.file);
+}
+
+/// The clipboard has this text, as a key to paste it is pressed.
+EMSCRIPTEN_KEEPALIVE void zstep_take_clipboard(const char* text) { SDL_SetClipboardText(text); }
+
+/// The page may be gone soon: what is to be kept is kept now.
+EMSCRIPTEN_KEEPALIVE void zstep_keep_now() {
+  using namespace zstep::viewer;
+  if (system::turned_by_page) system::turned_by_page->save_now();
+}
+
+}  // extern "C"
