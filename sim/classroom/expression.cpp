@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "traces/error.hpp"
+#include "traces/math/read_number.hpp"
 
 namespace zstep::classroom {
 namespace {
@@ -223,9 +223,9 @@ struct Parser {
 
   Expression number(Expression made) {
     if (formula) {
-      const auto [end, error] = std::from_chars(left.data(), left.data() + left.size(), made.number);
-      if (error != std::errc()) fail(fmt::format("a number that cannot be read at {}", here()), "write its digits");
-      left.remove_prefix(static_cast<std::size_t>(end - left.data()));
+      const std::size_t length = read_number(left, made.number);
+      if (length == 0) fail(fmt::format("a number that cannot be read at {}", here()), "write its digits");
+      left.remove_prefix(length);
       return made;
     }
     double digits = 0;

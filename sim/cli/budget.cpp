@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -63,6 +64,14 @@ std::optional<double> above_0(const char* name, std::optional<double> value) {
   std::abort();
 }
 
+/// Without threads, as in a browser, only who asks whether time is up is ended by it.
+void begin_watching() {
+  try {
+    std::thread(watch_time).detach();
+  } catch (const std::system_error&) {
+  }
+}
+
 }  // namespace
 
 void add_limit_options(CLI::App& command) {
@@ -90,7 +99,7 @@ void begin_budget(double seconds, double memory) {
   compare::limit_heap(static_cast<std::int64_t>(std::fmin(memory_given().value_or(memory) * 1048576, 9e18)));
   std::set_terminate(end_without_memory);
   budget().until = processor_time() + seconds_given().value_or(seconds);
-  std::thread(watch_time).detach();
+  begin_watching();
 }
 
 void begin_budget(std::optional<std::uintmax_t> file_bytes) {
@@ -105,7 +114,7 @@ void begin_budget(std::optional<std::uintmax_t> file_bytes) {
   if (budget().until > 0) return extend_budget(bytes * seconds_a_byte);
   if (!budget().seconds && !file_bytes) return;
   budget().until = processor_time() + budget().seconds.value_or(least_seconds + bytes * seconds_a_byte);
-  std::thread(watch_time).detach();
+  begin_watching();
 }
 
 void extend_budget(double seconds) {

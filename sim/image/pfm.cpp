@@ -11,6 +11,7 @@
 
 #include "sim/image/file.hpp"
 #include "traces/error.hpp"
+#include "traces/math/read_number.hpp"
 
 namespace zstep {
 namespace {
@@ -28,12 +29,18 @@ class Head {
     while (at_ < bytes_.size() && !blank(bytes_[at_])) ++at_;
     return {reinterpret_cast<const char*>(bytes_.data()) + begin, at_ - begin};
   }
+  static bool read(std::string_view text, double& value) {
+    return !text.empty() && read_number(text, value) == text.size();
+  }
+  static bool read(std::string_view text, int& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size();
+  }
   template <class Number>
   Number number(std::string_view what) {
     const std::string_view text = word();
     Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) fail(fmt::format("has no {} in its head", what));
+    if (!read(text, value)) fail(fmt::format("has no {} in its head", what));
     return value;
   }
   /// Behind the one blank that ends the head.
@@ -59,7 +66,7 @@ Pfm read_pfm(const std::filesystem::path& path) {
   Pfm table;
   table.width = head.number<int>("width");
   table.height = head.number<int>("height");
-  const auto scale = head.number<float>("scale");
+  const auto scale = static_cast<float>(head.number<double>("scale"));
   if (table.width < 1 || table.height < 1 || !(scale != 0)) head.fail("has no size, or no scale");
   const std::size_t width = static_cast<std::size_t>(table.width),
                     count = width * static_cast<std::size_t>(table.height);

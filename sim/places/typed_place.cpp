@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/math/read_number.hpp"
 
 namespace zstep::places {
 namespace {
@@ -72,9 +72,8 @@ std::optional<double> percentage(std::string_view text) {
   std::replace(number.begin(), number.end(), ',', '.');
   if (number.empty() || !is_digit(number.front())) return std::nullopt;
   double value = 0;
-  const char* const last = number.data() + number.size();
-  const auto [end, fault] = std::from_chars(number.data(), last, value, std::chars_format::fixed);
-  if (fault != std::errc() || end != last || value > 100) return std::nullopt;
+  const bool power = number.find_first_of("eE") != std::string::npos;
+  if (power || read_number(number, value) != number.size() || value > 100) return std::nullopt;
   return value;
 }
 

@@ -87,8 +87,17 @@ EMSCRIPTEN_KEEPALIVE void zstep_drop_file(const char* path) {
   if (SDL_PushEvent(&event) < 1) SDL_free(event.drop.file);
 }
 
-/// The clipboard has this text, as a key to paste it is pressed.
-EMSCRIPTEN_KEEPALIVE void zstep_take_clipboard(const char* text) { SDL_SetClipboardText(text); }
+/// The reader pastes this text.
+EMSCRIPTEN_KEEPALIVE void zstep_paste(const char* text) {
+  SDL_SetClipboardText(text);
+  for (const std::uint32_t type : {SDL_KEYDOWN, SDL_KEYUP}) {
+    SDL_Event event{};
+    event.type = type;
+    event.key.keysym.sym = SDLK_v;
+    event.key.keysym.mod = KMOD_LCTRL;
+    SDL_PushEvent(&event);
+  }
+}
 
 /// The page may be gone soon: what is to be kept is kept now.
 EMSCRIPTEN_KEEPALIVE void zstep_keep_now() {

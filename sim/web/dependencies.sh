@@ -94,8 +94,9 @@ make_simdjson() { by_cmake "$sources/simdjson" -DSIMDJSON_ENABLE_THREADS=OFF -DS
 make_muparser() { by_cmake "$sources/muparser" -DENABLE_SAMPLES=OFF -DENABLE_OPENMP=OFF; }
 make_md4c() { by_cmake "$sources/md4c" -DBUILD_MD2HTML_EXECUTABLE=OFF; }
 make_openmesh() {
-  # A shared library would have the static one's name here.
-  sed -i 's/SHAREDANDSTATIC/STATIC/' "$sources"/openmesh/src/OpenMesh/{Core,Tools}/CMakeLists.txt
+  # Where there are no shared libraries, two static ones would have one name.
+  # shellcheck disable=SC2016
+  sed -i 's/OUTPUT_NAME ${_target})/OUTPUT_NAME ${_target}Static)/' "$sources/openmesh/cmake-library/VCI/VCICommon.cmake"
   by_cmake "$sources/openmesh" -DBUILD_APPS=OFF -DOPENMESH_DOCS=OFF -DOPENMESH_BUILD_UNIT_TESTS=OFF
 }
 make_imgui() {
@@ -117,13 +118,19 @@ make_libsdl2() {
   by_cmake "$sources/libsdl2" -DSDL_SHARED=OFF -DSDL_STATIC=ON -DSDL_TEST=OFF -DSDL_AUDIO=OFF -DSDL_JOYSTICK=OFF -DSDL_HAPTIC=OFF \
     -DSDL_SENSOR=OFF -DSDL_HIDAPI=OFF -DSDL_POWER=OFF -DSDL_OPENGL=OFF -DSDL_OPENGLES=OFF
 }
-# Headers alone are the same everywhere.
+# Headers alone are the same everywhere. What finds them must not lead back to the folder that has the system's own.
+headers_only() {  # PACKAGE TARGET
+  printf '%s\n' "add_library($2 INTERFACE IMPORTED)" \
+    "set_target_properties($2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES $prefix/include)" >"$prefix/lib/cmake/$1Config.cmake"
+}
 make_headers() {
   local name
   for name in CLI glm nlohmann toml++ boost; do ln -sfn "/usr/include/$name" "$prefix/include/$name"; done
-  for name in CLI11 glm nlohmann_json; do
-    ln -sfn "$(find /usr/share/cmake /usr/lib/cmake /usr/lib/x86_64-linux-gnu/cmake -maxdepth 1 -name "$name" 2>/dev/null | head -n 1)" "$prefix/lib/cmake/$name"
-  done
+  headers_only CLI11 CLI11::CLI11
+  headers_only glm glm::glm
+  headers_only nlohmann_json nlohmann_json::nlohmann_json
+  headers_only tomlplusplus tomlplusplus::tomlplusplus
+  headers_only Boost Boost::headers
 }
 
 # The times tell a reader of the log where the minutes went.

@@ -3,8 +3,10 @@
 
 #include "sim/cli/run_options.hpp"
 #include "sim/cli/show.hpp"
+#include "sim/words/shell_word.hpp"
 
 using namespace zstep::cli;
+using zstep::as_command;
 
 TEST_CASE("the words of a command come back, quoted, without the step") {
   const auto back = [](const std::string& words) {
@@ -16,10 +18,10 @@ TEST_CASE("the words of a command come back, quoted, without the step") {
     add_show_options(*view, show);
     add_run_options(*view, run);
     app.parse(words);
-    return words_of(*view);
+    return as_command(words_of(*view));
   };
   CHECK(back("view teapot") == "zstep view teapot");
-  CHECK(back("view --at=40 teapot --no-cull") == "zstep view teapot --no-cull");
+  CHECK(back("view --at=40 teapot --no-cull --pixel 3,4 --lead slice") == "zstep view teapot --no-cull");
   CHECK(back("view 'my file.ztrace' --at 7") == "zstep view 'my file.ztrace'");
   for (const char* option :
        {"--no-cull", "--depth view", "--interpolation increments", "--coverage inclusive", "--near 2", "--far 9.5",

@@ -1,0 +1,186 @@
+// The page around the window: what is shown is drawn by zstep itself (zstep.js, zstep.wasm) into the canvas. Here is what
+// a desktop would do for it: links in the address, files, the clipboard, what is kept, what is said.
+'use strict';
+
+const canvas = document.getElementById('canvas');
+const said = document.getElementById('said');
+const notice = document.getElementById('notice');
+const filePicker = document.getElementById('file');
+
+const longestLink = 4096;  // as in sim/words/link.hpp
+const largestFile = 512 << 20;
+const settingsKey = 'zstep-settings';
+const settingsFile = '/home/web_user/.config/zstep/viewer.ini';
+
+const warn = (text) => {
+  notice.textContent = text;
+  notice.hidden = false;
+  setTimeout(() => { notice.hidden = true; }, 8000);
+};
+
+// --- What is kept. A browser may refuse to keep anything: then it is gone with the page, and the reader is told once.
+let keeps = true;
+const stored = (key) => {
+  try {
+    return localStorage.getItem(key);
+  } catch {
+    return null;
+  }
+};
+const store = (key, text) => {
+  try {
+    localStorage.setItem(key, text);
+  } catch {
+    if (keeps) warn('This browser keeps nothing for this page: settings and progress are gone when it is closed.');
+    keeps = false;
+  }
+};
+
+// --- The place in the address
+let ownLink = '';  // put there by the window, and not by the reader
+const isLink = (text) => text.length > 1 && text.length <= longestLink;
+const linkNow = () => location.hash;
+
+const page = {
+  address: () => location.href.split('#')[0],
+
+  arrived(link, atStop) {
+    if (link === '' || link === linkNow()) return;
+    ownLink = link;
+    // Each stop is a place to go back to; the steps between are not.
+    history[atStop && linkNow() !== '' ? 'pushState' : 'replaceState'](null, '', link);
+  },
+
+  say(text) {
+    if (said.textContent !== text) said.textContent = text;
+  },
+
+  copy(text) {
+    const refused = () => warn('This browser did not let the page copy; the text is: ' + text);
+    if (!navigator.clipboard) return refused();
+    navigator.clipboard.writeText(text).catch(refused);
+  },
+
+  chooseFile() {
+    filePicker.value = '';
+    filePicker.click();
+  },
+
+  handOver(file) {
+    const name = file.split('/').pop();
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([Module.FS.readFile(file)]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    Module.FS.unlink(file);
+  },
+
+  keepSettings(file) {
+    store(settingsKey, Module.FS.readFile(file, {encoding: 'utf8'}));
+  },
+
+  closed() {
+    warn('zstep is closed. Load the page again to open it.');
+  },
+};
+
+// --- The program
+var Module = {  // `var`: zstep.js looks for it by this name
+  canvas,
+  page,
+  arguments: isLink(linkNow()) ? [linkNow()] : [],
+  print: (text) => console.log(text),
+  printErr: (text) => {
+    console.warn(text);
+    if (!Module.running) warn(text);
+  },
+  preRun: [() => {
+    Module.ENV.HOME = '/home/web_user';
+    Module.ENV.ZSTEP_LESSONS = '/lessons';
+    const text = stored(settingsKey);
+    if (text === null) return;
+    Module.FS.createPath('/', 'home/web_user/.config/zstep', true, true);
+    Module.FS.writeFile(settingsFile, text);
+  }],
+  onExit: (code) => {
+    // A link that opens nothing has said so; what zstep has is offered instead.
+    if (code === 0 || location.hash === '') return;
+    history.replaceState(null, '', page.address());
+    sessionStorage.setItem('zstep-complaint', notice.textContent);
+    location.reload();
+  },
+  onAbort: (what) => warn('zstep ended: ' + what + '. Load the page again.'),
+};
+
+const goToAddress = () => {
+  const link = linkNow();
+  if (link === ownLink) return;
+  if (!isLink(link)) return;
+  const there = Module.ccall('zstep_go_to_link', 'number', ['string'], [link]);
+  if (!there) location.reload();
+  ownLink = link;
+};
+addEventListener('hashchange', goToAddress);
+addEventListener('popstate', goToAddress);
+
+// --- Keys that a browser would take for itself, though the window has a use for them
+const pageKeys = new Set(['KeyC', 'KeyE', 'KeyG', 'KeyH', 'KeyL', 'KeyO', 'KeyP', 'KeyR', 'KeyS', 'KeyF', 'KeyB', 'KeyD', 'KeyU', 'KeyK', 'Enter',
+  'Comma', 'Equal', 'Minus', 'Digit0', 'NumpadAdd', 'NumpadSubtract', 'Numpad0']);
+addEventListener('keydown', (event) => {
+  if ((event.ctrlKey || event.metaKey) && event.code === 'KeyV') {
+    // What is pasted comes with the event that follows; the key goes to the window after it.
+    event.stopImmediatePropagation();
+    return;
+  }
+  const alone = !event.ctrlKey && !event.metaKey;
+  if (!alone && pageKeys.has(event.code)) event.preventDefault();
+  if (event.altKey && event.key.startsWith('Arrow')) event.preventDefault();
+  if (alone && ['F1', 'F3', 'F10', 'Tab', '/', "'"].includes(event.key)) event.preventDefault();
+}, true);
+addEventListener('paste', (event) => {
+  event.preventDefault();
+  Module.ccall('zstep_paste', null, ['string'], [event.clipboardData.getData('text/plain').slice(0, 65536)]);
+});
+canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+
+// --- Files of the reader, which stay on this computer
+const take = async (file) => {
+  if (file.size > largestFile) return warn(`${file.name} has ${Math.round(file.size / 1048576)} MiB; a page takes up to 512. Open it with zstep itself.`);
+  const name = file.name.replace(/[^\w.-]/g, '_');
+  Module.FS.createPath('/', 'yours', true, true);
+  Module.FS.writeFile('/yours/' + name, new Uint8Array(await file.arrayBuffer()));
+  Module.ccall('zstep_drop_file', null, ['string'], ['/yours/' + name]);
+};
+addEventListener('dragover', (event) => event.preventDefault());
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  for (const file of event.dataTransfer.files) take(file);
+});
+filePicker.addEventListener('change', () => { for (const file of filePicker.files) take(file); });
+
+// --- Hidden or left: what is to be kept is kept
+addEventListener('pagehide', () => { if (Module.running) Module.ccall('zstep_keep_now', null, [], []); });
+
+// --- Without a network, after the first visit
+if ('serviceWorker' in navigator) navigator.serviceWorker.register('worker.js').catch(() => {});
+
+const complaint = (() => {
+  try {
+    const text = sessionStorage.getItem('zstep-complaint');
+    sessionStorage.removeItem('zstep-complaint');
+    return text;
+  } catch {
+    return null;
+  }
+})();
+if (complaint) warn(complaint);
+
+if (typeof WebAssembly !== 'object') warn('This browser has no WebAssembly, which zstep needs.');
+else {
+  const program = document.createElement('script');
+  program.src = 'zstep.js';
+  program.onerror = () => warn('zstep.js could not be loaded; load the page again.');
+  document.body.append(program);
+  canvas.focus();
+}
