@@ -204,6 +204,7 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   viewer.against = with.against;
   viewer.other_method = record_other_method;
   viewer.run_changed = run_changed;
+  viewer.run_watched = run_watched;
   viewer.offers = all_offers;
   viewer.open = open_offer;
   viewer.at_start = with.at_start;

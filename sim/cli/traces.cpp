@@ -87,16 +87,20 @@ Trace record_to_memory(const Run& run) {
 
 namespace {
 
-constexpr std::int64_t patience = 4'000'000;  // events: a second or two
+constexpr std::int64_t patience = 4'000'000;        // events: a second or two
+constexpr std::int64_t most_watched = 100'000'000;  // in memory some 400 MB
 struct TooLong {};
 
 }  // namespace
 
-OtherRun record_patiently(const Method& method, const Scene& scene, const Conventions& conventions) {
+namespace {
+
+OtherRun record_watched(const Method& method, const Scene& scene, const Conventions& conventions, std::int64_t most,
+                        const RunWatch& watch) {
   check_run(method, scene, conventions);
   TraceRecorder recorder(header_for(method, conventions), scene);
-  recorder.on_block([](std::int64_t events) {
-    if (events > patience) throw TooLong{};
+  recorder.on_block([&](std::int64_t events) {
+    if (events > most || (watch && !watch(events))) throw TooLong{};
   });
   bool whole = true;
   try {
@@ -109,11 +113,20 @@ OtherRun record_patiently(const Method& method, const Scene& scene, const Conven
   return OtherRun{Trace::from_bytes(recorder.take_bytes(), scene.name), whole};
 }
 
+}  // namespace
+
+OtherRun record_patiently(const Method& method, const Scene& scene, const Conventions& conventions) {
+  return record_watched(method, scene, conventions, patience, nullptr);
+}
+
 OtherRun record_by(const Method& method, const Trace& trace) {
   return record_patiently(method, trace.scene(), conventions_for(method, trace.header().conventions));
 }
 
-OtherRun run_changed(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes) {
+namespace {
+
+OtherRun run_changed_watched(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes,
+                             std::int64_t most, const RunWatch& watch) {
   const Method& by = method(method_id);
   const Conventions& given = opened.header().conventions;
   Conventions conventions = method_id == opened.header().algorithm ? given : conventions_for(by, given);
@@ -123,7 +136,18 @@ OtherRun run_changed(const Trace& opened, const std::string& method_id, const st
     const bool before = &change != &changes.back() && method_id != opened.header().algorithm;
     if (!before || can_change(by, scene, conventions, change.name)) make_change(by, change, scene, conventions, "");
   }
-  return record_patiently(by, scene, conventions);
+  return record_watched(by, scene, conventions, most, watch);
+}
+
+}  // namespace
+
+OtherRun run_changed(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes) {
+  return run_changed_watched(opened, method_id, changes, patience, nullptr);
+}
+
+OtherRun run_watched(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes,
+                     const RunWatch& watch) {
+  return run_changed_watched(opened, method_id, changes, most_watched, watch);
 }
 
 std::optional<OtherRun> record_other_method(const Trace& trace, int direction) {

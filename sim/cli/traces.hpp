@@ -32,6 +32,9 @@ OtherRun record_by(const Method& method, const Trace& trace);
 
 /// A method's run on the scene of a trace, with these changes made one after the other.
 OtherRun run_changed(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes);
+/// The same with more patience, on any thread: told false, it ends there, and what there is of it is thrown away.
+OtherRun run_watched(const Trace& opened, const std::string& method_id, const std::vector<Change>& changes,
+                     const RunWatch& watch);
 
 /// The run of the next (1) or previous (-1) method of the catalog that can draw this trace's scene, in a circle;
 /// nullopt when there is no other.

@@ -35,6 +35,7 @@ struct WindowRequests {
   std::optional<Offer> open;
   std::vector<Change> changes;              ///< of the run, one after the other
   bool change_goes_on = false;              ///< it takes the place of the one before, which a hand has not let go
+  bool end_run = false;                     ///< the one that is made while the window goes on
   int undo_change = 0;                      ///< 1, or -1: make what was undone again
 };
 
@@ -114,6 +115,7 @@ class App {
   // --- What if (app_changes.cpp, what_if_overlay.cpp)
   void allow_changes(Race::RunBy run_by) { run_by_ = std::move(run_by); }
   bool may_change() const { return run_by_ != nullptr; }
+  bool waits_for_run = false;  ///< one is made while the window goes on
   void show_changes(Changed changed) { changed_ = std::move(changed), saved_scene_.clear(), session_.touch(); }
   const Changed& changed() const { return changed_; }
   const std::string& saved_scene() const { return saved_scene_; }

@@ -50,6 +50,7 @@ void select_current(App& app) {
 }
 
 void escape(App& app) {
+  if (app.waits_for_run) return void(app.requests.end_run = true);
   if (app.places().searching()) return app.places().stop();
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
   Session& s = app.session();

@@ -63,6 +63,8 @@ void Loop::serve() {
   const bool goes_on = stage_.app().requests.change_goes_on;
   for (const Change& change : std::exchange(stage_.app().requests.changes, {})) stage_.change(change, goes_on);
   if (const int direction = std::exchange(stage_.app().requests.undo_change, 0); direction != 0) stage_.undo(direction);
+  if (std::exchange(stage_.app().requests.end_run, false)) stage_.end_run();
+  stage_.look_for_run();
   App& app = stage_.app();
   WindowRequests& r = app.requests;
   if (r.toggle_full_screen)
@@ -138,7 +140,8 @@ bool Loop::turn(May may) {
   };
   if (std::exchange(drawn_app_, &stage_.app()) != &stage_.app()) drawn_ = 0;  // another run's
   const double time = seconds();
-  const double wait = std::min(stage_.app().play(time), stage_.app().until_clock());
+  double wait = std::min(stage_.app().play(time), stage_.app().until_clock());
+  if (stage_.app().waits_for_run) wait = std::min(wait, 0.1);
   if (std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) && stage_.app().board().clock_runs())
     stage_.app().session().touch();
   if (stage_.app().session().revision() != drawn_) frames_due_ = std::max(frames_due_, App::frames_to_settle);

@@ -51,6 +51,7 @@ void Stage::open(const Offer& offer) {
   settings.speed = app().session().speed;
   settings.remember(place_key(trace()), app().session().position());
   settings.remember(place_key(*first_), first_app_->session().position());
+  pending_.reset();  // it looks at what goes
   const int width = app().renderer().width(), height = app().renderer().height();
   const Whereabouts moment = moment_of(app().session());
   Board board = app().board();
@@ -164,6 +165,7 @@ Stage::Before Stage::show_in_place(std::optional<OtherRun> next) {
 }
 
 void Stage::switch_method(int direction) {
+  end_run();
   if (!options_.other_method) return app().say("No other method can be run from here.");
   std::optional<OtherRun> other;
   try {

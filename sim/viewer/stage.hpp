@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/model/run_behind.hpp"
 #include "sim/viewer/viewer.hpp"
 
 namespace zstep::viewer {
@@ -54,9 +55,27 @@ class Stage {
   void undo(int direction);
   const std::vector<Change>& changes() const { return changes_; }
 
+  /// Of a large run the next one is made while the window goes on: each turn this looks whether it is done, and shows it
+  /// then; until then it says how far it is.
+  void look_for_run();
+  /// Ends the run that is being made; what is shown stays.
+  void end_run();
+
  private:
   void begin(const Settings& settings, int width, int height);
-  bool run_with(const std::vector<Change>& changes, bool goes_on);
+  /// What a reader has changed and taken back, once the run that is asked for is made.
+  struct Asked {
+    std::vector<Change> changes, undone;
+    bool goes_on = false;
+    bool typed = false;  ///< the field is emptied then
+  };
+  Asked asked() const;
+  void ask(Asked asked);
+  /// Makes the run, at once or while the window goes on, and shows it.
+  void show_made(OtherRun made, Asked asked);
+  /// What making a run threw, said in the window; false where it threw nothing.
+  template <class Make>
+  std::optional<OtherRun> made_by(Make&& make);
   /// What was shown: the App goes before the run that it looks at.
   struct Before {
     std::unique_ptr<OtherRun> run;
@@ -77,6 +96,12 @@ class Stage {
   std::unique_ptr<App> other_app_;
   std::vector<Change> changes_, undone_;
   std::unique_ptr<OtherRun> before_change_;  ///< none: the first
+  struct Pending {
+    Asked asked;
+    std::int64_t told = 0;  ///< steps, as last said
+    RunBehind run;
+  };
+  std::unique_ptr<Pending> pending_;
   Whereabouts moment_;                  ///< where the reader went last, by hand
   std::int64_t arrived_ = -1;      ///< where switching led; the reader has not moved while that is the position
 };

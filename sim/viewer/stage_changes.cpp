@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -66,6 +67,9 @@ std::string counts_text(const Trace& before, const Trace& now) {
   return text + ".";
 }
 
+/// A run of so many steps is made anew before anybody waits for it; a longer one while the window goes on.
+constexpr std::int64_t made_at_once = 400'000;
+
 std::string value_in(const Trace& trace, const std::string& name) {
   for (const Method& method : methods())
     if (method.id == trace.header().algorithm)
@@ -102,16 +106,65 @@ Changed Stage::told_of(const std::vector<Change>& changes, const Trace& before) 
   return changed;
 }
 
-bool Stage::run_with(const std::vector<Change>& changes, bool goes_on) {
-  if (!options_.run_changed) return app().say_unchanged("This run cannot be changed from here."), false;
-  std::optional<OtherRun> made;
+template <class Make>
+std::optional<OtherRun> Stage::made_by(Make&& make) {
   try {
-    made = options_.run_changed(*first_, trace().header().algorithm, changes);
+    return make();
   } catch (const std::bad_alloc&) {
-    return app().say_unchanged("There is not enough memory to run it so."), false;
+    app().say_unchanged("There is not enough memory to run it so.");
   } catch (const InputError& error) {
-    return app().say_unchanged(error.what()), false;
+    app().say_unchanged(error.what());
   }
+  return std::nullopt;
+}
+
+Stage::Asked Stage::asked() const {
+  return pending_ ? pending_->asked : Asked{changes_, undone_, false, false};
+}
+
+void Stage::ask(Asked asked) {
+  if (!options_.run_changed) return app().say_unchanged("This run cannot be changed from here.");
+  end_run();
+  const std::string method = trace().header().algorithm;
+  if (options_.run_watched && trace().size() > made_at_once) {
+    try {
+      pending_.reset(
+          new Pending{asked, 0, RunBehind([this, method, changes = asked.changes](const RunWatch& watch) {
+                        return options_.run_watched(*first_, method, changes, watch);
+                      })});
+      app().waits_for_run = true;
+      return app().say("Made anew while you go on. Esc: as it was.");
+    } catch (const std::system_error&) {  // no threads here
+    }
+  }
+  if (auto made = made_by([&] { return options_.run_changed(*first_, method, asked.changes); }))
+    show_made(*std::move(made), std::move(asked));
+}
+
+void Stage::look_for_run() {
+  if (!pending_) return;
+  if (!pending_->run.done()) {
+    const std::int64_t steps = pending_->run.steps();
+    if (steps == std::exchange(pending_->told, steps)) return;
+    return app().say(fmt::format("Made anew while you go on: {} steps; before it had {}. Esc: as it was.",
+                                 grouped(steps), grouped(trace().size())));
+  }
+  const std::unique_ptr<Pending> pending = std::move(pending_);
+  app().waits_for_run = false;
+  if (auto made = made_by([&] { return pending->run.take(); })) show_made(*std::move(made), std::move(pending->asked));
+}
+
+void Stage::end_run() {
+  if (!pending_) return;
+  pending_.reset();
+  app().waits_for_run = false;
+  app().say("As it was.");
+}
+
+void Stage::show_made(OtherRun run, Asked asked) {
+  const std::vector<Change>& changes = asked.changes;
+  const bool goes_on = asked.goes_on;
+  std::optional<OtherRun> made = std::move(run);
   const bool moved = app().session().position() != arrived_ || app().session().selected != moment_.selected;
   if (moved) moment_ = moment_of(app().session());
   const bool back = changes.empty() && made->trace.header().algorithm == first_->header().algorithm;
@@ -144,30 +197,29 @@ bool Stage::run_with(const std::vector<Change>& changes, bool goes_on) {
   app().show_changes(std::move(changed));
   before.app.reset();  // it looks at that run
   if (!goes_on) before_change_ = std::move(before.run);
-  return true;
+  changes_ = std::move(asked.changes);
+  undone_ = std::move(asked.undone);
+  if (asked.typed && app().overlay() == Overlay::what_if) app().put("");
 }
 
 void Stage::change(const Change& change, bool goes_on) {
-  std::vector<Change> changes = changes_;
-  goes_on = goes_on && !changes.empty() && changes.back().name == change.name;
-  if (goes_on) changes.pop_back();
-  changes.push_back(change);
-  if (!run_with(changes, goes_on)) return;
-  changes_ = std::move(changes);
-  undone_.clear();
-  if (app().overlay() == Overlay::what_if && !goes_on) app().put("");
+  Asked next = asked();
+  next.goes_on = goes_on && !next.changes.empty() && next.changes.back().name == change.name;
+  if (next.goes_on) next.changes.pop_back();
+  next.changes.push_back(change);
+  next.undone.clear();
+  next.typed = !next.goes_on;
+  ask(std::move(next));
 }
 
 void Stage::undo(int direction) {
-  std::vector<Change>& from = direction > 0 ? changes_ : undone_;
+  Asked next = asked();
+  next.goes_on = next.typed = false;
+  std::vector<Change>& from = direction > 0 ? next.changes : next.undone;
   if (from.empty()) return app().say_unchanged(direction > 0 ? "Nothing is changed." : "Nothing was taken back.");
-  std::vector<Change> changes = changes_;
-  if (direction > 0) changes.pop_back();
-  else changes.push_back(undone_.back());
-  if (!run_with(changes, false)) return;
-  if (direction > 0) undone_.push_back(changes_.back());
-  else undone_.pop_back();
-  changes_ = std::move(changes);
+  (direction > 0 ? next.undone : next.changes).push_back(from.back());
+  from.pop_back();
+  ask(std::move(next));
 }
 
 }  // namespace zstep::viewer

@@ -43,6 +43,9 @@ struct OtherRun {
   bool whole = true;  ///< false: it was cut off, as it would take too long
 };
 
+/// Told how many steps a run has so far; false ends it there.
+using RunWatch = std::function<bool(std::int64_t steps)>;
+
 /// A second run beside the trace, and how the two were matched. The trace is run A of the report.
 struct AgainstRun {
   const Trace* trace = nullptr;
@@ -85,6 +88,11 @@ struct ViewerOptions {
   /// nothing can be changed.
   std::function<OtherRun(const Trace& opened, const std::string& method, const std::vector<Change>& changes)>
       run_changed;
+  /// The same for a long run, watched: on another thread, and not cut off before a trace fills the memory that a window
+  /// may have. Empty: there is none.
+  std::function<OtherRun(const Trace& opened, const std::string& method, const std::vector<Change>& changes,
+                         const RunWatch& watch)>
+      run_watched;
   std::optional<RaceAsked> race{};  ///< opens with it
   bool at_start = false;  ///< opens with the choice of what to open
   std::vector<std::string> opened_by;  ///< words of the command line that opens this view again, without the place in it

@@ -83,12 +83,17 @@ fi
 there bash "$root/sim/web/dependencies.sh" "$kept"
 
 mkdir -p "$build"
+if [ ! -d "$build/fonts" ]; then
+  there python3 "$root/sim/web/fonts.py" "$root/sim/viewer/draw/fonts.cpp" /usr/share/fonts/truetype/dejavu "$build/fonts.new" 2>"$build/fonts.log" ||
+    die "the fonts could not be made: $(tail -n 1 "$build/fonts.log")"
+  mv "$build/fonts.new" "$build/fonts"
+fi
 if [ ! -f "$build/build.ninja" ]; then
   say "configuring (log: $build/configure.log)"
   there env PKG_CONFIG_LIBDIR="$kept/prefix/lib/pkgconfig" CCACHE_DIR="$kept/ccache" emcmake cmake -G Ninja -S "$root" -B "$build" \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_FIND_ROOT_PATH="$kept/prefix" -DCMAKE_PREFIX_PATH="$kept/prefix;$kept/prefix/lib/cmake" \
     -DCMAKE_CXX_FLAGS="-fwasm-exceptions -sSUPPORT_LONGJMP=wasm -ffile-prefix-map=$root=." \
-    -DZSTEP_TESTS=OFF >"$build/configure.log" 2>&1 || {
+    -DZSTEP_FONTS_FOLDER="$build/fonts" -DZSTEP_TESTS=OFF >"$build/configure.log" 2>&1 || {
     grep -A 8 '^CMake Error' "$build/configure.log" | head -n 20 >&2
     rm -f "$build/build.ninja"
     die "configuring failed (all of it is in $build/configure.log)"

@@ -120,7 +120,7 @@ make_libsdl2() {
 }
 # Headers alone are the same everywhere. What finds them must not lead back to the folder that has the system's own.
 headers_only() {  # PACKAGE TARGET
-  printf '%s\n' "add_library($2 INTERFACE IMPORTED)" \
+  printf '%s\n' "include_guard(GLOBAL)" "add_library($2 INTERFACE IMPORTED GLOBAL)" \
     "set_target_properties($2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES $prefix/include)" >"$prefix/lib/cmake/$1Config.cmake"
 }
 make_headers() {
@@ -133,18 +133,17 @@ make_headers() {
   headers_only Boost Boost::headers
 }
 
-# The times tell a reader of the log where the minutes went.
 libraries=(headers zlib libpng1.6 libzstd xxhash fmtlib simdjson muparser md4c openmesh imgui sqlite3 libsdl2)
 count=0
 for library in "${libraries[@]}"; do
   count=$((count + 1))
-  [ -e "$prefix/done/$library" ] && continue
+  way=$(declare -f "make_$library" by_files by_cmake as_module headers_only | cat - <(echo "$flags") | sha256sum)
+  [ "$(cat "$prefix/done/$library" 2>/dev/null)" = "$way" ] && continue  # made in this way before
   say "$count of ${#libraries[@]}: $library"
-  SECONDS=0
   if ! { { [ "$library" = headers ] || fetch "$library"; } && "make_$library"; } >"$log/$library.log" 2>&1 </dev/null; then
     tail -n 15 "$log/$library.log" >&2
     say "$library could not be compiled for the web (all of it is in $log/$library.log)"
     exit 1
   fi
-  echo "$SECONDS s" >"$prefix/done/$library"
+  echo "$way" >"$prefix/done/$library"
 done
