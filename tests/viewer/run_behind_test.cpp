@@ -98,6 +98,10 @@ TEST_CASE("a large run is made anew behind the window, which goes on, and ends t
   behind.go_to(stage.trace().size()), once.go_to(at_once.trace.size());
   CHECK(behind.state().picture.polygon == once.state().picture.polygon);
   CHECK(behind.state().picture.depth == once.state().picture.depth);
+  // Many pixels changed; what marks them is no more than can be drawn at once, and than can be seen through.
+  REQUIRE(stage.app().changed().pixels.size() > 20'000);
+  (void)test::picture(stage.app());
+  CHECK(ImGui::GetDrawData()->TotalVtxCount < 150'000);
 }
 
 TEST_CASE("changes made while a run is being made are made together, and Esc leaves all as it was") {

@@ -91,6 +91,21 @@ void frame_cell(const Ui& ui, const RasterMap& map, ImVec2 origin, Cell cell, fl
 /// Pixels that are wrong, or part from the other run's: in the lower left corner a triangle, filled or hollow. On
 /// pixels too small for that a box around the one and a dot on the other, with lines that a class sees and an edge of
 /// the pane's colour, so that they stand out from whatever is drawn below.
+/// Of marks on so many small pixels that they cover what they mark, those along the border of what is marked.
+std::vector<PixelMark> border_of(const std::vector<PixelMark>& marks, int width, int height) {
+  std::vector<bool> marked(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (const PixelMark& mark : marks) marked.at(static_cast<std::size_t>(mark.pixel)) = true;
+  std::vector<PixelMark> border;
+  for (const PixelMark& mark : marks) {
+    const std::int64_t x = mark.pixel % width, y = mark.pixel / width;
+    const auto inside = [&](std::int64_t at) { return marked[static_cast<std::size_t>(at)]; };
+    const bool surrounded = x > 0 && y > 0 && x + 1 < width && y + 1 < height && inside(mark.pixel - 1) &&
+                            inside(mark.pixel + 1) && inside(mark.pixel - width) && inside(mark.pixel + width);
+    if (!surrounded) border.push_back(mark);
+  }
+  return border;
+}
+
 void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   if (!ui.pixel_marks) return;
   const Theme& c = ui.colors();
@@ -98,9 +113,13 @@ void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Picture& picture = ui.session.picture();
   if (picture.width < 1) return;
   constexpr double small = 12;
+  constexpr std::size_t many = 500;
+  const bool covered = map.cell < small && ui.pixel_marks->size() > many;
+  const std::vector<PixelMark> border =
+      covered ? border_of(*ui.pixel_marks, picture.width, picture.height) : std::vector<PixelMark>();
   const float thick = std::max(3.0f, std::round(3 * ui.thin)), edge = std::max(1.0f, ui.thin);
   const auto each = [&](auto&& use) {
-    for (const PixelMark& mark : *ui.pixel_marks) {
+    for (const PixelMark& mark : covered ? border : *ui.pixel_marks) {
       const Cell cell{static_cast<std::int32_t>(mark.pixel % picture.width),
                       static_cast<std::int32_t>(mark.pixel / picture.width)};
       const ImVec2 a{origin.x + static_cast<float>(map.column_begin(cell.x)),
@@ -124,6 +143,14 @@ void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
       const ImVec2 m{std::floor((a.x + b.x) / 2), std::floor((a.y + b.y) / 2)};
       list->AddRectFilled({m.x - half, m.y - half}, {m.x + half, m.y + half}, color);
     };
+    if (covered) {
+      const float half = std::max(1.0f, std::round(ui.thin));
+      for (const bool edges : {true, false})
+        each([&](const PixelMark&, ImVec2 a, ImVec2 b) {
+          dot(a, b, edges ? half + edge : half, edges ? c.pane : c.bad);
+        });
+      return;
+    }
     // All edges below all marks: neighbours are one patch then, and what is a cause lies on top.
     const float half = std::max(std::ceil(thick / 2), std::floor(static_cast<float>(map.cell) * 0.25f));
     for (const bool edges : {true, false})
