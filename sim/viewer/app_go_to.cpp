@@ -51,10 +51,10 @@ bool App::go_to_link(const std::string& link) {
   const places::Place place =
       places::find_place({session_.trace(), places_.marks(), session_.lesson(), session_.position()}, at[0], "link");
   open(Overlay::none);
-  if (place.stop) session_.to_stop(*place.stop);
-  else session_.go_to(place.step, place.unit);
   session_.select(std::nullopt);
   set_lead("");
+  if (place.stop) session_.to_stop(*place.stop);
+  else session_.go_to(place.step, place.unit);
   std::optional<Trace::Pixel> selected;
   if (!pixel.empty()) selected = places::find_place({session_.trace(), places_.marks(), nullptr, 0}, pixel[0], "link").pixel;
   look_at(selected, lead.empty() ? "" : lead[0]);

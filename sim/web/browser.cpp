@@ -1,6 +1,7 @@
 // The system around the window, where it is a page of a browser: what the page's own script does (page/page.js).
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <SDL.h>
 #include <emscripten.h>
@@ -15,6 +16,7 @@ EM_JS(void, page_hand_over, (const char* file), { Module.page.handOver(UTF8ToStr
 EM_JS(void, page_keep_settings, (const char* file), { Module.page.keepSettings(UTF8ToString(file)); })
 EM_JS(void, page_arrived, (const char* link, int at_stop), { Module.page.arrived(UTF8ToString(link), at_stop !== 0); })
 EM_JS(void, page_say, (const char* text), { Module.page.say(UTF8ToString(text)); })
+EM_JS(void, page_shown, (), { Module.page.shown(); })
 EM_JS(void, page_closed, (), { Module.page.closed(); })
 EM_JS(char*, page_address, (), { return stringToNewUTF8(Module.page.address()); })
 // clang-format on
@@ -24,10 +26,14 @@ namespace {
 
 /// What the page turns; it lives as long as the page does, or until the window is closed.
 std::unique_ptr<Loop> turned_by_page;
+bool shown = false;
 
 void turn() {
   if (!turned_by_page) return;
-  if (turned_by_page->turn(Loop::May::go_on)) return;
+  if (turned_by_page->turn(Loop::May::go_on)) {
+    if (!std::exchange(shown, true)) page_shown();
+    return;
+  }
   emscripten_cancel_main_loop();
   turned_by_page.reset();
   page_closed();

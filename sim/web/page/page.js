@@ -80,7 +80,13 @@ const page = {
     store(settingsKey, Module.FS.readFile(file, {encoding: 'utf8'}));
   },
 
+  shown() {
+    Module.running = true;
+    Module.firstPicture = performance.now();
+  },
+
   closed() {
+    Module.running = false;
     warn('zstep is closed. Load the page again to open it.');
   },
 };
@@ -90,6 +96,7 @@ var Module = {  // `var`: zstep.js looks for it by this name
   canvas,
   page,
   arguments: isLink(linkNow()) ? [linkNow()] : [],
+  noExitRuntime: true,
   print: (text) => console.log(text),
   printErr: (text) => {
     console.warn(text);

@@ -1,0 +1,216 @@
+// The page in a real browser: node page_test.mjs SITE PICTURES [NAME]. SITE is what ./zstep web made; PICTURES holds what
+// the native program draws, with an index.json: [{"link": "#lesson=z-buffer&stop=1", "file": "0.png"}]. NAME runs some.
+import {createServer} from 'node:http';
+import {mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {extname, join, normalize} from 'node:path';
+import {gzipSync} from 'node:zlib';
+
+import {Browser} from './chromium.mjs';
+import {readPng} from './png.mjs';
+
+const [site, pictures, only] = process.argv.slice(2);
+const types = {'.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml',
+  '.webmanifest': 'application/manifest+json'};
+
+// From a folder below the root, as a course's server may have it.
+const below = '/course/zstep/';
+const server = createServer((request, response) => {
+  const path = decodeURIComponent(request.url.split('?')[0]);
+  const name = path === below ? 'index.html' : normalize(path.slice(below.length));
+  try {
+    if (!path.startsWith(below) || name.startsWith('..')) throw new Error('elsewhere');
+    const body = readFileSync(join(site, name));
+    response.writeHead(200, {'Content-Type': types[extname(name)] ?? 'application/octet-stream'}).end(body);
+  } catch {
+    response.writeHead(404).end();
+  }
+});
+await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+const address = `http://127.0.0.1:${server.address().port}${below}`;
+
+const shown = 'Module.running === true';
+const check = (holds, what) => { if (!holds) throw new Error(what); };
+const same = (a, b) => a.width === b.width && a.height === b.height && a.rgb.equals(b.rgb);
+const differ = (a, b) => {
+  if (a.width !== b.width || a.height !== b.height) return `${a.width}x${a.height} and ${b.width}x${b.height}`;
+  let count = 0, first = -1;
+  for (let at = 0; at < a.rgb.length; at += 3)
+    if (a.rgb.compare(b.rgb, at, at + 3, at, at + 3) !== 0) { count += 1; if (first < 0) first = at / 3; }
+  return `${count} pixels differ, first (${first % a.width}, ${Math.floor(first / a.width)})`;
+};
+
+let browser;
+const tests = [];
+const test = (name, run) => tests.push({name, run});
+
+test('every stop by its link is the native picture to the byte', async () => {
+  const index = JSON.parse(readFileSync(join(pictures, 'index.json')));
+  let page, lesson = '';
+  const wrong = [];
+  for (const {link, file} of index) {
+    const now = link.split('&')[0];
+    if (now !== lesson) {
+      await page?.close();
+      page = await browser.open(address + link);
+      await page.until(shown);
+      lesson = now;
+    } else await page.ask(`void (location.hash = ${JSON.stringify(link)})`);
+    await page.until(`said.textContent !== ''`);
+    const native = readPng(join(pictures, file));
+    let drawn = await page.picture();
+    if (!same(drawn, native)) wrong.push(`${link}: ${differ(drawn, native)}`);
+  }
+  await page?.close();
+  console.log(`  ${index.length} pictures`);
+  check(wrong.length === 0, `${wrong.length} of ${index.length} differ:\n    ${wrong.slice(0, 12).join('\n    ')}`);
+});
+
+test('a key steps, the address follows, and back and forward go through the stops', async () => {
+  const page = await browser.open(address + '#lesson=z-buffer&stop=2');
+  await page.until(shown);
+  const step = async () => Number((await page.until(`/[&]step=(\\d+)/.exec(location.hash)?.[1]`)));
+  const first = await step();
+  await page.key('ArrowRight', {code: 'ArrowRight', keyCode: 39});
+  await page.until(`location.hash.includes('step=${first + 1}')`);
+  const length = await page.ask('history.length');
+  await page.key('n', {code: 'KeyN', keyCode: 78, text: 'n'});
+  await page.until(`history.length === ${length} + 1`);
+  const third = await step();
+  check(third > first + 1, `the next stop is at ${third}`);
+  await page.ask('void history.back()');
+  await page.until(`location.hash.includes('step=${first + 1}')`);
+  check((await page.ask('said.textContent')).startsWith(`Step ${first + 1} of`), 'what is said is not where back led');
+  await page.ask('void history.forward()');
+  await page.until(`location.hash.includes('step=${third}')`);
+  await page.close();
+});
+
+test('nothing comes from elsewhere, nothing is refused, and nobody complains', async () => {
+  const page = await browser.open(address);
+  await page.until(shown);
+  await page.picture();
+  check(page.requests.every((url) => url.startsWith(address) || url.startsWith('blob:')), `asked for ${page.requests.join(' ')}`);
+  check(page.told.length === 0, `said: ${page.told.join(' | ')}`);
+  const evaluated = await page.ask(`(() => { const s = document.createElement('script'); s.textContent = 'window.ran = true';
+    document.body.append(s); return window.ran === true; })()`);
+  check(!evaluated, 'a script in the page ran');
+  await page.close();
+});
+
+test('links from anywhere do no harm, and are told', async () => {
+  for (const link of ['#lesson=no-such-lesson', '#scene=../../etc/passwd', '#lesson=z-buffer&step=%00', '#scene=cube&size=99999x99999',
+    '#lesson=%3Cimg%20src%3Dx%20onerror%3Dalert(1)%3E', '#scene=pyramid&change=rho+%3D+nan', '#' + 'x'.repeat(9000), '#scene=cube&step=999999999999']) {
+    const page = await browser.open(address + link);
+    await page.until(`${shown} && said.textContent !== ''`);
+    check(await page.ask(`document.querySelectorAll('img').length === 0`), `${link} made an image`);
+    await page.close();
+  }
+});
+
+test('without a network after the first visit', async () => {
+  let page = await browser.open(address);
+  await page.until(shown);
+  await page.ask('navigator.serviceWorker.ready.then(() => true)');
+  await page.until(`caches.keys().then((names) => names.length > 0)`);
+  await page.until('navigator.serviceWorker.controller !== null');
+  const native = await page.picture();
+  await page.send('Network.emulateNetworkConditions', {offline: true, latency: 0, downloadThroughput: -1, uploadThroughput: -1});
+  await page.ask('void location.reload()');
+  await page.until(shown);
+  check(same(await page.picture(), native), 'another picture');
+  await page.close();
+});
+
+test('settings stay, and where a browser refuses to keep them it works and says so', async () => {
+  let page = await browser.open(address + '#lesson=z-buffer&stop=1');
+  await page.until(shown);
+  const light = await page.picture();
+  await page.key('d', {code: 'KeyD', keyCode: 68, text: 'd'});
+  await page.until(`(localStorage.getItem('zstep-settings') ?? '').includes('dark')`);
+  const dark = await page.picture();
+  check(!same(light, dark), 'dark is as light');
+  await page.ask('void location.reload()');
+  await page.until(shown);
+  check(same(await page.picture(), dark), 'the theme was forgotten');
+  await page.ask(`void localStorage.clear()`);
+  await page.close();
+  page = await browser.open('about:blank');
+  await page.send('Page.addScriptToEvaluateOnNewDocument',
+    {source: `Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('refused', 'SecurityError'); }})`});
+  await page.go(address + '#lesson=z-buffer&stop=1');
+  await page.until(shown);
+  await page.key('d', {code: 'KeyD', keyCode: 68, text: 'd'});
+  await page.until(`!notice.hidden && notice.textContent.includes('keeps nothing')`);
+  await page.close();
+});
+
+test('a file of the reader is opened, and does not leave the computer', async () => {
+  const page = await browser.open(address);
+  await page.until(shown);
+  const folder = mkdtempSync(join(tmpdir(), 'zstep-file-'));
+  writeFileSync(join(folder, 'mine.off'), 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n');
+  const {root} = await page.send('DOM.getDocument');
+  const {nodeId} = await page.send('DOM.querySelector', {nodeId: root.nodeId, selector: '#file'});
+  const asked = page.requests.length;
+  await page.send('DOM.setFileInputFiles', {nodeId, files: [join(folder, 'mine.off')]});
+  await page.until(`document.title.includes('mine')`);
+  check(page.requests.slice(asked).every((url) => url.startsWith('blob:')), 'something was asked for');
+  rmSync(folder, {recursive: true});
+  await page.close();
+});
+
+test('resized, on a screen of twice the pixels, and upright', async () => {
+  const page = await browser.open(address + '#lesson=z-buffer&stop=3');
+  await page.until(shown);
+  for (const [width, height, scale] of [[1600, 900, 1], [800, 600, 2], [390, 844, 3], [844, 390, 1]]) {
+    await page.resize(width, height, scale);
+    await page.until(`canvas.width === ${width * scale} && canvas.height === ${height * scale}`);
+    const picture = await page.picture();
+    check(new Set(picture.rgb).size > 20, `nothing is drawn at ${width}x${height}`);
+  }
+  await page.close();
+});
+
+test('two tabs beside each other', async () => {
+  const one = await browser.open(address + '#lesson=z-buffer&stop=2'), two = await browser.open(address + '#lesson=bsp&stop=2');
+  await one.until(shown);
+  await two.until(shown);
+  check(!same(await one.picture(), await two.picture()), 'both show the same');
+  await one.close();
+  await two.close();
+});
+
+test('how long until the first picture, and how much is fetched for it', async () => {
+  const times = [];
+  for (let k = 0; k < 5; ++k) {
+    const page = await browser.open(address + '#lesson=viewing&stop=1');
+    await page.send('Network.setCacheDisabled', {cacheDisabled: true});
+    times.push(await page.until('Module.firstPicture'));
+    await page.close();
+  }
+  times.sort((a, b) => a - b);
+  let sum = 0;
+  for (const name of ['index.html', 'page.js', 'page.css', 'zstep.js', 'zstep.wasm', 'zstep.data']) {
+    const bytes = gzipSync(readFileSync(join(site, name)), {level: 9}).length;
+    sum += bytes;
+    console.log(`  ${name} ${statSync(join(site, name)).size} bytes, with gzip ${bytes}`);
+  }
+  console.log(`  first picture: median ${Math.round(times[2])} ms of ${times.map(Math.round).join(' ')}; ${sum} bytes with gzip`);
+});
+
+let failed = 0;
+for (const {name, run} of tests) {
+  if (only && !name.includes(only)) continue;
+  browser = new Browser(process.env.ZSTEP_BROWSER);
+  try {
+    await run();
+    console.log(`ok      ${name}`);
+  } catch (error) {
+    failed += 1;
+    console.log(`FAILED  ${name}: ${error.message}`);
+  }
+  await browser.close();
+}
+server.close();
+process.exit(failed === 0 ? 0 : 1);
