@@ -1,7 +1,6 @@
 #include "sim/classroom/lesson_blocks.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include <fmt/core.h>
@@ -9,6 +8,7 @@
 #include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/expression.hpp"
 #include "traces/error.hpp"
+#include "traces/math/read_number.hpp"
 
 namespace zstep::classroom {
 
@@ -194,8 +194,7 @@ Question read_question(Lines& lines) {
 
 double read_minutes(const Lines& lines, const std::string& text) {
   double minutes = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), minutes);
-  if (error != std::errc() || end != text.data() + text.size() || !(minutes > 0 && minutes <= most_minutes))
+  if (read_number(text, minutes) != text.size() || !(minutes > 0 && minutes <= most_minutes))
     lines.fail(fmt::format("`{}` is no number of minutes", text), "write for example `minutes: 1.5`");
   return minutes;
 }
