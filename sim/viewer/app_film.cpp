@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
 
