@@ -189,6 +189,7 @@ void Stage::switch_method(int direction) {
 }
 
 void Stage::switch_to(const std::string& method) {
+  end_run();
   Changed changed;
   changed.made = app().changed().made;
   try {
