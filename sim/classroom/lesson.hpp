@@ -53,6 +53,13 @@ struct Marking {
   std::int32_t line = 0, text_line = 0, steps_line = 0, why_line = 0;  ///< of the lesson's file
 };
 
+/// What the speaker reads at a stop, and the class does not.
+struct SpeakerNotes {
+  std::string text;                      ///< Markdown
+  double minutes = 0;                    ///< that the stop takes; 0: not said
+  std::int32_t line = 0, text_line = 0;  ///< of the lesson's file
+};
+
 /// One stop of the narration.
 struct Stop {
   std::string heading;
@@ -60,6 +67,7 @@ struct Stop {
   std::optional<Question> question;      ///< asked here, answered by the steps that follow
   std::optional<Task> task;
   std::optional<Marking> marking;        ///< at most one of the three
+  std::optional<SpeakerNotes> notes;
   std::string anchor;                    ///< as written in the file: step name and condition
   std::string focus;                     ///< the pane that leads meanwhile, as the viewer calls it; mostly none
   int viewing_step = 0;                  ///< 1 … 4: T_1 … T_4, shown in the scene meanwhile; 0: none

@@ -8,6 +8,7 @@
 #include "algorithms/catalog/changes.hpp"
 #include "sim/classroom/expression.hpp"
 #include "traces/error.hpp"
+#include "traces/math/read_number.hpp"
 
 namespace zstep::classroom {
 
@@ -28,6 +29,8 @@ std::string strip_lines(const std::string& text, std::int32_t& line) {
 }
 
 namespace {
+
+constexpr double most_minutes = 90;  // of one stop
 
 /// What stands after "done:" on the line, if the line begins so.
 std::optional<std::string> after_key(const Lines& lines, std::string_view key) {
@@ -187,13 +190,43 @@ Question read_question(Lines& lines) {
   return question;
 }
 
+// --- Notes: what the speaker reads; `minutes:` on a line of its own.
+
+double read_minutes(const Lines& lines, const std::string& text) {
+  double minutes = 0;
+  if (read_number(text, minutes) != text.size() || !(minutes > 0 && minutes <= most_minutes))
+    lines.fail(fmt::format("`{}` is no number of minutes", text), "write for example `minutes: 1.5`");
+  return minutes;
+}
+
+SpeakerNotes read_notes(Lines& lines) {
+  SpeakerNotes notes;
+  const std::string where = lines.where(lines.at);
+  notes.line = lines.number(), notes.text_line = notes.line + 1;
+  each_line(lines, "notes block", [&] {
+    const auto minutes = after_key(lines, "minutes:");
+    if (minutes && notes.minutes > 0) lines.fail("a second `minutes:`", "add the two up");
+    if (minutes) notes.minutes = read_minutes(lines, *minutes);
+    append_line(notes.text, minutes ? "" : lines.text());  // the lines of what follows stay where they are
+  });
+  notes.text = strip_lines(notes.text, notes.text_line);
+  if (notes.text.empty()) throw InputError(where, "the notes say nothing", "write them under `::: notes`");
+  return notes;
+}
+
 }  // namespace
 
 void read_block(Lines& lines, Stop& stop) {
   const std::string_view name = trim(lines.text().substr(3));
   if (name.empty()) lines.fail("`:::` closes nothing", "remove it, or open a question with `::: question`");
-  if (name != "question" && name != "task" && name != "mark")
-    lines.fail(fmt::format("a block of the unknown kind `{}`", name), "write `::: question`, `::: task` or `::: mark`");
+  if (name != "question" && name != "task" && name != "mark" && name != "notes")
+    lines.fail(fmt::format("a block of the unknown kind `{}`", name),
+               "write `::: question`, `::: task`, `::: mark` or `::: notes`");
+  if (name == "notes") {
+    if (stop.notes) lines.fail("second notes at one stop", "join the two");
+    stop.notes = read_notes(lines);
+    return;
+  }
   const std::string_view there = stop.question ? "question" : stop.task ? "task" : stop.marking ? "mark" : "";
   if (there == name)
     lines.fail(fmt::format("a second {} at one stop", name),

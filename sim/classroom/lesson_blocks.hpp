@@ -1,4 +1,4 @@
-// The blocks of a stop between `::: question`, `::: task` or `::: mark` and `:::`.
+// The blocks of a stop between `::: question`, `::: task`, `::: mark` or `::: notes` and `:::`.
 #pragma once
 
 #include <cstdint>

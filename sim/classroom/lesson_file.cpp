@@ -141,8 +141,9 @@ class Reader {
   }
 
   void block() {
+    const std::string_view name = trim(lines_.text().substr(3));
     if (lesson_.stops.empty())
-      lines_.fail(fmt::format("a {} before the first stop", trim(lines_.text().substr(3))),
+      lines_.fail(fmt::format("{}{} before the first stop", name == "notes" ? "" : "a ", name),
                   "write `## Heading {at: start}` above it");
     read_block(lines_, lesson_.stops.back());
   }
@@ -218,6 +219,7 @@ void check_stops(const Lesson& lesson, const std::string& file) {
       check_fill(stop.marking->text, {file, stop.marking->text_line}, kind, page);
       check_fill(stop.marking->why, {file, stop.marking->why_line}, kind, page);
     }
+    if (stop.notes) check_fill(stop.notes->text, {file, stop.notes->text_line}, kind, page);
     if (!stop.question) continue;
     check_fill(stop.question->text, {file, stop.question->line}, kind, page);
     for (const Answer& answer : stop.question->answers) {
@@ -241,6 +243,7 @@ void make_printable(Lesson& lesson) {
       mend(stop.marking->text), mend(stop.marking->why);
       for (std::string& hint : stop.marking->hints) mend(hint);
     }
+    if (stop.notes) mend(stop.notes->text);
     if (!stop.question) continue;
     mend(stop.question->text);
     for (Answer& answer : stop.question->answers) mend(answer.text), mend(answer.reply);

@@ -76,6 +76,7 @@ void resolve_lesson(Lesson& lesson, const Trace& trace) {
       stop.marking->why = filled(stop.marking->why, stop.marking->why_line);
       resolve_marking(*stop.marking, replay, stop.position, file);
     }
+    if (stop.notes) stop.notes->text = filled(stop.notes->text, stop.notes->text_line);
     if (!stop.question) continue;
     stop.question->text = filled(stop.question->text, stop.question->line);
     for (Answer& answer : stop.question->answers) {

@@ -9,9 +9,9 @@
 #include "sim/cli/commands.hpp"
 #include "sim/cli/export.hpp"
 #include "sim/cli/show.hpp"
-#include "sim/cli/video.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
+#include "sim/film/video.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "traces/error.hpp"
 
@@ -22,18 +22,6 @@ namespace {
 
 constexpr std::int64_t most_on_a_sheet = 100, most_frames = 100'000;
 constexpr std::int32_t longest_side = 16384;
-
-/// So many steps from the first to the last, both among them where there are two; none twice.
-std::vector<std::int64_t> evenly(std::int64_t first, std::int64_t last, std::int64_t count) {
-  std::vector<std::int64_t> steps;
-  if (count == 1) return {last};
-  for (std::int64_t i = 0; i < count; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const std::int64_t step = first + std::llround(share * static_cast<double>(last - first));
-    if (steps.empty() || steps.back() != step) steps.push_back(step);
-  }
-  return steps;
-}
 
 std::vector<std::int64_t> steps_of(const Trace& trace, const ExportOptions& options, std::int64_t count) {
   if (!options.steps.empty()) {
@@ -53,7 +41,7 @@ std::vector<std::int64_t> steps_of(const Trace& trace, const ExportOptions& opti
     throw InputError("--to", fmt::format("the trace ends at step {}", trace.size()), "give a smaller one");
   if (first > last)
     throw InputError("--from", fmt::format("is {}, but the last step is {}", first, last), "give a smaller one");
-  return evenly(first, last, count > 0 ? count : std::min<std::int64_t>(last - first + 1, 200));
+  return film_steps(first, last, count);
 }
 
 PictureOptions how(const ExportOptions& options, std::int32_t width, std::int32_t height) {
@@ -94,7 +82,7 @@ int sheet(const Trace& trace, const ExportOptions& options) {
 }
 
 int film(const Trace& trace, const ExportOptions& options) {
-  const double fps = options.fps.value_or(10);
+  const double fps = options.fps.value_or(usual_frames_a_second);
   if (!(fps > 0 && fps <= 100))
     throw InputError("--fps", fmt::format("{} is not more than 0 and at most 100", fps), "write for example --fps 10");
   if (options.frames.value_or(0) > most_frames)

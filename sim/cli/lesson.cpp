@@ -99,6 +99,7 @@ void add_lesson(CLI::App& app, Action& action) {
   command->add_option("name", options->name, "One of 'zstep list lessons', or the path of a lesson's .md")
       ->type_name("NAME");
   add_show_options(*command, options->show);
+  add_notes_option(*command, options->show);
   add_race_options(*command, options->show);
   command->footer(
       "Examples:\n"

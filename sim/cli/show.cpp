@@ -60,6 +60,13 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
   command.add_flag("--presenter", options.presenter, "Large text, for a lecture hall, this time")->group("Viewer");
 }
 
+void add_notes_option(CLI::App& command, ShowOptions& options) {
+  command
+      .add_flag("--notes", options.notes,
+                "The speaker's notes in a second window; the screenshot is a picture of them")
+      ->group("Viewer");
+}
+
 void add_race_options(CLI::App& command, ShowOptions& options) {
   command
       .add_option("--race", options.race,
@@ -184,6 +191,8 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   [[maybe_unused]] places::Place place;
   if (!options.race.empty() && with.against)
     throw InputError("--race", "does not go with --against", "open one run, and race methods on its scene");
+  if (options.notes && !(options.pane.empty() && options.race.empty()))
+    throw InputError("--notes", "does not go with --pane and --race", "leave out one of them");
   if (!options.race.empty() && !options.pane.empty())
     throw InputError("--race", "does not go with --pane", "leave out one of them");
   if (!options.at.empty() && options.race.empty()) place = place_of(trace, options.at, "--at", with.lesson);
@@ -199,6 +208,7 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   if (sized || viewer.screenshot) viewer.size = WindowSize{options.width, options.height};
   if (options.dark || options.light) viewer.dark = options.dark;
   viewer.presenter = options.presenter;
+  viewer.notes = options.notes;
   viewer.lesson = with.lesson;
   viewer.checked = with.checked;
   viewer.against = with.against;
@@ -218,7 +228,7 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   if (options.describe && options.screenshot.empty()) return exit_code::done;
   const int code = run_viewer(trace, viewer);
   if (code == exit_code::done && viewer.screenshot)
-    say_written(options.screenshot, fmt::format("the viewer, {}x{} pixels", options.width, options.height));
+    say_written(options.screenshot, fmt::format("{}, {}x{} pixels", options.notes ? "the speaker's notes" : "the viewer", options.width, options.height));
   return code;
 #else
   (void)with;

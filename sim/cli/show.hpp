@@ -22,7 +22,7 @@ struct ShowOptions {
   /// Neither a picture nor text is asked for.
   bool opens_window() const { return screenshot.empty() && !describe; }
   std::int32_t width = 1280, height = 720;
-  bool dark = false, light = false, presenter = false;
+  bool dark = false, light = false, presenter = false, notes = false;
   std::string pixel, lead;                       ///< to be selected; to lead on the stage
   bool patient = false;  ///< a link asks for it: what takes too long is cut off
   std::string race, race_by = "steps";  ///< who races, with commas between; empty: no race
@@ -31,6 +31,9 @@ struct ShowOptions {
 
 /// Adds --at, --screenshot, --size-window, --dark, --light and --presenter.
 void add_show_options(CLI::App& command, ShowOptions& options);
+
+/// Adds --notes, for what opens a lesson.
+void add_notes_option(CLI::App& command, ShowOptions& options);
 
 /// Adds --race and --race-by.
 void add_race_options(CLI::App& command, ShowOptions& options);

@@ -50,6 +50,8 @@ App::App(const Trace& trace, const Lesson* lesson, const Settings& settings, int
 App::~App() = default;
 
 void App::resize(int width, int height) {
+  if (film_ && (width != renderer_.width() || height != renderer_.height()))
+    end_film("The window was made another size, so the film was ended; no file was left.");
   renderer_.resize(width, height);
   session_.touch();
 }
@@ -196,6 +198,7 @@ void App::draw_field(const std::string& hint) {
 }
 
 void App::frame() {
+  if (film_) film_on();
   const bool given = typing() && field_.waits();
   draw();
   // A field gets the keyboard only after a frame that asked for it, and what is typed next must not be lost.
@@ -214,6 +217,7 @@ bool App::edit(SDL_Keycode code, unsigned modifiers) {
   if (overlay_ == Overlay::start) return pick_offer(code);
   if (overlay_ == Overlay::what_if) return pick_changeable(code, modifiers);
   if (overlay_ == Overlay::racers) return pick_racer(code);
+  if (overlay_ == Overlay::film) return pick_film(code);
   if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
   if (code == SDLK_RETURN && asks) return ask_typed(), true;
   if (overlay_ != Overlay::palette && !asks) return false;
@@ -262,6 +266,7 @@ bool App::key(const SDL_KeyboardEvent& event) {
     session_.touch();
     return true;
   }
+  if (overlay_ == Overlay::explain && modifiers == Chord::ctrl && code == SDLK_c) return copy_origin(), true;
   const bool answers = overlay_ == Overlay::history || overlay_ == Overlay::explain;
   if ((answers && pick_row(code)) || (overlay_ == Overlay::why && pick_link(code)) ||
       (overlay_ == Overlay::here && pick_here(code)) || (overlay_ == Overlay::settings && pick_setting(code)) ||
@@ -294,12 +299,14 @@ bool App::key(const SDL_KeyboardEvent& event) {
 
 void App::hold(const Command& command) {
   command.run(*this);
+  if (black_) return;  // which ends by itself at the next key or click
   held_ = &command;
   say("Until the next key or click; with " + key_names(command) + " as long as it is held.");
 }
 
 bool App::handle(const SDL_Event& event, float pixels_per_point) {
   ImGui::SetCurrentContext(context_.context);
+  if (film_) return handle_filming(event);
   ImGuiIO& io = ImGui::GetIO();
   if (held_ && (event.type == SDL_KEYDOWN || event.type == SDL_MOUSEBUTTONDOWN))
     std::exchange(held_, nullptr)->release(*this);

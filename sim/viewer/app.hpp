@@ -17,6 +17,7 @@
 #include "sim/viewer/model/pixel_overlay.hpp"
 #include "sim/viewer/model/race.hpp"
 #include "sim/viewer/field.hpp"
+#include "sim/viewer/film.hpp"
 #include "sim/viewer/motion.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
@@ -28,6 +29,7 @@ namespace zstep::viewer {
 /// What the window is asked to do; whoever owns it takes the requests and clears them.
 struct WindowRequests {
   bool quit = false, toggle_full_screen = false;
+  bool toggle_notes = false;                ///< the speaker's, in a window of their own
   bool choose_file = false;                 ///< by the desktop's own dialogue
   std::optional<std::string> clipboard;
   std::optional<std::string> save_picture;  ///< path
@@ -53,7 +55,7 @@ struct Changed {
 
 enum class Overlay {
   none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range,
-  start, what_if, here, settings, racers
+  start, what_if, here, settings, racers, film
 };
 
 class App {
@@ -198,6 +200,7 @@ class App {
   void explain_step();            ///< the main number of the step where the reader stands
   const answers::Chain& chain() const { return chain_; }
   void go_to_origin(std::size_t link);
+  void copy_origin();             ///< the number of the picked link, all its digits
   // Why a polygon is not what is seen (why_overlay.cpp)
   void open_why();  ///< of the selected pixel, or the one at work, or of the whole picture where there is none
   void ask_why(std::int32_t polygon);
@@ -224,6 +227,14 @@ class App {
   void go_to_typed();  ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
   void take_settings(const Settings& settings);  ///< as another App was left
   void say(std::string message);
+  // A film of what the window shows (app_film.cpp, film_overlay.cpp)
+  void open_film();
+  /// What is likely wanted as a film here, the likeliest first.
+  std::vector<FilmRange> film_ranges() const;
+  void film(std::int64_t first, std::int64_t last);  ///< begins it; each frame of the window makes more of it
+  void film_typed();                                 ///< "300 420", or what is picked
+  const Film* filming() const { return film_.get(); }
+  void end_film(std::string why);                    ///< and leaves no file
   Board& board() { return board_; }
   const std::vector<HereLine>& here() const { return here_; }  ///< what the last right click offers
   void take_here(std::size_t line);
@@ -233,6 +244,7 @@ class App {
   bool moving() const;    ///< and the next frame is another
   double until_clock() const { return board_.clock_runs() ? 1 : 1e9; }
   void make_black() { black_ = true, session_.touch(); }  ///< until the next key or click, which does nothing else
+  bool black() const { return black_; }
   bool has_causes() const { return findings_.has_value() || against_.has_value(); }
   void hold(const Command& command);  ///< what a key is held for, until the next key or click
 
@@ -278,7 +290,7 @@ class App {
     return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query ||
            overlay_ == Overlay::why_ask || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark ||
            overlay_ == Overlay::range || overlay_ == Overlay::start ||
-           overlay_ == Overlay::what_if || overlay_ == Overlay::racers;
+           overlay_ == Overlay::what_if || overlay_ == Overlay::racers || overlay_ == Overlay::film;
   }
   bool type(SDL_Keycode code, unsigned modifiers);
   bool edit(SDL_Keycode code, unsigned modifiers);
@@ -292,6 +304,10 @@ class App {
   bool pick_setting(SDL_Keycode code);
   void follow_overlay();
   bool edit_place(SDL_Keycode code, unsigned modifiers);
+  bool pick_film(SDL_Keycode code);
+  void film_on();
+  void back_from_film();
+  bool handle_filming(const SDL_Event& event);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -340,6 +356,7 @@ class App {
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
   Board board_;
+  std::unique_ptr<Film> film_;  ///< while one is made
   Changed changed_;
   std::string saved_scene_;  ///< what was said of it; until the next change
   Race::RunBy run_by_;  ///< none: nothing can be run from here
@@ -385,6 +402,9 @@ void draw_start(App& app);
 void draw_range(App& app);
 void draw_until(App& app);
 void draw_name_bookmark(App& app);
+// film_overlay.cpp
+void draw_film(App& app);
+void draw_filming(App& app);
 void draw_bookmarks(App& app);
 void draw_search(App& app);
 

@@ -66,6 +66,14 @@ void App::go_to_origin(std::size_t link) {
         (chain_.links[link].source.empty() ? "." : ": " + chain_.links[link].source + "."));
 }
 
+void App::copy_origin() {
+  const auto place = static_cast<std::size_t>(std::max(0, picked));
+  if (place >= chain_.links.size() || chain_.links[place].values.empty()) return;
+  const answers::ChainValue& value = chain_.links[place].values.front();
+  requests.clipboard = value.condition || !value.word.empty() ? answers::result_text(value) : exact(value.value);
+  say("Copied: " + *requests.clipboard);
+}
+
 /// Arrows and Enter in the rows of an answer.
 bool App::pick_row(SDL_Keycode code) {
   const std::size_t rows = overlay_ == Overlay::history ? history_.size() : chain_.links.size();

@@ -18,31 +18,6 @@ constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFla
                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse;
 
-ImVec4 color(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
-
-void apply_style(const Ui& ui) {
-  const Theme& c = ui.colors();
-  ImGuiStyle& style = ImGui::GetStyle();
-  // Straight edges only: the software renderer draws rectangles by blitting, and triangles one pixel at a time.
-  style.AntiAliasedLines = style.AntiAliasedLinesUseTex = style.AntiAliasedFill = false;
-  style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = style.ScrollbarRounding =
-      style.GrabRounding = 0;
-  style.WindowBorderSize = style.ChildBorderSize = 0;
-  style.PopupBorderSize = 1;
-  style.WindowMinSize = {1, 1};
-  style.ScrollbarSize = std::round(ui.em * 0.6f);
-  style.WindowPadding = {std::round(ui.em * 0.5f), std::round(ui.em * 0.35f)};
-  style.ItemSpacing = {std::round(ui.em * 0.4f), 0};
-  style.Colors[ImGuiCol_Text] = color(c.text);
-  style.Colors[ImGuiCol_WindowBg] = color(c.window);
-  style.Colors[ImGuiCol_ChildBg] = color(c.pane);
-  style.Colors[ImGuiCol_PopupBg] = color(c.pane);
-  style.Colors[ImGuiCol_Border] = color(c.rule);
-  style.Colors[ImGuiCol_ScrollbarBg] = color(c.pane);
-  style.Colors[ImGuiCol_ScrollbarGrab] = color(c.rule);
-  style.Colors[ImGuiCol_ScrollbarGrabHovered] = style.Colors[ImGuiCol_ScrollbarGrabActive] = color(c.muted);
-}
-
 }  // namespace
 
 void App::draw_title(ImVec2 at, ImVec2 size) {
@@ -179,6 +154,8 @@ void App::draw_overlay() {
       return draw_settings(*this);
     case Overlay::racers:
       return draw_racers_list(*this);
+    case Overlay::film:
+      return draw_film(*this);
   }
 }
 
@@ -218,6 +195,7 @@ void App::begin_scrolling() {
   Fingerprint moment = layout, stop = layout;
   take(moment, session_.position());
   take(stop, session_.stop());
+  take(stop, ui_.presenter && session_.question_open());
   ui_.scroll_now = scrolls(moment.value(), ui_.scroll_follows, ui_.scroll_frames);
   ui_.speaks_now = scrolls(stop.value(), ui_.speaks_follows, ui_.speaks_frames);
 }
@@ -225,7 +203,7 @@ void App::begin_scrolling() {
 void App::draw() {
   ImGui::SetCurrentContext(context_.context);
   places_.look_on();
-  if (session_.lesson() && overlay_ != Overlay::start) settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
+  if (session_.lesson() && overlay_ != Overlay::start && !film_) settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
   if (asking_ > 0 && --asking_ == 0) ask_now();
   if (race_ && growth().at_work && growth().shown++ > 0) growth().measure_next(ends_waiting), session_.touch();
   follow_overlay();
@@ -278,6 +256,7 @@ void App::draw() {
   draw_overlay();
   if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);
+  if (film_ && !film_->draws) draw_filming(*this);
   if (overlay_ == Overlay::none) take_clicks();
   if (black_) ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32_BLACK);
   ImGui::Render();

@@ -1,6 +1,7 @@
 // Where the panes are, with their borders.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -65,6 +66,20 @@ bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float&
 }
 
 namespace {
+
+/// Whether no line of the text's code is longer than this.
+bool code_fits(const Ui& ui, const std::string& markdown, float width) {
+  for (const TextBlock& block : parse_markdown(markdown)) {
+    if (block.kind != TextBlock::Kind::code) continue;
+    std::string code;
+    for (const TextRun& run : block.runs) code += run.text;
+    std::istringstream lines(code);
+    for (std::string line; std::getline(lines, line);)
+      if (text_size(ui, ui.fonts.mono, line).x > width) return false;
+  }
+  return true;
+}
+
 
 /// While T_1 … T_4 are shown, the scene has the stage alone: its matrices need the room.
 Workspace stage_of(const Ui& ui, const std::string& lead) {
@@ -231,13 +246,14 @@ void App::draw_few(ImVec2 at, ImVec2 size) {
 /// For a class: what leads, as large as it goes, and beside it the lesson where it speaks, and between its stops what
 /// happens. The small panes wait behind Tab; a question takes the room that its answers need.
 void App::draw_presented(ImVec2 at, ImVec2 size) {
-  const float gap = std::round(ui_.em * 0.35f);
+  const float gap = std::round(ui_.em * 0.35f), narrow = std::round(size.x * 0.21f);
   const bool lesson = session_.lesson() != nullptr, asks = session_.question_open();
-  const float words = std::round(size.x * (asks ? 0.37f : 0.21f)), stage = size.x - words - gap, x = at.x + stage + gap;
+  const Stop* stop =
+      lesson && session_.stop() >= 0 ? &session_.lesson()->stops[static_cast<std::size_t>(session_.stop())] : nullptr;
+  const bool speaks = stop && stop->position == session_.position();
+  const bool wide = asks || (speaks && (stop->question || !code_fits(ui_, stop->text, narrow - 2 * ui_.em)));
+  const float words = wide ? std::round(size.x * 0.37f) : narrow, stage = size.x - words - gap, x = at.x + stage + gap;
   draw_leading(stage_of(ui_, lead()).leading, at, {stage, size.y});
-  const bool speaks =
-      lesson && session_.stop() >= 0 &&
-      session_.lesson()->stops[static_cast<std::size_t>(session_.stop())].position == session_.position();
   if (asks || speaks) return draw_pane(lesson_pane, {x, at.y}, {words, size.y});
   float& share = settings_.layout.words;
   draw_column({x, at.y}, {words, size.y}, lesson ? happened_pane : pseudo_code_pane,

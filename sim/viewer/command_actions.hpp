@@ -18,11 +18,13 @@ void move(App& app) {
   app.move(unit, direction);
 }
 
-/// By polygons; before a class by the lesson's stops, for a clicker has these two keys.
+/// By polygons; before a class by the lesson's stops, for a clicker has these two keys. It cannot answer a question: on
+/// from one is first to its answer.
 template <int direction>
 void page(App& app) {
-  if (app.ui().presenter && app.session().lesson() && !app.racing()) app.session().next_stop(direction);
-  else app.move(Unit::polygon, direction);
+  if (!app.ui().presenter || !app.session().lesson() || app.racing()) return app.move(Unit::polygon, direction);
+  if (direction > 0 && app.session().question_open()) app.session().show_answer();
+  else app.session().next_stop(direction);
 }
 
 template <int direction>

@@ -65,7 +65,7 @@ void draw_explain(App& app) {
   const answers::ChainValue& asked = chain.links.front().values.front();
   const bool measured = !asked.condition && asked.word.empty();
   flow(ui,
-       fmt::format("Where {} {} {}{} comes from. Enter or a click goes there; Esc closes.", asked.name,
+       fmt::format("Where {} {} {}{} comes from. Enter or a click goes there; Ctrl+C copies it; Esc closes.", asked.name,
                    measured ? "=" : "is", answers::result_text(asked),
                    measured ? " (" + hex_text(asked.value) + ")" : ""),
        heading);

@@ -47,6 +47,7 @@ Loop::Loop(const Trace& trace, ViewerOptions options)
   go_to_start(stage_.app(), options_);
   if (options_.race) stage_.app().open_race(options_.race);
   if (options_.at_start) stage_.app().open_start();
+  if (options_.notes) notes_.toggle(stage_.app());
 }
 
 Loop::~Loop() { save(true); }
@@ -71,6 +72,7 @@ void Loop::serve() {
     SDL_SetWindowFullscreen(window_.get(), window_.full_screen() ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
   if (r.choose_file)
     if (const std::string wrong = system::ask_for_file(); !wrong.empty()) app.say_on_start(wrong);
+  if (r.toggle_notes) notes_.toggle(app);
   if (r.clipboard) system::copy_text(*r.clipboard);
   if (r.save_picture) {
     try {
@@ -140,7 +142,7 @@ bool Loop::turn(May may) {
   };
   if (std::exchange(drawn_app_, &stage_.app()) != &stage_.app()) drawn_ = 0;  // another run's
   const double time = seconds();
-  double wait = std::min(stage_.app().play(time), stage_.app().until_clock());
+  double wait = std::min({stage_.app().play(time), stage_.app().until_clock(), notes_.until_due()});
   if (stage_.app().waits_for_run) wait = std::min(wait, 0.1);
   if (std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) && stage_.app().board().clock_runs())
     stage_.app().session().touch();
@@ -151,11 +153,14 @@ bool Loop::turn(May may) {
   const int milliseconds = frames_due_ > 0 || may == May::go_on ? 0 : static_cast<int>(std::min(wait, 3600.0) * 1000);
   bool got = milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) != 0 : SDL_PollEvent(&event) != 0;
   while (got) {
-    frames_due_ = std::max(frames_due_, App::frames_to_settle);
-    if (stage_.app().handle(event, window_.pixels_per_point())) break;
+    if (!notes_.takes(event, stage_.app())) {
+      frames_due_ = std::max(frames_due_, App::frames_to_settle);
+      if (stage_.app().handle(event, window_.pixels_per_point())) break;
+    }
     got = SDL_PollEvent(&event) != 0;
   }
   serve();
+  notes_.follow(stage_.app());
   if (std::exchange(on_way_, false)) name_window(window_, stage_.trace());
   SDL_Surface* target = window_.surface();
   if (target->w != stage_.app().renderer().width() || target->h != stage_.app().renderer().height()) {

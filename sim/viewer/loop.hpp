@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "sim/viewer/notes_window.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/stage.hpp"
 #include "sim/viewer/viewer.hpp"
@@ -42,6 +43,7 @@ class Loop {
   Settings saved_;
   Window window_;
   Stage stage_;
+  NotesWindow notes_{window_};
   std::string told_;  ///< the link of where the reader is, as last said
   std::int64_t told_stop_ = -1;
   int frames_due_ = App::frames_to_settle;  ///< after a change, until nothing moves any more

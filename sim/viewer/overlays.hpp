@@ -34,6 +34,9 @@ void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32
 /// A text cut with a sign where it has no room.
 std::string fitted(const Ui& ui, const ImFont* font, std::string text, float room);
 
+/// How far something long is, over all else, and how it is ended.
+void draw_progress(App& app, const std::string& text, double share, const std::string& help);
+
 /// What is wrong with what is typed.
 void say_wrong(Ui& ui, const std::string& what);
 

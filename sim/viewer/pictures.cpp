@@ -7,6 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/charts/sheet.hpp"
+#include "sim/viewer/notes.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
@@ -42,13 +43,14 @@ std::vector<std::string> wrapped(const Sheet& sheet, const std::string& text, fl
 
 struct Pictures::Impl {
   Impl(const Trace& trace_, const PictureOptions& options, const Settings& settings)
-      : trace(trace_), app(trace_, options.lesson, settings, options.width, options.height) {
+      : trace(trace_), notes(options.notes), app(trace_, options.lesson, settings, options.width, options.height) {
     if (options.checked) app.show_findings(*options.checked);
     if (options.against) app.show_against(*options.against);
     look_at = [this, pixel = options.pixel, lead = options.lead] { app.look_at(pixel, lead); };
     if (options.race) app.allow_changes(options.run_by), app.open_race(options.race);
   }
   const Trace& trace;
+  const bool notes;
   App app;
   std::function<void()> look_at;  ///< as was asked, after each place that is gone to
 };
@@ -94,6 +96,11 @@ Image Pictures::at_stop(int stop) {
 
 Image Pictures::settled() {
   impl_->look_at();
+  if (impl_->notes) {
+    Notes notes(impl_->app.renderer().width(), impl_->app.renderer().height());
+    notes.follow(impl_->app, "");  // the same at any time of day
+    return {notes.renderer().width(), notes.renderer().height(), notes.renderer().rgb()};
+  }
   impl_->app.settle();
   return {impl_->app.renderer().width(), impl_->app.renderer().height(), impl_->app.renderer().rgb()};
 }

@@ -19,6 +19,7 @@ namespace zstep {
 struct PictureOptions {
   int width = 1280, height = 720;
   bool dark = false, presenter = false;
+  bool notes = false;              ///< the speaker's notes in place of the window
   std::string pane;                ///< "frame", "depth", …; empty: the window with all of them
   const Lesson* lesson = nullptr;  ///< already resolved
   const CheckedRun* checked = nullptr;  ///< as in ViewerOptions

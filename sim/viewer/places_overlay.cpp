@@ -104,11 +104,12 @@ void draw_bookmarks(App& app) {
   else if (clicked) app.go_to_bookmark(*clicked);
 }
 
-void draw_search(App& app) {
+void draw_search(App& app) { draw_progress(app, app.places().progress(), app.places().share(), "Esc stops"); }
+
+void draw_progress(App& app, const std::string& text, double share, const std::string& help) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const std::string text = app.places().progress(), help = "Esc stops";
   const float pad = std::round(ui.em * 0.7f), bar = std::round(ui.em * 0.4f);
   const float width = std::min(
       screen.x - 8,
@@ -119,7 +120,7 @@ void draw_search(App& app) {
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(size);
   ImGui::SetNextWindowFocus();
-  ImGui::Begin("search", nullptr,
+  ImGui::Begin("progress", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -130,7 +131,7 @@ void draw_search(App& app) {
   draw_text(ui, {end.x - pad - text_size(ui, ui.fonts.bold, help).x, at.y + ui.em * 0.5f}, ui.fonts.bold, c.now, help);
   const float y = end.y - bar - ui.em * 0.35f, whole = size.x - 2 * pad;
   list->AddRectFilled({at.x + pad, y}, {at.x + pad + whole, y + bar}, c.head);
-  list->AddRectFilled({at.x + pad, y}, {at.x + pad + whole * static_cast<float>(app.places().share()), y + bar}, c.now);
+  list->AddRectFilled({at.x + pad, y}, {at.x + pad + whole * static_cast<float>(share), y + bar}, c.now);
   ImGui::End();
 }
 

@@ -38,6 +38,7 @@ void Stage::begin(const Settings& settings, int width, int height) {
 
 void Stage::open(const Offer& offer) {
   if (!options_.open) return app().say("Nothing else can be opened from here.");
+  if (offer.what == Offer::What::method && !changes_.empty() && options_.run_changed) return switch_to(offer.id);
   std::unique_ptr<Opened> opened;
   try {
     opened = options_.open(trace(), offer);
@@ -184,11 +185,28 @@ void Stage::switch_method(int direction) {
     }
     changed.made = app().changed().made;
   }
+  show_other(*std::move(other), std::move(changed));
+}
+
+void Stage::switch_to(const std::string& method) {
+  end_run();
+  Changed changed;
+  changed.made = app().changed().made;
+  try {
+    show_other(options_.run_changed(*first_, method, changes_), std::move(changed));
+  } catch (const std::bad_alloc&) {
+    app().say_on_start("There is not enough memory to run it.");
+  } catch (const std::exception& error) {
+    app().say_on_start(error.what());
+  }
+}
+
+void Stage::show_other(OtherRun other, Changed changed) {
   const Session& left = app().session();
   const bool moved = left.position() != arrived_ || left.selected != moment_.selected;
   if (moved) moment_ = moment_of(left);
-  const bool back = changes_.empty() && other->trace.header().algorithm == first_->header().algorithm;
-  show_in_place(back ? std::nullopt : std::move(other));
+  const bool back = changes_.empty() && other.trace.header().algorithm == first_->header().algorithm;
+  show_in_place(back ? std::nullopt : std::optional(std::move(other)));
 
   Session& s = app().session();
   std::string place = "here as it was left";

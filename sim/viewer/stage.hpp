@@ -40,7 +40,8 @@ class Stage {
   const Trace& first() const { return *first_; }
 
   /// Opens something else in place of all that is shown, at the place where it was left. What cannot be opened is said
-  /// on the start page, and all stays as it is.
+  /// on the start page, and all stays as it is. Another method of a run that was changed is as after switch_method: the
+  /// changes can be taken back there.
   void open(const Offer& offer);
 
   /// Shows the next (or previous) method's run on this scene at the same moment. The trace that was opened has its
@@ -76,6 +77,8 @@ class Stage {
   /// What making a run threw, said in the window; false where it threw nothing.
   template <class Make>
   std::optional<OtherRun> made_by(Make&& make);
+  void switch_to(const std::string& method);
+  void show_other(OtherRun other, Changed changed);
   /// What was shown: the App goes before the run that it looks at.
   struct Before {
     std::unique_ptr<OtherRun> run;

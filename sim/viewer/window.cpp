@@ -30,9 +30,22 @@ Window::Window(int width, int height) {
   SDL_StartTextInput();
 }
 
+Window::Window(const Window& first, const char* title, int width, int height) : second_(true) {
+  const int screen = std::max(0, SDL_GetWindowDisplayIndex(first.get())),
+            other = screen == 0 && SDL_GetNumVideoDisplays() > 1 ? 1 : 0;
+  SDL_Rect usable{0, 0, width, height};
+  SDL_GetDisplayUsableBounds(other, &usable);
+  const int place = static_cast<int>(SDL_WINDOWPOS_CENTERED_DISPLAY(other));
+  window_.reset(SDL_CreateWindow(title, place, place, std::min(width, std::max(320, usable.w)),
+                                 std::min(height, std::max(200, usable.h)),
+                                 SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+  if (!window_) throw std::runtime_error(fmt::format("viewer: no second window can be opened: {}", SDL_GetError()));
+  SDL_RaiseWindow(first.get());
+}
+
 Window::~Window() {
   window_.reset();
-  SDL_Quit();
+  if (!second_) SDL_Quit();
 }
 
 SDL_Surface* Window::surface() const {

@@ -13,6 +13,9 @@ class Window {
  public:
   /// Not larger than the screen. Throws std::runtime_error where no window can be opened.
   Window(int width, int height);
+  /// A second one, which goes before the first; on another screen, where there is one. The keyboard stays with the
+  /// first.
+  Window(const Window& first, const char* title, int width, int height);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -33,6 +36,7 @@ class Window {
     void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
   };
   std::unique_ptr<SDL_Window, Deleter> window_;
+  bool second_ = false;
 };
 
 }  // namespace zstep::viewer

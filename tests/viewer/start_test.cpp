@@ -155,8 +155,15 @@ TEST_CASE("before a class a clicker's four keys are enough: choose a lesson, go 
   REQUIRE(app.session().lesson());
   CHECK(app.session().lesson()->id == "z-buffer");
   CHECK(app.ui().presenter);
+  // A question shows its answer first.
   for (std::size_t stop = 0; stop < app.session().lesson()->stops.size(); ++stop) {
     CHECK(app.session().stop() == static_cast<int>(stop));
+    const bool asks = app.session().lesson()->stops[stop].question.has_value();
+    CHECK(app.session().question_open() == asks);
+    test::press(app, SDLK_PAGEDOWN);
+    if (!asks) continue;
+    CHECK(app.session().stop() == static_cast<int>(stop));
+    CHECK_FALSE(app.session().question_open());
     test::press(app, SDLK_PAGEDOWN);
   }
   test::press(app, SDLK_PAGEUP);

@@ -270,6 +270,13 @@ void Session::answer(int choice) {
   touch();
 }
 
+void Session::show_answer() {
+  if (!question_open()) return;
+  const std::vector<Answer>& answers = lesson_->stops[static_cast<std::size_t>(stop_)].question->answers;
+  const auto right = std::find_if(answers.begin(), answers.end(), [](const Answer& one) { return one.right; });
+  if (right != answers.end()) answer(static_cast<int>(right - answers.begin()));
+}
+
 // --- Playing
 
 const std::vector<Session::Speed>& Session::speeds() {

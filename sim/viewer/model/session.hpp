@@ -71,6 +71,7 @@ class Session {
   void to_stop(int index);
   void next_stop(int direction);
   void answer(int choice);
+  void show_answer();                        ///< the right one of the current stop's question
   std::optional<int> chosen(int stop) const { return chosen_[static_cast<std::size_t>(stop)]; }
   bool question_open() const;                ///< the current stop asks and has no right answer yet
   bool nudged() const;                       ///< beyond the question of the current stop, which has no answer yet

@@ -92,8 +92,8 @@ void draw_lesson(Ui& ui) {
   else ImGui::Dummy({1, ui.em * 0.25f});
   if (button(ui, on, !last && !s.question_open(), !last)) s.next_stop(1);
   ImGui::PopID();
-  // A class sees all answers, also where the text before them is long.
-  if (ui.presenter && ui.speaks_now && s.question_open()) ImGui::SetScrollY(ImGui::GetScrollMaxY());
+  // A class sees all answers, also where the text before them is long, and then why the right one is right.
+  if (ui.presenter && ui.speaks_now && stop.question) ImGui::SetScrollY(ImGui::GetScrollMaxY());
 }
 
 std::string note_of_lesson(Ui& ui) {

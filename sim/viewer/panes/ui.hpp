@@ -161,6 +161,9 @@ struct Ui {
   float line() const { return em * 1.3f; }
 };
 
+/// Colours, edges and distances of what Dear ImGui draws itself, in the current context.
+void apply_style(const Ui& ui);
+
 // --- Text. All of it goes through Fonts::drawable. Sizes in pixels.
 
 ImVec2 text_size(const Ui& ui, const ImFont* font, const std::string& text);

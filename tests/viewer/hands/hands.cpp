@@ -1,6 +1,7 @@
 #include "tests/viewer/hands/hands.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -68,6 +69,7 @@ void Hands::serve() {
   full_screen_ = full_screen_ != asked.toggle_full_screen;
   if (asked.clipboard) clipboard_ = *asked.clipboard;
   if (asked.save_picture) saved_ = *asked.save_picture;
+  while (app().filming()) app().frame();
   app().settle();
 }
 
@@ -150,7 +152,32 @@ Hands::Found Hands::pixel(const std::string& of) {
 Hands::Found Hands::target(const std::string& what) {
   if (what == "corner") return {1, 1};  // of the window: beside all that lies over it
   if (begins(what, "pixel ")) return pixel(what.substr(6));
+  if (begins(what, "place ")) {
+    std::istringstream in(what.substr(6));
+    Found at{};
+    in >> at.x >> at.y;
+    return at;
+  }
   return words(what);
+}
+
+/// "place 640 300 by -75 0", at once: so far a hand moves between two pictures.
+void Hands::drag(const std::string& what) {
+  const std::size_t by = what.rfind(" by ");
+  if (by == std::string::npos) throw std::runtime_error("a drag goes by so much to the right and down");
+  std::istringstream in(what.substr(by + 4));
+  const Found from = target(what.substr(0, by));
+  Found way{};
+  in >> way.x >> way.y;
+  const Found to{from.x + way.x, from.y + way.y};
+  move_mouse(app(), from.x, from.y);
+  mouse_button(app(), from.x, from.y, true);
+  move_mouse(app(), to.x, to.y);
+  mouse_button(app(), to.x, to.y, false);
+  for (const auto& [at, does] : {std::pair{from, "mousedown"}, {to, "mouseup"}}) {
+    real_.push_back(fmt::format("mousemove {} {}", at.x, at.y));
+    real_.push_back(fmt::format("{} 1", does));
+  }
 }
 
 void Hands::by_mouse(const std::string& step) {
@@ -167,6 +194,8 @@ void Hands::by_mouse(const std::string& step) {
     app().handle(event);
     real_.push_back(fmt::format("mousemove {} {}", at.x, at.y));
     real_.push_back(fmt::format("click {}", up ? 4 : 5));
+  } else if (how == "drag") {
+    drag(what);
   } else if (how == "click" || how == "right") {
     int times = 1;
     if (const std::size_t x = what.rfind(" x"); x != std::string::npos && x + 2 < what.size() &&
@@ -209,6 +238,7 @@ bool Hands::holds(const std::string& check) {
   if (what == "says") return has(s.message, of);
   if (what == "copied") return clipboard_ == of;
   if (what == "saved") return saved_ == of;
+  if (what == "file") return std::filesystem::is_regular_file(of);
   if (what == "quit") return quit_;
   if (what == "playing") return s.playing;
   if (what == "repeats") return s.loops();
@@ -227,6 +257,9 @@ bool Hands::holds(const std::string& check) {
   if (what == "racing") return app().racing();
   if (what == "answered") return s.stop() >= 0 && !s.question_open();
   if (what == "before") return s.looking_back;
+  if (what == "theta") return fmt::format("{}", s.scene().camera.theta) == of;
+  if (what == "black") return app().black();
+  if (what == "borders-pulled") return !(app().settings().layout == viewer::Layout());
   if (what == "selected") return s.selected && fmt::format("{} {}", s.selected->x, s.selected->y) == of;
   if (what == "edge") return s.selected_edge && std::to_string(*s.selected_edge) == of;
   if (what == "changed") {
@@ -244,10 +277,10 @@ std::string Hands::state() {
   std::string text = fmt::format(
       "{} stop {} message '{}' overlay {} picked {} typed '{}' selected {} edge {} playing {} loop {} {} speed {} dark "
       "{} "
-      "presenter {} text {} reduced {} lead {} zoom {} {} {} look {} {} clipboard '{}' saved '{}' quit {} full {}",
+      "presenter {} black {} text {} reduced {} lead {} zoom {} {} {} look {} {} clipboard '{}' saved '{}' quit {} full {}",
       app().command_line(), s.stop(), s.message, static_cast<int>(app().overlay()), app().picked, app().typed,
       s.selected ? fmt::format("{},{}", s.selected->x, s.selected->y) : "none", s.selected_edge.value_or(-1), s.playing,
-      s.loop_first, s.loop_last, s.speed, kept.dark, kept.presenter, kept.text_scale, kept.reduced_motion, app().lead(),
+      s.loop_first, s.loop_last, s.speed, kept.dark, kept.presenter, app().black(), kept.text_scale, kept.reduced_motion, app().lead(),
       app().ui().view.zoom, app().ui().view.center_x, app().ui().view.center_y, app().ui().look.turn,
       app().ui().look.tilt, clipboard_, saved_, quit_, full_screen_);
   for (const viewer::Changed::Made& made : app().changed().made)

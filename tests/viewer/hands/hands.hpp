@@ -42,6 +42,7 @@ class Hands {
   };
   Found words(std::string text);
   Found pixel(const std::string& of);
+  void drag(const std::string& what);
   Found target(const std::string& what);
 
   std::unique_ptr<Opened> opened_;

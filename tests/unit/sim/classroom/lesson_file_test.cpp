@@ -288,6 +288,22 @@ TEST_CASE("slips in questions") {
   CHECK(contains(load_error(head + question), ":7: a question before the first stop"));
 }
 
+TEST_CASE("speaker's notes: beside a question, filled from the run, with their minutes; slips in them") {
+  const std::string stop = head + "## Here {at: compare}\nText.\n";  // line 7
+  const std::string file = stop + question + "::: notes\nminutes: 1.5\nPoint at z = {z}.\n:::\n";
+  CHECK(load_error(file) == "");
+  CHECK(load_error(stop + "::: notes\nSay it.\n:::\n" + question) == "");
+  CHECK(contains(load_error(stop + "::: notes\nSay it.\n"), ":9: the notes block is not closed"));
+  CHECK(contains(load_error(stop + "::: notes\nminutes: 2\n:::\n"), ":9: the notes say nothing"));
+  CHECK(contains(load_error(stop + "::: notes\nSay it.\n:::\n::: notes\nMore.\n:::\n"), ":12: second notes at one stop"));
+  for (const char* minutes : {"0", "-1", "two", "91", "1.5 min", "nan"})
+    CHECK(contains(load_error(stop + "::: notes\nSay it.\nminutes: " + minutes + "\n:::\n"),
+                   ":11: `" + std::string(minutes) + "` is no number of minutes"));
+  CHECK(contains(load_error(stop + "::: notes\nSay it.\nminutes: 1\nminutes: 1\n:::\n"), ":12: a second `minutes:`"));
+  CHECK(contains(load_error(stop + "::: notes\nminutes: 1\nSay {q}.\n:::\n"), ":11: nothing is called `q`"));
+  CHECK(contains(load_error(head + "::: notes\nSay it.\n:::\n"), ":7: notes before the first stop"));
+}
+
 TEST_CASE("what is no lesson file is told so") {
   CHECK(contains(complaint([] { load_lesson("/nowhere/at-all.md"); }), "the lesson cannot be read"));
   CHECK(contains(complaint([] { load_lesson("/tmp"); }), "the lesson cannot be read"));

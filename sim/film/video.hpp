@@ -1,16 +1,24 @@
 // Films, by a pipe to ffmpeg.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sim/image/png.hpp"
 
-namespace zstep::cli {
+namespace zstep {
 
 /// Is this a film's extension: .gif, .mp4, .webm, .mkv?
 bool is_video(const std::filesystem::path& path);
+
+/// Which steps a film of these has a frame of: each, or as many as are asked for (0: at most `most_unasked`), evenly
+/// apart, the first and the last among them where there are two; none twice.
+std::vector<std::int64_t> film_steps(std::int64_t first, std::int64_t last, std::int64_t count = 0);
+constexpr std::int64_t most_unasked = 200;
+constexpr double usual_frames_a_second = 10;
 
 class Video {
  public:
@@ -34,4 +42,4 @@ class Video {
   void (*before_)(int) = nullptr;  ///< what a broken pipe did until now
 };
 
-}  // namespace zstep::cli
+}  // namespace zstep

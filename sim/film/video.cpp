@@ -1,5 +1,7 @@
-#include "sim/cli/video.hpp"
+#include "sim/film/video.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <random>
@@ -11,7 +13,7 @@
 #include "sim/words/shell_word.hpp"
 #include "traces/error.hpp"
 
-namespace zstep::cli {
+namespace zstep {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,11 +58,23 @@ bool is_video(const fs::path& path) {
   return extension == ".gif" || extension == ".mp4" || extension == ".webm" || extension == ".mkv";
 }
 
+std::vector<std::int64_t> film_steps(std::int64_t first, std::int64_t last, std::int64_t count) {
+  if (count <= 0) count = std::min(last - first + 1, most_unasked);
+  std::vector<std::int64_t> steps;
+  if (count == 1) return {last};
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    const std::int64_t step = first + std::llround(share * static_cast<double>(last - first));
+    if (steps.empty() || steps.back() != step) steps.push_back(step);
+  }
+  return steps;
+}
+
 Video::Video(const fs::path& path, int width, int height, double frames_a_second) : path_(path) {
   check_writable(path);
   if (!have_ffmpeg())
     throw InputError(path.string(), "films are made by ffmpeg, which is not installed",
-                     "install ffmpeg, or write a contact sheet: --sheet 12 -o sheet.png");
+                     "install ffmpeg, or write a contact sheet: zstep export RUN.ztrace --sheet 12 -o sheet.png");
   // ffmpeg knows a film by its extension, so that it stays the last one.
   std::random_device device;
   part_ = path;
@@ -91,7 +105,7 @@ Video::~Video() {
 
 void Video::failed() const {
   throw InputError(path_.string(), "ffmpeg could not make it",
-                   "what it says above tells why; another extension may do");
+                   "what it wrote to the terminal tells why; another extension may do");
 }
 
 void Video::frame(const Image& image) {
@@ -108,4 +122,4 @@ void Video::finish() {
     throw InputError(path_.string(), "cannot be written: " + error.message(), "choose a place that can be written to");
 }
 
-}  // namespace zstep::cli
+}  // namespace zstep
