@@ -78,7 +78,7 @@ class Stage {
   std::optional<OtherRun> made_by(Make&& make);
   /// What was shown: the App goes before the run that it looks at.
   struct Before {
-    std::unique_ptr<OtherRun> run;
+    std::shared_ptr<OtherRun> run;
     std::unique_ptr<App> app;
   };
   /// Shows another run in the same window, or without one the first again. What a lecturer wrote stays, as does the
@@ -92,9 +92,10 @@ class Stage {
   const ViewerOptions& options_;
   float dpi_scale_;
   std::unique_ptr<App> first_app_;
-  std::unique_ptr<OtherRun> other_;  ///< none while the first is shown
+  std::shared_ptr<OtherRun> other_;  ///< none while the first is shown
   std::unique_ptr<App> other_app_;
   std::vector<Change> changes_, undone_;
+<<<<<<< HEAD
   std::unique_ptr<OtherRun> before_change_;  ///< none: the first
   struct Pending {
     Asked asked;
@@ -102,6 +103,9 @@ class Stage {
     RunBehind run;
   };
   std::unique_ptr<Pending> pending_;
+=======
+  std::shared_ptr<OtherRun> before_change_;  ///< none: the first
+>>>>>>> 77fa5af (wip marks and picking)
   Whereabouts moment_;                  ///< where the reader went last, by hand
   std::int64_t arrived_ = -1;      ///< where switching led; the reader has not moved while that is the position
 };

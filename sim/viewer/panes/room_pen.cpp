@@ -6,11 +6,6 @@
 #include "algorithms/fast/z_buffer.hpp"
 
 namespace zstep::viewer {
-namespace {
-
-constexpr double as_near = 1e-3;  ///< what lies in a polygon's plane is not hidden by it
-
-}  // namespace
 
 Picture polygons_seen(const Outside& outside, const Scene& polygons) {
   Conventions plain;

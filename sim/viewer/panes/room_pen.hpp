@@ -11,6 +11,8 @@
 
 namespace zstep::viewer {
 
+inline constexpr double as_near = 1e-3;  ///< what lies in a polygon's plane is not hidden by it
+
 /// Which polygon is seen at each pixel, and its depth.
 Picture polygons_seen(const Outside& outside, const Scene& polygons);
 

@@ -8,6 +8,7 @@
 #include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_in_space.hpp"
+#include "sim/viewer/panes/scene_picking.hpp"
 #include "sim/viewer/panes/taken_places.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
@@ -182,10 +183,10 @@ void draw_outside(Ui& ui, ImVec2 size) {
   const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
   const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_polygons, room, ui.look, whole);
-  const ChartPicture& picture = keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, whole,
-                                                   ui.moment(), ui.session.current_cell(), viewing_step(ui), ui.colors(),
-                                                   ui.thin)
-                                    ->made;
+  const ChartPicture& picture =
+      keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, whole, ui.moment(),
+                         ui.session.current_cell(), viewing_step(ui), ui.colors(), ui.thin)
+          ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,
@@ -194,7 +195,7 @@ void draw_outside(Ui& ui, ImVec2 size) {
   if (pull_vertices(ui, room.made, size, at)) return;
   walk_round(ui, ui.look, size,
              "Drag: walk round. Shift+drag: move. Wheel: nearer. Double click: back. Shift+V: through the eye.");
-  tell_what_is_pointed_at(ui, seen.made.polygons, at);
+  if (!pick_parts(ui, room.made, seen.made.polygons, size, at)) tell_what_is_pointed_at(ui, seen.made.polygons, at);
 }
 
 }  // namespace zstep::viewer
