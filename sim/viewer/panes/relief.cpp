@@ -65,7 +65,7 @@ void make_relief(Room& room, const Moment& now, const DepthRange& range, const D
 
 void see_relief(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const glm::dvec2& size) {
   const Outside outside(room.made, look, static_cast<int>(size.x), static_cast<int>(size.y));
-  seen.polygons = polygons_seen(outside, room.made.polygons());
+  see_polygons(outside, room.made.polygons(), seen.polygons);
 }
 
 void paint_relief(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
@@ -77,11 +77,9 @@ void paint_relief(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Ke
   const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
   picture.canvas.resize(static_cast<int>(size.x), static_cast<int>(size.y));
-  picture.canvas.fill(to_pixel(c.pane));
-  for (int y = 0; y < seen.height; ++y)
-    for (int x = 0; x < seen.width; ++x)
-      if (const std::int32_t polygon = seen.polygon[seen.at(x, y)]; polygon != no_polygon)
-        picture.canvas.row(y)[x] = opaque(room.polygons().polygons[static_cast<std::size_t>(polygon)].color);
+  std::vector<Pixel32> colors;
+  for (const Polygon& polygon : room.polygons().polygons) colors.push_back(opaque(polygon.color));
+  paint_polygons(picture.canvas, seen, colors, to_pixel(c.pane));
   RoomPen pen(picture, seen, room, outside, c, static_cast<double>(thin));
   const double left = columns.x(0), right = columns.x(columns.across), back = columns.y(0),
                front = columns.y(columns.along), top = columns.highest, far = columns.height(range.far, range);

@@ -16,9 +16,9 @@
 namespace zstep::viewer {
 namespace {
 
-void see_polygons(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const glm::dvec2& size) {
+void see_room(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const glm::dvec2& size) {
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
-  seen.polygons = polygons_seen(Outside(room.made, look, width, height), room.made.polygons());
+  see_polygons(Outside(room.made, look, width, height), room.made.polygons(), seen.polygons);
   find_label_spots(seen.letters, RasterMap({width, height, false}, {}, width, height), seen.polygons);
 }
 
@@ -30,17 +30,15 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
   const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
   picture.canvas.resize(static_cast<int>(size.x), static_cast<int>(size.y));
-  picture.canvas.fill(to_pixel(c.pane));
   const std::int32_t at_work = now.state().machine.polygon;
-  for (int y = 0; y < seen.height; ++y) {
-    Pixel32* const row = picture.canvas.row(y);
-    const std::int32_t* const polygons = seen.polygon.data() + seen.at(0, y);
-    for (int x = 0; x < seen.width; ++x) {
-      if (polygons[x] == no_polygon) continue;
-      const Pixel32 own = opaque(room.polygons().polygons[static_cast<std::size_t>(polygons[x])].color);
-      row[x] = at_work == no_polygon || at_work == polygons[x] ? own : mixed(row[x], own, 190);
-    }
+  const Pixel32 paper = to_pixel(c.pane);
+  std::vector<Pixel32> colors;
+  for (const Polygon& polygon : room.polygons().polygons) {
+    const Pixel32 own = opaque(polygon.color);
+    const bool pale = at_work != no_polygon && at_work != static_cast<std::int32_t>(colors.size());
+    colors.push_back(pale ? mixed(paper, own, 190) : own);
   }
+  paint_polygons(picture.canvas, seen, colors, paper);
   RoomPen pen(picture, seen, room, outside, c, static_cast<double>(thin));
   draw_in_space(pen, now, cell, viewing);
 }
@@ -182,7 +180,7 @@ void draw_outside(Ui& ui, ImVec2 size) {
   const bool by_lamp = ui.session.state().machine.pass == Pass::light;
   const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
-  const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_polygons, room, ui.look, whole);
+  const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_room, room, ui.look, whole);
   const ChartPicture& picture =
       keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, whole, ui.moment(),
                          ui.session.current_cell(), viewing_step(ui), ui.colors(), ui.thin)
