@@ -67,7 +67,7 @@ TEST_CASE("law: what a change makes otherwise is marked in every method's tables
         {"ray-casting", "pyramid-behind", "ray_tests", 0.5, {"theta", "44"}},
         {"hidden-line", "lessons/scenes/hidden-lines.toml", "lines", 1, {"theta", "50"}},
         {"floating-horizon", "lessons/scenes/ridge-valley.toml", "horizons", 1, {"theta", "44"}}}) {
-    CAPTURE(shown.method);
+    CAPTURE(std::string(shown.method));
     const bool built_in = std::string(shown.scene).find('/') == std::string::npos;
     const Trace trace =
         test::record_run_by(shown.method, built_in ? shown.scene : test::in_checkout(shown.scene));
@@ -132,7 +132,6 @@ TEST_CASE("the run before a change stands at the same step as the run that is sh
   }
   CHECK(same > 12);
   stage.change({"theta", "44"}, true);  // a hand that holds on is compared with what was before it took hold
-  app.frame();
   stage.app().frame();
   REQUIRE(stage.app().ui().before);
   CHECK(&stage.app().ui().before->session.trace() == &trace);

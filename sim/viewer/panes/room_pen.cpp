@@ -20,6 +20,7 @@ void see_polygons(const Outside& outside, const Scene& polygons, Picture& seen) 
 }
 
 void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel32>& colors, Pixel32 paper) {
+  if (canvas.width() != seen.width || canvas.height() != seen.height) canvas.resize(seen.width, seen.height);
   for (int y = 0; y < seen.height; ++y) {
     Pixel32* const row = canvas.row(y);
     const std::int32_t* const polygons = seen.polygon.data() + seen.at(0, y);

@@ -17,7 +17,7 @@ inline constexpr double as_near = 1e-3;  ///< what lies in a polygon's plane is 
 Picture polygons_seen(const Outside& outside, const Scene& polygons);
 /// The same into a picture whose memory is kept from frame to frame.
 void see_polygons(const Outside& outside, const Scene& polygons, Picture& seen);
-/// Each polygon in its colour, and `paper` where none is seen.
+/// Each polygon in its colour, and `paper` where none is seen, on a canvas of the picture's size.
 void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel32>& colors, Pixel32 paper);
 
 /// Draws lines and planes into the room: what a polygon hides of them is faint. Thicknesses in thin lines.

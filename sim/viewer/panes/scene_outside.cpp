@@ -23,13 +23,12 @@ void see_room(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const
 }
 
 void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
-                   const glm::dvec2& size, const Moment& now, const std::optional<Cell>& cell, const int& viewing,
-                   const Theme& c, const float& thin) {
+                   const Moment& now, const std::optional<Cell>& cell, const int& viewing, const Theme& c,
+                   const float& thin) {
   const Room& room = kept_room.made;
   const Picture& seen = kept.made.polygons;
   const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
-  picture.canvas.resize(static_cast<int>(size.x), static_cast<int>(size.y));
   const std::int32_t at_work = now.state().machine.polygon;
   const Pixel32 paper = to_pixel(c.pane);
   std::vector<Pixel32> colors;
@@ -182,7 +181,7 @@ void draw_outside(Ui& ui, ImVec2 size) {
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
   const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_room, room, ui.look, whole);
   const ChartPicture& picture =
-      keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, whole, ui.moment(),
+      keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, ui.moment(),
                          ui.session.current_cell(), viewing_step(ui), ui.colors(), ui.thin)
           ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();

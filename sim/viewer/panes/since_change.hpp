@@ -17,9 +17,9 @@ void mark_changed(Ui& ui, std::vector<TableRow>& rows, std::vector<TableRow> (*r
 using ChangedParts = std::map<std::string, std::vector<std::string>>;
 ChangedParts changed_parts(Ui& ui, std::vector<TableRow> (*rows_of)(Ui&));
 
-/// With its lower left corner there, no larger than its room.
-void draw_change_mark(Ui& ui, ImVec2 corner, float room);
-/// Marks the part that lies between these corners where it changed, and tells what was when it is pointed at.
+/// With its lower left corner there, no larger than its room; how large it is.
+float draw_change_mark(Ui& ui, ImVec2 corner, float room);
+/// Marks the part that lies between these corners where it changed, and tells what was when the mark is pointed at.
 void mark_part(Ui& ui, const ChangedParts& parts, const std::string& about, ImVec2 low, ImVec2 high);
 
 /// "before the change: 0.5".

@@ -251,7 +251,8 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, con
   put_broken(0, ui.em, false);
   for (std::size_t at = 1; at < sides.size(); ++at) {
     Box& side = sides[at];
-    const bool result = at + 1 == sides.size() && sides.size() > 2 && side.what.kind == Kind::number;
+    const bool result = at + 1 == sides.size() && sides.size() > 2 && side.parts.size() == 1 &&
+                        side.parts.front().what.kind == Kind::number;
     const bool under = whole > width && at > 1 && alike(at) && !side.parts.empty();
     if (under || x + equals + side.width > width) {
       // Not alone on its line, what fits behind the name.
