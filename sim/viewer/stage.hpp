@@ -95,17 +95,13 @@ class Stage {
   std::shared_ptr<OtherRun> other_;  ///< none while the first is shown
   std::unique_ptr<App> other_app_;
   std::vector<Change> changes_, undone_;
-<<<<<<< HEAD
-  std::unique_ptr<OtherRun> before_change_;  ///< none: the first
+  std::shared_ptr<OtherRun> before_change_;  ///< none: the first
   struct Pending {
     Asked asked;
     std::int64_t told = 0;  ///< steps, as last said
     RunBehind run;
   };
   std::unique_ptr<Pending> pending_;
-=======
-  std::shared_ptr<OtherRun> before_change_;  ///< none: the first
->>>>>>> 77fa5af (wip marks and picking)
   Whereabouts moment_;                  ///< where the reader went last, by hand
   std::int64_t arrived_ = -1;      ///< where switching led; the reader has not moved while that is the position
 };
