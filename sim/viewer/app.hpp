@@ -14,6 +14,7 @@
 #include "sim/viewer/board.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/model/against.hpp"
+#include "sim/viewer/model/before_change.hpp"
 #include "sim/viewer/model/pixel_overlay.hpp"
 #include "sim/viewer/model/race.hpp"
 #include "sim/viewer/field.hpp"
@@ -118,7 +119,8 @@ class App {
   void allow_changes(Race::RunBy run_by) { run_by_ = std::move(run_by); }
   bool may_change() const { return run_by_ != nullptr; }
   bool waits_for_run = false;  ///< one is made while the window goes on
-  void show_changes(Changed changed) { changed_ = std::move(changed), saved_scene_.clear(), session_.touch(); }
+  /// `before`: the run that it is compared with.
+  void show_changes(Changed changed, std::shared_ptr<const Trace> before = nullptr);
   const Changed& changed() const { return changed_; }
   const std::string& saved_scene() const { return saved_scene_; }
   /// What has the typed name in its name, as it is now; empty where the method is none of zstep's.
@@ -358,6 +360,8 @@ class App {
   Board board_;
   std::unique_ptr<Film> film_;  ///< while one is made
   Changed changed_;
+  std::unique_ptr<BeforeChange> before_;
+  std::unique_ptr<Ui> before_ui_;
   std::string saved_scene_;  ///< what was said of it; until the next change
   Race::RunBy run_by_;  ///< none: nothing can be run from here
   struct RaceView {

@@ -91,6 +91,19 @@ void App::nudge(const Changeable& what, int direction) {
   ask_change({what.name, fmt::format("{:.12g}", steps * what.nudge)});
 }
 
+void App::show_changes(Changed changed, std::shared_ptr<const Trace> before) {
+  changed_ = std::move(changed);
+  saved_scene_.clear();
+  ui_.before = nullptr;
+  before_ui_.reset(), before_.reset();
+  if (before && before->size() + session_.size() <= most_steps_matched &&
+      before->header().algorithm == session_.header().algorithm) {
+    before_ = std::make_unique<BeforeChange>(session_, std::move(before));
+    before_ui_ = std::make_unique<Ui>(before_->session(), renderer_);
+  }
+  session_.touch();
+}
+
 void App::say_unchanged(const std::string& why) {
   if (overlay_ == Overlay::what_if) wrong = why;
   else say(why);
@@ -128,8 +141,8 @@ void App::save_scene() {
     const std::filesystem::path path = name_for_changed(scene, "");
     const Header& header = session_.header();
     const std::string told = zstep::save_scene(path, scene, header.conventions, header.algorithm);
-    saved_scene_ = fmt::format("Saved {} in the folder zstep was started in.{}", path.string(),
-                               told.empty() ? "" : " " + told);
+    saved_scene_ =
+        fmt::format("Saved {} in the folder zstep was started in.{}", path.string(), told.empty() ? "" : " " + told);
     wrong.clear();
     say(saved_scene_);
   } catch (const InputError& error) {
@@ -162,6 +175,7 @@ void App::look_as(const App& before) {
   ui_.relief = before.ui_.relief, ui_.relief_look = before.ui_.relief_look;
   ui_.taken = before.ui_.taken;
   session_.selected = before.session_.selected;
+  session_.picked_part = before.session_.picked_part;
   // The hand holds what it held.
   ImGui::SetCurrentContext(before.context_.context);
   const ImVec2 mouse = ImGui::GetIO().MousePos;

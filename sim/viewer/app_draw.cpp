@@ -221,6 +221,7 @@ void App::draw() {
   ui_.clicked = nullptr;
   ui_.pointed_next.reset();
   ui_.hovered_edge_next.reset();
+  ui_.hovered_part_next = {};
   follow_marks();
   ImGui::NewFrame();
   ImGui::SetNextWindowPos({0, 0});
@@ -261,9 +262,12 @@ void App::draw() {
   if (black_) ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32_BLACK);
   ImGui::Render();
   renderer_.draw(*ImGui::GetDrawData(), to_pixel(ui_.colors().window));
-  if (ui_.pointed != ui_.pointed_next || session_.hovered_edge != ui_.hovered_edge_next) session_.touch();
+  if (ui_.pointed != ui_.pointed_next || session_.hovered_edge != ui_.hovered_edge_next ||
+      !(session_.hovered_part == ui_.hovered_part_next))
+    session_.touch();
   ui_.pointed = ui_.pointed_next;
   session_.hovered_edge = ui_.hovered_edge_next;
+  session_.hovered_part = ui_.hovered_part_next;
 }
 
 }  // namespace zstep::viewer

@@ -21,8 +21,7 @@ void App::show_against(const AgainstRun& with) {
   other_ui_ = std::make_unique<Ui>(against_->session(), renderer_);
   other_ui_->asks = false;
   ui_.other = other_ui_.get();
-  if (slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header()))
-    set_lead(slice_pane.id);
+  if (slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header())) set_lead(slice_pane.id);
   ui_.marks = &against_->marks_of_a();
   other_ui_->marks = &against_->marks_of_b();
   session_.touch();
@@ -115,6 +114,11 @@ void App::follow_marks() {
   ui_.pixel_marks = changed_.pixels.empty() ? nullptr : &changed_.pixels;
   if (findings_ && !session_.looking_back)
     ui_.pixel_marks = &findings_->pixels(session_.position(), session_.state().machine.pass == Pass::light);
+  if (before_ui_) {
+    before_->follow();
+    share_look(*before_ui_);
+    ui_.before = before_ui_.get();
+  }
   if (!against_) return;
   against_->follow();
   against_->session().looking_back = session_.looking_back;

@@ -1,6 +1,10 @@
 #include "sim/viewer/command_actions.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -33,10 +37,34 @@ void center_on_pixel(App& app) {
   app.session().touch();
 }
 
+namespace {
+
+/// Picks the scene's next vertex or edge, and after the last one nothing.
+void next_part(App& app, bool vertices) {
+  Session& s = app.session();
+  std::vector<ScenePart> parts;
+  const std::vector<EdgeEnds> edges = edges_of(s.scene());
+  if (edges.empty()) return app.say("There are too many vertices to go through one by one.");
+  if (vertices) {
+    std::set<std::int32_t> numbers;
+    for (const EdgeEnds& ends : edges) numbers.insert({ends.first, ends.second});
+    for (const std::int32_t number : numbers) parts.push_back({number, {}});
+  } else {
+    for (const EdgeEnds& ends : edges) parts.push_back({{}, ends});
+  }
+  const auto now = std::find(parts.begin(), parts.end(), s.picked_part);
+  s.pick(now == parts.end() ? parts.front() : std::next(now) == parts.end() ? ScenePart{} : *std::next(now));
+}
+
+}  // namespace
+
+void next_vertex(App& app) { next_part(app, true); }
+
 void next_edge(App& app) {
   Session& s = app.session();
   const int count = static_cast<int>(s.state().machine.edge_table.size());
-  if (count == 0) return app.say("The edge table is empty.");
+  if (count == 0) return next_part(app, false);
+  s.picked_part = {};
   const int next = s.selected_edge ? *s.selected_edge + 1 : 0;
   s.selected_edge = next < count ? std::optional(next) : std::nullopt;
   s.touch();
@@ -59,6 +87,7 @@ void escape(App& app) {
   if (app.ui().heat) return app.end_painting();
   s.selected.reset();
   s.selected_edge.reset();
+  s.picked_part = {};
   s.message.clear();
   s.playing = false;
   s.touch();

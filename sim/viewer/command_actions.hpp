@@ -103,6 +103,7 @@ void set_loop(App& app) {
 }
 
 void center_on_pixel(App& app);
+void next_vertex(App& app);
 void next_edge(App& app);
 /// What a stop asks to be marked is marked where the selection is.
 void select_current(App& app);

@@ -86,6 +86,7 @@ const std::vector<Command>& table() {
        {{SDLK_x, S}},
        [](App& a) { a.requests.switch_method = -1; }},
       {"next-edge", "Pixel", "Light the next edge", {{SDLK_e}}, next_edge},
+      {"next-vertex", "Pixel", "Light the next vertex", {{SDLK_u, S}}, next_vertex},
       {"race",
        "Change",
        "Race: methods side by side",

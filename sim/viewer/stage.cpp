@@ -153,7 +153,7 @@ Stage::Before Stage::show_in_place(std::optional<OtherRun> next) {
   Board board = app().board();
   Before before{std::exchange(other_, nullptr), std::exchange(other_app_, nullptr)};
   if (next) {
-    other_ = std::make_unique<OtherRun>(*std::move(next));
+    other_ = std::make_shared<OtherRun>(*std::move(next));
     other_app_ = std::make_unique<App>(trace(), nullptr, settings, width, height, dpi_scale_);
     other_app_->offer(options_.offers);
     if (options_.run_changed) other_app_->allow_changes(options_.run_changed);

@@ -81,7 +81,7 @@ class Stage {
   void show_other(OtherRun other, Changed changed);
   /// What was shown: the App goes before the run that it looks at.
   struct Before {
-    std::unique_ptr<OtherRun> run;
+    std::shared_ptr<OtherRun> run;
     std::unique_ptr<App> app;
   };
   /// Shows another run in the same window, or without one the first again. What a lecturer wrote stays, as does the
@@ -95,10 +95,10 @@ class Stage {
   const ViewerOptions& options_;
   float dpi_scale_;
   std::unique_ptr<App> first_app_;
-  std::unique_ptr<OtherRun> other_;  ///< none while the first is shown
+  std::shared_ptr<OtherRun> other_;  ///< none while the first is shown
   std::unique_ptr<App> other_app_;
   std::vector<Change> changes_, undone_;
-  std::unique_ptr<OtherRun> before_change_;  ///< none: the first
+  std::shared_ptr<OtherRun> before_change_;  ///< none: the first
   struct Pending {
     Asked asked;
     std::int64_t told = 0;  ///< steps, as last said

@@ -187,14 +187,15 @@ void Stage::show_made(OtherRun run, Asked asked) {
   }
   arrived_ = s.position();
   // While a hand still holds a vertex, each run is compared with the one before the hand took it.
-  const OtherRun* against = goes_on ? before_change_.get() : before.run.get();
+  const std::shared_ptr<OtherRun> against = goes_on ? before_change_ : before.run;
   Changed changed = told_of(changes, against ? against->trace : *first_);
   if (const Task* task = app().task()) changed.task = state_of(*task, trace());
   if (other_ && !other_->whole) changed.told += " Cut off, as it would take too long.";
   if (other_ && lesson_) changed.told += " The lesson waits.";
   if (!place.empty()) changed.told += fmt::format(" Here: {}.", place);
   if (app().overlay() != Overlay::what_if) app().say(changed.told);
-  app().show_changes(std::move(changed));
+  app().show_changes(std::move(changed), against ? std::shared_ptr<const Trace>(against, &against->trace)
+                                                 : std::shared_ptr<const Trace>(std::shared_ptr<void>(), first_));
   before.app.reset();  // it looks at that run
   if (!goes_on) before_change_ = std::move(before.run);
   changes_ = std::move(asked.changes);

@@ -6,6 +6,7 @@
 
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "sim/words/owners.hpp"
 #include "sim/words/shown.hpp"
 #include "traces/formulas/follows.hpp"
 #include "traces/formulas/of_events.hpp"
@@ -25,6 +26,9 @@ struct Teller {
   std::optional<std::pair<std::string_view, std::string>> condition = {};  ///< a field, and what is asked
 
   Number number(std::string_view name, double value, const formulas::Place& place) {
+    return written(name, value, place).of(words::owner_of(at, place, name));
+  }
+  Number written(std::string_view name, double value, const formulas::Place& place) {
     // An edge carries what is interpolated, a pixel its depth.
     const auto depth = place.in == formulas::Place::In::active_edge ? symbol_along : depth_symbol;
     std::string symbol = name == "z" ? depth(at.scene, at.header.conventions) : std::string(name);
@@ -36,7 +40,10 @@ struct Teller {
       return {std::move(symbol), value, tell_apart(value, whole).first};
     return {std::move(symbol), value};
   }
-  Number named(std::string_view name, const Number& formula) { return {std::string(name), formula.value()}; }
+  Number named(std::string_view name, const Number& formula) {
+    const std::vector<std::int32_t> owners = words::owners_in(formula.owned());
+    return Number(std::string(name), formula.value()).of(owners.size() == 1 ? owners.front() : no_polygon);
+  }
   void reads(const formulas::Place&) {}
   bool trusts(const formulas::Place&) const { return true; }
   bool equal(double one, double other) const { return one == other; }

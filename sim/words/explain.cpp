@@ -65,8 +65,28 @@ std::string symbol_along(const Scene& scene, const Conventions& conventions) {
   return inverse && scene.camera.kind == Camera::Kind::perspective ? "1/z_v" : depth_symbol(scene, conventions);
 }
 
+namespace {
+
+/// The polygon whose numbers an event gives; no_polygon where they are also another one's.
+std::int32_t polygon_about(const Event& event, const formulas::Situation& at) {
+  return visit_event(
+      [&]<class E>(const E& e) {
+        using In = formulas::Place::In;
+        if constexpr (requires { e.plane_of; } || requires { e.other; }) return no_polygon;
+        else if constexpr (requires { e.polygon; }) return static_cast<std::int32_t>(e.polygon);
+        else if constexpr (requires { e.piece; }) return words::owner_of(at, {In::piece, e.piece}, "");
+        else if constexpr (requires { e.edge; }) return words::owner_of(at, {In::edge_table, e.edge}, "");
+        else if constexpr (requires { e.vertex; }) return words::owner_of(at, {In::vertex, e.vertex}, "");
+        else return polygon_at_work(at.method());
+      },
+      event);
+}
+
+}  // namespace
+
 Explanation explain(const Trace& trace, const State& after, const RecordedEvent event) {
   words::Telling telling(trace, after);
+  telling.about = polygon_about(event.event, telling.at);
   visit_event([&](const auto& e) { words::tell(telling, e); }, event.event);
   return std::move(telling.out);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/words/notation.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/state.hpp"
 #include "traces/replay/vertex_points.hpp"
@@ -16,6 +17,7 @@ struct Explanation {
   std::string sentence;                                 ///< plain text, one sentence or two
   std::vector<std::string> formulas;                    ///< one line each: symbols = numbers = result
   std::vector<std::pair<std::string, double>> values;   ///< by name, for who wants every digit
+  std::vector<words::Owned> owned;                      ///< whose the numbers of the formulas are
   std::optional<std::string> doubt;                     ///< the trace's number is not what its formula gives
 };
 

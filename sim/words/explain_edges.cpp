@@ -136,6 +136,7 @@ void tell(Telling& t, const EdgeEnter& e) {
         named(t, e.edge), e.place, brief(t, one.edge), number(one.x), brief(t, other.edge), number(other.x))));
   }
   if (const EdgeTableInsert* entry = t.at.edge(e.edge)) {
+    t.owns("x", t.about), t.owns(t.along, t.about);
     t.formula(fmt::format("x = {}, {} = {}; it leaves at y = {}", number(entry->x_edge), t.along, number(entry->z_edge),
                           entry->end_row));
     t.value("x", entry->x_edge);
@@ -176,6 +177,7 @@ void tell(Telling& t, const EdgeStep& e) {
     });
   t.follows("x", "x_edge", e.x_edge);
   t.follows(t.along, "z_edge", e.z_edge);
+  t.owns("x", t.about), t.owns(t.along, t.about);
   if (t.out.formulas.empty()) t.formula(fmt::format("x = {}, {} = {}", number(e.x_edge), t.along, number(e.z_edge)));
   t.value("x", e.x_edge);
   t.value(t.along, e.z_edge);
@@ -213,6 +215,8 @@ void tell(Telling& t, const SpanBegin& e) {
                      : fmt::format("Between {} and {} lie {} pixels of scan line {}: x = {} to {}.", left, right, count,
                                    e.y, e.first, e.last));
   const auto [z_l, z_r] = tell_apart(e.z_left, e.z_right);
+  for (const std::string& symbol : {std::string("x_L"), std::string("x_R"), t.along + "_L", t.along + "_R"})
+    t.owns(symbol, polygon_at_work(t.machine));
   t.formula(fmt::format("x_L = {}, x_R = {}; {}_L = {}, {}_R = {}", number(e.x_left), number(e.x_right), t.along, z_l,
                         t.along, z_r));
   t.derive(e);

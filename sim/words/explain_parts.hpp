@@ -9,6 +9,7 @@
 #include "sim/words/derived.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "sim/words/owners.hpp"
 #include "sim/words/shown.hpp"
 #include "traces/formulas/coverage.hpp"
 #include "traces/formulas/lines.hpp"
@@ -28,6 +29,7 @@ struct Telling {
   const MethodState& machine;
   std::string z;      ///< what depths are called
   std::string along;  ///< what is interpolated to get them
+  std::int32_t about = no_polygon;  ///< the polygon that the event's own numbers belong to
   Explanation out;
   std::vector<DerivedField> derived;  ///< once `derive` was called
 
@@ -48,6 +50,8 @@ struct Telling {
     say(std::move(sentence));
   }
   void formula(std::string line) { out.formulas.push_back(std::move(line)); }
+  /// A symbol of the formulas stands for a number of this polygon.
+  void owns(std::string symbol, std::int32_t polygon) { add_owned(out.owned, {std::move(symbol), polygon}); }
   void value(std::string name, double v) { out.values.emplace_back(std::move(name), v); }
   std::string label(std::int32_t polygon) const { return polygon_label(scene, polygon); }
   std::string here() const { return label(polygon_at_work(machine)); }
@@ -75,6 +79,8 @@ struct Telling {
   }
   /// The same of what may be off by more than its formula's rounding.
   void gives(const std::string& name, const Shown& formula, double recorded, const formulas::Rounded& computed) {
+    for (const Owned& one : formula.owned()) owns(one.symbol, one.polygon);
+    owns(name, about);
     const bool so = hold_against(name, recorded, computed);
     this->formula(so ? fmt::format("{} = {} = {}", name, formula.equation(), number(recorded))
                      : contradicted(name, formula, recorded));
@@ -123,6 +129,7 @@ struct Telling {
     const DerivedField* found = derived_of(field);
     if (!found || !found->within) return true;
     const Shown& formula = found->formula;
+    for (const Owned& one : formula.owned()) owns(one.symbol, one.polygon);
     const std::int32_t within_raster = *found->within;
     const bool limited = formula.value() != within_raster;
     const std::string ought = limited ? fmt::format("{}, within the raster {}", number(formula.value()), within_raster)

@@ -39,6 +39,7 @@ void tell(Telling& t, const PieceMake& e) {
 void tell(Telling& t, const PlaneEquation& e) {
   t.say(fmt::format("The plane of {}: what lies on one side of it has A x + B y + C z + D > 0, on the other < 0.",
                     t.piece(e.piece)));
+  for (const char* symbol : {"A", "B", "C", "D"}) t.owns(symbol, t.about);
   t.formula(fmt::format("A = {}, B = {}, C = {}, D = {}", factor(e.plane_a), factor(e.plane_b), factor(e.plane_c),
                         number(e.plane_d)));
   t.value("A", e.plane_a);

@@ -204,6 +204,8 @@ void tell(Telling& t, const DepthCompare& e) {
   const std::string buffer = buffer_of(t) + "[" + pixel_of(t, "x", "y") + "]";
   t.formula(
       fmt::format("{} {} {}:  {} {} {}  is {}", t.z, sign, buffer, z, sign, before, numbers_say ? "true" : "false"));
+  t.owns(t.z, polygon_at_work(t.machine));
+  if (f) t.owns(buffer, f->stored_polygon);
   t.value(t.z, e.z);
   if (const auto interpolated = interpolated_at(t, e.x, e.y))
     t.taken_over("compares", e.z, "interpolated", *interpolated);
@@ -220,6 +222,8 @@ void tell(Telling& t, const DepthWrite& e) {
   } else {
     t.say(fmt::format("The {} takes {}.", where, number(e.z)));
   }
+  t.owns(fmt::format("{}[{}]", buffer_of(t), pixel_of(t, std::to_string(e.x), std::to_string(e.y))),
+         polygon_at_work(t.machine));
   t.formula(
       fmt::format("{}[{}] = {}", buffer_of(t), pixel_of(t, std::to_string(e.x), std::to_string(e.y)), number(e.z)));
   t.value(t.z, e.z);

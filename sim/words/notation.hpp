@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "traces/scene.hpp"
+
 namespace zstep::words {
 
 struct Notation {
@@ -21,8 +23,16 @@ struct Notation {
   std::string text{};             ///< of text, numbers and symbols
   std::string below{};            ///< what stands below a symbol; mostly empty
   std::vector<Notation> parts{};  ///< of a row; of a fraction these two: above and below the line
+  std::int32_t polygon = no_polygon;  ///< whose number it is, once mark_owned() has said so
 
   bool operator==(const Notation&) const = default;
+};
+
+/// "z_L" is a number of this polygon.
+struct Owned {
+  std::string symbol;
+  std::int32_t polygon = no_polygon;
+  bool operator==(const Owned&) const = default;
 };
 
 /// The sides between " = ": "z = z_L + k", then "0.5 + 0.25", then "0.75" of a line with two signs. What is no formula

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/words/numbers.hpp"
+#include "sim/words/owners.hpp"
 
 namespace zstep::words {
 namespace {
@@ -28,6 +29,12 @@ Shown::Shown(std::string symbol, double value, std::string text)
     : rounded_(value), symbols_(std::move(symbol)), numbers_(std::move(text)) {}
 Shown::Shown(double plain) : Shown(number(plain), plain) {}
 
+Shown Shown::of(std::int32_t polygon) const {
+  Shown all = *this;
+  all.owned_ = {{symbols_, polygon}};
+  return all;
+}
+
 std::string Shown::equation() const {
   return symbols_ == numbers_ || symbols_.empty() ? numbers_ : symbols_ + " = " + numbers_;
 }
@@ -45,6 +52,8 @@ Shown Shown::joined(const Shown& a, const Shown& b, Binding how, const char* sig
   const bool by_quotient = divides && b.leaf_ && b.symbols_.find('/') != std::string::npos;
   Shown all(join(a.symbols_, b.symbols_, right || by_quotient), result.value, join(a.numbers_, b.numbers_, right));
   all.rounded_ = result, all.binding_ = how, all.leaf_ = false;
+  all.owned_ = a.owned_;
+  for (const Owned& one : b.owned_) add_owned(all.owned_, one);
   return all;
 }
 
@@ -63,12 +72,14 @@ Shown operator-(const Shown& a) {
   };
   Shown all(negated(a.symbols_), -a.value(), negated(a.numbers_));
   all.rounded_ = -a.rounded_, all.binding_ = Shown::Binding::product, all.leaf_ = false;
+  all.owned_ = a.owned_;
   return all;
 }
 
 Shown Shown::bracketed(const Shown& a, const char* open, const char* close, formulas::Rounded result) {
   Shown all(open + a.symbols_ + close, result.value, open + a.numbers_ + close);
   all.rounded_ = result, all.leaf_ = false;
+  all.owned_ = a.owned_;
   return all;
 }
 

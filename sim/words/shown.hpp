@@ -4,7 +4,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "sim/words/notation.hpp"
 #include "traces/formulas/rounding.hpp"
 
 namespace zstep::words {
@@ -16,6 +18,8 @@ class Shown {
   Shown(std::string symbol, double value, std::string text);
   /// A number that has no name: 1, 255.
   explicit Shown(double plain);
+  /// The same as a number of this polygon.
+  Shown of(std::int32_t polygon) const;
 
   double value() const { return rounded_.value; }
   const formulas::Rounded& rounded() const { return rounded_; }
@@ -23,6 +27,8 @@ class Shown {
   const std::string& numbers() const {
     return numbers_;
   }  ///< the same with numbers, where they differ with the digits that tell them apart
+  /// Whose the numbers in it are.
+  const std::vector<Owned>& owned() const { return owned_; }
   /// A number as it stands, and nothing computed.
   bool is_operand() const { return leaf_; }
   /// 0, without a name.
@@ -54,6 +60,7 @@ class Shown {
 
   formulas::Rounded rounded_;
   std::string symbols_, numbers_;
+  std::vector<Owned> owned_;
   Binding binding_ = Binding::single;
   bool leaf_ = true;
 };

@@ -2,10 +2,13 @@
 //
 //     zstep_bench_viewer        prints medians; exits with 1 when a 64x64 frame takes more than 16 ms, or 33 ms at
 //                               3840x2160
+//     zstep_bench_viewer drags  what a hand turns, and steps of other methods, at 1600x900 and 3840x2160
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -34,15 +37,16 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-std::vector<std::uint8_t> record(const std::string& name, std::int32_t w, std::int32_t h) {
+std::vector<std::uint8_t> record(const std::string& name, std::int32_t w, std::int32_t h,
+                                 const char* by = "z-buffer") {
   SceneFile file = load_scene(name);
   ViewOptions view;
   view.width = w;
   view.height = h;
   const Scene scene = look_at_scene(file.scene, view);
-  const Method& z_buffer = method("z-buffer");
-  TraceRecorder recorder(header_for(z_buffer, file.conventions), scene);
-  z_buffer.record(scene, file.conventions, recorder);
+  const Method& used = method(by);
+  TraceRecorder recorder(header_for(used, file.conventions), scene);
+  used.record(scene, file.conventions, recorder);
   recorder.finish();
   return recorder.take_bytes();
 }
@@ -121,9 +125,57 @@ void bench_changes(const std::string& scene, int changes) {
   report(fmt::format("{} 64x64 at 1600x900: a change to its picture, median", scene), median(times));
 }
 
+/// One frame after each part of a drag that turns what is seen.
+double median_drag(App& app, Look Ui::*look, int frames) {
+  std::vector<double> times;
+  for (int k = 0; k < frames; ++k) {
+    (app.ui().*look).turn += 2;
+    (app.ui().*look).tilt = 5 * std::sin(0.1 * k);
+    app.session().touch();
+    const double begin = milliseconds();
+    app.frame();
+    times.push_back(milliseconds() - begin);
+  }
+  return median(times);
+}
+
+/// What a hand turns, as large as it gets without a lesson: the scene from outside and the relief of the depths.
+void bench_drags(const std::string& scene, int w, int h) {
+  const Trace trace = Trace::from_bytes(record(scene, 64, 64), scene);
+  App app(trace, nullptr, {}, w, h);
+  app.session().go_to(trace.size());
+  const std::string name = fmt::format("{} 64x64 at {}x{}: ", scene, w, h);
+  app.set_lead("scene");
+  app.ui().from_outside = true;
+  app.settle();
+  report(name + "the scene turned, median frame", median_drag(app, &Ui::look, 60));
+  app.set_lead("depth");
+  app.ui().relief = true;
+  app.settle();
+  report(name + "the relief turned, median frame", median_drag(app, &Ui::relief_look, 60));
+}
+
+/// Frames of methods' own workspaces.
+void bench_steps(const char* by, const std::string& scene, int w, int h) {
+  const Trace trace = Trace::from_bytes(record(scene, 64, 64, by), scene);
+  App app(trace, nullptr, {}, w, h);
+  app.session().go_to(trace.size() / 3);
+  app.settle();
+  report(fmt::format("{} of {} at {}x{}: next step, median frame", by, scene, w, h),
+         median_frame(app, Unit::event, 60));
+}
+
 }  // namespace
 
-int main() {
+int main(int count, char** arguments) {
+  if (count > 1 && std::string(arguments[1]) == "drags") {
+    for (const auto& [w, h] : {std::pair{1600, 900}, {3840, 2160}}) {
+      bench_drags("pyramid-behind", w, h);
+      bench_drags("teapot", w, h);
+      for (const char* by : {"z-buffer", "bsp", "warnock", "ray-casting"}) bench_steps(by, "pyramid-behind", w, h);
+    }
+    return EXIT_SUCCESS;
+  }
   bench_changes("pyramid-behind", 60);
   bench_changes("pyramid", 60);
   const Trace trace = Trace::from_bytes(record("pyramid-behind", 64, 64), "pyramid-behind");

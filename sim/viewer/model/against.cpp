@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/model/before_change.hpp"
 #include "sim/words/derived.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/diff/buffers.hpp"
@@ -26,9 +27,7 @@ void Against::follow() {
   b_.selected = a_.selected;
   if (followed_ == at) return;
   followed_ = at;
-  const diff::Alignment& both = report_.alignment;
-  const std::int64_t partner = at == 0 ? 0 : at == a_.size() ? b_.size() : both.in_b(at);
-  b_.go_to(partner != 0 || at == 0 ? partner : both.before_in_b(at));
+  b_.go_to(moment_in_b(report_.alignment, at, a_.size(), b_.size()));
 }
 
 void Against::go_to(const Place& place) {
@@ -92,7 +91,7 @@ std::optional<Against::Alike> Against::next_alike(int direction) {
     const diff::Difference& other = all[one.number];
     if (other.kind != like.kind || (like.fields == 0 ? other.fields != 0 : (other.fields & like.fields) == 0)) continue;
     ++found.all;
-    const bool before = one.place < here(), after = one.place > here();
+    const bool before = one.place<here(), after = one.place> here();
     const bool take = direction > 0 ? after && !beyond_here : before;
     if (take || (found.number == 0 && one.place == here())) found.place = one.place, found.number = found.all;
     beyond_here = beyond_here || after;

@@ -215,6 +215,40 @@ int Session::stop_at(std::int64_t position) const {
   return found;
 }
 
+std::optional<std::int32_t> Session::entry_of(const ScenePart& part) const {
+  if (part.edge)
+    for (const EdgeTableInsert& entry : state().machine.edge_table)
+      if (EdgeEnds(std::minmax(entry.vertex_0, entry.vertex_1)) == *part.edge) return entry.edge;
+  return std::nullopt;
+}
+
+std::optional<std::int32_t> Session::lit_edge() const {
+  if (hovered_edge) return hovered_edge;
+  if (const auto entry = entry_of(hovered_part)) return entry;
+  return selected_edge ? selected_edge : entry_of(picked_part);
+}
+
+ScenePart Session::lit_part() const {
+  const auto in_scene = [&](const std::optional<std::int32_t>& edge) {
+    const auto& table = state().machine.edge_table;
+    const auto at = static_cast<std::size_t>(edge.value_or(-1));
+    if (!edge || at >= table.size()) return ScenePart{};
+    const EdgeEnds ends = std::minmax(table[at].vertex_0, table[at].vertex_1);
+    const auto points = static_cast<std::int32_t>(scene().points.size());
+    return ends.first >= 0 && ends.second < points ? ScenePart{{}, ends} : ScenePart{};
+  };
+  if (hovered_part.any()) return hovered_part;
+  if (hovered_edge) return in_scene(hovered_edge);
+  return picked_part.any() ? picked_part : in_scene(selected_edge);
+}
+
+void Session::pick(const ScenePart& part) {
+  picked_part = part;
+  selected_edge.reset();
+  message = part.any() ? told_of(scene(), part) : "";
+  touch();
+}
+
 void Session::to_stop(int index) {
   if (!lesson_ || lesson_->stops.empty()) return;
   index = std::clamp(index, 0, static_cast<int>(lesson_->stops.size()) - 1);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/classroom/lesson.hpp"
+#include "sim/viewer/model/scene_parts.hpp"
 #include "traces/replay/replay.hpp"
 
 namespace zstep::viewer {
@@ -93,8 +94,13 @@ class Session {
 
   // --- Selected and pointed at, the same in every pane
   std::optional<Cell> selected;
-  std::optional<std::int32_t> selected_edge, hovered_edge, selected_vertex;
-  std::optional<std::int32_t> lit_edge() const { return hovered_edge ? hovered_edge : selected_edge; }
+  std::optional<std::int32_t> selected_edge, hovered_edge;  ///< of the edge table
+  ScenePart picked_part, hovered_part;                      ///< of the scene
+  /// Or takes it away, if there is none.
+  void pick(const ScenePart& part);
+  /// The edge of the edge table, and the vertex or edge of the scene, that every pane shows as selected or pointed at.
+  std::optional<std::int32_t> lit_edge() const;
+  ScenePart lit_part() const;
   void select(std::optional<Cell> cell);
 
   // --- Playing
@@ -119,6 +125,7 @@ class Session {
   void touch() { ++revision_; }
 
  private:
+  std::optional<std::int32_t> entry_of(const ScenePart& part) const;
   void arrived();
   int stop_at(std::int64_t position) const;
   bool asks_here() const;

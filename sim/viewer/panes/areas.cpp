@@ -7,6 +7,7 @@
 
 #include "sim/viewer/panes/raster_canvas.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -90,8 +91,62 @@ void draw_signs(Ui& ui, const RasterMap& map, ImVec2 origin) {
   }
 }
 
+std::string about_area(const AreaBegin& area) {
+  return fmt::format("{},{} to {},{}", area.first_column, area.first_row, area.end_column, area.end_row);
+}
+
+/// What the picture shows of each area: by which case it was settled, and with which polygon.
+std::vector<TableRow> area_rows(Ui& ui) {
+  const Session& s = ui.session;
+  const MethodState& m = s.state().machine;
+  std::vector<TableRow> rows;
+  for (const AreaRow& area : m.areas) {
+    TableRow row;
+    row.about = about_area(area.entry);
+    const bool known =
+        area.decided && area.decided->piece >= 0 && static_cast<std::size_t>(area.decided->piece) < m.pieces.size();
+    row.cells.push_back(TableCell::result_of(
+        !area.decided ? ""
+                      : fmt::format("case {}{}", sign_of(area.decided->what),
+                                    known ? ", " + piece_label(s.scene(), m, area.decided->piece) : "")));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string names_in(const Session& s, Bin bin) {
+  const MethodState& m = s.state().machine;
+  std::string names;
+  for (const AreaBin& row : m.bins)
+    if (row.bin == bin) names += (names.empty() ? "" : ", ") + piece_label(s.scene(), m, row.piece);
+  return names;
+}
+
+std::vector<TableRow> bin_rows(Ui& ui) {
+  std::vector<TableRow> rows;
+  for (const Bin bin : {Bin::disjoint, Bin::intersecting, Bin::surrounding, Bin::contained}) {
+    TableRow row;
+    row.about = words_of<Bin>[static_cast<std::size_t>(bin)];
+    row.cells.push_back(TableCell::result_of(names_in(ui.session, bin)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+void mark_areas(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const ChangedParts changed = changed_parts(ui, area_rows);
+  if (changed.empty()) return;
+  for (const AreaRow& row : ui.session.state().machine.areas) {
+    if (!has_pixels(row.entry)) continue;
+    const Box b = box_of(map, row.entry);
+    mark_part(ui, changed, about_area(row.entry),
+              {origin.x + static_cast<float>(b.left), origin.y + static_cast<float>(b.top)},
+              {origin.x + static_cast<float>(b.right), origin.y + static_cast<float>(b.bottom)});
+  }
+}
+
 /// One bin: its name, then its polygons with a swatch each, as many as there is room for.
-void draw_bin(Ui& ui, Bin bin) {
+void draw_bin(Ui& ui, Bin bin, const ChangedParts& changed) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
   const Theme& c = ui.colors();
@@ -104,6 +159,7 @@ void draw_bin(Ui& ui, Bin bin) {
     list->AddRectFilled(at, {right, at.y + height}, c.now_soft);
     list->AddRectFilled(at, {at.x + 3, at.y + height}, c.now);
   }
+  mark_part(ui, changed, std::string(words_of<Bin>[static_cast<std::size_t>(bin)]), at, {right, at.y + height - 1});
   const float y = at.y + std::round((height - ui.em) / 2) - 1;
   const float side = std::round(ui.em * 0.55f);
   draw_text(ui, {at.x + ui.em * 0.4f, y}, ui.fonts.text, c.muted,
@@ -141,7 +197,8 @@ void draw_bins(Ui& ui) {
   if (m.area < 0 || m.areas.empty())
     return say_empty(ui, "The bins of an area fill once all polygons are on the raster.");
   flow(ui, fmt::format("Area {}", m.area), {.font = ui.fonts.bold});
-  for (const Bin bin : {Bin::disjoint, Bin::intersecting, Bin::surrounding, Bin::contained}) draw_bin(ui, bin);
+  const ChangedParts changed = changed_parts(ui, bin_rows);
+  for (const Bin bin : {Bin::disjoint, Bin::intersecting, Bin::surrounding, Bin::contained}) draw_bin(ui, bin, changed);
   const std::size_t known = m.pieces.size() - std::min(m.pieces.size(), m.bins.size());
   const Flow quiet{.color = ui.colors().muted};
   const bool settled = m.areas[static_cast<std::size_t>(m.area)].decided.has_value();
@@ -164,6 +221,7 @@ void draw_areas(Ui& ui) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width - 4), at.y + static_cast<float>(height - 4)});
   draw_signs(ui, map, at);
+  mark_areas(ui, map, at);
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
   begin_part(ui, "bins");

@@ -8,6 +8,7 @@
 
 #include "sim/viewer/panes/pair_tests.hpp"
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/piece_labels.hpp"
@@ -49,12 +50,35 @@ Axis3 axis_of(const MethodState& machine) {
   return axis;
 }
 
+/// What the list shows of each piece: its place in the order of painting and how far away it is.
+std::vector<TableRow> list_rows(Ui& ui) {
+  const Session& s = ui.session;
+  const MethodState& machine = s.state().machine;
+  const std::vector<std::string> labels = piece_labels(s.scene(), machine);
+  std::vector<TableRow> rows;
+  const auto row_of = [&](std::int32_t number, std::string place) {
+    const auto at = static_cast<std::size_t>(number);
+    if (number < 0 || at >= labels.size()) return;
+    TableRow row;
+    row.about = labels[at];
+    row.cells.push_back(TableCell::result_of(std::move(place)));
+    const auto& extent = machine.pieces[at].extent;
+    row.cells.push_back(extent ? TableCell(extent->z_max) : TableCell());
+    row.cells.push_back(extent ? TableCell(extent->z_min) : TableCell());
+    rows.push_back(std::move(row));
+  };
+  std::size_t place = machine.drawn.size();
+  for (const ListEntry& entry : machine.list) row_of(entry.piece, fmt::format("place {}", ++place));
+  return rows;
+}
+
 /// Where things stand in the rows of the list, from a row's left end.
 struct Rows {
   Axis3 axis;
   std::int32_t p = -1, q = -1, touched = -1;  ///< pieces
   float height = 0, room = 0, tag = 0, name = 0, bars_left = 0, bars = 0;
   std::vector<std::string> labels;  ///< by piece
+  ChangedParts changed;
   std::string label(std::int32_t piece) const {
     const auto at = static_cast<std::size_t>(piece);
     return piece >= 0 && at < labels.size() ? labels[at] : fmt::format("piece {}", piece);
@@ -78,6 +102,7 @@ Rows lay_out_rows(Ui& ui) {
   rows.room = ImGui::GetContentRegionAvail().x - ui.em;  // a scroll bar may come and go
   rows.tag = text_size(ui, ui.fonts.bold, "Q").x + ui.em * 0.5f;
   rows.labels = piece_labels(s.scene(), machine);
+  rows.changed = changed_parts(ui, list_rows);
   rows.name = text_size(ui, ui.fonts.mono, "C").x;
   for (const ListEntry& entry : machine.list)
     rows.name = std::max(rows.name, text_size(ui, ui.fonts.mono, rows.label(entry.piece)).x);
@@ -128,6 +153,8 @@ void draw_row(Ui& ui, const Rows& rows, const ListEntry& entry) {
   if (is_p || is_q) draw_text(ui, {x, at.y + 1}, ui.fonts.bold, c.text, is_p ? "P" : "Q");
   x += rows.tag;
   draw_chip(ui, {x, at.y}, rows.height, chip_of(s, polygon_of(machine, entry.piece)));
+  mark_part(ui, rows.changed, rows.label(entry.piece), {x - ui.em * 0.3f, at.y},
+            {at.x + rows.bars_left, at.y + rows.height - 1});
   x += ui.em * 0.75f;
   draw_text(ui, {x, at.y + 1}, ui.fonts.mono, c.text, rows.label(entry.piece));
   x += rows.name + ui.em * 0.4f;

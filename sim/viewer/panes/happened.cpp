@@ -1,5 +1,6 @@
 // What the step did: a sentence, and the formula with its numbers.
 #include "sim/viewer/panes/exact_line.hpp"
+#include "sim/viewer/panes/owner_key.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
@@ -20,7 +21,7 @@ void tell(Ui& ui, const std::string& sentence) {
 
 /// A click on a formula asks about the number that it gives, or else about the step's main one; on one of its numbers,
 /// about that.
-void tell_formula(Ui& ui, const std::string& formula) {
+void tell_formula(Ui& ui, const std::string& formula, const std::vector<words::Owned>& owned) {
   Flow how;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float right = top.x + ImGui::GetContentRegionAvail().x;
@@ -32,7 +33,7 @@ void tell_formula(Ui& ui, const std::string& formula) {
   };
   bool on_number = false;
   how.on_number = [&](const std::string& number, ImVec2 a, ImVec2 b) { on_number = ask(a, b, number) || on_number; };
-  set_formula(ui, formula, how);
+  set_formula(ui, formula, how, owned);
   if (!on_number) ask(top, {right, ImGui::GetCursorScreenPos().y}, "");
 }
 
@@ -68,8 +69,9 @@ void draw_happened(Ui& ui) {
   tell(ui, told.sentence);
   ImGui::Dummy({1, ui.em * 0.25f});
   const ImVec2 top = ImGui::GetCursorScreenPos();
-  for (const std::string& formula : told.formulas) tell_formula(ui, formula);
+  for (const std::string& formula : told.formulas) tell_formula(ui, formula, told.owned);
   const ImVec2 bottom{top.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
+  key_to_owners(ui, told.owned);
   if (told.doubt && found.lines.empty()) {
     const Flow doubt{.color = c.bad, .font = ui.fonts.bold};
     flow(ui, *told.doubt, doubt);

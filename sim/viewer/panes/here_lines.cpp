@@ -1,5 +1,8 @@
 #include "sim/viewer/panes/here_lines.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "sim/words/explain.hpp"
@@ -21,6 +24,33 @@ std::vector<HereLine> lines_of_polygon(const Session& s, std::int32_t polygon) {
   const std::int32_t line = s.scene().polygons[static_cast<std::size_t>(polygon)].source_line;
   const std::string place = fmt::format("{}:{}", s.scene().source, line);
   if (line > 0) lines.push_back({.text = "Copy where the file has its polygon: " + place, .copies = place});
+  return lines;
+}
+
+std::vector<HereLine> lines_of_part(const Session& s, const ScenePart& part) {
+  const std::string name = name_of(s.scene(), part);
+  const auto go = [part, name](int direction) {
+    return [part, name, direction](Session& session) {
+      const auto about = [&](const RecordedEvent& event) { return is_about(event.event, part); };
+      session.pick(part);
+      const auto step = direction > 0 ? session.trace().next(session.position(), about)
+                                      : session.trace().previous(session.position(), about);
+      if (step) session.go_to(*step);
+      else session.message = fmt::format("No {} step is about {}.", direction > 0 ? "later" : "earlier", name);
+    };
+  };
+  std::vector<HereLine> lines{
+      {fmt::format("On to the next step about {}", name), "", go(1)},
+      {fmt::format("Back to the last step about {}", name), "", go(-1)},
+      {part.vertex ? "Move it: by its handle, or type where to" : "Move its vertices: by their handles", "what-if",
+       [part](Session& session) { session.pick(part); }},
+  };
+  if (const std::string place = place_in_file(s.scene(), part); !place.empty())
+    lines.push_back({.text = "Copy where the file has it: " + place, .copies = place});
+  const std::vector<std::int32_t> polygons = polygons_with(s.scene(), part);
+  constexpr std::size_t few = 3;
+  for (std::size_t k = 0; k < std::min(few, polygons.size()); ++k)
+    for (HereLine& line : lines_of_polygon(s, polygons[k])) lines.push_back(std::move(line));
   return lines;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -115,6 +116,31 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
   }
 }
 
+/// What the picture shows of each column: where the horizons are.
+std::vector<TableRow> column_rows(Ui& ui) {
+  const HorizonWork& work = ui.session.state().machine.horizon;
+  std::vector<TableRow> rows;
+  for (std::size_t x = 0; x < work.upper.size() && x < work.lower.size(); ++x) {
+    TableRow row;
+    row.about = fmt::format("{}", x);
+    for (const double y : {work.upper[x], work.lower[x]})
+      row.cells.push_back(std::isfinite(y) ? TableCell(y) : TableCell());
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Below each column where a horizon is another one than before the change.
+void mark_columns(Ui& ui, ImVec2 origin, const RasterMap& map) {
+  const ChangedParts changed = changed_parts(ui, column_rows);
+  if (changed.empty()) return;
+  const float top = origin.y + static_cast<float>(map.row_begin(0)),
+              bottom = origin.y + static_cast<float>(map.row_end(map.height - 1));
+  for (int x = 0; x < map.width; ++x)
+    mark_part(ui, changed, fmt::format("{}", x), {origin.x + static_cast<float>(map.column_begin(x)), top},
+              {origin.x + static_cast<float>(map.column_begin(x + 1)), bottom});
+}
+
 void draw_horizons(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
@@ -129,6 +155,7 @@ void draw_horizons(Ui& ui) {
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
   mark_column(ui, at, map);
+  mark_columns(ui, at, map);
   const std::string whole = one_horizon(s.header()) ? "solid: the horizon    shaded: hidden, by this rule"
                                                     : "solid: upper   dashed: lower   shaded: hidden";
   for (const std::string& text : {whole, std::string("shaded: hidden")})

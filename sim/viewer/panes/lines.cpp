@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/since_change.hpp"
 #include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -161,6 +162,44 @@ void draw_table(Ui& ui) {
                           : std::string("No face was held against it yet."));
 }
 
+std::string about_line(const LineBegin& line) {
+  const auto [first, last] = std::minmax(line.vertex_0, line.vertex_1);
+  return fmt::format("{}-{}", first, last);
+}
+
+/// What the picture shows of each edge: what is visible of it.
+std::vector<TableRow> edge_rows(Ui& ui) {
+  std::vector<TableRow> rows;
+  for (const LineRow& line : ui.session.state().machine.lines) {
+    std::string visible;
+    for (const LinePiece& piece : line.pieces)
+      if (piece.visible)
+        visible += fmt::format("{}t = {} to {}", visible.empty() ? "" : ", ", number(piece.t_0), number(piece.t_1));
+    TableRow row;
+    row.cells.push_back(TableCell::result_of(line.pieces.empty() ? ""
+                                             : visible.empty()   ? "hidden"
+                                                                 : "visible " + visible));
+    row.about = about_line(line.entry);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// In the middle of each edge of which something else is visible than before the change.
+void mark_lines(Ui& ui, ImVec2 origin, const RasterMap& map) {
+  const ChangedParts changed = changed_parts(ui, edge_rows);
+  if (changed.empty()) return;
+  const float half = std::round(ui.em * 0.3f);
+  for (const LineRow& line : ui.session.state().machine.lines) {
+    const auto ends = ends_of(ui.moment(), map, line.entry);
+    if (!ends) continue;
+    const ImVec2 middle{std::round(origin.x + static_cast<float>((ends->x0 + ends->x1) / 2)),
+                        std::round(origin.y + static_cast<float>((ends->y0 + ends->y1) / 2))};
+    mark_part(ui, changed, about_line(line.entry), {middle.x - half, middle.y - half},
+              {middle.x + half, middle.y + half});
+  }
+}
+
 void draw_lines(Ui& ui) {
   const Session& s = ui.session;
   const ImVec2 avail = ImGui::GetContentRegionAvail();
@@ -179,6 +218,7 @@ void draw_lines(Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), at,
                                        {at.x + static_cast<float>(width), at.y + static_cast<float>(height)});
+  mark_lines(ui, at, map);
   if (beside) ImGui::SetCursorScreenPos({at.x + static_cast<float>(width) + ui.em * 0.3f, at.y});
   else ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(height)});
   begin_part(ui, "intervals");

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "sim/viewer/panes/exact_line.hpp"
+#include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/numbers.hpp"
 
 namespace zstep::viewer {
@@ -170,6 +171,10 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
         const float side = std::round(ui.em * 0.32f);
         const ImVec2 corner{left + text_size(ui, font, columns[k].shown[r]).x + side, at.y + 1};
         list->AddTriangleFilled({corner.x - side, corner.y}, corner, {corner.x, corner.y + side}, c.changed);
+      }
+      if (k < row.cells.size() && row.cells[k].was) {
+        draw_change_mark(ui, {left - std::round(ui.em * 0.4f), end.y - 1}, ui.em);
+        exact_values.push_back((headings[k].empty() ? "" : headings[k] + " ") + was_text(*row.cells[k].was));
       }
       if (k < row.cells.size() && row.cells[k].value && row.cells[k].question)
         if (number_at(ui, {left - 2, at.y}, {left + text_size(ui, font, columns[k].shown[r]).x + 2, end.y},

@@ -16,6 +16,7 @@ struct TableCell {
   std::optional<answers::Question> question;  ///< of a number: what a click asks
   std::string brief;            ///< instead of the text where room is scarce; a sign
   bool changed = false;         ///< by this step
+  std::optional<std::string> was;  ///< in the run before the last change, where that has it otherwise; empty: not there
   bool result = false;          ///< the text is a result as numbers are: the second run's is shown where it is another
   TableCell(std::string t = {}) : text(std::move(t)) {}
   TableCell(double v) : value(v) {}
@@ -50,7 +51,8 @@ struct TableResult {
 TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>& headings,
                          const std::vector<TableRow>& rows);
 
-/// A table's rows and, below each whose numbers the second run has otherwise, by more than rounding, those of it.
+/// A table's rows, marked where the run before the last change has them otherwise, and, below each whose numbers the
+/// second run has otherwise, by more than rounding, those of it.
 std::vector<TableRow> rows_of_both(Ui& ui, std::vector<TableRow> (*rows_of)(Ui&));
 /// What a row of an edge is about: numbers of edges are each run's own.
 std::string about_edge(const EdgeTableInsert& edge);

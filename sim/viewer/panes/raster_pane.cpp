@@ -179,6 +179,33 @@ void draw_pixel_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
 
 }  // namespace
 
+namespace {
+
+/// The scene's vertex or edge that is picked, where the run has brought it to the raster by now.
+void draw_picked(Ui& ui, const RasterMap& map, ImVec2 origin) {
+  const Session& s = ui.session;
+  const Theme& c = ui.colors();
+  const ScenePart part = s.lit_part();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto place = [&](std::int32_t vertex) -> std::optional<ImVec2> {
+    const auto spot = on_raster(s.scene(), s.state(), vertex);
+    if (!spot) return std::nullopt;
+    return ImVec2{origin.x + static_cast<float>(map.px(spot->x)), origin.y + static_cast<float>(map.py(spot->y))};
+  };
+  if (part.edge && !s.lit_edge()) {
+    const auto from = place(part.edge->first), to = place(part.edge->second);
+    if (from && to) list->AddLine(*from, *to, c.selected, 4 * ui.thin);
+  }
+  if (!part.vertex) return;
+  const auto middle = place(*part.vertex);
+  if (!middle) return;
+  const float radius = std::round(ui.em * 0.4f);
+  list->AddCircle(*middle, radius, c.pane, 0, 4 * ui.thin);
+  list->AddCircle(*middle, radius, c.selected, 0, 2 * ui.thin);
+}
+
+}  // namespace
+
 void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
   const Theme& c = ui.colors();
   const Session& s = ui.session;
@@ -220,6 +247,7 @@ void draw_marks(Ui& ui, const RasterMap& map, ImVec2 origin) {
     list->AddRectFilled({origin.x + static_cast<float>(map.column_begin(span->first)), y},
                         {origin.x + static_cast<float>(map.column_begin(span->last + 1)) - 1, y + line}, c.now);
   }
+  draw_picked(ui, map, origin);
   const float small = map.cell < 8 ? 3.0f : 0.0f;
   if (ui.pointed) frame_cell(ui, map, origin, *ui.pointed, small, 1, c.text);
   if (s.selected) {

@@ -65,23 +65,20 @@ void make_relief(Room& room, const Moment& now, const DepthRange& range, const D
 
 void see_relief(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const glm::dvec2& size) {
   const Outside outside(room.made, look, static_cast<int>(size.x), static_cast<int>(size.y));
-  seen.polygons = polygons_seen(outside, room.made.polygons());
+  see_polygons(outside, room.made.polygons(), seen.polygons);
 }
 
 void paint_relief(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
-                  const glm::dvec2& size, const Moment& now, const DepthRange& range, const std::optional<Cell>& cell,
+                  const Moment& now, const DepthRange& range, const std::optional<Cell>& cell,
                   const std::optional<Cell>& selected, const Theme& c, const float& thin) {
   const Room& room = kept_room.made;
   const Picture& seen = kept.made.polygons;
   const Columns columns(now.scene().raster);
   const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
-  picture.canvas.resize(static_cast<int>(size.x), static_cast<int>(size.y));
-  picture.canvas.fill(to_pixel(c.pane));
-  for (int y = 0; y < seen.height; ++y)
-    for (int x = 0; x < seen.width; ++x)
-      if (const std::int32_t polygon = seen.polygon[seen.at(x, y)]; polygon != no_polygon)
-        picture.canvas.row(y)[x] = opaque(room.polygons().polygons[static_cast<std::size_t>(polygon)].color);
+  std::vector<Pixel32> colors;
+  for (const Polygon& polygon : room.polygons().polygons) colors.push_back(opaque(polygon.color));
+  paint_polygons(picture.canvas, seen, colors, to_pixel(c.pane));
   RoomPen pen(picture, seen, room, outside, c, static_cast<double>(thin));
   const double left = columns.x(0), right = columns.x(columns.across), back = columns.y(0),
                front = columns.y(columns.along), top = columns.highest, far = columns.height(range.far, range);
@@ -180,10 +177,9 @@ void draw_relief(Ui& ui, ImVec2 size, const DepthRange& range,
   Look look = ui.relief_look;
   look.tilt += 20, look.zoom *= 0.8;  // from higher up than a scene, for columns hide what is behind them
   const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "relief", see_relief, room, look, whole);
-  const ChartPicture& picture =
-      keep<ChartPicture>(ui.charts, "relief", paint_relief, seen, room, look, whole, ui.moment(), range,
-                         s.current_cell(), s.selected, ui.colors(), ui.thin)
-          ->made;
+  const ChartPicture& picture = keep<ChartPicture>(ui.charts, "relief", paint_relief, seen, room, look, ui.moment(),
+                                                   range, s.current_cell(), s.selected, ui.colors(), ui.thin)
+                                    ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("relief", size);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,

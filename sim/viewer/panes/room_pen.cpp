@@ -6,16 +6,27 @@
 #include "algorithms/fast/z_buffer.hpp"
 
 namespace zstep::viewer {
-namespace {
-
-constexpr double as_near = 1e-3;  ///< what lies in a polygon's plane is not hidden by it
-
-}  // namespace
 
 Picture polygons_seen(const Outside& outside, const Scene& polygons) {
+  Picture seen;
+  see_polygons(outside, polygons, seen);
+  return seen;
+}
+
+void see_polygons(const Outside& outside, const Scene& polygons, Picture& seen) {
   Conventions plain;
   plain.cull = false;
-  return z_buffer::run_fast(outside.seen(polygons), plain);
+  z_buffer::run_fast(outside.seen(polygons), plain, seen);
+}
+
+void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel32>& colors, Pixel32 paper) {
+  if (canvas.width() != seen.width || canvas.height() != seen.height) canvas.resize(seen.width, seen.height);
+  for (int y = 0; y < seen.height; ++y) {
+    Pixel32* const row = canvas.row(y);
+    const std::int32_t* const polygons = seen.polygon.data() + seen.at(0, y);
+    for (int x = 0; x < seen.width; ++x)
+      row[x] = polygons[x] == no_polygon ? paper : colors[static_cast<std::size_t>(polygons[x])];
+  }
 }
 
 void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness, bool dashed) {

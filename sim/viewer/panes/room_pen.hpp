@@ -11,8 +11,14 @@
 
 namespace zstep::viewer {
 
+inline constexpr double as_near = 1e-3;  ///< what lies in a polygon's plane is not hidden by it
+
 /// Which polygon is seen at each pixel, and its depth.
 Picture polygons_seen(const Outside& outside, const Scene& polygons);
+/// The same into a picture whose memory is kept from frame to frame.
+void see_polygons(const Outside& outside, const Scene& polygons, Picture& seen);
+/// Each polygon in its colour, and `paper` where none is seen, on a canvas of the picture's size.
+void paint_polygons(Canvas& canvas, const Picture& seen, const std::vector<Pixel32>& colors, Pixel32 paper);
 
 /// Draws lines and planes into the room: what a polygon hides of them is faint. Thicknesses in thin lines.
 class RoomPen {

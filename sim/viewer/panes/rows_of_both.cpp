@@ -1,11 +1,13 @@
-// What a second run has in a table: below each row the results that it has otherwise.
+// What another run has in a table: below each row the results that a second run has otherwise, and marks on those that
+// the run before the last change has otherwise.
 #include <algorithm>
 #include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "sim/viewer/panes/number_table.hpp"
+#include "sim/viewer/panes/since_change.hpp"
+#include "sim/words/numbers.hpp"
 #include "traces/formulas/rounding.hpp"
 
 namespace zstep::viewer {
@@ -45,26 +47,57 @@ std::optional<TableRow> apart(const TableRow& a, const TableRow& b, double round
   return any ? std::optional(std::move(line)) : std::nullopt;
 }
 
+/// What a row is about, and which of several about the same: the first of them is the first in the other run, too.
+using About = std::pair<std::string, int>;
+std::vector<About> abouts(const std::vector<TableRow>& table) {
+  std::map<std::string, int> so_far;
+  std::vector<About> found;
+  for (const TableRow& row : table) found.emplace_back(row.about, so_far[row.about]++);
+  return found;
+}
+std::map<About, const TableRow*> by_about(const std::vector<TableRow>& table) {
+  const std::vector<About> about = abouts(table);
+  std::map<About, const TableRow*> found;
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (!table[k].about.empty()) found.emplace(about[k], &table[k]);
+  return found;
+}
+
+double rounding_of_both(const Ui& one, const Ui& other) {
+  return std::max(formulas::rounding_of(one.session.header()), formulas::rounding_of(other.session.header()));
+}
+
 }  // namespace
+
+void mark_changed(Ui& ui, std::vector<TableRow>& rows, std::vector<TableRow> (*rows_of)(Ui&)) {
+  if (!ui.before) return;
+  const std::vector<TableRow> before = rows_of(*ui.before);
+  const std::map<About, const TableRow*> were = by_about(before);
+  const std::vector<About> about = abouts(rows);
+  const double rounding = rounding_of_both(ui, *ui.before);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    TableRow& row = rows[k];
+    if (row.about.empty()) continue;
+    const auto was = were.find(about[k]);
+    if (was == were.end()) row.cells[row.name].was = "";
+    for (std::size_t cell = 0; was != were.end() && cell < std::min(row.cells.size(), was->second->cells.size());
+         ++cell) {
+      const TableCell& then = was->second->cells[cell];
+      if (same_result(row.cells[cell], then, rounding)) continue;
+      const std::string text = then.value ? exact(*then.value) : then.text;
+      row.cells[cell].was = text.empty() ? "\u2013" : text;
+    }
+  }
+}
 
 std::vector<TableRow> rows_of_both(Ui& ui, std::vector<TableRow> (*rows_of)(Ui&)) {
   std::vector<TableRow> rows = rows_of(ui);
+  mark_changed(ui, rows, rows_of);
   if (!ui.other) return rows;
-  // Several rows may be about the same: the first of them is the first in the other run, too.
-  using About = std::pair<std::string, int>;
-  const auto abouts = [](const std::vector<TableRow>& table) {
-    std::map<std::string, int> so_far;
-    std::vector<About> found;
-    for (const TableRow& row : table) found.emplace_back(row.about, so_far[row.about]++);
-    return found;
-  };
   const std::vector<TableRow> others = rows_of(*ui.other);
   const std::vector<About> about_mine = abouts(rows), about_others = abouts(others);
-  std::map<About, const TableRow*> in_b;
-  for (std::size_t k = 0; k < others.size(); ++k)
-    if (!others[k].about.empty()) in_b.emplace(about_others[k], &others[k]);
-  const double rounding = std::max(formulas::rounding_of(ui.session.header()),
-                                   formulas::rounding_of(ui.other->session.header()));
+  std::map<About, const TableRow*> in_b = by_about(others);
+  const double rounding = rounding_of_both(ui, *ui.other);
   std::vector<TableRow> all;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     all.push_back(std::move(rows[k]));

@@ -1,7 +1,6 @@
 #include "sim/viewer/panes/scene_in_space.hpp"
 
 #include <cmath>
-#include <set>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -16,20 +15,10 @@
 namespace zstep::viewer {
 namespace {
 
-constexpr std::size_t few_corners = 2000;  ///< up to so many, edges are drawn
-
 void draw_edges(RoomPen& pen, const Scene& polygons) {
-  if (polygons.corners.size() > few_corners) return;
-  std::set<std::pair<std::int32_t, std::int32_t>> drawn;
-  for (const Facet& facet : polygons.facets)
-    for (std::int32_t k = 0; k < facet.corner_count; ++k) {
-      const auto corner = [&](std::int32_t i) {
-        return polygons.corners[static_cast<std::size_t>(facet.first_corner + i % facet.corner_count)];
-      };
-      if (!drawn.insert(std::minmax(corner(k), corner(k + 1))).second) continue;
-      pen.line(polygons.points[static_cast<std::size_t>(corner(k))],
-               polygons.points[static_cast<std::size_t>(corner(k + 1))], pen.colors.text, 0.8);
-    }
+  for (const auto& [from, to] : edges_of(polygons))
+    pen.line(polygons.points[static_cast<std::size_t>(from)], polygons.points[static_cast<std::size_t>(to)],
+             pen.colors.text, 0.8);
 }
 
 /// The eye with its window and its planes; of parallel projection the box that is seen.

@@ -8,6 +8,7 @@
 #include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/scene_in_space.hpp"
+#include "sim/viewer/panes/scene_picking.hpp"
 #include "sim/viewer/panes/taken_places.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
@@ -15,31 +16,28 @@
 namespace zstep::viewer {
 namespace {
 
-void see_polygons(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const glm::dvec2& size) {
+void see_room(OutsideSeen& seen, const Kept<Room>& room, const Look& look, const glm::dvec2& size) {
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);
-  seen.polygons = polygons_seen(Outside(room.made, look, width, height), room.made.polygons());
+  see_polygons(Outside(room.made, look, width, height), room.made.polygons(), seen.polygons);
   find_label_spots(seen.letters, RasterMap({width, height, false}, {}, width, height), seen.polygons);
 }
 
 void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const Kept<Room>& kept_room, const Look& look,
-                   const glm::dvec2& size, const Moment& now, const std::optional<Cell>& cell, const int& viewing,
-                   const Theme& c, const float& thin) {
+                   const Moment& now, const std::optional<Cell>& cell, const int& viewing, const Theme& c,
+                   const float& thin) {
   const Room& room = kept_room.made;
   const Picture& seen = kept.made.polygons;
   const Outside outside(room, look, seen.width, seen.height);
   picture.words.clear();
-  picture.canvas.resize(static_cast<int>(size.x), static_cast<int>(size.y));
-  picture.canvas.fill(to_pixel(c.pane));
   const std::int32_t at_work = now.state().machine.polygon;
-  for (int y = 0; y < seen.height; ++y) {
-    Pixel32* const row = picture.canvas.row(y);
-    const std::int32_t* const polygons = seen.polygon.data() + seen.at(0, y);
-    for (int x = 0; x < seen.width; ++x) {
-      if (polygons[x] == no_polygon) continue;
-      const Pixel32 own = opaque(room.polygons().polygons[static_cast<std::size_t>(polygons[x])].color);
-      row[x] = at_work == no_polygon || at_work == polygons[x] ? own : mixed(row[x], own, 190);
-    }
+  const Pixel32 paper = to_pixel(c.pane);
+  std::vector<Pixel32> colors;
+  for (const Polygon& polygon : room.polygons().polygons) {
+    const Pixel32 own = opaque(polygon.color);
+    const bool pale = at_work != no_polygon && at_work != static_cast<std::int32_t>(colors.size());
+    colors.push_back(pale ? mixed(paper, own, 190) : own);
   }
+  paint_polygons(picture.canvas, seen, colors, paper);
   RoomPen pen(picture, seen, room, outside, c, static_cast<double>(thin));
   draw_in_space(pen, now, cell, viewing);
 }
@@ -181,11 +179,11 @@ void draw_outside(Ui& ui, ImVec2 size) {
   const bool by_lamp = ui.session.state().machine.pass == Pass::light;
   const Kept<Room>& room = *keep<Room>(ui.rooms, "room", +make_room, ui.session.scene(), by_lamp, viewing_step(ui) > 0);
   const glm::dvec2 whole{std::floor(size.x), std::floor(size.y)};
-  const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_polygons, room, ui.look, whole);
-  const ChartPicture& picture = keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, whole,
-                                                   ui.moment(), ui.session.current_cell(), viewing_step(ui), ui.colors(),
-                                                   ui.thin)
-                                    ->made;
+  const Kept<OutsideSeen>& seen = *keep<OutsideSeen>(ui.seen_from_outside, "seen", see_room, room, ui.look, whole);
+  const ChartPicture& picture =
+      keep<ChartPicture>(ui.charts, "outside", paint_outside, seen, room, ui.look, ui.moment(),
+                         ui.session.current_cell(), viewing_step(ui), ui.colors(), ui.thin)
+          ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,
@@ -194,7 +192,7 @@ void draw_outside(Ui& ui, ImVec2 size) {
   if (pull_vertices(ui, room.made, size, at)) return;
   walk_round(ui, ui.look, size,
              "Drag: walk round. Shift+drag: move. Wheel: nearer. Double click: back. Shift+V: through the eye.");
-  tell_what_is_pointed_at(ui, seen.made.polygons, at);
+  if (!pick_parts(ui, room.made, seen.made.polygons, size, at)) tell_what_is_pointed_at(ui, seen.made.polygons, at);
 }
 
 }  // namespace zstep::viewer

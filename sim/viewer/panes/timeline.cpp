@@ -119,9 +119,16 @@ void draw_whole(Ui& ui, const Strip& strip, const Sections& sections) {
     list->AddRectFilled({x0, strip.at.y}, {x0 + ui.thin, end.y}, c.rule);
     words.write_between(x0, end.x, c.text, units);
   }
+  const ScenePart lit = s.lit_part();
+  const std::vector<std::int32_t> have = lit.any() ? polygons_with(s.scene(), lit) : std::vector<std::int32_t>{};
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const float x0 = std::floor(strip.x(marks[i].position)),
                 x1 = std::floor(strip.x(i + 1 < marks.size() ? marks[i + 1].position : gathered));
+    if (std::find(have.begin(), have.end(), marks[i].polygon) != have.end()) {
+      // Of a polygon that has what is picked, as of its scan lines in the lower strip.
+      list->AddRectFilled({x0, strip.at.y}, {std::max(x0 + 1, x1), end.y}, c.selected_soft);
+      list->AddRectFilled({x0, strip.at.y}, {std::max(x0 + 1, x1), strip.at.y + std::round(3 * ui.thin)}, c.selected);
+    }
     if (x1 <= drawn_to) continue;  // many polygons in one pixel: the first stands for them
     drawn_to = x1;
     list->AddRectFilled({x0, end.y - 5}, {std::max(x0 + 1, x1), end.y}, color_of(s, marks[i].polygon));

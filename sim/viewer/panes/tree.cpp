@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/panes/pane.hpp"
+#include "sim/viewer/panes/since_change.hpp"
 #include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
@@ -79,6 +80,30 @@ void draw_eye(ImDrawList* list, ImVec2 low, ImVec2 high, bool front, ImU32 color
   }
 }
 
+std::string about_node(const Session& s, const TreeNode& node) { return name_of(s, node); }
+
+/// What the tree shows of each node: where it hangs, and where the eye is.
+std::vector<TableRow> node_rows(Ui& ui) {
+  const Session& s = ui.session;
+  const MethodState& m = s.state().machine;
+  std::vector<TableRow> rows;
+  for (std::size_t node = 0; node < m.tree.size(); ++node) {
+    const TreeNode& one = m.tree[node];
+    TableRow row;
+    row.cells.emplace_back(name_of(s, one));
+    row.cells.push_back(TableCell::result_of(
+        one.parent < 0
+            ? "root"
+            : fmt::format("on the {} side of {}",
+                          m.tree[at(one.parent)].front_child == static_cast<std::int32_t>(node) ? "front" : "back",
+                          name_of(s, m.tree[at(one.parent)]))));
+    row.cells.push_back(TableCell::result_of(!one.eye ? "" : one.eye->front ? "the eye in front" : "the eye behind"));
+    row.about = about_node(s, one);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 void draw_whole(Ui& ui) {
   const Session& s = ui.session;
   const MethodState& m = s.state().machine;
@@ -115,6 +140,7 @@ void draw_whole(Ui& ui) {
     }
   }
   const std::vector<std::int32_t> draw_places = zstep::draw_places(m);
+  const ChangedParts changed = changed_parts(ui, node_rows);
   float lowest = top.y;  // that anything is written
   for (std::size_t node = 0; node < places.size(); ++node) {
     const TreeNode& one = m.tree[node];
@@ -132,6 +158,7 @@ void draw_whole(Ui& ui) {
     if (one.eye)
       number_at(ui, low, end,
                 answers::made_by<EyeSide>(s.position(), "value", {{"node", static_cast<std::int32_t>(node)}}));
+    mark_part(ui, changed, about_node(s, one), low, end);
     if (one.eye) draw_eye(list, low, end, one.eye->front, lit ? c.now : c.text);
     std::int32_t drawn = -1;
     for (const std::int32_t piece : one.pieces)

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/words/notation.hpp"
+#include "sim/viewer/panes/owner_key.hpp"
+#include "sim/words/owners.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -69,6 +70,7 @@ Box measured(const Ui& ui, Notation what) {
     what.parts.clear();
     box.what = std::move(what);
     enclose(ui, box);
+    if (box.what.polygon != no_polygon) box.below += underline_height(ui);
     // Brackets are as tall as what they are around.
     if (box.what.kind == Kind::row && box.above + box.below > 1.5f * line)
       for (Box& part : box.parts)
@@ -80,6 +82,8 @@ Box measured(const Ui& ui, Notation what) {
   if (!what.below.empty()) {
     box.width += text_size(ui, small, below(what)).x + 1;
     box.below += std::round(line * 0.2f);
+  } else if (what.polygon != no_polygon) {
+    box.below += std::round(ui.thin);
   }
   box.what = std::move(what);
   return box;
@@ -100,7 +104,13 @@ struct Pen {
   const Flow& how;
   ImU32 color;
   const ImFont* face;
+  const std::vector<std::int32_t>& owners;  ///< whose numbers are underlined
 };
+
+void underline(const Pen& pen, std::int32_t polygon, ImVec2 from, float width) {
+  const auto found = std::find(pen.owners.begin(), pen.owners.end(), polygon);
+  if (found != pen.owners.end()) underline_of_polygon(pen.ui, polygon, found - pen.owners.begin(), from, width);
+}
 
 void draw_tall_bracket(const Pen& pen, const Box& box, ImVec2 at, float axis) {
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -125,6 +135,7 @@ void draw(const Pen& pen, const Box& box, ImVec2 at, float axis) {
     const Box &over = box.parts[0], &under = box.parts[1];
     draw(pen, over, {at.x + std::floor((box.width - over.width) / 2), 0}, axis - gap(ui) - over.below);
     draw(pen, under, {at.x + std::floor((box.width - under.width) / 2), 0}, axis + gap(ui) + under.above);
+    underline(pen, box.what.polygon, {at.x + 1, axis + box.below - underline_height(ui)}, box.width - 2);
     const float bar = std::floor(axis);
     ImGui::GetWindowDrawList()->AddRectFilled({at.x + 1, bar}, {at.x + box.width - 1, bar + std::round(ui.thin)},
                                               pen.color);
@@ -147,6 +158,7 @@ void draw(const Pen& pen, const Box& box, ImVec2 at, float axis) {
   // In the middle of more room than it needs, so that numbers stand under their symbols.
   const float x = at.x + std::floor((box.width - own - lower) / 2), top = axis - std::round(line * 0.55f);
   draw_text(ui, {x, top}, text, pen.color, box.what.text);
+  underline(pen, box.what.polygon, {x, top + line - underline_height(ui) + std::round(ui.thin)}, own);
   if (lower > 0)
     draw_text(ui, {x + own + 1, top + line * 1.12f - small->FontSize * 0.92f}, small, pen.color, below(box.what));
   if (box.what.kind == Kind::number && pen.how.on_number) {
@@ -202,8 +214,9 @@ std::vector<Box> pieces_of(const Ui& ui, const Box& side) {
 
 Box word(const Ui& ui, const char* text) { return measured(ui, Notation{Kind::text, text}); }
 
-std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width) {
-  const std::vector<Notation> notation = words::read_notation(line);
+std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width, const std::vector<words::Owned>& owned) {
+  std::vector<Notation> notation = words::read_notation(line);
+  words::mark_owned(notation, owned);
   const auto alike = [&](std::size_t side) {  // to the one before
     return side < notation.size() && words::alike(notation[side - 1], notation[side]);
   };
@@ -238,7 +251,8 @@ std::vector<Row> rows_of(const Ui& ui, const std::string& line, float width) {
   put_broken(0, ui.em, false);
   for (std::size_t at = 1; at < sides.size(); ++at) {
     Box& side = sides[at];
-    const bool result = at + 1 == sides.size() && sides.size() > 2 && side.what.kind == Kind::number;
+    const bool result = at + 1 == sides.size() && sides.size() > 2 && side.parts.size() == 1 &&
+                        side.parts.front().what.kind == Kind::number;
     const bool under = whole > width && at > 1 && alike(at) && !side.parts.empty();
     if (under || x + equals + side.width > width) {
       // Not alone on its line, what fits behind the name.
@@ -273,15 +287,16 @@ float width_for(const Ui& ui, const Flow& how) {
 
 }  // namespace
 
-void set_formula(Ui& ui, const std::string& line, const Flow& how) {
+void set_formula(Ui& ui, const std::string& line, const Flow& how, const std::vector<words::Owned>& owned) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = width_for(ui, how);
   const ImU32 color = how.color ? how.color : ui.colors().text;
-  const std::vector<Row> rows = rows_of(ui, line, width);
+  const std::vector<Row> rows = rows_of(ui, line, width, owned);
+  const std::vector<std::int32_t> owners = words::owners_in(owned);
   float y = origin.y;
   for (const Row& row : rows) {
     for (const Placed& placed : row.placed) {
-      const Pen pen{ui, how, placed.result && how.color == 0 ? ui.colors().now : color, ui.fonts.text};
+      const Pen pen{ui, how, placed.result && how.color == 0 ? ui.colors().now : color, ui.fonts.text, owners};
       draw(pen, placed.box, {std::floor(origin.x + placed.x), 0}, y + row.above);
     }
     y += row.above + row.below + leading(ui);
@@ -290,7 +305,7 @@ void set_formula(Ui& ui, const std::string& line, const Flow& how) {
 }
 
 float formula_height(Ui& ui, const std::string& line, const Flow& how) {
-  return height_of(ui, rows_of(ui, line, width_for(ui, how)));
+  return height_of(ui, rows_of(ui, line, width_for(ui, how), {}));
 }
 
 namespace {
@@ -317,8 +332,7 @@ std::vector<float> widths_of(const Ui& ui, const Entries& rows, bool small) {
   std::vector<float> widths;
   for (const std::vector<std::string>& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t k = 0; k < row.size(); ++k)
-      widths[k] = std::max(widths[k], set_entry(ui, row[k], small, {}));
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], set_entry(ui, row[k], small, {}));
   }
   return widths;
 }

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "sim/viewer/panes/ui.hpp"
+#include "sim/words/notation.hpp"
 
 namespace zstep::viewer {
 
 /// A formula's line at the cursor, broken at its equals signs; advances the cursor. Of `how` counts all but the font.
-void set_formula(Ui& ui, const std::string& line, const Flow& how);
+/// What is a polygon's is underlined in the polygon's colour, with dashes of its own; owner_key.hpp says whose.
+void set_formula(Ui& ui, const std::string& line, const Flow& how, const std::vector<words::Owned>& owned = {});
 /// Height that set_formula() would take.
 float formula_height(Ui& ui, const std::string& line, const Flow& how);
 

@@ -98,6 +98,7 @@ struct Ui {
   StepMarks* marks = nullptr;          ///< the same, or where two runs part: on the timeline, and said of the step
   const std::vector<PixelMark>* pixel_marks = nullptr;
   Ui* other = nullptr;                 ///< the second run's, where there is one
+  Ui* before = nullptr;                ///< the run's before the last change, at the same moment; where that is known
   bool asks = true;                    ///< a click on a number asks where it comes from; not in the second run
   Fonts fonts;
   const Theme* theme = &light_theme();
@@ -137,6 +138,7 @@ struct Ui {
   std::optional<Cell> pointed;       ///< cell under the mouse, in either buffer
   std::optional<Cell> pointed_next;  ///< collected while this frame is drawn
   std::optional<std::int32_t> hovered_edge_next;
+  ScenePart hovered_part_next;
   std::map<std::string, bool> overflows;  ///< by wrapped child: its text is longer than it is high
   std::uint64_t scroll_follows = 0;  ///< the moment and the layout for which panes have scrolled to what is at work
   int scroll_frames = 0;             ///< frames until they have: a scroll bar that comes wraps lines anew

@@ -38,7 +38,8 @@ std::vector<std::int32_t> vertices_shown(const Session& s) {
     for (const std::int32_t v : m.outline)
       if (std::find(shown.begin(), shown.end(), v) == shown.end()) shown.push_back(v);
   }
-  if (now >= 0 && std::find(shown.begin(), shown.end(), now) == shown.end()) shown.insert(shown.begin(), now);
+  for (const std::int32_t other : {s.picked_part.vertex.value_or(-1), now})
+    if (other >= 0 && std::find(shown.begin(), shown.end(), other) == shown.end()) shown.insert(shown.begin(), other);
   return shown;
 }
 
@@ -91,6 +92,9 @@ void draw_stages(Ui& ui, std::int32_t vertex, bool now) {
     list->AddRectFilled(top, {top.x + ImGui::GetContentRegionAvail().x, top.y + block}, c.now_soft);
     list->AddRectFilled(top, {top.x + std::round(3 * ui.thin), top.y + block}, c.now);
   }
+  if (const ScenePart lit = s.lit_part();
+      lit.vertex == vertex || (lit.edge && (lit.edge->first == vertex || lit.edge->second == vertex)))
+    frame_box(ui, top, {top.x + ImGui::GetContentRegionAvail().x, top.y + block}, c.selected, 2);
   const float x = top.x + ui.em * 0.4f;
   draw_text(ui, {x, top.y + 1}, ui.fonts.bold, now ? c.now : c.text, fmt::format("vertex {}", vertex));
   std::vector<std::string> tips;

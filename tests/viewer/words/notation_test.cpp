@@ -3,10 +3,12 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "sim/words/explain.hpp"
+#include "sim/words/owners.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/words/printed.hpp"
 #include "traces/replay/replay.hpp"
@@ -87,6 +89,72 @@ TEST_CASE("notation: symbols and numbers of one formula are alike, others are no
   REQUIRE(sides.size() == 3);
   CHECK(alike(sides[0], sides[1]));
   CHECK_FALSE(alike(sides[1], sides[2]));
+}
+
+namespace {
+
+/// What is whose, in the order of the line: "z_L:0 0.5:0".
+void owned_in(const Notation& part, std::string& text) {
+  if (part.polygon != no_polygon)
+    text += (text.empty() ? "" : " ") + on_one_line(part) + ":" + std::to_string(part.polygon);
+  else
+    for (const Notation& inner : part.parts) owned_in(inner, text);
+}
+std::string owned_in(const std::string& line, const std::vector<words::Owned>& owned) {
+  auto sides = read_notation(line);
+  words::mark_owned(sides, owned);
+  std::string text;
+  for (const Notation& side : sides) owned_in(side, text);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("notation: numbers belong to the polygon of their symbol") {
+  CHECK(owned_in("z = z_L + (x \u2212 x_L) = 0.5 + (3 \u2212 2) = 1.5",
+                 {{"z", 1}, {"z_L", 1}, {"x_L", 2}, {"x", -1}}) == "z:1 z_L:1 x_L:2 0.5:1 2:2 1.5:1");
+  CHECK(owned_in("x_L = 3, x_R = 5", {{"x_L", 4}, {"x_R", 4}}) == "x_L:4 3:4 x_R:4 5:4");
+  CHECK(owned_in("z < zbuffer[x,y]:  4 < 5  is true", {{"z", 0}, {"zbuffer[x,y]", 1}}) == "z:0 zbuffer[x,y]:1 4:0 5:1");
+  CHECK(owned_in("z + dz/dx = 1 + 2", {{"z", 0}, {"dz/dx", 0}}) == "z:0 dz/dx:0 1:0 2:0");
+  CHECK(owned_in("a = 3", {{"b", 1}}).empty());
+  std::vector<words::Owned> both;
+  for (const int polygon : {1, 2, 1}) words::add_owned(both, {"z", polygon});
+  CHECK(both == std::vector<words::Owned>{{"z", no_polygon}});
+}
+
+TEST_CASE("law: a compare's numbers belong to the polygon at work and to the one that is stored, and no key is empty") {
+  int compares = 0, planes = 0;
+  test::for_each_golden([&](const std::string& name, const Trace& trace) {
+    CAPTURE(name);
+    Replay replay(trace);
+    while (replay.position() < trace.size()) {
+      replay.step_forward();
+      const Explanation said = explain(trace, replay.state(), *replay.current());
+      const MethodState& machine = replay.state().machine;
+      for (const words::Owned& one : said.owned) {
+        CAPTURE(one.symbol);
+        CHECK(one.polygon >= no_polygon);
+        CHECK(one.polygon < static_cast<std::int32_t>(trace.scene().polygons.size()));
+      }
+      std::string marked;
+      for (const std::string& line : said.formulas) marked += owned_in(line, said.owned);
+      if (!words::owners_in(said.owned).empty()) CHECK_FALSE(marked.empty());
+      const Event& event = replay.current()->event;
+      if (get_if<DepthCompare>(&event) && machine.fragment && polygon_at_work(machine) != no_polygon) {
+        const std::string stored = std::to_string(machine.fragment->stored_polygon);
+        CHECK(marked.find(":" + std::to_string(polygon_at_work(machine))) != std::string::npos);
+        if (machine.fragment->stored_polygon != no_polygon) CHECK(marked.find(":" + stored) != std::string::npos);
+        ++compares;
+      }
+      if (const auto* depth = get_if<PlaneDepth>(&event)) {
+        const std::int32_t polygon = machine.pieces[static_cast<std::size_t>(depth->piece)].polygon;
+        CHECK(words::owners_in(said.owned) == std::vector<std::int32_t>{polygon});
+        ++planes;
+      }
+    }
+  });
+  CHECK(compares > 100);
+  CHECK(planes > 10);
 }
 
 TEST_CASE("law: what is set in type gives what is printed, and in symbols and numbers it is the same formula") {
