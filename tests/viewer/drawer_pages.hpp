@@ -15,8 +15,8 @@ inline std::vector<viewer::Drawer> all_pages() {
 }
 
 /// The pixel that a polygon reached first.
-inline viewer::Cell a_drawn_pixel(const viewer::App& app) {
-  const Trace& trace = const_cast<viewer::App&>(app).session().trace();
+inline viewer::Cell a_drawn_pixel(viewer::App& app) {
+  const Trace& trace = app.session().trace();
   for (std::int64_t step = 1; step <= trace.size(); ++step)
     if (holds<PixelWrite>(trace.event(step).event) || holds<PixelPaint>(trace.event(step).event))
       if (const auto pixel = pixel_of(trace.event(step).event)) return {pixel->x, pixel->y};

@@ -76,7 +76,8 @@ TEST_CASE("law: all that is asked is read in the drawer") {
   for (const Dress dress : {Dress::light, Dress::dark, Dress::presenter})
     for (const auto& [width, height] : sizes_of_window) {
       if (++turn % 2 == 0 && width == 3840) continue;  // the largest takes longest
-      CAPTURE(static_cast<int>(dress)), CAPTURE(width);
+      CAPTURE(static_cast<int>(dress));
+      CAPTURE(width);
       Settings settings;
       settings.dark = dress == Dress::dark, settings.presenter = dress == Dress::presenter;
       App app(trace, turn % 2 == 0 ? nullptr : &lesson, settings, width, height);
