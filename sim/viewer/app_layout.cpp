@@ -302,7 +302,7 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   }
   draw_column(at, {left, all.y}, pseudo_code_pane, happened_pane, l.code, "code");
   splitter("left", {at.x + left, at.y}, {gap, all.y}, true, l.left, size.x);
-  const bool small = dock.side != Docked::Side::below || page_of(drawer_)->keeps_small;
+  const bool small = dock.side != Docked::Side::below;
   if (small) {
     const float upper = std::round((all.y - gap) * l.stage);
     draw_small(stage.small, {x, at.y + upper + gap}, {all.x, all.y - upper - gap});

@@ -27,8 +27,7 @@ App::Docked App::docked(ImVec2 size, ImVec2 beside, ImVec2 below, std::size_t le
   beside.x -= room(usual.drawer_width, size.x, page->least.x) + gap;
   below.y -= room(usual.drawer_height, size.y, page->least.y) + gap;
   beside.y *= now.stage;
-  if (page->keeps_small) below.y *= now.stage;
-  if (pixel_on(beside, leading) >= pixel_on(below, leading))
+  if (page->keeps_small || pixel_on(beside, leading) >= pixel_on(below, leading))
     return {Docked::Side::beside, room(now.drawer_width, size.x, page->least.x)};
   return {Docked::Side::below, room(now.drawer_height, size.y, page->least.y)};
 }

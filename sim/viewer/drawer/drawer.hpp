@@ -15,7 +15,7 @@ struct DrawerPage {
   const char* command;  ///< that asks it, by id
   ImVec2 least;         ///< that it can be read in, in widths of an em
   bool typed;           ///< it has a field
-  bool keeps_small;     ///< it is about more than what leads: the small panes stay where it stands below the stage
+  bool keeps_small;     ///< it is about more than what leads: it stands beside the stage, where the small panes stay
   void (*draw)(App&);
   bool (App::*key)(SDL_Keycode, unsigned);
 };
