@@ -110,16 +110,13 @@ void App::say(std::string message) {
 }
 
 void App::open(Overlay overlay) {
-  // The pixel that why-not picked for itself is not the reader's.
-  const bool own = overlay_ == Overlay::why && overlay != Overlay::why && why_anywhere_;
-  if (own && why_.pixel && session_.selected == Cell{why_.pixel->x, why_.pixel->y}) {
-    if (why_selected_) session_.select(*why_selected_);
-    else session_.selected.reset();
-  }
+  const bool covers = overlay_ == Overlay::none, uncovers = overlay == Overlay::none;
+  if (covers && uncovers) return;
+  if (covers) under_overlay_ = {typed, wrong, picked};
   overlay_ = overlay;
-  put(overlay == Overlay::query ? inquiry_.sql() : "");
-  wrong.clear();
-  picked = 0;
+  put(uncovers ? under_overlay_.typed : "");
+  wrong = uncovers ? under_overlay_.wrong : "";
+  picked = uncovers ? under_overlay_.picked : 0;
   session_.touch();
 }
 
@@ -193,8 +190,13 @@ void App::put(const std::string& text) {
 void App::draw_field(const std::string& hint) {
   if (!field_.draw(*this, hint)) return;
   wrong.clear();
-  picked = overlay_ == Overlay::until ? -1 : 0;
+  picked = drawer_has_keys() && drawer_ == Drawer::until ? -1 : 0;
   session_.touch();
+}
+
+void App::draw_drawer_field(const std::string& hint) {
+  if (drawer_has_keys()) draw_field(hint);
+  else Field::draw_idle(ui_, typed, hint);
 }
 
 void App::frame() {
@@ -206,95 +208,6 @@ void App::frame() {
     draw();
   field_.after_frame();
   if (given) draw();  // which sees the key go up, so that the same key can go down again
-}
-
-/// A key for the box that is typed in; false if it is none.
-bool App::edit(SDL_Keycode code, unsigned modifiers) {
-  const bool asks = overlay_ == Overlay::query;
-  if (edit_place(code, modifiers)) return true;
-  if (asks && code == SDLK_TAB) return paint_answer(), true;
-  if (overlay_ == Overlay::why_ask) return pick_candidate(code);
-  if (overlay_ == Overlay::start) return pick_offer(code);
-  if (overlay_ == Overlay::what_if) return pick_changeable(code, modifiers);
-  if (overlay_ == Overlay::racers) return pick_racer(code);
-  if (overlay_ == Overlay::film) return pick_film(code);
-  if (code == SDLK_RETURN && overlay_ == Overlay::go_to) return go_to_typed(), true;
-  if (code == SDLK_RETURN && asks) return ask_typed(), true;
-  if (overlay_ != Overlay::palette && !asks) return false;
-  if (code == SDLK_RETURN) {
-    const auto found = matching(typed);
-    if (picked >= static_cast<int>(found.size())) return true;
-    const Command* command = found[static_cast<std::size_t>(picked)];
-    open(Overlay::none);
-    if (command->release) hold(*command);
-    else run(*command);
-    return true;
-  }
-  if (code == SDLK_UP || code == SDLK_DOWN) {
-    const std::size_t rows = asks ? inquiry_.rows().size() : matching(typed).size();
-    picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(rows) - 1));
-    scroll_to_picked = true;
-    return true;
-  }
-  return false;
-}
-
-/// A key while something is typed has one owner: the box, its field, or a command that neither of them knows and that
-/// keeps out of the trace behind them. False if the key is left to commands.
-bool App::type(SDL_Keycode code, unsigned modifiers) {
-  if (edit(code, modifiers)) return true;
-  if (Field::takes(code, modifiers)) {
-    field_.press(code, modifiers);
-    text_taken_ = false;
-    return true;
-  }
-  return !(modifiers & Chord::ctrl) && code != SDLK_ESCAPE && code != SDLK_F1 && code != SDLK_F10 && code != SDLK_F11;
-}
-
-bool App::key(const SDL_KeyboardEvent& event) {
-  const unsigned modifiers = (event.keysym.mod & KMOD_SHIFT ? Chord::shift : 0u) |
-                             (event.keysym.mod & (KMOD_CTRL | KMOD_GUI) ? Chord::ctrl : 0u) |
-                             (event.keysym.mod & KMOD_ALT ? Chord::alt : 0u);
-  SDL_Keycode code = event.keysym.sym;
-  if (code == SDLK_KP_ENTER) code = SDLK_RETURN;
-  if (event.type == SDL_KEYUP) {
-    for (const Command& command : commands())
-      if (command.release && !command.keys.empty() && command.keys[0].key == code) command.release(*this);
-    return false;
-  }
-  if (std::exchange(black_, false)) {
-    session_.touch();
-    return true;
-  }
-  if (overlay_ == Overlay::explain && modifiers == Chord::ctrl && code == SDLK_c) return copy_origin(), true;
-  const bool answers = overlay_ == Overlay::history || overlay_ == Overlay::explain;
-  if ((answers && pick_row(code)) || (overlay_ == Overlay::why && pick_link(code)) ||
-      (overlay_ == Overlay::here && pick_here(code)) || (overlay_ == Overlay::settings && pick_setting(code)) ||
-      (overlay_ == Overlay::bookmarks && pick_bookmark(code))) {
-    session_.touch();
-    return true;
-  }
-  if (typing() && type(code, modifiers)) {
-    session_.touch();
-    return true;
-  }
-  if (overlay_ == Overlay::none && race_shown_ && race_key(code, modifiers)) {
-    session_.touch();
-    return true;
-  }
-  if (const Command* command = command_for(code, modifiers)) {
-    if (event.repeat && command->release) return true;
-    if (overlay_ == Overlay::keys || overlay_ == Overlay::menu) {
-      const std::string id = command->id;
-      if (id != "keys" && id != "menu" && id != "escape") open(Overlay::none);
-    }
-    session_.message.clear();
-    run(*command);
-    session_.touch();
-    return true;
-  }
-  session_.touch();
-  return false;
 }
 
 void App::hold(const Command& command) {
@@ -325,10 +238,14 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       if (!key(event.key)) text_taken_ = false;
       return typing() && field_.waits();
     case SDL_KEYUP:
+      text_taken_ = false;  // what comes now comes from an input method
       key(event.key);
       return false;
+    case SDL_TEXTEDITING:
+      text_taken_ = false;
+      return false;
     case SDL_TEXTINPUT:
-      if (text_taken_) return false;
+      if (std::exchange(text_taken_, false)) return false;
       if (typing()) {
         io.AddInputCharactersUTF8(event.text.text);
         session_.touch();

@@ -54,9 +54,11 @@ struct Changed {
   std::optional<TaskState> task;  ///< how the run stands to what is to be tried
 };
 
-enum class Overlay {
-  none, keys, palette, go_to, menu, query, history, explain, why_ask, why, until, name_bookmark, bookmarks, range,
-  start, what_if, here, settings, racers, film
+/// What lies over the window for a moment.
+enum class Overlay { none, keys, palette, go_to, menu, start, here, settings, racers, film };
+/// What is asked about the run, in the drawer.
+enum class Drawer {
+  none, history, why_ask, why, explain, until, query, name_bookmark, bookmarks, range, what_if
 };
 
 class App {
@@ -115,7 +117,7 @@ class App {
   void open_offer(const Offer& offer);
   void say_on_start(const std::string& why);  ///< that it could not be opened
 
-  // --- What if (app_changes.cpp, what_if_overlay.cpp)
+  // --- What if (app_changes.cpp, drawer/what_if.cpp)
   void allow_changes(Race::RunBy run_by) { run_by_ = std::move(run_by); }
   bool may_change() const { return run_by_ != nullptr; }
   bool waits_for_run = false;  ///< one is made while the window goes on
@@ -159,8 +161,13 @@ class App {
   void change_speed(int direction);
   /// As Session::play().
   double play(double now);
-  void open(Overlay overlay);
+  void open(Overlay overlay);  ///< over the drawer, which stays as it is
   Overlay overlay() const { return overlay_; }
+  void open(Drawer drawer);  ///< in place of what it showed; takes overlays away
+  Drawer drawer() const { return drawer_; }
+  /// Whether keys that it has a use for are its own: from when it opens until a click elsewhere, and after a click in it.
+  bool drawer_has_keys() const { return drawer_ != Drawer::none && overlay_ == Overlay::none && keys_in_drawer_; }
+  bool drawer_is_beside() const { return drawer_at_.size.x < drawer_at_.size.y * 1.5f; }
   void set_dark(bool dark);
   void set_presenter(bool presenter);
   void set_reduced_motion(bool reduced);
@@ -170,7 +177,10 @@ class App {
   void set_lead(const std::string& pane);
   /// Selects a pixel, and lets a pane lead, where they are given. Throws InputError where that cannot lead here.
   void look_at(std::optional<Trace::Pixel> pixel, const std::string& lead);
-  ImVec2 stage_size() const { return stage_size_; }  ///< of what leads, as last drawn
+  /// Where what leads, the drawer and the timeline with the transport were drawn last; of no size where they were not.
+  const Motion::Place& stage_place() const { return stage_at_; }
+  const Motion::Place& drawer_place() const { return drawer_at_; }
+  const Motion::Place& timeline_place() const { return timeline_at_; }
   void turn_lead(int direction);  ///< to the next pane that can lead, or the one before
   void scale_text(float factor);  ///< 0: back to the usual size
   std::string command_line() const;     ///< what opens this place, or this race
@@ -182,10 +192,12 @@ class App {
   std::string typed;              ///< in the field of a box
   void put(const std::string& text);  ///< in place of what is typed
   void draw_field(const std::string& hint);
+  void draw_drawer_field(const std::string& hint);  ///< which is one while the keys are the drawer's
   int picked = 0;                 ///< in palette, and of an answer's rows
   Inquiry& inquiry() { return inquiry_; }
   std::string tables() const;     ///< that can be asked, by name
   bool scroll_to_picked = false;
+  bool pick_among(std::size_t rows, SDL_Keycode code);  ///< ↑ ↓: the row before, or the next; false for another key
   void ask_typed();               ///< asks what is typed; again: goes where the picked row leads
   /// Set by who shows a window: asked while a question is at work whether a person ends it.
   std::function<bool()> ends_waiting;
@@ -203,7 +215,7 @@ class App {
   const answers::Chain& chain() const { return chain_; }
   void go_to_origin(std::size_t link);
   void copy_origin();             ///< the number of the picked link, all its digits
-  // Why a polygon is not what is seen (why_overlay.cpp)
+  // Why a polygon is not what is seen (drawer/why.cpp)
   void open_why();  ///< of the selected pixel, or the one at work, or of the whole picture where there is none
   void ask_why(std::int32_t polygon);
   void turn_why();                       ///< from the pixel to the whole picture and back
@@ -250,6 +262,18 @@ class App {
   bool has_causes() const { return findings_.has_value() || against_.has_value(); }
   void hold(const Command& command);  ///< what a key is held for, until the next key or click
 
+  // --- Keys of what the drawer shows; false if they are none (drawer/drawer.hpp)
+  bool pick_visit(SDL_Keycode code, unsigned modifiers);
+  bool pick_candidate(SDL_Keycode code, unsigned modifiers);
+  bool pick_link(SDL_Keycode code, unsigned modifiers);
+  bool pick_origin(SDL_Keycode code, unsigned modifiers);
+  bool edit_until(SDL_Keycode code, unsigned modifiers);
+  bool edit_query(SDL_Keycode code, unsigned modifiers);
+  bool name_typed(SDL_Keycode code, unsigned modifiers);
+  bool pick_bookmark(SDL_Keycode code, unsigned modifiers);
+  bool edit_range(SDL_Keycode code, unsigned modifiers);
+  bool pick_changeable(SDL_Keycode code, unsigned modifiers);
+
  private:
   void draw();
   void update_fonts();
@@ -261,6 +285,15 @@ class App {
   void take_vertex();
   void draw_title(ImVec2 at, ImVec2 size);
   void draw_panes(ImVec2 at, ImVec2 size);
+  float pixel_on(ImVec2 stage, std::size_t leading) const;
+  struct Docked {
+    enum class Side { nowhere, beside, below } side = Side::nowhere;
+    float room = 0;  ///< that the drawer takes of the width, or of the height
+  };
+  /// `size`: of all panes; `beside`, `below`: what the stage and the small panes have there before the drawer takes its
+  /// part; so many panes lead.
+  Docked docked(ImVec2 size, ImVec2 beside, ImVec2 below, std::size_t leading) const;
+  void pull_drawer(const Docked& docked, ImVec2 size);
   void draw_pane(const Pane& pane, ImVec2 at, ImVec2 size) { draw_pane(ui_, pane, pane.title, at, size); }
   void draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 at, ImVec2 size);
   void draw_panes_of_both(ImVec2 at, ImVec2 size);
@@ -275,7 +308,6 @@ class App {
   void draw_growth(ImVec2 at, ImVec2 size);
   std::vector<std::string> race_place() const;
   bool race_key(SDL_Keycode code, unsigned modifiers);
-  bool pick_racer(SDL_Keycode code);
   void draw_of(bool first, const Pane& pane, ImVec2 at, ImVec2 size);
   void follow_marks();
   void draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id);
@@ -287,29 +319,28 @@ class App {
   void draw_few(ImVec2 at, ImVec2 size);
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
   void draw_overlay();
+  void draw_drawer();
+  void take_keys_by_click();
+  void follow_selected();
   bool key(const SDL_KeyboardEvent& event);
-  bool typing() const {
-    return overlay_ == Overlay::palette || overlay_ == Overlay::go_to || overlay_ == Overlay::query ||
-           overlay_ == Overlay::why_ask || overlay_ == Overlay::until || overlay_ == Overlay::name_bookmark ||
-           overlay_ == Overlay::range || overlay_ == Overlay::start ||
-           overlay_ == Overlay::what_if || overlay_ == Overlay::racers || overlay_ == Overlay::film;
-  }
+  bool typing() const;
   bool type(SDL_Keycode code, unsigned modifiers);
-  bool edit(SDL_Keycode code, unsigned modifiers);
-  bool pick_candidate(SDL_Keycode code);
+  /// A key of the overlay, or else of the drawer; false if it is none.
+  bool key_of_box(SDL_Keycode code, unsigned modifiers);
+  bool pick_command(SDL_Keycode code);
   bool pick_offer(SDL_Keycode code);
-  bool pick_changeable(SDL_Keycode code, unsigned modifiers);
-  bool pick_link(SDL_Keycode code);
   bool pick_here(SDL_Keycode code);
-  bool pick_row(SDL_Keycode code);
-  bool pick_bookmark(SDL_Keycode code);
+  bool pick_racer(SDL_Keycode code);
   bool pick_setting(SDL_Keycode code);
   void follow_overlay();
-  bool edit_place(SDL_Keycode code, unsigned modifiers);
   bool pick_film(SDL_Keycode code);
   void film_on();
   void back_from_film();
   bool handle_filming(const SDL_Event& event);
+  void look_at_history(Cell cell);
+  void pick_visit_before();
+  void find_why();
+  void ask_again(const App& before);
 
   struct Context {  // created before everything that uses Dear ImGui, destroyed after it
     Context();
@@ -345,7 +376,7 @@ class App {
   Motion motion_;
   std::int64_t rows_of_step_ = 0;  ///< whose rows' places are known
   std::optional<Pane> only_;
-  ImVec2 stage_size_{0, 0};
+  Motion::Place stage_at_, drawer_at_, timeline_at_;
   struct ChosenLead {
     std::string pane;  ///< empty: what the method has
     int stop;          ///< of the lesson, where it was chosen
@@ -357,6 +388,13 @@ class App {
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;
+  Drawer drawer_ = Drawer::none;
+  bool keys_in_drawer_ = false;
+  struct InDrawer {
+    std::string typed, wrong;
+    int picked = 0;
+  };
+  InDrawer under_overlay_;  ///< what is typed and picked in the drawer, while an overlay lies over it
   Board board_;
   std::unique_ptr<Film> film_;  ///< while one is made
   Changed changed_;
@@ -375,42 +413,12 @@ class App {
   bool race_shown_ = false;
   const Task* task_before_ = nullptr;  ///< of the lesson whose run this one changes
   std::size_t hints_given_ = 0;
-  ImVec2 drawer_at_{0, 0}, drawer_size_{0, 0};
   bool black_ = false;
   bool clicker_ = false;      ///< what is picked on the start page was picked by a clicker's keys
   bool text_taken_ = false;   ///< the text of the key that went down last is not typed: a command was run by it
   const Command* held_ = nullptr;
   std::uint64_t seen_revision_ = 0;
 };
-
-// overlays.cpp
-void draw_key_sheet(App& app);
-void draw_palette(App& app);
-void draw_go_to(App& app);
-void draw_menu(App& app);
-void draw_query(App& app);
-void draw_history(App& app);
-void draw_why_ask(App& app);
-void draw_why(App& app);
-void draw_explain(App& app);
-// settings_overlay.cpp
-void draw_settings(App& app);
-// race_list.cpp
-void draw_racers_list(App& app);
-// what_if_overlay.cpp
-void draw_what_if(App& app, ImVec2 at, ImVec2 size);
-void draw_here(App& app, ImVec2 mouse);  ///< what a right click offers
-// start_overlay.cpp
-void draw_start(App& app);
-// places_overlay.cpp
-void draw_range(App& app);
-void draw_until(App& app);
-void draw_name_bookmark(App& app);
-// film_overlay.cpp
-void draw_film(App& app);
-void draw_filming(App& app);
-void draw_bookmarks(App& app);
-void draw_search(App& app);
 
 /// Goes where `options` say, else to where the reader left it, else to the lesson's first stop. Throws InputError where
 /// that cannot be.

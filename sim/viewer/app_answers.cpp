@@ -16,19 +16,31 @@ namespace zstep::viewer {
 void App::open_history() {
   const auto cell = session_.selected ? session_.selected : session_.current_cell();
   if (!cell) return say("Click a pixel first; then H tells all that happened to it.");
+  look_at_history(*cell);
+  if (history_.empty()) return say(fmt::format("Nothing reached pixel ({}, {}).", cell->x, cell->y));
+  session_.select(*cell);
+  open(Drawer::history);
+  pick_visit_before();
+}
+
+void App::look_at_history(Cell cell) {
+  history_of_ = cell;
   try {
     if (!facets_near_) facets_near_.emplace(session_.trace());
-    history_ = answers::pixel_history(session_.trace(), *facets_near_, {cell->x, cell->y});
+    history_ = answers::pixel_history(session_.trace(), *facets_near_, {cell.x, cell.y});
   } catch (const InputError& error) {
-    return say(error.what());
+    history_.clear();
+    say(error.what());
   }
-  if (history_.empty()) return say(fmt::format("Nothing reached pixel ({}, {}).", cell->x, cell->y));
-  history_of_ = *cell;
-  session_.select(*cell);
-  open(Overlay::history);
-  // The last that is not after where the reader stands.
+}
+
+/// The last that is not after where the reader stands.
+void App::pick_visit_before() {
+  picked = 0;
   for (std::size_t i = 0; i < history_.size(); ++i)
     if (history_[i].step <= session_.position()) picked = static_cast<int>(i);
+  scroll_to_picked = true;
+  session_.touch();
 }
 
 const answers::Visit& App::told_visit(std::size_t visit) {
@@ -46,7 +58,7 @@ void App::open_explain(const answers::Question& question, const std::string& wri
   }
   if (chain.links.empty()) return say("The trace does not say where this number comes from.");
   chain_ = std::move(chain);
-  open(Overlay::explain);
+  open(Drawer::explain);
   if (!written.empty()) picked = static_cast<int>(answers::link_shown_as(chain_, written));
   scroll_to_picked = true;
 }
@@ -74,15 +86,21 @@ void App::copy_origin() {
   say("Copied: " + *requests.clipboard);
 }
 
-/// Arrows and Enter in the rows of an answer.
-bool App::pick_row(SDL_Keycode code) {
-  const std::size_t rows = overlay_ == Overlay::history ? history_.size() : chain_.links.size();
-  const auto here = static_cast<std::size_t>(std::max(0, picked));
-  if (code == SDLK_RETURN) return overlay_ == Overlay::history ? go_to_visit(here) : go_to_origin(here), true;
-  if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(rows) - 1));
-  scroll_to_picked = true;
-  return true;
+bool App::pick_visit(SDL_Keycode code, unsigned) {
+  if (code == SDLK_RETURN) return go_to_visit(static_cast<std::size_t>(picked)), true;
+  return pick_among(history_.size(), code);
+}
+
+bool App::pick_origin(SDL_Keycode code, unsigned modifiers) {
+  if (code == SDLK_c && modifiers == Chord::ctrl) return copy_origin(), true;
+  if (code == SDLK_RETURN) return go_to_origin(static_cast<std::size_t>(picked)), true;
+  return pick_among(chain_.links.size(), code);
+}
+
+bool App::edit_query(SDL_Keycode code, unsigned) {
+  if (code == SDLK_TAB) return paint_answer(), true;
+  if (code == SDLK_RETURN) return ask_typed(), true;
+  return pick_among(inquiry_.rows().size(), code);
 }
 
 void App::go_to_visit(std::size_t visit) {

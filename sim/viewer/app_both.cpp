@@ -42,6 +42,12 @@ void App::draw_panes_of_both(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
   const Header &header = session_.header(), &other = against_->session().header();
   const bool depths = depth_pane.serves(header) && depth_pane.serves(other);
+  const Docked dock = docked(size, {0, 0}, size, 2);  // always below: the frames want all of the width
+  if (dock.side != Docked::Side::nowhere) {
+    drawer_at_ = {{at.x, at.y + size.y - dock.room}, {size.x, dock.room}};
+    pull_drawer(dock, size);
+    size.y -= dock.room + gap;
+  }
   const bool narrow = size.x < ui_.em * 44 || size.y < ui_.em * 21;
   const Workspace stage = workspace(header, lead());
   const float left = narrow ? 0 : std::round(size.x * l.left);

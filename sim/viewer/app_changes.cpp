@@ -39,10 +39,10 @@ std::vector<Changeable> App::found_changeables() const {
 }
 
 void App::open_what_if() {
-  if (overlay_ == Overlay::what_if) return open(Overlay::none);
+  if (drawer_ == Drawer::what_if) return open(Drawer::none);
   if (!may_change()) return say("This run cannot be changed from here.");
   if (!method_of(session_.header())) return say("The method of this run is none of zstep's, so it cannot be run anew.");
-  open(Overlay::what_if);
+  open(Drawer::what_if);
   if (can_pull_vertices(session_.scene())) ui_.from_outside = true;
 }
 
@@ -105,7 +105,7 @@ void App::show_changes(Changed changed, std::shared_ptr<const Trace> before) {
 }
 
 void App::say_unchanged(const std::string& why) {
-  if (overlay_ == Overlay::what_if) wrong = why;
+  if (drawer_ == Drawer::what_if) wrong = why;
   else say(why);
   session_.touch();
 }
@@ -125,13 +125,8 @@ bool App::pick_changeable(SDL_Keycode code, unsigned modifiers) {
     else if (row < found.size()) put(fmt::format("{} = {}", found[row].name, found[row].value));
     return true;
   }
-  if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  if (ctrl) {
-    if (row < found.size()) nudge(found[row], code == SDLK_UP ? 1 : -1);
-    return true;
-  }
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(found.size()) - 1));
-  scroll_to_picked = true;
+  if (!ctrl || (code != SDLK_UP && code != SDLK_DOWN)) return pick_among(found.size(), code);
+  if (row < found.size()) nudge(found[row], code == SDLK_UP ? 1 : -1);
   return true;
 }
 
@@ -159,8 +154,22 @@ void App::take_vertex() {
              std::exchange(ui_.taken->moved, true));
 }
 
+/// What was asked of that run is asked of this one, where that means something here.
+void App::ask_again(const App& before) {
+  const Raster& raster = session_.scene().raster;
+  const auto here = [&](const std::optional<Cell>& cell) {
+    return !cell || (cell->x < raster.width && cell->y < raster.height);
+  };
+  why_of_ = before.why_of_, why_anywhere_ = before.why_anywhere_, why_polygon_ = before.why_polygon_;
+  const bool known = here(why_of_) && static_cast<std::size_t>(why_polygon_) < session_.scene().polygons.size();
+  const bool asks_why = drawer_ == Drawer::why || drawer_ == Drawer::why_ask;
+  if (drawer_ == Drawer::history && here(before.history_of_)) return look_at_history(before.history_of_);
+  if (drawer_ == Drawer::why && known) return find_why();
+  if (drawer_ == Drawer::history || drawer_ == Drawer::explain || (asks_why && !known)) open(Drawer::none);
+}
+
 void App::look_as(const App& before) {
-  overlay_ = before.overlay_;
+  drawer_ = before.drawer_, keys_in_drawer_ = before.keys_in_drawer_;
   task_before_ = before.task();
   hints_given_ = before.hints_given_;
   put(before.typed);
@@ -176,6 +185,7 @@ void App::look_as(const App& before) {
   ui_.taken = before.ui_.taken;
   session_.selected = before.session_.selected;
   session_.picked_part = before.session_.picked_part;
+  ask_again(before);
   // The hand holds what it held.
   ImGui::SetCurrentContext(before.context_.context);
   const ImVec2 mouse = ImGui::GetIO().MousePos;

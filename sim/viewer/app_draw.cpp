@@ -7,6 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/overlays.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -42,7 +43,7 @@ void App::draw_title(ImVec2 at, ImVec2 size) {
   if (may_change() && button_before("Race", race_shown_, "Methods side by side on this scene (Ctrl+R)."))
     race_shown_ ? close_race() : open_race();
   if (may_change() && !race_shown_ &&
-      button_before("Change", overlay_ == Overlay::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
+      button_before("Change", drawer_ == Drawer::what_if, "Camera, vertices, order, options of this run (Ctrl+E)."))
     open_what_if();
   right -= std::round(ui_.em * 0.7f);
   if (board_.clock_runs()) {
@@ -126,30 +127,10 @@ void App::draw_overlay() {
       return draw_go_to(*this);
     case Overlay::menu:
       return draw_menu(*this);
-    case Overlay::query:
-      return draw_query(*this);
-    case Overlay::history:
-      return draw_history(*this);
-    case Overlay::why_ask:
-      return draw_why_ask(*this);
-    case Overlay::why:
-      return draw_why(*this);
-    case Overlay::explain:
-      return draw_explain(*this);
-    case Overlay::until:
-      return draw_until(*this);
-    case Overlay::name_bookmark:
-      return draw_name_bookmark(*this);
-    case Overlay::bookmarks:
-      return draw_bookmarks(*this);
-    case Overlay::range:
-      return draw_range(*this);
     case Overlay::start:
       return draw_start(*this);
     case Overlay::here:
       return draw_here(*this, here_at_);
-    case Overlay::what_if:
-      return draw_what_if(*this, drawer_at_, drawer_size_);
     case Overlay::settings:
       return draw_settings(*this);
     case Overlay::racers:
@@ -187,6 +168,9 @@ void App::begin_scrolling() {
                            l.left, l.right, l.code, l.frame, l.table, l.stage, l.both, l.words})
     take(layout, part);
   for (const auto& [pane, share] : l.structures) take(layout, share);
+  take(layout, l.drawer_width);
+  take(layout, l.drawer_height);
+  take(layout, static_cast<int>(drawer_));
   take(layout, ui_.presenter);
   take(layout, ui_.vertices_always);
   take(layout, lead());
@@ -207,6 +191,7 @@ void App::draw() {
   if (asking_ > 0 && --asking_ == 0) ask_now();
   if (race_ && growth().at_work && growth().shown++ > 0) growth().measure_next(ends_waiting), session_.touch();
   follow_overlay();
+  follow_selected();
   update_fonts();
   apply_style(ui_);
   const ImVec2 size{static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height())};
@@ -234,28 +219,28 @@ void App::draw() {
   const float timeline = timeline_height(ui_);
   const ImVec2 at{pad, 0};
   const float width = size.x - 2 * pad, height = size.y - title - timeline - 2 * pad;
-  // Where there is no column for it, what is changed is asked over the right half.
-  drawer_at_ = {std::round(size.x / 2), title}, drawer_size_ = {std::round(size.x / 2) - pad, std::max(1.0f, height)};
-  ui_.changes = overlay_ == Overlay::what_if;
+  take_keys_by_click();
+  drawer_at_ = stage_at_ = timeline_at_ = {};
+  ui_.changes = drawer_ == Drawer::what_if;
   if (!ui_.changes) ui_.taken.reset();
   if (only_) draw_pane(*only_, {0, 0}, size);
   else draw_title(at, {width, title});
   if (race_shown_) draw_race({pad, title}, {width, size.y - title - pad});
   else if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
   if (!only_ && !race_shown_ && size.y > title + timeline) {
-    ImGui::SetCursorScreenPos({pad, size.y - timeline - pad});
+    timeline_at_ = {{pad, size.y - timeline - pad}, {width, timeline}};
+    ImGui::SetCursorScreenPos(timeline_at_.at);
     const std::int64_t b_was = against_ ? against_->session().position() : 0;
     draw_timeline(ui_, {width, timeline});
     if (against_ && against_->session().position() != b_was) against_->follow_second();
   }
   ImGui::End();
-  const bool may_ask = overlay_ == Overlay::none || overlay_ == Overlay::explain || overlay_ == Overlay::history ||
-                       overlay_ == Overlay::query;
   take_vertex();
   draw_entering_edge();
   board_.draw(ui_, {0, title}, {size.x, std::max(1.0f, size.y - title - timeline)});
+  draw_drawer();
   draw_overlay();
-  if (ui_.asked && may_ask) open_explain(*ui_.asked, ui_.asked_as);
+  if (ui_.asked && overlay_ == Overlay::none) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);
   if (film_ && !film_->draws) draw_filming(*this);
   if (overlay_ == Overlay::none) take_clicks();

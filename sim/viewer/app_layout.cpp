@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/app.hpp"
+#include "sim/viewer/drawer/drawer.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/viewer/panes/workspace.hpp"
 
@@ -93,6 +94,18 @@ Workspace stage_of(const Ui& ui, const std::string& lead) {
 
 }  // namespace
 
+namespace {
+
+/// What is asked is asked of pixels: where the frame would stand small and no small pane is shown, it leads.
+void keep_frame(const Ui& ui, std::vector<Pane>& leading) {
+  const auto is_frame = [](const Pane& pane) { return pane.id == frame_pane.id; };
+  if (viewing_step(ui) > 0 || std::any_of(leading.begin(), leading.end(), is_frame)) return;
+  leading.erase(leading.begin() + 1, leading.end());
+  leading.insert(leading.begin(), frame_pane);
+}
+
+}  // namespace
+
 void App::draw_column(ImVec2 at, ImVec2 size, const Pane& upper, const Pane& lower, float& share, const char* id) {
   const float gap = std::round(ui_.em * 0.35f), first = std::round((size.y - gap) * share);
   draw_pane(upper, at, {size.x, first});
@@ -134,7 +147,7 @@ void App::draw_on_stage(const Pane& pane, ImVec2 goal, ImVec2 goal_size, bool le
 
 void App::draw_leading(const std::vector<Pane>& leading, ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f);
-  stage_size_ = size;
+  stage_at_ = {at, size};
   if (leading.size() == 1) return draw_on_stage(leading[0], at, size, true);
   // A table needs less room than a picture.
   const bool table = leading[1].scrolls && !leading[0].scrolls;
@@ -217,7 +230,7 @@ void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   }
 }
 
-/// Too small for everything: what happened and the framebuffer, and a sentence that says so.
+/// Too small for everything: what happened, or what is asked, and the framebuffer, and a sentence that says so.
 void App::draw_few(ImVec2 at, ImVec2 size) {
   const float gap = std::round(ui_.em * 0.35f), line = ui_.line();
   const Pane& words = session_.lesson() ? lesson_pane : happened_pane;
@@ -232,14 +245,18 @@ void App::draw_few(ImVec2 at, ImVec2 size) {
     at.y += height;
     size.y -= height;
   }
+  const auto told = [&](ImVec2 corner, ImVec2 room) {
+    if (drawer_ != Drawer::none) drawer_at_ = {corner, room};
+    else draw_pane(words, corner, room);
+  };
   if (size.x > size.y * 1.3f) {
     const float half = std::round((size.x - gap) / 2);
-    draw_pane(words, at, {half, size.y});
+    told(at, {half, size.y});
     draw_pane(frame_pane, {at.x + half + gap, at.y}, {size.x - half - gap, size.y});
   } else {
     const float half = std::round((size.y - gap) / 2);
     draw_pane(frame_pane, at, {size.x, half});
-    draw_pane(words, {at.x, at.y + half + gap}, {size.x, size.y - half - gap});
+    told({at.x, at.y + half + gap}, {size.x, size.y - half - gap});
   }
 }
 
@@ -252,8 +269,24 @@ void App::draw_presented(ImVec2 at, ImVec2 size) {
       lesson && session_.stop() >= 0 ? &session_.lesson()->stops[static_cast<std::size_t>(session_.stop())] : nullptr;
   const bool speaks = stop && stop->position == session_.position();
   const bool wide = asks || (speaks && (stop->question || !code_fits(ui_, stop->text, narrow - 2 * ui_.em)));
-  const float words = wide ? std::round(size.x * 0.37f) : narrow, stage = size.x - words - gap, x = at.x + stage + gap;
-  draw_leading(stage_of(ui_, lead()).leading, at, {stage, size.y});
+  const float words = wide ? std::round(size.x * 0.37f) : narrow, x = at.x + size.x - words;
+  ImVec2 stage{size.x - words - gap, size.y};
+  std::vector<Pane> leading = stage_of(ui_, lead()).leading;
+  if (drawer_ != Drawer::none) keep_frame(ui_, leading);
+  // The drawer beside the stage has the place of the words, unless they wait for an answer.
+  const Docked dock = docked(size, asks ? stage : size, stage, leading.size());
+  const bool beside = dock.side == Docked::Side::beside;
+  if (beside) {
+    const float end = asks ? at.x + stage.x : at.x + size.x;
+    drawer_at_ = {{end - dock.room, at.y}, {dock.room, size.y}};
+    stage.x = end - dock.room - gap - at.x;
+  } else if (dock.side == Docked::Side::below) {
+    stage.y -= dock.room + gap;
+    drawer_at_ = {{at.x, at.y + stage.y + gap}, {stage.x, dock.room}};
+  }
+  draw_leading(leading, at, stage);
+  if (drawer_ != Drawer::none) pull_drawer(dock, size);
+  if (beside && !asks) return;
   if (asks || speaks) return draw_pane(lesson_pane, {x, at.y}, {words, size.y});
   float& share = settings_.layout.words;
   draw_column({x, at.y}, {words, size.y}, lesson ? happened_pane : pseudo_code_pane,
@@ -267,20 +300,40 @@ void App::draw_panes(ImVec2 at, ImVec2 size) {
   if (ui_.presenter) return draw_presented(at, size);
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);
-  const float left = std::round(size.x * l.left), right = session_.lesson() || overlay_ == Overlay::what_if ? std::round(size.x * l.right) : 0;
-  const float x = at.x + left + gap, middle = at.x + size.x - x - (right > 0 ? right + gap : 0);
-  draw_column(at, {left, size.y}, pseudo_code_pane, happened_pane, l.code, "code");
-  splitter("left", {at.x + left, at.y}, {gap, size.y}, true, l.left, size.x);
-  const Workspace stage = stage_of(ui_, lead());
-  const float upper = std::round((size.y - gap) * l.stage);
-  draw_small(stage.small, {x, at.y + upper + gap}, {middle, size.y - upper - gap});
-  draw_leading(stage.leading, {x, at.y}, {middle, upper});  // over what makes room for it
-  splitter("stage", {x, at.y + upper}, {middle, gap}, false, l.stage, size.y - gap);
+  const float left = std::round(size.x * l.left), x = at.x + left + gap;
+  float right = session_.lesson() ? std::round(size.x * l.right) : 0;
+  ImVec2 all{at.x + size.x - x - (right > 0 ? right + gap : 0), size.y};  // of stage and small panes
+  Workspace stage = stage_of(ui_, lead());
+  // What a lesson asks to be tried stands in the drawer itself: there it has the lesson's place.
+  const bool for_lesson = drawer_ == Drawer::what_if && right > 0;
+  const Docked dock =
+      docked(size, {all.x + (for_lesson ? right + gap : 0), all.y}, all, stage.leading.size());
+  if (dock.side == Docked::Side::beside) {
+    if (for_lesson) all.x += right + gap, right = 0;
+    all.x -= dock.room + gap;
+    drawer_at_ = {{x + all.x + gap, at.y}, {dock.room, size.y}};
+  } else if (dock.side == Docked::Side::below) {
+    all.y -= dock.room + gap;
+    drawer_at_ = {{at.x, at.y + all.y + gap}, {left + gap + all.x, dock.room}};
+  }
+  draw_column(at, {left, all.y}, pseudo_code_pane, happened_pane, l.code, "code");
+  splitter("left", {at.x + left, at.y}, {gap, all.y}, true, l.left, size.x);
+  const bool small = dock.side != Docked::Side::below;
+  if (small) {
+    const float upper = std::round((all.y - gap) * l.stage);
+    draw_small(stage.small, {x, at.y + upper + gap}, {all.x, all.y - upper - gap});
+    draw_leading(stage.leading, {x, at.y}, {all.x, upper});  // over what makes room for it
+    splitter("stage", {x, at.y + upper}, {all.x, gap}, false, l.stage, all.y - gap);
+  } else {
+    keep_frame(ui_, stage.leading);
+    draw_leading(stage.leading, {x, at.y}, all);
+  }
+  if (drawer_ != Drawer::none) pull_drawer(dock, size);
   if (right > 0) {
-    drawer_at_ = {x + middle + gap, at.y}, drawer_size_ = {right, size.y};
-    if (overlay_ != Overlay::what_if) draw_pane(lesson_pane, drawer_at_, drawer_size_);
+    const float lesson = at.x + size.x - right;
+    draw_pane(lesson_pane, {lesson, at.y}, {right, size.y});
     float others = 1 - l.right;
-    if (splitter("right", {x + middle, at.y}, {gap, size.y}, true, others, size.x)) l.right = 1 - others;
+    if (splitter("right", {lesson - gap, at.y}, {gap, size.y}, true, others, size.x)) l.right = 1 - others;
   }
   l.right = std::clamp(l.right, 0.1f, 0.5f);
   l.left = std::clamp(l.left, 0.1f, 0.55f);

@@ -1,4 +1,4 @@
-// What keys do in the boxes for conditions and bookmarks.
+// What keys do with conditions, bookmarks and the range of the depths' colours in the drawer.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace zstep::viewer {
 
 void App::run_until(const std::string& condition, Places::Way way) {
   wrong = places_.run_until(condition, way);
-  if (wrong.empty()) open(Overlay::none);
+  if (wrong.empty()) open(Drawer::none);
   session_.touch();
 }
 
@@ -22,7 +22,7 @@ void App::keep_bookmark() {
   const std::string name = named ? typed : fmt::format("step {}", session_.position());
   wrong = places_.bookmark(name);
   if (!wrong.empty()) return session_.touch();
-  open(Overlay::none);
+  open(Drawer::none);
   say(fmt::format("Step {} is kept as {}; L lists all bookmarks.", grouped(session_.position()), name));
 }
 
@@ -30,7 +30,7 @@ void App::go_to_bookmark(std::size_t place) {
   const auto& all = places_.bookmarks();
   if (place >= all.size()) return;
   const places::Bookmark mark = all[place];
-  open(Overlay::none);
+  open(Drawer::none);
   session_.go_to(mark.step);
   say(fmt::format("Bookmark: {}", mark.name));
 }
@@ -82,39 +82,31 @@ void App::take_range() {
                         session_.header().comparison.nearer == Comparison::Nearer::greater ? "0.8 0.2" : "0.2 0.8");
     return session_.touch();
   }
-  open(Overlay::none);
+  open(Drawer::none);
   ui_.range_mode = empty ? Ui::RangeMode::whole : Ui::RangeMode::by_hand;
   ui_.hand_range = range;
   say(empty ? "The colours span all depths of the trace."
             : fmt::format("The colours span {} to {}; R ends that.", number(near), number(far)));
 }
 
-/// A key for the box of a condition or of a bookmark's name; false if it is none.
-bool App::edit_place(SDL_Keycode code, unsigned modifiers) {
-  if (overlay_ == Overlay::range && code == SDLK_RETURN) return take_range(), true;
-  if (overlay_ == Overlay::name_bookmark && code == SDLK_RETURN) return keep_bookmark(), true;
-  if (overlay_ != Overlay::until) return false;
+bool App::edit_range(SDL_Keycode code, unsigned) { return code == SDLK_RETURN ? take_range(), true : false; }
+bool App::name_typed(SDL_Keycode code, unsigned) { return code == SDLK_RETURN ? keep_bookmark(), true : false; }
+
+bool App::edit_until(SDL_Keycode code, unsigned modifiers) {
   if (code == SDLK_RETURN)
     return run_until(typed, (modifiers & Chord::shift) != 0 ? Places::Way::backwards : Places::Way::forwards), true;
-  if (code != SDLK_UP && code != SDLK_DOWN) return false;
   const auto suggestions = places_.suggestions();
-  if (suggestions.empty()) return true;
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, static_cast<int>(suggestions.size()) - 1);
-  put(suggestions[static_cast<std::size_t>(picked)].condition);
+  if (!pick_among(suggestions.size(), code)) return false;
+  if (!suggestions.empty()) put(suggestions[static_cast<std::size_t>(picked)].condition);
   wrong.clear();
-  scroll_to_picked = true;
   return true;
 }
 
-bool App::pick_bookmark(SDL_Keycode code) {
-  const int last = static_cast<int>(places_.bookmarks().size()) - 1;
+bool App::pick_bookmark(SDL_Keycode code, unsigned) {
   const auto place = static_cast<std::size_t>(std::max(0, picked));
   if (code == SDLK_RETURN) return go_to_bookmark(place), true;
   if (code == SDLK_DELETE) return remove_bookmark(place), true;
-  if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, last));
-  scroll_to_picked = true;
-  return true;
+  return pick_among(places_.bookmarks().size(), code);
 }
 
 }  // namespace zstep::viewer

@@ -81,6 +81,7 @@ void escape(App& app) {
   if (app.waits_for_run) return void(app.requests.end_run = true);
   if (app.places().searching()) return app.places().stop();
   if (app.overlay() != Overlay::none) return app.open(Overlay::none);
+  if (app.drawer() != Drawer::none) return app.open(Drawer::none);
   Session& s = app.session();
   if (app.board().put_away()) return s.touch();
   if (app.racing()) return app.close_race();
@@ -95,7 +96,7 @@ void escape(App& app) {
 
 void name_bookmark(App& app) {
   const std::string fault = app.places().why_no_bookmark();
-  if (fault.empty()) app.open(Overlay::name_bookmark);
+  if (fault.empty()) app.open(Drawer::name_bookmark);
   else app.say(fault);
 }
 

@@ -35,7 +35,7 @@ const std::vector<Command>& table() {
        "Run until a condition is true",
        {{SDLK_u}},
        [](App& a) {
-         a.open(Overlay::until);
+         a.open(Drawer::until);
          a.picked = -1;
        }},
       {"next-match",
@@ -56,8 +56,8 @@ const std::vector<Command>& table() {
       {"previous-alike", "Move", "Previous like difference", {{0, 0, ':'}}, [](App& a) { a.to_alike(-1); }},
       {"pixel-apart", "Move", "First pixel that differs", {{0, 0, '#'}}, [](App& a) { a.to_pixel_apart(); }},
       {"bookmark", "Move", "Set a bookmark here", {{SDLK_b, C}}, name_bookmark},
-      {"bookmarks", "Move", "Bookmarks", {{SDLK_l}}, [](App& a) { a.open(Overlay::bookmarks); }},
-      {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Overlay::query); }},
+      {"bookmarks", "Move", "Bookmarks", {{SDLK_l}}, [](App& a) { a.open(Drawer::bookmarks); }},
+      {"query", "Move", "Ask the trace in SQL", {{SDLK_q}}, [](App& a) { a.open(Drawer::query); }},
       {"play", "Play", "Play or pause", {{SDLK_SPACE}}, [](App& a) { a.toggle_play(); }},
       {"faster", "Play", "Faster", {{0, 0, '+'}}, change_speed<1>},
       {"slower", "Play", "Slower", {{0, 0, '-'}}, change_speed<-1>},
@@ -127,7 +127,7 @@ const std::vector<Command>& table() {
       {"overlay", "Look", "Over the frame: overdraw, \u2026", {{SDLK_o}}, [](App& a) { a.turn_overlay(1); }},
       {"previous-overlay", "Look", "Over the frame: the one before", {{SDLK_o, S}}, [](App& a) { a.turn_overlay(-1); }},
       {"fit-range", "Look", "Depth colours: fitted, or not", {{SDLK_r}}, fit_range},
-      {"range", "Look", "Depth colours: a range by hand", {{SDLK_r, S}}, [](App& a) { a.open(Overlay::range); }},
+      {"range", "Look", "Depth colours: a range by hand", {{SDLK_r, S}}, [](App& a) { a.open(Drawer::range); }},
       {"histogram",
        "Look",
        "How many pixels have which depth",

@@ -4,6 +4,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/lists.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -131,6 +132,20 @@ int Field::on_event(ImGuiInputTextCallbackData* data) {
     field.put_.reset();
   }
   return 0;
+}
+
+void Field::draw_idle(Ui& ui, const std::string& typed, const std::string& hint) {
+  const Theme& c = ui.colors();
+  const ImVec2 at = ImGui::GetCursorScreenPos(), pad{std::round(ui.em * 0.4f), std::round(ui.em * 0.3f)};
+  const ImVec2 end{at.x + std::max(1.0f, ImGui::GetContentRegionAvail().x),
+                   at.y + ui.fonts.text->FontSize + 2 * pad.y};
+  ImGui::GetWindowDrawList()->AddRectFilled(at, end, c.head);
+  ImGui::PushClipRect({at.x + pad.x, at.y}, {end.x - pad.x, end.y}, true);
+  draw_text(ui, {at.x + pad.x, at.y + pad.y}, ui.fonts.text, typed.empty() ? c.muted : c.text,
+            fitted(ui, ui.fonts.text, typed.empty() ? hint : typed, end.x - at.x - 2 * pad.x));
+  ImGui::PopClipRect();
+  frame_box(ui, at, end, c.rule);
+  ImGui::Dummy({1, end.y - at.y + std::round(ui.em * 0.3f)});
 }
 
 bool Field::draw(App& app, const std::string& hint) {

@@ -10,6 +10,7 @@
 namespace zstep::viewer {
 
 class App;
+struct Ui;
 
 class Field {
  public:
@@ -31,6 +32,8 @@ class Field {
 
   /// Draws it, with a hint where nothing is typed. True when the reader changed what is typed.
   bool draw(App& app, const std::string& hint);
+  /// What is typed, as it looks while the keys are elsewhere.
+  static void draw_idle(Ui& ui, const std::string& typed, const std::string& hint);
 
  private:
   static int on_event(ImGuiInputTextCallbackData* data);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 #include "sim/viewer/panes/pane.hpp"
 
@@ -21,11 +22,9 @@ std::string spaced(std::string text) {
 }  // namespace
 
 bool App::pick_here(SDL_Keycode code) {
-  const int last = static_cast<int>(here_.size()) - 1;
-  if (code == SDLK_UP || code == SDLK_DOWN)
-    return picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, last), true;
-  if (code != SDLK_RETURN || picked < 0 || picked > last) return false;
-  take_here(static_cast<std::size_t>(picked));
+  const auto line = static_cast<std::size_t>(picked);
+  if (code != SDLK_RETURN || line >= here_.size()) return pick_among(here_.size(), code);
+  take_here(line);
   return true;
 }
 

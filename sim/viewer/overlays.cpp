@@ -1,4 +1,4 @@
-// What lies over the panes for a moment: key sheet, palette, go-to, menu. All from the table of commands.
+// What lies over the window for a moment: key sheet, palette, menu, all from the table of commands; go-to; a search.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -39,58 +40,6 @@ void begin_overlay(App& app, const char* id, ImVec2 size, ImVec2 corner) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool inside = mouse.x >= at.x && mouse.y >= at.y && mouse.x < at.x + size.x && mouse.y < at.y + size.y;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !inside) app.open(Overlay::none);
-}
-
-void say_wrong(Ui& ui, const std::string& what) { flow(ui, what, {.color = ui.colors().bad, .font = ui.fonts.bold}); }
-
-ListRow list_row(App& app, std::size_t place, float height) {
-  Ui& ui = app.ui();
-  const Theme& c = ui.colors();
-  ListRow row;
-  row.at = ImGui::GetCursorScreenPos();
-  const float width = std::max(1.0f, ImGui::GetContentRegionAvail().x);
-  row.end = {row.at.x + width, row.at.y + height};
-  ImGui::PushID(static_cast<int>(place));
-  row.clicked = ImGui::InvisibleButton("row", {width, height});
-  ImGui::PopID();
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  if (static_cast<int>(place) == app.picked) {
-    list->AddRectFilled(row.at, row.end, c.now_soft);
-    list->AddRectFilled(row.at, {row.at.x + 3, row.end.y}, c.now);
-    if (app.scroll_to_picked) ImGui::SetScrollHereY(0.5f);
-  } else if (ImGui::IsItemHovered()) {
-    list->AddRectFilled(row.at, row.end, c.button_hovered);
-  }
-  row.visible = ImGui::IsRectVisible(row.at, row.end);
-  return row;
-}
-
-float step_column(const Ui& ui, std::int64_t last_step) {
-  return std::max(ui.em * 6, std::ceil(text_size(ui, ui.fonts.mono, grouped(last_step)).x) + ui.em * 1.5f);
-}
-
-void draw_swatch(Ui& ui, ImVec2 at, float height, const Scene& scene, std::int32_t polygon) {
-  const float box = std::round(ui.em * 0.6f), top = at.y + std::round((height - box) / 2);
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({at.x, top}, {at.x + box, top + box},
-                      to_im(opaque(scene.polygons[static_cast<std::size_t>(polygon)].color)));
-  frame_box(ui, {at.x, top}, {at.x + box, top + box}, ui.colors().text);
-}
-
-std::string depth_in_list(double z) {
-  if (!std::isfinite(z)) return number(z);
-  std::string text = answers::depth_text(z);
-  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) text.replace(at, 1, "\u2212");
-  return text;
-}
-
-std::string fitted(const Ui& ui, const ImFont* font, std::string text, float room) {
-  if (text_size(ui, font, text).x <= room) return text;
-  while (!text.empty() && text_size(ui, font, text + "\u2026").x > room) {
-    do text.pop_back();
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0u) == 0x80u);
-  }
-  return text + "\u2026";
 }
 
 namespace {
@@ -240,6 +189,37 @@ void draw_go_to(App& app) {
                    "9, 17 to select a pixel, or a bookmark's name. Enter goes there.",
                    grouped(app.session().size()), stop),
        how);
+  ImGui::End();
+}
+
+void draw_search(App& app) { draw_progress(app, app.places().progress(), app.places().share(), "Esc stops"); }
+
+void draw_progress(App& app, const std::string& text, double share, const std::string& help) {
+  Ui& ui = app.ui();
+  const Theme& c = ui.colors();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float pad = std::round(ui.em * 0.7f), bar = std::round(ui.em * 0.4f);
+  const float width = std::min(
+      screen.x - 8,
+      std::max(text_size(ui, ui.fonts.text, text).x + text_size(ui, ui.fonts.bold, help).x + 2 * ui.em, ui.em * 20) +
+          2 * pad);
+  // Over the names in the title: no picture and no button is under it.
+  const ImVec2 size{width, std::round(ui.em * 2.1f)}, at{2, 2};
+  ImGui::SetNextWindowPos(at);
+  ImGui::SetNextWindowSize(size);
+  ImGui::SetNextWindowFocus();
+  ImGui::Begin("progress", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + size.x, at.y + size.y};
+  list->AddRectFilled(at, end, c.pane);
+  frame_box(ui, at, end, c.now, 2);
+  draw_text(ui, {at.x + pad, at.y + ui.em * 0.25f}, ui.fonts.text, c.text, text);
+  draw_text(ui, {end.x - pad - text_size(ui, ui.fonts.bold, help).x, at.y + ui.em * 0.25f}, ui.fonts.bold, c.now, help);
+  const float y = end.y - bar - ui.em * 0.2f, whole = size.x - 2 * pad;
+  list->AddRectFilled({at.x + pad, y}, {at.x + pad + whole, y + bar}, c.head);
+  list->AddRectFilled({at.x + pad, y}, {at.x + pad + whole * static_cast<float>(share), y + bar}, c.now);
   ImGui::End();
 }
 

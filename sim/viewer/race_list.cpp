@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 
 namespace zstep::viewer {
@@ -34,14 +35,8 @@ void App::turn_racer(const std::string& entrant) {
 
 bool App::pick_racer(SDL_Keycode code) {
   const std::vector<const compare::Entrant*> found = found_entrants();
-  const int count = static_cast<int>(found.size());
-  if (code == SDLK_RETURN) {
-    if (picked < count) turn_racer(found[static_cast<std::size_t>(picked)]->text);
-    return true;
-  }
-  if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, count - 1));
-  scroll_to_picked = true;
+  if (code != SDLK_RETURN) return pick_among(found.size(), code);
+  if (static_cast<std::size_t>(picked) < found.size()) turn_racer(found[static_cast<std::size_t>(picked)]->text);
   return true;
 }
 

@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "sim/viewer/commands.hpp"
-#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/viewer/panes/strip.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
@@ -173,7 +173,7 @@ void App::open_race(const std::optional<RaceAsked>& asked) {
   }
   session_.playing = false;
   race_shown_ = true;
-  if (overlay_ != Overlay::none) open(Overlay::none);
+  if (overlay_ != Overlay::none || drawer_ != Drawer::none) open(Drawer::none);
   if (asked) {
     race_by(asked->clock);
     const double at = asked->of_all ? asked->at * static_cast<double>(race().end()) : asked->at;

@@ -89,6 +89,8 @@ Settings load_settings(const std::filesystem::path& path) {
     else if (key == "table") s.layout.table = share_or(real, s.layout.table);
     else if (key == "both") s.layout.both = share_or(real, s.layout.both);
     else if (key == "words") s.layout.words = share_or(real, s.layout.words);
+    else if (key == "drawer_width") s.layout.drawer_width = share_or(real, s.layout.drawer_width);
+    else if (key == "drawer_height") s.layout.drawer_height = share_or(real, s.layout.drawer_height);
     else if (key == "frame") s.layout.frame = share_or(real, s.layout.frame);
     else if (key.rfind("structure ", 0) == 0) s.layout.structures[key.substr(10)] = share_or(real, 0.3f);
     else if (key.rfind("place ", 0) == 0)
@@ -108,6 +110,7 @@ bool save_settings(const std::filesystem::path& path, const Settings& s) {
     file << fmt::format("dark = {:d}\npresenter = {:d}\nreduced_motion = {:d}\ntext_scale = {}\n", s.dark, s.presenter,
                         s.reduced_motion, s.text_scale)
          << fmt::format("width = {}\nheight = {}\nspeed = {}\n", s.width, s.height, s.speed)
+         << fmt::format("drawer_width = {}\ndrawer_height = {}\n", s.layout.drawer_width, s.layout.drawer_height)
          << fmt::format("left = {}\nright = {}\ncode = {}\nstage = {}\nframe = {}\ntable = {}\nboth = {}\nwords = {}\n",
                         s.layout.left, s.layout.right, s.layout.code, s.layout.stage, s.layout.frame, s.layout.table,
                         s.layout.both, s.layout.words);

@@ -22,6 +22,8 @@ struct Layout {
   float table = 0.58f;       ///< the same beside a table
   float both = 0.62f;        ///< height of two runs' frames above what they live by
   float words = 0.6f;        ///< height of what happened above the lesson, in presenter mode
+  float drawer_width = 0.25f;   ///< of the drawer beside the stage
+  float drawer_height = 0.3f;   ///< of the drawer below it
   std::map<std::string, float> structures;  ///< weights by pane id
   bool operator==(const Layout&) const = default;
 };

@@ -173,7 +173,7 @@ void Stage::show_made(OtherRun run, Asked asked) {
   Before before = show_in_place(back ? std::nullopt : std::move(made));
   App& left = before.app ? *before.app : *first_app_;
   if (&left != &app()) app().look_as(left);
-  if (&left == first_app_.get() && !back) first_app_->open(Overlay::none);
+  if (&left == first_app_.get() && !back) first_app_->open(Drawer::none);
   Session& s = app().session();
   const Raster& raster = trace().scene().raster;
   if (moment_.selected && (moment_.selected->x >= raster.width || moment_.selected->y >= raster.height))
@@ -193,14 +193,14 @@ void Stage::show_made(OtherRun run, Asked asked) {
   if (other_ && !other_->whole) changed.told += " Cut off, as it would take too long.";
   if (other_ && lesson_) changed.told += " The lesson waits.";
   if (!place.empty()) changed.told += fmt::format(" Here: {}.", place);
-  if (app().overlay() != Overlay::what_if) app().say(changed.told);
+  if (app().drawer() != Drawer::what_if) app().say(changed.told);
   app().show_changes(std::move(changed), against ? std::shared_ptr<const Trace>(against, &against->trace)
                                                  : std::shared_ptr<const Trace>(std::shared_ptr<void>(), first_));
   before.app.reset();  // it looks at that run
   if (!goes_on) before_change_ = std::move(before.run);
   changes_ = std::move(asked.changes);
   undone_ = std::move(asked.undone);
-  if (asked.typed && app().overlay() == Overlay::what_if) app().put("");
+  if (asked.typed && app().drawer() == Drawer::what_if) app().put("");
 }
 
 void Stage::change(const Change& change, bool goes_on) {

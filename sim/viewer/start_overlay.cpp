@@ -7,6 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 
 namespace zstep::viewer {

@@ -30,24 +30,24 @@ TEST_CASE("Shift+E tells where the number of a step comes from, and goes to each
   const Trace trace = test::record_run("delhi");
   App app(trace, nullptr, {}, 1280, 720);
   test::press(app, SDLK_e, KMOD_LSHIFT);
-  CHECK(app.overlay() == Overlay::none);  // nothing has happened yet
+  CHECK(app.drawer() == Drawer::none);  // nothing has happened yet
   app.session().go_to(219);
   const test::Bytes before = test::picture(app);
   test::press(app, SDLK_e, KMOD_LSHIFT);
-  REQUIRE(app.overlay() == Overlay::explain);
+  REQUIRE(app.drawer() == Drawer::explain);
   CHECK(test::picture(app) != before);
   REQUIRE(app.chain().links.size() == 10);
   CHECK(app.chain().links[0].step == 219);
   for (int i = 0; i < 3; ++i) test::press(app, SDLK_DOWN);
   test::press(app, SDLK_RETURN);
   CHECK(app.session().position() == 211);  // the active edge
-  CHECK(app.overlay() == Overlay::explain);
+  CHECK(app.drawer() == Drawer::explain);
   for (int i = 0; i < 20; ++i) test::press(app, SDLK_DOWN);
   test::press(app, SDLK_RETURN);
   CHECK(app.session().position() == 211);  // the last is the scene's own
   CHECK(app.session().message.find("scene delhi:") != std::string::npos);
   test::press(app, SDLK_ESCAPE);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::none);
 }
 
 TEST_CASE("a click on a number of a table or a formula tells where it comes from; beside it the row is lit as ever") {
@@ -62,7 +62,7 @@ TEST_CASE("a click on a number of a table or a formula tells where it comes from
   REQUIRE(found);
   y -= 9;
   test::click(app, x, y);
-  REQUIRE(app.overlay() == Overlay::explain);
+  REQUIRE(app.drawer() == Drawer::explain);
   CHECK_FALSE(app.session().selected_edge);
   const std::size_t kind = trace.event(app.chain().links[0].step).event.index();
   CHECK((kind == kind_of<EdgeTableInsert> || kind == kind_of<EdgeStep>));
@@ -73,13 +73,13 @@ TEST_CASE("a click on a number of a table or a formula tells where it comes from
     if (app.ui().mouse_help == "Click: keep this edge lit in every pane.") test::click(app, beside, y);
   }
   CHECK(app.session().selected_edge);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::none);
   // The formula of the step: "z < zbuffer[x,y]".
   found = false;
   for (y = 400; y < 640 && !found; y += 9) found = find_number(app, 30, 40, x, y);
   REQUIRE(found);
   test::click(app, x, y - 9);
-  REQUIRE(app.overlay() == Overlay::explain);
+  REQUIRE(app.drawer() == Drawer::explain);
   CHECK(app.chain().links[0].step == 219);
 }
 
@@ -99,7 +99,7 @@ TEST_CASE(
       test::move_mouse(app, x, y);
       if (app.ui().mouse_help != "Click: where this number comes from.") continue;
       test::click(app, x, y);
-      REQUIRE(app.overlay() == Overlay::explain);
+      REQUIRE(app.drawer() == Drawer::explain);
       const auto picked = static_cast<std::size_t>(app.picked);
       REQUIRE(picked < app.chain().links.size());
       if (app.chain().links[0].step == step)
@@ -131,9 +131,9 @@ TEST_CASE("a click on the depth of the selected pixel tells where it comes from;
   test::click(app, depth, 200);
   const auto selected = app.session().selected;
   REQUIRE(selected);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::none);
   test::click(app, depth, 200);
-  REQUIRE(app.overlay() == Overlay::explain);
+  REQUIRE(app.drawer() == Drawer::explain);
   CHECK(app.session().selected == selected);
   CHECK(app.chain().links[0].values[0].value ==
         app.session().picture().depth[app.session().picture().at(selected->x, selected->y)]);

@@ -37,14 +37,14 @@ TEST_CASE("a right click on a pixel offers what can be asked of it; keys take a 
   CHECK_FALSE(app.session().selected);
   right_click(app, 592, 208);
   test::press(app, SDLK_RETURN);
-  CHECK(app.overlay() == Overlay::history);
+  CHECK(app.drawer() == Drawer::history);
   REQUIRE(app.session().selected);
   CHECK(app.history_of() == *app.session().selected);
   test::press(app, SDLK_ESCAPE);
   right_click(app, 592, 208);
   test::press(app, SDLK_DOWN);
   test::press(app, SDLK_RETURN);
-  CHECK((app.overlay() == Overlay::why_ask || app.overlay() == Overlay::why));
+  CHECK((app.drawer() == Drawer::why_ask || app.drawer() == Drawer::why));
 }
 
 TEST_CASE("a right click on a place in time goes there or repeats from it, on a line of code runs to it") {
@@ -82,19 +82,19 @@ TEST_CASE("a number of a formula asks the same by a right click as by a click, a
       test::click(left, x, y), right_click(right, x, y);
       CAPTURE(x);
       CAPTURE(y);
-      const bool asks = left.overlay() == Overlay::explain;
+      const bool asks = left.drawer() == Drawer::explain;
       CHECK(asks == (right.overlay() == Overlay::here && offers(right, "Where this number comes from")));
       if (asks) {
         if (offers(right, "Copy ")) ++numbers;
         test::press(right, SDLK_RETURN);
-        REQUIRE(right.overlay() == Overlay::explain);
+        REQUIRE(right.drawer() == Drawer::explain);
         CHECK(right.chain().links.size() == left.chain().links.size());
         CHECK(right.picked == left.picked);
         const bool same = test::picture(right) == test::picture(left);
         CHECK(same);
         others += left.picked > 0;
       }
-      for (App* app : {&left, &right}) app->open(Overlay::none), app->session().go_to(*at), app->settle();
+      for (App* app : {&left, &right}) app->open(Drawer::none), app->session().go_to(*at), app->settle();
     }
   CHECK(numbers > 3);
   CHECK(others > 0);
@@ -124,7 +124,7 @@ TEST_CASE("what a right click offers stands within the window, wherever the mous
             CHECK(window->Pos.y + window->Size.y <= 600);
           }
       }
-      app.open(Overlay::none);
+      app.open(Drawer::none);
     }
   CHECK(opened > 20);
 }

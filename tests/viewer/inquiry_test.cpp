@@ -79,7 +79,7 @@ TEST_CASE("Q opens the box; what is typed is asked, rows are picked and gone to,
   App app(trace, nullptr, {}, 1280, 720);
   const test::Bytes before = test::picture(app);
   test::type(app, "q");  // the key's own letter is not typed
-  CHECK(app.overlay() == Overlay::query);
+  CHECK(app.drawer() == Drawer::query);
   CHECK(app.typed.empty());
   test::type(app, "select x, y, z, step from depth_compare where nearer order by step");
   test::press(app, SDLK_RETURN);
@@ -91,12 +91,12 @@ TEST_CASE("Q opens the box; what is typed is asked, rows are picked and gone to,
   test::press(app, SDLK_RETURN);
   CHECK(app.session().position() == *app.inquiry().step_of(2));
   CHECK(app.session().selected == app.inquiry().pixel_of(2));
-  CHECK(app.overlay() == Overlay::query);
+  CHECK(app.drawer() == Drawer::query);
   test::press(app, SDLK_TAB);
   CHECK(app.ui().heat);
   CHECK(test::picture(app) != answered);
   test::press(app, SDLK_ESCAPE);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::none);
   CHECK(app.ui().heat);
   test::press(app, SDLK_ESCAPE);
   CHECK_FALSE(app.ui().heat);

@@ -121,6 +121,15 @@ Letters letters_of(const Fonts& fonts) {
   return out;
 }
 
+std::optional<ImVec2> corner_of(ImTextureID image) {
+  const ImDrawData& data = *ImGui::GetDrawData();
+  for (int n = 0; n < data.CmdListsCount; ++n)
+    for (const ImDrawCmd& command : data.CmdLists[n]->CmdBuffer)
+      if (command.GetTexID() == image && command.ElemCount >= 3)
+        return data.CmdLists[n]->VtxBuffer[data.CmdLists[n]->IdxBuffer[static_cast<int>(command.IdxOffset)]].pos;
+  return std::nullopt;
+}
+
 std::vector<std::string> cut_at_the_side(const Letters& drawn) {
   std::vector<std::string> found;
   for (const Letter& l : drawn.all)

@@ -1,6 +1,7 @@
 // The letters of a frame, read from what Dear ImGui was told to draw, and what makes them hard to read.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct Letters {
   std::vector<std::string> covered;  ///< words of which a part lies under something drawn later
 };
 Letters letters_of(const viewer::Fonts& fonts);
+/// Of a canvas that is seen in it, the upper left corner on the screen.
+std::optional<ImVec2> corner_of(ImTextureID image);
 
 /// Each of these says of which word, and what: nothing where all is well.
 std::vector<std::string> cut_at_the_side(const Letters& drawn);

@@ -100,12 +100,12 @@ TEST_CASE("R fits the colours to what is shown, Shift+R takes a range, I draws h
   test::press(app, SDLK_r, KMOD_LSHIFT);
   test::type(app, "0.5 0.1");
   test::press(app, SDLK_RETURN);
-  CHECK(app.overlay() == Overlay::range);
+  CHECK(app.drawer() == Drawer::range);
   CHECK_FALSE(app.wrong.empty());
   for (int i = 0; i < 7; ++i) test::press(app, SDLK_BACKSPACE);
   test::type(app, "-.1 0.6");
   test::press(app, SDLK_RETURN);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::none);
   CHECK(app.ui().range_mode == Ui::RangeMode::by_hand);
   CHECK(app.ui().hand_range.near == -0.1);
   CHECK(app.ui().hand_range.far == 0.6);

@@ -48,18 +48,18 @@ TEST_CASE("U takes a condition and runs until it is true, J goes on, Shift goes 
   test::press(app, SDLK_j);
   CHECK(app.session().message.find("Press U") != std::string::npos);
   test::type(app, "u");  // the key's own letter is not typed
-  REQUIRE(app.overlay() == Overlay::until);
+  REQUIRE(app.drawer() == Drawer::until);
   CHECK(app.typed.empty());
   test::type(app, "not nearr");
   test::press(app, SDLK_RETURN);
-  CHECK(app.overlay() == Overlay::until);
+  CHECK(app.drawer() == Drawer::until);
   CHECK(app.wrong.find("did you mean `nearer`") != std::string::npos);
   app.settle();
   test::press(app, SDLK_BACKSPACE);
   test::type(app, "er");
   CHECK(app.wrong.empty());
   test::press(app, SDLK_RETURN);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::none);
   wait(app);
   const std::int64_t first = app.session().position();
   CHECK(first > 0);
@@ -124,26 +124,26 @@ TEST_CASE("Ctrl+B keeps a bookmark beside the trace, L lists them, Delete remove
     const auto keep = [&](std::int64_t step, const std::string& name) {
       app.session().go_to(step);
       test::press(app, SDLK_b, KMOD_LCTRL);
-      REQUIRE(app.overlay() == Overlay::name_bookmark);
+      REQUIRE(app.drawer() == Drawer::name_bookmark);
       test::type(app, name);
       test::press(app, SDLK_RETURN);
     };
     keep(100, "here");
-    CHECK(app.overlay() == Overlay::none);
+    CHECK(app.drawer() == Drawer::none);
     keep(50, "before");
     keep(60, "12");
-    CHECK(app.overlay() == Overlay::name_bookmark);
+    CHECK(app.drawer() == Drawer::name_bookmark);
     CHECK_FALSE(app.wrong.empty());
     test::press(app, SDLK_ESCAPE);
     app.session().go_to(0);
     const test::Bytes unmarked = test::picture(app);
     test::press(app, SDLK_l);
-    REQUIRE(app.overlay() == Overlay::bookmarks);
+    REQUIRE(app.drawer() == Drawer::bookmarks);
     CHECK(test::picture(app) != unmarked);
     test::press(app, SDLK_DOWN);
     test::press(app, SDLK_RETURN);
     CHECK(app.session().position() == 100);
-    CHECK(app.overlay() == Overlay::none);
+    CHECK(app.drawer() == Drawer::none);
     // The box that goes to a step takes its name, too.
     test::type(app, "gbefore");
     test::press(app, SDLK_RETURN);
@@ -169,7 +169,7 @@ TEST_CASE("Ctrl+B keeps a bookmark beside the trace, L lists them, Delete remove
   hostile.settle();
   test::press(hostile, SDLK_ESCAPE);
   test::press(hostile, SDLK_b, KMOD_LCTRL);
-  CHECK(hostile.overlay() == Overlay::none);  // before a name is typed
+  CHECK(hostile.drawer() == Drawer::none);  // before a name is typed
   CHECK(hostile.session().message.find("does not begin with a step") != std::string::npos);
   std::string kept;
   std::getline(std::ifstream(marks), kept);
@@ -188,10 +188,10 @@ TEST_CASE("a lesson's bookmarks are kept by its name, and where none can be kept
   const auto keep = [&](App& app, std::int64_t step, const std::string& name) {
     app.session().go_to(step);
     test::press(app, SDLK_b, KMOD_LCTRL);
-    REQUIRE(app.overlay() == Overlay::name_bookmark);
+    REQUIRE(app.drawer() == Drawer::name_bookmark);
     test::type(app, name);
     test::press(app, SDLK_RETURN);
-    CHECK(app.overlay() == Overlay::none);
+    CHECK(app.drawer() == Drawer::none);
   };
   {
     App app(trace, &lesson, {}, 1280, 720);
@@ -205,7 +205,7 @@ TEST_CASE("a lesson's bookmarks are kept by its name, and where none can be kept
   CHECK(other.places().bookmarks().empty());
   App none(trace, nullptr, {}, 1280, 720);
   test::press(none, SDLK_b, KMOD_LCTRL);
-  CHECK(none.overlay() == Overlay::none);
+  CHECK(none.drawer() == Drawer::none);
   CHECK(none.session().message.find("zstep record") != std::string::npos);
   if (before) setenv("XDG_CONFIG_HOME", config.c_str(), 1);
   else unsetenv("XDG_CONFIG_HOME");

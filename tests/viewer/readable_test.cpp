@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "sim/classroom/lesson.hpp"
+#include "tests/viewer/drawer_pages.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
@@ -67,4 +68,26 @@ TEST_CASE("law: all that stands in a light window is read, at the stops of every
 TEST_CASE("law: all that stands in a dark window is read, at the stops of every lesson") { check_stops(Dress::dark); }
 TEST_CASE("law: all that stands before a class is read, at the stops of every lesson") {
   check_stops(Dress::presenter);
+}
+TEST_CASE("law: all that is asked is read in the drawer") {
+  Lesson lesson = find_lesson("z-buffer");
+  const Trace trace = run_lesson(lesson);
+  int turn = 0;
+  for (const Dress dress : {Dress::light, Dress::dark, Dress::presenter})
+    for (const auto& [width, height] : sizes_of_window) {
+      if (++turn % 2 == 0 && width == 3840) continue;  // the largest takes longest
+      CAPTURE(static_cast<int>(dress));
+      CAPTURE(width);
+      Settings settings;
+      settings.dark = dress == Dress::dark, settings.presenter = dress == Dress::presenter;
+      App app(trace, turn % 2 == 0 ? nullptr : &lesson, settings, width, height);
+      app.session().go_to(867);
+      const Cell cell = test::a_drawn_pixel(app);
+      for (const Drawer page : test::all_pages()) {
+        CAPTURE(static_cast<int>(page));
+        test::open_page(app, page, cell);
+        check_read(app);
+        app.open(Drawer::none);
+      }
+    }
 }

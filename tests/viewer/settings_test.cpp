@@ -22,6 +22,7 @@ TEST_CASE("settings come back as they were saved") {
   s.width = 1000;
   s.height = 600;
   s.layout.left = 0.33f;
+  s.layout.drawer_width = 0.4f, s.layout.drawer_height = 0.45f;
   s.layout.structures["scene"] = 0.5f;
   s.remember("a run.ztrace|100|5", 42);
   s.remember("other", 7);
@@ -36,6 +37,8 @@ TEST_CASE("settings come back as they were saved") {
   CHECK(back.text_scale == 1.25f);
   CHECK(back.width == 1000);
   CHECK(back.layout.left == doctest::Approx(0.33f));
+  CHECK(back.layout.drawer_width == doctest::Approx(0.4f));
+  CHECK(back.layout.drawer_height == doctest::Approx(0.45f));
   CHECK(back.layout.structures.at("scene") == doctest::Approx(0.5f));
   CHECK(back.place("a run.ztrace|100|5") == 43);
   CHECK(back.place("other") == 7);
@@ -104,6 +107,7 @@ TEST_CASE("what is saved at once is every setting, and not each step") {
                                                  [](Settings& s) { s.reduced_motion = true; },
                                                  [](Settings& s) { s.speed = 4; },
                                                  [](Settings& s) { s.layout.left = 0.3f; },
+                                                 [](Settings& s) { s.layout.drawer_height = 0.4f; },
                                                  [](Settings& s) { s.width = 900; },
                                                  [](Settings& s) { s.layout.structures["scene"] = 0.4f; },
                                                  [](Settings& s) { s.see_stop("viewing", 3); }};

@@ -84,11 +84,11 @@ TEST_CASE("what if: a change that is typed makes the run anew, at the same momen
   const Whereabouts moment = moment_of(stage.app().session());
   REQUIRE(moment.cell);
   test::press(stage.app(), SDLK_e, KMOD_CTRL);
-  REQUIRE(stage.app().overlay() == Overlay::what_if);
+  REQUIRE(stage.app().drawer() == Drawer::what_if);
   ask(stage, "theta = 40");
   REQUIRE(stage.changes() == std::vector<Change>{{"theta", "40"}});
   CHECK(stage.trace().scene().camera.theta == 40);
-  CHECK(stage.app().overlay() == Overlay::what_if);
+  CHECK(stage.app().drawer() == Drawer::what_if);
   CHECK(stage.app().typed.empty());
   // The same polygon at the same pixel by the same line of the page, or else as near as the run has it, which is said.
   const MomentThere there = moment_in(stage.trace(), moment);
@@ -163,7 +163,7 @@ TEST_CASE("what if: what cannot be is said where it was asked, and all stays as 
   stage.undo(1);
   CHECK(stage.app().wrong == "Nothing is changed.");
   test::press(stage.app(), SDLK_e, KMOD_CTRL);
-  CHECK(stage.app().overlay() == Overlay::none);
+  CHECK(stage.app().drawer() == Drawer::none);
 }
 
 TEST_CASE("what if: buttons and Ctrl with an arrow change a little, and the next of some words") {
@@ -266,7 +266,7 @@ TEST_CASE("what if: a lesson's task is asked in the drawer, with hints one at a 
   const Task* task = stage.app().task();
   REQUIRE(task);
   test::press(stage.app(), SDLK_e, KMOD_CTRL);
-  REQUIRE(stage.app().overlay() == Overlay::what_if);
+  REQUIRE(stage.app().drawer() == Drawer::what_if);
   CHECK_FALSE(stage.app().changed().task);
   ask(stage, "polygons = W A B C S D E");
   REQUIRE(stage.app().changed().task);
@@ -297,7 +297,7 @@ TEST_CASE("what if: a run that cannot be made anew says so") {
   const Trace trace = test::record_run("pyramid");
   App app(trace, nullptr, {}, 1280, 720);
   test::press(app, SDLK_e, KMOD_CTRL);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::none);
   CHECK(app.session().message == "This run cannot be changed from here.");
 }
 

@@ -14,7 +14,7 @@ TEST_CASE("Y asks why a polygon is not seen at the selected pixel, and goes to e
   app.session().select(Cell{15, 12});
   const test::Bytes before = test::picture(app);
   test::type(app, "y");  // the key's own letter is not typed
-  REQUIRE(app.overlay() == Overlay::why_ask);
+  REQUIRE(app.drawer() == Drawer::why_ask);
   CHECK(app.typed.empty());
   CHECK(app.why_of() == Cell{15, 12});
   CHECK(app.why_candidates().size() == 7);
@@ -22,7 +22,7 @@ TEST_CASE("Y asks why a polygon is not seen at the selected pixel, and goes to e
   test::type(app, "f");
   CHECK(app.why_candidates() == std::vector<std::int32_t>{0});
   test::press(app, SDLK_RETURN);
-  REQUIRE(app.overlay() == Overlay::why);
+  REQUIRE(app.drawer() == Drawer::why);
   CHECK(app.why().kind == Why::overwritten);
   REQUIRE(app.why().chain.size() == 3);
   CHECK(app.why().chain[static_cast<std::size_t>(app.picked)].step == app.why().step);
@@ -30,7 +30,7 @@ TEST_CASE("Y asks why a polygon is not seen at the selected pixel, and goes to e
   test::press(app, SDLK_UP);
   test::press(app, SDLK_RETURN);
   CHECK(app.session().position() == app.why().chain[0].step);
-  CHECK(app.overlay() == Overlay::why);
+  CHECK(app.drawer() == Drawer::why);
 
   // The same of the whole picture, and back.
   test::press(app, SDLK_TAB);
@@ -42,7 +42,7 @@ TEST_CASE("Y asks why a polygon is not seen at the selected pixel, and goes to e
 
   // Another polygon, by number: 2 is B.
   test::press(app, SDLK_BACKSPACE);
-  REQUIRE(app.overlay() == Overlay::why_ask);
+  REQUIRE(app.drawer() == Drawer::why_ask);
   test::type(app, "2");
   test::press(app, SDLK_RETURN);
   CHECK(app.why_polygon() == 2);
@@ -50,13 +50,13 @@ TEST_CASE("Y asks why a polygon is not seen at the selected pixel, and goes to e
   test::type(app, "zzz");  // there is no field here
   CHECK(app.typed.empty());
   test::press(app, SDLK_ESCAPE);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::none);
 
   test::press(app, SDLK_y);
   test::type(app, "none of them");
   CHECK(app.why_candidates().empty());
   test::press(app, SDLK_RETURN);
-  CHECK(app.overlay() == Overlay::why_ask);
+  CHECK(app.drawer() == Drawer::why_ask);
 }
 
 TEST_CASE("Y in a pixel's history asks about the polygon picked there; without a pixel it asks of the whole picture") {
@@ -65,7 +65,7 @@ TEST_CASE("Y in a pixel's history asks about the polygon picked there; without a
   test::press(app, SDLK_y);
   CHECK_FALSE(app.why_of());
   test::press(app, SDLK_TAB);
-  CHECK(app.overlay() == Overlay::why_ask);
+  CHECK(app.drawer() == Drawer::why_ask);
   CHECK_FALSE(app.session().message.empty());
   test::press(app, SDLK_ESCAPE);
 
@@ -76,7 +76,7 @@ TEST_CASE("Y in a pixel's history asks about the polygon picked there; without a
   test::press(app, SDLK_DOWN);
   test::press(app, SDLK_DOWN);
   test::press(app, SDLK_y);
-  REQUIRE(app.overlay() == Overlay::why);
+  REQUIRE(app.drawer() == Drawer::why);
   CHECK(app.why_polygon() == app.history()[3].polygon);
   CHECK(app.why().kind == Why::lost);
 }
@@ -93,7 +93,7 @@ TEST_CASE(
     if (selected) test::press(app, SDLK_TAB);  // of the whole picture
     test::type(app, "g");
     test::press(app, SDLK_RETURN);
-    REQUIRE(app.overlay() == Overlay::why);
+    REQUIRE(app.drawer() == Drawer::why);
     REQUIRE_FALSE(app.why_of());
     REQUIRE(app.why().pixel);
     CHECK(app.session().selected == Cell{app.why().pixel->x, app.why().pixel->y});
@@ -118,7 +118,7 @@ TEST_CASE("a step decides that compares or writes, not one at which work on a po
       CHECK(app.why_decides() == (step > 0 && !begins));
       (begins ? begun : decided) = true;
       app.settle();
-      app.open(Overlay::none);
+      app.open(Drawer::none);
     }
   CHECK(decided);
   CHECK(begun);
@@ -130,14 +130,14 @@ TEST_CASE("clicks pick a polygon and a step") {
   app.session().select(Cell{15, 12});
   test::press(app, SDLK_y);
   test::picture(app);
-  // Rows of the list, from its top: one of them is hit somewhere in the middle of the window.
-  test::click(app, 640, 360);
-  REQUIRE(app.overlay() == Overlay::why);
+  // Rows of the list, from its top, in the right half of the drawer.
+  test::click(app, 740, 500);
+  REQUIRE(app.drawer() == Drawer::why);
   const std::int64_t at = app.session().position();
   test::picture(app);
-  for (int y = 700; y > 500 && app.session().position() == at; y -= 12) test::click(app, 640, y);
+  for (int y = 615; y > 490 && app.session().position() == at; y -= 12) test::click(app, 740, y);
   CHECK(app.session().position() != at);
-  CHECK(app.overlay() == Overlay::why);
-  test::click(app, 640, 20);
-  CHECK(app.overlay() == Overlay::none);
+  CHECK(app.drawer() == Drawer::why);
+  test::click(app, 300, 20);  // beside it: it stays
+  CHECK(app.drawer() == Drawer::why);
 }

@@ -31,7 +31,7 @@ struct Shown {
 
 double stage_share(App& app, const Shown& how) {
   app.settle();
-  return static_cast<double>(app.stage_size().x * app.stage_size().y) / (how.width * how.height);
+  return static_cast<double>(app.stage_place().size.x * app.stage_place().size.y) / (how.width * how.height);
 }
 
 }  // namespace

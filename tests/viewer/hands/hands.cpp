@@ -12,6 +12,7 @@
 #include "sim/cli/traces.hpp"
 #include "sim/words/shell_word.hpp"
 #include "tests/viewer/hands/words.hpp"
+#include "tests/viewer/letters.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
 namespace zstep::test {

@@ -58,13 +58,4 @@ std::vector<SeenWords> find_words(viewer::App& app, const std::string& text) {
   return wholes.empty() ? parts : wholes;
 }
 
-std::optional<ImVec2> corner_of(ImTextureID image) {
-  const ImDrawData& data = *ImGui::GetDrawData();
-  for (int n = 0; n < data.CmdListsCount; ++n)
-    for (const ImDrawCmd& command : data.CmdLists[n]->CmdBuffer)
-      if (command.GetTexID() == image && command.ElemCount >= 3)
-        return data.CmdLists[n]->VtxBuffer[data.CmdLists[n]->IdxBuffer[static_cast<int>(command.IdxOffset)]].pos;
-  return std::nullopt;
-}
-
 }  // namespace zstep::test

@@ -1,7 +1,6 @@
 // Where words are seen in the window, read out of what it was told to draw.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,5 @@ struct SeenWords {
 
 /// Each place where a text is seen, from the first drawn to the last; where some stand for themselves, only those.
 std::vector<SeenWords> find_words(viewer::App& app, const std::string& text);
-
-/// Of a canvas that is seen, the upper left corner on the screen.
-std::optional<ImVec2> corner_of(ImTextureID image);
 
 }  // namespace zstep::test

@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/drawer/drawer.hpp"
+#include "sim/viewer/lists.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -91,52 +92,38 @@ void draw_task(App& app, const Task& task) {
 
 }  // namespace
 
-void draw_what_if(App& app, ImVec2 at, ImVec2 size) {
+void draw_what_if(App& app) {
   Ui& ui = app.ui();
-  const Theme& c = ui.colors();
-  ImGui::SetNextWindowPos(at);
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, c.pane);
-  ImGui::PushStyleColor(ImGuiCol_Border, c.now);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2);
-  ImGui::Begin("what if", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor(2);
+  const std::string how =
+      "Enter: do it. Ctrl+\u2191 \u2193: a little. Ctrl+Z, Ctrl+Y: undo, redo. What is changed stays.";
+  const std::string& told = !app.wrong.empty()           ? app.wrong
+                            : !app.saved_scene().empty() ? app.saved_scene()
+                                                         : app.changed().told;
+  const auto lines = [&](const std::string& text) { return text.empty() ? 0 : flow_height(ui, text, {}) * 1.1f; };
+  const float high = lines(how) + lines(told) + ui.em * 5.4f + (app.task() ? lines(app.task()->text) + ui.em * 9 : 0);
+  const bool beside = begin_first(ui, "change", 0.5f, high);
   if (app.task()) draw_task(app, *app.task());
-  else flow(ui, "What if\u2026", {.font = ui.fonts.bold});
-  app.draw_field("theta = 60, vertex 3 = 1 0 2");
+  app.draw_drawer_field("theta = 60, vertex 3 = 1 0 2");
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
-  else if (!app.saved_scene().empty()) flow(ui, app.saved_scene(), {});
-  else if (!app.changed().told.empty()) flow(ui, app.changed().told, {});
+  else if (!told.empty()) flow(ui, told, {});
   if (button(ui, "Undo", false, !app.changed().made.empty())) app.requests.undo_change = 1;
   ImGui::SameLine(0, ui.em * 0.4f);
   if (button(ui, "Redo")) app.requests.undo_change = -1;
   ImGui::SameLine(0, ui.em * 0.4f);
   if (button(ui, "Save")) app.save_scene();
   if (ImGui::IsItemHovered()) ui.mouse_help = "Save the changed scene as a scene file (Ctrl+Shift+S).";
-  ImGui::SameLine(0, ui.em * 0.4f);
-  const bool closed = button(ui, "Close");
-  const std::string how =
-      "Enter: do it. Ctrl+\u2191 \u2193: a little. Ctrl+Z, Ctrl+Y: undo, redo. Esc closes; what is changed stays.";
-  const Flow muted{.color = c.muted};
-  const float foot = flow_height(ui, how, muted) + ui.em * 0.9f;
+  ImGui::Dummy({1, std::round(ui.em * 0.3f)});
+  flow(ui, how, {.color = ui.colors().muted});
+  ImGui::EndChild();
   const std::vector<Changeable> found = app.found_changeables();
   int asked = 0;
   std::size_t of = 0;
-  ImGui::Dummy({1, std::round(ui.em * 0.2f)});
-  ImGui::BeginChild("changeables",
-                    {ImGui::GetContentRegionAvail().x, std::max(ui.em, ImGui::GetContentRegionAvail().y - foot)}, false,
-                    ImGuiWindowFlags_NoNav);
+  begin_second(ui, "changeables", beside);
   for (std::size_t k = 0; k < found.size(); ++k)
     if (const int now = draw_changeable(app, found[k], k); now != 0) asked = now, of = k;
   if (found.empty()) say_empty(ui, "Nothing that can be changed has this in its name.");
   app.scroll_to_picked = false;
   ImGui::EndChild();
-  flow(ui, how, muted);
-  ImGui::End();
-  if (closed) return app.open(Overlay::none);
   if (asked == 0) return;
   app.picked = static_cast<int>(of);
   if (asked == 2) app.put(fmt::format("{} = {}", found[of].name, found[of].value));

@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "sim/viewer/commands.hpp"
-#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/drawer/drawer.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -29,14 +30,12 @@ bool only_begins(const Event& event) {
   return begins.unit == Unit::polygon || begins.unit == Unit::scan_line;
 }
 
-/// From the pixel to the whole picture, or back; more stands behind it on the line. True when clicked.
+/// From the pixel to the whole picture, or back. True when clicked.
 bool turn_button(App& app) {
-  const bool clicked = button(app.ui(), app.why_of() ? "Of the whole picture (Tab)" : "Of the pixel (Tab)");
-  ImGui::SameLine(0, app.ui().em * 0.6f);
-  return clicked;
+  return button(app.ui(), app.why_of() ? "Of the whole picture (Tab)" : "Of the pixel (Tab)");
 }
 
-bool draw_link(App& app, std::size_t place, float steps) {
+bool draw_link(App& app, std::size_t place, float steps, float polygons) {
   Ui& ui = app.ui();
   const Theme& c = ui.colors();
   const answers::Link& link = app.why().chain[place];
@@ -50,8 +49,10 @@ bool draw_link(App& app, std::size_t place, float steps) {
     draw_swatch(ui, {at.x + steps, at.y}, height, app.session().scene(), link.polygon);
     draw_text(ui, {at.x + steps + ui.em, y}, ui.fonts.bold, c.text, polygon_label(app.session().scene(), link.polygon));
   }
-  draw_text(ui, {at.x + steps + ui.em * 6, y}, decides ? ui.fonts.bold : ui.fonts.text, c.text,
-            link.text + (decides ? " \u2014 this decides" : ""));
+  const ImFont* font = decides ? ui.fonts.bold : ui.fonts.text;
+  const float x = at.x + steps + polygons;
+  draw_text(ui, {x, y}, font, c.text,
+            fitted(ui, font, link.text + (decides ? " \u2014 this decides" : ""), row.end.x - x));
   return row.clicked;
 }
 
@@ -62,13 +63,13 @@ void App::open_why() {
   why_of_ = session_.selected ? session_.selected : session_.current_cell();
   why_anywhere_ = !why_of_;
   const bool from_history =
-      overlay_ == Overlay::history && static_cast<std::size_t>(std::max(0, picked)) < history_.size();
+      drawer_ == Drawer::history && static_cast<std::size_t>(std::max(0, picked)) < history_.size();
   if (from_history) {
     why_of_ = history_of_;
     const std::int32_t polygon = history_[static_cast<std::size_t>(std::max(0, picked))].polygon;
     if (polygon != no_polygon) return ask_why(polygon);
   }
-  open(Overlay::why_ask);
+  open(Drawer::why_ask);
   const std::vector<std::int32_t> all = why_candidates();
   const auto at_work = std::find(all.begin(), all.end(), session_.state().machine.polygon);
   if (at_work != all.end()) picked = static_cast<int>(at_work - all.begin());
@@ -90,29 +91,36 @@ std::vector<std::int32_t> App::why_candidates() const {
   return found;
 }
 
-void App::ask_why(std::int32_t polygon) {
-  why_polygon_ = polygon;
+void App::find_why() {
   try {
     session_.look_elsewhere([&](Replay& replay) {
-      why_ = why_anywhere_ ? answers::why_not(session_.trace(), polygon, &replay)
-                           : answers::why_not(session_.trace(), polygon, {why_of_->x, why_of_->y}, &replay);
+      why_ = why_anywhere_ ? answers::why_not(session_.trace(), why_polygon_, &replay)
+                           : answers::why_not(session_.trace(), why_polygon_, {why_of_->x, why_of_->y}, &replay);
     });
   } catch (const InputError& error) {
-    return say(error.what());
+    why_ = {};
+    why_.sentence = error.what();
   }
   why_decides_ = why_.step > 0 && why_.step <= session_.size() && !only_begins(session_.trace().event(why_.step).event);
-  if (!why_anywhere_) session_.select(*why_of_);
-  else if (why_.pixel) session_.select(Cell{why_.pixel->x, why_.pixel->y});  // for as long as this is open
-  open(Overlay::why);
+  picked = 0;
   for (std::size_t k = 0; k < why_.chain.size(); ++k)
     if (why_.chain[k].step == why_.step) picked = static_cast<int>(k);
   scroll_to_picked = true;
+  session_.touch();
+}
+
+void App::ask_why(std::int32_t polygon) {
+  why_polygon_ = polygon;
+  open(Drawer::why);
+  find_why();
+  if (!why_anywhere_) session_.select(*why_of_);
+  else if (why_.pixel) session_.select(Cell{why_.pixel->x, why_.pixel->y});  // for as long as this is open
 }
 
 void App::turn_why() {
   if (why_anywhere_ && !why_of_) return say("No pixel is selected or at work; click one, then Y asks about it.");
   why_anywhere_ = !why_anywhere_;
-  if (overlay_ == Overlay::why) ask_why(why_polygon_);
+  if (drawer_ == Drawer::why) ask_why(why_polygon_);
 }
 
 void App::go_to_link(std::size_t link) {
@@ -120,52 +128,44 @@ void App::go_to_link(std::size_t link) {
   if (link < why_.chain.size()) session_.go_to(why_.chain[link].step);
 }
 
-bool App::pick_candidate(SDL_Keycode code) {
+bool App::pick_candidate(SDL_Keycode code, unsigned) {
   const std::vector<std::int32_t> found = why_candidates();
   if (code == SDLK_TAB) return turn_why(), true;
-  if (code == SDLK_RETURN) {
-    if (static_cast<std::size_t>(picked) < found.size()) ask_why(found[static_cast<std::size_t>(picked)]);
-    return true;
-  }
-  if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(found.size()) - 1));
-  scroll_to_picked = true;
+  if (code != SDLK_RETURN) return pick_among(found.size(), code);
+  if (static_cast<std::size_t>(picked) < found.size()) ask_why(found[static_cast<std::size_t>(picked)]);
   return true;
 }
 
-bool App::pick_link(SDL_Keycode code) {
+bool App::pick_link(SDL_Keycode code, unsigned) {
   if (code == SDLK_TAB) return turn_why(), true;
-  if (code == SDLK_BACKSPACE) {
-    open(Overlay::why_ask);
-    return true;
-  }
+  if (code == SDLK_BACKSPACE) return open(Drawer::why_ask), true;
   if (code == SDLK_RETURN) return go_to_link(static_cast<std::size_t>(picked)), true;
-  if (code != SDLK_UP && code != SDLK_DOWN) return false;
-  picked = std::clamp(picked + (code == SDLK_DOWN ? 1 : -1), 0, std::max(0, static_cast<int>(why_.chain.size()) - 1));
-  scroll_to_picked = true;
-  return true;
+  return pick_among(why_.chain.size(), code);
 }
 
 void draw_why_ask(App& app) {
   Ui& ui = app.ui();
   const Scene& scene = app.session().scene();
   const float height = std::round(ui.em * 1.4f);
-  begin_overlay(app, "why ask", {ui.em * 30, height * 12 + ui.em * 5});
+  const bool beside = begin_first(ui, "which", 0.5f, ui.em * 7.4f);
   flow(ui, fmt::format("Why not \u2026 {}?", place_text(app.why_of())), {.font = ui.fonts.bold});
-  app.draw_field("A polygon's name or number");
+  app.draw_drawer_field("A polygon's name or number");
   const bool turned = turn_button(app);
-  flow(ui, "Enter or a click asks; Esc closes.", {.color = ui.colors().muted});
+  ImGui::Dummy({1, std::round(ui.em * 0.3f)});
+  flow(ui, "Enter or a click asks.", {.color = ui.colors().muted});
+  ImGui::EndChild();
   const std::vector<std::int32_t> found = app.why_candidates();
   std::optional<std::int32_t> clicked;
-  ImGui::BeginChild("polygons", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
+  begin_second(ui, "polygons", beside);
+  const float numbers = std::min(ui.em * 18, ImGui::GetContentRegionAvail().x * 0.6f);
   for (std::size_t place = 0; place < found.size(); ++place) {
     const ListRow row = list_row(app, place, height);
     const ImVec2 at = row.at;
     if (row.clicked) clicked = found[place];
     draw_swatch(ui, {at.x + ui.em * 0.6f, at.y}, height, scene, found[place]);
     draw_text(ui, {at.x + ui.em * 1.8f, at.y + ui.em * 0.15f}, ui.fonts.bold, ui.colors().text,
-              polygon_label(scene, found[place]));
-    draw_text(ui, {at.x + ui.em * 18, at.y + ui.em * 0.15f}, ui.fonts.mono, ui.colors().muted,
+              fitted(ui, ui.fonts.bold, polygon_label(scene, found[place]), numbers - ui.em * 2.3f));
+    draw_text(ui, {at.x + numbers, at.y + ui.em * 0.15f}, ui.fonts.mono, ui.colors().muted,
               fmt::format("number {}", found[place]));
   }
   app.scroll_to_picked = false;
@@ -174,47 +174,46 @@ void draw_why_ask(App& app) {
     say_empty(ui, fmt::format("{} polygons are listed of {}; type to find others.", listed,
                               grouped(static_cast<std::int64_t>(scene.polygons.size()))));
   ImGui::EndChild();
-  ImGui::End();
   if (turned) app.turn_why();
   else if (clicked) app.ask_why(*clicked);
 }
 
 void draw_why(App& app) {
   Ui& ui = app.ui();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  begin_overlay(app, "why", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
-  const Flow heading{.font = ui.fonts.bold};
   flow(ui,
        fmt::format("Why not {} {}?", polygon_label(app.session().scene(), app.why_polygon()), place_text(app.why_of())),
-       heading);
+       {.font = ui.fonts.bold});
   const bool turned = turn_button(app);
+  if (ImGui::GetContentRegionAvail().x > ui.em * 29) ImGui::SameLine(0, std::round(ui.em * 0.6f));
   const bool another = button(ui, "Another polygon (Backspace)");
-  ImGui::SameLine(0, ui.em * 0.6f);
-  flow(ui, "Enter or a click goes to a step; Esc closes.", {.color = ui.colors().muted});
+  ImGui::Dummy({1, std::round(ui.em * 0.3f)});
   // The steps stand right below the verdict; where both are long, each has half of the room.
-  const float room = ImGui::GetContentRegionAvail().y, row = std::round(ui.em * 1.4f);
-  const float rows = std::min(room * 0.5f, row * static_cast<float>(app.why().chain.size()) + ui.em * 0.5f);
   float text = flow_height(ui, app.why().sentence, {}) + ui.em * 0.8f;
   for (const std::string& line : app.why().formulas) text += formula_height(ui, line, {}) + ui.em * 0.25f;
-  ImGui::BeginChild("verdict", {ImGui::GetContentRegionAvail().x, std::min(text, room - rows)}, false,
-                    ImGuiWindowFlags_NoNav);
+  const bool beside = begin_first(ui, "verdict", 0.45f, text);
   flow(ui, app.why().sentence, {});
   for (const std::string& line : app.why().formulas) set_formula(ui, line, {});
   ImGui::EndChild();
   std::optional<std::size_t> clicked;
-  if (!app.why().chain.empty()) {
-    ImGui::BeginChild("links", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
-    std::int64_t last_step = 0;
-    for (const answers::Link& link : app.why().chain) last_step = std::max(last_step, link.step);
-    const float steps = step_column(ui, last_step);
-    for (std::size_t place = 0; place < app.why().chain.size(); ++place)
-      if (draw_link(app, place, steps)) clicked = place;
-    ImGui::EndChild();
+  begin_second(ui, "links", beside);
+  std::int64_t last_step = 0;
+  float polygons = 0;
+  for (const answers::Link& link : app.why().chain) {
+    last_step = std::max(last_step, link.step);
+    if (link.polygon == no_polygon) continue;
+    const std::string name = polygon_label(app.session().scene(), link.polygon);
+    polygons = std::max(polygons, text_size(ui, ui.fonts.bold, name).x + 2 * ui.em);
   }
+  const float steps = step_column(ui, last_step);
+  for (std::size_t place = 0; place < app.why().chain.size(); ++place)
+    if (draw_link(app, place, steps, polygons)) clicked = place;
+  if (const auto picked = static_cast<std::size_t>(app.picked); !beside && picked < app.why().chain.size())
+    flow(ui, app.why().chain[picked].text, {});
+  if (!app.why().chain.empty()) flow(ui, "Enter or a click goes to a step.", {.color = ui.colors().muted});
+  ImGui::EndChild();
   app.scroll_to_picked = false;
-  ImGui::End();
   if (turned) app.turn_why();
-  else if (another) app.open(Overlay::why_ask);
+  else if (another) app.open(Drawer::why_ask);
   else if (clicked) app.go_to_link(*clicked);
 }
 

@@ -2,10 +2,12 @@
 // numbers.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 
-#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/drawer/drawer.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
@@ -13,12 +15,14 @@
 namespace zstep::viewer {
 namespace {
 
-/// Where the columns of the list begin, in pixels from its left.
+/// Where the columns of the list begin, in pixels from its left. Where it is narrow, what is compared is told of the
+/// one that is picked alone.
 struct VisitColumns {
   float polygon = 0, depth = 0, against = 0, of = 0, outcome = 0;
+  bool compared = true;
 };
 
-VisitColumns columns_of(App& app) {
+VisitColumns columns_of(App& app, float room) {
   const Ui& ui = app.ui();
   std::int64_t last_step = 0;
   float polygon = ui.em * 3, depth = ui.em * 4, against = ui.em * 4, of = ui.em * 2;
@@ -40,6 +44,8 @@ VisitColumns columns_of(App& app) {
   columns.against = columns.depth + depth + ui.em;
   columns.of = columns.against + against + ui.em;
   columns.outcome = columns.of + of + ui.em;
+  columns.compared = columns.outcome + 8 * ui.em <= room;
+  if (!columns.compared) columns.outcome = columns.depth;
   return columns;
 }
 
@@ -55,13 +61,13 @@ void draw_headings(App& app, const VisitColumns& columns) {
   const Ui& ui = app.ui();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool rays = app.session().trace().has(kind_of<RayBegin>);
-  for (const auto& [x, text] : {std::pair{ui.em * 0.5f, "step"},
-                                {columns.polygon, "polygon"},
-                                {columns.depth, rays ? "t" : "depth"},
-                                {columns.against, "against"},
-                                {columns.of, "of"},
-                                {columns.outcome, "outcome"}})
-    draw_text(ui, {at.x + x, at.y}, ui.fonts.small, ui.colors().muted, text);
+  for (const auto& [x, text, compared] : {std::tuple{ui.em * 0.5f, "step", false},
+                                          {columns.polygon, "polygon", false},
+                                          {columns.depth, rays ? "t" : "depth", true},
+                                          {columns.against, "against", true},
+                                          {columns.of, "of", true},
+                                          {columns.outcome, "outcome", false}})
+    if (columns.compared || !compared) draw_text(ui, {at.x + x, at.y}, ui.fonts.small, ui.colors().muted, text);
   ImGui::Dummy({1, std::round(ui.fonts.small->FontSize * 1.4f)});
 }
 
@@ -76,11 +82,13 @@ bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
   const float y = at.y + ui.em * 0.15f;
   draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.mono, c.muted, grouped(visit.step));
   draw_polygon(app, {at.x + columns.polygon, at.y}, y, height, visit.polygon);
-  if (visit.z) draw_text(ui, {at.x + columns.depth, y}, ui.fonts.mono, c.text, depth_in_list(*visit.z));
-  if (visit.stored) draw_text(ui, {at.x + columns.against, y}, ui.fonts.mono, c.text, depth_in_list(*visit.stored));
-  if (visit.stored && visit.stored_polygon == no_polygon)
+  const bool stored = columns.compared && visit.stored;
+  if (columns.compared && visit.z)
+    draw_text(ui, {at.x + columns.depth, y}, ui.fonts.mono, c.text, depth_in_list(*visit.z));
+  if (stored) draw_text(ui, {at.x + columns.against, y}, ui.fonts.mono, c.text, depth_in_list(*visit.stored));
+  if (stored && visit.stored_polygon == no_polygon)
     draw_text(ui, {at.x + columns.of, y}, ui.fonts.text, c.muted, "background");
-  if (visit.stored) draw_polygon(app, {at.x + columns.of, at.y}, y, height, visit.stored_polygon);
+  if (stored) draw_polygon(app, {at.x + columns.of, at.y}, y, height, visit.stored_polygon);
   const std::string outcome = answers::outcome_text(app.session().trace(), app.history(), visit);
   draw_text(ui, {at.x + columns.outcome, y}, ui.fonts.text, c.text,
             fitted(ui, ui.fonts.text, outcome, end.x - at.x - columns.outcome));
@@ -91,34 +99,30 @@ bool draw_visit(App& app, std::size_t place, const VisitColumns& columns) {
 
 void draw_history(App& app) {
   Ui& ui = app.ui();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  begin_overlay(app, "history", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
-  const Flow heading{.font = ui.fonts.bold};
-  flow(
-      ui,
-      fmt::format("Pixel ({}, {}): {}. Enter or a click goes there; Y asks why the one picked is not seen; Esc closes.",
-                  app.history_of().x, app.history_of().y,
-                  app.history().size() == 1 ? "one thing happened to it"
-                                            : fmt::format("{} things happened to it", app.history().size())),
-      heading);
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const std::size_t count = app.history().size();
+  flow(ui,
+       fmt::format("Pixel ({}, {}): {}.", app.history_of().x, app.history_of().y,
+                   count == 0   ? "nothing reached it"
+                   : count == 1 ? "one thing happened to it"
+                                : fmt::format("{} things happened to it", count)),
+       {.font = ui.fonts.bold});
+  if (count == 0) return say_empty(ui, "Another pixel that is selected is told of here.");
   std::optional<std::size_t> clicked;
-  const VisitColumns columns = columns_of(app);
+  const bool beside = begin_first(ui, "visits", 0.66f, ui.em * (2.2f + 1.4f * static_cast<float>(count)));
+  const VisitColumns columns = columns_of(app, ImGui::GetContentRegionAvail().x);
   draw_headings(app, columns);
-  ImGui::BeginChild("visits", {room.x, room.y * 0.6f}, false, ImGuiWindowFlags_NoNav);
-  for (std::size_t place = 0; place < app.history().size(); ++place)
+  for (std::size_t place = 0; place < count; ++place)
     if (draw_visit(app, place, columns)) clicked = place;
   app.scroll_to_picked = false;
   ImGui::EndChild();
-  ImGui::BeginChild("why", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
-  const auto picked = static_cast<std::size_t>(std::max(0, app.picked));
-  if (picked < app.history().size()) {
+  begin_second(ui, "why", beside);
+  if (const auto picked = static_cast<std::size_t>(std::max(0, app.picked)); picked < count) {
     const answers::Visit& visit = app.told_visit(picked);
     flow(ui, visit.sentence, {});
     for (const std::string& line : visit.formulas) set_formula(ui, line, {});
   }
+  flow(ui, "Enter or a click goes there; Y asks why the one picked is not seen.", {.color = ui.colors().muted});
   ImGui::EndChild();
-  ImGui::End();
   if (clicked) app.go_to_visit(*clicked);
 }
 

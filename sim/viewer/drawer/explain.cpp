@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/drawer/drawer.hpp"
+#include "sim/viewer/lists.hpp"
 #include "sim/words/hex.hpp"
 #include "sim/words/numbers.hpp"
 
@@ -28,6 +29,7 @@ ChainColumns columns_of(const Ui& ui, const answers::Chain& chain, float room) {
   }
   columns.formula = columns.what + std::min(what, room * 0.45f) + ui.em;
   columns.source = room - source - ui.em * 0.5f;
+  if (columns.source - columns.formula < 12 * ui.em) columns.source = room;  // it is told of the one that is picked
   return columns;
 }
 
@@ -49,7 +51,8 @@ bool draw_link(App& app, std::size_t place, const ChainColumns& columns) {
   }
   draw_text(ui, {at.x + columns.formula, y}, ui.fonts.mono, c.text,
             fitted(ui, ui.fonts.mono, numbers, columns.source - columns.formula - ui.em * 0.5f));
-  if (!link.source.empty()) draw_text(ui, {at.x + columns.source, y}, ui.fonts.small, c.muted, link.source);
+  if (!link.source.empty() && at.x + columns.source + ui.em < end.x)
+    draw_text(ui, {at.x + columns.source, y}, ui.fonts.small, c.muted, link.source);
   return clicked;
 }
 
@@ -58,41 +61,35 @@ bool draw_link(App& app, std::size_t place, const ChainColumns& columns) {
 void draw_explain(App& app) {
   Ui& ui = app.ui();
   const answers::Chain& chain = app.chain();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  begin_overlay(app, "explain", {screen.x * 0.98f, std::max(screen.y * 0.52f, ui.em * 11)}, 0.98f);
-  if (chain.links.empty()) return ImGui::End();
-  const Flow heading{.font = ui.fonts.bold};
-  const answers::ChainValue& asked = chain.links.front().values.front();
+  if (chain.links.empty()) return;
+  const answers::ChainLink& last = chain.links.front();
+  const answers::ChainValue& asked = last.values.front();
   const bool measured = !asked.condition && asked.word.empty();
   flow(ui,
-       fmt::format("Where {} {} {}{} comes from. Enter or a click goes there; Ctrl+C copies it; Esc closes.", asked.name,
-                   measured ? "=" : "is", answers::result_text(asked),
-                   measured ? " (" + hex_text(asked.value) + ")" : ""),
-       heading);
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+       fmt::format("Where {} {} {}{}{} comes from. Ctrl+C copies it.", asked.name, measured ? "=" : "is",
+                   answers::result_text(asked), measured ? " (" + hex_text(asked.value) + ")" : "",
+                   last.step > 0 ? " of step " + grouped(last.step) : ""),
+       {.font = ui.fonts.bold});
   std::optional<std::size_t> clicked;
-  ImGui::BeginChild("links", {room.x, std::round(room.y * 0.7f)}, false, ImGuiWindowFlags_NoNav);
+  const bool beside = begin_first(ui, "links", 0.6f, ui.em * (0.8f + 1.4f * static_cast<float>(chain.links.size())));
   const ChainColumns columns = columns_of(ui, chain, ImGui::GetContentRegionAvail().x);
   for (std::size_t place = 0; place < chain.links.size(); ++place)
     if (draw_link(app, place, columns)) clicked = place;
   if (chain.cut) say_empty(ui, "There is more behind that: click one of its numbers at its step.");
   app.scroll_to_picked = false;
   ImGui::EndChild();
-  const ImVec2 rule = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(rule, {rule.x + room.x, rule.y + 1}, ui.colors().rule);
-  ImGui::Dummy({1, 3});
-  ImGui::BeginChild("formulas", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
-  const auto picked = static_cast<std::size_t>(std::max(0, app.picked));
-  if (picked < chain.links.size()) {
-    for (const answers::ChainValue& value : chain.links[picked].values) {
+  begin_second(ui, "formulas", beside);
+  if (const auto picked = static_cast<std::size_t>(std::max(0, app.picked)); picked < chain.links.size()) {
+    const answers::ChainLink& link = chain.links[picked];
+    flow(ui, link.what + (link.source.empty() ? "" : ", " + link.source), {});
+    for (const answers::ChainValue& value : link.values) {
       flow(ui, answers::line_text(value), {.indent = ui.em, .font = ui.fonts.mono});
       const std::string doubted = answers::doubt_text(value);
-      if (doubted.empty()) continue;
-      flow(ui, doubted, {.color = ui.colors().bad, .font = ui.fonts.bold});
+      if (!doubted.empty()) flow(ui, doubted, {.color = ui.colors().bad, .font = ui.fonts.bold});
     }
   }
+  flow(ui, "Enter or a click goes to its step.", {.color = ui.colors().muted});
   ImGui::EndChild();
-  ImGui::End();
   if (clicked) app.go_to_origin(*clicked);
 }
 

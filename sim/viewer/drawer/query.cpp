@@ -1,11 +1,11 @@
-// The box for questions in SQL: what is typed, and the rows of the answer. It leaves the buffers above it to be seen.
+// Questions in SQL: what is typed, and the rows of the answer.
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "sim/viewer/app.hpp"
-#include "sim/viewer/overlays.hpp"
+#include "sim/viewer/drawer/drawer.hpp"
+#include "sim/viewer/lists.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -68,9 +68,7 @@ void draw_rows(App& app) {
 
 void draw_query(App& app) {
   Ui& ui = app.ui();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  begin_overlay(app, "query", {screen.x * 0.98f, std::max(screen.y * 0.44f, ui.em * 9)}, 0.98f);
-  app.draw_field("select x, y, count(*) from depth_compare where not nearer group by x, y");
+  app.draw_drawer_field("select x, y, count(*) from depth_compare where not nearer group by x, y");
   const Inquiry& inquiry = app.inquiry();
   Flow how;
   how.color = ui.colors().muted;
@@ -91,7 +89,6 @@ void draw_query(App& app) {
   }
   flow(ui, note, how);
   if (!inquiry.columns().empty() && !app.asking()) draw_rows(app);
-  ImGui::End();
 }
 
 }  // namespace zstep::viewer
