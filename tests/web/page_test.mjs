@@ -127,7 +127,7 @@ test('settings stay, and where a browser refuses to keep them it works and says 
   let page = await browser.open(address + '#lesson=z-buffer&stop=1');
   await page.until(shown);
   const light = await page.picture();
-  await page.key('d', {code: 'KeyD', keyCode: 68, text: 'd'});
+  await page.key('t', {code: 'KeyT', keyCode: 84, text: 't'});
   await page.until(`(localStorage.getItem('zstep-settings') ?? '').includes('dark')`);
   const dark = await page.picture();
   const brightness = ({rgb}) => rgb.reduce((sum, one) => sum + one, 0) / rgb.length;
@@ -142,7 +142,7 @@ test('settings stay, and where a browser refuses to keep them it works and says 
     {source: `Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('refused', 'SecurityError'); }})`});
   await page.go(address + '#lesson=z-buffer&stop=1');
   await page.until(shown);
-  await page.key('d', {code: 'KeyD', keyCode: 68, text: 'd'});
+  await page.key('t', {code: 'KeyT', keyCode: 84, text: 't'});
   await page.until(`!notice.hidden && notice.textContent.includes('keeps nothing')`);
   await page.close();
 });
