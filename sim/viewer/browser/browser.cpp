@@ -1,4 +1,5 @@
-// The system around the window, where it is a page of a browser: what the page's own script does (page/page.js).
+// The system around the window, where it is a page of a browser: what the page's own script does
+// (sim/web/page/page.js).
 #include <memory>
 #include <string>
 #include <utility>
