@@ -195,7 +195,7 @@ Question read_question(Lines& lines) {
 double read_minutes(const Lines& lines, const std::string& text) {
   double minutes = 0;
   if (read_number(text, minutes) != text.size() || !(minutes > 0 && minutes <= most_minutes))
-    lines.fail(fmt::format("`{}` is no number of minutes", text), "write for example `minutes: 1.5`");
+    lines.fail(fmt::format("`{}` is not a number of minutes", text), "write for example `minutes: 1.5`");
   return minutes;
 }
 

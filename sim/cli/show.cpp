@@ -173,7 +173,8 @@ namespace {
   return race;
 }
 
-std::optional<Trace::Pixel> pixel_of(const std::string& text, const Raster& raster) {
+/// What --pixel says, if it says anything. Throws InputError if it is no pixel of the raster.
+[[maybe_unused]] std::optional<Trace::Pixel> pixel_of(const std::string& text, const Raster& raster) {
   if (text.empty()) return std::nullopt;
   const std::vector<std::string> parts = parts_of(text, ',');
   if (parts.size() != 2) throw InputError("--pixel " + text, "is no pixel", "write --pixel X,Y, as 13,6");

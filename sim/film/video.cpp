@@ -74,7 +74,7 @@ Video::Video(const fs::path& path, int width, int height, double frames_a_second
   check_writable(path);
   if (!have_ffmpeg())
     throw InputError(path.string(), "films are made by ffmpeg, which is not installed",
-                     "install ffmpeg, or write a contact sheet: zstep export RUN.ztrace --sheet 12 -o sheet.png");
+                     "install ffmpeg, or write a contact sheet: zstep export run.ztrace --sheet 12 -o sheet.png");
   // ffmpeg knows a film by its extension, so that it stays the last one.
   std::random_device device;
   part_ = path;

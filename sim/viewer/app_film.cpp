@@ -72,6 +72,7 @@ void App::film(std::int64_t first, std::int64_t last) {
   open(Overlay::none);
   session_.playing = false;
   session_.message.clear();
+  session_.selected_edge.reset();  // as at each later step
   // What the mouse points at is none of the film's.
   ImGui::SetCurrentContext(context_.context);
 #if IMGUI_VERSION_NUM >= 18700

@@ -1,7 +1,6 @@
 // Where the panes are, with their borders.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -67,20 +66,6 @@ bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float&
 }
 
 namespace {
-
-/// Whether no line of the text's code is longer than this.
-bool code_fits(const Ui& ui, const std::string& markdown, float width) {
-  for (const TextBlock& block : parse_markdown(markdown)) {
-    if (block.kind != TextBlock::Kind::code) continue;
-    std::string code;
-    for (const TextRun& run : block.runs) code += run.text;
-    std::istringstream lines(code);
-    for (std::string line; std::getline(lines, line);)
-      if (text_size(ui, ui.fonts.mono, line).x > width) return false;
-  }
-  return true;
-}
-
 
 /// While T_1 … T_4 are shown, the scene has the stage alone: its matrices need the room.
 Workspace stage_of(const Ui& ui, const std::string& lead) {
@@ -268,7 +253,7 @@ void App::draw_presented(ImVec2 at, ImVec2 size) {
   const Stop* stop =
       lesson && session_.stop() >= 0 ? &session_.lesson()->stops[static_cast<std::size_t>(session_.stop())] : nullptr;
   const bool speaks = stop && stop->position == session_.position();
-  const bool wide = asks || (speaks && (stop->question || !code_fits(ui_, stop->text, narrow - 2 * ui_.em)));
+  const bool wide = asks || (speaks && stop->question);
   const float words = wide ? std::round(size.x * 0.37f) : narrow, x = at.x + size.x - words;
   ImVec2 stage{size.x - words - gap, size.y};
   std::vector<Pane> leading = stage_of(ui_, lead()).leading;

@@ -107,6 +107,7 @@ void Loop::save(bool at_end) {
 
 void Loop::tell_place() {
   App& app = stage_.app();
+  if (app.overlay() == Overlay::start) return;  // nothing is chosen yet
   const std::string link = app.link().value_or("");
   if (link == told_) return;
   const std::int64_t stop = app.session().stop();

@@ -1,5 +1,5 @@
 // What the viewer asks of the system around its window. One implementation is linked: the desktop's
-// (sim/viewer/desktop/), or a browser's (sim/web/).
+// (sim/viewer/desktop/), or a browser's (sim/viewer/browser/).
 #pragma once
 
 #include <filesystem>

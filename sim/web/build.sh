@@ -91,7 +91,7 @@ fi
 if [ ! -f "$build/build.ninja" ]; then
   say "configuring (log: $build/configure.log)"
   there env PKG_CONFIG_LIBDIR="$kept/prefix/lib/pkgconfig" CCACHE_DIR="$kept/ccache" emcmake cmake -G Ninja -S "$root" -B "$build" \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_FIND_ROOT_PATH="$kept/prefix" -DCMAKE_PREFIX_PATH="$kept/prefix;$kept/prefix/lib/cmake" \
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DCMAKE_FIND_ROOT_PATH="$kept/prefix" -DCMAKE_PREFIX_PATH="$kept/prefix;$kept/prefix/lib/cmake" \
     -DCMAKE_CXX_FLAGS="-fwasm-exceptions -sSUPPORT_LONGJMP=wasm -ffile-prefix-map=$root=." \
     -DZSTEP_FONTS_FOLDER="$build/fonts" -DZSTEP_TESTS=OFF >"$build/configure.log" 2>&1 || {
     grep -A 8 '^CMake Error' "$build/configure.log" | head -n 20 >&2

@@ -172,7 +172,7 @@ std::vector<std::string> words_of_link(std::string_view text) {
     if (key == "lesson" || key == "scene") {
       if (!words[0].empty()) wrong("it names two things to open", "keep one lesson or one scene");
       if (!is_name(value))
-        wrong(fmt::format("'{}' is no name of a {}", printable(value), key),
+        wrong(fmt::format("'{}' is not the name of a {}", printable(value), key),
               "a link opens what zstep has, and no files");
       words = {key == "lesson" ? "lesson" : "view", value};
       continue;

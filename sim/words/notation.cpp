@@ -73,7 +73,8 @@ class Reader {
     // A sign, or a character that belongs to nothing.
     std::size_t end = at_ + 1;
     while (end < end_ && (static_cast<unsigned char>(text_[end]) & 0xc0u) == 0x80u) ++end;
-    return {Kind::text, std::string(text_.substr(std::exchange(at_, end), end - at_))};
+    const std::size_t from = std::exchange(at_, end);
+    return {Kind::text, std::string(text_.substr(from, end - from))};
   }
 
   /// Operands with signs of multiplication or none between; what stands before a "/" is all above the line.
@@ -187,7 +188,10 @@ class Reader {
     }
     if (sees("[")) {
       const std::size_t end = text_.find(']', at_);
-      if (end < end_ && found.below.empty()) found.text += text_.substr(std::exchange(at_, end + 1), end + 1 - at_);
+      if (end < end_ && found.below.empty()) {
+        const std::size_t from = std::exchange(at_, end + 1);
+        found.text += text_.substr(from, end + 1 - from);
+      }
     }
     return found;
   }

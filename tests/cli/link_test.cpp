@@ -65,11 +65,11 @@ TEST_CASE("a link names no file and asks for nothing that is written, large or u
   CHECK_FALSE(link_of(Words{"check", "pyramid"}));
   CHECK_FALSE(link_of(Words{"view", "pyramid", "--screenshot", "a.png"}));
   CHECK_FALSE(link_of(Words{"view", "pyramid", "--change", std::string(5000, 'x')}));
-  CHECK(has(why_not("#lesson=../secret"), "no name of a lesson"));
-  CHECK(has(why_not("#scene=%2Fetc%2Fpasswd"), "no name of a scene"));
-  CHECK(has(why_not("#scene=y+%3D+sin(x)"), "no name of a scene"));
-  CHECK(has(why_not("#scene=teapot:1600"), "no name of a scene"));
-  CHECK(has(why_not("#scene=--help"), "no name of a scene"));
+  CHECK(has(why_not("#lesson=../secret"), "not the name of a lesson"));
+  CHECK(has(why_not("#scene=%2Fetc%2Fpasswd"), "not the name of a scene"));
+  CHECK(has(why_not("#scene=y+%3D+sin(x)"), "not the name of a scene"));
+  CHECK(has(why_not("#scene=teapot:1600"), "not the name of a scene"));
+  CHECK(has(why_not("#scene=--help"), "not the name of a scene"));
   CHECK(has(why_not("#scene=cube&screenshot=a.png"), "nothing that a link says"));
   CHECK(has(why_not("#scene=cube&against=a.ztrace"), "nothing that a link says"));
   CHECK(has(why_not("#scene=cube&size=100000x100000"), "no raster"));

@@ -25,7 +25,7 @@ const std::set<std::string> commands{
     "why-not", "explain", "query", "export", "compare-methods", "completion", "check",
     "diff",    "header", "error", "homework", "grade"};
 /// Those of the launcher, which tests/launcher tries.
-const std::set<std::string> of_launcher{"test", "bench", "build", "clean", "packages", "help"};
+const std::set<std::string> of_launcher{"test", "bench", "build", "clean", "packages", "help", "web"};
 
 std::string all_matches_replaced(const std::string& text, const std::string& pattern, const std::string& now) {
   return std::regex_replace(text, std::regex(pattern), now);

@@ -42,6 +42,8 @@ const isLink = (text) => text.length > 1 && text.length <= longestLink;
 const linkNow = () => location.hash;
 
 const page = {
+  opened: false,  // the window is there
+
   address: () => location.href.split('#')[0],
 
   arrived(link, atStop) {
@@ -110,13 +112,17 @@ var Module = {  // `var`: zstep.js looks for it by this name
     Module.FS.createPath('/', 'home/web_user/.config/zstep', true, true);
     Module.FS.writeFile(settingsFile, text);
   }],
-  onExit: (code) => {
+  postRun: [() => {
+    if (page.opened || linkNow() === '') return;
     // A link that opens nothing has said so; what zstep has is offered instead.
-    if (code === 0 || location.hash === '') return;
     history.replaceState(null, '', page.address());
-    sessionStorage.setItem('zstep-complaint', notice.textContent);
+    try {
+      sessionStorage.setItem('zstep-complaint', notice.textContent);
+    } catch {
+      // then it is offered without a word
+    }
     location.reload();
-  },
+  }],
   onAbort: (what) => warn('zstep ended: ' + what + '. Load the page again.'),
 };
 

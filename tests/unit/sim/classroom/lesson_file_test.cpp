@@ -298,7 +298,7 @@ TEST_CASE("speaker's notes: beside a question, filled from the run, with their m
   CHECK(contains(load_error(stop + "::: notes\nSay it.\n:::\n::: notes\nMore.\n:::\n"), ":12: second notes at one stop"));
   for (const char* minutes : {"0", "-1", "two", "91", "1.5 min", "nan"})
     CHECK(contains(load_error(stop + "::: notes\nSay it.\nminutes: " + minutes + "\n:::\n"),
-                   ":11: `" + std::string(minutes) + "` is no number of minutes"));
+                   ":11: `" + std::string(minutes) + "` is not a number of minutes"));
   CHECK(contains(load_error(stop + "::: notes\nSay it.\nminutes: 1\nminutes: 1\n:::\n"), ":12: a second `minutes:`"));
   CHECK(contains(load_error(stop + "::: notes\nminutes: 1\nSay {q}.\n:::\n"), ":11: nothing is called `q`"));
   CHECK(contains(load_error(head + "::: notes\nSay it.\n:::\n"), ":7: notes before the first stop"));

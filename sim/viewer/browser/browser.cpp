@@ -1,4 +1,5 @@
-// The system around the window, where it is a page of a browser: what the page's own script does (page/page.js).
+// The system around the window, where it is a page of a browser: what the page's own script does
+// (sim/web/page/page.js).
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@ EM_JS(void, page_hand_over, (const char* file), { Module.page.handOver(UTF8ToStr
 EM_JS(void, page_keep_settings, (const char* file), { Module.page.keepSettings(UTF8ToString(file)); })
 EM_JS(void, page_arrived, (const char* link, int at_stop), { Module.page.arrived(UTF8ToString(link), at_stop !== 0); })
 EM_JS(void, page_say, (const char* text), { Module.page.say(UTF8ToString(text)); })
+EM_JS(void, page_opened, (), { Module.page.opened = true; })
 EM_JS(void, page_shown, (), { Module.page.shown(); })
 EM_JS(void, page_closed, (), { Module.page.closed(); })
 EM_JS(char*, page_address, (), { return stringToNewUTF8(Module.page.address()); })
@@ -43,6 +45,7 @@ void turn() {
 
 void keep_turning(std::unique_ptr<Loop> loop) {
   turned_by_page = std::move(loop);
+  page_opened();
   emscripten_set_main_loop(turn, 0, false);
 }
 
