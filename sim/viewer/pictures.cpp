@@ -47,7 +47,8 @@ struct Pictures::Impl {
     if (options.checked) app.show_findings(*options.checked);
     if (options.against) app.show_against(*options.against);
     look_at = [this, pixel = options.pixel, lead = options.lead] { app.look_at(pixel, lead); };
-    if (options.race) app.allow_changes(options.run_by), app.open_race(options.race);
+    if (options.run_by) app.allow_changes(options.run_by);
+    if (options.race) app.open_race(options.race);
   }
   const Trace& trace;
   const bool notes;
