@@ -99,6 +99,7 @@ TEST_CASE("law: the drawer covers neither the picked pixel nor the transport nor
 TEST_CASE("the smallest window has the frame beside what is asked, and two runs above it") {
   const Trace trace = test::record_run("pyramid-behind");
   App app(trace, nullptr, {}, 640, 360);
+  app.session().go_to(trace.size() / 2);
   const Cell cell = test::a_drawn_pixel(app);
   for (const Drawer page : test::all_pages()) {
     CAPTURE(static_cast<int>(page));

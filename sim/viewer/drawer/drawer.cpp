@@ -55,6 +55,7 @@ void App::open(Drawer drawer) {
   overlay_ = Overlay::none;
   drawer_ = drawer;
   keys_in_drawer_ = drawer != Drawer::none;
+  if (keys_in_drawer_) ui_.reads = true;  // also after a click: what lies under the mouse now is chance
   put(drawer == Drawer::query ? inquiry_.sql() : "");
   wrong.clear();
   picked = 0;
