@@ -41,7 +41,10 @@ void App::draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 a
               : ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) {
       // Where a pane is scrolled to follows from what it shows, not from what it showed before.
       if (pane.id == lesson_pane.id ? ui_.speaks_now : ui_.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
+      const std::size_t tables = ui.tables_seen ? ui.tables_seen->size() : 0;
       pane.draw(ui);
+      if (ui.tables_seen)
+        for (std::size_t k = tables; k < ui.tables_seen->size(); ++k) (*ui.tables_seen)[k].title = pane.title;
     }
     ImGui::EndChild();
   }

@@ -3,7 +3,9 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "sim/viewer/commands.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/spoken.hpp"
 
@@ -92,7 +94,44 @@ void tell_tables(Text& text, App& app) {
   }
 }
 
+constexpr char between_cells = '\x1f', between_rows = '\x1e', between_groups = '\x1d';
+
+void add_row(std::string& list, const std::vector<std::string>& cells) {
+  if (!list.empty() && list.back() != between_groups) list += between_rows;
+  list += fmt::format("{}", fmt::join(cells, std::string_view(&between_cells, 1)));
+}
+
 }  // namespace
+
+std::string tables_as_list(const std::vector<TableSeen>& tables) {
+  std::string list;
+  for (const TableSeen& table : tables) {
+    if (table.rows.empty()) continue;
+    if (!list.empty()) list += between_groups;
+    add_row(list, {table.title});
+    std::vector<std::string> headings;
+    for (const std::string& heading : table.headings) headings.push_back(words::spoken(heading));
+    add_row(list, headings);
+    for (const TableSeen::Row& row : table.rows) {
+      std::vector<std::string> cells;
+      for (const std::string& cell : row.cells) cells.push_back(words::spoken(cell));
+      add_row(list, cells);
+    }
+  }
+  return list;
+}
+
+std::string commands_as_list() {
+  std::string list, group;
+  for (const Command& command : commands()) {
+    if (group != command.group) {
+      if (!list.empty()) list += between_groups;
+      add_row(list, {group = command.group});
+    }
+    add_row(list, {command.id, command.title, key_names(command)});
+  }
+  return list;
+}
 
 std::string describe_step(App& app) {
   Text text;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/image/png.hpp"
+#include "sim/viewer/commands.hpp"
 #include "sim/viewer/description.hpp"
 #include "sim/viewer/system.hpp"
 #include "traces/error.hpp"
@@ -48,6 +49,7 @@ Loop::Loop(const Trace& trace, ViewerOptions options)
   if (options_.race) stage_.app().open_race(options_.race);
   if (options_.at_start) stage_.app().open_start();
   if (options_.notes) notes_.toggle(stage_.app());
+  if (system::is_heard()) system::offer_commands(commands_as_list());
 }
 
 Loop::~Loop() { save(true); }
@@ -109,12 +111,31 @@ void Loop::tell_place() {
   App& app = stage_.app();
   if (app.overlay() == Overlay::start) return;  // nothing is chosen yet
   const std::string link = app.link().value_or("");
-  if (link == told_) return;
+  if (link == told_) {
+    if (std::exchange(told_by_link_, false)) say_place();
+    return;
+  }
   const std::int64_t stop = app.session().stop();
   const bool at_stop = stop != told_stop_ && app.session().lesson() != nullptr;
   told_ = link, told_stop_ = stop;
   system::arrived(link, at_stop);
-  if (system::is_heard()) system::say(describe_step(app));
+  say_place();
+}
+
+void Loop::say_place() {
+  if (!system::is_heard()) return;
+  system::say(describe_step(stage_.app()));
+  system::show_tables(tables_as_list(tables_));
+}
+
+void Loop::run(std::string_view id) {
+  const Command* const command = command_called(id);
+  if (!command) return;
+  App& app = stage_.app();
+  app.session().message.clear();
+  app.run(*command);
+  if (command->release) command->release(app);
+  app.session().touch();
 }
 
 bool Loop::go_to_link(const std::string& link) {
@@ -125,7 +146,7 @@ bool Loop::go_to_link(const std::string& link) {
   }
   // It is the page that is there already.
   told_ = stage_.app().link().value_or(""), told_stop_ = stage_.app().session().stop();
-  if (system::is_heard()) system::say(describe_step(stage_.app()));
+  told_by_link_ = true;
   return true;
 }
 
@@ -171,7 +192,10 @@ bool Loop::turn(May may) {
   }
   if (frames_due_ <= 0 && stage_.app().session().revision() == drawn_) return true;
   drawn_ = stage_.app().session().revision();
+  tables_.clear();
+  if (system::is_heard()) stage_.app().ui().tables_seen = &tables_;
   stage_.app().frame();
+  stage_.app().ui().tables_seen = nullptr;
   window_.show(stage_.app().renderer().picture());
   if (--frames_due_ <= 0 && stage_.app().moving()) frames_due_ = 1;
   return true;

@@ -31,11 +31,14 @@ class Loop {
   /// cannot be gone to.
   bool go_to_link(const std::string& link);
   void save_now() { save(true); }
+  /// Does what the command of this id does; nothing where there is none.
+  void run(std::string_view command);
 
  private:
   void serve();
   void save(bool at_end);
   void tell_place();
+  void say_place();
 
   const ViewerOptions options_;
   const Settings stored_;  ///< what was saved,
@@ -46,6 +49,8 @@ class Loop {
   NotesWindow notes_{window_};
   std::string told_;  ///< the link of where the reader is, as last said
   std::int64_t told_stop_ = -1;
+  bool told_by_link_ = false;      ///< there, but nothing was said of it
+  std::vector<TableSeen> tables_;  ///< of the last frame, where somebody listens
   int frames_due_ = App::frames_to_settle;  ///< after a change, until nothing moves any more
   std::uint64_t drawn_ = 0;
   const App* drawn_app_ = nullptr;

@@ -34,9 +34,12 @@ std::string address();
 /// The reader is there now; `at_stop`: come to anew, so that going back leads here.
 void arrived(const std::string& link, bool at_stop);
 
-/// Whether what is shown is said besides, for a screen reader, and saying it.
+/// Whether what is shown is said besides, for a screen reader, and saying it: the step as a text, and lists as
+/// description.hpp parts them.
 bool is_heard();
 void say(const std::string& text);
+void show_tables(const std::string& list);
+void offer_commands(const std::string& list);
 
 }  // namespace system
 }  // namespace zstep::viewer

@@ -1,4 +1,5 @@
 // What --describe prints: what the window shows at a step, all of it in words.
+#include "sim/viewer/commands.hpp"
 #include "sim/viewer/description.hpp"
 
 #include <doctest/doctest.h>
@@ -95,4 +96,47 @@ TEST_CASE("described: a row of a table as it is drawn, with its headings") {
   const Trace trace = run_lesson(lesson);
   const std::string text = described_at(trace, 867, &lesson);
   CHECK(text.find("\nTable: ACTIVE EDGES\nedge e0, x 12.27, z star 0.46, leaves 23, left\n") != std::string::npos);
+}
+
+TEST_CASE("lists for a page: every table that is drawn, each row with as many cells as it has headings, and every command") {
+  const auto parted = [](const std::string& text, char by) {
+    std::vector<std::string> parts{""};
+    for (const char c : text)
+      if (c == by) parts.emplace_back();
+      else parts.back() += c;
+    return parts;
+  };
+  Lesson lesson = find_lesson("z-buffer");
+  const Trace trace = run_lesson(lesson);
+  App app(trace, &lesson, {}, 1600, 900);
+  app.session().go_to(867);
+  app.settle();
+  std::vector<TableSeen> tables;
+  app.ui().tables_seen = &tables;
+  app.frame();
+  app.ui().tables_seen = nullptr;
+  const std::vector<std::string> groups = parted(tables_as_list(tables), '\x1d');
+  REQUIRE(groups.size() == 2);
+  const char* const titles[] = {"EDGE TABLE", "ACTIVE EDGES"};
+  const std::size_t rows_of[] = {3, 2};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::vector<std::string> rows = parted(groups[k], '\x1e');
+    CHECK(rows[0] == titles[k]);
+    CHECK(rows.size() == rows_of[k] + 2);
+    for (std::size_t row = 2; row < rows.size(); ++row)
+      CHECK(parted(rows[row], '\x1f').size() == parted(rows[1], '\x1f').size());
+  }
+  CHECK(tables_as_list({}).empty());
+  std::size_t listed = 0;
+  for (const std::string& group : parted(commands_as_list(), '\x1d')) {
+    const std::vector<std::string> rows = parted(group, '\x1e');
+    for (std::size_t row = 1; row < rows.size(); ++row, ++listed) {
+      const std::vector<std::string> cells = parted(rows[row], '\x1f');
+      REQUIRE(cells.size() == 3);
+      REQUIRE(command_called(cells[0]));
+      CHECK(cells[1] == command_called(cells[0])->title);
+      CHECK(rows[0] == command_called(cells[0])->group);
+    }
+  }
+  CHECK(listed == commands().size());
 }

@@ -109,6 +109,30 @@ test('links from anywhere do no harm, and are told', async () => {
   }
 });
 
+test('the sentence, the tables and every command are in the accessibility tree, and F6 leads to them', async () => {
+  const page = await browser.open(address + '#lesson=z-buffer&step=867');
+  await page.until(shown);
+  await page.until(`tables.querySelectorAll('tr').length > 4`);
+  const {nodes} = await page.send('Accessibility.getFullAXTree');
+  const named = (role) => nodes.filter((node) => !node.ignored && node.role?.value === role).map((node) => node.name?.value ?? '');
+  for (const table of ['EDGE TABLE', 'ACTIVE EDGES']) check(named('table').includes(table), `no table ${table}: ${named('table')}`);
+  check(named('cell').includes('0.50'), 'no cell of the edge table');
+  const buttons = named('button');
+  check(buttons.length > 60 && buttons.every((name) => name !== ''), `${buttons.length} buttons`);
+  check(nodes.some((node) => (node.name?.value ?? '').includes('polygon B is at depth 0.5191')), 'the sentence is not told');
+  await page.key('F6', {code: 'F6', keyCode: 117});
+  check(await page.ask('commands.contains(document.activeElement)'), 'F6 does not leave the window');
+  const pressed = (title) => page.ask(`[...commands.querySelectorAll('button')].find((one) => one.textContent.startsWith(${JSON.stringify(title)})).click()`);
+  await pressed('One step on');
+  await page.until(`location.hash.includes('step=868')`);
+  await page.until(`said.textContent.startsWith('Step 868')`);
+  await page.key('Enter', {code: 'Enter', keyCode: 13, text: '\r'});  // on the first button
+  await page.until(`location.hash.includes('step=869')`);
+  await page.key('F6', {code: 'F6', keyCode: 117});
+  check(await page.ask('document.activeElement === canvas'), 'F6 does not lead back');
+  await page.close();
+});
+
 test('without a network after the first visit', async () => {
   let page = await browser.open(address);
   await page.until(shown);

@@ -17,6 +17,8 @@ EM_JS(void, page_hand_over, (const char* file), { Module.page.handOver(UTF8ToStr
 EM_JS(void, page_keep_settings, (const char* file), { Module.page.keepSettings(UTF8ToString(file)); })
 EM_JS(void, page_arrived, (const char* link, int at_stop), { Module.page.arrived(UTF8ToString(link), at_stop !== 0); })
 EM_JS(void, page_say, (const char* text), { Module.page.say(UTF8ToString(text)); })
+EM_JS(void, page_show_tables, (const char* list), { Module.page.showTables(UTF8ToString(list)); })
+EM_JS(void, page_offer_commands, (const char* list), { Module.page.offerCommands(UTF8ToString(list)); })
 EM_JS(void, page_opened, (), { Module.page.opened = true; })
 EM_JS(void, page_shown, (), { Module.page.shown(); })
 EM_JS(void, page_closed, (), { Module.page.closed(); })
@@ -77,6 +79,10 @@ bool is_heard() { return true; }
 
 void say(const std::string& text) { page_say(text.c_str()); }
 
+void show_tables(const std::string& list) { page_show_tables(list.c_str()); }
+
+void offer_commands(const std::string& list) { page_offer_commands(list.c_str()); }
+
 }  // namespace zstep::viewer::system
 
 extern "C" {
@@ -86,6 +92,12 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE int zstep_go_to_link(const char* link) {
   using namespace zstep::viewer;
   return system::turned_by_page && system::turned_by_page->go_to_link(link) ? 1 : 0;
+}
+
+/// A button of the page stands for this command.
+EMSCRIPTEN_KEEPALIVE void zstep_run(const char* command) {
+  using namespace zstep::viewer;
+  if (system::turned_by_page) system::turned_by_page->run(command);
 }
 
 /// A file was dropped on the page or chosen, and lies there now.

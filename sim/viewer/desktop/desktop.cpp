@@ -32,4 +32,8 @@ bool is_heard() { return false; }
 
 void say(const std::string&) {}
 
+void show_tables(const std::string&) {}
+
+void offer_commands(const std::string&) {}
+
 }  // namespace zstep::viewer::system

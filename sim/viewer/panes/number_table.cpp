@@ -49,7 +49,7 @@ std::vector<Column> lay_out(Ui& ui, const std::vector<std::string>& headings, co
 
 TableSeen seen(const std::vector<std::string>& headings, const std::vector<TableRow>& rows,
                const std::vector<Column>& columns) {
-  TableSeen table{headings, {}};
+  TableSeen table{"", headings, {}};
   for (std::size_t r = 0; r < rows.size(); ++r) {
     TableSeen::Row row{{}, rows[r].look == TableRow::Look::now};
     for (const Column& column : columns) row.cells.push_back(column.shown[r]);

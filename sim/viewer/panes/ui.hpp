@@ -85,6 +85,7 @@ struct TableSeen {
     std::vector<std::string> cells;
     bool now = false;  ///< the step is about it
   };
+  std::string title;  ///< of its pane
   std::vector<std::string> headings;
   std::vector<Row> rows;
 };

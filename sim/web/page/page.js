@@ -5,7 +5,12 @@
 const canvas = document.getElementById('canvas');
 const said = document.getElementById('said');
 const notice = document.getElementById('notice');
+const tables = document.getElementById('tables');
+const commands = document.getElementById('commands');
 const filePicker = document.getElementById('file');
+
+// Lists as the window makes them: groups of rows of cells.
+const groupsOf = (list) => (list === '' ? [] : list.split('\x1d').map((group) => group.split('\x1e').map((row) => row.split('\x1f'))));
 
 const longestLink = 4096;  // as in sim/words/link.hpp
 const largestFile = 512 << 20;
@@ -55,6 +60,35 @@ const page = {
 
   say(text) {
     if (said.textContent !== text) said.textContent = text;
+  },
+
+  showTables(list) {
+    const put = (row, cells, kind) => {
+      for (const text of cells) Object.assign(row.appendChild(document.createElement(kind)), {textContent: text});
+    };
+    tables.replaceChildren(...groupsOf(list).map(([[title], headings, ...rows]) => {
+      const table = document.createElement('table');
+      table.createCaption().textContent = title;
+      put(table.createTHead().insertRow(), headings, 'th');
+      const body = table.createTBody();
+      for (const row of rows) put(body.insertRow(), row, 'td');
+      return table;
+    }));
+  },
+
+  offerCommands(list) {
+    commands.replaceChildren(...groupsOf(list).flatMap(([[group], ...rows]) => {
+      const heading = document.createElement('h2');
+      heading.textContent = group;
+      return [heading, ...rows.map(([id, title, keys]) => {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.textContent = title;
+        if (keys) button.append(' ', Object.assign(document.createElement('kbd'), {textContent: keys}));
+        button.addEventListener('click', () => Module.ccall('zstep_run', null, ['string'], [id]));
+        return button;
+      })];
+    }));
   },
 
   copy(text) {
@@ -141,6 +175,13 @@ addEventListener('popstate', goToAddress);
 const pageKeys = new Set(['KeyC', 'KeyE', 'KeyG', 'KeyH', 'KeyL', 'KeyO', 'KeyP', 'KeyR', 'KeyS', 'KeyF', 'KeyB', 'KeyD', 'KeyU', 'KeyK', 'Enter',
   'Comma', 'Equal', 'Minus', 'Digit0', 'NumpadAdd', 'NumpadSubtract', 'Numpad0']);
 addEventListener('keydown', (event) => {
+  if (event.key === 'F6' || (event.key === 'Escape' && commands.contains(event.target))) {  // out of the window, and back
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    (commands.contains(event.target) ? canvas : commands.querySelector('button') ?? canvas).focus();
+    return;
+  }
+  if (commands.contains(event.target)) return event.stopImmediatePropagation();  // theirs
   if ((event.ctrlKey || event.metaKey) && event.code === 'KeyV') {
     // What is pasted comes with the event that follows; the key goes to the window after it.
     event.stopImmediatePropagation();
@@ -151,6 +192,7 @@ addEventListener('keydown', (event) => {
   if (event.altKey && event.key.startsWith('Arrow')) event.preventDefault();
   if (alone && ['F1', 'F3', 'F10', 'Tab', '/', "'"].includes(event.key)) event.preventDefault();
 }, true);
+for (const kind of ['keyup', 'keypress']) addEventListener(kind, (event) => { if (commands.contains(event.target)) event.stopImmediatePropagation(); }, true);
 addEventListener('paste', (event) => {
   event.preventDefault();
   Module.ccall('zstep_paste', null, ['string'], [event.clipboardData.getData('text/plain').slice(0, 65536)]);
