@@ -23,7 +23,7 @@ struct Checker {
   std::span<const std::string_view> words(const Expression& expression) const {
     if (expression.kind != Kind::name) return {};
     if (kind != no_kind) {
-      if (const auto field = field_type(kind, expression.text)) return field->words;
+      if (const auto field = field_of_kind(kind, expression.text)) return field->words;
     }
     if (expression.text == "facing") return {words_of<Facing>.data(), words_of<Facing>.size()};
     return {};
@@ -32,12 +32,12 @@ struct Checker {
   [[noreturn]] void unknown_name(std::string_view name) const {
     std::vector<std::string_view> candidates;
     for (const KnownName& known : known_names()) candidates.push_back(known.name);
-    const std::string fields = kind == no_kind ? "" : field_names(kind);
-    for (std::size_t at = 0; at < fields.size();) {
-      const std::size_t comma = std::min(fields.find(',', at), fields.size());
-      candidates.push_back(std::string_view(fields).substr(at, comma - at));
-      at = comma + 2;
-    }
+    std::string fields;
+    if (kind != no_kind)
+      for (const FieldOfKind& field : fields_of_kind(kind)) {
+        candidates.push_back(field.name);
+        fields += (fields.empty() ? "" : ", ") + std::string(field.name);
+      }
     throw InputError(where, fmt::format("nothing is called `{}`{}", name, did_you_mean(name, candidates)),
                      kind == no_kind
                          ? "see the list of names in docs/writing-a-lesson.md"
@@ -46,7 +46,7 @@ struct Checker {
 
   Type of_name(const Expression& expression) const {
     if (kind != no_kind) {
-      if (const auto field = field_type(kind, expression.text)) return field->type;
+      if (const auto field = field_of_kind(kind, expression.text)) return type_of(*field);
     }
     if (expression.text == "true" || expression.text == "false") return Type::truth;
     if (const KnownName* known = find_known_name(expression.text)) return known->type;

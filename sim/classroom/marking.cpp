@@ -44,7 +44,7 @@ void check_marking(const Marking& marking, const Page& page, const std::string& 
   const std::uint8_t kind = require_step(page, steps.step, where).kind;
   if (marking.kind == Marking::Kind::pixels) {
     for (const char* name : {"x", "y"})
-      if (!field_type(kind, name))
+      if (!field_of_kind(kind, name))
         throw InputError(where, fmt::format("`{}` is no step of a pixel", steps.step),
                          "name one that has x and y, as compare or write_pixel");
     return;

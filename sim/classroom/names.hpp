@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "traces/events/fields.hpp"
 #include "traces/replay/replay.hpp"
 
 namespace zstep::classroom {
@@ -51,14 +52,9 @@ class Moment {
   std::int64_t position_;
 };
 
-/// A field of a kind of event: its type and, for an enumeration, its words. None if the kind has no such field.
-struct FieldType {
-  Quantity::Type type;
-  std::span<const std::string_view> words;
-};
-std::optional<FieldType> field_type(std::uint8_t kind, std::string_view name);
-/// The fields of a kind, "x, y, z, nearer".
-std::string field_names(std::uint8_t kind);
+/// What a field holds in an expression.
+Quantity::Type type_of(const FieldOfKind& field);
+/// What the event holds in a field of this name, if it has one.
 std::optional<Quantity> field_value(const Event& event, std::string_view name);
 
 /// What the run knows: `stored`, `scan_line`, `x_left`, `rho`.

@@ -1,5 +1,7 @@
 #include "sim/cli/describe.hpp"
 
+#include "traces/events/fields.hpp"
+
 #include <array>
 
 #include <fmt/format.h>
@@ -70,5 +72,19 @@ std::string numbers_text(const Conventions& conventions) {
 }
 
 std::string value_text(double value) { return fmt::format("{}", value); }
+
+std::string fields_text(const Event& event) {
+  std::string text;
+  for (const FieldOfKind& field : fields_of_kind(event.index())) {
+    text += fmt::format("{}{}=", text.empty() ? "" : " ", field.name);
+    switch (field.type) {
+      case FieldOfKind::Type::whole: text += std::to_string(field.whole_in(event)); break;
+      case FieldOfKind::Type::real: text += value_text(field.read(event)); break;
+      case FieldOfKind::Type::truth: text += field.true_in(event) ? "true" : "false"; break;
+      case FieldOfKind::Type::word: text += field.word_in(event); break;
+    }
+  }
+  return text;
+}
 
 }  // namespace zstep::cli

@@ -20,25 +20,7 @@ std::string numbers_text(const Conventions& conventions);
 
 /// A field's value as a dump shows it; numbers with as many digits as distinguish them.
 std::string value_text(double value);
-inline std::string value_text(std::int32_t value) { return std::to_string(value); }
-inline std::string value_text(bool value) { return value ? "true" : "false"; }
-template <class Enumeration>
-  requires std::is_enum_v<Enumeration>
-std::string value_text(Enumeration value) {
-  return std::string(zstep::words_of<Enumeration>.at(static_cast<std::size_t>(value)));
-}
-
 /// "x=3 y=2 z=4.25 nearer=true"
-template <class E>
-std::string fields_text(const E& event) {
-  std::string text;
-  for_each_field<E>([&](const auto& field) {
-    if (!text.empty()) text += ' ';
-    text += field.name;
-    text += '=';
-    text += value_text(event.*field.member);
-  });
-  return text;
-}
+std::string fields_text(const Event& event);
 
 }  // namespace zstep::cli

@@ -9,6 +9,7 @@
 #include "sim/pages/page.hpp"
 #include "sim/words/markup.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::cli {
 namespace {
@@ -44,15 +45,14 @@ std::string diff_page(const DiffText& text, const diff::DiffReport& report, cons
     page += fmt::format("<p>… and {} more.</p>\n",
                         grouped(static_cast<std::int64_t>(report.causes.size() - text.causes.size())));
   std::string rows;
-  std::size_t kind = 0;
-  for_each_kind([&]<class E>() {
-    const diff::KindDifference& row = report.kinds[kind++];
-    if (row.same + row.rounding + row.different + row.only_a + row.only_b == 0) return;
-    rows += fmt::format("<tr><td>{}</td>", kind_text<E>.name);
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
+    const diff::KindDifference& row = report.kinds[kind];
+    if (row.same + row.rounding + row.different + row.only_a + row.only_b == 0) continue;
+    rows += fmt::format("<tr><td>{}</td>", kind_names()[kind]);
     for (const std::int64_t count : {row.same, row.rounding, row.different, row.only_a, row.only_b})
       rows += fmt::format("<td class=\"n\">{}</td>", count);
     rows += "</tr>\n";
-  });
+  }
   if (!rows.empty())
     page +=
         "<h2>By kind of step</h2>\n<table>\n<tr><th>steps</th><th>same</th><th>rounding</th><th>different</th>"

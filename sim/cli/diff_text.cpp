@@ -11,7 +11,7 @@
 #include "sim/words/judged.hpp"
 #include "sim/words/numbers.hpp"
 #include "sim/words/shell_word.hpp"
-#include "traces/events/slots.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/formulas/situation_of.hpp"
 #include "traces/replay/replay.hpp"
 #include "traces/text.hpp"
@@ -41,22 +41,13 @@ CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, F
   return side;
 }
 
-std::string kind_name(std::size_t kind) {
-  std::string name;
-  std::size_t number = 0;
-  for_each_kind([&]<class E>() {
-    if (number++ == kind) name = kind_text<E>.name;
-  });
-  return name;
-}
-
 std::vector<std::string> notes_of(const Trace& a, const Trace& b) {
   std::vector<std::string> notes;
   const auto only = [&](const Trace& has, const Trace& has_not, const char* name) {
     std::string kinds;
     for (std::size_t kind = 0; kind < kind_count; ++kind)
       if (has.has(static_cast<std::uint8_t>(kind)) && !has_not.has(static_cast<std::uint8_t>(kind)))
-        kinds += (kinds.empty() ? "" : ", ") + kind_name(kind);
+        kinds += (kinds.empty() ? "" : ", ") + std::string(kind_names()[kind]);
     if (!kinds.empty()) notes.push_back(fmt::format("{} never records {}: not compared", name, kinds));
   };
   only(a, b, "B");

@@ -17,6 +17,7 @@
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/file/jsonl.hpp"
 #include "traces/file/trace.hpp"
 #include "traces/replay/replay.hpp"
@@ -53,8 +54,7 @@ class Filter {
   }
 
   void by_kind(const std::vector<std::string>& names, const Page& page) {
-    std::vector<std::string> known;
-    for_each_kind([&]<class E>() { known.emplace_back(kind_text<E>.name); });
+    const auto known = kind_names();
     Ids wanted{};
     for (const std::string& name : names) {
       const auto found = std::find(known.begin(), known.end(), name);
@@ -140,7 +140,7 @@ int dump(const DumpOptions& options) {
         std::cout << jsonl_event(page, recorded) + '\n';
       } else {
         const StepInfo* info = find_step(page, recorded.step);
-        const std::string fields = visit_event([](const auto& event) { return fields_text(event); }, recorded.event);
+        const std::string fields = fields_text(recorded.event);
         std::cout << fmt::format("{:>{}}  {:<{}}  {}\n", position, digits, info == nullptr ? "?" : info->name, widest,
                                  fields);
         if (const std::string doubt = doubts ? doubts->of(position) : ""; !doubt.empty())

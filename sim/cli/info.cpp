@@ -12,6 +12,7 @@
 #include "sim/cli/table.hpp"
 #include "sim/cli/traces.hpp"
 #include "sim/cli/words.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/file/visit.hpp"
 
 namespace zstep::cli {
@@ -66,8 +67,6 @@ int info(const std::string& path) {
     return true;
   });
 
-  std::array<std::string_view, kind_count> kind_names{};
-  for_each_kind([&]<class E>() { kind_names[kind_of<E>] = kind_text<E>.name; });
   const auto share = [&](std::int64_t count) {
     return fmt::format(
         "{:.1f} %", trace.size() == 0 ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(trace.size()));
@@ -76,7 +75,7 @@ int info(const std::string& path) {
   Table steps({left, left, right, right, left});
   steps.row({"STEP", "KIND", "COUNT", "SHARE", "PSEUDO-CODE"});
   for (const StepInfo& step : trace.header().page)
-    steps.row({step.module + "." + step.name, std::string(kind_names.at(step.kind)),
+    steps.row({step.module + "." + step.name, std::string(kind_names()[step.kind]),
                fmt::format("{}", by_step[step.id]), share(by_step[step.id]),
                std::string(2 * std::size_t{step.indent}, ' ') + step.text});
   Table kinds({left, right, right});

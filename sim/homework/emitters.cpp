@@ -13,21 +13,21 @@ namespace {
 
 /// "int x, int y, double z" — or without types.
 template <class Text>
-std::string listed(const std::vector<StepField>& parameters, Text&& text, std::string_view between = ", ") {
+std::string listed(std::span<const FieldOfKind> parameters, Text&& text, std::string_view between = ", ") {
   std::string all;
-  for (const StepField& one : parameters) all += (all.empty() ? "" : std::string(between)) + text(one);
+  for (const FieldOfKind& one : parameters) all += (all.empty() ? "" : std::string(between)) + text(one);
   return all;
 }
-std::string name_of(const StepField& one) { return one.name; }
+std::string name_of(const FieldOfKind& one) { return std::string(one.name); }
 
 std::string in_c(const StepFields& f) {
   constexpr std::array<std::string_view, 4> types{"int", "double", "int", "const char*"};
-  const std::string parameters = listed(f.fields, [&](const StepField& one) {
+  const std::string parameters = listed(f.fields, [&](const FieldOfKind& one) {
     return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
   });
   const std::string fields = listed(
       f.fields,
-      [](const StepField& one) { return fmt::format("{}:{}", one.name, "irbw"[static_cast<std::size_t>(one.type)]); },
+      [](const FieldOfKind& one) { return fmt::format("{}:{}", one.name, "irbw"[static_cast<std::size_t>(one.type)]); },
       " ");
   const std::string head =
                         fmt::format("static inline void emit_{}({})", f.step, parameters.empty() ? "void" : parameters),
@@ -40,7 +40,7 @@ std::string in_c(const StepFields& f) {
 std::string in_python(const StepFields& f) {
   return fmt::format("def {}({}):  # {}\n    _step(\"{}\"{}{})\n", f.step, listed(f.fields, name_of),
                      f.meaning, f.step, f.fields.empty() ? "" : ", ",
-                     listed(f.fields, [](const StepField& one) { return one.name + "=" + one.name; }));
+                     listed(f.fields, [](const FieldOfKind& one) { return fmt::format("{0}={0}", one.name); }));
 }
 
 std::string in_javascript(const StepFields& f) {
@@ -55,12 +55,12 @@ std::string in_java(const StepFields& f) {
     if (f.step[i] != '_')
       name += i > 0 && f.step[i - 1] == '_' ? static_cast<char>(std::toupper(static_cast<unsigned char>(f.step[i])))
                                             : f.step[i];
-  const std::string parameters = listed(f.fields, [&](const StepField& one) {
+  const std::string parameters = listed(f.fields, [&](const FieldOfKind& one) {
     return fmt::format("{} {}", types[static_cast<std::size_t>(one.type)], one.name);
   });
   return fmt::format("  static void {}({}) {{\n    step(\"{}\"{}{}); }}\n", name, parameters, f.step,
                      f.fields.empty() ? "" : ", ",
-                     listed(f.fields, [](const StepField& one) { return fmt::format("\"{0}\", {0}", one.name); }));
+                     listed(f.fields, [](const FieldOfKind& one) { return fmt::format("\"{0}\", {0}", one.name); }));
 }
 
 constexpr std::string_view c_begin =

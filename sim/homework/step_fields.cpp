@@ -1,12 +1,8 @@
 #include "sim/homework/step_fields.hpp"
 
-#include <type_traits>
-
 #include <nlohmann/json.hpp>
 
 #include "traces/conventions.hpp"
-#include "traces/events/slots.hpp"
-#include "traces/events/vocabulary.hpp"
 
 namespace zstep::homework {
 
@@ -14,19 +10,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json schema_of(const StepField& field) {
+Json schema_of(const FieldOfKind& field) {
   Json schema{{"description", field.meaning}};
   switch (field.type) {
-    case FieldType::whole:
+    case FieldOfKind::Type::whole:
       schema["type"] = "integer";
       break;
-    case FieldType::truth:
+    case FieldOfKind::Type::truth:
       schema["type"] = "boolean";
       break;
-    case FieldType::word:
+    case FieldOfKind::Type::word:
       schema["enum"] = field.words;
       break;
-    case FieldType::real:
+    case FieldOfKind::Type::real:
       schema["anyOf"] = Json::array({{{"type", "number"}}, {{"enum", {"inf", "-inf", "nan"}}}});
       break;
   }
@@ -35,8 +31,8 @@ Json schema_of(const StepField& field) {
 
 Json schema_of(const StepFields& step) {
   Json properties{{"step", {{"const", step.step}}}}, required = Json::array({"step"});
-  for (const StepField& field : step.fields) {
-    properties[field.name] = schema_of(field);
+  for (const FieldOfKind& field : step.fields) {
+    properties[std::string(field.name)] = schema_of(field);
     required.push_back(field.name);
   }
   return {{"description", step.meaning},
@@ -49,27 +45,7 @@ Json schema_of(const StepFields& step) {
 }  // namespace
 
 StepFields fields_of_step(const StepInfo& step) {
-  StepFields found{step.name, "", {}};
-  std::uint8_t kind = 0;
-  for_each_kind([&]<class E>() {
-    if (kind++ != step.kind) return;
-    found.meaning = kind_text<E>.meaning;
-    for_each_index<E>([&]<std::size_t I>() {
-      using Value = FieldValue<E, I>;
-      constexpr auto field = field_at<E, I>;
-      StepField one{std::string(field.name), FieldType::whole, std::string(field.meaning), {}};
-      if constexpr (std::is_enum_v<Value>) {
-        one.type = FieldType::word;
-        for (const std::string_view word : words_of<Value>) one.words.emplace_back(word);
-      } else if constexpr (std::is_same_v<Value, bool>) {
-        one.type = FieldType::truth;
-      } else if constexpr (std::is_same_v<Value, double>) {
-        one.type = FieldType::real;
-      }
-      found.fields.push_back(std::move(one));
-    });
-  });
-  return found;
+  return {step.name, std::string(text_of_kind(step.kind).meaning), fields_of_kind(step.kind)};
 }
 
 std::string run_schema(const std::vector<StepInfo>& steps) {

@@ -2,23 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "traces/events/fields.hpp"
 #include "traces/file/header.hpp"
 
 namespace zstep::homework {
 
-enum class FieldType : std::uint8_t { whole, real, truth, word };
-struct StepField {
-  std::string name;
-  FieldType type;
-  std::string meaning;
-  std::vector<std::string> words;  ///< that it may be, where it is one
-};
 struct StepFields {
   std::string step, meaning;
-  std::vector<StepField> fields;
+  std::span<const FieldOfKind> fields;
 };
 StepFields fields_of_step(const StepInfo& step);
 

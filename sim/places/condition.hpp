@@ -22,7 +22,6 @@
 #include <vector>
 
 #include "sim/classroom/expression.hpp"
-#include "sim/places/fields.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep::places {

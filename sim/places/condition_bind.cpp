@@ -9,6 +9,7 @@
 #include "sim/places/condition.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/error.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep::places {
 
@@ -23,14 +24,6 @@ constexpr const char* where = "condition";
 bool is_step(const StepInfo& step, std::string_view name) {
   return step.name == name || (name.find('.') != std::string_view::npos && step.module + "." + step.name == name);
 }
-std::string_view kind_name(std::uint8_t kind) {
-  std::string_view name;
-  for_each_kind([&]<class E>() {
-    if (kind_of<E> == kind) name = kind_text<E>.name;
-  });
-  return name;
-}
-
 }  // namespace
 
 /// Binds an expression for one step of the pseudo-code.
@@ -95,11 +88,11 @@ class Condition::Binder {
     return text == "line" || text == "scan_line" || text == "scanline" ? "y" : text;
   }
   /// The field that a name means in a step of this kind.
-  const Field* field_of(std::uint8_t kind, std::string_view text) const {
-    if (const Field* field = field_of_kind(kind, text)) return field;
+  const FieldOfKind* field_of(std::uint8_t kind, std::string_view text) const {
+    if (const FieldOfKind* field = field_of_kind(kind, text)) return field;
     const std::string meant = field_meant(std::string(text));
     const bool known = text == "z_v" ? false : field_named(text);  // `line` is an edge where edges are drawn
-    const Field* field = known || meant == text ? nullptr : field_of_kind(kind, meant);
+    const FieldOfKind* field = known || meant == text ? nullptr : field_of_kind(kind, meant);
     // World coordinates have the letters of depths and scan lines.
     const bool fits = field && (meant != "z" || field->unit == "depth") &&
                       (meant != "y" || field->unit == "px" || field->unit == "row");
@@ -117,8 +110,8 @@ class Condition::Binder {
   std::vector<std::string_view> words_somewhere(std::string_view name) const {
     std::vector<std::string_view> words;
     for (const StepInfo& step : page_)
-      if (const Field* field = field_of(step.kind, name))
-        for (const std::string_view word : field->type.words)
+      if (const FieldOfKind* field = field_of(step.kind, name))
+        for (const std::string_view word : field->words)
           if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
     return words;
   }
@@ -148,22 +141,22 @@ class Condition::Binder {
 
   Bound name(const Expression& expression) {
     const std::string& text = expression.text;
-    if (const Field* field = field_of(step_.kind, text)) {
+    if (const FieldOfKind* field = field_of(step_.kind, text)) {
       Node node;
-      node.op = Op::field, node.read = field->read, node.none_is_missing = field->type.type == Type::polygon;
-      return add(std::move(node), field->type.type);
+      node.op = Op::field, node.read = field->read, node.none_is_missing = classroom::type_of(*field) == Type::polygon;
+      return add(std::move(node), classroom::type_of(*field));
     }
     if (is_called(text, "polygon")) return add_plain(Op::at_work, Type::polygon);
     if (is_called(text, "step")) return add_plain(Op::step, Type::number);
     if (text == "true" || text == "false") return constant(text == "true", Type::truth);
     if (field_somewhere(text)) return missing(Type::number);
     bool known = false;
-    for (const StepInfo& step : page_) known = known || is_step(step, text) || kind_name(step.kind) == text;
-    if (known) return constant(is_step(step_, text) || kind_name(step_.kind) == text, Type::truth);
+    for (const StepInfo& step : page_) known = known || is_step(step, text) || text_of_kind(step.kind).name == text;
+    if (known) return constant(is_step(step_, text) || text_of_kind(step_.kind).name == text, Type::truth);
     std::vector<std::string_view> names{"polygon", "step", "changes(x, y)", "touches(x, y)"};
     for (const StepInfo& step : page_) {
-      names.push_back(step.name), names.push_back(kind_name(step.kind));
-      for (const Field& field : fields_of_kind(step.kind)) names.push_back(field.name);
+      names.push_back(step.name), names.push_back(text_of_kind(step.kind).name);
+      for (const FieldOfKind& field : fields_of_kind(step.kind)) names.push_back(field.name);
     }
     const std::string near = classroom::did_you_mean(text, names);
     fail(fmt::format("`{}` is no field, step or kind of event of this trace{}", text, near),
@@ -218,9 +211,9 @@ class Condition::Binder {
     if (std::find(all.begin(), all.end(), right.text) == all.end())
       fail(fmt::format("`{}` is never `{}`", left.text, right.text),
            fmt::format("it is one of {}", fmt::join(all, ", ")));
-    const Field* field = field_of(step_.kind, left.text);
-    if (!field || field->type.type != Type::word) return missing(Type::truth);
-    const auto& words = field->type.words;
+    const FieldOfKind* field = field_of(step_.kind, left.text);
+    if (!field || field->type != FieldOfKind::Type::word) return missing(Type::truth);
+    const auto& words = field->words;
     const auto place = std::find(words.begin(), words.end(), right.text) - words.begin();
     return of(Kind::equal, name(left), constant(static_cast<double>(place), Type::word), Type::truth);
   }
@@ -327,7 +320,7 @@ Condition::Condition(const Trace& trace, const std::string& text)
                        (after.size() == 5 || !(std::isalnum(static_cast<unsigned char>(after[5])) || after[5] == '_'));
   if (!first.empty() && (after.empty() || further)) {
     const bool known = std::any_of(page.begin(), page.end(), [&](const StepInfo& step) {
-      return is_step(step, first) || kind_name(step.kind) == first;
+      return is_step(step, first) || text_of_kind(step.kind).name == first;
     });
     if (further && !known)
       throw InputError(where, fmt::format("`{}` is no step or kind of event of this trace", first),
@@ -337,7 +330,7 @@ Condition::Condition(const Trace& trace, const std::string& text)
   const Expression expression = classroom::parse_typed(rest, where);
   for (const StepInfo& step : page) {
     const std::int32_t root = Binder(*this, step).bind(expression);
-    if (!only.empty() && !is_step(step, only) && kind_name(step.kind) != only) continue;
+    if (!only.empty() && !is_step(step, only) && text_of_kind(step.kind).name != only) continue;
     root_of_step_[step.id] = root;
     if (root >= 0) bounds_.kinds.set(step.kind);
   }

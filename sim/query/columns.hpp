@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "traces/events/fields.hpp"
 #include "traces/file/trace.hpp"
 
 namespace zstep::query {
@@ -25,7 +26,10 @@ struct Context {
 
 struct Column {
   std::string name, meaning;
-  Cell (*read)(const Event&) = nullptr;  ///< of the event's own; nullptr for those of the context
+  const FieldOfKind* field = nullptr;  ///< of the event's own; nullptr for those of the context
+
+  /// Of an event's own column.
+  Cell of(const Event& event) const;
 };
 
 struct Table {

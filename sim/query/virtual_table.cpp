@@ -233,7 +233,7 @@ int column(sqlite3_vtab_cursor* c, sqlite3_context* to, int number) {
   const Cursor& cursor = cursor_of(c);
   const Column& wanted = cursor.table.table.columns[static_cast<std::size_t>(number)];
   const Context& context = cursor.walk->context();
-  if (wanted.read) return give(to, wanted.read(cursor.walk->event()));
+  if (wanted.field) return give(to, wanted.of(cursor.walk->event()));
   switch (number) {
     case step_column: return give(to, context.step);
     case name_column: return give(to, context.name);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "traces/events/fields.hpp"
 #include "traces/formulas/follows.hpp"
 
 namespace zstep {
@@ -27,29 +28,29 @@ std::string_view origin_text(formulas::Origin origin) {
   return origin == formulas::Origin::formula ? "formula" : origin == formulas::Origin::input ? "input" : "recorded";
 }
 
-template <class Value>
-std::string type_text() {
-  if constexpr (std::is_same_v<Value, double>) return "float64";
-  else if constexpr (std::is_same_v<Value, bool>) return "true or false";
-  else if constexpr (std::is_enum_v<Value>) return fmt::format("one of {}", fmt::join(words_of<Value>, ", "));
-  else return "int32";
+std::string type_text(const FieldOfKind& field) {
+  switch (field.type) {
+    case FieldOfKind::Type::real: return "float64";
+    case FieldOfKind::Type::truth: return "true or false";
+    case FieldOfKind::Type::word: return fmt::format("one of {}", fmt::join(field.words, ", "));
+    case FieldOfKind::Type::whole: break;
+  }
+  return "int32";
 }
 
 }  // namespace
 
 std::string vocabulary_markdown() {
   std::string out;
-  for_each_kind([&]<class E>() {
+  for (std::size_t kind = 0; kind < kind_count; ++kind) {
     out += fmt::format(
         "\n### {}\n{}.\n\n| field | type | unit | guess | follows from | meaning |\n|---|---|---|---|---|---|\n",
-        kind_text<E>.name, kind_text<E>.meaning);
-    for_each_index<E>([&]<std::size_t I>() {
-      constexpr auto field = field_at<E, I>;
-      out +=
-          fmt::format("| {} | {} | {} | {} | {} | {} |\n", field.name, type_text<FieldValue<E, I>>(), field.unit,
-                      guess_text(field.guess), origin_text(formulas::origin_of(kind_of<E>, field.name)), field.meaning);
-    });
-  });
+        text_of_kind(kind).name, text_of_kind(kind).meaning);
+    for (const FieldOfKind& field : fields_of_kind(kind))
+      out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", field.name, type_text(field), field.unit,
+                         guess_text(field.guess),
+                         origin_text(formulas::origin_of(static_cast<std::uint8_t>(kind), field.name)), field.meaning);
+  }
   return out;
 }
 

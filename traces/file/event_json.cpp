@@ -1,14 +1,14 @@
 #include "traces/file/event_json.hpp"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "traces/events/slots.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/file/json_members.hpp"
 #include "traces/near_word.hpp"
 
@@ -45,12 +45,14 @@ std::int32_t whole_from(const json& in, std::string_view name) {
   throw MalformedJson(in, "", fmt::format("\"{}\" is not a whole number", name));
 }
 
-template <class Value>
-Value value_from(const json& in, std::string_view name) {
-  if constexpr (std::is_same_v<Value, double>) return real_from_json(in, std::string(name).c_str());
-  else if constexpr (std::is_same_v<Value, bool>) return truth_from(in, name);
-  else if constexpr (std::is_enum_v<Value>) return static_cast<Value>(word_from(in, name, words_of<Value>));
-  else return whole_from(in, name);
+double value_from(const json& in, const FieldOfKind& field) {
+  switch (field.type) {
+    case FieldOfKind::Type::real: return real_from_json(in, std::string(field.name).c_str());
+    case FieldOfKind::Type::truth: return truth_from(in, field.name) ? 1 : 0;
+    case FieldOfKind::Type::word: return static_cast<double>(word_from(in, field.name, field.words));
+    case FieldOfKind::Type::whole: break;
+  }
+  return whole_from(in, field.name);
 }
 
 /// Throws when a line has other members than its step and these.
@@ -63,30 +65,22 @@ void refuse_others(const json& line, std::span<const std::string_view> fields, s
   }
 }
 
-template <class E>
-void take_event(const json& line, Event& into) {
-  E event{};
-  std::array<std::string_view, field_count<E>> names;
-  for_each_index<E>([&]<std::size_t I>() { names[I] = field_at<E, I>.name; });
-  for_each_index<E>([&]<std::size_t I>() {
-    const auto found = line.find(std::string(names[I]));
-    if (found == line.end()) {
-      refuse_others(line, names, kind_text<E>.name);  // it is there under a misspelt name
-      throw MalformedJson(line, "", fmt::format("\"{}\" is missing ({})", names[I], field_at<E, I>.meaning));
-    }
-    event.*field_at<E, I>.member = value_from<FieldValue<E, I>>(*found, names[I]);
-  });
-  if (line.size() != names.size() + 1) refuse_others(line, names, kind_text<E>.name);
-  into = event;
-}
-
 }  // namespace
 
 Event event_from_json(std::uint8_t kind, const json& line) {
-  Event event;
-  for_each_kind([&]<class E>() {
-    if (kind_of<E> == kind) take_event<E>(line, event);
-  });
+  Event event = event_of_kind(kind);
+  const std::span<const FieldOfKind> fields = fields_of_kind(kind);
+  std::vector<std::string_view> names;
+  for (const FieldOfKind& field : fields) names.push_back(field.name);
+  for (const FieldOfKind& field : fields) {
+    const auto found = line.find(std::string(field.name));
+    if (found == line.end()) {
+      refuse_others(line, names, text_of_kind(kind).name);  // it is there under a misspelt name
+      throw MalformedJson(line, "", fmt::format("\"{}\" is missing ({})", field.name, field.meaning));
+    }
+    field.write(event, value_from(*found, field));
+  }
+  if (line.size() != names.size() + 1) refuse_others(line, names, text_of_kind(kind).name);
   return event;
 }
 

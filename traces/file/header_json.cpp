@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traces/events/fields.hpp"
 #include "traces/events/vocabulary.hpp"
 #include "traces/file/json_members.hpp"
 
@@ -99,8 +100,7 @@ void read_conventions(const json& in, Header& header) {
 
 std::uint8_t kind_named(const json& entry, const std::string& step, const std::string& writer) {
   const std::string kind = text(entry, "event");
-  std::array<std::string_view, kind_count> names;
-  for_each_kind([&]<class E>() { names[kind_of<E>] = kind_text<E>.name; });
+  const auto names = kind_names();
   const auto found = std::find(names.begin(), names.end(), kind);
   if (found != names.end()) return static_cast<std::uint8_t>(found - names.begin());
   const std::string_view near = near_word(kind, names);
@@ -170,9 +170,7 @@ ordered_json header_to_json(const Header& header) {
     entry["id"] = step.id;
     entry["module"] = step.module;
     entry["name"] = step.name;
-    for_each_kind([&]<class E>() {
-      if (kind_of<E> == step.kind) entry["event"] = kind_text<E>.name;
-    });
+    entry["event"] = text_of_kind(step.kind).name;
     entry["indent"] = step.indent;
     entry["text"] = step.text;
     steps.push_back(std::move(entry));

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "traces/error.hpp"
-#include "traces/events/slots.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/file/header_json.hpp"
 #include "traces/text.hpp"
 
@@ -41,19 +41,6 @@ ordered_json begin_line(const Page& page, std::uint8_t step) {
   return line;
 }
 
-template <class E>
-std::string event_line(const Page& page, std::uint8_t step, const E& event) {
-  ordered_json line = begin_line(page, step);
-  for_each_index<E>([&]<std::size_t I>() {
-    using Value = FieldValue<E, I>;
-    const Value value = event.*field_at<E, I>.member;
-    if constexpr (std::is_enum_v<Value>)
-      put(line, field_at<E, I>.name, words_of<Value>[static_cast<std::size_t>(value)]);
-    else put(line, field_at<E, I>.name, value);
-  });
-  return text_of(line);
-}
-
 }  // namespace
 
 std::string jsonl_header(const Header& header, const Scene& scene) {
@@ -63,7 +50,16 @@ std::string jsonl_header(const Header& header, const Scene& scene) {
 }
 
 std::string jsonl_event(const Page& page, const RecordedEvent& recorded) {
-  return visit_event([&](const auto& event) { return event_line(page, recorded.step, event); }, recorded.event);
+  ordered_json line = begin_line(page, recorded.step);
+  for (const FieldOfKind& field : fields_of_kind(recorded.event.index())) {
+    switch (field.type) {
+      case FieldOfKind::Type::real: put(line, field.name, field.read(recorded.event)); break;
+      case FieldOfKind::Type::whole: put(line, field.name, field.whole_in(recorded.event)); break;
+      case FieldOfKind::Type::truth: put(line, field.name, field.true_in(recorded.event)); break;
+      case FieldOfKind::Type::word: put(line, field.name, field.word_in(recorded.event)); break;
+    }
+  }
+  return text_of(line);
 }
 
 void write_jsonl(const Trace& trace, std::ostream& out) {

@@ -42,14 +42,16 @@ static_assert(sizeof(Head) <= memory_page);
 /// A number that differs where events stand otherwise in memory.
 std::uint64_t layout_of_events() {
   std::string text = std::to_string(trace_version);
+  void (*const tell)(std::string&, std::string_view, std::ptrdiff_t) =  // one call a field
+      [](std::string& all, std::string_view name, std::ptrdiff_t number) {
+        all.append(name).append(" ").append(std::to_string(number));
+      };
   for_each_kind([&]<class E>() {
-    text += kind_text<E>.name;
-    text += ' ' + std::to_string(sizeof(E));
+    tell(text, kind_text<E>.name, sizeof(E));
     const E event{};
     for_each_field<E>([&](const auto& field) {
-      text += field.name;
-      text += ' ' + std::to_string(reinterpret_cast<const char*>(&(event.*field.member)) -
-                                   reinterpret_cast<const char*>(&event));
+      tell(text, field.name,
+           reinterpret_cast<const char*>(&(event.*field.member)) - reinterpret_cast<const char*>(&event));
     });
   });
   return checksum_of({'L', 'O', 'G', 'S'}, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});

@@ -2,54 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
+
+#include "traces/events/fields.hpp"
 
 namespace zstep::answers {
 namespace {
-
-/// A field's value without its type: what is needed of it here.
-struct Described {
-  std::string_view name, unit, meaning, word;
-  double number = 0;
-  bool choice = false, whole = false, real = false;
-};
-
-template <class V>
-Described described(std::string_view name, std::string_view unit, std::string_view meaning, V value) {
-  Described field{name,
-                  unit,
-                  meaning,
-                  "",
-                  static_cast<double>(value),
-                  std::is_same_v<V, bool>,
-                  std::is_same_v<V, std::int32_t>,
-                  std::is_same_v<V, double>};
-  if constexpr (std::is_enum_v<V>) field.word = words_of<V>[static_cast<std::size_t>(value)];
-  return field;
-}
-
-using AllFields = std::vector<Described>;
-void add(AllFields& all, const Described& field) { all.push_back(field); }
-
-/// All of them; the one place that goes through the fields of every kind, as that takes long to compile.
-AllFields described_fields(const Event& event) {
-  AllFields all;
-  void (*const keep)(AllFields&, const Described&) = add;  // one call a field
-  visit_event(
-      [&](const auto& known) {
-        for_each_field<std::decay_t<decltype(known)>>([&](const auto& field) {
-          keep(all, described(field.name, field.unit, field.meaning, known.*(field.member)));
-        });
-      },
-      event);
-  return all;
-}
-
-std::optional<Described> field_of(const Event& event, std::string_view name) {
-  for (const Described& field : described_fields(event))
-    if (field.name == name) return field;
-  return std::nullopt;
-}
 
 /// A number that names something: what that is, and where it comes from.
 void tell_name(Datum& datum, Work& work, std::string_view field, std::int32_t number, std::string_view meaning) {
@@ -85,13 +42,13 @@ void tell_name(Datum& datum, Work& work, std::string_view field, std::int32_t nu
 }  // namespace
 
 std::optional<double> field_number(const Event& event, std::string_view name) {
-  const auto field = field_of(event, name);
-  return field ? std::optional(field->number) : std::nullopt;
+  const FieldOfKind* const field = field_of_kind(event.index(), name);
+  return field ? std::optional(field->read(event)) : std::nullopt;
 }
 
 std::string field_word(const Event& event, std::string_view name) {
-  const auto field = field_of(event, name);
-  return field ? std::string(field->word) : "";
+  const FieldOfKind* const field = field_of_kind(event.index(), name);
+  return field && field->type == FieldOfKind::Type::word ? std::string(field->word_in(event)) : "";
 }
 
 std::string shown_name(const Event& event, std::string_view name, const std::string& depth) {
@@ -109,12 +66,13 @@ std::string shown_name(const Event& event, std::string_view name, const std::str
 }
 
 void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event, std::string_view name) {
-  const auto field = field_of(event, name);
+  using Type = FieldOfKind::Type;
+  const FieldOfKind* const field = field_of_kind(event.index(), name);
   if (!field) return;
-  if (field->choice) datum.holds_if("", {});
-  if (!field->word.empty()) datum.word(std::string(field->word));
-  if (field->whole && field->unit == "index")
-    return tell_name(datum, work, name, static_cast<std::int32_t>(field->number), field->meaning);
+  if (field->type == Type::truth) datum.holds_if("", {});
+  if (field->type == Type::word) datum.word(std::string(field->word_in(event)));
+  if (field->type == Type::whole && field->unit == "index")
+    return tell_name(datum, work, name, field->whole_in(event), field->meaning);
   if (work.tell_derived(datum, step, event, name)) return;
   for (TellTheme* tell : {tell_boxes, tell_curves, tell_light, tell_orders, tell_pixels, tell_planes, tell_polygons,
                           tell_rays, tell_sweep, tell_vertices})
@@ -124,25 +82,25 @@ void tell_field(Datum& datum, Work& work, std::int64_t step, const Event& event,
 
 std::vector<std::string> fields_in(const Event& event) {
   std::vector<std::string> names;
-  for (const Described& field : described_fields(event)) names.emplace_back(field.name);
+  for (const FieldOfKind& field : fields_of_kind(event.index())) names.emplace_back(field.name);
   return names;
 }
 
 std::vector<std::string> real_fields_in(const Event& event) {
   std::vector<std::string> names;
-  for (const Described& field : described_fields(event))
-    if (field.real) names.emplace_back(field.name);
+  for (const FieldOfKind& field : fields_of_kind(event.index()))
+    if (field.type == FieldOfKind::Type::real) names.emplace_back(field.name);
   return names;
 }
 
 std::string main_field(const Event& event) {
-  const std::vector<Described> fields = described_fields(event);
+  const std::span<const FieldOfKind> fields = fields_of_kind(event.index());
   for (const char* wanted : {"attribute", "z", "t", "y_curve", "value", "x_edge", "z_left", "distance", "z_light",
                              "view_dot_normal", "t_enter", "nearer"})
-    for (const Described& field : fields)
+    for (const FieldOfKind& field : fields)
       if (field.name == wanted) return wanted;
-  for (const Described& field : fields)
-    if (field.real) return std::string(field.name);
+  for (const FieldOfKind& field : fields)
+    if (field.type == FieldOfKind::Type::real) return std::string(field.name);
   return fields.empty() ? "" : std::string(fields.front().name);
 }
 

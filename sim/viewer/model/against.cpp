@@ -8,7 +8,7 @@
 #include "sim/words/derived.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/diff/buffers.hpp"
-#include "traces/events/slots.hpp"
+#include "traces/events/fields.hpp"
 #include "traces/formulas/situation_of.hpp"
 
 namespace zstep::viewer {
@@ -102,12 +102,9 @@ std::optional<Against::Alike> Against::next_alike(int direction) {
 
 std::string Against::fields_of(const diff::Difference& difference) const {
   std::string fields;
-  for_each_kind([&]<class E>() {
-    if (kind_of<E> != difference.kind) return;
-    for_each_index<E>([&]<std::size_t I>() {
-      if ((difference.fields >> I & 1) != 0) fields += (fields.empty() ? "" : ", ") + std::string(field_at<E, I>.name);
-    });
-  });
+  const std::span<const FieldOfKind> all = fields_of_kind(difference.kind);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if ((difference.fields >> i & 1) != 0) fields += (fields.empty() ? "" : ", ") + std::string(all[i].name);
   const Trace& trace = difference.only_a() ? a_.trace() : b_.trace();
   const StepInfo* step = find_step(trace.header().page, difference.line);
   const std::string name = step ? step->name : "the step";
