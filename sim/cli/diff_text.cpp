@@ -41,13 +41,15 @@ CauseSide side_of(const Trace& trace, const std::string& path, Replay& replay, F
   return side;
 }
 
+std::string kind_name(std::size_t kind) { return std::string(text_of_kind(kind).name); }
+
 std::vector<std::string> notes_of(const Trace& a, const Trace& b) {
   std::vector<std::string> notes;
   const auto only = [&](const Trace& has, const Trace& has_not, const char* name) {
     std::string kinds;
     for (std::size_t kind = 0; kind < kind_count; ++kind)
       if (has.has(static_cast<std::uint8_t>(kind)) && !has_not.has(static_cast<std::uint8_t>(kind)))
-        kinds += (kinds.empty() ? "" : ", ") + std::string(kind_names()[kind]);
+        kinds += (kinds.empty() ? "" : ", ") + kind_name(kind);
     if (!kinds.empty()) notes.push_back(fmt::format("{} never records {}: not compared", name, kinds));
   };
   only(a, b, "B");

@@ -54,7 +54,7 @@ class Filter {
   }
 
   void by_kind(const std::vector<std::string>& names, const Page& page) {
-    const auto known = kind_names();
+    const std::vector<std::string> known(kind_names().begin(), kind_names().end());
     Ids wanted{};
     for (const std::string& name : names) {
       const auto found = std::find(known.begin(), known.end(), name);

@@ -82,7 +82,7 @@ int info(const std::string& path) {
   kinds.row({"KIND", "COUNT", "SHARE"});
   for (std::size_t kind = 0; kind < kind_count; ++kind)
     if (by_kind[kind] > 0)
-      kinds.row({std::string(kind_names[kind]), fmt::format("{}", by_kind[kind]), share(by_kind[kind])});
+      kinds.row({std::string(kind_names()[kind]), fmt::format("{}", by_kind[kind]), share(by_kind[kind])});
 
   fmt::print("{}\n{}\n{}", head_text(trace, path), steps.text(0), kinds.text(0));
   return exit_code::done;
