@@ -18,7 +18,7 @@
 
 namespace zstep::cli {
 
-void add_show_options(CLI::App& command, ShowOptions& options) {
+void add_place_options(CLI::App& command, ShowOptions& options) {
   options.command = &command;
   command
       .add_option(
@@ -26,6 +26,21 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
           "Open at this step (0 is before the first), this part of the trace, this bookmark, or any place that G takes")
       ->type_name("STEP|PERCENT%|BOOKMARK")
       ->group("Viewer");
+  command.add_option("--pixel", options.pixel, "Select this pixel of the raster")->type_name("X,Y")->group("Viewer");
+  command.add_option("--lead", options.lead, "This pane leads on the stage: frame, depth, slice, pseudo-code, ...")
+      ->type_name("PANE")
+      ->group("Viewer");
+  CLI::Option* dark = command.add_flag("--dark", options.dark, "Dark colours, this time");
+  dark->group("Viewer");
+  command.add_flag("--light", options.light, "Light colours, this time")->group("Viewer")->excludes(dark);
+  command.add_flag("--presenter", options.presenter, "Large text, for a lecture hall, this time")->group("Viewer");
+  command
+      .add_flag("--embed", options.embed, "Only what leads and the buttons to step, as inside a page of lecture notes")
+      ->group("Viewer");
+}
+
+void add_show_options(CLI::App& command, ShowOptions& options) {
+  add_place_options(command, options);
   command
       .add_option("--screenshot", options.screenshot,
                   "Write the window as a picture instead of opening it; needs no display")
@@ -36,10 +51,6 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
                 "Print what is shown at the step instead of opening it, all in words, for a screen reader")
       ->group("Viewer");
   command.add_option("--pane", options.pane, "The screenshot shows one pane: frame, depth, pseudo-code, ...")
-      ->type_name("PANE")
-      ->group("Viewer");
-  command.add_option("--pixel", options.pixel, "Select this pixel of the raster")->type_name("X,Y")->group("Viewer");
-  command.add_option("--lead", options.lead, "This pane leads on the stage: frame, depth, slice, pseudo-code, ...")
       ->type_name("PANE")
       ->group("Viewer");
   command.add_flag("--patient", options.patient)->group("");
@@ -53,11 +64,7 @@ void add_show_options(CLI::App& command, ShowOptions& options) {
   command.add_option_function<std::string>("--size-window", take_size, "Size of the window (default 1280x720)")
       ->type_name("WxH")
       ->group("Viewer");
-  CLI::Option* dark = command.add_flag("--dark", options.dark, "Dark colours, this time");
-  dark->group("Viewer");
-  command.add_flag("--light", options.light, "Light colours, this time")->group("Viewer")->excludes(dark);
   add_budget_options(command);
-  command.add_flag("--presenter", options.presenter, "Large text, for a lecture hall, this time")->group("Viewer");
 }
 
 void add_notes_option(CLI::App& command, ShowOptions& options) {
@@ -187,9 +194,11 @@ namespace {
 
 }  // namespace
 
-int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) {
-  check_can_show(options);
-  [[maybe_unused]] places::Place place;
+#if ZSTEP_HAS_VIEWER
+namespace {
+
+ViewerOptions viewer_options(const Trace& trace, const ShowOptions& options, const ShownWith& with) {
+  places::Place place;
   if (!options.race.empty() && with.against)
     throw InputError("--race", "does not go with --against", "open one run, and race methods on its scene");
   if (options.notes && !(options.pane.empty() && options.race.empty()))
@@ -197,7 +206,6 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   if (!options.race.empty() && !options.pane.empty())
     throw InputError("--race", "does not go with --pane", "leave out one of them");
   if (!options.at.empty() && options.race.empty()) place = place_of(trace, options.at, "--at", with.lesson);
-#if ZSTEP_HAS_VIEWER
   ViewerOptions viewer;
   if (!options.race.empty()) viewer.race = race_of(options);
   else if (!options.at.empty()) viewer.at = place.step, viewer.stop = place.stop;
@@ -209,6 +217,7 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   if (sized || viewer.screenshot) viewer.size = WindowSize{options.width, options.height};
   if (options.dark || options.light) viewer.dark = options.dark;
   viewer.presenter = options.presenter;
+  viewer.embed = options.embed;
   viewer.notes = options.notes;
   viewer.lesson = with.lesson;
   viewer.checked = with.checked;
@@ -225,6 +234,26 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
   if (!with.whole)
     viewer.note = fmt::format("Cut off after {} steps, so the picture is not done.", grouped(trace.size()));
   if (options.command != nullptr) viewer.opened_by = words_of(*options.command);
+  return viewer;
+}
+
+}  // namespace
+#endif
+
+void check_opens(const Trace& trace, const ShowOptions& options) {
+#if ZSTEP_HAS_VIEWER
+  ShowOptions place = options;
+  place.command = nullptr;  // it may have no window
+  described(trace, viewer_options(trace, place, {}));
+#else
+  if (!options.at.empty()) step_of(trace, options.at);
+#endif
+}
+
+int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) {
+  check_can_show(options);
+#if ZSTEP_HAS_VIEWER
+  const ViewerOptions viewer = viewer_options(trace, options, with);
   if (options.describe) fmt::print("{}", described(trace, viewer));
   if (options.describe && options.screenshot.empty()) return exit_code::done;
   const int code = run_viewer(trace, viewer);
@@ -232,6 +261,7 @@ int show(const Trace& trace, const ShowOptions& options, const ShownWith& with) 
     say_written(options.screenshot, fmt::format("{}, {}x{} pixels", options.notes ? "the speaker's notes" : "the viewer", options.width, options.height));
   return code;
 #else
+  (void)trace;
   (void)with;
   return exit_code::mistake;
 #endif

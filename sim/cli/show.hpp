@@ -22,14 +22,17 @@ struct ShowOptions {
   /// Neither a picture nor text is asked for.
   bool opens_window() const { return screenshot.empty() && !describe; }
   std::int32_t width = 1280, height = 720;
-  bool dark = false, light = false, presenter = false, notes = false;
+  bool dark = false, light = false, presenter = false, notes = false, embed = false;
   std::string pixel, lead;                       ///< to be selected; to lead on the stage
   bool patient = false;  ///< a link asks for it: what takes too long is cut off
   std::string race, race_by = "steps";  ///< who races, with commas between; empty: no race
   const CLI::App* command = nullptr;  ///< whose words opened the view; lives as long as the action runs
 };
 
-/// Adds --at, --screenshot, --size-window, --dark, --light and --presenter.
+/// Adds what names a place and how it is looked at: --at, --pixel, --lead, --dark, --light, --presenter and --embed.
+void add_place_options(CLI::App& command, ShowOptions& options);
+
+/// Adds these, --screenshot, --describe, --pane and --size-window.
 void add_show_options(CLI::App& command, ShowOptions& options);
 
 /// Adds --notes, for what opens a lesson.
@@ -54,6 +57,9 @@ struct ShownWith {
 /// Opens the viewer, or writes the screenshot and says so. Throws InputError when a window is wanted and there is no
 /// display, when the step is not in the trace, and when this zstep was built without the viewer.
 int show(const Trace& trace, const ShowOptions& options, const ShownWith& with = {});
+
+/// Throws what show() would throw for a place that the trace does not have.
+void check_opens(const Trace& trace, const ShowOptions& options);
 
 /// The step of a place, as G in the viewer takes it (sim/places/typed_place.hpp). Throws InputError where the trace has
 /// none such.

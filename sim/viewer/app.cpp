@@ -110,6 +110,7 @@ void App::say(std::string message) {
 }
 
 void App::open(Overlay overlay) {
+  if (embedded() && overlay != Overlay::none) return;
   const bool covers = overlay_ == Overlay::none, uncovers = overlay == Overlay::none;
   if (covers && uncovers) return;
   if (covers) under_overlay_ = {typed, wrong, picked};

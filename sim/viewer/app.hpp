@@ -30,6 +30,7 @@ namespace zstep::viewer {
 /// What the window is asked to do; whoever owns it takes the requests and clears them.
 struct WindowRequests {
   bool quit = false, toggle_full_screen = false;
+  bool leave_page = false;                  ///< that it is embedded in: to a window with everything
   bool toggle_notes = false;                ///< the speaker's, in a window of their own
   bool choose_file = false;                 ///< by the desktop's own dialogue
   std::optional<std::string> clipboard;
@@ -248,6 +249,10 @@ class App {
   void film(std::int64_t first, std::int64_t last);  ///< begins it; each frame of the window makes more of it
   void film_typed();                                 ///< "300 420", or what is picked
   const Film* filming() const { return film_.get(); }
+  // --- Embedded in a page of others: what leads and the transport, no title, no menus (app_embed.cpp)
+  bool embedded() const { return settings_.embedded; }
+  void end_embedding();
+  std::string link_of_whole() const;  ///< to the same place, with everything; empty where there is none
   void end_film(std::string why);                    ///< and leaves no file
   Board& board() { return board_; }
   const std::vector<HereLine>& here() const { return here_; }  ///< what the last right click offers
@@ -317,6 +322,8 @@ class App {
   void draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size);
   void draw_presented(ImVec2 at, ImVec2 size);
   void draw_few(ImVec2 at, ImVec2 size);
+  void draw_embedded(ImVec2 at, ImVec2 size);
+  void draw_way_out(ImVec2 at, ImVec2 size);
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
   void draw_overlay();
   void draw_drawer();

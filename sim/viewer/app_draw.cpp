@@ -187,7 +187,7 @@ void App::begin_scrolling() {
 void App::draw() {
   ImGui::SetCurrentContext(context_.context);
   places_.look_on();
-  if (session_.lesson() && overlay_ != Overlay::start && !film_) settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
+  if (session_.lesson() && overlay_ != Overlay::start && !film_ && !embedded()) settings_.see_stop(session_.lesson()->id, session_.stop() + 1);
   if (asking_ > 0 && --asking_ == 0) ask_now();
   if (race_ && growth().at_work && growth().shown++ > 0) growth().measure_next(ends_waiting), session_.touch();
   follow_overlay();
@@ -215,7 +215,7 @@ void App::draw() {
   ImGui::Begin("zstep", nullptr, bare);
   ImGui::PopStyleVar();
   const float pad = std::round(ui_.em * (ui_.presenter ? 0.3f : 0.4f));
-  const float title = std::round(ui_.em * 1.9f);
+  const float title = embedded() ? pad : std::round(ui_.em * 1.9f);
   const float timeline = timeline_height(ui_);
   const ImVec2 at{pad, 0};
   const float width = size.x - 2 * pad, height = size.y - title - timeline - 2 * pad;
@@ -224,14 +224,16 @@ void App::draw() {
   ui_.changes = drawer_ == Drawer::what_if;
   if (!ui_.changes) ui_.taken.reset();
   if (only_) draw_pane(*only_, {0, 0}, size);
-  else draw_title(at, {width, title});
+  else if (!embedded()) draw_title(at, {width, title});
   if (race_shown_) draw_race({pad, title}, {width, size.y - title - pad});
   else if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
   if (!only_ && !race_shown_ && size.y > title + timeline) {
     timeline_at_ = {{pad, size.y - timeline - pad}, {width, timeline}};
     ImGui::SetCursorScreenPos(timeline_at_.at);
     const std::int64_t b_was = against_ ? against_->session().position() : 0;
+    if (embedded()) ui_.mouse_help = " ";  // what the keys do is for a window
     draw_timeline(ui_, {width, timeline});
+    if (embedded()) draw_way_out(timeline_at_.at, {width, timeline});
     if (against_ && against_->session().position() != b_was) against_->follow_second();
   }
   ImGui::End();

@@ -283,6 +283,7 @@ void App::draw_presented(ImVec2 at, ImVec2 size) {
 
 void App::draw_panes(ImVec2 at, ImVec2 size) {
   if (against_) return draw_panes_of_both(at, size);
+  if (embedded()) return draw_embedded(at, size);
   // Presenter mode has larger letters and fewer words.
   if (size.x < ui_.em * (ui_.presenter ? 40 : 44) || size.y < ui_.em * 21) return draw_few(at, size);
   if (ui_.presenter) return draw_presented(at, size);

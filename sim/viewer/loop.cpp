@@ -28,6 +28,7 @@ double seconds() {
 Settings with_options(Settings settings, const ViewerOptions& options) {
   settings.dark = options.dark.value_or(settings.dark);
   settings.presenter = settings.presenter || options.presenter;
+  settings.embedded = options.embed;
   return settings;
 }
 
@@ -74,6 +75,7 @@ void Loop::serve() {
     SDL_SetWindowFullscreen(window_.get(), window_.full_screen() ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
   if (r.choose_file)
     if (const std::string wrong = system::ask_for_file(); !wrong.empty()) app.say_on_start(wrong);
+  if (r.leave_page && !system::open_beside(app.link_of_whole())) app.end_embedding();
   if (r.toggle_notes) notes_.toggle(app);
   if (r.clipboard) system::copy_text(*r.clipboard);
   if (r.save_picture) {

@@ -69,6 +69,7 @@ Pictures::Pictures(const Trace& trace, const PictureOptions& options) {
   Settings settings;  // never the reader's own: the same command gives the same picture everywhere
   settings.dark = options.dark;
   settings.presenter = options.presenter;
+  settings.embedded = options.embed;
   impl_ = std::make_unique<Impl>(trace, options, settings);
   if (options.pane.empty() || impl_->app.show_only(pane_id(options.pane))) return;
   throw InputError("--pane", fmt::format("this trace has no pane '{}'", options.pane),

@@ -30,6 +30,7 @@ struct Layout {
 
 struct Settings {
   bool dark = false, presenter = false;
+  bool embedded = false;                    ///< inside a page of others, for this run; never saved
   bool reduced_motion = false;              ///< nothing moves by itself
   float text_scale = 1;
   int width = 0, height = 0;                ///< of the window; 0: never set

@@ -34,6 +34,9 @@ std::string address();
 /// The reader is there now; `at_stop`: come to anew, so that going back leads here.
 void arrived(const std::string& link, bool at_stop);
 
+/// Opens a link in a window with everything, beside this one. False where this window is to become that.
+bool open_beside(const std::string& link);
+
 /// Whether what is shown is said besides, for a screen reader, and saying it: the step as a text, and lists as
 /// description.hpp parts them.
 bool is_heard();

@@ -19,6 +19,7 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   const WindowSize size = options.size.value_or(WindowSize());
   how.width = size.width, how.height = size.height;
   how.dark = options.dark.value_or(false), how.presenter = options.presenter;
+  how.embed = options.embed;
   how.notes = options.notes;
   how.pane = options.pane, how.lesson = options.lesson, how.checked = options.checked;
   how.against = options.against;

@@ -74,6 +74,7 @@ struct ViewerOptions {
   std::optional<WindowSize> size;  ///< of the window or the screenshot; unset: of a window as it was left
   std::optional<bool> dark;                          ///< for this run; unset: as it was left, light at first
   bool presenter = false;                            ///< for this run
+  bool embed = false;                                ///< inside a page of others: what leads, and the transport
   bool notes = false;                                ///< the speaker's: opens them too, or is the picture of them
   const Lesson* lesson = nullptr;                    ///< narration beside the trace, already resolved
   const CheckedRun* checked = nullptr;               ///< what check found in the trace: it is marked

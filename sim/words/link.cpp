@@ -18,7 +18,8 @@ namespace {
 /// What a link can say, by its own word and by the command line's.
 struct Part {
   std::string_view key, option;
-  bool flag = false;  ///< its value is "on"
+  bool flag = false;
+  std::string_view on = "on";  ///< a flag's value
 };
 constexpr std::array parts = {
     Part{"step", "--at"},
@@ -27,6 +28,7 @@ constexpr std::array parts = {
     Part{"race", "--race"},
     Part{"race-by", "--race-by"},
     Part{"presenter", "--presenter", true},
+    Part{"embed", "--embed", true, "1"},
     Part{"change", "--change"},
     // Of a scene alone.
     Part{"method", "--algorithm"},
@@ -140,8 +142,9 @@ std::string word_of_part(std::string_view key, const std::string& value) {
   }
   if (key == "size") check_raster(value);
   if (!part->flag) return fmt::format("{}={}", part->option, value);
-  if (value != "on")
-    wrong(fmt::format("{}={} is not on", key, printable(value)), fmt::format("write {}=on, or leave it out", key));
+  if (value != part->on)
+    wrong(fmt::format("{}={} is not {}", key, printable(value), part->on),
+          fmt::format("write {}={}, or leave it out", key, part->on));
   return std::string(part->option);
 }
 
@@ -149,7 +152,7 @@ std::string word_of_part(std::string_view key, const std::string& value) {
 
 bool is_link(std::string_view word) {
   const auto begins = [&](std::string_view with) { return word.starts_with(with); };
-  if (begins("#lesson=") || begins("#scene=")) return true;
+  if (begins("#lesson=") || begins("#scene=") || begins("#embed=")) return true;
   if (!begins("http://") && !begins("https://") && !begins("file://")) return false;
   return word.find('#') != std::string_view::npos;
 }
@@ -201,7 +204,7 @@ std::optional<std::string> link_of(std::span<const std::string> words) {
     const std::string option = words[k].substr(0, words[k].find('='));
     const auto part = std::find_if(all.begin(), all.end(), [&](const Part& one) { return one.option == option; });
     if (part == all.end()) return std::nullopt;
-    std::string value = "on";
+    std::string value(part->on);
     if (!part->flag) {
       if (option.size() < words[k].size()) value = words[k].substr(option.size() + 1);
       else if (++k < words.size()) value = words[k];

@@ -36,6 +36,8 @@ TEST_CASE("a link stands for the words of a command, and those for the link") {
   CHECK(words_of_link("#scene=pyramid&change=vertex+3+%3D+1+0+2") ==
         Words{"view", "pyramid", "--change=vertex 3 = 1 0 2"});
   CHECK(words_of_link("#lesson=z-buffer&stop=3") == Words{"lesson", "z-buffer", "--at=stop 3"});
+  CHECK(words_of_link("#embed=1&lesson=z-buffer&step=867&pane=slice") ==
+        Words{"lesson", "z-buffer", "--embed", "--at=867", "--lead=slice"});
   // A stop stands at a step: the step counts, whichever is named first.
   CHECK(words_of_link("#lesson=z-buffer&stop=3&step=40") == Words{"lesson", "z-buffer", "--at=40"});
   CHECK(words_of_link("#lesson=z-buffer&step=40&stop=3") == Words{"lesson", "z-buffer", "--at=40"});
@@ -44,6 +46,7 @@ TEST_CASE("a link stands for the words of a command, and those for the link") {
   const std::vector<Words> commands = {
       {"lesson", "z-buffer", "--at=867", "--pixel=13,6", "--lead=slice", "--dark"},
       {"lesson", "z-buffer", "--at=stop 3", "--light", "--presenter"},
+      {"lesson", "z-buffer", "--embed", "--at=867", "--lead=slice"},
       {"view", "teapot:16", "--algorithm=bsp", "--option=root=random", "--size=64x48", "--ortho", "--fit"},
       {"view", "pyramid", "--change=vertex 3 = 1 0 2", "--change=a&b=#%+\"<script>\u00e9", "--number-format=float32"},
       {"view", "pyramid", "--race=z-buffer,bsp:root=random", "--race-by=operations", "--at=50%"},
@@ -78,6 +81,8 @@ TEST_CASE("a link names no file and asks for nothing that is written, large or u
   CHECK(has(why_not("#scene=cube&them=dark"), "did you mean theme?"));
   CHECK(has(why_not("#scene=cube&theme=red"), "neither dark nor light"));
   CHECK(has(why_not("#scene=cube&ortho=1"), "is not on"));
+  CHECK(has(why_not("#scene=cube&embed=on"), "is not 1"));
+  CHECK(has(why_not("#embed=1&step=3"), "what to open"));
   CHECK(has(why_not("#scene=cube&lesson=z-buffer"), "two things"));
   CHECK(has(why_not("#step=3"), "what to open"));
   CHECK(has(why_not("#scene=cube&step=%4"), "half a sign"));
@@ -89,6 +94,7 @@ TEST_CASE("a link names no file and asks for nothing that is written, large or u
 
 TEST_CASE("whatever a link holds, it becomes words that a link may say, or one line") {
   const std::vector<std::string> seeds = {"#lesson=z-buffer&stop=3&step=867&pixel=13,6&pane=slice&theme=dark",
+                                          "#embed=1&lesson=z-buffer&step=867&pane=slice",
                                           "#scene=teapot:16&method=bsp&option=root%3Drandom&size=64x48&no-cull=on",
                                           "#scene=pyramid&change=vertex+3+%3D+1+0+2&race=bsp,z-buffer&race-by=time"};
   std::mt19937 random(7);
@@ -147,6 +153,7 @@ TEST_CASE("a link opens the picture that its command opens") {
   same("https://example.org/zstep/#lesson=z-buffer&stop=3", "lesson z-buffer --at 'stop 3'");
   same("#scene=pyramid&method=bsp&step=20&change=theta+%3D+70&pixel=4,7&pane=tree",
        "view pyramid --algorithm bsp --at 20 --change 'theta = 70' --pixel 4,7 --lead tree");
+  same("#embed=1&lesson=z-buffer&step=867&pane=slice", "lesson z-buffer --embed --at 867 --lead slice");
   const Outcome unknown = shell(folder, "\"$zstep\" '#lesson=zbuffer' --screenshot no.png");
   CHECK(unknown.code == 2);
   CHECK(has(unknown.err, "did you mean z-buffer?"));

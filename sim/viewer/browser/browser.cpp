@@ -16,6 +16,7 @@ EM_JS(void, page_choose_file, (), { Module.page.chooseFile(); })
 EM_JS(void, page_hand_over, (const char* file), { Module.page.handOver(UTF8ToString(file)); })
 EM_JS(void, page_keep_settings, (const char* file), { Module.page.keepSettings(UTF8ToString(file)); })
 EM_JS(void, page_arrived, (const char* link, int at_stop), { Module.page.arrived(UTF8ToString(link), at_stop !== 0); })
+EM_JS(void, page_open_beside, (const char* link), { Module.page.openBeside(UTF8ToString(link)); })
 EM_JS(void, page_say, (const char* text), { Module.page.say(UTF8ToString(text)); })
 EM_JS(void, page_show_tables, (const char* list), { Module.page.showTables(UTF8ToString(list)); })
 EM_JS(void, page_offer_commands, (const char* list), { Module.page.offerCommands(UTF8ToString(list)); })
@@ -74,6 +75,11 @@ std::string address() {
 }
 
 void arrived(const std::string& link, bool at_stop) { page_arrived(link.c_str(), at_stop ? 1 : 0); }
+
+bool open_beside(const std::string& link) {
+  page_open_beside(link.c_str());
+  return true;
+}
 
 bool is_heard() { return true; }
 

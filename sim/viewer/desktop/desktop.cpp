@@ -28,6 +28,8 @@ std::string address() { return ""; }
 
 void arrived(const std::string&, bool) {}
 
+bool open_beside(const std::string&) { return false; }
+
 bool is_heard() { return false; }
 
 void say(const std::string&) {}

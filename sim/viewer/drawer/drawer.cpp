@@ -46,6 +46,7 @@ void begin_second(Ui& ui, const char* id, bool beside) {
 }
 
 void App::open(Drawer drawer) {
+  if (embedded() && drawer != Drawer::none) return;
   // The pixel that why-not picked for itself is not the reader's.
   const bool own = drawer_ == Drawer::why && drawer != Drawer::why && why_anywhere_;
   if (own && why_.pixel && session_.selected == Cell{why_.pixel->x, why_.pixel->y}) {

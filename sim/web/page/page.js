@@ -54,8 +54,14 @@ const page = {
   arrived(link, atStop) {
     if (link === '' || link === linkNow()) return;
     ownLink = link;
-    // Each stop is a place to go back to; the steps between are not.
-    history[atStop && linkNow() !== '' ? 'pushState' : 'replaceState'](null, '', link);
+    // Each stop is a place to go back to; the steps between are not. Of a page around this one no place is.
+    history[atStop && linkNow() !== '' && self === top ? 'pushState' : 'replaceState'](null, '', link);
+  },
+
+  openBeside(link) {
+    const beside = open(page.address() + link, '_blank');
+    if (beside) beside.opener = null;
+    else warn('This browser did not let the page open another; its address is ' + page.address() + link);
   },
 
   say(text) {
@@ -127,11 +133,13 @@ const page = {
   },
 };
 
-// --- The program
+// --- The program. A page that holds it in itself has brought it along (packed.js).
+const inside = typeof packed === 'object' ? packed : null;
+const embedsRun = inside !== null && linkNow() === '#embed=1';
 var Module = {  // `var`: zstep.js looks for it by this name
   canvas,
   page,
-  arguments: isLink(linkNow()) ? [linkNow()] : [],
+  arguments: embedsRun ? [...inside.words, '--embed'] : isLink(linkNow()) ? [linkNow()] : inside ? inside.words : [],
   noExitRuntime: true,
   print: (text) => console.log(text),
   printErr: (text) => {
@@ -218,7 +226,7 @@ filePicker.addEventListener('change', () => { for (const file of filePicker.file
 addEventListener('pagehide', () => { if (Module.running) Module.ccall('zstep_keep_now', null, [], []); });
 
 // --- Without a network, after the first visit
-if ('serviceWorker' in navigator) navigator.serviceWorker.register('worker.js').catch(() => {});
+if (!inside && 'serviceWorker' in navigator) navigator.serviceWorker.register('worker.js').catch(() => {});
 
 const complaint = (() => {
   try {
@@ -231,11 +239,18 @@ const complaint = (() => {
 })();
 if (complaint) warn(complaint);
 
+// A page around this one keeps the reader where they are.
+const takeFocus = () => { if (self === top) canvas.focus(); };
 if (typeof WebAssembly !== 'object') warn('This browser has no WebAssembly, which zstep needs.');
-else {
+else if (inside) {
+  inside.begin(Module).catch((error) => warn(document.characterSet === 'UTF-8'
+    ? `This page cannot be unpacked (${error.message}). It may be damaged, or the browser too old.`
+    : `The server says that this page is written in ${document.characterSet}; it is UTF-8.`));
+  takeFocus();
+} else {
   const program = document.createElement('script');
   program.src = 'zstep.js';
   program.onerror = () => warn('zstep.js could not be loaded; load the page again.');
   document.body.append(program);
-  canvas.focus();
+  takeFocus();
 }
