@@ -50,6 +50,7 @@ void declare(CLI::App& app, Action& action) {
   add_query(app, action);
   add_export(app, action);
   add_import(app, action);
+  add_publish(app, action);
   add_compare_methods(app, action);
   add_completion(app, action);
   app.footer(

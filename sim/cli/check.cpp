@@ -140,9 +140,17 @@ std::string first_place(const Trace& trace, const CheckedRun& checked) {
 int run(const CheckOptions& options) {
   check_view(options.view, options.show, {options.trace});
   std::string impossible;
-  const Trace trace = open_to_judge(options.trace, impossible, cost_of(options.view, options.show));
+  struct Judged {
+    Trace trace;
+    CheckedRun checked;
+  };
+  // A window may outlive this call.
+  const auto judged = std::make_shared<Judged>(
+      Judged{open_to_judge(options.trace, impossible, cost_of(options.view, options.show)), {}});
+  const Trace& trace = judged->trace;
+  CheckedRun& checked = judged->checked;
   Watch watch;
-  CheckedRun checked = judge_run(
+  checked = judge_run(
       trace,
       [&](std::int64_t done) {
         watch.show(fmt::format("checking: step {} of {} (Ctrl-C stops)", grouped(done), grouped(trace.size())));
@@ -158,7 +166,7 @@ int run(const CheckOptions& options) {
   if (options.view) {
     ShowOptions show_options = options.show;
     if (show_options.at.empty()) show_options.at = first_place(trace, checked);
-    if (const int code = show(trace, show_options, {.checked = &checked}); code != exit_code::done) return code;
+    if (const int code = show(trace, show_options, {.checked = &checked, .kept = judged}); code != exit_code::done) return code;
   }
   return right ? exit_code::done : exit_code::finding;
 }

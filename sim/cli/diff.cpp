@@ -46,11 +46,21 @@ std::string not_followed_text(const diff::DiffReport& report) {
                      grouped(report.alignment.not_kept));
 }
 
+/// Opens the viewer with them, which may outlive this call.
+int show_both(const std::shared_ptr<const BothRuns>& both, const ShowOptions& options, bool at_first_cause) {
+  struct Shown {
+    std::shared_ptr<const BothRuns> both;
+    AgainstRun with;
+  };
+  const auto shown = std::make_shared<const Shown>(Shown{both, {&both->b, &both->report, at_first_cause}});
+  return show(both->a, options, {.against = &shown->with, .kept = shown});
+}
+
 int runs(const DiffOptions& options) {
-  const BothRuns both(options.a, options.b, cost_of(options.view, options.show));
-  const Trace &a = both.a, &b = both.b;
-  const diff::DiffReport& report = both.report;
-  const std::string &impossible_a = both.impossible_a, &impossible_b = both.impossible_b;
+  const auto both = std::make_shared<const BothRuns>(options.a, options.b, cost_of(options.view, options.show));
+  const Trace &a = both->a, &b = both->b;
+  const diff::DiffReport& report = both->report;
+  const std::string &impossible_a = both->impossible_a, &impossible_b = both->impossible_b;
   const Raster& one = a.scene().raster;
   Replay end_a(a), end_b(b);
   if (!report.alignment.identical || !options.page.empty()) {
@@ -74,8 +84,7 @@ int runs(const DiffOptions& options) {
   if (options.json) print_diff_json(text, report, pictures.difference);
   else print_diff(text, report, options.all);
   if (options.view) {
-    const AgainstRun with{&b, &report, options.show.at.empty()};
-    if (const int code = show(a, options.show, {.against = &with}); code != exit_code::done) return code;
+    if (const int code = show_both(both, options.show, options.show.at.empty()); code != exit_code::done) return code;
   }
   if (!report.alignment.complete) {
     complain_incomplete(
@@ -106,9 +115,7 @@ int run(const DiffOptions& options) {
 }  // namespace
 
 int view_against(const std::string& a, const std::string& b, const ShowOptions& show_options) {
-  const BothRuns both(a, b, cost_of(true, show_options));
-  const AgainstRun with{&both.b, &both.report, false};
-  return show(both.a, show_options, {.against = &with});
+  return show_both(std::make_shared<const BothRuns>(a, b, cost_of(true, show_options)), show_options, false);
 }
 
 void add_diff(CLI::App& app, Action& action) {

@@ -45,7 +45,9 @@ int view(const ViewOptionsOfCommand& options) {
     note_input(what), note_input(options.against);
     return view_against(what, options.against, options.show);
   }
-  return show(open_trace(what, options.show.opens_window() ? Cost::free : Cost::limited), options.show);
+  const auto shown =
+      std::make_shared<const Trace>(open_trace(what, options.show.opens_window() ? Cost::free : Cost::limited));
+  return show(*shown, options.show, {.kept = shown});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "tests/cli/program.hpp"
 #include "tests/where.hpp"
+#include "traces/file/chunk.hpp"
 
 using namespace zstep::test;
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 const std::set<std::string> commands{
     "list",    "lesson",  "view",  "render", "record",          "info",      "dump", "import", "find", "history",
     "why-not", "explain", "query", "export", "compare-methods", "completion", "check",
-    "diff",    "header", "error", "homework", "grade"};
+    "diff",    "header", "error", "homework", "grade", "publish"};
 /// Those of the launcher, which tests/launcher tries.
 const std::set<std::string> of_launcher{"test", "bench", "build", "clean", "packages", "help", "web"};
 
@@ -62,6 +63,8 @@ void furnish(const Folder& clone) {
   fs::copy_file(clone / "runs/triangle.jsonl", clone / "triangle.jsonl");
   fs::create_directory(clone / "submissions");
   fs::copy(clone / "runs", clone / "submissions/ada");
+  fs::create_directory(clone / "site");
+  write_text(clone / "site/publish.html", "<!-- zstep publish " + std::to_string(zstep::trace_version) + " -->\n");
   for (const char* folder : {"docs", ".config/fish/completions"}) fs::create_directories(clone / folder);
   fs::create_directories(clone / ".local/share/bash-completion/completions");
 }
@@ -91,7 +94,7 @@ void check_runs(const Folder& clone, std::string line) {
     line += " --screenshot window.png";
   write_text(
       clone / "typed.sh",
-      "export HOME=\"$PWD\" PATH=\"$PWD:$PATH\"\npython3() { cat homework.jsonl; }\nset -o pipefail\n" + line + "\n");
+      "export HOME=\"$PWD\" ZSTEP_SITE=site PATH=\"$PWD:$PATH\"\npython3() { cat homework.jsonl; }\nset -o pipefail\n" + line + "\n");
   const Outcome outcome = shell(clone, "bash typed.sh");
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);

@@ -1,9 +1,11 @@
-// The page in a real browser: node page_test.mjs SITE PICTURES [NAME]. SITE is what ./zstep web made; PICTURES holds what
-// the native program draws, with an index.json: [{"link": "#lesson=z-buffer&stop=1", "file": "0.png"}]. NAME runs some.
+// The page in a real browser: node page_test.mjs SITE PICTURES [NAME]. SITE is what ./zstep web made; PICTURES is what
+// pictures.sh PROGRAM PICTURES SITE made: what the native program draws, and published pages, with an index.json and a
+// pages.json: [{"link": "#lesson=z-buffer&stop=1", "file": "0.png"}, {"page": "place.html", "file": "1.png"}]. NAME runs
+// some.
 import {createServer} from 'node:http';
 import {mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
-import {extname, join, normalize} from 'node:path';
+import {extname, join, normalize, resolve} from 'node:path';
 import {gzipSync} from 'node:zlib';
 
 import {Browser} from './chromium.mjs';
@@ -15,9 +17,12 @@ const types = {'.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css
 
 // From a folder below the root, as a course's server may have it.
 const below = '/course/zstep/';
+const embedded = '#embed=1&lesson=z-buffer&step=867&pane=slice';
+const notes = `<!doctype html><title>Notes</title><input autofocus><iframe src="${below}${embedded}" width="720" height="420"></iframe>`;
 const server = createServer((request, response) => {
   const path = decodeURIComponent(request.url.split('?')[0]);
   const name = path === below ? 'index.html' : normalize(path.slice(below.length));
+  if (path === '/notes.html') return response.writeHead(200, {'Content-Type': 'text/html'}).end(notes);
   try {
     if (!path.startsWith(below) || name.startsWith('..')) throw new Error('elsewhere');
     const body = readFileSync(join(site, name));
@@ -39,6 +44,9 @@ const differ = (a, b) => {
     if (a.rgb.compare(b.rgb, at, at + 3, at, at + 3) !== 0) { count += 1; if (first < 0) first = at / 3; }
   return `${count} pixels differ, first (${first % a.width}, ${Math.floor(first / a.width)})`;
 };
+
+// The title of a window has buttons that one without it has not.
+const belowTitle = ({width, height, rgb}) => ({width, height: height - 30, rgb: rgb.subarray(30 * width * 3)});
 
 let browser;
 const tests = [];
@@ -64,6 +72,45 @@ test('every stop by its link is the native picture to the byte', async () => {
   await page?.close();
   console.log(`  ${index.length} pictures`);
   check(wrong.length === 0, `${wrong.length} of ${index.length} differ:\n    ${wrong.slice(0, 12).join('\n    ')}`);
+});
+
+test('published pages from disk, and what is embedded, are the native pictures to the byte', async () => {
+  const wrong = [];
+  for (const {link, page: name, file} of JSON.parse(readFileSync(join(pictures, 'pages.json')))) {
+    const url = name ? 'file://' + resolve(pictures, name) : address + link;
+    const page = await browser.open(url);
+    await page.until(shown);
+    let drawn = await page.picture(), native = readPng(join(pictures, file));
+    if (!url.includes('embed=1')) [drawn, native] = [drawn, native].map(belowTitle);
+    if (!same(drawn, native)) wrong.push(`${name ?? link}: ${differ(drawn, native)}`);
+    if (name) {
+      console.log(`  ${name}: ${statSync(join(pictures, name.split('#')[0])).size} bytes, first picture after ${Math.round(await page.ask('Module.firstPicture'))} ms`);
+      const others = page.requests.filter((one) => one.split('#')[0] !== url.split('#')[0] && !one.startsWith('data:'));
+      if (others.length > 0) wrong.push(`${name} asked for ${others.join(' ')}`);
+      const complaints = page.told.filter((one) => /^error|^exception|Content Security/.test(one));
+      if (complaints.length > 0) wrong.push(`${name} said ${complaints.join(' | ')}`);
+      const evaluated = await page.ask(`(() => { const s = document.createElement('script'); s.textContent = 'window.ran = true';
+        document.body.append(s); return window.ran === true; })()`);
+      if (evaluated) wrong.push(`${name} ran a script that it does not hold`);
+    }
+    await page.close();
+  }
+  check(wrong.length === 0, wrong.join('\n    '));
+});
+
+test('inside a page of notes it leaves the keyboard and the history of that page alone', async () => {
+  const page = await browser.open(new URL('/notes.html', address).href);
+  const inside = (what) => `document.querySelector('iframe').contentWindow.${what}`;
+  await page.until(inside('Module?.running === true'));
+  const length = await page.ask('history.length');
+  check(await page.ask(`document.activeElement.tagName === 'INPUT'`), 'the keyboard was taken');
+  const {x, y} = JSON.parse(await page.ask(`JSON.stringify(document.querySelector('iframe').getBoundingClientRect())`));
+  await page.click(x + 100, y + 100);
+  for (let k = 0; k < 3; ++k) await page.key('n', {code: 'KeyN', keyCode: 78, text: 'n'});
+  await page.until(inside(`location.hash.includes('step=') && !` + inside(`location.hash.includes('step=867')`)));
+  check(await page.ask(inside(`location.hash.includes('embed=1')`)), 'it forgot that it is embedded');
+  check(await page.ask('history.length') === length, 'the history of the notes grew');
+  await page.close();
 });
 
 test('a key steps, the address follows, and back and forward go through the stops', async () => {
