@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace zstep::viewer {
@@ -33,6 +34,14 @@ std::string address();
 
 /// The reader is there now; `at_stop`: come to anew, so that going back leads here.
 void arrived(const std::string& link, bool at_stop);
+
+/// Between these corners, in the mouse's units, stands the line that is typed into now; nothing: none is. A keyboard
+/// that is drawn on the screen comes up for it and leaves it to be seen.
+struct TypedLine {
+  int left = 0, top = 0, right = 0, bottom = 0;
+  bool operator==(const TypedLine&) const = default;
+};
+void typing_at(const std::optional<TypedLine>& line);
 
 /// Whether what is shown is said besides, for a screen reader, and saying it: the step as a text, and lists as
 /// description.hpp parts them.

@@ -69,6 +69,28 @@ TEST_CASE("law: all that stands in a dark window is read, at the stops of every 
 TEST_CASE("law: all that stands before a class is read, at the stops of every lesson") {
   check_stops(Dress::presenter);
 }
+TEST_CASE("law: all that stands in a window as small as a phone's is read, at the stops of every lesson") {
+  int turn = 0;
+  for (Lesson& lesson : all_lessons()) {
+    const Trace trace = run_lesson(lesson);
+    CAPTURE(lesson.id);
+    for (const auto& [width, height] : {std::pair{390, 844}, {844, 390}}) {
+      CAPTURE(width);
+      Settings settings;
+      settings.dark = ++turn % 2 == 0;
+      App app(trace, &lesson, settings, width, height);
+      // Each stop upright or on its side, and the step after it, where the lesson does not speak.
+      for (int stop = width < height ? 0 : 1; stop < static_cast<int>(lesson.stops.size()); stop += 2) {
+        app.session().to_stop(stop);
+        CAPTURE(stop);
+        check_read(app);
+        if (stop % 4 > 1 || app.session().question_open()) continue;
+        app.session().move(Unit::event, 1);
+        check_read(app);
+      }
+    }
+  }
+}
 TEST_CASE("law: all that is asked is read in the drawer") {
   Lesson lesson = find_lesson("z-buffer");
   const Trace trace = run_lesson(lesson);

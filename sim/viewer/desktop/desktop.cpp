@@ -28,6 +28,13 @@ std::string address() { return ""; }
 
 void arrived(const std::string&, bool) {}
 
+/// An input method has its candidates there.
+void typing_at(const std::optional<TypedLine>& line) {
+  if (!line) return;
+  const SDL_Rect place{line->left, line->top, line->right - line->left, line->bottom - line->top};
+  SDL_SetTextInputRect(&place);
+}
+
 bool is_heard() { return false; }
 
 void say(const std::string&) {}
