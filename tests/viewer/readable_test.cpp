@@ -19,7 +19,8 @@ namespace {
 constexpr std::pair<int, int> sizes_of_window[] = {{1280, 720}, {1600, 900}, {1920, 1080}, {3840, 2160}};
 enum class Dress { light, dark, presenter };
 
-void check_read(App& app) {
+/// `covers`: what lies over the panes for a moment may.
+void check_read(App& app, bool covers = false) {
   app.settle();
   const test::Letters drawn = test::letters_of(app.ui().fonts);
   CHECK(drawn.all.size() > 100);
@@ -28,7 +29,7 @@ void check_read(App& app) {
     CHECK(found.empty());
   };
   none("cut", test::cut_at_the_side(drawn));
-  none("covered", drawn.covered);
+  if (!covers) none("covered", drawn.covered);
   none("over each other", test::over_each_other(drawn));
   none("small", test::smaller_than(drawn, 13));
   none("faint", test::faint(app, drawn));
@@ -112,4 +113,26 @@ TEST_CASE("law: all that is asked is read in the drawer") {
         app.open(Drawer::none);
       }
     }
+}
+TEST_CASE("law: all that is asked on a phone is read") {
+  Lesson lesson = find_lesson("z-buffer");
+  const Trace trace = run_lesson(lesson);
+  for (const auto& [width, height] : {std::pair{390, 844}, {844, 390}}) {
+    CAPTURE(width);
+    App app(trace, &lesson, {}, width, height);
+    app.session().go_to(867);
+    const Cell cell = test::a_drawn_pixel(app);
+    for (const Drawer page : test::all_pages()) {
+      CAPTURE(static_cast<int>(page));
+      test::open_page(app, page, cell);
+      check_read(app);
+      app.open(Drawer::none);
+    }
+    for (const Overlay overlay : {Overlay::menu, Overlay::settings, Overlay::palette, Overlay::go_to}) {
+      CAPTURE(static_cast<int>(overlay));
+      app.open(overlay);
+      check_read(app, true);
+      app.open(Overlay::none);
+    }
+  }
 }
