@@ -202,6 +202,8 @@ void App::draw_drawer_field(const std::string& hint) {
 
 void App::frame() {
   if (film_) film_on();
+  ImGui::SetCurrentContext(context_.context);
+  if (!acts_.empty()) act_by_fingers();
   const bool given = typing() && field_.waits();
   draw();
   // A field gets the keyboard only after a frame that asked for it, and what is typed next must not be lost.
@@ -258,13 +260,20 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
         session_.touch();
       }
       return false;
+    case SDL_FINGERDOWN:
+    case SDL_FINGERMOTION:
+    case SDL_FINGERUP:
+      return event.tfinger.touchId != SDL_MOUSE_TOUCHID && handle_finger(event.tfinger);
     case SDL_MOUSEMOTION:
+      if (event.motion.which == SDL_TOUCH_MOUSEID) return false;  // the finger itself has told it
+      by_touch_ = false;
       ui_.reads = false;
       mouse(static_cast<float>(event.motion.x) * pixels_per_point,
             static_cast<float>(event.motion.y) * pixels_per_point);
       return false;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP: {
+      if (event.button.which == SDL_TOUCH_MOUSEID) return false;
       mouse(static_cast<float>(event.button.x) * pixels_per_point,
             static_cast<float>(event.button.y) * pixels_per_point);
       const bool down = event.type == SDL_MOUSEBUTTONDOWN;
@@ -298,7 +307,7 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       return false;
     case SDL_WINDOWEVENT:
       if (event.window.event == SDL_WINDOWEVENT_LEAVE) mouse(-1e6f, -1e6f);
-      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) session_.looking_back = false;
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) session_.looking_back = false, take_acts(touch_.end());
       return false;
     case SDL_DROPFILE:
       if (event.drop.file) open_offer({Offer::What::scene, event.drop.file, {}, {}});

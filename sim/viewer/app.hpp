@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/panes/ui.hpp"
+#include "sim/viewer/touch.hpp"
 #include "sim/viewer/viewer.hpp"
 
 namespace zstep::viewer {
@@ -72,6 +74,10 @@ class App {
 
   /// True when a frame should be drawn before the next event is taken: a mouse button changed, or a field got a key.
   bool handle(const SDL_Event& event, float pixels_per_point = 1);
+  /// What a finger that rests means by now, in SDL's milliseconds; seconds until that is to be asked again.
+  double wait_for_finger(std::int64_t now);
+  /// Left, top, right and bottom of the line that is typed into now, in pixels.
+  std::optional<ImVec4> typed_line() const { return typing() ? std::optional(field_.place()) : std::nullopt; }
   void resize(int width, int height);
   void set_dpi_scale(float scale);
 
@@ -307,7 +313,7 @@ class App {
   std::vector<std::string> opening_words() const;
   std::vector<std::string> place_words() const;  ///< the same with the place in it
   void draw_race(ImVec2 at, ImVec2 size);
-  void draw_race_head(ImVec2 at, float width);
+  float draw_race_head(ImVec2 at, float width);
   void draw_racers(ImVec2 at, ImVec2 size);
   void draw_race_clock(ImVec2 at, float width);
   void draw_growth(ImVec2 at, ImVec2 size);
@@ -321,9 +327,25 @@ class App {
   void draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size);
   void draw_folded(const std::vector<Pane>& panes, ImVec2 at, ImVec2 size);
   void draw_presented(ImVec2 at, ImVec2 size);
-  void draw_few(ImVec2 at, ImVec2 size);
   void draw_embedded(ImVec2 at, ImVec2 size);
   void draw_way_out(ImVec2 at, ImVec2 size);
+  void draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size);
+  // Fingers (app_touch.cpp)
+  bool handle_finger(const SDL_TouchFingerEvent& finger);
+  bool scrolls_at(Touch::Point at);
+  void take_acts(const std::vector<Touch::Act>& acts);
+  ImVec2 aim(Touch::Point at) const;
+  void act_by_fingers();
+  // A window too small for all panes at once (app_small.cpp)
+  bool too_small(ImVec2 panes) const;
+  float small_row() const;
+  void draw_small_window(ImVec2 size);
+  void draw_small_title(ImVec2 at, ImVec2 size);
+  void draw_menu_button(ImVec2 size);
+  void draw_small_stage(ImVec2 at, ImVec2 names, ImVec2 size);
+  void draw_small_words(ImVec2 at, ImVec2 names, ImVec2 size);
+  std::string words_shown() const;
+  std::optional<std::size_t> draw_names(const std::vector<Pane>& panes, std::size_t shown, ImVec2 at, ImVec2 size);
   bool splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole);
   void draw_overlay();
   void draw_drawer();
@@ -378,6 +400,12 @@ class App {
   std::optional<Cell> why_selected_;  ///< by the reader, before a why-not that picks its own pixel
   bool why_anywhere_ = false;
   answers::Chain chain_;
+  Targets targets_;
+  Touch touch_{[this](Touch::Point at) { return scrolls_at(at); }};
+  std::deque<Touch::Act> acts_;  ///< what fingers did, until a frame has taken it
+  ImVec2 finger_at_{0, 0};       ///< where the mouse stands for it
+  bool zooms_ = false;           ///< the last frame took a wheel
+  bool by_touch_ = false;        ///< the last that was done was done by a finger
   Ui ui_;
   std::unique_ptr<Ui> other_ui_;  ///< of the second run
   Motion motion_;
@@ -389,6 +417,7 @@ class App {
     int stop;          ///< of the lesson, where it was chosen
   };
   std::optional<ChosenLead> chosen_lead_;
+  std::optional<ChosenLead> chosen_words_;  ///< in a window too small for all panes
   std::function<std::vector<Offer>()> ask_for_offers_;
   std::vector<Offer> offers_;
   Offer typed_file_;

@@ -174,6 +174,7 @@ void App::begin_scrolling() {
   take(layout, ui_.presenter);
   take(layout, ui_.vertices_always);
   take(layout, lead());
+  take(layout, words_shown());
   take(layout, viewing_step(ui_));
   take(layout, motion_.panes_move());
   Fingerprint moment = layout, stop = layout;
@@ -204,6 +205,8 @@ void App::draw() {
   ui_.asked_as.clear();
   ui_.here.clear();
   ui_.clicked = nullptr;
+  ui_.targets = &targets_;
+  targets_.clear();
   ui_.pointed_next.reset();
   ui_.hovered_edge_next.reset();
   ui_.hovered_part_next = {};
@@ -215,19 +218,23 @@ void App::draw() {
   ImGui::Begin("zstep", nullptr, bare);
   ImGui::PopStyleVar();
   const float pad = std::round(ui_.em * (ui_.presenter ? 0.3f : 0.4f));
-  const float title = embedded() ? pad : std::round(ui_.em * 1.9f);
-  const float timeline = timeline_height(ui_);
+  float title = embedded() ? pad : std::round(ui_.em * 1.9f), timeline = timeline_height(ui_);
   const ImVec2 at{pad, 0};
   const float width = size.x - 2 * pad, height = size.y - title - timeline - 2 * pad;
+  const bool small = !only_ && !against_ && !embedded() && too_small({width, height});
+  ui_.least_target = small || by_touch_ ? 44 * dpi_scale_ : 0;
+  if (small) title = timeline = small_row();
   take_keys_by_click();
   drawer_at_ = stage_at_ = timeline_at_ = {};
   ui_.changes = drawer_ == Drawer::what_if;
   if (!ui_.changes) ui_.taken.reset();
   if (only_) draw_pane(*only_, {0, 0}, size);
-  else if (!embedded()) draw_title(at, {width, title});
+  else if (!small && !embedded()) draw_title(at, {width, title});
+  else if (race_shown_ && small) draw_small_title(at, {width, title});
   if (race_shown_) draw_race({pad, title}, {width, size.y - title - pad});
+  else if (small) draw_small_window(size);
   else if (!only_ && width > 8 && height > 8) draw_panes({pad, title}, {width, height});
-  if (!only_ && !race_shown_ && size.y > title + timeline) {
+  if (!only_ && !race_shown_ && !small && size.y > title + timeline) {
     timeline_at_ = {{pad, size.y - timeline - pad}, {width, timeline}};
     ImGui::SetCursorScreenPos(timeline_at_.at);
     const std::int64_t b_was = against_ ? against_->session().position() : 0;
@@ -241,6 +248,7 @@ void App::draw() {
   draw_entering_edge();
   board_.draw(ui_, {0, title}, {size.x, std::max(1.0f, size.y - title - timeline)});
   draw_drawer();
+  if (overlay_ != Overlay::none) targets_.clear();  // what lies under it cannot be hit
   draw_overlay();
   if (ui_.asked && overlay_ == Overlay::none) open_explain(*ui_.asked, ui_.asked_as);
   if (places_.searching()) draw_search(*this);

@@ -29,16 +29,19 @@ void App::draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 a
   const float note_width = text_size(ui_, font, note).x;
   if (!note.empty() && title_width + note_width + 3 * pad + ui_.em <= size.x)
     draw_text(ui_, {at.x + size.x - pad - note_width, y}, font, session_.looking_back ? c.now : c.muted, note);
-  const float body = size.y - head;
-  if (body >= 8 && size.x >= 8) {
-    ImGui::SetCursorScreenPos({at.x, at.y + head});
+  draw_pane_body(ui, pane, {at.x, at.y + head}, {size.x, size.y - head});
+  frame_box(ui_, at, {at.x + size.x, at.y + size.y}, c.rule);
+}
+
+void App::draw_pane_body(Ui& ui, const Pane& pane, ImVec2 at, ImVec2 size) {
+  if (size.x >= 8 && size.y >= 8) {
+    ImGui::SetCursorScreenPos(at);
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysUseWindowPadding |
                                    ImGuiWindowFlags_NoNav |
                                    (pane.scrolls ? ImGuiWindowFlags_HorizontalScrollbar
                                                  : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const bool wraps = pane.id == lesson_pane.id || pane.id == happened_pane.id || pane.id == pseudo_code_pane.id;
-    if (wraps ? begin_wrapped(ui, pane.id, {size.x, body}, flags)
-              : ImGui::BeginChild(pane.id, {size.x, body}, false, flags)) {
+    if (wraps ? begin_wrapped(ui, pane.id, size, flags) : ImGui::BeginChild(pane.id, size, false, flags)) {
       // Where a pane is scrolled to follows from what it shows, not from what it showed before.
       if (pane.id == lesson_pane.id ? ui_.speaks_now : ui_.scroll_now) ImGui::SetScrollX(0), ImGui::SetScrollY(0);
       const std::size_t tables = ui.tables_seen ? ui.tables_seen->size() : 0;
@@ -48,7 +51,6 @@ void App::draw_pane(Ui& ui, const Pane& pane, const std::string& title, ImVec2 a
     }
     ImGui::EndChild();
   }
-  frame_box(ui_, at, {at.x + size.x, at.y + size.y}, c.rule);
 }
 
 bool App::splitter(const char* id, ImVec2 at, ImVec2 size, bool vertical, float& share, float whole) {
@@ -218,36 +220,6 @@ void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
   }
 }
 
-/// Too small for everything: what happened, or what is asked, and the framebuffer, and a sentence that says so.
-void App::draw_few(ImVec2 at, ImVec2 size) {
-  const float gap = std::round(ui_.em * 0.35f), line = ui_.line();
-  const Pane& words = session_.lesson() ? lesson_pane : happened_pane;
-  Flow how;
-  how.color = ui_.colors().muted;
-  ImGui::SetCursorScreenPos(at);
-  const std::string why = "Only some panes fit; enlarge the window, or Ctrl+\u2212 for smaller text.";
-  how.width = size.x;
-  const float height = flow_height(ui_, why, how);
-  if (size.y > height + 6 * line) {
-    flow(ui_, why, how);
-    at.y += height;
-    size.y -= height;
-  }
-  const auto told = [&](ImVec2 corner, ImVec2 room) {
-    if (drawer_ != Drawer::none) drawer_at_ = {corner, room};
-    else draw_pane(words, corner, room);
-  };
-  if (size.x > size.y * 1.3f) {
-    const float half = std::round((size.x - gap) / 2);
-    told(at, {half, size.y});
-    draw_pane(frame_pane, {at.x + half + gap, at.y}, {size.x - half - gap, size.y});
-  } else {
-    const float half = std::round((size.y - gap) / 2);
-    draw_pane(frame_pane, at, {size.x, half});
-    told({at.x, at.y + half + gap}, {size.x, size.y - half - gap});
-  }
-}
-
 /// For a class: what leads, as large as it goes, and beside it the lesson where it speaks, and between its stops what
 /// happens. The small panes wait behind Tab; a question takes the room that its answers need.
 void App::draw_presented(ImVec2 at, ImVec2 size) {
@@ -284,8 +256,6 @@ void App::draw_presented(ImVec2 at, ImVec2 size) {
 void App::draw_panes(ImVec2 at, ImVec2 size) {
   if (against_) return draw_panes_of_both(at, size);
   if (embedded()) return draw_embedded(at, size);
-  // Presenter mode has larger letters and fewer words.
-  if (size.x < ui_.em * (ui_.presenter ? 40 : 44) || size.y < ui_.em * 21) return draw_few(at, size);
   if (ui_.presenter) return draw_presented(at, size);
   Layout& l = settings_.layout;
   const float gap = std::round(ui_.em * 0.35f);

@@ -35,7 +35,7 @@ void App::begin_motion() {
   ui_.row_places.clear();
 }
 
-bool App::moving() const { return motion_.panes_move() || (motion_.row_moves() && entering_edge()); }
+bool App::moving() const { return motion_.panes_move() || (motion_.row_moves() && entering_edge()) || !acts_.empty(); }
 
 const EdgeEnter* App::entering_edge() const {
   return session_.event() ? get_if<EdgeEnter>(&session_.event()->event) : nullptr;

@@ -1,5 +1,6 @@
 #include "sim/viewer/field.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/viewer/app.hpp"
@@ -50,6 +51,17 @@ void set_key(ImGuiKey key, bool down) {
 }
 
 }  // namespace
+
+std::vector<std::string> in_text_events(std::string_view text) {
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    std::size_t end = std::min<std::size_t>(text.size(), SDL_TEXTINPUTEVENT_TEXT_SIZE - 1);
+    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
+    parts.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return parts;
+}
 
 /// One line: what parts lines or columns elsewhere is a space here.
 const char* Field::paste(Field& field) {
@@ -168,7 +180,10 @@ bool Field::draw(App& app, const std::string& hint) {
   ImGui::PopStyleColor(3);
   ImGui::PopStyleVar();
   ImGui::PopFont();
-  frame_box(ui, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), c.now);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  place_ = {low.x, low.y, high.x, high.y};
+  can_be_hit(ui, low, high);
+  frame_box(ui, low, high, c.now);
   ImGui::Dummy({1, std::round(ui.em * 0.3f)});
   return changed && !replaced;
 }

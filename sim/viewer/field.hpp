@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <SDL.h>
 #include <imgui.h>
@@ -19,6 +21,8 @@ class Field {
 
   /// It has the keyboard: what is typed now arrives.
   bool active() const { return active_; }
+  /// Left, top, right and bottom of it, as drawn last.
+  ImVec4 place() const { return place_; }
   /// What it was given arrives with the next frame, which comes before the next event.
   bool waits() const { return !active_ || put_ || down_; }
   /// Writes this in place of what is typed.
@@ -41,10 +45,14 @@ class Field {
   static void copy(Field& field, const char* text);
 
   bool active_ = false;
+  ImVec4 place_{0, 0, 0, 0};
   std::string* typed_ = nullptr;
   std::optional<std::string> put_;
   std::optional<ImGuiKey> down_;
   std::string clipboard_;  ///< what is pasted; where there is no window, also what was copied
 };
+
+/// A text in pieces that a text event of SDL's takes, none of which ends within a character.
+std::vector<std::string> in_text_events(std::string_view text);
 
 }  // namespace zstep::viewer

@@ -46,7 +46,7 @@ void App::take_here(std::size_t line) {
 
 void draw_here(App& app, ImVec2 mouse) {
   Ui& ui = app.ui();
-  const float height = std::round(ui.em * 1.5f), gap = ui.em * 1.5f;
+  const float height = std::max(std::round(ui.em * 1.5f), ui.least_target), gap = ui.em * 1.5f;
   const auto key_of = [](const HereLine& line) {
     const Command* command = command_called(line.command);
     return command ? key_names(*command) : std::string();

@@ -15,9 +15,11 @@ ListRow list_row(App& app, std::size_t place, float height) {
   ListRow row;
   row.at = ImGui::GetCursorScreenPos();
   const float width = std::max(1.0f, ImGui::GetContentRegionAvail().x);
-  row.end = {row.at.x + width, row.at.y + height};
+  const float tall = std::max(height, ui.least_target), above = std::floor((tall - height) / 2);
+  row.end = {row.at.x + width, row.at.y + tall};
+  can_be_hit(ui, row.at, row.end);
   ImGui::PushID(static_cast<int>(place));
-  row.clicked = ImGui::InvisibleButton("row", {width, height});
+  row.clicked = ImGui::InvisibleButton("row", {width, tall});
   ImGui::PopID();
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (static_cast<int>(place) == app.picked) {
@@ -28,6 +30,7 @@ ListRow list_row(App& app, std::size_t place, float height) {
     list->AddRectFilled(row.at, row.end, c.button_hovered);
   }
   row.visible = ImGui::IsRectVisible(row.at, row.end);
+  row.at.y += above, row.end.y = row.at.y + height;
   return row;
 }
 

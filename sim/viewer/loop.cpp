@@ -10,7 +10,6 @@
 #include "sim/image/png.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/description.hpp"
-#include "sim/viewer/system.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {
@@ -140,6 +139,15 @@ void Loop::run(std::string_view id) {
   app.session().touch();
 }
 
+void Loop::tell_typing() {
+  std::optional<system::TypedLine> line;
+  if (const auto at = stage_.app().typed_line()) {
+    const auto point = [&](float pixels) { return static_cast<int>(std::lround(pixels / window_.pixels_per_point())); };
+    line = {point(at->x), point(at->y), point(at->z), point(at->w)};
+  }
+  if (line != std::exchange(told_line_, line)) system::typing_at(line);
+}
+
 bool Loop::go_to_link(const std::string& link) {
   try {
     if (!stage_.app().go_to_link(link)) return false;
@@ -168,6 +176,7 @@ bool Loop::turn(May may) {
   const double time = seconds();
   double wait = std::min({stage_.app().play(time), stage_.app().until_clock(), notes_.until_due()});
   if (stage_.app().waits_for_run) wait = std::min(wait, 0.1);
+  wait = std::min(wait, stage_.app().wait_for_finger(SDL_GetTicks()));
   if (std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) && stage_.app().board().clock_runs())
     stage_.app().session().touch();
   if (stage_.app().session().revision() != drawn_) frames_due_ = std::max(frames_due_, App::frames_to_settle);
@@ -199,6 +208,7 @@ bool Loop::turn(May may) {
   stage_.app().frame();
   stage_.app().ui().tables_seen = nullptr;
   window_.show(stage_.app().renderer().picture());
+  tell_typing();
   if (--frames_due_ <= 0 && stage_.app().moving()) frames_due_ = 1;
   return true;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sim/viewer/notes_window.hpp"
 #include "sim/viewer/settings.hpp"
 #include "sim/viewer/stage.hpp"
+#include "sim/viewer/system.hpp"
 #include "sim/viewer/viewer.hpp"
 #include "sim/viewer/window.hpp"
 
@@ -39,6 +41,7 @@ class Loop {
   void save(bool at_end);
   void tell_place();
   void say_place();
+  void tell_typing();
 
   const ViewerOptions options_;
   const Settings stored_;  ///< what was saved,
@@ -51,6 +54,7 @@ class Loop {
   std::int64_t told_stop_ = -1;
   bool told_by_link_ = false;      ///< there, but nothing was said of it
   std::vector<TableSeen> tables_;  ///< of the last frame, where somebody listens
+  std::optional<system::TypedLine> told_line_;
   int frames_due_ = App::frames_to_settle;  ///< after a change, until nothing moves any more
   std::uint64_t drawn_ = 0;
   const App* drawn_app_ = nullptr;

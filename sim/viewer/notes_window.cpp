@@ -9,9 +9,10 @@ namespace {
 
 constexpr int usual_width = 1100, usual_height = 700;
 
-bool is_mouse(const SDL_Event& event) {
+bool is_pointer(const SDL_Event& event) {
   return event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP ||
-         event.type == SDL_MOUSEWHEEL;
+         event.type == SDL_MOUSEWHEEL || event.type == SDL_FINGERDOWN || event.type == SDL_FINGERMOTION ||
+         event.type == SDL_FINGERUP;
 }
 
 std::uint32_t window_of(const SDL_Event& event) {
@@ -22,6 +23,10 @@ std::uint32_t window_of(const SDL_Event& event) {
       return event.motion.windowID;
     case SDL_MOUSEWHEEL:
       return event.wheel.windowID;
+    case SDL_FINGERDOWN:
+    case SDL_FINGERMOTION:
+    case SDL_FINGERUP:
+      return event.tfinger.windowID;
     default:
       return event.button.windowID;
   }
@@ -59,7 +64,7 @@ void NotesWindow::close() {
 }
 
 bool NotesWindow::takes(const SDL_Event& event, App& app) {
-  if (!window_ || (event.type != SDL_WINDOWEVENT && !is_mouse(event))) return false;
+  if (!window_ || (event.type != SDL_WINDOWEVENT && !is_pointer(event))) return false;
   const bool own = window_of(event) == SDL_GetWindowID(window_->get());
   if (event.type != SDL_WINDOWEVENT) return own;
   const bool closed = event.window.event == SDL_WINDOWEVENT_CLOSE;

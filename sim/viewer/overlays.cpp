@@ -23,7 +23,9 @@ void begin_overlay(App& app, const char* id, ImVec2 size, float down) {
 void begin_overlay(App& app, const char* id, ImVec2 size, ImVec2 corner) {
   Ui& ui = app.ui();
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
-  size = {std::min(size.x, whole.x - 8), std::min(size.y, whole.y - 8)};
+  // Where it is narrower than it should be it is higher, and beside it a finger has room to close it.
+  size.y *= std::clamp(size.x / std::max(1.0f, whole.x - 8), 1.0f, 1.6f);
+  size = {std::min(size.x, whole.x - 8), std::min(size.y, whole.y - std::max(8.0f, 2 * ui.least_target))};
   const ImVec2 at{std::floor(std::clamp(corner.x, 0.0f, whole.x - size.x)),
                   std::floor(std::clamp(corner.y, 0.0f, whole.y - size.y))};
   ImGui::SetNextWindowPos(at);
@@ -56,7 +58,9 @@ bool row(Ui& ui, const Command& command, float width, float height, bool lit) {
   const std::string keys = key_names(command);
   const float keys_width = text_size(ui, ui.fonts.mono, keys).x;
   draw_text(ui, {at.x + ui.em * 0.4f, at.y + top}, ui.fonts.text, c.text, command.title);
-  draw_text(ui, {end.x - keys_width - ui.em * 0.4f, at.y + top + 1}, ui.fonts.mono, c.muted, keys);
+  can_be_hit(ui, at, end);
+  if (text_size(ui, ui.fonts.text, command.title).x + keys_width + ui.em * 1.5f <= width)
+    draw_text(ui, {end.x - keys_width - ui.em * 0.4f, at.y + top + 1}, ui.fonts.mono, c.muted, keys);
   return clicked;
 }
 
@@ -126,8 +130,10 @@ void draw_columns(App& app, const char* id, const char* title) {
     if (KeySheet wider = sheet_in(ui, columns);
         wider.width() + around <= screen.x && height_of(wider) > height_of(sheet))
       sheet = std::move(wider);
+  const float fits = height_of(sheet);
   const float row_height =
-      height_of(sheet) < ui.em * 0.87f ? std::round(ui.em * 1.4f) : height_of(sheet);  // else it scrolls, with room
+      std::max(ui.least_target, fits < ui.em * 0.87f ? std::round(ui.em * 1.4f) : fits);  // or it scrolls
+  if (sheet.widths.size() == 1) sheet.widths[0] = std::min(sheet.widths[0], screen.x - 8 - around);
   begin_overlay(app, id, {sheet.width() + around, static_cast<float>(sheet.rows) * row_height + above});
   flow(ui, title, {.font = ui.fonts.bold});
   const ImVec2 top = ImGui::GetCursorScreenPos();
@@ -155,7 +161,7 @@ void draw_menu(App& app) { draw_columns(app, "menu", "Menu"); }
 
 void draw_palette(App& app) {
   Ui& ui = app.ui();
-  const float row_height = std::round(ui.em * 1.4f);
+  const float row_height = std::max(std::round(ui.em * 1.4f), ui.least_target);
   begin_overlay(app, "palette", {std::max(ui.em * 26, widest_row(ui)), row_height * 12 + ui.em * 3});
   app.draw_field("Type a part of a command's name");
   const auto found = matching(app.typed);

@@ -221,33 +221,37 @@ bool App::race_key(SDL_Keycode code, unsigned modifiers) {
   return false;
 }
 
-void App::draw_race_head(ImVec2 at, float width) {
-  const float gap = std::round(ui_.em * 0.3f);
-  ImGui::SetCursorScreenPos(at);
-  const auto next = [&](const char* label, bool lit, const char* help) {
-    const bool clicked = button(ui_, label, lit);
+/// Buttons from left to right, in as many lines as that takes; how high they are together.
+float App::draw_race_head(ImVec2 at, float width) {
+  const float gap = std::round(ui_.em * 0.3f), line = std::max(std::round(ui_.em * 1.9f), ui_.least_target + gap);
+  ImVec2 to = at;
+  const auto next = [&](const char* label, bool lit, const char* help, float before = 0) {
+    const float wide = std::max(ui_.least_target, text_size(ui_, ui_.fonts.text, label).x + std::round(ui_.em * 1.1f));
+    to.x += to.x > at.x ? before : 0;
+    if (to.x > at.x && to.x + wide > at.x + width) to = {at.x, to.y + line};
+    ImGui::SetCursorScreenPos(to);
+    to.x += wide + gap;
+    const bool clicked = tall_button(ui_, label, lit);
     if (ImGui::IsItemHovered()) ui_.mouse_help = help;
-    ImGui::SameLine(0, gap);
     return clicked;
   };
   if (next("Who runs\u2026", overlay_ == Overlay::racers, "Two to four methods, or options of one (C)."))
     open(Overlay::racers);
-  ImGui::SameLine(0, 2 * gap);
   const char* helps[] = {"All have made as many steps (1).",
                          "All have done as many operations: steps that compute, decide or write something (2).",
                          "All have run as long, by times measured here without a recording (3)."};
   const char* labels[] = {"By steps", "By operations", "By time"};
   for (const Measure clock : {Measure::steps, Measure::operations, Measure::time})
-    if (next(labels[static_cast<std::size_t>(clock)], race().clock() == clock, helps[static_cast<std::size_t>(clock)]))
+    if (next(labels[static_cast<std::size_t>(clock)], race().clock() == clock, helps[static_cast<std::size_t>(clock)],
+             clock == Measure::steps ? gap : 0))
       race_by(clock);
-  ImGui::SameLine(0, 2 * gap);
   if (next(race_->shows_growth ? "The pictures" : "Costs as N grows", false,
-           "How costs grow with the number of polygons, measured here (Tab, 4)."))
+           "How costs grow with the number of polygons, measured here (Tab, 4).", gap))
     race_->shows_growth = !race_->shows_growth;
   const float close = text_size(ui_, ui_.fonts.text, "Close").x + ui_.em * 1.2f;
-  if (at.x + width - close < ImGui::GetCursorScreenPos().x) return;
-  ImGui::SetCursorScreenPos({at.x + width - close, at.y});
+  to.x = std::max(to.x, at.x + width - close);
   if (next("Close", false, "Back to one run (Esc).")) close_race();
+  return to.y + line - at.y;
 }
 
 void App::draw_racers(ImVec2 at, ImVec2 size) {
@@ -265,7 +269,8 @@ void App::draw_racers(ImVec2 at, ImVec2 size) {
   const int columns = two_rows ? 2 : count, rows = two_rows ? 2 : 1;
   const float wide = std::floor((size.x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns)),
               high = std::floor((size.y - gap * static_cast<float>(rows - 1)) / static_cast<float>(rows));
-  const float counters = std::round(std::min(head + 11 * line, high * (ui_.presenter ? 0.36f : 0.42f)));
+  const float part = high < 15 * ui_.em ? 0.3f : ui_.presenter ? 0.36f : 0.42f;  // the pictures first
+  const float counters = std::round(std::min(head + 11 * line, high * part));
   for (int k = 0; k < count; ++k) {
     const Race::Racer& racer = *racers[static_cast<std::size_t>(k)];
     Ui& look = *race_->looks[static_cast<std::size_t>(k)];
@@ -321,7 +326,8 @@ void App::draw_race_clock(ImVec2 at, float width) {
     if (to != race().at()) go_to(to);
   }
   ImGui::SetCursorScreenPos({at.x, at.y + strip.height + std::round(ui_.em * 0.3f)});
-  draw_transport(ui_, race().playing, race().speed_text(), text_size(ui_, ui_.fonts.text, "100 operations/s").x);
+  if (ui_.least_target > 0) return draw_small_transport(ui_, race().playing, {width, small_row()});
+  draw_transport(ui_, race().playing, race().speed_text(), text_size(ui_, ui_.fonts.text, "100 operations/s").x, width);
   ImGui::SameLine(0, ui_.em);
   const ImVec2 here = ImGui::GetCursorScreenPos();
   const std::string
@@ -336,13 +342,14 @@ void App::draw_race_clock(ImVec2 at, float width) {
 }
 
 void App::draw_race(ImVec2 at, ImVec2 size) {
-  const float head = std::round(ui_.em * 1.9f), gap = std::round(ui_.em * 0.35f);
-  const float foot = std::round(ui_.em * (1.15f * static_cast<float>(race().racers().size()) + 2.1f));
-  if (size.y < head + foot + 6 * ui_.em || size.x < 20 * ui_.em) {
+  const float gap = std::round(ui_.em * 0.35f);
+  const float row = ui_.least_target > 0 ? small_row() + std::round(0.5f * ui_.em) : 2.1f * ui_.em;
+  const float foot = std::round(ui_.em * 1.15f * static_cast<float>(race().racers().size()) + row);
+  if (size.y < foot + 8 * ui_.em || size.x < 20 * ui_.em) {
     ImGui::SetCursorScreenPos(at);
     return flow(ui_, "Too small for a race; enlarge the window, or Ctrl+\u2212 for smaller text.", {.width = size.x});
   }
-  draw_race_head(at, size.x);
+  const float head = draw_race_head(at, size.x);
   const ImVec2 middle{at.x, at.y + head}, room{size.x, size.y - head - foot - gap};
   if (race_->shows_growth) draw_growth(middle, room);
   else draw_racers(middle, room);

@@ -63,7 +63,7 @@ bool App::pick_setting(SDL_Keycode code) {
 
 void draw_settings(App& app) {
   Ui& ui = app.ui();
-  const float height = std::round(ui.em * 2.1f), room = ImGui::GetIO().DisplaySize.x - 3 * ui.em;
+  const float room = ImGui::GetIO().DisplaySize.x - 3 * ui.em;
   float names = 0, values = 0, keys = 0;
   for (const SettingRow& row : setting_rows()) {
     names = std::max(names, text_size(ui, ui.fonts.text, row.title).x);
@@ -76,10 +76,12 @@ void draw_settings(App& app) {
   const std::string kept = path.empty() ? "They hold until the window is closed: there is no folder to keep them in."
                                         : "Kept as they change, in " + path + ".";
   const float width = std::min(room, with_keys ? all : all - keys);
+  const bool narrow = all - keys > room;  // what it is now stands below what it is
+  const float height = std::max(std::round(ui.em * (narrow ? 2.9f : 2.1f)), ui.least_target);
   const Flow small{.color = ui.colors().muted, .width = width};
   begin_overlay(app, "settings",
-                {width + ui.em * 1.2f,
-                 height * static_cast<float>(setting_rows().size()) + 3.4f * ui.em + flow_height(ui, kept, small)});
+                {width + ui.em * 1.2f, height * static_cast<float>(setting_rows().size()) +
+                                           (narrow ? 4.8f : 3.4f) * ui.em + flow_height(ui, kept, small)});
   flow(ui, "Settings. \u2191 \u2193 choose a row, \u2190 \u2192 change it; Esc closes.", {.font = ui.fonts.bold});
   ImGui::Dummy({1, ui.em * 0.4f});
   const char* clicked = nullptr;
@@ -90,11 +92,12 @@ void draw_settings(App& app) {
       ImGui::GetWindowDrawList()->AddRectFilled(at, end, ui.colors().now_soft);
       ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 3, end.y}, ui.colors().now);
     }
-    const float y = at.y + std::round((height - ui.em) / 2) - 1;
+    const float y = at.y + std::round((height - ui.em * (narrow ? 2.3f : 1)) / 2) - 1;
     draw_text(ui, {at.x + ui.em * 0.5f, y}, ui.fonts.text, ui.colors().text, row.title);
-    const float x = at.x + names + ui.em * 1.2f;
+    const float x = narrow ? end.x - buttons : at.x + names + ui.em * 1.2f,
+                middle = std::round((height - ui.em * 1.6f) / 2);
     const auto press = [&](float left, const std::string& label, const char* id) {
-      ImGui::SetCursorScreenPos({left, at.y + std::round(ui.em * 0.25f)});
+      ImGui::SetCursorScreenPos({left, at.y + middle});
       if (button(ui, fmt::format("{}##{}{}", label, id, k))) clicked = id, app.picked = static_cast<int>(k);
     };
     if (row.less == row.more) {
@@ -103,7 +106,8 @@ void draw_settings(App& app) {
       press(x, "\u2212", row.less);
       press(x + ui.em * 2.0f, "+", row.more);
     }
-    draw_text(ui, {x + buttons, y}, ui.fonts.text, ui.colors().text, row.now(app));
+    if (narrow) draw_text(ui, {at.x + ui.em * 0.5f, y + ui.em * 1.25f}, ui.fonts.text, ui.colors().muted, row.now(app));
+    else draw_text(ui, {x + buttons, y}, ui.fonts.text, ui.colors().text, row.now(app));
     if (with_keys) {
       const std::string its = keys_of(row);
       draw_text(ui, {end.x - text_size(ui, ui.fonts.mono, its).x - ui.em * 0.4f, y + 1}, ui.fonts.mono,

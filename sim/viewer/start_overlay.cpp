@@ -72,10 +72,11 @@ void draw_choice(App& app, const Offer& offer, const ListRow& row) {
   }
   const bool lesson = offer.what == Offer::What::lesson;
   const std::string title = lesson ? fmt::format("{}. {}", offer.number, offer.title) : offer.title;
-  const float room = row.end.x - x - (lesson ? ui.em * 8 : 0);
+  const bool progress = lesson && row.end.x - row.at.x > 21 * ui.em;
+  const float room = row.end.x - x - (progress ? ui.em * 8 : 0);
   draw_text(ui, {x, row.at.y + std::round((height - ui.em) / 2) - 1}, ui.fonts.text, ui.colors().text,
             fitted(ui, ui.fonts.text, title, room));
-  if (lesson) draw_progress(ui, row, app.settings().stops_seen(offer.id), offer.stops);
+  if (progress) draw_progress(ui, row, app.settings().stops_seen(offer.id), offer.stops);
 }
 
 }  // namespace
@@ -161,25 +162,30 @@ void draw_start(App& app) {
   if (button(ui, "Choose a file\u2026 (Ctrl+Shift+O)")) app.requests.choose_file = true;
   const std::vector<const Offer*> all = app.choices();
   const auto picked = static_cast<std::size_t>(app.picked);
-  const std::string told = picked < all.size() ? all[picked]->summary : "",
-                    how_to =
-                        "Enter or a click opens it; Tab: the next column; Esc: back. A file can be dropped on the "
-                        "window: a mesh, a scene, "
-                        "a trace, or the JSON Lines of a program.";
+  const bool narrow = ImGui::GetContentRegionAvail().x < 34 * ui.em;  // then one list below the other
+  const std::string
+      told = picked < all.size() ? all[picked]->summary : "",
+      how_to = screen.y < 26 * ui.em ? ""  // the lists need the room
+               : narrow              ? "A touch or Enter opens it; a touch beside this page, or Esc: back."
+                        : "Enter or a click opens it; Tab: the next column; Esc: back. A file can be dropped on the "
+                          "window: a mesh, a scene, "
+                          "a trace, or the JSON Lines of a program.";
   const Flow muted{.color = c.muted};
   const float gap = std::round(ui.em * 0.7f);
   const float foot = std::ceil(flow_height(ui, app.wrong.empty() ? told : app.wrong, {.font = ui.fonts.bold}) +
-                               flow_height(ui, how_to, muted) + gap);
+                               (how_to.empty() ? 0 : flow_height(ui, how_to, muted)) + gap);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float heights[] = {std::round(ui.em * 1.5f), std::round(ui.em * 1.5f), std::round(ui.em * 2.7f)};
-  const float shares[] = {0.5f, 0.24f, 0.26f};
+  const float shares[] = {narrow ? 1.0f : 0.5f, 0.24f, 0.26f};
   float x = at.x;
   const Offer* clicked = nullptr;
   for (const Offer::What what : {Offer::What::lesson, Offer::What::method, Offer::What::scene}) {
     const auto column = static_cast<std::size_t>(what);
-    const float width = std::floor((room.x - 2 * gap) * shares[column]);
-    ImGui::SetCursorScreenPos({x, at.y + gap});
-    ImGui::BeginChild(heading_of(what), {width, room.y - foot - gap}, false, ImGuiWindowFlags_NoNav);
+    const float width = std::floor((room.x - (narrow ? 0 : 2 * gap)) * shares[column]);
+    if (!narrow || what == Offer::What::lesson) {
+      ImGui::SetCursorScreenPos({x, at.y + gap});
+      ImGui::BeginChild(heading_of(what), {width, std::max(1.0f, room.y - foot - gap)}, false, ImGuiWindowFlags_NoNav);
+    } else ImGui::Dummy({1, gap});
     flow(ui, heading_of(what), {.color = c.now, .font = ui.fonts.bold});
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k]->what != what) continue;
@@ -187,7 +193,7 @@ void draw_start(App& app) {
       if (row.clicked) clicked = all[k];
       if (row.visible) draw_choice(app, *all[k], row);
     }
-    ImGui::EndChild();
+    if (!narrow || what == Offer::What::scene) ImGui::EndChild();
     x += width + gap;
   }
   app.scroll_to_picked = false;
@@ -195,7 +201,7 @@ void draw_start(App& app) {
   if (!app.wrong.empty()) say_wrong(ui, app.wrong);
   else if (all.empty()) say_empty(ui, "Nothing has this in its name.");
   else if (!told.empty()) flow(ui, told, {});
-  flow(ui, how_to, muted);
+  if (!how_to.empty()) flow(ui, how_to, muted);
   ImGui::End();
   if (clicked) app.open_offer(*clicked);
 }

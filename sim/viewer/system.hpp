@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace zstep::viewer {
@@ -36,6 +37,14 @@ void arrived(const std::string& link, bool at_stop);
 
 /// Opens a link in a window with everything, beside this one. False where this window is to become that.
 bool open_beside(const std::string& link);
+
+/// Between these corners, in the mouse's units, stands the line that is typed into now; nothing: none is. A keyboard
+/// that is drawn on the screen comes up for it and leaves it to be seen.
+struct TypedLine {
+  int left = 0, top = 0, right = 0, bottom = 0;
+  bool operator==(const TypedLine&) const = default;
+};
+void typing_at(const std::optional<TypedLine>& line);
 
 /// Whether what is shown is said besides, for a screen reader, and saying it: the step as a text, and lists as
 /// description.hpp parts them.

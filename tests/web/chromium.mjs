@@ -112,6 +112,19 @@ export class Page {
     await this.send('Input.dispatchMouseEvent', {type: 'mouseReleased', ...what});
   }
 
+  /// Fingers that begin at places, go to others and are lifted: [[x, y, to x, to y], ...]; `rests`: milliseconds before that.
+  async fingers(ways, {rests = 0, parts = 4} = {}) {
+    const at = (share) => ways.map(([x, y, toX = x, toY = y], id) => ({id, x: x + (toX - x) * share, y: y + (toY - y) * share}));
+    await this.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: at(0)});
+    if (rests) await new Promise((resolve) => setTimeout(resolve, rests));
+    if (ways.some((way) => way.length > 2))
+      for (let k = 1; k <= parts; ++k) {
+        await this.send('Input.dispatchTouchEvent', {type: 'touchMove', touchPoints: at(k / parts)});
+        await new Promise((resolve) => setTimeout(resolve, 30));
+      }
+    await this.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
+  }
+
   /// What is on the canvas: {width, height, rgb}, once nothing moves any more.
   async picture() {
     const one = async () => JSON.parse(await this.ask(`(() => {

@@ -245,6 +245,52 @@ test('resized, on a screen of twice the pixels, and upright', async () => {
   await page.close();
 });
 
+test('by fingers on a phone: a step, a right click, a pinch, and the page stays where it is', async () => {
+  for (const scale of [1, 3]) {
+    const page = await browser.open(address + '#lesson=z-buffer&step=300', {width: 390, height: 844, scale, mobile: true});
+    await page.send('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 5});
+    await page.until(`${shown} && canvas.width === 390 * ${scale}`);
+    await page.until(`location.hash.includes('step=300')`);
+    await page.fingers([[272, 815]]);  // the arrow on
+    await page.until(`location.hash.includes('step=301')`);
+    const before = await page.picture();
+    await page.fingers([[160, 230, 100, 230], [220, 230, 280, 230]]);
+    const zoomed = await page.picture();
+    check(!same(before, zoomed), 'two fingers did not zoom the frame');
+    await page.fingers([[195, 700, 195, 640]]);
+    await page.fingers([[195, 230]], {rests: 700});
+    const offered = await page.picture();
+    check(!same(zoomed, offered), 'a finger that rested offered nothing');
+    check(await page.ask('visualViewport.scale === 1 && scrollX === 0 && scrollY === 0'), 'the page itself was zoomed or scrolled');
+    check(await page.ask(`location.hash.includes('step=301')`), 'a gesture made a step');
+    await page.close();
+  }
+});
+
+test('a keyboard on the screen comes up for the line that is touched, and types into it', async () => {
+  const page = await browser.open(address, {width: 390, height: 844, scale: 2, mobile: true});
+  await page.send('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 5});
+  await page.until(shown);
+  await page.until('line.right > line.left');
+  check(await page.ask('document.activeElement !== typed'), 'the keyboard came unasked');
+  const empty = await page.picture();
+  const place = await page.ask('line');
+  await page.fingers([[(place.left + place.right) / 2, (place.top + place.bottom) / 2]]);
+  await page.until('document.activeElement === typed');
+  await page.send('Input.insertText', {text: 'bsp'});
+  const found = await page.picture();
+  check(!same(empty, found), 'what is typed did not arrive');
+  // Taken back and typed anew, as a keyboard does that corrects a word.
+  await page.ask(`typed.value = ' b'; typed.dispatchEvent(new Event('input')); typed.value = ' bsp'; void typed.dispatchEvent(new Event('input'))`);
+  check(same(found, await page.picture()), 'what was taken back is still there');
+  // What the keyboard leaves is the window's.
+  await page.resize(390, 500, 2, true);
+  await page.until('canvas.height === 1000 && line.bottom < 500 && line.right > line.left');
+  await page.key('Enter', {code: 'Enter', keyCode: 13});
+  await page.until('document.activeElement !== typed');
+  await page.close();
+});
+
 test('two tabs beside each other', async () => {
   const one = await browser.open(address + '#lesson=z-buffer&stop=2');
   await one.until(shown);

@@ -1,12 +1,15 @@
 // The system around the window, where it is a page of a browser: what the page's own script does
 // (sim/web/page/page.js).
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <SDL.h>
 #include <emscripten.h>
 
+#include "sim/viewer/field.hpp"
 #include "sim/viewer/loop.hpp"
 #include "sim/viewer/system.hpp"
 
@@ -17,6 +20,7 @@ EM_JS(void, page_hand_over, (const char* file), { Module.page.handOver(UTF8ToStr
 EM_JS(void, page_keep_settings, (const char* file), { Module.page.keepSettings(UTF8ToString(file)); })
 EM_JS(void, page_arrived, (const char* link, int at_stop), { Module.page.arrived(UTF8ToString(link), at_stop !== 0); })
 EM_JS(void, page_open_beside, (const char* link), { Module.page.openBeside(UTF8ToString(link)); })
+EM_JS(void, page_typing_at, (int left, int top, int right, int bottom), { Module.page.typingAt(left, top, right, bottom); })
 EM_JS(void, page_say, (const char* text), { Module.page.say(UTF8ToString(text)); })
 EM_JS(void, page_show_tables, (const char* list), { Module.page.showTables(UTF8ToString(list)); })
 EM_JS(void, page_offer_commands, (const char* list), { Module.page.offerCommands(UTF8ToString(list)); })
@@ -81,6 +85,11 @@ bool open_beside(const std::string& link) {
   return true;
 }
 
+void typing_at(const std::optional<TypedLine>& line) {
+  const TypedLine at = line.value_or(TypedLine());
+  page_typing_at(at.left, at.top, at.right, at.bottom);
+}
+
 bool is_heard() { return true; }
 
 void say(const std::string& text) { page_say(text.c_str()); }
@@ -122,6 +131,23 @@ EMSCRIPTEN_KEEPALIVE void zstep_paste(const char* text) {
     event.type = type;
     event.key.keysym.sym = SDLK_v;
     event.key.keysym.mod = KMOD_LCTRL;
+    SDL_PushEvent(&event);
+  }
+}
+
+/// A keyboard that is drawn on the screen took back so many characters, and then typed this text.
+EMSCRIPTEN_KEEPALIVE void zstep_type(const char* text, int taken_back) {
+  for (int k = 0; k < taken_back; ++k)
+    for (const std::uint32_t type : {SDL_KEYDOWN, SDL_KEYUP}) {
+      SDL_Event event{};
+      event.type = type;
+      event.key.keysym.sym = SDLK_BACKSPACE;
+      SDL_PushEvent(&event);
+    }
+  for (const std::string& part : zstep::viewer::in_text_events(text)) {
+    SDL_Event event{};
+    event.type = SDL_TEXTINPUT;
+    std::copy(part.begin(), part.end(), event.text.text);
     SDL_PushEvent(&event);
   }
 }

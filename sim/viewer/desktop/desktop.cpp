@@ -30,6 +30,13 @@ void arrived(const std::string&, bool) {}
 
 bool open_beside(const std::string&) { return false; }
 
+/// An input method has its candidates there.
+void typing_at(const std::optional<TypedLine>& line) {
+  if (!line) return;
+  const SDL_Rect place{line->left, line->top, line->right - line->left, line->bottom - line->top};
+  SDL_SetTextInputRect(&place);
+}
+
 bool is_heard() { return false; }
 
 void say(const std::string&) {}

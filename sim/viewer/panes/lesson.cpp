@@ -14,8 +14,10 @@ void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
   const Theme& c = ui.colors();
   const float width = ImGui::GetContentRegionAvail().x, pad = ui.em * 0.4f, key = ui.em * 1.5f;
   const Flow how{.width = width - 2 * pad - key};
-  const float height = flow_height(ui, answer.text, how) + 2 * pad * 0.6f;
+  const float text = flow_height(ui, answer.text, how), height = std::max(text + 2 * pad * 0.6f, ui.least_target);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
+  const float top = at.y + (height - text) / 2;
+  can_be_hit(ui, at, end);
   ImGui::PushID(index);
   const bool clicked = ImGui::InvisibleButton("answer", {width, height});
   const bool hovered = ImGui::IsItemHovered();
@@ -24,10 +26,10 @@ void draw_answer(Ui& ui, int index, const Answer& answer, bool given) {
   const ImU32 edge = given ? (answer.right ? c.good : c.bad) : c.rule;
   list->AddRectFilled(at, end, hovered ? c.button_hovered : c.button);
   frame_box(ui, at, end, edge, given ? 2.0f : 1.0f);
-  draw_text(ui, {at.x + pad, at.y + pad * 0.6f}, ui.fonts.bold, given ? edge : c.muted,
+  draw_text(ui, {at.x + pad, top}, ui.fonts.bold, given ? edge : c.muted,
             given ? (answer.right ? "\u2713" : "\u2717") : fmt::format("{}", index + 1));
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos({at.x + pad + key, at.y + pad * 0.6f});
+  ImGui::SetCursorScreenPos({at.x + pad + key, top});
   flow(ui, answer.text, how);
   ImGui::SetCursorScreenPos(after);
   if (clicked) ui.session.answer(index);
@@ -59,7 +61,7 @@ void draw_question(Ui& ui, const Question& question) {
 /// What is to be tried; it is tried in the drawer in which the run is changed.
 void draw_task(Ui& ui, const Task& task) {
   flow_markdown(ui, task.text);
-  if (button(ui, "Try it (Ctrl+E)")) ui.clicked = command_called("what-if");
+  if (tall_button(ui, "Try it (Ctrl+E)")) ui.clicked = command_called("what-if");
 }
 
 void draw_lesson(Ui& ui) {
@@ -83,14 +85,14 @@ void draw_lesson(Ui& ui) {
   if (stop.task) draw_task(ui, *stop.task);
   if (stop.marking) draw_marking(ui, *stop.marking);
   ImGui::Dummy({1, ui.em * 0.4f});
-  if (button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
+  if (tall_button(ui, "\u25c0 Back", false, s.stop() > 0)) s.next_stop(-1);
   const bool last = s.stop() + 1 == static_cast<int>(s.lesson()->stops.size());
   const std::string on = last ? "The last stop" : "Next (N) \u25b6";
   const float needed =
       text_size(ui, ui.fonts.text, "\u25c0 Back").x + text_size(ui, ui.fonts.text, on).x + ui.em * 2.8f;
   if (needed <= ImGui::GetContentRegionAvail().x) ImGui::SameLine(0, ui.em * 0.4f);
   else ImGui::Dummy({1, ui.em * 0.25f});
-  if (button(ui, on, !last && !s.question_open(), !last)) s.next_stop(1);
+  if (tall_button(ui, on, !last && !s.question_open(), !last)) s.next_stop(1);
   ImGui::PopID();
   // A class sees all answers, also where the text before them is long, and then why the right one is right.
   if (ui.presenter && ui.speaks_now && stop.question) ImGui::SetScrollY(ImGui::GetScrollMaxY());

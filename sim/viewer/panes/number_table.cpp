@@ -140,6 +140,7 @@ TableResult number_table(Ui& ui, const char* id, const std::vector<std::string>&
     const bool hovered = ImGui::IsItemHovered();
     ImGui::PopID();
     const ImVec2 end{at.x + width, at.y + height};
+    can_be_hit(ui, at, end);
     if (row.look == TableRow::Look::now) list->AddRectFilled(at, end, c.now_soft);
     if (row.lit) list->AddRectFilled(at, end, c.selected_soft);
     if (row.look == TableRow::Look::now) list->AddRectFilled(at, {at.x + std::round(3 * ui.thin), end.y}, c.now);

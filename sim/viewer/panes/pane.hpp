@@ -52,8 +52,13 @@ extern const Pane scene_pane;
 /// Across the window, below the panes.
 void draw_timeline(Ui& ui, ImVec2 size);
 float timeline_height(const Ui& ui);
-/// Buttons that move and play, each a command's, and the speed, in a place as wide as the widest.
-void draw_transport(Ui& ui, bool playing, const std::string& speed, float widest);
+/// The same where there is little room: rows so high, buttons below the strip, or beside it where that is all.
+void draw_small_timeline(Ui& ui, ImVec2 size, float row);
+/// Its buttons, which share this room.
+void draw_small_transport(Ui& ui, bool playing, ImVec2 size);
+/// Buttons that move and play, each a command's, and the speed, in a place as wide as the widest, where so much room
+/// has one for it.
+void draw_transport(Ui& ui, bool playing, const std::string& speed, float widest, float room);
 
 /// Does this trace's pseudo-code have a step that records this event?
 template <class E>

@@ -56,6 +56,7 @@ void draw_line(Ui& ui, const StepInfo& step, bool now, float level) {
   ImGui::PopID();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + width, at.y + height};
+  can_be_hit(ui, at, end);
   if (now) {
     list->AddRectFilled(at, end, c.now_soft);
     list->AddRectFilled(at, {at.x + 3, end.y}, c.now);

@@ -277,6 +277,7 @@ void draw_raster(Ui& ui, const char* id, float reserve_below, const Kept<Cells>&
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas.made), origin, end);
 
   ImGui::SetCursorScreenPos(origin);
+  can_be_hit(ui, origin, end);
   ImGui::InvisibleButton(id, {static_cast<float>(width), static_cast<float>(height)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   zoom_and_pan(ui, map, origin);

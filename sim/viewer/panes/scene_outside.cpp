@@ -186,6 +186,7 @@ void draw_outside(Ui& ui, ImVec2 size) {
           ->made;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("outside", size);
+  can_be_hit(ui, at, {at.x + size.x, at.y + size.y});
   ImGui::GetWindowDrawList()->AddImage(Renderer::image(picture.canvas), at,
                                        {at.x + static_cast<float>(whole.x), at.y + static_cast<float>(whole.y)});
   write_words(ui, seen.made, picture, at);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/viewer/commands.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/strip_marks.hpp"
 #include "sim/words/explain.hpp"
@@ -16,6 +15,7 @@ namespace {
 void scrub(Ui& ui, const char* id, const Strip& strip, bool with_stops) {
   ImGui::SetCursorScreenPos(strip.at);
   ImGui::InvisibleButton(id, {strip.width, strip.height});
+  can_be_hit(ui, strip.at, {strip.at.x + strip.width, strip.at.y + strip.height});
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
   if (!hovered && !active) return;
   const std::optional<Sign> sign = sign_under(ui, strip, with_stops);
@@ -198,43 +198,6 @@ void draw_polygon(Ui& ui, const Strip& strip, const ScanLineMarks::Interval& int
   draw_place(ui, strip);
 }
 
-/// A button that does what a key does, and says so.
-void command_button(Ui& ui, const char* label, const char* id, bool lit = false) {
-  const Command* command = command_called(id);
-  if (!command) return;
-  if (button(ui, label, lit)) ui.clicked = command;
-  if (!ImGui::IsItemHovered()) return;
-  const std::string says = fmt::format("{} ({})", command->title, key_names(*command));
-  tooltip(ui, {says});
-  ui.mouse_help = says;
-}
-
-}  // namespace
-
-void draw_transport(Ui& ui, bool playing, const std::string& speed, float widest) {
-  const float gap = ui.em * 0.25f;
-  command_button(ui, "|\u25c0", "first");
-  ImGui::SameLine(0, gap);
-  command_button(ui, "\u25c0", "previous");
-  ImGui::SameLine(0, gap);
-  command_button(ui, playing ? "Pause" : "Play \u25b6\u25b6", "play", playing);
-  ImGui::SameLine(0, gap);
-  command_button(ui, "\u25b6", "next");
-  ImGui::SameLine(0, gap);
-  command_button(ui, "\u25b6|", "last");
-  ImGui::SameLine(0, ui.em * 0.7f);
-  command_button(ui, "\u2212##slower", "slower");
-  ImGui::SameLine(0, gap);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text(ui, {at.x + (widest - text_size(ui, ui.fonts.text, speed).x) / 2, at.y + std::round(ui.em * 0.25f)},
-            ui.fonts.text, ui.colors().text, speed);
-  ImGui::Dummy({widest, ui.em});
-  ImGui::SameLine(0, gap);
-  command_button(ui, "+##faster", "faster");
-}
-
-namespace {
-
 struct StripSizes {
   float height, gap;
 };
@@ -245,6 +208,28 @@ StripSizes strip_sizes(const Ui& ui) {
 }
 
 }  // namespace
+
+void draw_small_timeline(Ui& ui, ImVec2 size, float row) {
+  const Session& s = ui.session;
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const bool below = size.y >= 2 * row;
+  const float gap = std::round(ui.em * 0.5f), wide = below ? size.x : std::round(size.x * 0.45f);
+  ImGui::SetCursorScreenPos({origin.x, origin.y + size.y - row});
+  draw_small_transport(ui, s.playing, {wide, row});
+  const std::string step = fmt::format("step {} of {}", grouped(s.position()), grouped(s.size()));
+  const float told = below ? 0 : text_size(ui, ui.fonts.text, step).x + ui.em,
+              left = below ? origin.x : origin.x + wide + gap;
+  const bool tells = !below && origin.x + size.x - left - told > 8 * ui.em;
+  Strip strip{{left, origin.y}, origin.x + size.x - left - (tells ? told : 0), row, 0, s.size()};
+  if (strip.width < 8) return;
+  scrub(ui, "whole", strip, true);
+  if (tells)
+    draw_text(ui, {origin.x + size.x - told + ui.em, origin.y + std::round((row - ui.em) / 2) - 1}, ui.fonts.text,
+              ui.colors().text, step);
+  strip.height = std::min(row, strip_sizes(ui).height);
+  strip.at.y += std::round((row - strip.height) / 2);
+  draw_whole(ui, strip, sections_of(ui));
+}
 
 float timeline_height(const Ui& ui) {
   const auto [height, gap] = strip_sizes(ui);
@@ -290,7 +275,7 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   const Session& s = ui.session;
   float widest = 0;
   for (const auto& speed : Session::speeds()) widest = std::max(widest, text_size(ui, ui.fonts.text, speed.name).x);
-  draw_transport(ui, s.playing, Session::speeds()[static_cast<std::size_t>(s.speed)].name, widest);
+  draw_transport(ui, s.playing, Session::speeds()[static_cast<std::size_t>(s.speed)].name, widest, size.x);
   ImGui::SameLine(0, ui.em);
   // What the mouse does here, else where this is; only when there is room for all of it.
   const std::string percent =
@@ -299,7 +284,7 @@ void draw_timeline(Ui& ui, ImVec2 size) {
   const float room = origin.x + size.x - ImGui::GetCursorScreenPos().x;
   const float right = text_size(ui, ui.fonts.mono, percent).x;
   const float line = ImGui::GetCursorScreenPos().y + std::round(ui.em * 0.3f);
-  draw_text(ui, {origin.x + size.x - right, line}, ui.fonts.mono, ui.colors().text, percent);
+  if (right < room) draw_text(ui, {origin.x + size.x - right, line}, ui.fonts.mono, ui.colors().text, percent);
   const bool lines = has_step_of<ScanLineBegin>(s.header()) || !sections.all.empty(),
              polygons = !s.trace().polygons().empty();
   const std::string every =

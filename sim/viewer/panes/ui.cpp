@@ -261,6 +261,7 @@ void frame_box(const Ui& ui, ImVec2 a, ImVec2 b, ImU32 color, float thickness) {
 
 bool number_at(Ui& ui, ImVec2 a, ImVec2 b, const answers::Question& question, const std::string& written) {
   if (!ui.asks) return false;
+  can_be_hit(ui, a, b);
   // What it lies on, a row of a table, may have taken the press already.
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) || !ImGui::IsMouseHoveringRect(a, b))
     return false;
@@ -282,18 +283,43 @@ Findings::Trust trust_of(const Ui& ui, formulas::Place::In in, std::int64_t numb
   return ui.findings ? ui.findings->trust({in, number}, ui.session.position()) : Findings::Trust::right;
 }
 
+void can_be_hit(Ui& ui, ImVec2 a, ImVec2 b) {
+  if (!ui.targets) return;
+  const ImVec2 low = ImGui::GetWindowDrawList()->GetClipRectMin(), high = ImGui::GetWindowDrawList()->GetClipRectMax();
+  ui.targets->add({std::max(a.x, low.x), std::max(a.y, low.y)}, {std::min(b.x, high.x), std::min(b.y, high.y)});
+}
+
+namespace {
+
+ImVec2 button_size(const Ui& ui, const std::string& label) {
+  const float text = text_size(ui, ui.fonts.text, label.substr(0, label.find("##"))).x;
+  return {text + 2 * std::round(ui.em * 0.55f), ui.em + 2 * std::round(ui.em * 0.25f) + 2};
+}
+
+}  // namespace
+
 bool button(Ui& ui, const std::string& label, bool lit, bool enabled) {
+  return button_of(ui, label, button_size(ui, label), lit, enabled);
+}
+
+bool tall_button(Ui& ui, const std::string& label, bool lit, bool enabled) {
+  const ImVec2 size = button_size(ui, label);
+  return button_of(ui, label, {std::max(size.x, ui.least_target), std::max(size.y, ui.least_target)}, lit, enabled);
+}
+
+bool button_of(Ui& ui, const std::string& label, ImVec2 size, bool lit, bool enabled) {
   const std::string shown = label.substr(0, label.find("##"));
-  const ImVec2 size = text_size(ui, ui.fonts.text, shown), at = ImGui::GetCursorScreenPos();
-  const float pad_x = std::round(ui.em * 0.55f), pad_y = std::round(ui.em * 0.25f);
-  const ImVec2 end{at.x + size.x + 2 * pad_x, at.y + ui.em + 2 * pad_y + 2};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + size.x, at.y + size.y};
+  const ImVec2 text{at.x + std::floor((size.x - text_size(ui, ui.fonts.text, shown).x) / 2),
+                    at.y + std::floor((size.y - ui.em - 2) / 2)};
+  can_be_hit(ui, at, end);
   const bool clicked = ImGui::InvisibleButton(label.c_str(), {end.x - at.x, end.y - at.y}) && enabled;
   const bool hovered = ImGui::IsItemHovered() && enabled;
   const Theme& c = ui.colors();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(at, end, lit ? c.now_soft : hovered ? c.button_hovered : c.button);
   frame_box(ui, at, end, lit ? c.now : c.rule);
-  draw_text(ui, {at.x + pad_x, at.y + pad_y}, ui.fonts.text, enabled ? c.text : c.muted, shown);
+  draw_text(ui, text, ui.fonts.text, enabled ? c.text : c.muted, shown);
   return clicked;
 }
 

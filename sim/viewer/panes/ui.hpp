@@ -28,6 +28,7 @@
 #include "sim/viewer/model/slice.hpp"
 #include "sim/viewer/model/summary.hpp"
 #include "sim/viewer/motion.hpp"
+#include "sim/viewer/targets.hpp"
 
 namespace zstep::viewer {
 
@@ -158,6 +159,8 @@ struct Ui {
   bool reads = false;  ///< the keys are at work, and the mouse lies where it was left: nothing may pop up at it
   std::vector<TableSeen>* tables_seen = nullptr;  ///< where they are put while a frame is drawn
   std::string mouse_help;            ///< what the mouse does here, for the bottom line
+  Targets* targets = nullptr;        ///< what a finger can hit is told there while a frame is drawn
+  float least_target = 0;  ///< how wide and high what is hit should be: for fingers and in small windows, else 0
 
   const Theme& colors() const { return *theme; }
   Moment moment() const { return Moment(session); }
@@ -220,6 +223,12 @@ Findings::Trust trust_of(const Ui& ui, formulas::Place::In in, std::int64_t numb
 
 /// A button with a label that fits; true when clicked.
 bool button(Ui& ui, const std::string& label, bool lit = false, bool enabled = true);
+/// The same, as high as a finger needs it where fingers are at work.
+bool tall_button(Ui& ui, const std::string& label, bool lit = false, bool enabled = true);
+/// The same of this size, its label in the middle.
+bool button_of(Ui& ui, const std::string& label, ImVec2 size, bool lit = false, bool enabled = true);
+/// What lies between these corners can be hit, as far as the window shows it.
+void can_be_hit(Ui& ui, ImVec2 a, ImVec2 b);
 /// A small window beside the mouse, or at this place, with these lines.
 void tooltip(Ui& ui, const std::vector<std::string>& lines, std::optional<ImVec2> at = {});
 

@@ -64,6 +64,12 @@ const page = {
     else warn('This browser did not let the page open another; its address is ' + page.address() + link);
   },
 
+  typingAt(left, top, right, bottom) {
+    line = {left, top, right, bottom};
+    Object.assign(typed.style, {left: left + 'px', top: top + 'px', width: right - left + 'px', height: bottom - top + 'px'});
+    if (right <= left) typed.blur();
+  },
+
   say(text) {
     if (said.textContent !== text) said.textContent = text;
   },
@@ -133,6 +139,44 @@ const page = {
   },
 };
 
+// --- A keyboard on the screen. It comes up when the line that is typed into is touched, types into a field of the page,
+// which passes on what changes there, and makes the window as high as what it leaves.
+const typed = document.getElementById('typed');
+const nothing = ' ';  // so that there is something to take back
+let line = {left: 0, top: 0, right: 0, bottom: 0}, passed = nothing;
+canvas.addEventListener('touchend', (event) => {
+  const {clientX: x, clientY: y} = event.changedTouches[0], near = 12;
+  if (line.right <= line.left || event.touches.length > 0) return;
+  if (x < line.left - near || x > line.right + near || y < line.top - near || y > line.bottom + near) return;
+  typed.value = passed = nothing;
+  typed.focus({preventScroll: true});
+});
+typed.addEventListener('input', () => {
+  const now = typed.value;
+  let same = 0;
+  while (same < Math.min(now.length, passed.length) && now[same] === passed[same]) same += 1;
+  Module.ccall('zstep_type', null, ['string', 'number'], [now.slice(same), [...passed.slice(same)].length]);
+  passed = now;
+  if (now === '') typed.value = passed = nothing;
+});
+for (const type of ['keydown', 'keypress', 'keyup'])
+  typed.addEventListener(type, (event) => {
+    // What these do to the field is passed on as a change of it.
+    const changes = event.key.length === 1 || ['Backspace', 'Process', 'Unidentified'].includes(event.key);
+    if (changes && !event.ctrlKey && !event.metaKey) event.stopPropagation();
+  });
+if (window.visualViewport)
+  visualViewport.addEventListener('resize', () => {
+    canvas.style.height = document.activeElement === typed ? visualViewport.height + 'px' : '';
+    scrollTo(0, 0);
+    dispatchEvent(new Event('resize'));
+  });
+typed.addEventListener('blur', () => {
+  if (canvas.style.height === '') return;
+  canvas.style.height = '';
+  dispatchEvent(new Event('resize'));
+});
+
 // --- The program. A page that holds it in itself has brought it along (packed.js).
 const inside = typeof packed === 'object' ? packed : null;
 const embedsRun = inside !== null && linkNow() === '#embed=1';
@@ -196,6 +240,7 @@ addEventListener('keydown', (event) => {
     return;
   }
   const alone = !event.ctrlKey && !event.metaKey;
+  if (alone && event.target === typed && event.key !== 'Tab') return;
   if (!alone && pageKeys.has(event.code)) event.preventDefault();
   if (event.altKey && event.key.startsWith('Arrow')) event.preventDefault();
   if (alone && ['F1', 'F3', 'F10', 'Tab', '/', "'"].includes(event.key)) event.preventDefault();
