@@ -48,6 +48,7 @@ struct Pictures::Impl {
     if (options.against) app.show_against(*options.against);
     look_at = [this, pixel = options.pixel, lead = options.lead] { app.look_at(pixel, lead); };
     if (options.run_by) app.allow_changes(options.run_by);
+    if (options.offers) app.offer(options.offers);
     if (options.race) app.open_race(options.race);
   }
   const Trace& trace;

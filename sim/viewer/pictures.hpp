@@ -29,6 +29,7 @@ struct PictureOptions {
   std::optional<RaceAsked> race{};      ///< in place of the panes; needs run_by
   /// ViewerOptions::run_changed; with it the title offers to change and to race, as the window's does
   std::function<OtherRun(const Trace&, const std::string&, const std::vector<Change>&)> run_by{};
+  std::function<std::vector<Offer>()> offers{};  ///< as in ViewerOptions: the title's words offer others
 };
 
 /// The panes that a trace has, by the names that PictureOptions takes.

@@ -23,7 +23,7 @@ int write_screenshot(const Trace& trace, const ViewerOptions& options) {
   how.notes = options.notes;
   how.pane = options.pane, how.lesson = options.lesson, how.checked = options.checked;
   how.against = options.against;
-  how.race = options.race, how.run_by = options.run_changed;
+  how.race = options.race, how.run_by = options.run_changed, how.offers = options.offers;
   how.pixel = options.pixel, how.lead = options.lead;
   Pictures pictures(trace, how);
   const Image image = options.stop ? pictures.at_stop(*options.stop) : pictures.at(options.at);
