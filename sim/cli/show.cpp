@@ -180,7 +180,7 @@ namespace {
   return race;
 }
 
-/// What --pixel says, if it says anything. Throws InputError if it is no pixel of the raster.
+/// The pixel that --pixel names; nothing where it is not given. Throws InputError where the raster has no such pixel.
 [[maybe_unused]] std::optional<Trace::Pixel> pixel_of(const std::string& text, const Raster& raster) {
   if (text.empty()) return std::nullopt;
   const std::vector<std::string> parts = parts_of(text, ',');

@@ -21,7 +21,7 @@ Touch::Point Touch::middle() const {
   return {(fingers_[0].at.x + fingers_[1].at.x) / 2, (fingers_[0].at.y + fingers_[1].at.y) / 2};
 }
 
-/// Of two fingers; never so little that a share of it says nothing.
+/// Between two fingers; a least distance keeps the zoom bounded where they nearly meet.
 float Touch::apart() const { return std::max(2 * slop, distance_between(fingers_[0].at, fingers_[1].at)); }
 
 /// What is under way ends, as where the last finger goes up.

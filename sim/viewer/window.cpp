@@ -15,7 +15,7 @@ namespace viewer {
 Window::Window(int width, int height) {
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");  // plain copies are 5 ms a frame faster on X11
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-  // A finger is told once, as a finger.
+  // SDL would tell of each touch twice, the second time as of a mouse.
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
   if (SDL_Init(SDL_INIT_VIDEO) != 0)

@@ -76,7 +76,7 @@ Bytes without_paths(const Bytes& trace) {
   try {
     if (put_blocks(out, source, place->end())) return out;
   } catch (const MalformedBytes&) {
-    // Then as it is: whoever opens it is told what is wrong.
+    // A damaged run is kept as it is; the viewer says what is wrong with it.
   }
   out.resize(begin);
   append(out, whole.subspan(static_cast<std::size_t>(place->end())));
