@@ -24,20 +24,6 @@ namespace {
 
 constexpr std::uint64_t limit = 1 << 22;  // of a part, unpacked: larger ones are slow and reach nothing more
 
-class BytesSource : public ByteSource {
- public:
-  explicit BytesSource(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  std::uint64_t size() const override { return bytes_.size(); }
-  Bytes read(std::uint64_t offset, std::uint64_t size) const override {
-    if (offset > bytes_.size() || size > bytes_.size() - offset) throw MalformedBytes("it ends too early");
-    const auto part = bytes_.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
-    return {part.begin(), part.end()};
-  }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-};
-
 /// A file's parts, unpacked.
 struct Parts {
   Bytes head, scene;
@@ -48,7 +34,7 @@ struct Parts {
 };
 
 Parts take_apart(std::span<const std::uint8_t> bytes) {
-  const BytesSource source(bytes);
+  const MemoryView source(bytes);
   Parts parts;
   std::optional<ChunkPlace> place = chunk_at(source, make_signature().size());
   for (; place; place = chunk_at(source, place->end())) {

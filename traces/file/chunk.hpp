@@ -39,6 +39,21 @@ class ByteSource {
   virtual Bytes read(std::uint64_t offset, std::uint64_t size) const = 0;
 };
 
+/// Of bytes that somebody else keeps.
+class MemoryView : public ByteSource {
+ public:
+  explicit MemoryView(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  std::uint64_t size() const override { return bytes_.size(); }
+  Bytes read(std::uint64_t offset, std::uint64_t size) const override {
+    if (offset > bytes_.size() || size > bytes_.size() - offset) throw MalformedBytes("it ends too early");
+    const auto part = bytes_.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+    return {part.begin(), part.end()};
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+};
+
 struct ChunkPlace {
   Tag tag{};
   std::uint64_t offset = 0;  ///< of the chunk's first byte

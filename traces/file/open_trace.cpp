@@ -52,11 +52,7 @@ class MemorySource : public ByteSource {
  public:
   explicit MemorySource(Bytes bytes) : bytes_(std::move(bytes)) {}
   std::uint64_t size() const override { return bytes_.size(); }
-  Bytes read(std::uint64_t offset, std::uint64_t size) const override {
-    if (offset > bytes_.size() || size > bytes_.size() - offset) throw MalformedBytes("it ends too early");
-    const auto begin = bytes_.begin() + static_cast<std::ptrdiff_t>(offset);
-    return {begin, begin + static_cast<std::ptrdiff_t>(size)};
-  }
+  Bytes read(std::uint64_t offset, std::uint64_t size) const override { return MemoryView(bytes_).read(offset, size); }
 
  private:
   Bytes bytes_;

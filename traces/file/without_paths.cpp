@@ -15,20 +15,6 @@ namespace {
 
 constexpr std::uint64_t most_scene_bytes = std::uint64_t{256} << 20;
 
-class SpanSource : public ByteSource {
- public:
-  explicit SpanSource(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  std::uint64_t size() const override { return bytes_.size(); }
-  Bytes read(std::uint64_t offset, std::uint64_t size) const override {
-    if (offset > bytes_.size() || size > bytes_.size() - offset) throw MalformedBytes("it ends too early");
-    const auto part = bytes_.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
-    return {part.begin(), part.end()};
-  }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-};
-
 void append(Bytes& out, std::span<const std::uint8_t> bytes) { out.insert(out.end(), bytes.begin(), bytes.end()); }
 
 /// The chunks after the scene, and an index of where they stand now; false where they are not as they were written.
@@ -58,7 +44,7 @@ bool put_blocks(Bytes& out, const ByteSource& source, std::uint64_t offset) {
 std::string last_part(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
 
 Bytes without_paths(const Bytes& trace) {
-  const SpanSource source(trace);
+  const MemoryView source(trace);
   const auto head = chunk_at(source, trace_signature.size() + 4);
   const auto place = head ? chunk_at(source, head->end()) : std::nullopt;
   if (!place || place->tag != scene_tag) throw MalformedBytes("its scene is missing");
