@@ -35,6 +35,17 @@ void check_read(App& app, bool covers = false) {
   none("faint", test::faint(app, drawn));
 }
 
+/// With each page of the drawer.
+void check_drawer_read(App& app) {
+  const Cell cell = test::a_drawn_pixel(app);
+  for (const Drawer page : test::all_pages()) {
+    CAPTURE(static_cast<int>(page));
+    test::open_page(app, page, cell);
+    check_read(app);
+    app.open(Drawer::none);
+  }
+}
+
 /// Each stop in one size, seldom in the largest; with ZSTEP_ALL_SIZES set in all of them, which takes six times as
 /// long.
 void check_stops(Dress dress) {
@@ -105,13 +116,7 @@ TEST_CASE("law: all that is asked is read in the drawer") {
       settings.dark = dress == Dress::dark, settings.presenter = dress == Dress::presenter;
       App app(trace, turn % 2 == 0 ? nullptr : &lesson, settings, width, height);
       app.session().go_to(867);
-      const Cell cell = test::a_drawn_pixel(app);
-      for (const Drawer page : test::all_pages()) {
-        CAPTURE(static_cast<int>(page));
-        test::open_page(app, page, cell);
-        check_read(app);
-        app.open(Drawer::none);
-      }
+      check_drawer_read(app);
     }
 }
 TEST_CASE("law: all that is asked on a phone is read") {
@@ -121,13 +126,7 @@ TEST_CASE("law: all that is asked on a phone is read") {
     CAPTURE(width);
     App app(trace, &lesson, {}, width, height);
     app.session().go_to(867);
-    const Cell cell = test::a_drawn_pixel(app);
-    for (const Drawer page : test::all_pages()) {
-      CAPTURE(static_cast<int>(page));
-      test::open_page(app, page, cell);
-      check_read(app);
-      app.open(Drawer::none);
-    }
+    check_drawer_read(app);
     for (const Overlay overlay : {Overlay::menu, Overlay::settings, Overlay::palette, Overlay::go_to}) {
       CAPTURE(static_cast<int>(overlay));
       app.open(overlay);
