@@ -11,6 +11,7 @@
 #include "sim/cli/grade.hpp"
 #include "sim/cli/messages.hpp"
 #include "sim/cli/outputs.hpp"
+#include "sim/cli/publish.hpp"
 #include "sim/cli/watch.hpp"
 #include "sim/cli/words.hpp"
 #include "sim/homework/pictures.hpp"
@@ -41,7 +42,8 @@ const homework::Task& task_called(const homework::Homework& given, const std::st
                    did_you_mean(name, names, "it has " + enumerate(names, "and")));
 }
 
-std::string report(const homework::Assessment& all, const GradeOptions& options, double seconds) {
+std::string report(const homework::Assessment& all, const GradeOptions& options, double seconds,
+                   const std::string& steps_page = "") {
   const std::string command =
       fmt::format("zstep grade --homework {} {}", shell_word(options.folder), shell_word(options.submission)) +
       (options.student.empty() ? "" : " --student " + shell_word(options.student));
@@ -57,7 +59,7 @@ std::string report(const homework::Assessment& all, const GradeOptions& options,
     case 4:
       return homework::report_junit(all);
     default:
-      return homework::report_html(all, command);
+      return homework::report_html(all, command, steps_page);
   }
 }
 
@@ -101,6 +103,25 @@ int code_of(const homework::Assessment& all) {
   return homework::all_right(all) ? exit_code::done : exit_code::finding;
 }
 
+/// The page of both runs, where one is asked for and was written, as a link in the report names it.
+std::string made_steps_page(const homework::Homework& given, const homework::Assessment& all,
+                            const GradeOptions& options) {
+  if (options.steps_page.empty() || !write_steps_page(given, all, options)) return "";
+  return std::filesystem::absolute(options.steps_page)
+      .lexically_relative(std::filesystem::absolute(options.out).parent_path())
+      .generic_string();
+}
+
+void check_steps_page(const GradeOptions& options) {
+  if (options.steps_page.empty()) {
+    if (!options.site.empty()) throw InputError("--site", "is of the page of both runs", "add --steps FILE.html");
+    return;
+  }
+  if (format_of(options) != grade_formats.size() - 1 || options.out.empty())
+    throw InputError("--steps", "is a page that a report of HTML leads to", "add --format html -o FILE.html");
+  page_without_run(options.site);
+}
+
 /// Grades in a process of its own: whatever becomes of that, there is a report, and it says so.
 Answer grade_apart(const homework::Homework& given, const GradeOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
@@ -109,7 +130,7 @@ Answer grade_apart(const homework::Homework& given, const GradeOptions& options)
   };
   const auto grade = [&] {
     const homework::Assessment all = homework::assess(given, options.submission, options.scene);
-    return Answer{report(all, options, seconds()), code_of(all)};
+    return Answer{report(all, options, seconds(), made_steps_page(given, all, options)), code_of(all)};
   };
   const auto say_why = [&](const std::string& why) {
     const std::string text = "could not be graded: the grading " + why;
@@ -137,8 +158,8 @@ int grade_and_show(const homework::Homework& given, const GradeOptions& options)
       given, options.submission, options.scene,
       [&](const homework::Task& task) { watch.show(fmt::format("grading: {} (Ctrl-C stops)", task.name)); });
   watch.clear_line();
-  write_report(report(all, options, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()),
-               options);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write_report(report(all, options, seconds, made_steps_page(given, all, options)), options);
   const int code = show_runs(given, all, options);
   return code != exit_code::done ? code : code_of(all);
 }
@@ -156,7 +177,11 @@ int run(const GradeOptions& options) {
        {std::pair{"--jobs", options.jobs.has_value()}, {"--report", !options.report.empty()}})
     if (is_given) throw InputError(name, "is of a class", "leave it out, or give the class with --batch FOLDER");
   format_of(options);
-  if (!options.out.empty()) check_outputs({}, {options.folder + "/homework.toml", options.submission}, {options.out});
+  std::vector<std::string> outputs;
+  for (const std::string& path : {options.out, options.steps_page})
+    if (!path.empty()) outputs.push_back(path);
+  if (!outputs.empty()) check_outputs({}, {options.folder + "/homework.toml", options.submission}, outputs);
+  check_steps_page(options);
   check_view(options.view, options.show, {options.submission});
   const homework::Homework given = homework::load_homework(options.folder, options.student);
   if (given.seeded() && options.student.empty())
@@ -188,6 +213,12 @@ void add_grade(CLI::App& app, Action& action) {
       ->type_name("NUMBER");
   command->add_option("--report", options->report, "A page of the class: what fails most, points, all submissions")
       ->type_name("FILE.html");
+  command
+      ->add_option("--steps", options->steps_page,
+                   "With --format html: a page that the report leads to, which shows both runs from the first wrong "
+                   "step on, in any browser")
+      ->type_name("FILE.html");
+  add_site_option(*command, options->site);
   command->add_flag("--view", options->view, "Then open the viewer at the first wrong step, beside the reference");
   add_show_options(*command, options->show);
   command->footer(
@@ -201,6 +232,7 @@ void add_grade(CLI::App& app, Action& action) {
       "  zstep grade --homework hw3 triangle.jsonl --view\n"
       "  zstep grade --homework hw3 runs --format gradescope -o results.json\n"
       "  zstep grade --homework hw3 runs --format html -o page.html\n"
+      "  zstep grade --homework hw3 runs --format html -o page.html --steps steps.html\n"
       "  zstep grade --homework hw3 --batch submissions --jobs 4 -o gradebook.csv");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -38,6 +38,8 @@ void check_class(const GradeOptions& options) {
   needless("--format", options.format.has_value());
   needless("--view", options.view);
   needless("--student", !options.student.empty());
+  needless("--steps", !options.steps_page.empty());
+  needless("--site", !options.site.empty());
   if (!options.submission.empty())
     throw InputError(options.submission, "is one submission, and --batch grades a folder of them", "keep one of them");
   if (options.out.empty())

@@ -47,9 +47,13 @@ std::unique_ptr<Opened> open_lesson(const std::string& name) {
 
 std::unique_ptr<Opened> open_scene(const Trace& now, const std::string& name) {
   if (name.ends_with(".md")) return open_lesson(name);
-  if (is_trace(name))
+  if (is_trace(name)) {
+    std::string impossible;
+    Trace trace = open_to_judge(name, impossible, Cost::free);
+    std::string note = impossible.empty() ? "" : "It is shown up to a step that cannot be: " + impossible;
     return std::make_unique<Opened>(
-        Opened{open_trace(name, Cost::free), {}, std::vector<std::string>{"view", name}, {}});
+        Opened{std::move(trace), {}, std::vector<std::string>{"view", name}, std::move(note), std::move(impossible)});
+  }
   RunOptions options;
   options.scene = name;
   const Run run = prepare(options);  // by the Z-buffer, which draws every scene

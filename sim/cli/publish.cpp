@@ -1,4 +1,6 @@
 // zstep publish: a run inside one page that shows it, in any browser and from disk.
+#include "sim/cli/publish.hpp"
+
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -34,20 +36,6 @@ constexpr double megabyte = 1e6;
 constexpr double usual_limit = 5 * megabyte;       // of what course pages and mail take
 constexpr double longest_page = 500 * megabyte;    // a browser's texts have at most 2^29 letters
 constexpr const char* page_name = "publish.html";  // as sim/web/site.cmake calls it
-
-/// The page of ./zstep web: in the folder that is named, or in the checkout that this program was built in.
-fs::path page_without_run(const std::string& site) {
-  const char* const named = std::getenv("ZSTEP_SITE");
-  std::error_code error;
-  fs::path page;
-  if (!site.empty()) page = fs::path(site) / page_name;
-  else if (named != nullptr && *named != '\0') page = fs::path(named) / page_name;
-  else if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error)
-    page = program.parent_path().parent_path() / "web" / "site" / page_name;
-  if (fs::is_regular_file(page, error)) return page;
-  throw InputError(page.empty() ? page_name : page.string(), "there is no page to put a run into",
-                   "./zstep web -o site makes one; then add --site site");
-}
 
 /// A trace's bytes as the page holds them.
 PublishedFile file_of(const std::string& path, std::string name, Watch& watch) {
@@ -154,6 +142,25 @@ int publish(const PublishOptions& options) {
 
 }  // namespace
 
+fs::path page_without_run(const std::string& site) {
+  const char* const named = std::getenv("ZSTEP_SITE");
+  std::error_code error;
+  fs::path page;
+  if (!site.empty()) page = fs::path(site) / page_name;
+  else if (named != nullptr && *named != '\0') page = fs::path(named) / page_name;
+  else if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error)
+    page = program.parent_path().parent_path() / "web" / "site" / page_name;
+  if (fs::is_regular_file(page, error)) return page;
+  throw InputError(page.empty() ? page_name : page.string(), "there is no page to put a run into",
+                   "./zstep web -o site makes one; then add --site site");
+}
+
+void add_site_option(CLI::App& command, std::string& site) {
+  command.add_option("--site", site, "The folder that './zstep web -o' made (default: of the checkout of this zstep)")
+      ->type_name("FOLDER")
+      ->group("Output");
+}
+
 void add_publish(CLI::App& app, Action& action) {
   const auto options = std::make_shared<PublishOptions>();
   CLI::App* command = app.add_subcommand("publish", "Put a run into one page that shows it in any browser");
@@ -162,11 +169,7 @@ void add_publish(CLI::App& app, Action& action) {
       ->type_name("FILE.html")
       ->required()
       ->group("Output");
-  command
-      ->add_option("--site", options->site,
-                   "The folder that './zstep web -o' made (default: of the checkout of this zstep)")
-      ->type_name("FOLDER")
-      ->group("Output");
+  add_site_option(*command, options->site);
   CLI::Option* check = command->add_flag("--check", options->check,
                                          "The page judges the run and opens at its first mistake, all marked");
   command->add_option("--against", options->against, "A second run beside it; the page opens where they first part")

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/image/file.hpp"
+#include "sim/words/percent.hpp"
 #include "traces/error.hpp"
 #include "traces/file/chunk.hpp"
 #include "traces/text.hpp"
@@ -45,13 +46,9 @@ KeptJson kept_json(const fs::path& path) {
 
 std::string file_name_of(const std::string& name) {
   constexpr std::size_t longest = 120;
-  std::string file;
-  for (const char c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       (std::string_view("._-@+ ").find(c) != std::string_view::npos && !file.empty());
-    if (plain) file += c;
-    else file += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
+  const std::string_view all = name;
+  const std::string file = percent_encoded(all.substr(0, 1), "") +
+                           percent_encoded(all.substr(std::min<std::size_t>(1, all.size())), "._-@+ ");
   if (file.size() <= longest) return file;
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(name.data()), name.size());
   return fmt::format("{}%{:016x}", file.substr(0, longest), checksum_of(Tag{'N', 'A', 'M', 'E'}, bytes));

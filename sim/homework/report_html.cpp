@@ -10,6 +10,7 @@
 #include "sim/pages/page.hpp"
 #include "sim/pages/pictures.hpp"
 #include "sim/words/explain.hpp"
+#include "sim/words/percent.hpp"
 #include "sim/words/shell_word.hpp"
 
 namespace zstep::homework {
@@ -124,19 +125,23 @@ std::string mistake_html(const FirstWrong& first) {
   return text.empty() ? "" : "<p>" + text + "</p>\n";
 }
 
-std::string first_wrong(const Graded& task, const std::string& command) {
+std::string first_wrong(const Graded& task, const std::string& command, const std::string& steps_page) {
   const FirstWrong& first = *task.first;
+  const std::string link =
+      steps_page.empty() ? ""
+                         : fmt::format("<p><a href=\"{}\">Step through both runs from here</a>, in this browser.</p>\n",
+                                       percent_encoded(steps_page, "-_.~/"));
   const std::string to_see = task.from_picture
                                  ? ""  // it has no steps that a window could show
                                  : fmt::format(" To see both runs at this step: "
                                              "<code class=\"command\">{} --scene {} --view</code>",
                                                shown(command), shown(shell_word(task.task->name)));
   return fmt::format(
-      "<h2>Look at this first</h2>\n<p>In {}{}: <strong>{}{}</strong></p>\n<p>{}</p>\n{}{}"
+      "<h2>Look at this first</h2>\n<p>In {}{}: <strong>{}{}</strong></p>\n<p>{}</p>\n{}{}{}"
       "<p>Later mistakes can follow from this one: mend it, then grade again.{}</p>\n{}",
       shown(task.task->name), first.where.empty() ? "" : ", " + shown(first.where), shown(first.step),
       first.subject.empty() ? "" : ", " + shown(first.subject), shown(first.what), both_sides(first),
-      mistake_html(first), to_see, pictures(task));
+      mistake_html(first), link, to_see, pictures(task));
 }
 
 std::string what_works(const Assessment& all) {
@@ -221,7 +226,7 @@ std::string points_by_part(const Assessment& all) {
 
 }  // namespace
 
-std::string report_html(const Assessment& all, const std::string& command) {
+std::string report_html(const Assessment& all, const std::string& command, const std::string& steps_page) {
   const Homework& homework = *all.homework;
   std::string page = page_begin(homework.title + ": " + all.submission);
   page += fmt::format("<h1>{}: {}</h1>\n", shown(homework.title), shown(all.submission));
@@ -231,7 +236,7 @@ std::string report_html(const Assessment& all, const std::string& command) {
           : "<p><strong>Nothing here could be graded, so there are no points yet; why is said below.</strong></p>\n";
   if (homework.left_out > 0) page += "<p>The hidden scenes are not here; their points are not counted.</p>\n";
   if (all.gradable()) page += what_works(all);
-  if (const Graded* wrong = first_to_mend(all)) page += first_wrong(*wrong, command);
+  if (const Graded* wrong = first_to_mend(all)) page += first_wrong(*wrong, command, steps_page);
   else if (all_right(all)) page += "<p>Every step is right.</p>\n";
   else if (const std::string next = next_part_text(all); !next.empty()) page += "<p>" + shown(next) + "</p>\n";
   return (page + points_by_part(all)).append(page_end);

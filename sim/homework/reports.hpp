@@ -12,8 +12,9 @@ namespace zstep::homework {
 /// For a student: what works, where the first thing goes wrong, and how the points come about. `command` opens the
 /// viewer on a task: "zstep grade … --scene one --view".
 std::string report_text(const Assessment& assessment, const std::string& command);
-/// The same as one page that opens from disk, with the pictures of the scene of the first wrong step.
-std::string report_html(const Assessment& assessment, const std::string& command);
+/// The same as one page that opens from disk, with the pictures of the scene of the first wrong step. `steps_page`:
+/// what shows both runs from there on, as a link names it; empty where there is none.
+std::string report_html(const Assessment& assessment, const std::string& command, const std::string& steps_page = "");
 /// All of it as one JSON object.
 std::string report_json(const Assessment& assessment);
 /// Gradescope's results.json: https://gradescope-autograders.readthedocs.io/en/latest/specs/

@@ -47,16 +47,25 @@ std::string fault_of(std::string_view name) {
   return "";
 }
 
-std::vector<Bookmark> read(const std::filesystem::path& path, std::int64_t size) {
-  const std::vector<std::uint8_t> bytes = read_file(path, most_bytes);
-  std::string_view left(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+bool is_file(const std::string& name) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(name, ignored);
+}
+
+void sort(std::vector<Bookmark>& all) {
+  std::stable_sort(all.begin(), all.end(), [](const Bookmark& a, const Bookmark& b) { return a.step < b.step; });
+}
+
+}  // namespace
+
+std::vector<Bookmark> bookmarks_in(std::string_view left, const std::string& file, int line, std::int64_t size) {
   std::vector<Bookmark> all;
-  for (int line = 1; !left.empty(); ++line) {
+  for (; !left.empty(); ++line) {
     const std::size_t end = std::min(left.find('\n'), left.size());
     const std::string_view text = classroom::trim(left.substr(0, end));
     left.remove_prefix(std::min(end + 1, left.size()));
     if (text.empty() || text.front() == '#') continue;
-    const std::string where = fmt::format("{}:{}", path.string(), line);
+    const std::string where = fmt::format("{}:{}", file, line);
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
     if (digits == 0 || digits > 18 || (digits < text.size() && text[digits] != ' ' && text[digits] != '\t'))
       throw InputError(where, "does not begin with a step", mend_bookmarks);
@@ -72,19 +81,24 @@ std::vector<Bookmark> read(const std::filesystem::path& path, std::int64_t size)
       throw InputError(where, fmt::format("there are more than {} bookmarks", most_marks), "remove some");
     all.push_back({step, std::string(name)});
   }
+  sort(all);
   return all;
 }
 
-bool is_file(const std::string& name) {
+std::vector<Bookmark> read_bookmarks(const std::filesystem::path& file, std::int64_t size) {
   std::error_code ignored;
-  return std::filesystem::is_regular_file(name, ignored);
+  if (!std::filesystem::exists(file, ignored)) return {};
+  const std::vector<std::uint8_t> bytes = read_file(file, most_bytes);
+  return bookmarks_in({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string(), 1, size);
 }
 
-void sort(std::vector<Bookmark>& all) {
-  std::stable_sort(all.begin(), all.end(), [](const Bookmark& a, const Bookmark& b) { return a.step < b.step; });
+void write_bookmarks(const std::filesystem::path& file, const std::string& whose, const std::vector<Bookmark>& all) {
+  std::string text = fmt::format("# bookmarks of {}\n", whose);
+  for (const Bookmark& mark : all) text += fmt::format("{} {}\n", mark.step, mark.name);
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  rewrite_file(file, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
-
-}  // namespace
 
 std::filesystem::path marks_file(const std::string& trace) { return trace + ".marks"; }
 
@@ -92,6 +106,8 @@ std::filesystem::path marks_file(const Lesson& lesson) {
   const std::filesystem::path folder = kept_folder();
   return folder.empty() || lesson.id.empty() ? std::filesystem::path() : folder / "lessons" / (lesson.id + ".marks");
 }
+
+std::string whose_marks(const std::string& lesson) { return "the lesson " + lesson; }
 
 std::filesystem::path kept_folder() {
   const auto from = [](const char* variable) -> std::filesystem::path {
@@ -107,9 +123,7 @@ std::filesystem::path kept_folder() {
 }
 
 void Bookmarks::open(const Trace& trace, const std::filesystem::path& file, const std::string& whose) {
-  std::error_code ignored;
-  if (std::filesystem::exists(file, ignored)) all_ = read(file, trace.size());
-  sort(all_);
+  all_ = read_bookmarks(file, trace.size());
   file_ = file, whose_ = whose;
 }
 
@@ -120,7 +134,7 @@ Bookmarks::Bookmarks(const Trace& trace) {
 
 Bookmarks::Bookmarks(const Trace& trace, const Lesson* lesson) {
   if (!lesson) *this = Bookmarks(trace);
-  else if (const auto file = marks_file(*lesson); !file.empty()) open(trace, file, "the lesson " + lesson->id);
+  else if (const auto file = marks_file(*lesson); !file.empty()) open(trace, file, whose_marks(lesson->id));
 }
 
 std::optional<std::int64_t> Bookmarks::find(const std::string& name) const {
@@ -157,11 +171,7 @@ void Bookmarks::check_can_keep() const {
 
 void Bookmarks::keep(std::vector<Bookmark> all) {
   check_can_keep();
-  std::string text = fmt::format("# bookmarks of {}\n", whose_);
-  for (const Bookmark& mark : all) text += fmt::format("{} {}\n", mark.step, mark.name);
-  std::error_code ignored;
-  std::filesystem::create_directories(file_.parent_path(), ignored);
-  rewrite_file(file_, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  write_bookmarks(file_, whose_, all);
   all_ = std::move(all);
 }
 

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/classroom/lesson.hpp"
@@ -53,6 +54,16 @@ class Bookmarks {
   std::string whose_;           ///< "run.ztrace", "the lesson z-buffer"
   std::vector<Bookmark> all_;
 };
+
+/// The bookmarks of a text in that form, by step. Throws InputError, of `file` and a line counted from `first_line`,
+/// where it is none, or one lies beyond the trace's end, `size`.
+std::vector<Bookmark> bookmarks_in(std::string_view text, const std::string& file, int first_line, std::int64_t size);
+/// The same of a file; none where there is no such file.
+std::vector<Bookmark> read_bookmarks(const std::filesystem::path& file, std::int64_t size);
+/// Writes such a file. Throws InputError where its folder cannot be written to.
+void write_bookmarks(const std::filesystem::path& file, const std::string& whose, const std::vector<Bookmark>& all);
+/// Whose bookmarks the first line of a lesson's file says they are.
+std::string whose_marks(const std::string& lesson);
 
 /// run.ztrace -> run.ztrace.marks
 std::filesystem::path marks_file(const std::string& trace);

@@ -310,7 +310,7 @@ bool App::handle(const SDL_Event& event, float pixels_per_point) {
       if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) session_.looking_back = false, take_acts(touch_.end());
       return false;
     case SDL_DROPFILE:
-      if (event.drop.file) open_offer({Offer::What::scene, event.drop.file, {}, {}});
+      if (event.drop.file) take_file(event.drop.file);
       SDL_free(event.drop.file);
       return false;
     case SDL_QUIT:

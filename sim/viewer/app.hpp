@@ -35,6 +35,10 @@ struct WindowRequests {
   bool leave_page = false;                  ///< that it is embedded in: to a window with everything
   bool toggle_notes = false;                ///< the speaker's, in a window of their own
   bool choose_file = false;                 ///< by the desktop's own dialogue
+  bool save_progress = false;               ///< and settings and bookmarks, as one file
+  bool check = false;                       ///< whether each step follows from its own operands
+  std::optional<std::string> compare_with;  ///< the run of a file, or of what can be opened; empty: zstep's own
+  bool marks_kept = false;                  ///< other bookmarks are in their file than before
   std::optional<std::string> clipboard;
   std::optional<std::string> save_picture;  ///< path
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
@@ -61,7 +65,18 @@ struct Changed {
 enum class Overlay { none, keys, palette, go_to, menu, start, here, settings, racers, film };
 /// What is asked about the run, in the drawer.
 enum class Drawer {
-  none, history, why_ask, why, explain, until, query, name_bookmark, bookmarks, range, what_if
+  none,
+  history,
+  why_ask,
+  why,
+  explain,
+  until,
+  query,
+  name_bookmark,
+  bookmarks,
+  range,
+  compare,
+  what_if
 };
 
 class App {
@@ -90,6 +105,11 @@ class App {
   void show_findings(const CheckedRun& checked);
   /// Shows a second run beside this one. What it points to must live as long.
   void show_against(const AgainstRun& with);
+  bool compares() const { return against_.has_value(); }
+  void end_against();  ///< and shows this one alone
+  // The drawer's page of it (drawer/compare.cpp)
+  void open_compare();  ///< or ends comparing
+  void compare_typed();
   /// To the next (1) or previous (-1) cause of what is wrong, or of why two runs part.
   void to_cause(int direction);
   void to_first_cause();
@@ -122,6 +142,7 @@ class App {
   void open_start();  ///< with the lesson picked that was open last
   void open_start(Offer::What what);  ///< with the first of these picked that is not what is shown
   void open_offer(const Offer& offer);
+  void take_file(const std::string& path);    ///< that was chosen, or dropped on the window
   void say_on_start(const std::string& why);  ///< that it could not be opened
 
   // --- What if (app_changes.cpp, drawer/what_if.cpp)
@@ -283,6 +304,7 @@ class App {
   bool name_typed(SDL_Keycode code, unsigned modifiers);
   bool pick_bookmark(SDL_Keycode code, unsigned modifiers);
   bool edit_range(SDL_Keycode code, unsigned modifiers);
+  bool edit_compare(SDL_Keycode code, unsigned modifiers);
   bool pick_changeable(SDL_Keycode code, unsigned modifiers);
 
  private:

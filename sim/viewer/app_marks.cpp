@@ -9,6 +9,7 @@
 namespace zstep::viewer {
 
 void App::show_findings(const CheckedRun& checked) {
+  end_against();
   findings_.emplace(session_.trace(), checked);
   ui_.findings = &*findings_;
   ui_.marks = &*findings_;
@@ -16,6 +17,8 @@ void App::show_findings(const CheckedRun& checked) {
 }
 
 void App::show_against(const AgainstRun& with) {
+  end_against();
+  findings_.reset(), ui_.findings = nullptr;
   against_.emplace(session_, with);
   opens_at_cause_ = with.at_first_cause;
   other_ui_ = std::make_unique<Ui>(against_->session(), renderer_);
@@ -24,6 +27,15 @@ void App::show_against(const AgainstRun& with) {
   if (slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header())) set_lead(slice_pane.id);
   ui_.marks = &against_->marks_of_a();
   other_ui_->marks = &against_->marks_of_b();
+  session_.touch();
+}
+
+void App::end_against() {
+  if (!against_) return;
+  ui_.other = nullptr, ui_.marks = nullptr, ui_.pixel_marks = nullptr;
+  other_ui_.reset();
+  against_.reset();
+  opens_at_cause_ = false;
   session_.touch();
 }
 
@@ -38,8 +50,7 @@ void App::to_first_cause() {
 }
 
 void App::to_cause(int direction) {
-  if (!ui_.marks)
-    return say("Nothing was checked: zstep check FILE --view opens a run with what is wrong in it marked.");
+  if (!ui_.marks) return say("Nothing was checked: Ctrl+K checks this run, Ctrl+D compares it with another.");
   const char* none = direction > 0 ? "There is no later cause." : "There is no earlier cause.";
   if (ui_.marks->causes().empty()) return say(against_ ? "The two runs do not part." : "Nothing is wrong.");
   if (against_) {
@@ -55,8 +66,7 @@ void App::to_cause(int direction) {
   else say(none);
 }
 
-static constexpr const char* no_second_run =
-    "There is no second run: zstep view FILE.ztrace --against FILE.ztrace shows two.";
+static constexpr const char* no_second_run = "There is no second run: Ctrl+D compares this one with another.";
 
 void App::to_marked(int direction) {
   if (against_) {
@@ -65,9 +75,7 @@ void App::to_marked(int direction) {
                  : say(direction > 0 ? "There is no later difference." : "There is no earlier difference.");
   }
   if (!findings_)
-    return say(
-        "Nothing was checked or compared: zstep check FILE --view does, "
-        "or zstep view FILE.ztrace --against FILE.ztrace.");
+    return say("Nothing was checked or compared: Ctrl+K checks this run, Ctrl+D compares it with another.");
   const auto step = findings_->next_marked(session_.position(), direction);
   if (step) session_.go_to(*step);
   else say(direction > 0 ? "No later step is marked." : "No earlier step is marked.");

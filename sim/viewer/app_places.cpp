@@ -40,6 +40,7 @@ void App::remove_bookmark(std::size_t place) {
   if (all.empty()) return;
   const std::string name = all[std::min(place, all.size() - 1)].name;
   const std::string fault = places_.remove_bookmark(place);
+  requests.marks_kept = fault.empty();
   say(fault.empty() ? fmt::format("Removed the bookmark {}.", name) : fault);
   picked = std::clamp(static_cast<int>(place), 0, std::max(0, static_cast<int>(places_.bookmarks().size()) - 1));
 }

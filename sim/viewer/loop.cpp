@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "sim/image/file.hpp"
 #include "sim/image/png.hpp"
 #include "sim/viewer/commands.hpp"
 #include "sim/viewer/description.hpp"
+#include "sim/viewer/progress_file.hpp"
 #include "traces/error.hpp"
 
 namespace zstep::viewer {
@@ -63,6 +65,8 @@ void Loop::serve() {
     stage_.open(*offer);
     name_window(window_, stage_.trace());
   }
+  if (std::exchange(stage_.app().requests.check, false)) stage_.check();
+  if (const auto with = std::exchange(stage_.app().requests.compare_with, std::nullopt)) stage_.compare_with(*with);
   const bool goes_on = stage_.app().requests.change_goes_on;
   for (const Change& change : std::exchange(stage_.app().requests.changes, {})) stage_.change(change, goes_on);
   if (const int direction = std::exchange(stage_.app().requests.undo_change, 0); direction != 0) stage_.undo(direction);
@@ -77,6 +81,8 @@ void Loop::serve() {
   if (r.leave_page && !system::open_beside(app.link_of_whole())) app.end_embedding();
   if (r.toggle_notes) notes_.toggle(app);
   if (r.clipboard) system::copy_text(*r.clipboard);
+  if (r.marks_kept) system::kept(places::kept_folder());
+  if (r.save_progress) save_progress();
   if (r.save_picture) {
     try {
       write_png(*r.save_picture, app.renderer().width(), app.renderer().height(), app.renderer().rgb());
@@ -102,10 +108,23 @@ void Loop::save(bool at_end) {
   kept.remember(place_key(stage_.first()), stage_.first_app().session().position());
   const std::filesystem::path path = settings_path();
   if (!path.empty()) {
-    if (save_settings(path, kept)) system::settings_saved(path);
+    if (save_settings(path, kept)) system::kept(path.parent_path());
     else if (at_end) fmt::print(stderr, "zstep: the viewer's settings could not be saved to {}\n", path.string());
   }
   saved_ = std::move(kept);
+}
+
+void Loop::save_progress() {
+  save(true);  // what there is by now
+  const std::string text = progress_text(places::kept_folder());
+  try {
+    write_file(progress_file_name, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    stage_.app().say(
+        fmt::format("Saved {} {}: settings, progress and bookmarks. Open it in another zstep to take them over.",
+                    progress_file_name, system::hand_over(progress_file_name)));
+  } catch (const InputError& error) {
+    stage_.app().say(error.what());
+  }
 }
 
 void Loop::tell_place() {

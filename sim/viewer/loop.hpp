@@ -39,6 +39,7 @@ class Loop {
  private:
   void serve();
   void save(bool at_end);
+  void save_progress();
   void tell_place();
   void say_place();
   void tell_typing();

@@ -66,10 +66,9 @@ std::filesystem::path settings_path() {
   return folder.empty() ? folder : folder / "viewer.ini";
 }
 
-Settings load_settings(const std::filesystem::path& path) {
+Settings read_settings(std::istream& from) {
   Settings s;
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) {
+  for (std::string line; std::getline(from, line);) {
     const std::size_t equals = line.rfind(" = ");  // a formula's name has one, too
     if (equals == std::string::npos || equals > 400) continue;
     const std::string key = line.substr(0, equals), value = line.substr(equals + 3);
@@ -98,6 +97,11 @@ Settings load_settings(const std::filesystem::path& path) {
     else if (key.rfind("lesson ", 0) == 0) s.see_stop(key.substr(7), static_cast<int>(std::clamp(whole, 0L, 9999L)));
   }
   return s;
+}
+
+Settings load_settings(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return read_settings(file);
 }
 
 bool save_settings(const std::filesystem::path& path, const Settings& s) {

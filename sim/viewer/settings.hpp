@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <map>
 #include <optional>
 #include <string>
@@ -60,6 +61,7 @@ std::filesystem::path settings_path();
 
 /// What cannot be read is left at its default: a damaged file must not keep the viewer from opening.
 Settings load_settings(const std::filesystem::path& path);
+Settings read_settings(std::istream& from);
 /// False when it could not be written.
 bool save_settings(const std::filesystem::path& path, const Settings& settings);
 

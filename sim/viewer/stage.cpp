@@ -11,6 +11,7 @@
 
 #include "sim/places/search.hpp"
 #include "sim/viewer/panes/workspace.hpp"
+#include "sim/viewer/progress_file.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
@@ -37,6 +38,7 @@ void Stage::begin(const Settings& settings, int width, int height) {
 }
 
 void Stage::open(const Offer& offer) {
+  if (offer.what == Offer::What::scene && is_progress_file(offer.id)) return take_progress_of(offer.id);
   if (!options_.open) return app().say("Nothing else can be opened from here.");
   if (offer.what == Offer::What::method && !changes_.empty() && options_.run_changed) return switch_to(offer.id);
   std::unique_ptr<Opened> opened;
@@ -59,6 +61,7 @@ void Stage::open(const Offer& offer) {
   other_app_.reset();
   other_.reset();
   first_app_.reset();  // it looks at what goes
+  checked_.clear(), seconds_.clear();
   opened_ = std::move(opened);
   first_ = &opened_->trace;
   lesson_ = opened_->lesson ? &*opened_->lesson : nullptr;
@@ -78,6 +81,20 @@ void Stage::open(const Offer& offer) {
     opened_->note += fmt::format("{}Here: {}.", opened_->note.empty() ? "" : " ", there.what);
   }
   if (!opened_->note.empty()) app().say(opened_->note);
+}
+
+void Stage::take_progress_of(const std::string& file) {
+  Settings settings;
+  try {
+    settings = take_progress(file, places::kept_folder(), app().settings());
+  } catch (const InputError& error) {
+    return app().say_on_start(error.what());
+  }
+  app().take_settings(settings);
+  app().places().read_bookmarks();
+  app().requests.marks_kept = true;
+  app().open(Overlay::none);
+  app().say("Settings, progress and bookmarks are taken over; progress that was further here stays.");
 }
 
 std::int64_t last_write(const Trace& trace, Cell cell) {

@@ -1,7 +1,10 @@
 // What the window shows: a trace in an App, and in its place, on a key, another method's trace of the same scene.
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <string>
+#include <vector>
 #include <optional>
 
 #include "sim/viewer/app.hpp"
@@ -49,6 +52,13 @@ class Stage {
   /// said in the window.
   void switch_method(int direction);
 
+  /// Judges the run that is shown, marks what is wrong in it and goes to the first cause.
+  void check();
+  /// Shows the run of a file, or of whatever else can be opened, beside the one that is shown, where the two first
+  /// part; of nothing, the run that zstep itself makes of this scene. What cannot be is said in the drawer, and all
+  /// stays.
+  void compare_with(const std::string& path);
+
   /// Runs the method shown anew with one thing changed; `goes_on`: in place of the last change, if that was of the same
   /// thing. The window stays at the same moment. What cannot be is said, and all stays as it is.
   void change(const Change& change, bool goes_on);
@@ -64,6 +74,7 @@ class Stage {
 
  private:
   void begin(const Settings& settings, int width, int height);
+  void take_progress_of(const std::string& file);
   /// What a reader has changed and taken back, once the run that is asked for is made.
   struct Asked {
     std::vector<Change> changes, undone;
@@ -89,6 +100,18 @@ class Stage {
   Before show_in_place(std::optional<OtherRun> next);
   Changed told_of(const std::vector<Change>& changes, const Trace& before);
 
+  /// A run beside the one that is shown, and how the two were matched.
+  struct Second {
+    Trace trace;
+    diff::DiffReport report{};
+    AgainstRun with{};
+  };
+  Second second_run(const std::string& path);
+  bool check_run();  ///< false: it was ended
+  bool on_way(double share);
+
+  std::deque<CheckedRun> checked_;  ///< and these, what an App marks: the last of both is shown now
+  std::deque<Second> seconds_;
   std::unique_ptr<Opened> opened_;  ///< from the window, once something was
   const Trace* first_;
   const Lesson* lesson_;

@@ -122,6 +122,14 @@ void App::open_offer(const Offer& offer) {
   session_.touch();
 }
 
+void App::take_file(const std::string& path) {
+  if (drawer_ == Drawer::compare && overlay_ == Overlay::none) {
+    put(path);
+    return compare_typed();
+  }
+  open_offer({Offer::What::scene, path, {}, {}});
+}
+
 void App::say_on_start(const std::string& why) {
   if (overlay_ != Overlay::start) open_start();
   wrong = why;

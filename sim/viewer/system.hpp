@@ -26,8 +26,8 @@ std::string ask_for_file();
 /// in".
 std::string hand_over(const std::filesystem::path& file);
 
-/// The settings were saved there.
-void settings_saved(const std::filesystem::path& file);
+/// Something was kept for the next time in a file of this folder.
+void kept(const std::filesystem::path& folder);
 
 /// What stands before a link when it is copied: the address of the page, or nothing.
 std::string address();

@@ -35,6 +35,7 @@ struct Opened {
   std::optional<Lesson> lesson{};  ///< resolved against it
   std::vector<std::string> opened_by{};  ///< as in ViewerOptions
   std::string note{};              ///< what a reader should know of it, in a sentence; mostly empty
+  std::string impossible{};        ///< why the step that would come next cannot be; mostly empty
 };
 
 /// A run of another method on the scene of a trace.

@@ -12,7 +12,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
 kept=${ZSTEP_WEB_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/zstep/web}
 system=${ZSTEP_WEB_ROOT:-$kept/debian-13}  # where Emscripten is, unless it is here
 build=$root/build/web
-needs=(emscripten ninja-build cmake ccache pkg-config g++ make patch dpkg-dev xz-utils brotli python3-fonttools fonts-dejavu-core
+needs=(emscripten ninja-build cmake ccache pkg-config g++ make patch tcl dpkg-dev xz-utils python3-fonttools fonts-dejavu-core
   libglm-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libboost-dev)
 
 say() { printf 'zstep: %s\n' "$*" >&2; }
@@ -62,7 +62,7 @@ make_system() {
   }
   say "making a Debian 13 for Emscripten: some minutes, once"
   rm -rf "$system.new"
-  mmdebstrap --variant=apt --include="$(IFS=,; echo "${needs[*]}")" --skip=check/qemu trixie "$system.new" \
+  mmdebstrap --variant=apt --include="$(IFS=,; echo "${needs[*]}")" --skip=check/qemu,cleanup/apt/lists trixie "$system.new" \
     'deb http://deb.debian.org/debian trixie main' 'deb-src http://deb.debian.org/debian trixie main' \
     'deb-src http://deb.debian.org/debian bookworm main' >"$kept/system.log" 2>&1 ||
     die "it could not be made: $(grep -E '^E: ' "$kept/system.log" | tail -n 1) (all of it is in $kept/system.log)"

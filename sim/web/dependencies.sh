@@ -17,9 +17,11 @@ say() { printf 'zstep: %s\n' "$*" >&2; }
 # Unpacks a source package as $sources/NAME: the newest version that can be had whole, and where a mirror lacks a release's
 # own patches, what the authors wrote without them. Says which.
 fetch() {  # NAME
-  local version
+  local version versions
   [ -e "$sources/$1/.whole" ] && return
-  for version in $(apt-cache showsrc --only-source "$1" | sed -n 's/^Version: //p' | sort -rVu); do
+  versions=$(apt-cache showsrc --only-source "$1" | sed -n 's/^Version: //p' | sort -rVu)
+  [ -n "$versions" ] || { echo "apt has no sources here: give its list of sources a line that begins with deb-src, and run apt-get update"; return 1; }
+  for version in $versions; do
     rm -rf "${sources:?}/$1" "${sources:?}/fetched"
     mkdir "$sources/fetched"
     (

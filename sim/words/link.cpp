@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/words/percent.hpp"
 #include "traces/conventions.hpp"
 #include "traces/error.hpp"
 #include "traces/near_word.hpp"
@@ -62,18 +63,9 @@ std::vector<Part> all_parts() {
   return all;
 }
 
-bool plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         std::string_view("-_.~,:").find(c) != std::string_view::npos;
-}
-
 std::string encoded(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (plain(c)) out.push_back(c);
-    else if (c == ' ') out.push_back('+');
-    else out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
+  std::string out = percent_encoded(text, "-_.~,: ");
+  std::replace(out.begin(), out.end(), ' ', '+');
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/pages/packed.hpp"
+#include "tests/cli/homework_runs.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/where.hpp"
 #include "traces/file/chunk.hpp"
@@ -233,4 +234,55 @@ TEST_CASE("a page that is larger than mail takes is made, and told") {
   CHECK(has(made.out, "6.0 MB"));
   CHECK(has(made.err, "at most 5.0 MB"));
   CHECK(times(made.err, "\n") == 1);
+}
+
+TEST_CASE("grade --steps: the report leads to a page that compares both runs, of what may be shown") {
+  const Folder folder;
+  set_up_runs(folder);
+  std::filesystem::create_directory(folder / "site");
+  write_text(folder / "site/publish.html", page_begin + mark() + page_end);
+  std::filesystem::create_directories(folder / "to show");
+  const std::string grade =
+      "grade --homework hw runs --format html -o page.html --site site --steps 'to show/steps.html'";
+  const auto lies = [&](const char* run_file) {
+    std::string lines = text_of(folder / run_file);
+    replace_first(lines, "\"nearer\":true", "\"nearer\":false");
+    write_text(folder / run_file, lines);
+  };
+
+  // All is right, or what is wrong is hidden: nothing to step through, and no page.
+  REQUIRE(run(folder, grade).code == 0);
+  CHECK_FALSE(has(text_of(folder / "page.html"), "Step through"));
+  lies("runs/overlap.jsonl");
+  REQUIRE(run(folder, grade).code == 1);
+  CHECK_FALSE(has(text_of(folder / "page.html"), "Step through"));
+  CHECK_FALSE(std::filesystem::exists(folder / "to show/steps.html"));
+
+  lies("runs/crossing.jsonl");
+  const Outcome outcome = run(folder, grade);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 1);
+  CHECK(has(text_of(folder / "page.html"), "<a href=\"to%20show/steps.html\">Step through both runs from here</a>"));
+  const std::string page = text_of(folder / "to show/steps.html");
+  CHECK(has(words_of(page), R"("words":["diff","expected.jsonl","yours.jsonl","--view"])"));
+  CHECK_FALSE(has(page, folder.path().string()));
+  unpack(folder, page, "expected.jsonl", "expected.jsonl");
+  unpack(folder, page, "yours.jsonl", "yours.jsonl");
+  CHECK(run(folder, "check expected.jsonl").code == 0);
+  const Outcome apart = run(folder, "diff expected.jsonl yours.jsonl");
+  CHECK(apart.code == 1);
+  CHECK(has(apart.out, "compare"));
+  for (const char* file : {"expected.jsonl", "yours.jsonl"})
+    CHECK_FALSE(has(text_of(folder / file), folder.path().string()));
+
+  const auto refused = [&](const std::string& words, const char* what) {
+    const Outcome said = run(folder, "grade --homework hw " + words);
+    CHECK(said.code == 2);
+    CHECK_MESSAGE(has(said.err, what), said.err);
+  };
+  refused("runs --steps s.html --site site", "--steps: is a page that a report of HTML leads to; add --format html");
+  refused("runs --site site", "--site: is of the page of both runs; add --steps FILE.html");
+  refused("runs --format html -o page.html --steps page.html --site site", "page.html");
+  refused("runs --format html -o p.html --steps s.html --site nowhere", "there is no page to put a run into");
+  refused("--batch runs -o g.csv --steps s.html", "--steps: is of one submission");
 }

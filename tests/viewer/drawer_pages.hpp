@@ -10,8 +10,8 @@ namespace zstep::test {
 
 inline std::vector<viewer::Drawer> all_pages() {
   using viewer::Drawer;
-  return {Drawer::history, Drawer::why_ask,       Drawer::why,       Drawer::explain, Drawer::until,
-          Drawer::query,   Drawer::name_bookmark, Drawer::bookmarks, Drawer::range,   Drawer::what_if};
+  return {Drawer::history,       Drawer::why_ask,   Drawer::why,   Drawer::explain, Drawer::until,  Drawer::query,
+          Drawer::name_bookmark, Drawer::bookmarks, Drawer::range, Drawer::compare, Drawer::what_if};
 }
 
 /// The pixel that a polygon reached first.

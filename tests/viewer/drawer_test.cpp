@@ -237,7 +237,8 @@ TEST_CASE("tabs ask something else in the same place, and what lies over the win
   }
   const auto number = [](Drawer page) { return std::to_string(static_cast<int>(page)) + " "; };
   CHECK(opened == number(Drawer::history) + number(Drawer::why) + number(Drawer::explain) + number(Drawer::until) +
-                      number(Drawer::query) + number(Drawer::bookmarks) + number(Drawer::range) + number(Drawer::none));
+                      number(Drawer::query) + number(Drawer::bookmarks) + number(Drawer::range) +
+                      number(Drawer::compare) + number(Drawer::none));
 }
 
 TEST_CASE("the drawer's border is pulled, and stays so for whatever is asked next") {

@@ -4,9 +4,12 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include "sim/places/bookmarks.hpp"
+#include "sim/viewer/progress_file.hpp"
 #include "sim/viewer/settings.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
+#include "traces/error.hpp"
 
 using namespace zstep::viewer;
 
@@ -152,4 +155,80 @@ TEST_CASE("the page of settings opens by key and by its gear, and each row chang
     key(SDLK_ESCAPE);
   }
   CHECK(opened);
+}
+
+namespace {
+
+std::string text_in(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::filesystem::path put_in(const std::filesystem::path& file, const std::string& text) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("settings, progress and bookmarks go to another computer in one file") {
+  const std::filesystem::path home = path.parent_path(), one = home / "one", other = home / "other";
+  Settings s;
+  s.dark = true, s.width = 900, s.height = 500, s.text_scale = 1.5f;
+  s.see_stop("z-buffer", 4), s.see_stop("bsp", 2);
+  s.remember("run|10|3", 7);
+  REQUIRE(save_settings(one / "viewer.ini", s));
+  put_in(one / "lessons/z-buffer.marks", "219 the first tie\n231 hidden by B\n");
+  put_in(one / "lessons/not a lesson.marks", "1 nothing\n");
+  put_in(one / "lessons/other.txt", "nothing\n");
+  const std::filesystem::path file = put_in(home / progress_file_name, progress_text(one));
+  CHECK(is_progress_file(file.string()));
+
+  Settings here;
+  here.width = 1600, here.height = 1000;
+  here.see_stop("z-buffer", 9), here.see_stop("warnock", 1);
+  put_in(other / "lessons/z-buffer.marks", "300 mine\n301 the first tie\n");
+  const Settings taken = take_progress(file, other, here);
+  CHECK(taken.dark);
+  CHECK(taken.text_scale == 1.5f);
+  CHECK(taken.width == 1600);  // of this screen
+  CHECK(taken.stops_seen("z-buffer") == 9);
+  CHECK(taken.stops_seen("bsp") == 2);
+  CHECK(taken.stops_seen("warnock") == 1);
+  CHECK(taken.place("run|10|3") == 7);
+  CHECK(text_in(other / "lessons/z-buffer.marks") ==
+        "# bookmarks of the lesson z-buffer\n231 hidden by B\n300 mine\n301 the first tie\n");
+  // Once more changes nothing, and what is written is what can be read.
+  CHECK(take_progress(file, other, taken).stops_seen("z-buffer") == 9);
+  CHECK(progress_text(other) == "# zstep: settings, progress and bookmarks\n[lessons/z-buffer.marks]\n" +
+                                    text_in(other / "lessons/z-buffer.marks"));
+  std::filesystem::remove_all(home);
+}
+
+TEST_CASE("a file of progress that is none is refused by its line, and nothing is changed") {
+  const std::filesystem::path home = path.parent_path(), other = home / "other";
+  const std::string head = "# zstep: settings, progress and bookmarks\n";
+  const std::pair<std::string, std::string> wrong[] = {
+      {"", ":1: is not the line"},
+      {"dark = 1\n", ":1: is not the line"},
+      {head + "dark = 1\n", ":2: belongs to no part"},
+      {head + "[viewer.ini]\ndark = 1\n[../../.bashrc]\n", ":4: names a part"},
+      {head + "[lessons/../x.marks]\n", ":2: names a part"},
+      {head + "[lessons/.marks]\n", ":2: names a part"},
+      {head + "[lessons/z-buffer.marks]\n1 right\nwrong\n", ":4: does not begin with a step"},
+      {head + "[lessons/z-buffer.marks]\n1 right\n[lessons/bsp.marks]\n5 a\n6 a\n", ":6: its name was given before"}};
+  for (const auto& [text, what] : wrong) {
+    const std::filesystem::path file = put_in(home / progress_file_name, text);
+    CAPTURE(text);
+    std::string said;
+    try {
+      take_progress(file, other, Settings{});
+    } catch (const zstep::InputError& error) {
+      said = error.what();
+    }
+    CHECK_MESSAGE(said.find(what) != std::string::npos, said);
+    CHECK_FALSE(std::filesystem::exists(other));
+  }
+  std::filesystem::remove_all(home);
 }

@@ -11,13 +11,14 @@
 
 #include "sim/viewer/field.hpp"
 #include "sim/viewer/loop.hpp"
+#include "sim/viewer/progress_file.hpp"
 #include "sim/viewer/system.hpp"
 
 // clang-format off
 EM_JS(void, page_copy, (const char* text), { Module.page.copy(UTF8ToString(text)); })
 EM_JS(void, page_choose_file, (), { Module.page.chooseFile(); })
 EM_JS(void, page_hand_over, (const char* file), { Module.page.handOver(UTF8ToString(file)); })
-EM_JS(void, page_keep_settings, (const char* file), { Module.page.keepSettings(UTF8ToString(file)); })
+EM_JS(void, page_keep, (const char* text), { Module.page.keep(UTF8ToString(text)); })
 EM_JS(void, page_arrived, (const char* link, int at_stop), { Module.page.arrived(UTF8ToString(link), at_stop !== 0); })
 EM_JS(void, page_open_beside, (const char* link), { Module.page.openBeside(UTF8ToString(link)); })
 EM_JS(void, page_typing_at, (int left, int top, int right, int bottom), { Module.page.typingAt(left, top, right, bottom); })
@@ -71,7 +72,7 @@ std::string hand_over(const std::filesystem::path& file) {
   return "among your downloads";
 }
 
-void settings_saved(const std::filesystem::path& file) { page_keep_settings(file.c_str()); }
+void kept(const std::filesystem::path& folder) { page_keep(progress_text(folder).c_str()); }
 
 std::string address() {
   const std::unique_ptr<char, decltype(&std::free)> text(page_address(), &std::free);

@@ -22,7 +22,7 @@ std::string ask_for_file() {
 
 std::string hand_over(const std::filesystem::path&) { return "in the folder zstep was started in"; }
 
-void settings_saved(const std::filesystem::path&) {}
+void kept(const std::filesystem::path&) {}
 
 std::string address() { return ""; }
 

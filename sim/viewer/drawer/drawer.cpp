@@ -20,6 +20,7 @@ std::span<const DrawerPage> drawer_pages() {
       {Drawer::name_bookmark, "Bookmarks", "bookmarks", {20, 8}, true, false, draw_name_bookmark, &App::name_typed},
       {Drawer::bookmarks, "Bookmarks", "bookmarks", {20, 8}, false, false, draw_bookmarks, &App::pick_bookmark},
       {Drawer::range, "Depth colours", "range", {20, 8}, true, false, draw_range, &App::edit_range},
+      {Drawer::compare, "Compare", "compare", {20, 9}, true, false, draw_compare, &App::edit_compare},
       {Drawer::what_if, "What if", "what-if", {20, 15}, true, true, draw_what_if, &App::pick_changeable}};
   return all;
 }
@@ -102,7 +103,7 @@ const char* draw_tabs(App& app) {
     if (tabs.empty() || std::strcmp(tabs.back()->tab, page.tab) != 0) tabs.push_back(&page);
   const auto hidden = [&](const DrawerPage* page) {
     if (std::strcmp(page->tab, now) == 0) return false;
-    return (page->is == Drawer::what_if && !app.may_change()) ||
+    return (page->is == Drawer::what_if && !app.may_change()) || (page->is == Drawer::compare && app.compares()) ||
            (page->is == Drawer::range && !depth_pane.serves(app.session().header()));
   };
   std::erase_if(tabs, hidden);

@@ -40,6 +40,7 @@ void draw_until(App& app);
 void draw_name_bookmark(App& app);
 void draw_bookmarks(App& app);
 void draw_range(App& app);
+void draw_compare(App& app);
 void draw_what_if(App& app);
 
 }  // namespace zstep::viewer

@@ -20,6 +20,7 @@ class Findings : public StepMarks {
 
   /// Both must outlive it.
   Findings(const Trace& trace, const CheckedRun& checked);
+  const CheckedRun& checked() const { return checked_; }
 
   Trust trust(const formulas::Place& place, std::int64_t position) const;
   /// The pixels of frame and depth buffer, or of the light's, that are not right at a position.

@@ -19,9 +19,12 @@ constexpr std::size_t most_asked = 3;
 
 }  // namespace
 
-Places::Places(Session& session) : session_(session) {
+Places::Places(Session& session) : session_(session) { read_bookmarks(); }
+
+void Places::read_bookmarks() {
+  trouble_.clear();
   try {
-    bookmarks_ = places::Bookmarks(session.trace(), session.lesson());
+    bookmarks_ = places::Bookmarks(session_.trace(), session_.lesson());
   } catch (const InputError& error) {
     trouble_ = error.what();
   }

@@ -40,6 +40,7 @@ class Places {
   // --- Bookmarks
   const places::Bookmarks& marks() const { return bookmarks_; }
   const std::vector<places::Bookmark>& bookmarks() const { return bookmarks_.all(); }
+  void read_bookmarks();                                   ///< again, as they were changed by another than this
   const std::string& trouble() const { return trouble_; }  ///< why they cannot be read, or nothing
   /// Why none can be set, or nothing; asked before a name is typed.
   std::string why_no_bookmark() const;

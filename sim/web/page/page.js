@@ -14,8 +14,8 @@ const groupsOf = (list) => (list === '' ? [] : list.split('\x1d').map((group) =>
 
 const longestLink = 4096;  // as in sim/words/link.hpp
 const largestFile = 512 << 20;
-const settingsKey = 'zstep-settings';
-const settingsFile = '/home/web_user/.config/zstep/viewer.ini';
+const keptKey = 'zstep-settings';
+const keptFolder = '/home/web_user/.config/zstep/';
 
 const warn = (text) => {
   notice.textContent = text;
@@ -124,9 +124,7 @@ const page = {
     Module.FS.unlink(file);
   },
 
-  keepSettings(file) {
-    store(settingsKey, Module.FS.readFile(file, {encoding: 'utf8'}));
-  },
+  keep(text) { store(keptKey, text); },
 
   shown() {
     Module.running = true;
@@ -193,10 +191,10 @@ var Module = {  // `var`: zstep.js looks for it by this name
   preRun: [() => {
     Module.ENV.HOME = '/home/web_user';
     Module.ENV.ZSTEP_LESSONS = '/lessons';
-    const text = stored(settingsKey);
-    if (text === null) return;
-    Module.FS.createPath('/', 'home/web_user/.config/zstep', true, true);
-    Module.FS.writeFile(settingsFile, text);
+    // As sim/viewer/progress_file.hpp writes them: below a name in brackets what the file of that name says.
+    const [, ...parts] = (stored(keptKey) ?? '').split(/^\[((?:lessons\/)?[\w-]+\.\w+)\]\n/m);
+    if (parts.length > 0) Module.FS.createPath('/', keptFolder + 'lessons', true, true);
+    for (let k = 0; k < parts.length; k += 2) Module.FS.writeFile(keptFolder + parts[k], parts[k + 1]);
   }],
   postRun: [() => {
     if (page.opened || linkNow() === '') return;
