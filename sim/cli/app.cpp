@@ -26,33 +26,11 @@ namespace {
 
 constexpr std::size_t help_column = 32;
 
-void declare(CLI::App& app, Action& action) {
+void declare(CLI::App& app, Action& action, Commands commands) {
   app.get_formatter()->column_width(help_column);
   app.set_version_flag("--version", "zstep " ZSTEP_VERSION, "Print the version");
   app.require_subcommand(0, 1);
-  add_list(app, action);
-  add_lesson(app, action);
-  add_view(app, action);
-  add_render(app, action);
-  add_record(app, action);
-  add_info(app, action);
-  add_dump(app, action);
-  add_find(app, action);
-  add_history(app, action);
-  add_why_not(app, action);
-  add_explain(app, action);
-  add_check(app, action);
-  add_diff(app, action);
-  add_homework(app, action);
-  add_grade(app, action);
-  add_error(app, action);
-  add_header(app, action);
-  add_query(app, action);
-  add_export(app, action);
-  add_import(app, action);
-  add_publish(app, action);
-  add_compare_methods(app, action);
-  add_completion(app, action);
+  commands(app, action);
   app.footer(
       "Without a command a page opens to choose a lesson, a method, a scene or a file.\n"
       "\n"
@@ -144,7 +122,7 @@ Action printing(std::string text) {
 
 }  // namespace
 
-std::function<int()> parse(std::vector<std::string> words) {
+std::function<int()> parse(std::vector<std::string> words, Commands commands) {
   if (!words.empty() && is_link(words[0])) {
     std::vector<std::string> meant = words_of_link(words[0]);
     if (meant[0] == "view") meant.emplace_back("--patient");
@@ -156,7 +134,7 @@ std::function<int()> parse(std::vector<std::string> words) {
   const auto kept = std::make_shared<CLI::App>(
       "zstep shows how a computer decides what is visible: every step of a method, recorded and replayed.", "zstep");
   CLI::App& app = *kept;
-  declare(app, action);
+  declare(app, action, commands);
   set_commands(command_names(app));
   try {
     check_words(app, words);
@@ -177,12 +155,12 @@ std::function<int()> parse(std::vector<std::string> words) {
   return [kept, action] { return action(); };
 }
 
-int run(const std::vector<std::string>& words) {
+int run(const std::vector<std::string>& words, Commands commands) {
 #if ZSTEP_HAS_VIEWER
   note_input(viewer::settings_path());
 #endif
   try {
-    const int code = parse(words)();
+    const int code = parse(words, commands)();
     if (code != exit_code::done) return code;
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) stdout_failed();
     return is_incomplete() ? exit_code::incomplete : code;

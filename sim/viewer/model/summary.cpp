@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include <glm/vec4.hpp>
 
 #include "traces/file/records.hpp"
-#include "traces/file/visit.hpp"
 
 namespace zstep::viewer {
 
@@ -78,8 +76,8 @@ const ScanLineMarks::Interval& ScanLineMarks::at(const Trace& trace, std::int64_
     return *interval_;
   s.complete = s.last - s.first <= quick;
   if (s.complete && (sweeping || s.polygon != no_polygon))
-    trace.visit(s.first, s.last, [&](std::int64_t p, std::uint8_t, const auto& event) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(event)>, ScanLineBegin>) s.lines.push_back({p, event.y});
+    trace.each(s.first, s.last, [&](std::int64_t p, const RecordedEvent& recorded) {
+      if (const auto* line = get_if<ScanLineBegin>(&recorded.event)) s.lines.push_back({p, line->y});
       return true;
     });
   interval_ = std::move(s);
@@ -92,8 +90,8 @@ namespace {
 template <class E, class Visit>
 void visit_each(const Trace& trace, Visit&& visit) {
   if (!records<E>(trace.header()) || trace.size() > quick) return;
-  trace.visit(0, trace.size(), [&](std::int64_t position, std::uint8_t, const auto& event) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(event)>, E>) visit(position, event);
+  trace.scan(Trace::Among(std::nullopt, kind_of<E>), [&](std::int64_t position, const RecordedEvent& recorded) {
+    visit(position, get<E>(recorded.event));
     return true;
   });
 }
@@ -144,8 +142,8 @@ void HitCounts::follow(const Trace& trace, std::int64_t position) {
     for (std::int64_t p = low + 1; p <= high; ++p)
       if (trace.impl().readable(p)) count_[trace.event(p).step] += change;
   } else {
-    trace.visit(low, high, [&](std::int64_t, std::uint8_t step, const auto&) {
-      count_[step] += change;
+    trace.each(low, high, [&](std::int64_t, const RecordedEvent& recorded) {
+      count_[recorded.step] += change;
       return true;
     });
   }
