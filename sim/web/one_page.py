@@ -1,6 +1,6 @@
-"""The whole of zstep as one page that opens from disk: one_page.py SITE PAGE TRACE_VERSION.
+"""The whole of zstep as one page that opens from disk: one_page.py SITE PROGRAM PAGE TRACE_VERSION.
 
-SITE is the folder of the page's files; PAGE is written beside them. It holds the same page.js, page.css, program, fonts
+SITE is the folder of the page's files, PROGRAM the WebAssembly in one piece; PAGE is written beside them. It holds the same page.js, page.css, program, fonts
 and lessons, and a mark at which `zstep publish` puts a run and the words that open it (sim/cli/publish.cpp).
 """
 import base64
@@ -56,16 +56,17 @@ def replaced(page: str, pattern: str, now: str) -> str:
 
 
 def main():
-    site, target, version = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
+    site, program, target = (pathlib.Path(one) for one in sys.argv[1:4])
+    version = sys.argv[4]
 
     def text(name):
         return (site / name).read_bytes().decode()
 
-    style, unpacker, script, program = text("page.css"), text("packed.js"), text("page.js"), text("zstep.js")
+    style, unpacker, script, loader = text("page.css"), text("packed.js"), text("page.js"), text("zstep.js")
     for name, inside, end in [("page.css", style, "</style"), ("packed.js", unpacker, "</script"), ("page.js", script, "</script")]:
         if end in inside.lower() or "<!--" in inside or "\r" in inside:
             sys.exit(f"zstep: {name} cannot stand inside a page: it has {end}, <!-- or a carriage return")
-    scripts = " ".join(allowed(one) for one in (unpacker, script, program))
+    scripts = " ".join(allowed(one) for one in (unpacker, script, loader))
     policy = (f"default-src 'none'; script-src {scripts} 'wasm-unsafe-eval'; style-src {allowed(style)}; img-src data: blob:; "
               "base-uri 'none'; form-action 'none'")
     icon = base64.b64encode((site / "zstep.svg").read_bytes()).decode()
@@ -75,7 +76,8 @@ def main():
     page = replaced(page, r'(?<=<link rel="icon" href=")[^"]*', f"data:image/svg+xml;base64,{icon}")
     page = replaced(page, r'<link rel="manifest"[^>]*>\n', "")
     page = replaced(page, r'<link rel="stylesheet"[^>]*>', f"<style>{style}</style>")
-    data = "".join(packed(name, (site / name).read_bytes()) for name in ("zstep.js", "zstep.data", "zstep.wasm"))
+    held = {"zstep.js": site / "zstep.js", "zstep.data": site / "zstep.data", "zstep.wasm": program}
+    data = "".join(packed(name, file.read_bytes()) for name, file in held.items())
     page = replaced(page, r'<script src="page.js"></script>\n',
                     f"<!-- zstep publish {version} -->\n{data}<script>{unpacker}</script>\n<script>{script}</script>\n")
     beside = target.with_name("." + target.name + ".new")

@@ -1,8 +1,8 @@
 # Puts the page's own files beside the program, and into the worker what they are, and makes of
-# them the page that `zstep publish` puts a run into: -DPAGE=, -DICON=, -DSITE=, -DTRACES=.
+# them the page that `zstep publish` puts a run into: -DPAGE=, -DICON=, -DSITE=, -DWHOLE=, -DTRACES=.
 file(GLOB page ${PAGE}/*)
 file(COPY ${page} ${ICON} DESTINATION ${SITE})
-set(files index.html page.css page.js zstep.data zstep.js zstep.svg zstep.wasm zstep.webmanifest)
+set(files index.html page.css page.js zstep.data zstep.js zstep.rest.wasm zstep.svg zstep.wasm zstep.webmanifest)
 set(all "")
 foreach(name IN LISTS files)
   file(SHA256 ${SITE}/${name} hash)
@@ -16,5 +16,5 @@ configure_file(${PAGE}/worker.js ${SITE}/worker.js @ONLY)
 
 file(STRINGS ${TRACES}/file/chunk.hpp version REGEX "trace_version = [0-9]+")
 string(REGEX REPLACE ".*trace_version = ([0-9]+).*" "\\1" version "${version}")
-execute_process(COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/one_page.py ${SITE} ${SITE}/publish.html ${version}
+execute_process(COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/one_page.py ${SITE} ${WHOLE} ${SITE}/publish.html ${version}
   COMMAND_ERROR_IS_FATAL ANY)

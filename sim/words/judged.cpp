@@ -1,11 +1,12 @@
 #include "sim/words/judged.hpp"
 
+#include <span>
+
 #include <fmt/format.h>
 
 #include "sim/words/derived.hpp"
 #include "sim/words/numbers.hpp"
-#include "traces/events/slots.hpp"
-#include "traces/file/visit.hpp"
+#include "traces/events/fields.hpp"
 
 namespace zstep {
 namespace {
@@ -16,20 +17,24 @@ std::string how_many(std::int64_t number, std::string_view singular, std::string
 void add(std::string& text, const std::string& more) { text += (text.empty() ? "" : "; ") + more; }
 
 /// The value of a field, in the words of traces.
-template <class Value>
-std::string value_text(const Value& value) {
-  if constexpr (std::is_same_v<Value, double>) return fmt::format("{}", value);
-  else if constexpr (std::is_same_v<Value, bool>) return value ? "true" : "false";
-  else if constexpr (std::is_enum_v<Value>) return std::string(words_of<Value>[static_cast<std::size_t>(value)]);
-  else return fmt::format("{}", value);
+std::string value_text(const FieldOfKind& field, const Event& event) {
+  using Type = FieldOfKind::Type;
+  switch (field.type) {
+    case Type::truth:
+      return field.true_in(event) ? "true" : "false";
+    case Type::word:
+      return std::string(field.word_in(event));
+    case Type::whole:
+    case Type::real:
+      break;
+  }
+  return fmt::format("{}", field.read(event));
 }
 
 /// "z = 0.5" of 0.5: a number that was taken over as it is.
-template <class Value>
-bool only_repeats(const std::string& formula, const Value& value) {
+bool only_repeats(const std::string& formula, double value) {
   const std::size_t equals = formula.find(" = ");
-  return equals != formula.npos && equals == formula.rfind(" = ") &&
-         formula.substr(equals + 3) == number(static_cast<double>(value));
+  return equals != formula.npos && equals == formula.rfind(" = ") && formula.substr(equals + 3) == number(value);
 }
 
 }  // namespace
@@ -108,18 +113,15 @@ std::string what_follows(const diff::Cause& cause) {
 
 std::vector<std::string> field_texts(const Event& event, const formulas::Situation& before, std::uint16_t fields) {
   std::vector<std::string> texts;
-  visit_event(
-      [&]<class E>(const E& e) {
-        for_each_index<E>([&]<std::size_t I>() {
-          if ((fields >> I & 1) == 0) return;
-          const std::string name(field_at<E, I>.name), value = value_text(e.*field_at<E, I>.member);
-          const auto formula = derived_formula(event, before, name);
-          const bool says_more = formula && !only_repeats(*formula, e.*field_at<E, I>.member);
-          texts.push_back(says_more ? fmt::format("{} = {}   from {}", name, value, *formula)
-                                    : fmt::format("{} = {}", name, value));
-        });
-      },
-      event);
+  const std::span<const FieldOfKind> all = fields_of_kind(event.index());
+  for (std::size_t at = 0; at < all.size(); ++at) {
+    if ((fields >> at & 1) == 0) continue;
+    const std::string name(all[at].name), value = value_text(all[at], event);
+    const auto formula = derived_formula(event, before, name);
+    const bool says_more = formula && !only_repeats(*formula, all[at].read(event));
+    texts.push_back(says_more ? fmt::format("{} = {}   from {}", name, value, *formula)
+                              : fmt::format("{} = {}", name, value));
+  }
   return texts;
 }
 

@@ -1,5 +1,6 @@
 // A Chromium without a window, driven by the protocol of its own tools over two pipes: no library, no port.
 import {spawn} from 'node:child_process';
+import {createHash} from 'node:crypto';
 import {mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -57,6 +58,8 @@ export class Browser {
     rmSync(this.home, {recursive: true, force: true, maxRetries: 10, retryDelay: 200});
   }
 }
+
+export const digestOf = ({width, height, rgb}) => `${width}x${height} ${createHash('sha256').update(rgb).digest('hex')}`;
 
 export class Page {
   constructor(browser, targetId, sessionId) {
@@ -125,23 +128,40 @@ export class Page {
     await this.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
   }
 
-  /// What is on the canvas: {width, height, rgb}, once nothing moves any more.
-  async picture() {
-    const one = async () => JSON.parse(await this.ask(`(() => {
-      const canvas = document.getElementById('canvas'), {width, height} = canvas;
-      const {data} = canvas.getContext('2d').getImageData(0, 0, width, height);
-      let text = '';
-      for (let at = 0; at < data.length; at += 4) text += String.fromCharCode(data[at], data[at + 1], data[at + 2]);
-      return JSON.stringify({width, height, rgb: btoa(text)});
-    })()`));
+  /// What an expression says of the canvas, as `{width, height, data}`, once that is the same twice.
+  async ofCanvas(expression) {
+    const one = () => this.ask(`(async () => {
+      const {width, height} = canvas, {data} = canvas.getContext('2d').getImageData(0, 0, width, height);
+      return JSON.stringify(await (${expression})({width, height, data}));
+    })()`);
     let before = await one();
     for (let k = 0; k < 50; ++k) {
       await new Promise((resolve) => setTimeout(resolve, 120));
       const now = await one();
-      if (now.rgb === before.rgb && now.width === before.width) return {...now, rgb: Buffer.from(now.rgb, 'base64')};
+      if (now === before) return JSON.parse(now);
       before = now;
     }
     throw new Error('the picture does not come to rest');
+  }
+
+  /// What is on the canvas: {width, height, rgb}.
+  async picture() {
+    const {width, height, rgb} = await this.ofCanvas(`({width, height, data}) => {
+      let text = '';
+      for (let at = 0; at < data.length; at += 4) text += String.fromCharCode(data[at], data[at + 1], data[at + 2]);
+      return {width, height, rgb: btoa(text)};
+    }`);
+    return {width, height, rgb: Buffer.from(rgb, 'base64')};
+  }
+
+  /// A digest of it, as digestOf() has it of a picture: much less than the picture goes from the page to here.
+  async digest() {
+    return this.ofCanvas(`async ({width, height, data}) => {
+      const rgb = new Uint8Array(width * height * 3);
+      for (let from = 0, to = 0; from < data.length; from += 4) rgb[to++] = data[from], rgb[to++] = data[from + 1], rgb[to++] = data[from + 2];
+      const sum = new Uint8Array(await crypto.subtle.digest('SHA-256', rgb));
+      return width + 'x' + height + ' ' + [...sum].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+    }`);
   }
 
   close() { return this.browser.send('Target.closeTarget', {targetId: this.targetId}); }

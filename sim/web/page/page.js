@@ -129,6 +129,7 @@ const page = {
   shown() {
     Module.running = true;
     Module.firstPicture = performance.now();
+    if (!inside) bringRest();
   },
 
   closed() {
@@ -175,6 +176,50 @@ typed.addEventListener('blur', () => {
   dispatchEvent(new Event('resize'));
 });
 
+if (linkNow().length > longestLink) {
+  history.replaceState(null, '', page.address());
+  warn(`That link has more than ${longestLink} letters, and was not looked at.`);
+}
+
+// --- The program comes in two parts: what the first picture needs, and the rest, which is fetched after it. Who calls a
+// function of the rest before it is there waits for it.
+const rest = 'zstep.rest.wasm';
+const first = {exports: null, alone: true, broughtNow: false};
+const instantiated = async (file, imports) => {
+  const answer = await fetch(file);
+  if (!answer.ok) throw new Error(`${file}: ${answer.status}`);
+  if (answer.headers.get('Content-Type') === 'application/wasm') return WebAssembly.instantiateStreaming(answer, imports);
+  return WebAssembly.instantiate(await answer.arrayBuffer(), imports);
+};
+const lost = (file) => (error) => warn(`${file} could not be loaded (${error.message}); load the page again.`);
+const bringRest = async () => {
+  if (first.alone) await instantiated(rest, {primary: first.exports}).then(() => { first.alone = false; }, lost(rest));
+};
+const bringRestNow = () => {
+  const request = new XMLHttpRequest();
+  request.open('GET', rest, false);
+  request.overrideMimeType('text/plain; charset=x-user-defined');  // bytes as letters
+  request.send();
+  const bytes = Uint8Array.from(request.responseText, (letter) => letter.charCodeAt(0));
+  new WebAssembly.Instance(new WebAssembly.Module(bytes), {primary: first.exports});
+  first.alone = false;
+  first.broughtNow = true;
+};
+const instantiateWasm = (imports, done) => {
+  // Calls into the rest go through a table, the last one. What stands there until then is asked for by its place.
+  const standIn = (place) => (...given) => {
+    if (first.alone) bringRestNow();
+    return Object.values(first.exports).filter((one) => one instanceof WebAssembly.Table).at(-1).get(Number(place))(...given);
+  };
+  const placeholder = new Proxy({}, {get: (_, place) => standIn(place)});
+  instantiated('zstep.wasm', {...imports, placeholder}).then(async ({instance, module}) => {
+    first.exports = instance.exports;
+    if (navigator.serviceWorker?.controller) await bringRest();  // it is kept here, and there may be no network
+    done(instance, module);
+  }, lost('zstep.wasm'));
+  return {};
+};
+
 // --- The program. A page that holds it in itself has brought it along (packed.js).
 const inside = typeof packed === 'object' ? packed : null;
 const embedsRun = inside !== null && linkNow() === '#embed=1';
@@ -207,6 +252,7 @@ var Module = {  // `var`: zstep.js looks for it by this name
     }
     location.reload();
   }],
+  ...inside ? {} : {instantiateWasm},
   onAbort: (what) => warn('zstep ended: ' + what + '. Load the page again.'),
 };
 
