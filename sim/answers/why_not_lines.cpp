@@ -4,6 +4,7 @@
 
 #include "sim/answers/why_not_parts.hpp"
 #include "sim/words/rejects.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::answers {
 namespace {
@@ -57,7 +58,7 @@ double distance_to(const DrawnEdge& line, Trace::Pixel pixel) {
   const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y, px = pixel.x - line.from.x,
                py = pixel.y - line.from.y;
   const double length = dx * dx + dy * dy, t = length > 0 ? std::clamp((px * dx + py * dy) / length, 0.0, 1.0) : 0;
-  return std::hypot(px - t * dx, py - t * dy);
+  return portable::length(px - t * dx, py - t * dy);
 }
 
 /// The piece of a line at t; ends are rounded to pixels, so the nearest where none holds t.

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "traces/error.hpp"
+#include "traces/math/portable_math.hpp"
 #include "traces/math/read_number.hpp"
 
 namespace zstep::classroom {
@@ -249,7 +250,7 @@ struct Parser {
     if (!any || places > 22 || digits > 9007199254740992.0) {
       fail("a number that cannot be read exactly", "write at most 15 digits");
     }
-    made.number = digits / std::pow(10.0, places);
+    made.number = digits / portable::pow(10.0, places);
     return made;
   }
 

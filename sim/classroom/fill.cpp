@@ -6,6 +6,7 @@
 
 #include "sim/classroom/evaluate.hpp"
 #include "traces/error.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::classroom {
 namespace {
@@ -100,7 +101,7 @@ bool rounds_to(double number, const std::string& written, std::string_view where
   }();
   const std::size_t point = written.find('.');
   const auto places = point == std::string::npos ? 0 : static_cast<int>(written.size() - point - 1);
-  return std::abs(number - value) <= 0.5 * std::pow(10.0, -places) * (1 + 1e-9);
+  return std::abs(number - value) <= 0.5 * portable::pow(10.0, -places) * (1 + 1e-9);
 }
 
 void verify(const Slot& slot, std::string_view text, const Quantity& value, const Moment& moment) {

@@ -19,6 +19,7 @@
 #include "traces/error.hpp"
 #if ZSTEP_HAS_VIEWER
 #include "sim/viewer/charts/chart.hpp"
+#include "traces/math/portable_math.hpp"
 #endif
 
 namespace zstep::cli {
@@ -269,7 +270,7 @@ int sweep_modes(const CompareOptions& options, const Words& words) {
   Scene scene;
   for (std::size_t k = 0; k < points; ++k) {
     const double share = static_cast<double>(k) / (points - 1);
-    const double value = sweep.from * std::pow(sweep.to / sweep.from, share);
+    const double value = sweep.from * portable::pow(sweep.to / sweep.from, share);
     (sweep.name == "near" ? run_options.view.near : run_options.view.far) = value;
     const Run run = prepare_for_modes(run_options, k == 0);
     scene = run.scene;

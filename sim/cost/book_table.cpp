@@ -5,6 +5,7 @@
 
 #include "algorithms/scene/colors.hpp"
 #include "algorithms/scene/load.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::compare {
 
@@ -51,7 +52,7 @@ Scene random_scene(int triangles, double layers, std::int32_t side, unsigned see
 }
 
 double growth_exponent(double n_0, double cost_0, double n_1, double cost_1) {
-  return std::log(cost_1 / cost_0) / std::log(n_1 / n_0);
+  return portable::log(cost_1 / cost_0) / portable::log(n_1 / n_0);
 }
 
 }  // namespace zstep::compare

@@ -11,6 +11,7 @@
 #include "sim/cost/work.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::compare {
 namespace {
@@ -30,8 +31,8 @@ const GrowthPoint* point_at(const GrowthLine& line, int polygons) {
 struct Pair {
   double polygons, first, other;
   /// Below 0 where the first costs less; on logarithmic axes, where the lines are straight.
-  double apart() const { return std::log(first / other); }
-  bool clear() const { return std::abs(apart()) >= std::log(clear_difference); }
+  double apart() const { return portable::log(first / other); }
+  bool clear() const { return std::abs(apart()) >= portable::log(clear_difference); }
 };
 std::vector<Pair> pairs_of(const GrowthLine& first, const GrowthLine& other, Measure measure) {
   std::vector<Pair> all;
@@ -88,7 +89,7 @@ void measure_more(GrowthLine& line, const Entrant& entrant, int polygons, const 
 }
 
 std::int64_t Crossing::rounded() const {
-  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(polygons)) - 1));
+  const double unit = portable::pow(10, std::max(0.0, std::floor(portable::log10(polygons)) - 1));
   return std::llround(std::round(polygons / unit) * unit);
 }
 
@@ -103,7 +104,7 @@ std::vector<Crossing> crossings(const std::vector<GrowthLine>& lines, Measure me
         if (k > 0 && !found && (pairs[k - 1].apart() < 0) != (pairs[k].apart() < 0)) {
           const Pair &a = pairs[k - 1], &b = pairs[k];
           const double share = a.apart() / (a.apart() - b.apart());
-          const auto between = [&](double from, double to) { return from * std::pow(to / from, share); };
+          const auto between = [&](double from, double to) { return from * portable::pow(to / from, share); };
           found = Crossing{i, j, between(a.polygons, b.polygons), between(a.first, b.first)};
         }
         if (!pairs[k].clear()) continue;

@@ -43,6 +43,7 @@ struct WindowRequests {
   std::optional<std::string> save_picture;  ///< path
   int switch_method = 0;                    ///< 1 or -1: to another method on the same scene
   std::optional<Offer> open;
+  bool for_class = false;                   ///< and that in presenter mode, a lesson from its first stop on
   std::vector<Change> changes;              ///< of the run, one after the other
   bool change_goes_on = false;              ///< it takes the place of the one before, which a hand has not let go
   bool end_run = false;                     ///< the one that is made while the window goes on

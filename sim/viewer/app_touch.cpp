@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include "sim/viewer/app.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -34,7 +35,7 @@ ImGuiWindow* scrolled_at(ImVec2 at) {
 
 /// As far as zooms by this factor where a wheel's notch zooms by 1.25.
 void turn_wheel(float factor) {
-  const float notches = std::log(factor) / std::log(1.25f);
+  const auto notches = static_cast<float>(portable::log(factor) / portable::log(1.25));
 #if IMGUI_VERSION_NUM >= 18700
   ImGui::GetIO().AddMouseWheelEvent(0, notches);
 #else

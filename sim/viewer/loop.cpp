@@ -62,7 +62,7 @@ void Loop::serve() {
     name_window(window_, stage_.trace());
   }
   if (const auto offer = std::exchange(stage_.app().requests.open, std::nullopt)) {
-    stage_.open(*offer);
+    stage_.open(*offer, std::exchange(stage_.app().requests.for_class, false));
     name_window(window_, stage_.trace());
   }
   if (std::exchange(stage_.app().requests.check, false)) stage_.check();

@@ -37,7 +37,7 @@ void Stage::begin(const Settings& settings, int width, int height) {
   if (options_.run_changed) first_app_->allow_changes(options_.run_changed);
 }
 
-void Stage::open(const Offer& offer) {
+void Stage::open(const Offer& offer, bool for_class) {
   if (offer.what == Offer::What::scene && is_progress_file(offer.id)) return take_progress_of(offer.id);
   if (!options_.open) return app().say("Nothing else can be opened from here.");
   if (offer.what == Offer::What::method && !changes_.empty() && options_.run_changed) return switch_to(offer.id);
@@ -52,6 +52,7 @@ void Stage::open(const Offer& offer) {
   }
   Settings settings = app().settings();
   settings.speed = app().session().speed;
+  settings.presenter = settings.presenter || for_class;
   settings.remember(place_key(trace()), app().session().position());
   settings.remember(place_key(*first_), first_app_->session().position());
   pending_.reset();  // it looks at what goes
@@ -72,7 +73,8 @@ void Stage::open(const Offer& offer) {
   arrived_ = -1;
   changes_.clear(), undone_.clear(), before_change_.reset();
   Session& s = app().session();
-  if (const auto place = settings.place(place_key(*first_))) s.go_to(*place);
+  const auto place = settings.place(place_key(*first_));
+  if (place && !(for_class && lesson_)) s.go_to(*place);
   else if (lesson_ && !lesson_->stops.empty()) s.to_stop(0);
   else if (offer.what == Offer::What::method) {  // of the same scene: at the same moment
     const MomentThere there = moment_in(*first_, moment);

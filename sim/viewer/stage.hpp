@@ -45,7 +45,8 @@ class Stage {
   /// Opens something else in place of all that is shown, at the place where it was left. What cannot be opened is said
   /// on the start page, and all stays as it is. Another method of a run that was changed is as after switch_method: the
   /// changes can be taken back there.
-  void open(const Offer& offer);
+  /// `for_class`: in presenter mode, and a lesson from its first stop on.
+  void open(const Offer& offer, bool for_class = false);
 
   /// Shows the next (or previous) method's run on this scene at the same moment. The trace that was opened has its
   /// place among them and keeps the reader's place, the lesson's answers and all else meanwhile. What cannot be done is

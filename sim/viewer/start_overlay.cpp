@@ -137,12 +137,17 @@ void App::say_on_start(const std::string& why) {
 }
 
 bool App::pick_offer(SDL_Keycode code) {
+  // With a clicker one goes through the rows by its two keys, and opens by the third, before a class. What that one
+  // typed before is nothing that is looked for.
+  const bool turns = code == SDLK_PAGEUP || code == SDLK_PAGEDOWN, clicker = std::exchange(clicker_, turns);
+  if (turns && (typed == "b" || typed == ".")) put("");
   const std::vector<const Offer*> all = choices();
   const int count = static_cast<int>(all.size());
-  // With a clicker one goes through the rows by its two keys, and opens by the third.
-  const bool clicker = std::exchange(clicker_, code == SDLK_PAGEUP || code == SDLK_PAGEDOWN);
-  if (code == SDLK_RETURN || (clicker && (code == SDLK_PERIOD || code == SDLK_b))) {
-    if (picked < count) open_offer(*all[static_cast<std::size_t>(picked)]);
+  const bool opens = clicker && (code == SDLK_PERIOD || code == SDLK_b);
+  if (code == SDLK_RETURN || opens) {
+    if (picked >= count) return true;
+    requests.for_class = opens;
+    open_offer(*all[static_cast<std::size_t>(picked)]);
     return true;
   }
   const auto what = [&](int k) { return all[static_cast<std::size_t>(k)]->what; };

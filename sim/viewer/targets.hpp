@@ -7,6 +7,8 @@
 
 #include <imgui.h>
 
+#include "traces/math/portable_math.hpp"
+
 namespace zstep::viewer {
 
 class Targets {
@@ -26,8 +28,8 @@ class Targets {
       const float x = beyond(at.x, box.a.x, box.b.x), y = beyond(at.y, box.a.y, box.b.y);
       if (x == 0 && y == 0) return at;
       const auto reach = [least](float low, float high) { return std::max(0.0f, (least - (high - low)) / 2); };
-      if (x > reach(box.a.x, box.b.x) || y > reach(box.a.y, box.b.y) || std::hypot(x, y) >= away) continue;
-      nearest = &box, away = std::hypot(x, y);
+      if (x > reach(box.a.x, box.b.x) || y > reach(box.a.y, box.b.y) || portable::length(x, y) >= away) continue;
+      nearest = &box, away = portable::length(x, y);
     }
     if (!nearest) return at;
     return {std::clamp(at.x, nearest->a.x, nearest->b.x - 1), std::clamp(at.y, nearest->a.y, nearest->b.y - 1)};

@@ -1,4 +1,5 @@
 #include "sim/viewer/touch.hpp"
+#include "traces/math/portable_math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@ namespace {
 
 using Kind = Touch::Act::Kind;
 
-float distance_between(Touch::Point a, Touch::Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+float distance_between(Touch::Point a, Touch::Point b) { return portable::length(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 

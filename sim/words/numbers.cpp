@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "sim/words/hex.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep {
 namespace {
@@ -33,7 +34,7 @@ std::string not_finite(double value) {
 }
 
 double rounded(double value, int decimals) {
-  const double scale = std::pow(10.0, decimals);
+  const double scale = portable::pow(10.0, decimals);
   return std::round(value * scale) / scale;
 }
 
@@ -67,7 +68,7 @@ std::string number(double value, int at_most_decimals, bool shorten) {
 std::string factor(double value) {
   const double magnitude = std::abs(value);
   if (!(magnitude >= 1e-4 && magnitude < 0.1)) return number(value);
-  return number(value, usual_decimals - 1 - static_cast<int>(std::floor(std::log10(magnitude))), true);
+  return number(value, usual_decimals - 1 - static_cast<int>(std::floor(portable::log10(magnitude))), true);
 }
 
 int decimals_needed(std::span<const double> values, int at_most) {
@@ -81,7 +82,7 @@ int decimals_needed(std::span<const double> values, int at_most) {
   if (needed < at_most) return needed;
   // Not short: two decimals, or as many as tell the values apart.
   std::vector<double> sorted{0};  // what is seen with all decimals is told apart from 0, too
-  const double least = 0.5 * std::pow(10.0, -at_most);
+  const double least = 0.5 * portable::pow(10.0, -at_most);
   for (const double value : values)
     if (std::isfinite(value) && std::abs(value) >= least) sorted.push_back(value);
   std::sort(sorted.begin(), sorted.end());
@@ -164,7 +165,7 @@ bool shown_as(double value, std::string_view text) {
   if (rest == plain.c_str() || *rest != '\0' || !std::isfinite(value)) return false;
   const std::size_t power = std::min(plain.find('e'), plain.size()), point = plain.find('.');
   const int decimals = point == std::string::npos ? 0 : static_cast<int>(power - point) - 1;
-  const double unit = std::pow(10.0, (power < plain.size() ? std::atoi(plain.c_str() + power + 1) : 0) - decimals);
+  const double unit = portable::pow(10.0, (power < plain.size() ? std::atoi(plain.c_str() + power + 1) : 0) - decimals);
   return std::abs(value - written) <= 0.5 * unit * (1 + 1e-9);
 }
 

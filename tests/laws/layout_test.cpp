@@ -231,3 +231,21 @@ TEST_CASE("what a document links to in the tree is there") {
   }
   CHECK(links > 10);
 }
+
+TEST_CASE("law: what C libraries compute differently is asked of none: pictures and traces are the same everywhere") {
+  // Square roots, roundings and remainders are the same in all of them.
+  const std::regex asks(
+      R"(\bstd::(sin|cos|tan|a(sin|cos|tan2?)|(sin|cos|tan)h|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|[tl]gamma|erfc?)\()");
+  int files = 0;
+  for (const char* folder : {"traces", "algorithms", "sim"})
+    for (const std::string& path : files_below(folder)) {
+      if (!is_code(path) || path.starts_with("traces/math/")) continue;
+      ++files;
+      int number = 0;
+      for (const std::string& line : lines_of(root / path)) {
+        ++number;
+        CHECK_MESSAGE(!std::regex_search(line, asks), path, ":", number, ": take it of zstep::portable: ", line);
+      }
+    }
+  CHECK(files > 500);
+}

@@ -38,7 +38,8 @@ ViewerOptions with_offers(int* asked = nullptr) {
 
 /// What the window does with a request.
 void serve(Stage& stage) {
-  if (const auto offer = std::exchange(stage.app().requests.open, std::nullopt)) stage.open(*offer);
+  if (const auto offer = std::exchange(stage.app().requests.open, std::nullopt))
+    stage.open(*offer, std::exchange(stage.app().requests.for_class, false));
 }
 
 std::string picked_id(App& app) { return app.choices().at(static_cast<std::size_t>(app.picked))->id; }
@@ -144,11 +145,23 @@ TEST_CASE("settings keep how far lessons were read, and which was open last") {
 TEST_CASE("before a class a clicker's four keys are enough: choose a lesson, go from stop to stop, black window") {
   const Trace trace = test::record_run("pyramid");
   const ViewerOptions options = with_offers();
-  Settings settings;
-  settings.presenter = true;
+  Settings settings;  // as they are at first; the lesson was read to its end at home
+  Lesson read = find_lesson("z-buffer");
+  settings.remember(place_key(run_lesson(read)), read.stops.back().position);
+  settings.see_stop("viewing", 1);
+  for (const SDL_Keycode slip : {SDLK_PERIOD, SDLK_b}) {  // the third key before the others
+    Stage stage(trace, options, settings, 1280, 720);
+    stage.app().open_start();
+    test::press(stage.app(), slip);
+    CHECK(stage.app().typed == (slip == SDLK_b ? "b" : "."));
+    test::press(stage.app(), SDLK_PAGEDOWN);
+    CHECK(stage.app().typed == "");
+    CHECK(stage.app().choices().size() == all_lessons().size() + 2);
+  }
   Stage stage(trace, options, settings, 1280, 720);
   stage.app().open_start();
-  for (int k = 0; k < 3; ++k) test::press(stage.app(), SDLK_PAGEDOWN);
+  for (int k = 0; k < 2; ++k) test::press(stage.app(), SDLK_PAGEDOWN);
+  test::press(stage.app(), SDLK_PAGEDOWN);
   test::press(stage.app(), SDLK_PERIOD);
   serve(stage);
   App& app = stage.app();

@@ -198,4 +198,7 @@ double tanh(double x) {
   return std::copysign((more / (2 + more)).high, x);
 }
 
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+float length(float x, float y) { return std::sqrt(x * x + y * y); }
+
 }  // namespace zstep::portable

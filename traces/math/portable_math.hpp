@@ -21,5 +21,8 @@ double pow(double base, double exponent);
 double sinh(double x);
 double cosh(double x);
 double tanh(double x);
+/// √(x² + y²), for numbers whose squares neither overflow nor vanish.
+double length(double x, double y);
+float length(float x, float y);
 
 }  // namespace zstep::portable

@@ -10,6 +10,7 @@
 
 #include "sim/answers/origin/enclosed.hpp"
 #include "traces/formulas/rounding.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::answers {
 
@@ -56,7 +57,7 @@ namespace {
 std::string decimals_of(const Rational& exact) {
   constexpr int count = 25;
   if (exact == 0) return "0";
-  int exponent = static_cast<int>(std::floor(std::log10(std::abs(rounded(exact)))));
+  int exponent = static_cast<int>(std::floor(portable::log10(std::abs(rounded(exact)))));
   const auto scaled = [&] {
     Whole above = abs(numerator(exact)), below = denominator(exact);
     const int places = count - 1 - exponent;

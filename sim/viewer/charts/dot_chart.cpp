@@ -5,6 +5,7 @@
 
 #include "sim/viewer/charts/chart.hpp"
 #include "sim/viewer/charts/sheet.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep {
 
@@ -52,7 +53,7 @@ void draw_axis(Sheet& sheet, const Scale& axis, float top, float bottom) {
   const int count = axis.decades->last_decade() - axis.decades->first_decade();
   const int stride = 1 + (count - 1) / 3;  // labels that do not touch
   for (int n = axis.decades->first_decade(); n <= axis.decades->last_decade(); ++n) {
-    const float x = axis.decades->at(std::pow(10.0, n));
+    const float x = axis.decades->at(portable::pow(10.0, n));
     if ((n - axis.decades->first_decade()) % stride == 0) tick(x, viewer::decade_text(n));
     else sheet.rule({x, top}, {x, bottom}, sheet.theme().rule);
   }

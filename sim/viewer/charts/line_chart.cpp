@@ -10,6 +10,7 @@
 #include "sim/viewer/charts/chart.hpp"
 #include "sim/viewer/charts/sheet.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep {
 
@@ -58,7 +59,7 @@ class ChartAxis {
     const int count = decades.last_decade() - decades.first_decade() + 1;
     const int stride = std::max(1, static_cast<int>(std::ceil(static_cast<float>(count) * each / std::abs(to - from))));
     for (int n = decades.first_decade(); n <= decades.last_decade(); n += stride)
-      axis.ticks_.push_back({std::pow(10.0, n), viewer::decade_text(n)});
+      axis.ticks_.push_back({portable::pow(10.0, n), viewer::decade_text(n)});
     return axis;
   }
   static ChartAxis across(const Range& range, const LineChart& chart, float from, float to, float each) {
@@ -73,7 +74,7 @@ class ChartAxis {
     if (decades_) return decades_->at(value);
     double share = 0.5;
     if (range_.most > range_.least)
-      share = ratios_ ? std::log(value / range_.least) / std::log(range_.most / range_.least)
+      share = ratios_ ? portable::log(value / range_.least) / portable::log(range_.most / range_.least)
                       : (value - range_.least) / (range_.most - range_.least);
     return from_ + static_cast<float>(share) * (to_ - from_);
   }
@@ -85,7 +86,7 @@ class ChartAxis {
   ChartAxis& with_round_ticks(float each) {
     const int most = std::max(1, static_cast<int>(std::abs(to_ - from_) / each));
     const double step = viewer::nice_step(range_.most - range_.least, most);
-    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 8);
+    const int decimals = std::clamp(static_cast<int>(std::ceil(-portable::log10(step) - 1e-9)), 0, 8);
     for (double value = std::ceil(range_.least / step - 1e-9) * step; value <= range_.most + step * 1e-9;
          value += step) {
       const double shown = std::abs(value) < step * 1e-6 ? 0 : value;
@@ -148,7 +149,7 @@ Reach reach_of(const LineChart& chart) {
 }  // namespace
 
 double viewer::nice_step(double range, int most) {
-  const double raw = range / std::max(1, most), decade = std::pow(10.0, std::floor(std::log10(raw)));
+  const double raw = range / std::max(1, most), decade = portable::pow(10.0, std::floor(portable::log10(raw)));
   for (const double factor : {1.0, 2.0, 5.0})
     if (decade * factor >= raw * (1 - 1e-9)) return decade * factor;
   return decade * 10;

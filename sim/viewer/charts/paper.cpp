@@ -1,4 +1,5 @@
 #include "sim/viewer/charts/paper.hpp"
+#include "traces/math/portable_math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +7,7 @@
 namespace zstep::viewer {
 
 void Paper::dashed_line(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
-  const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  const float dx = to.x - from.x, dy = to.y - from.y, length = portable::length(dx, dy);
   constexpr float dash = 10, gap = 8;
   for (float at = 0; at < length; at += dash + gap) {
     const float begin = at / length, end = std::min(at + dash, length) / length;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/words/markup.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -128,20 +129,20 @@ std::string Sheet::svg() const {
 }
 
 LogAxis::LogAxis(double least, double most, float from, float to)
-    : first_(static_cast<int>(std::floor(std::log10(least) + 1e-9))),
-      last_(std::max(first_ + 1, static_cast<int>(std::ceil(std::log10(most) - 1e-9)))),
+    : first_(static_cast<int>(std::floor(portable::log10(least) + 1e-9))),
+      last_(std::max(first_ + 1, static_cast<int>(std::ceil(portable::log10(most) - 1e-9)))),
       from_(from),
       to_(to) {}
 
 float LogAxis::at(double value) const {
-  const double share = (std::log10(value) - first_) / (last_ - first_);
+  const double share = (portable::log10(value) - first_) / (last_ - first_);
   return from_ + static_cast<float>(share) * (to_ - from_);
 }
 
 std::string decade_text(int n) {
-  if (n >= 0 && n <= 2) return fmt::format("{:.0f}", std::pow(10.0, n));
-  if (n < 0 && n >= -3) return fmt::format("{:.{}f}", std::pow(10.0, n), -n);
-  if (n >= 3 && n <= 5) return fmt::format("{:.0f} 000", std::pow(10.0, n - 3));
+  if (n >= 0 && n <= 2) return fmt::format("{:.0f}", portable::pow(10.0, n));
+  if (n < 0 && n >= -3) return fmt::format("{:.{}f}", portable::pow(10.0, n), -n);
+  if (n >= 3 && n <= 5) return fmt::format("{:.0f} 000", portable::pow(10.0, n - 3));
   static const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                        "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = n < 0 ? "10\u207b" : "10";

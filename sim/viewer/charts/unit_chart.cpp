@@ -4,12 +4,13 @@
 
 #include "sim/viewer/charts/chart.hpp"
 #include "traces/formulas/resolution.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep {
 
 std::vector<double> decades_between(double from, double to) {
   std::vector<double> all;
-  for (double decade = std::pow(10, std::ceil(std::log10(from) - 1e-9)); decade <= to * 1.0001; decade *= 10)
+  for (double decade = portable::pow(10, std::ceil(portable::log10(from) - 1e-9)); decade <= to * 1.0001; decade *= 10)
     all.push_back(decade);
   return all;
 }
@@ -27,7 +28,7 @@ LineChart unit_chart(const Scene& scene, const std::vector<std::pair<std::string
     LineChart::Line line{modes[mode].first, {}, false, static_cast<int>(mode)};
     for (int k = 0; k < points; ++k) {
       const double z =
-          near * std::pow(far / near, (k + 0.5) / points);  // not at the planes: about 0 floats are endless
+          near * portable::pow(far / near, (k + 0.5) / points);  // not at the planes: about 0 floats are endless
       if (const double unit = formulas::resolution(scene, modes[mode].second, z); unit > 0)
         line.points.emplace_back(z, unit);
     }

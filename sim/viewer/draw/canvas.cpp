@@ -1,4 +1,5 @@
 #include "sim/viewer/draw/canvas.hpp"
+#include "traces/math/portable_math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,7 @@ namespace {
 double inside_mark(int shape, double x, double y, double r) {
   switch (shape % 4) {
     case 0:
-      return r - std::hypot(x, y);
+      return r - portable::length(x, y);
     case 1:
       return 0.9 * r - std::max(std::abs(x), std::abs(y));
     case 2:

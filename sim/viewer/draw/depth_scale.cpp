@@ -51,7 +51,7 @@ Pixel32 DepthScale::at(double t) const {
 ImU32 ink_on(Pixel32 background) {
   const auto light = [](unsigned byte) {
     const double c = byte / 255.0;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    return c <= 0.04045 ? c / 12.92 : portable::pow((c + 0.055) / 1.055, 2.4);
   };
   const double luminance = 0.2126 * light(background >> 16 & 255u) + 0.7152 * light(background >> 8 & 255u) +
                            0.0722 * light(background & 255u);

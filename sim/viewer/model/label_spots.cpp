@@ -1,4 +1,5 @@
 #include "sim/viewer/model/label_spots.hpp"
+#include "traces/math/portable_math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +87,7 @@ void find_label_spots(std::vector<LabelSpot>& spots, const RasterMap& map, const
     if (depth != one.depth) return;
     const auto ties = static_cast<double>(one.ties);
     const double distance =
-        std::hypot(x - static_cast<double>(one.sum_x) / ties, y - static_cast<double>(one.sum_y) / ties);
+        portable::length(x - static_cast<double>(one.sum_x) / ties, y - static_cast<double>(one.sum_y) / ties);
     if (distance < one.distance) one.distance = distance, one.cell = {x, y};
   });
   for (const auto& [polygon, one] : best) spots.push_back({polygon, one.cell, one.pixels * seen.every * seen.every});

@@ -8,6 +8,7 @@
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/formulas/resolution.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -52,7 +53,7 @@ void draw_depth_units(Ui& ui) {
   const double near = scene.camera.near, far = scene.camera.far;
   std::erase_if(chart.x_ticks, [&](double tick) {
     constexpr double share = 0.08;
-    const double at = std::log(tick / near) / std::log(far / near);
+    const double at = portable::log(tick / near) / portable::log(far / near);
     return at < share || at > 1 - share;
   });
   chart.x_ticks.insert(chart.x_ticks.begin(), near);

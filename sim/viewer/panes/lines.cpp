@@ -10,6 +10,7 @@
 #include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -30,7 +31,7 @@ Ends part_of(const Ends& e, double t_0, double t_1) {
 }
 
 void dashes(Canvas& canvas, const Ends& e, double thickness, Pixel32 color) {
-  const double length = std::hypot(e.x1 - e.x0, e.y1 - e.y0);
+  const double length = portable::length(e.x1 - e.x0, e.y1 - e.y0);
   constexpr double on = 4, period = 8;
   if (!(length > 0) || length > 1e5) return;
   for (double at = 0; at < length; at += period) {

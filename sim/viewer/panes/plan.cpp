@@ -12,6 +12,7 @@
 #include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -192,7 +193,7 @@ void draw_planes(const View& v) {
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);
   if (!ends || !line) return;
   const ImVec2 a = v.frame.place((*ends)[0]), b = v.frame.place((*ends)[1]);
-  const float length = std::hypot(b.x - a.x, b.y - a.y);
+  const float length = portable::length(b.x - a.x, b.y - a.y);
   for (float k = 0; k < length; k += 14) {  // dashed
     const float stop = std::min(k + 9, length);
     v.list->AddLine({a.x + (b.x - a.x) * k / length, a.y + (b.y - a.y) * k / length},

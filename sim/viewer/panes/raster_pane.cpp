@@ -8,6 +8,7 @@
 #include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/marking.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -56,7 +57,7 @@ void zoom_and_pan(Ui& ui, const RasterMap& map, ImVec2 origin) {
   RasterView& view = ui.view;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
     const double before = map.cell;
-    const double zoom = std::clamp(view.zoom * std::pow(1.25, static_cast<double>(io.MouseWheel)), 1.0,
+    const double zoom = std::clamp(view.zoom * portable::pow(1.25, static_cast<double>(io.MouseWheel)), 1.0,
                                    most_zoom(ui.session.scene().raster));
     // The cell under the mouse stays there.
     const double from_x = (io.MousePos.x - origin.x - map.left) / before - map.width / 2.0;

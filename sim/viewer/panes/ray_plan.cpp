@@ -12,6 +12,7 @@
 
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -69,7 +70,7 @@ void outline_box(const Plan& plan, glm::dvec3 low, glm::dvec3 high, ImU32 color,
 }
 
 void dash(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
-  const float length = std::hypot(to.x - from.x, to.y - from.y), step = 9;
+  const float length = portable::length(to.x - from.x, to.y - from.y), step = 9;
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (float at = 0; at < length && at < 4000; at += step) {
     const float a = at / length, b = std::min(at + 5, length) / length;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/fast/z_buffer.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 
@@ -33,7 +34,7 @@ void RoomPen::line(glm::dvec3 from, glm::dvec3 to, ImU32 color, double thickness
   const auto ends = outside_.line(from, to);
   if (!ends) return;
   const Outside::Spot a = (*ends)[0], b = (*ends)[1];
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const double length = portable::length(b.x - a.x, b.y - a.y);
   if (!std::isfinite(length)) return;
   const int parts = static_cast<int>(std::clamp(length / 3, 1.0, 2000.0));
   const auto at = [&](int k) {

@@ -11,6 +11,7 @@
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/pieces.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -83,12 +84,13 @@ void draw_axes(RoomPen& pen, const Moment& now, int viewing) {
   };
   if (all || viewing == 2)
     arc(
-        theta, [&](double t) { return radius * glm::dvec3(std::cos(t), std::sin(t), 0); }, "\u03b8");
+        theta, [&](double t) { return radius * glm::dvec3(portable::cos(t), portable::sin(t), 0); }, "\u03b8");
   if (all || viewing == 3)
     arc(
         phi,
         [&](double t) {
-          return radius * glm::dvec3(std::sin(t) * std::cos(theta), std::sin(t) * std::sin(theta), std::cos(t));
+          return radius * glm::dvec3(portable::sin(t) * portable::cos(theta), portable::sin(t) * portable::sin(theta),
+                                     portable::cos(t));
         },
         "\u03c6");
 }

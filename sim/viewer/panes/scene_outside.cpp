@@ -12,6 +12,7 @@
 #include "sim/viewer/panes/taken_places.hpp"
 #include "sim/viewer/panes/viewing_steps.hpp"
 #include "sim/words/explain.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -44,7 +45,7 @@ void paint_outside(ChartPicture& picture, const Kept<OutsideSeen>& kept, const K
 
 /// As many decimals as a hundredth of the scene has.
 double rounded(double value, double size) {
-  const double unit = std::pow(10, std::floor(std::log10(std::max(size, 1e-300) / 100)));
+  const double unit = portable::pow(10, std::floor(portable::log10(std::max(size, 1e-300) / 100)));
   return std::round(value / unit) * unit;
 }
 
@@ -144,7 +145,7 @@ void walk_round(Ui& ui, Look& look, ImVec2 size, const char* help) {
   if (ImGui::IsItemHovered()) {
     ui.mouse_help = help;
     if (io.MouseWheel != 0)
-      look.zoom = std::clamp(look.zoom * std::pow(1.25, static_cast<double>(io.MouseWheel)), 0.3, 40.0);
+      look.zoom = std::clamp(look.zoom * portable::pow(1.25, static_cast<double>(io.MouseWheel)), 0.3, 40.0);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) look = {};
   }
   const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3);

@@ -5,6 +5,7 @@
 
 #include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/room_pen.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -70,7 +71,7 @@ ScenePart part_under(const Ui& ui, const Outside& outside, const Room& room, con
                      to = room.polygons().points[static_cast<std::size_t>(ends.second)];
     for (const auto& [number, place] : {std::pair{ends.first, from}, {ends.second, to}})
       if (const auto spot = outside.spot(place))
-        if (nearest_vertex.take(std::hypot(spot->x - x, spot->y - y), reach_of_vertex, is_seen(seen, *spot)))
+        if (nearest_vertex.take(portable::length(spot->x - x, spot->y - y), reach_of_vertex, is_seen(seen, *spot)))
           vertex.vertex = number;
     const auto line = outside.line(from, to);
     if (!line) continue;
@@ -79,7 +80,8 @@ ScenePart part_under(const Ui& ui, const Outside& outside, const Room& room, con
     if (!(length > 0)) continue;
     const double t = std::clamp(((x - a.x) * dx + (y - a.y) * dy) / length, 0.0, 1.0);
     const Outside::Spot spot{a.x + t * dx, a.y + t * dy, a.depth + t * (b.depth - a.depth)};
-    if (nearest_edge.take(std::hypot(spot.x - x, spot.y - y), reach_of_edge, is_seen(seen, spot))) edge.edge = ends;
+    if (nearest_edge.take(portable::length(spot.x - x, spot.y - y), reach_of_edge, is_seen(seen, spot)))
+      edge.edge = ends;
   }
   // A hidden vertex does not lie before an edge that is seen.
   const bool edge_first = !nearest_vertex.any || (nearest_edge.seen && !nearest_vertex.seen);

@@ -46,7 +46,7 @@ std::string verdict(const ShadowCompare& at, const State& state) {
 void draw_shadow_buffer(Ui& ui) {
   const State& state = ui.session.state();
   if (state.machine.pass == Pass::light)
-    return say_empty(ui, "The light's picture is being made; it stands above, in place of the eye's.");
+    return say_empty(ui, "The light's picture is being made; it stands where the eye's will.");
   if (state.light.depth.empty()) return say_empty(ui, "Empty: the light has not looked yet.");
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float caption = 2.4f * ui.line();

@@ -10,6 +10,7 @@
 #include "sim/viewer/panes/slice_plot.hpp"
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -42,7 +43,7 @@ void draw_axes(Ui& ui, const SlicePlot& plot, ImVec2 origin, const Room& room, c
   };
   const int most = std::max(1, static_cast<int>((plot.bottom - plot.top) / (font->FontSize * 1.7f)));
   const double step = nice_step(plot.high - plot.low, most);
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 8);
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-portable::log10(step) - 1e-9)), 0, 8);
   for (double z = std::ceil(plot.low / step) * step; z <= plot.high; z += step) {
     const double shown = std::abs(z) < step * 1e-6 ? 0 : z;
     beside(plot.y(shown), number(shown, decimals));

@@ -7,6 +7,7 @@
 
 #include "sim/words/explain.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -66,7 +67,7 @@ void paint_span(Canvas& canvas, const SlicePlot& plot, const SliceSpan& span, bo
     canvas.line(x0, y0, x1, y1, 4.6 * line, to_pixel(c.text), 230);
     return canvas.line(x0, y0, x1, y1, 2.6 * line, color);
   }
-  const double length = std::hypot(x1 - x0, y1 - y0), dash = 9 * line, gap = 7 * line;
+  const double length = portable::length(x1 - x0, y1 - y0), dash = 9 * line, gap = 7 * line;
   if (!(length < 1e5)) return;
   for (double at = 0; at < length; at += dash + gap) {
     const double from = at / length, to = std::min(at + dash, length) / length;

@@ -15,6 +15,7 @@
 #include "sim/viewer/panes/typeset.hpp"
 #include "sim/viewer/panes/vertex_stages.hpp"
 #include "sim/words/numbers.hpp"
+#include "traces/math/portable_math.hpp"
 
 namespace zstep::viewer {
 namespace {
@@ -53,7 +54,7 @@ const Told& told(int step) {
 /// By how many degrees it turns points.
 double turned(const glm::dmat4& t, int step) {
   const glm::dvec2 to = step == 2 ? glm::dvec2(t[0][0], t[0][1]) : glm::dvec2(t[1][1], t[1][2]);
-  return glm::degrees(std::atan2(to.y, to.x)) + 0.0;
+  return glm::degrees(portable::atan2(to.y, to.x)) + 0.0;
 }
 
 /// How coordinates are called after so many of the four: x_w, x_1, …, x_v.
