@@ -439,7 +439,7 @@ class App {
     std::string pane;  ///< empty: what the method has
     int stop;          ///< of the lesson, where it was chosen
   };
-  std::optional<ChosenLead> chosen_lead_;
+  std::optional<ChosenLead> chosen_lead_, lead_before_against_;
   std::optional<ChosenLead> chosen_words_;  ///< in a window too small for all panes
   std::function<std::vector<Offer>()> ask_for_offers_;
   std::vector<Offer> offers_;

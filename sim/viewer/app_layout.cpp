@@ -190,18 +190,29 @@ void App::draw_small(std::vector<Pane> panes, ImVec2 at, ImVec2 size) {
     for (const Pane& pane : all) widest = std::max(widest, text_size(ui_, ui_.fonts.small, pane.title).x + ui_.em);
     return all.empty() ? 0 : std::round(widest) + gap;
   };
-  while (titles = titled(folded), !panes.empty() && (size.x - titles) / static_cast<float>(panes.size()) < narrowest)
-    fold(panes.end() - 1);
-  if (!folded.empty()) draw_folded(folded, {at.x + size.x - titles + gap, at.y}, {titles - gap, at.y + size.y});
-  if (panes.empty()) return;
-  const float end = at.x + size.x - titles;
-  const float room = end - at.x - gap * static_cast<float>(panes.size() - 1);
   const auto weight = [&](const Pane& pane) {
     const auto found = settings_.layout.structures.find(pane.id);
     return found == settings_.layout.structures.end() ? std::max(pane.share, 0.25f) : found->second;
   };
-  float sum = 0;
-  for (const Pane& pane : panes) sum += weight(pane);
+  const auto all_weights = [&] {
+    float sum = 0;
+    for (const Pane& pane : panes) sum += weight(pane);
+    return sum;
+  };
+  // As wide as they can be read, all of them together and a table by itself.
+  const auto too_narrow = [&] {
+    const float width = size.x - titles, sum = all_weights();
+    return width / static_cast<float>(panes.size()) < narrowest ||
+           std::any_of(panes.begin(), panes.end(), [&](const Pane& pane) {
+             return !settings_.layout.structures.contains(pane.id) && width * weight(pane) / sum < 8 * ui_.em;
+           });
+  };
+  while (titles = titled(folded), !panes.empty() && too_narrow()) fold(panes.end() - 1);
+  if (!folded.empty()) draw_folded(folded, {at.x + size.x - titles + gap, at.y}, {titles - gap, at.y + size.y});
+  if (panes.empty()) return;
+  const float end = at.x + size.x - titles;
+  const float room = end - at.x - gap * static_cast<float>(panes.size() - 1);
+  const float sum = all_weights();
   float x = at.x;
   for (std::size_t i = 0; i < panes.size(); ++i) {
     const float width = i + 1 == panes.size() ? end - x : std::round(room * weight(panes[i]) / sum);

@@ -24,6 +24,7 @@ void App::show_against(const AgainstRun& with) {
   other_ui_ = std::make_unique<Ui>(against_->session(), renderer_);
   other_ui_->asks = false;
   ui_.other = other_ui_.get();
+  lead_before_against_ = chosen_lead_;
   if (slice_pane.serves(session_.header()) && slice_pane.serves(against_->session().header())) set_lead(slice_pane.id);
   ui_.marks = &against_->marks_of_a();
   other_ui_->marks = &against_->marks_of_b();
@@ -36,6 +37,7 @@ void App::end_against() {
   other_ui_.reset();
   against_.reset();
   opens_at_cause_ = false;
+  chosen_lead_ = lead_before_against_;
   session_.touch();
 }
 

@@ -17,7 +17,7 @@ namespace zstep::viewer {
 class Loop {
  public:
   /// Opens the window. The trace and what the options point to must live as long; `options.kept` is kept. Throws
-  /// std::runtime_error where no window can be opened, InputError where the trace has no such place.
+  /// InputError where no window can be opened, or the trace has no such place.
   Loop(const Trace& trace, ViewerOptions options);
   /// Saves what stays from run to run.
   ~Loop();

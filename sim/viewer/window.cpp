@@ -3,14 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "sim/viewer/viewer.hpp"
+#include "traces/error.hpp"
 
 namespace zstep {
 namespace viewer {
+namespace {
+
+[[noreturn]] void throw_no_window(const std::string& why) {
+  throw InputError("viewer", "no window can be opened: " + why, "--screenshot FILE.png and --describe need none");
+}
+
+}  // namespace
 
 Window::Window(int width, int height) {
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");  // plain copies are 5 ms a frame faster on X11
@@ -18,8 +26,7 @@ Window::Window(int width, int height) {
   // SDL would tell of each touch twice, the second time as of a mouse.
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
-  if (SDL_Init(SDL_INIT_VIDEO) != 0)
-    throw std::runtime_error(fmt::format("viewer: no window can be opened: {}", SDL_GetError()));
+  if (SDL_Init(SDL_INIT_VIDEO) != 0) throw_no_window(SDL_GetError());
   SDL_Rect usable{0, 0, width, height};
   SDL_GetDisplayUsableBounds(0, &usable);
   window_.reset(SDL_CreateWindow("zstep", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
@@ -28,7 +35,7 @@ Window::Window(int width, int height) {
   if (!window_) {
     const std::string why = SDL_GetError();
     SDL_Quit();
-    throw std::runtime_error(fmt::format("viewer: no window can be opened: {}", why));
+    throw_no_window(why);
   }
   SDL_StartTextInput();
 }

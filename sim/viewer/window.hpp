@@ -11,7 +11,7 @@ namespace zstep::viewer {
 
 class Window {
  public:
-  /// Not larger than the screen. Throws std::runtime_error where no window can be opened.
+  /// Not larger than the screen. Throws InputError where no window can be opened.
   Window(int width, int height);
   /// A second one, which goes before the first; on another screen, where there is one. The keyboard stays with the
   /// first.

@@ -1,14 +1,12 @@
 // What check found, in the window: on the timeline, in the tables, at pixels, and in the words of the command.
 #include <doctest/doctest.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "sim/viewer/model/findings.hpp"
 #include "sim/viewer/pictures.hpp"
 #include "sim/words/judged.hpp"
 #include "tests/golden/golden.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/with_mistake.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
 
@@ -19,15 +17,7 @@ using Trust = Findings::Trust;
 namespace {
 
 Trace changed(const char* name, const std::string& from, const std::string& to) {
-  std::string text = test::jsonl_of(open_jsonl(test::in_checkout(std::string("tests/golden/") + name + ".jsonl")));
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  text.replace(at, from.size(), to);
-  const auto path = std::filesystem::temp_directory_path() / ("zstep_findings_" + std::to_string(getpid()) + ".jsonl");
-  std::ofstream(path) << text;
-  Trace trace = open_jsonl(path);
-  std::filesystem::remove(path);
-  return trace;
+  return test::with_mistake(open_jsonl(test::in_checkout(std::string("tests/golden/") + name + ".jsonl")), from, to);
 }
 
 /// A slope that is wrong: an entry of the edge table, and what an edge by increments makes of it.

@@ -9,6 +9,7 @@
 #include "tests/viewer/drawer_pages.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/letters.hpp"
+#include "tests/viewer/with_mistake.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 
 using namespace zstep;
@@ -117,6 +118,28 @@ TEST_CASE("law: all that is asked is read in the drawer") {
       App app(trace, turn % 2 == 0 ? nullptr : &lesson, settings, width, height);
       app.session().go_to(867);
       check_drawer_read(app);
+    }
+}
+TEST_CASE("law: all that stands in a window with two runs is read") {
+  const Trace trace = test::record_run("pyramid-behind");
+  const Trace wrong = test::with_mistake(trace, "\"nearer\":true", "\"nearer\":false");
+  const diff::DiffReport report = diff::compare(wrong, trace);
+  const AgainstRun both{&trace, &report, true};
+  int turn = 0;
+  for (const Dress dress : {Dress::light, Dress::dark, Dress::presenter})
+    for (const auto& [width, height] : sizes_of_window) {
+      if (++turn % 2 == 0 && width == 3840) continue;
+      CAPTURE(static_cast<int>(dress));
+      CAPTURE(width);
+      Settings settings;
+      settings.dark = dress == Dress::dark, settings.presenter = dress == Dress::presenter;
+      App app(wrong, nullptr, settings, width, height);
+      app.show_against(both);
+      for (const std::int64_t step : {std::int64_t{0}, report.causes.front().first.a, wrong.size() / 2, wrong.size()}) {
+        CAPTURE(step);
+        app.session().go_to(step);
+        check_read(app);
+      }
     }
 }
 TEST_CASE("law: all that is asked on a phone is read") {

@@ -1,14 +1,12 @@
 // A run is checked in the window, and compared with another.
-#include <fstream>
 #include <utility>
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include "algorithms/catalog/catalog.hpp"
 #include "sim/viewer/stage.hpp"
-#include "tests/golden/golden.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/with_mistake.hpp"
 #include "tests/viewer/words/some_runs.hpp"
 #include "traces/error.hpp"
 
@@ -16,19 +14,6 @@ using namespace zstep;
 using namespace zstep::viewer;
 
 namespace {
-
-/// The run of a scene with one number of it changed, as a program with a mistake prints it.
-Trace with_mistake(const Trace& right, const std::string& from, const std::string& to) {
-  std::string text = test::jsonl_of(right);
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  text.replace(at, from.size(), to);
-  const auto path = std::filesystem::temp_directory_path() / ("zstep_judged_" + std::to_string(getpid()) + ".jsonl");
-  std::ofstream(path) << text;
-  Trace trace = open_jsonl(path);
-  std::filesystem::remove(path);
-  return trace;
-}
 
 ViewerOptions with_runs() {
   ViewerOptions options;
@@ -67,7 +52,7 @@ constexpr const char* wrong_compare = "\"nearer\":false";
 
 TEST_CASE("Ctrl+K checks the run: it marks what is wrong and goes to the first cause, or says that nothing is") {
   const Trace right = test::record_run("pyramid");
-  const Trace wrong = with_mistake(right, right_compare, wrong_compare);
+  const Trace wrong = test::with_mistake(right, right_compare, wrong_compare);
   const ViewerOptions options = with_runs();
   {
     Stage stage(right, options, Settings{}, 1280, 720);
@@ -105,7 +90,7 @@ TEST_CASE("Ctrl+K checks the run: it marks what is wrong and goes to the first c
 
 TEST_CASE("Ctrl+D compares the run with zstep's own, with another that can be opened, and puts it away again") {
   const Trace right = test::record_run("pyramid");
-  const Trace wrong = with_mistake(right, right_compare, wrong_compare);
+  const Trace wrong = test::with_mistake(right, right_compare, wrong_compare);
   const ViewerOptions options = with_runs();
   Stage stage(wrong, options, Settings{}, 1280, 720);
   App& app = stage.app();
@@ -135,7 +120,6 @@ TEST_CASE("Ctrl+D compares the run with zstep's own, with another that can be op
     test::press(app, SDLK_d, KMOD_LCTRL);
     CHECK_FALSE(app.compares());
     app.session().go_to(0);
-    app.set_lead("");
     app.session().message.clear();
     CHECK(test::picture(app) == alone);
   }
@@ -170,7 +154,7 @@ TEST_CASE("what a run cannot be compared with is said in the drawer, and what wa
 
 TEST_CASE("who ends a check or a comparison is left where they were, and nothing is marked") {
   const Trace right = test::record_run("pyramid");
-  const Trace wrong = with_mistake(right, right_compare, wrong_compare);
+  const Trace wrong = test::with_mistake(right, right_compare, wrong_compare);
   const ViewerOptions options = with_runs();
   Stage stage(wrong, options, Settings{}, 1280, 720);
   App& app = stage.app();

@@ -209,16 +209,21 @@ void draw_slice(Ui& ui) {
   draw_axes(ui, plot, origin, room, slice);
   const float below = origin.y + static_cast<float>(plot.height) + line;
   std::string sentence = slice_sentence(now, slice);
+  float key_from = corner.x;  // beside what stands there
   if (parts) {
     const std::string other = slice_sentence(ui.other->moment(), lines.runs[1]);
     if (!sentence.empty()) sentence = "Run A: " + sentence;
-    if (!other.empty() && keyed)
-      draw_text(ui, {corner.x, below - 1}, ui.fonts.bold, ui.colors().text, "Run B: " + other);
+    const std::string text = "Run B: " + other;
+    const float wide = text_size(ui, ui.fonts.bold, text).x;
+    if (!other.empty() && keyed && wide < avail.x) {
+      draw_text(ui, {corner.x, below - 1}, ui.fonts.bold, ui.colors().text, text);
+      key_from += wide + ui.em;
+    }
   }
   const float sentence_at = corner.x + text_size(ui, font, upwards(ui)).x + 1.5f * ui.em;
   if (sentence_at + text_size(ui, ui.fonts.bold, sentence).x < corner.x + avail.x)
     draw_text(ui, {sentence_at, corner.y - 1}, ui.fonts.bold, ui.colors().text, sentence);
-  if (keyed) draw_key(ui, {corner.x, below}, avail.x, two);
+  if (keyed) draw_key(ui, {key_from, below}, corner.x + avail.x - key_from, two);
   point(ui, plot, origin, slice);
 }
 

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# The page in Chromium against what the native program draws: run.sh PROGRAM SITE [NAME]
+#
+# SITE is what ./zstep web -o made; NAME runs the tests that have it in their names. Needs node and chromium.
+set -eu
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+pictures=$(mktemp -d)
+trap 'rm -rf "$pictures"' EXIT
+bash "$here/pictures.sh" "$1" "$pictures" "$2"
+node "$here/page_test.mjs" "$(realpath "$2")" "$pictures" "${3-}"
