@@ -1,4 +1,5 @@
 #include "sim/viewer/board.hpp"
+#include "sim/viewer/draw/strokes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,8 +68,8 @@ void Board::draw(Ui& ui, ImVec2 at, ImVec2 size) {
       for (const ImVec2& place : stroke) places.push_back({place.x * whole.x, place.y * whole.y});
       const ImU32 color = rim ? ui.colors().pane : ui.colors().now;
       const float width = rim ? thick + 2 * ui.thin : thick;
-      if (places.size() == 1) list->AddCircleFilled(places[0], width, color, 12);
-      else list->AddPolyline(places.data(), static_cast<int>(places.size()), color, 0, width);
+      if (places.size() == 1) fill_circle(list, places[0], width, color);
+      else stroke_lines(list, places, color, width);
     }
   if (!lit_) return;
   // All but a circle round the mouse is dark: rows above and below it, and beside it in strips.
@@ -83,7 +84,7 @@ void Board::draw(Ui& ui, ImVec2 at, ImVec2 size) {
     list->AddRectFilled({0, y}, {std::max(0.0f, mouse.x - half), end}, dark);
     list->AddRectFilled({std::min(whole.x, mouse.x + half), y}, {whole.x, end}, dark);
   }
-  list->AddCircle(mouse, radius, ui.colors().now, 64, 2 * ui.thin);
+  stroke_circle(list, mouse, radius, ui.colors().now, 2 * ui.thin);
 }
 
 }  // namespace zstep::viewer

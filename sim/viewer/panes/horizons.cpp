@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/words/explain.hpp"
@@ -90,12 +91,12 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
   if (work.test) {
     const HorizonTest& now = *work.test;
     const ImVec2 top = place(now.x, -0.5), bottom = place(now.x, map.height - 0.5);
-    list->AddLine(top, bottom, c.now, ui.thin);
+    stroke_line(list, top, bottom, c.now, ui.thin);
     if (now.y_curve >= -0.5 && now.y_curve <= map.height - 0.5) {
       const ImVec2 dot = place(now.x, now.y_curve);
       const float radius = std::max(4.0f, ui.em * 0.3f);
-      list->AddCircleFilled(dot, radius, now.verdict == Horizon::hidden ? c.pane : c.now);
-      list->AddCircle(dot, radius, c.now, 0, 2 * ui.thin);
+      fill_circle(list, dot, radius, now.verdict == Horizon::hidden ? c.pane : c.now);
+      stroke_circle(list, dot, radius, c.now, 2 * ui.thin);
       const std::string word = now.verdict == Horizon::hidden  ? "hidden"
                                : now.verdict == Horizon::above ? "above"
                                                                : "below";
@@ -111,8 +112,8 @@ void mark_column(Ui& ui, ImVec2 at, const RasterMap& map) {
     const ImVec2 cross = place(work.cross->x_at, work.cross->y_at);
     const float arm = std::max(5.0f, ui.em * 0.4f);
     for (const float side : {-1.0f, 1.0f})
-      list->AddLine({cross.x - arm, cross.y - side * arm}, {cross.x + arm, cross.y + side * arm}, c.changed,
-                    2.5f * ui.thin);
+      stroke_line(list, {cross.x - arm, cross.y - side * arm}, {cross.x + arm, cross.y + side * arm}, c.changed,
+                  2.5f * ui.thin);
   }
 }
 

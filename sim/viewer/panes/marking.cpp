@@ -7,6 +7,7 @@
 
 #include "sim/classroom/marking.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -84,16 +85,16 @@ void cross_out(const Ui& ui, ImVec2 a, ImVec2 b) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float thin = std::max(1.0f, ui.thin);
   for (const auto& [color, wide] : {std::pair{ui.colors().pane, 4 * thin}, std::pair{ui.colors().bad, 2 * thin}}) {
-    list->AddLine({a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, color, wide);
-    list->AddLine({a.x + 2, b.y - 2}, {b.x - 2, a.y + 2}, color, wide);
+    stroke_line(list, {a.x + 2, a.y + 2}, {b.x - 2, b.y - 2}, color, wide);
+    stroke_line(list, {a.x + 2, b.y - 2}, {b.x - 2, a.y + 2}, color, wide);
   }
 }
 
 void dot(const Ui& ui, ImVec2 a, ImVec2 b) {
   const ImVec2 middle{std::round((a.x + b.x) / 2), std::round(a.y + (b.y - a.y) * 0.82f)};
   const float radius = std::max(2.0f, std::round(std::min(b.x - a.x, b.y - a.y) * 0.11f));
-  ImGui::GetWindowDrawList()->AddCircleFilled(middle, radius + std::max(1.0f, ui.thin), ui.colors().pane);
-  ImGui::GetWindowDrawList()->AddCircleFilled(middle, radius, ui.colors().good);
+  fill_circle(ImGui::GetWindowDrawList(), middle, radius + std::max(1.0f, ui.thin), ui.colors().pane);
+  fill_circle(ImGui::GetWindowDrawList(), middle, radius, ui.colors().good);
 }
 
 }  // namespace

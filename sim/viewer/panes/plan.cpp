@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/taken_places.hpp"
 #include "sim/words/explain.hpp"
@@ -169,11 +170,11 @@ void draw_pieces(const View& v) {
     const bool painted = draw_places[at(number)] >= 0;
     if (lit)
       for (std::size_t k = 0; k < points.size(); ++k)
-        v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now,
-                        9 * v.ui.thin);
+        stroke_line(v.list, v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), v.c.now,
+                    9 * v.ui.thin);
     for (std::size_t k = 0; k < points.size(); ++k)
-      v.list->AddLine(v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own),
-                      (painted || shown < most_names ? 4.0f : 1.5f) * v.ui.thin);
+      stroke_line(v.list, v.frame.place(points[k]), v.frame.place(points[(k + 1) % points.size()]), to_im(own),
+                  (painted || shown < most_names ? 4.0f : 1.5f) * v.ui.thin);
     if (shown > most_names && !lit) continue;
     const std::string name = piece_label(v.s.scene(), v.m, number);
     const ImVec2 size = text_size(v.ui, v.ui.fonts.bold, name), middle = label_place(v, points, size);
@@ -188,7 +189,7 @@ void draw_planes(const View& v) {
   if (v.m.tree.size() <= most_planes)
     for (std::size_t node = 0; node < v.m.tree.size(); ++node)
       if (const auto ends = reach_of_line(v.m, static_cast<std::int32_t>(node), v.section, v.frame))
-        v.list->AddLine(v.frame.place((*ends)[0]), v.frame.place((*ends)[1]), v.c.muted, v.ui.thin);
+        stroke_line(v.list, v.frame.place((*ends)[0]), v.frame.place((*ends)[1]), v.c.muted, v.ui.thin);
   const auto ends = v.node >= 0 ? reach_of_line(v.m, v.node, v.section, v.frame) : std::nullopt;
   const auto line = line_of(plane_of_node(v.m, v.node), v.section);
   if (!ends || !line) return;
@@ -196,8 +197,8 @@ void draw_planes(const View& v) {
   const float length = portable::length(b.x - a.x, b.y - a.y);
   for (float k = 0; k < length; k += 14) {  // dashed
     const float stop = std::min(k + 9, length);
-    v.list->AddLine({a.x + (b.x - a.x) * k / length, a.y + (b.y - a.y) * k / length},
-                    {a.x + (b.x - a.x) * stop / length, a.y + (b.y - a.y) * stop / length}, v.c.now, 2.5f * v.ui.thin);
+    stroke_line(v.list, {a.x + (b.x - a.x) * k / length, a.y + (b.y - a.y) * k / length},
+                {a.x + (b.x - a.x) * stop / length, a.y + (b.y - a.y) * stop / length}, v.c.now, 2.5f * v.ui.thin);
   }
 }
 
@@ -243,9 +244,9 @@ void draw_the_eye(const View& v) {
   const float beyond = std::max(std::abs(place.x - centre.x) / wide, std::abs(place.y - centre.y) / high);
   const bool outside = beyond > 1;
   if (outside) place = {centre.x + (place.x - centre.x) / beyond, centre.y + (place.y - centre.y) / beyond};
-  v.list->AddCircleFilled(place, margin * 0.7f, v.c.pane);
-  v.list->AddCircle(place, margin * 0.7f, v.c.text, 0, 2 * v.ui.thin);
-  v.list->AddCircleFilled(place, margin * 0.3f, v.c.text);
+  fill_circle(v.list, place, margin * 0.7f, v.c.pane);
+  stroke_circle(v.list, place, margin * 0.7f, v.c.text, 2 * v.ui.thin);
+  fill_circle(v.list, place, margin * 0.3f, v.c.text);
   const std::string text = outside ? "eye, further out" : "eye";
   const ImVec2 size = text_size(v.ui, v.ui.fonts.small, text);
   const float x =

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/marking.hpp"
 #include "sim/words/explain.hpp"
@@ -195,14 +196,14 @@ void draw_picked(Ui& ui, const RasterMap& map, ImVec2 origin) {
   };
   if (part.edge && !s.lit_edge()) {
     const auto from = place(part.edge->first), to = place(part.edge->second);
-    if (from && to) list->AddLine(*from, *to, c.selected, 4 * ui.thin);
+    if (from && to) stroke_line(list, *from, *to, c.selected, 4 * ui.thin);
   }
   if (!part.vertex) return;
   const auto middle = place(*part.vertex);
   if (!middle) return;
   const float radius = std::round(ui.em * 0.4f);
-  list->AddCircle(*middle, radius, c.pane, 0, 4 * ui.thin);
-  list->AddCircle(*middle, radius, c.selected, 0, 2 * ui.thin);
+  stroke_circle(list, *middle, radius, c.pane, 4 * ui.thin);
+  stroke_circle(list, *middle, radius, c.selected, 2 * ui.thin);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/words/explain.hpp"
 #include "traces/math/portable_math.hpp"
@@ -66,7 +67,7 @@ class Plan {
 void outline_box(const Plan& plan, glm::dvec3 low, glm::dvec3 high, ImU32 color, float thickness) {
   const ImVec2 corners[4] = {plan.place({low.x, low.y, low.z}), plan.place({high.x, low.y, low.z}),
                              plan.place({high.x, high.y, high.z}), plan.place({low.x, high.y, high.z})};
-  ImGui::GetWindowDrawList()->AddPolyline(corners, 4, color, ImDrawFlags_Closed, thickness);
+  stroke_lines(ImGui::GetWindowDrawList(), corners, color, thickness, true);
 }
 
 void dash(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
@@ -74,8 +75,8 @@ void dash(ImVec2 from, ImVec2 to, ImU32 color, float thickness) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (float at = 0; at < length && at < 4000; at += step) {
     const float a = at / length, b = std::min(at + 5, length) / length;
-    list->AddLine({from.x + (to.x - from.x) * a, from.y + (to.y - from.y) * a},
-                  {from.x + (to.x - from.x) * b, from.y + (to.y - from.y) * b}, color, thickness);
+    stroke_line(list, {from.x + (to.x - from.x) * a, from.y + (to.y - from.y) * a},
+                {from.x + (to.x - from.x) * b, from.y + (to.y - from.y) * b}, color, thickness);
   }
 }
 
@@ -120,12 +121,12 @@ void draw_cells(const Ui& ui, const Plan& plan) {
     list->AddConvexPolyFilled(corners.data(), 4, c.selected_soft);
   }
   for (std::int32_t x = 0; x <= g.cells_x; ++x)
-    list->AddLine(corner(x, 0, 0), corner(x, g.cells_y, 0), c.rule, ui.thin);
+    stroke_line(list, corner(x, 0, 0), corner(x, g.cells_y, 0), c.rule, ui.thin);
   for (std::int32_t y = 0; y <= g.cells_y; ++y)
-    list->AddLine(corner(0, y, 0), corner(g.cells_x, y, 0), c.rule, ui.thin);
+    stroke_line(list, corner(0, y, 0), corner(g.cells_x, y, 0), c.rule, ui.thin);
   for (const CellVisit& visit : machine.rays.cells) {
     outline(visit, corners);
-    list->AddPolyline(corners.data(), 4, c.selected, ImDrawFlags_Closed, 2 * ui.thin);
+    stroke_lines(list, corners, c.selected, 2 * ui.thin, true);
   }
 }
 
@@ -139,7 +140,8 @@ void mark_facet(const Ui& ui, const Plan& plan, std::int32_t number, ImU32 color
       return scene.points[static_cast<std::size_t>(
           scene.corners[static_cast<std::size_t>(facet.first_corner + i % facet.corner_count)])];
     };
-    ImGui::GetWindowDrawList()->AddLine(plan.place(corner(k)), plan.place(corner(k + 1)), color, thickness * ui.thin);
+    stroke_line(ImGui::GetWindowDrawList(), plan.place(corner(k)), plan.place(corner(k + 1)), color,
+                thickness * ui.thin);
   }
 }
 
@@ -194,17 +196,17 @@ void draw_rays(const Ui& ui, const Plan& plan) {
                  b = plan.place(child ? glm::dvec3(child->x_0, child->y_0, child->z_0) : from + t_end * along);
     const ImU32 color = now ? c.now : c.text;
     if (ray.role == RayRole::shadow || (!met && !child)) dash(a, b, color, (now ? 2.0f : 1.2f) * ui.thin);
-    else list->AddLine(a, b, color, (now ? 2.5f : 1.5f) * ui.thin);
-    if (met || child) list->AddCircleFilled(b, 4, color, 12);
+    else stroke_line(list, a, b, color, (now ? 2.5f : 1.5f) * ui.thin);
+    if (met || child) fill_circle(list, b, 4, color);
   }
   for (const RayHit& hit : machine.rays.hits) {
     const ImVec2 p = plan.place({hit.x_hit, hit.y_hit, hit.z_hit});
     if (hit.inside) {
-      list->AddCircleFilled(p, 5, hit.nearest ? c.now : c.pane, 14);
-      list->AddCircle(p, 5, c.now, 14, 1.5f * ui.thin);
+      fill_circle(list, p, 5, hit.nearest ? c.now : c.pane);
+      stroke_circle(list, p, 5, c.now, 1.5f * ui.thin);
     } else {
-      list->AddLine({p.x - 4, p.y - 4}, {p.x + 4, p.y + 4}, c.muted, 1.5f * ui.thin);
-      list->AddLine({p.x - 4, p.y + 4}, {p.x + 4, p.y - 4}, c.muted, 1.5f * ui.thin);
+      stroke_line(list, {p.x - 4, p.y - 4}, {p.x + 4, p.y + 4}, c.muted, 1.5f * ui.thin);
+      stroke_line(list, {p.x - 4, p.y + 4}, {p.x + 4, p.y - 4}, c.muted, 1.5f * ui.thin);
     }
   }
 }
@@ -229,7 +231,7 @@ void draw_ray_plan(Ui& ui) {
   draw_names(ui, plan);
   const auto label = [&](glm::dvec3 point, const std::string& word) {
     const ImVec2 p = plan.place(point), width = text_size(ui, ui.fonts.text, word);
-    list->AddCircleFilled(p, 4, ui.colors().text, 12);
+    fill_circle(list, p, 4, ui.colors().text);
     const float left = std::clamp(p.x + 7, at.x, at.x + size.x - width.x - 2);
     draw_text(ui, {left, std::clamp(p.y - width.y, at.y, at.y + size.y - width.y)}, ui.fonts.text, ui.colors().text,
               word);

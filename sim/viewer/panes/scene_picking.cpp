@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/here_lines.hpp"
 #include "sim/viewer/panes/room_pen.hpp"
 #include "traces/math/portable_math.hpp"
@@ -43,8 +44,8 @@ void draw_part(const Ui& ui, const Outside& outside, const Room& room, const Sce
   if (part.edge)
     if (const auto ends = outside.line(place(part.edge->first), place(part.edge->second))) {
       const ImVec2 from = on_screen((*ends)[0], at), to = on_screen((*ends)[1], at);
-      list->AddLine(from, to, c.pane, (picked ? 7.0f : 5.0f) * ui.thin);
-      list->AddLine(from, to, c.selected, (picked ? 4.0f : 2.0f) * ui.thin);
+      stroke_line(list, from, to, c.pane, (picked ? 7.0f : 5.0f) * ui.thin);
+      stroke_line(list, from, to, c.selected, (picked ? 4.0f : 2.0f) * ui.thin);
     }
   if (!part.vertex) return;
   const auto spot = outside.spot(place(*part.vertex));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/words/explain.hpp"
 
 namespace zstep::viewer {
@@ -64,8 +65,8 @@ void label_pair(Ui& ui, const RasterMap& map, ImVec2 origin) {
   if (!overlap || !overlap->overlap) return;
   const ImVec2 at{origin.x + static_cast<float>(map.px(overlap->x_at)),
                   origin.y + static_cast<float>(map.py(overlap->y_at))};
-  ImGui::GetWindowDrawList()->AddLine({at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, c.text, 3 * ui.thin);
-  ImGui::GetWindowDrawList()->AddLine({at.x - 6, at.y + 6}, {at.x + 6, at.y - 6}, c.text, 3 * ui.thin);
+  stroke_line(ImGui::GetWindowDrawList(), {at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, c.text, 3 * ui.thin);
+  stroke_line(ImGui::GetWindowDrawList(), {at.x - 6, at.y + 6}, {at.x + 6, at.y - 6}, c.text, 3 * ui.thin);
 }
 
 }  // namespace zstep::viewer

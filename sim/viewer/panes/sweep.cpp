@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/tables.hpp"
 #include "sim/words/explain.hpp"
@@ -106,8 +107,8 @@ void draw_crossings(Ui& ui, ImDrawList* list, const ScanLineStrip& strip) {
   }
   for (const ImpliedEdge& implied : m.sweep.implied) {
     const float x = strip.x(implied.x_at), y = (strip.at.y + strip.end.y) / 2, half = ui.em * 0.3f;
-    list->AddLine({x - half, y - half}, {x + half, y + half}, c.text, 2 * ui.thin);
-    list->AddLine({x - half, y + half}, {x + half, y - half}, c.text, 2 * ui.thin);
+    stroke_line(list, {x - half, y - half}, {x + half, y + half}, c.text, 2 * ui.thin);
+    stroke_line(list, {x - half, y + half}, {x + half, y - half}, c.text, 2 * ui.thin);
   }
 }
 

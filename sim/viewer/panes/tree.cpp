@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/pane.hpp"
 #include "sim/viewer/panes/since_change.hpp"
 #include "sim/viewer/panes/tables.hpp"
@@ -75,8 +76,8 @@ void draw_eye(ImDrawList* list, ImVec2 low, ImVec2 high, bool front, ImU32 color
   const float x = front ? low.x - 3 : high.x + 3, tip = front ? x - reach : x + reach;
   for (float k = 0; k <= half; k += 0.5f) {
     const float part = 1 - k / half;
-    list->AddLine({x, y - k}, {x + (tip - x) * part, y - k}, color, 1);
-    list->AddLine({x, y + k}, {x + (tip - x) * part, y + k}, color, 1);
+    stroke_line(list, {x, y - k}, {x + (tip - x) * part, y - k}, color, 1);
+    stroke_line(list, {x, y + k}, {x + (tip - x) * part, y + k}, color, 1);
   }
 }
 
@@ -131,7 +132,7 @@ void draw_whole(Ui& ui) {
       if (child < 0) continue;
       const ImVec2 from = centre(node), to = centre(at(child));
       const bool near_side = one.eye && one.eye->front == front, skipped = front ? one.front_skipped : one.back_skipped;
-      list->AddLine(from, to, skipped ? c.rule : near_side ? c.text : c.muted, (near_side ? 2.5f : 1.2f) * ui.thin);
+      stroke_line(list, from, to, skipped ? c.rule : near_side ? c.text : c.muted, (near_side ? 2.5f : 1.2f) * ui.thin);
       const ImVec2 middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
       const std::string sign = skipped ? "skipped" : front ? "+" : "\u2212";
       const ImVec2 size = text_size(ui, ui.fonts.small, sign);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/viewer/draw/strokes.hpp"
 #include "sim/viewer/panes/owner_key.hpp"
 #include "sim/words/owners.hpp"
 
@@ -123,9 +124,9 @@ void draw_tall_bracket(const Pen& pen, const Box& box, ImVec2 at, float axis) {
                          16);
     return;
   }
-  list->AddLine({outer, top}, {outer, bottom}, pen.color, thick);
+  stroke_line(list, {outer, top}, {outer, bottom}, pen.color, thick);
   const float foot = box.what.text == "\u230a" || box.what.text == "\u230b" ? bottom : top;
-  list->AddLine({outer, foot}, {inner, foot}, pen.color, thick);
+  stroke_line(list, {outer, foot}, {inner, foot}, pen.color, thick);
 }
 
 /// With the left end of the box at `at.x`, and the bars of its fractions on `axis`.
