@@ -22,6 +22,7 @@ void App::keep_bookmark() {
   const std::string name = named ? typed : fmt::format("step {}", session_.position());
   wrong = places_.bookmark(name);
   if (!wrong.empty()) return session_.touch();
+  requests.marks_kept = true;
   open(Drawer::none);
   say(fmt::format("Step {} is kept as {}; L lists all bookmarks.", grouped(session_.position()), name));
 }

@@ -217,21 +217,81 @@ test('settings stay, and where a browser refuses to keep them it works and says 
   await page.key('t', {code: 'KeyT', keyCode: 84, text: 't'});
   await page.until(`!notice.hidden && notice.textContent.includes('keeps nothing')`);
   await page.close();
+  // So where there is no room.
+  page = await browser.open(address + '#lesson=z-buffer&stop=1');
+  await page.until(shown);
+  await page.ask(`(() => { for (let size = 1 << 22; size > 0; size >>= 1)
+    try { while (true) localStorage.setItem('full' + size + Math.random(), 'x'.repeat(size)); } catch { /* full */ } })()`);
+  await page.key('=', {code: 'Equal', keyCode: 187, modifiers: 2});  // larger text, and a longer number
+  await page.until(`!notice.hidden && notice.textContent.includes('keeps nothing')`);
+  await page.ask('void localStorage.clear()');
+  await page.close();
 });
+
+/// Gives the page a file as the reader's dialogue does.
+const choose = async (page, name, text) => {
+  const folder = mkdtempSync(join(tmpdir(), 'zstep-file-'));
+  writeFileSync(join(folder, name), text);
+  const {root} = await page.send('DOM.getDocument');
+  const {nodeId} = await page.send('DOM.querySelector', {nodeId: root.nodeId, selector: '#file'});
+  await page.send('DOM.setFileInputFiles', {nodeId, files: [join(folder, name)]});
+  return folder;
+};
 
 test('a file of the reader is opened, and does not leave the computer', async () => {
   const page = await browser.open(address);
   await page.until(shown);
-  const folder = mkdtempSync(join(tmpdir(), 'zstep-file-'));
-  writeFileSync(join(folder, 'mine.off'), 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n');
-  const {root} = await page.send('DOM.getDocument');
-  const {nodeId} = await page.send('DOM.querySelector', {nodeId: root.nodeId, selector: '#file'});
+  await page.until('!first.alone');
   const asked = page.requests.length;
-  await page.send('DOM.setFileInputFiles', {nodeId, files: [join(folder, 'mine.off')]});
+  const folder = await choose(page, 'mine.off', 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n');
   await page.until(`document.title.includes('mine')`);
   check(page.requests.slice(asked).every((url) => url.startsWith('blob:')), 'something was asked for');
   rmSync(folder, {recursive: true});
   await page.close();
+});
+
+test('a run of the reader is checked, and compared with the one that zstep makes', async () => {
+  const page = await browser.open(address);
+  await page.until(shown);
+  const folder = await choose(page, 'mine.jsonl', readFileSync(join(pictures, 'wrong.jsonl')));
+  await page.until(`document.title.includes('pyramid-behind')`);
+  await page.key('k', {code: 'KeyK', keyCode: 75, modifiers: 2});
+  await page.until(`said.textContent.includes('Wrong: ')`);
+  await page.key('d', {code: 'KeyD', keyCode: 68, modifiers: 2});
+  await page.key('Enter', {code: 'Enter', keyCode: 13, text: '\r'});
+  await page.until(`said.textContent.includes('Cause 1 of 1')`);
+  check(page.requests.every((url) => url.startsWith(address) || url.startsWith('blob:')), 'something was asked for');
+  rmSync(folder, {recursive: true});
+  await page.close();
+});
+
+test('settings, progress and bookmarks go to another browser in a file', async () => {
+  const page = await browser.open(address + '#lesson=bsp&stop=4');
+  await page.until(shown);
+  await page.key('t', {code: 'KeyT', keyCode: 84, text: 't'});
+  await page.key('b', {code: 'KeyB', keyCode: 66, modifiers: 2});
+  for (const letter of 'here') await page.key(letter, {code: 'Key' + letter.toUpperCase(), keyCode: letter.toUpperCase().charCodeAt(0), text: letter});
+  await page.key('Enter', {code: 'Enter', keyCode: 13, text: '\r'});
+  await page.until(`(localStorage.getItem('zstep-settings') ?? '').includes(' here')`);
+  await page.ask(`void (Module.page.handOver = (file) => { window.saved = Module.FS.readFile(file, {encoding: 'utf8'}); })`);
+  await page.key('E', {code: 'KeyE', keyCode: 69, modifiers: 10});
+  const saved = await page.until('window.saved');
+  for (const part of ['[viewer.ini]', 'dark = 1', 'lesson bsp = 4', '[lessons/bsp.marks]', ' here'])
+    check(saved.includes(part), `${part} is not in ${saved}`);
+  await page.close();
+
+  const other = new Browser(process.env.ZSTEP_BROWSER);
+  const there = await other.open(address + '#lesson=bsp&stop=1');
+  await there.until(shown);
+  const folder = await choose(there, 'zstep-progress.ini', saved);
+  await there.until(`/lesson bsp = 4[^]* here/.test(localStorage.getItem('zstep-settings') ?? '')`);
+  check((await there.ask(`localStorage.getItem('zstep-settings')`)).includes('dark = 1'), 'the theme did not come along');
+  await there.ask('void location.reload()');
+  await there.until(shown);
+  check(await there.ask(`Module.FS.readFile('/home/web_user/.config/zstep/lessons/bsp.marks', {encoding: 'utf8'}).includes(' here')`),
+    'the bookmark did not stay');
+  rmSync(folder, {recursive: true});
+  await other.close();
 });
 
 test('resized, on a screen of twice the pixels, and upright', async () => {

@@ -21,6 +21,7 @@ void apply_style(const Ui& ui) {
   style.PopupBorderSize = 1;
   style.WindowMinSize = {1, 1};
   style.ScrollbarSize = std::round(ui.em * 0.6f);
+  style.GrabMinSize = std::round(ui.em * 0.75f);  // which versions of Dear ImGui have otherwise
   style.WindowPadding = {std::round(ui.em * 0.5f), std::round(ui.em * 0.35f)};
   style.ItemSpacing = {std::round(ui.em * 0.4f), 0};
   style.Colors[ImGuiCol_Text] = to_vec4(c.text);
