@@ -17,9 +17,9 @@
 #include "sim/cost/modes.hpp"
 #include "sim/words/numbers.hpp"
 #include "traces/error.hpp"
+#include "traces/math/portable_math.hpp"
 #if ZSTEP_HAS_VIEWER
 #include "sim/viewer/charts/chart.hpp"
-#include "traces/math/portable_math.hpp"
 #endif
 
 namespace zstep::cli {
