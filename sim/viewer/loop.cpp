@@ -130,15 +130,17 @@ void Loop::save_progress() {
 void Loop::tell_place() {
   App& app = stage_.app();
   if (app.overlay() == Overlay::start) return;  // nothing is chosen yet
-  const std::string link = app.link().value_or("");
-  if (link == told_) {
-    if (std::exchange(told_by_link_, false)) say_place();
+  // What no link leads to, as a file, is told of, too.
+  const std::string link = app.link().value_or(""), place = link.empty() ? app.command_line() : link;
+  const bool other = std::exchange(told_revision_, app.session().revision()) != app.session().revision();
+  if (place == told_) {
+    if (std::exchange(told_by_link_, false) || other) say_place();  // of the same step something else may be told
     return;
   }
   const std::int64_t stop = app.session().stop();
   const bool at_stop = stop != told_stop_ && app.session().lesson() != nullptr;
-  told_ = link, told_stop_ = stop;
-  system::arrived(link, at_stop);
+  told_ = place, told_stop_ = stop;
+  if (!link.empty()) system::arrived(link, at_stop);
   say_place();
 }
 

@@ -51,8 +51,9 @@ class Loop {
   Window window_;
   Stage stage_;
   NotesWindow notes_{window_};
-  std::string told_;  ///< the link of where the reader is, as last said
+  std::string told_;  ///< where the reader is, as a link or else a command line, as last said
   std::int64_t told_stop_ = -1;
+  std::uint64_t told_revision_ = 0;
   bool told_by_link_ = false;      ///< there, but nothing was said of it
   std::vector<TableSeen> tables_;  ///< of the last frame, where somebody listens
   std::optional<system::TypedLine> told_line_;

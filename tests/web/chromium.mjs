@@ -103,9 +103,14 @@ export class Page {
   }
 
   async key(key, {code = '', modifiers = 0, keyCode = 0, text = ''} = {}) {
-    const what = {key, code, modifiers, windowsVirtualKeyCode: keyCode, nativeVirtualKeyCode: keyCode};
-    await this.send('Input.dispatchKeyEvent', {type: text ? 'keyDown' : 'rawKeyDown', text, ...what});
-    await this.send('Input.dispatchKeyEvent', {type: 'keyUp', ...what});
+    // As a hand does: what is held goes down before, and up after.
+    const held = [['Control', 17, 2], ['Shift', 16, 8]].filter(([, , bit]) => modifiers & bit);
+    const one = (type, key, code, keyCode, text = '') => this.send('Input.dispatchKeyEvent',
+      {type, key, code, text, modifiers, windowsVirtualKeyCode: keyCode, nativeVirtualKeyCode: keyCode});
+    for (const [name, number] of held) await one('rawKeyDown', name, name + 'Left', number);
+    await one(text ? 'keyDown' : 'rawKeyDown', key, code, keyCode, text);
+    await one('keyUp', key, code, keyCode);
+    for (const [name, number] of held) await one('keyUp', name, name + 'Left', number);
   }
 
   async click(x, y, button = 'left') {
