@@ -239,8 +239,7 @@ void App::draw_presented(ImVec2 at, ImVec2 size) {
   const Stop* stop =
       lesson && session_.stop() >= 0 ? &session_.lesson()->stops[static_cast<std::size_t>(session_.stop())] : nullptr;
   const bool speaks = stop && stop->position == session_.position();
-  // Lines of code are not broken where that can be helped.
-  const bool wide = asks || (speaks && (stop->question || stop->text.find("```") != std::string::npos));
+  const bool wide = asks || (speaks && stop->question);
   const float words = wide ? std::round(size.x * 0.37f) : narrow, x = at.x + size.x - words;
   ImVec2 stage{size.x - words - gap, size.y};
   std::vector<Pane> leading = stage_of(ui_, lead()).leading;
