@@ -159,3 +159,21 @@ TEST_CASE("law: next and previous by unit meet, and every position is between th
     }
   });
 }
+
+TEST_CASE("law: while pieces enter a list no polygon is at work, and what was of the last one is gone") {
+  std::int64_t inserts = 0;
+  for_each_golden([&](const std::string& name, const Trace& trace) {
+    if (!trace.has(kind_of<ListInsert>)) return;
+    CAPTURE(name);
+    const std::vector<State> states = states_of(trace);
+    for (std::int64_t position = 1; position <= trace.size(); ++position) {
+      if (!holds<ListInsert>(trace.event(position).event)) continue;
+      CAPTURE(position);
+      ++inserts;
+      const MethodState& machine = states[static_cast<std::size_t>(position)].machine;
+      CHECK(machine.polygon == no_polygon);
+      CHECK(machine.outline.empty());
+    }
+  });
+  CHECK(inserts > 0);
+}

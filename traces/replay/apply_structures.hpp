@@ -45,11 +45,19 @@ inline void apply_method_state(const Saved& event, MethodState& machine) {
 
 // --- Orders
 
+namespace detail {
+/// What follows is about all polygons, or two of them.
+inline void leave_polygon(MethodState& machine) {
+  if (machine.polygon != no_polygon) begin_polygon(machine, no_polygon);
+}
+}  // namespace detail
+
 inline void apply_method_state(const ListInsert& event, MethodState& machine) {
   if (event.place < 0 || static_cast<std::size_t>(event.place) > machine.list.size())
     throw Impossible(fmt::format("the list has no place {}", event.place));
   detail::must_exist("piece", event.piece, machine.pieces.size());
   if (machine.list.contains(event.piece)) throw Impossible(fmt::format("piece {} is in the list already", event.piece));
+  detail::leave_polygon(machine);
   machine.list.insert(static_cast<std::size_t>(event.place), ListEntry{event.piece, false});
 }
 namespace detail {
@@ -64,12 +72,6 @@ inline void apply_method_state(const ListRemove& event, MethodState& machine) {
 inline void apply_method_state(const ListMark& event, MethodState& machine) {
   machine.list.edit(detail::place_in_list(machine, event.piece)).marked = true;
 }
-namespace detail {
-/// What follows is about all polygons, or two of them.
-inline void leave_polygon(MethodState& machine) {
-  if (machine.polygon != no_polygon) begin_polygon(machine, no_polygon);
-}
-}  // namespace detail
 inline void apply_method_state(const VertexSide&, MethodState& machine) { detail::leave_polygon(machine); }
 inline void apply_method_state(const SideTest&, MethodState& machine) { detail::leave_polygon(machine); }
 inline void apply_method_state(const SplitVertex&, MethodState& machine) { detail::leave_polygon(machine); }
