@@ -55,9 +55,10 @@ class Reader {
   }
   template <class T>
   void get(std::vector<T>& values) {
-    std::uint64_t size = 0;
-    get(size);
-    if (size > (bytes_.size() - at_) / sizeof(T)) throw std::logic_error("a measurement came cut off");
+    std::uint64_t sent = 0;
+    get(sent);
+    const auto size = static_cast<std::size_t>(sent);
+    if (sent > (bytes_.size() - at_) / sizeof(T)) throw std::logic_error("a measurement came cut off");
     values.resize(size);
     if (size > 0) take(values.data(), size * sizeof(T));
   }
