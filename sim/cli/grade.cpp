@@ -148,6 +148,9 @@ void write_report(const std::string& text, const GradeOptions& options) {
   }
   write_file(options.out, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   say_written(options.out, "the grade");
+  if (options.steps_page.empty()) return;
+  if (text.find(homework::steps_link) != std::string::npos) say_written(options.steps_page, "both runs, from there on");
+  else complain(fmt::format("{}: was not written, as no step that may be shown is wrong", options.steps_page));
 }
 
 /// Grades and opens the window. Who looks at it may take as long as it takes.

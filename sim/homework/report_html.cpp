@@ -127,10 +127,9 @@ std::string mistake_html(const FirstWrong& first) {
 
 std::string first_wrong(const Graded& task, const std::string& command, const std::string& steps_page) {
   const FirstWrong& first = *task.first;
-  const std::string link =
-      steps_page.empty() ? ""
-                         : fmt::format("<p><a href=\"{}\">Step through both runs from here</a>, in this browser.</p>\n",
-                                       percent_encoded(steps_page, "-_.~/"));
+  const std::string link = steps_page.empty() ? ""
+                                              : fmt::format("<p><a href=\"{}\">{}</a>, in this browser.</p>\n",
+                                                            percent_encoded(steps_page, "-_.~/"), steps_link);
   const std::string to_see = task.from_picture
                                  ? ""  // it has no steps that a window could show
                                  : fmt::format(" To see both runs at this step: "

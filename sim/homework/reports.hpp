@@ -15,6 +15,8 @@ std::string report_text(const Assessment& assessment, const std::string& command
 /// The same as one page that opens from disk, with the pictures of the scene of the first wrong step. `steps_page`:
 /// what shows both runs from there on, as a link names it; empty where there is none.
 std::string report_html(const Assessment& assessment, const std::string& command, const std::string& steps_page = "");
+/// What the link to it says; a report without it leads to no such page.
+inline constexpr std::string_view steps_link = "Step through both runs from here";
 /// All of it as one JSON object.
 std::string report_json(const Assessment& assessment);
 /// Gradescope's results.json: https://gradescope-autograders.readthedocs.io/en/latest/specs/

@@ -251,7 +251,9 @@ TEST_CASE("grade --steps: the report leads to a page that compares both runs, of
   };
 
   // All is right, or what is wrong is hidden: nothing to step through, and no page.
-  REQUIRE(run(folder, grade).code == 0);
+  const Outcome right = run(folder, grade);
+  REQUIRE(right.code == 0);
+  CHECK(has(right.err, "to show/steps.html: was not written, as no step that may be shown is wrong"));
   CHECK_FALSE(has(text_of(folder / "page.html"), "Step through"));
   lies("runs/overlap.jsonl");
   REQUIRE(run(folder, grade).code == 1);
@@ -262,6 +264,7 @@ TEST_CASE("grade --steps: the report leads to a page that compares both runs, of
   const Outcome outcome = run(folder, grade);
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 1);
+  CHECK(has(outcome.out, "wrote to show/steps.html: both runs, from there on"));
   CHECK(has(text_of(folder / "page.html"), "<a href=\"to%20show/steps.html\">Step through both runs from here</a>"));
   const std::string page = text_of(folder / "to show/steps.html");
   CHECK(has(words_of(page), R"("words":["diff","expected.jsonl","yours.jsonl","--view"])"));
