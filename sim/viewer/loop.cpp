@@ -198,6 +198,7 @@ bool Loop::turn(May may) {
   double wait = std::min({stage_.app().play(time), stage_.app().until_clock(), notes_.until_due()});
   if (stage_.app().waits_for_run) wait = std::min(wait, 0.1);
   wait = std::min(wait, stage_.app().wait_for_finger(SDL_GetTicks()));
+  rests_for_ = wait;
   if (std::floor(time) != std::floor(std::exchange(stage_.app().clock_time, time)) && stage_.app().board().clock_runs())
     stage_.app().session().touch();
   if (stage_.app().session().revision() != drawn_) frames_due_ = std::max(frames_due_, App::frames_to_settle);

@@ -28,6 +28,8 @@ class Loop {
   enum class May { wait, go_on };
   /// Takes events and draws, if something changed. False once the window is to be closed.
   bool turn(May may);
+  /// Seconds until there is something to do, if no event comes; as of the last turn.
+  double rests_for() const { return frames_due_ > 0 ? 0 : rests_for_; }
 
   /// Goes to the place that a link names in what is shown. False where the link opens something else, or its place
   /// cannot be gone to.
@@ -57,6 +59,7 @@ class Loop {
   bool told_by_link_ = false;      ///< there, but nothing was said of it
   std::vector<TableSeen> tables_;  ///< of the last frame, where somebody listens
   std::optional<system::TypedLine> told_line_;
+  double rests_for_ = 0;
   int frames_due_ = App::frames_to_settle;  ///< after a change, until nothing moves any more
   std::uint64_t drawn_ = 0;
   const App* drawn_app_ = nullptr;

@@ -286,8 +286,8 @@ test('settings, progress and bookmarks go to another browser in a file', async (
   const folder = await choose(there, 'zstep-progress.ini', saved);
   await there.until(`/lesson bsp = 4[^]* here/.test(localStorage.getItem('zstep-settings') ?? '')`);
   check((await there.ask(`localStorage.getItem('zstep-settings')`)).includes('dark = 1'), 'the theme did not come along');
-  await there.ask('void location.reload()');
-  await there.until(shown);
+  await there.ask('window.before = true, void location.reload()');
+  await there.until(`window.before === undefined && ${shown}`);
   check(await there.ask(`Module.FS.readFile('/home/web_user/.config/zstep/lessons/bsp.marks', {encoding: 'utf8'}).includes(' here')`),
     'the bookmark did not stay');
   rmSync(folder, {recursive: true});

@@ -27,6 +27,7 @@ EM_JS(void, page_show_tables, (const char* list), { Module.page.showTables(UTF8T
 EM_JS(void, page_offer_commands, (const char* list), { Module.page.offerCommands(UTF8ToString(list)); })
 EM_JS(void, page_opened, (), { Module.page.opened = true; })
 EM_JS(void, page_shown, (), { Module.page.shown(); })
+EM_JS(void, page_doze, (double milliseconds), { Module.page.doze(milliseconds); })
 EM_JS(void, page_closed, (), { Module.page.closed(); })
 EM_JS(char*, page_address, (), { return stringToNewUTF8(Module.page.address()); })
 // clang-format on
@@ -38,11 +39,23 @@ namespace {
 std::unique_ptr<Loop> turned_by_page;
 bool shown = false;
 
+/// A second after the last event the page turns it no longer, until the next one or until something is due.
+constexpr int awake = 60, almost_asleep = awake - 2;  // turns
+int still = 0;                                        // turns in which there was nothing to do
+
+void doze() {
+  constexpr double least = 0.3, most = 5;  // seconds
+  still = turned_by_page->rests_for() >= least ? still + 1 : 0;
+  if (still < awake) return;
+  emscripten_pause_main_loop();
+  page_doze(1000 * std::min(most, turned_by_page->rests_for()));
+}
+
 void turn() {
   if (!turned_by_page) return;
   if (turned_by_page->turn(Loop::May::go_on)) {
     if (!std::exchange(shown, true)) page_shown();
-    return;
+    return doze();
   }
   emscripten_cancel_main_loop();
   turned_by_page.reset();
@@ -108,6 +121,14 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE int zstep_go_to_link(const char* link) {
   using namespace zstep::viewer;
   return system::turned_by_page && system::turned_by_page->go_to_link(link) ? 1 : 0;
+}
+
+/// An event came, or else what was waited for is due.
+EMSCRIPTEN_KEEPALIVE void zstep_wake(int by_event) {
+  using namespace zstep::viewer;
+  if (!system::turned_by_page) return;
+  system::still = by_event != 0 ? 0 : system::almost_asleep;
+  emscripten_resume_main_loop();
 }
 
 /// A button of the page stands for this command.

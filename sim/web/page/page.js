@@ -132,11 +132,28 @@ const page = {
     if (!inside) bringRest();
   },
 
+  doze(milliseconds) {
+    asleep = setTimeout(wake, milliseconds);
+  },
+
   closed() {
     Module.running = false;
     warn('zstep is closed. Load the page again to open it.');
   },
 };
+
+// --- Nothing is turned while nothing happens.
+let asleep = null;
+const wake = (event) => {
+  if (asleep === null) return;
+  clearTimeout(asleep);
+  asleep = null;
+  Module.ccall('zstep_wake', null, ['number'], [event ? 1 : 0]);
+};
+for (const type of ['keydown', 'keyup', 'mousemove', 'mousedown', 'mouseup', 'wheel', 'touchstart', 'touchmove', 'touchend', 'click', 'input',
+  'paste', 'drop', 'change', 'focus', 'blur', 'resize', 'hashchange', 'popstate'])
+  addEventListener(type, wake, true);
+document.addEventListener('visibilitychange', wake);
 
 // --- A keyboard on the screen. It comes up when the line that is typed into is touched, types into a field of the page,
 // which passes on what changes there, and makes the window as high as what it leaves.
@@ -302,6 +319,7 @@ const take = async (file) => {
   const name = file.name.replace(/[^\w.-]/g, '_');
   Module.FS.createPath('/', 'yours', true, true);
   Module.FS.writeFile('/yours/' + name, new Uint8Array(await file.arrayBuffer()));
+  wake('a file');
   Module.ccall('zstep_drop_file', null, ['string'], ['/yours/' + name]);
 };
 addEventListener('dragover', (event) => event.preventDefault());
