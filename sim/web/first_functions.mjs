@@ -6,7 +6,6 @@ import {readFileSync, writeFileSync} from 'node:fs';
 import vm from 'node:vm';
 
 const [folder, watched, profile, link = ''] = process.argv.slice(2);
-const turns = 30;  // until nothing moves any more
 const width = 1280, height = 720;
 
 const nothing = new Proxy(function () {}, {
@@ -17,7 +16,9 @@ const nothing = new Proxy(function () {}, {
 });
 const orNothing = (own) => new Proxy(own, {get: (_, name) => (name in own ? own[name] : nothing)});
 const pixels = (width, height) => ({width, height, data: new Uint8ClampedArray(4 * width * height)});
+const listeners = [];
 const canvas = orNothing({
+  addEventListener: (type, heard) => { if (type === 'mousemove') listeners.push(heard); },
   id: 'canvas', width, height, clientWidth: width, clientHeight: height, style: {},
   getContext: () => ({createImageData: pixels, getImageData: (x, y, width, height) => pixels(width, height), putImageData() {}}),
   getBoundingClientRect: () => ({left: 0, top: 0, width, height}),
@@ -40,18 +41,24 @@ const writeProfile = () => {
   process.exit(0);
 };
 
-let turn = 0;
+Object.defineProperty(globalThis, 'navigator', {value: orNothing({}), configurable: true});  // which newer ones of node have
+
+// It dozes once nothing moves any more; the mouse moves, and it dozes again.
+let dozed = 0;
+const doze = () => setTimeout(() => {
+  if (++dozed === 2) writeProfile();
+  for (const heard of listeners) heard(orNothing({type: 'mousemove', clientX: 100, clientY: 100, target: canvas}));
+  Module._zstep_wake(1);
+}, 1);
+setTimeout(() => { console.error(`${link}: never at rest`); process.exit(1); }, 60000);
 Object.assign(globalThis, {
   window: globalThis, innerWidth: width, innerHeight: height, devicePixelRatio: 1, screen: {width, height},
   location: {pathname: '/', href: 'http://localhost/'},
   document: orNothing({currentScript: null, querySelector: () => canvas, getElementById: () => canvas}),
   addEventListener() {}, removeEventListener() {},
-  requestAnimationFrame: (next) => setTimeout(() => {
-    next(performance.now());
-    if (++turn === turns) writeProfile();
-  }, 1),
+  requestAnimationFrame: (next) => setTimeout(() => next(performance.now()), 1),
   Module: {
-    canvas, page: nothing, noExitRuntime: true, arguments: link === '' ? [] : [link],
+    canvas, page: orNothing({doze}), noExitRuntime: true, arguments: link === '' ? [] : [link],
     wasmBinary: readFileSync(watched),
     getPreloadedPackage: () => new Uint8Array(readFileSync(`${folder}/zstep.data`)).buffer,
     preRun: [() => Object.assign(Module.ENV, {HOME: '/home/web_user', ZSTEP_LESSONS: '/lessons'})],

@@ -14,7 +14,7 @@ wasm-split --instrument -all "$whole/zstep.wasm" -o "$work/watched.wasm"
 links=('' '#scene=teapot' '#scene=teapot&method=warnock&step=50%25')
 for file in "$lessons"/[0-9]*-*.md; do
   name=$(basename "$file" .md)
-  links+=("#lesson=${name#*-}" "#lesson=${name#*-}&stop=3" "#lesson=${name#*-}&step=50%25&pixel=5,5" "#lesson=${name#*-}&step=20&pane=depth")
+  links+=("#lesson=${name#*-}" "#lesson=${name#*-}&stop=3" "#lesson=${name#*-}&step=50%25&pixel=1,1" "#lesson=${name#*-}&step=20")
 done
 printf '%s\n' "${!links[@]}" | links=$(printf '%s\n' "${links[@]}") xargs -P "$(nproc)" -I NUMBER bash -c '
   mapfile -t all <<<"$links"
