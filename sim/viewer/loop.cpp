@@ -210,7 +210,7 @@ bool Loop::turn(May may) {
   while (got) {
     if (!notes_.takes(event, stage_.app())) {
       frames_due_ = std::max(frames_due_, App::frames_to_settle);
-      if (stage_.app().handle(event, window_.pixels_per_point())) break;
+      if (stage_.app().handle(event, window_.pixels_per_point()) || stage_.app().requests.may_show_other()) break;
     }
     got = SDL_PollEvent(&event) != 0;
   }

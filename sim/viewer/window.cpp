@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -101,12 +102,20 @@ void Window::show_progress(double share) const {
 bool Window::is_ended() {
   SDL_PumpEvents();
   if (SDL_HasEvent(SDL_QUIT) == SDL_TRUE) return true;
-  bool ended = false;
-  SDL_Event key;
-  while (SDL_PeepEvents(&key, 1, SDL_GETEVENT, SDL_KEYDOWN, SDL_KEYDOWN) == 1)
-    ended = ended || key.key.keysym.sym == SDLK_ESCAPE;
-  SDL_FlushEvents(SDL_KEYUP, SDL_TEXTINPUT);
-  return ended;
+  const auto of_keys = [](SDL_Event* events, int count, SDL_eventaction action) {
+    return SDL_PeepEvents(events, count, action, SDL_KEYDOWN, SDL_TEXTINPUT);
+  };
+  std::vector<SDL_Event> kept;
+  bool held = false;
+  for (SDL_Event event; of_keys(&event, 1, SDL_GETEVENT) == 1;) {
+    if (event.type == SDL_KEYDOWN) {
+      if (event.key.keysym.sym == SDLK_ESCAPE) return true;
+      held = event.key.repeat != 0;
+    }
+    if (!held || event.type == SDL_KEYUP) kept.push_back(event);
+  }
+  of_keys(kept.data(), static_cast<int>(kept.size()), SDL_ADDEVENT);
+  return false;
 }
 
 }  // namespace viewer

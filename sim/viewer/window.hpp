@@ -28,7 +28,8 @@ class Window {
   void show(const Canvas& picture) const;
   /// Over what is shown, a bar along the upper edge: how much of something long is done.
   void show_progress(double share) const;
-  /// Esc was pressed, or the window is to be closed. What was typed meanwhile is dropped.
+  /// Esc was pressed, or the window is to be closed. What was typed before Esc is dropped; without it, keys wait for
+  /// what is done now, each once however long it is held.
   static bool is_ended();
 
  private:

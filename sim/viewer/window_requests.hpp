@@ -29,6 +29,11 @@ struct WindowRequests {
   bool change_goes_on = false;  ///< it takes the place of the one before, which a hand has not let go
   bool end_run = false;         ///< the one that is made while the window goes on
   int undo_change = 0;          ///< 1, or -1: make what was undone again
+
+  /// Whether what was asked for may show something else: the next key is meant for that, and waits for it.
+  bool may_show_other() const {
+    return check || compare_with || switch_method != 0 || open || !changes.empty() || end_run || undo_change != 0;
+  }
 };
 
 }  // namespace zstep::viewer

@@ -17,6 +17,7 @@
 #include "algorithms/scene/load.hpp"
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/stage.hpp"
+#include "tests/viewer/made_anew.hpp"
 #include "traces/record/trace_recorder.hpp"
 
 namespace {
@@ -101,15 +102,7 @@ void bench_large(const std::string& scene, std::int32_t w, std::int32_t h) {
 void bench_changes(const std::string& scene, int changes) {
   const Trace trace = Trace::from_bytes(record(scene, 64, 64), scene);
   ViewerOptions options;
-  options.run_changed = [](const Trace& opened, const std::string& id, const std::vector<Change>& made) {
-    Scene changed = opened.scene();
-    Conventions conventions = opened.header().conventions;
-    for (const Change& change : made) make_change(method(id), change, changed, conventions);
-    TraceRecorder recorder(header_for(method(id), conventions), changed);
-    method(id).record(changed, conventions, recorder);
-    recorder.finish();
-    return OtherRun{Trace::from_bytes(recorder.take_bytes(), changed.name), true};
-  };
+  options.run_changed = test::made_anew;
   Stage stage(trace, options, Settings{}, width, height);
   stage.app().session().go_to(trace.size() / 2);
   stage.app().open_what_if();

@@ -13,7 +13,7 @@
 #include "sim/viewer/pictures.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"
-#include "tests/viewer/words/some_runs.hpp"
+#include "tests/viewer/made_anew.hpp"
 #include "tests/where.hpp"
 #include "traces/error.hpp"
 
@@ -23,27 +23,16 @@ using compare::Measure;
 
 namespace {
 
-OtherRun raced(const Trace& opened, const std::string& id, const std::vector<Change>& changes) {
-  Scene scene = opened.scene();
-  Conventions conventions = conventions_for(method(id), opened.header().conventions);
-  for (const Change& change : changes) make_change(method(id), change, scene, conventions, "");
-  check_run(method(id), scene, conventions);
-  TraceRecorder recorder(header_for(method(id), conventions), scene);
-  method(id).record(scene, conventions, recorder);
-  recorder.finish();
-  return {Trace::from_bytes(recorder.take_bytes(), scene.name), true};
-}
-
 ViewerOptions racing() {
   ViewerOptions options;
-  options.run_changed = raced;
+  options.run_changed = test::made_anew;
   return options;
 }
 
 /// A race of these on a scene.
 struct OnScene {
   OnScene(const std::string& scene, const std::vector<std::string>& entrants)
-      : shown(test::record_run(scene)), race(shown, raced) {
+      : shown(test::record_run(scene)), race(shown, test::made_anew) {
     race.choose(entrants);
   }
   Trace shown;
@@ -134,7 +123,7 @@ TEST_CASE("by time, the run that takes longest is done last, and each is done at
     check_all(on.race);
   }
   // Who ends the measuring stays with the clock that there was.
-  Race other(on.shown, raced);
+  Race other(on.shown, test::made_anew);
   other.choose({"z-buffer", "bsp"});
   CHECK_FALSE(other.set_clock(
       Measure::time, [] { return true; }, why));
@@ -154,7 +143,7 @@ TEST_CASE("law: every method that can draw a scene can race on it, and ends with
     method("z-buffer").record(seen, {}, recorder);
     recorder.finish();
     const Trace shown = Trace::from_bytes(recorder.take_bytes(), "shown");
-    Race race(shown, raced);
+    Race race(shown, test::made_anew);
     for (const Method& one : methods()) {
       if (!can_draw(one, seen, {})) continue;
       CAPTURE(one.id);
@@ -176,7 +165,7 @@ TEST_CASE("law: every method that can draw a scene can race on it, and ends with
 
 TEST_CASE("each option that is offered can run") {
   const Trace shown = test::record_run("intersecting");
-  Race race(shown, raced);
+  Race race(shown, test::made_anew);
   CHECK(race.all().size() > 40);
   for (const compare::Entrant& entrant : race.all()) {
     if (entrant.text == "painter") continue;
@@ -266,7 +255,7 @@ TEST_CASE("a race is opened, driven, chosen and closed by keys, and looks the sa
   app.session().message.clear();
   PictureOptions how;
   how.race = RaceAsked{{"z-buffer", "scan-line", "warnock"}, Measure::operations, 700, false};
-  how.run_by = raced;
+  how.run_by = test::made_anew;
   const test::Bytes here = test::picture(app);
   CHECK(Pictures(trace, how).at(50).rgb == here);
 

@@ -11,7 +11,7 @@
 #include "sim/viewer/panes/tables.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"
-#include "tests/viewer/words/some_runs.hpp"
+#include "tests/viewer/made_anew.hpp"
 #include "tests/where.hpp"
 
 using namespace zstep;
@@ -21,15 +21,7 @@ namespace {
 
 ViewerOptions running_anew() {
   ViewerOptions options;
-  options.run_changed = [](const Trace& opened, const std::string& id, const std::vector<Change>& changes) {
-    Scene scene = opened.scene();
-    Conventions conventions = opened.header().conventions;
-    for (const Change& change : changes) make_change(method(id), change, scene, conventions, "");
-    TraceRecorder recorder(header_for(method(id), conventions), scene);
-    method(id).record(scene, conventions, recorder);
-    recorder.finish();
-    return OtherRun{Trace::from_bytes(recorder.take_bytes(), scene.name), true};
-  };
+  options.run_changed = test::made_anew;
   return options;
 }
 

@@ -6,8 +6,8 @@
 #include "algorithms/catalog/catalog.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"
+#include "tests/viewer/made_anew.hpp"
 #include "tests/viewer/with_mistake.hpp"
-#include "tests/viewer/words/some_runs.hpp"
 #include "traces/error.hpp"
 
 using namespace zstep;
@@ -17,13 +17,7 @@ namespace {
 
 ViewerOptions with_runs() {
   ViewerOptions options;
-  options.run_changed = [](const Trace& opened, const std::string& by, const std::vector<Change>&) {
-    const Conventions& conventions = opened.header().conventions;
-    TraceRecorder recorder(header_for(method(by), conventions), opened.scene());
-    method(by).record(opened.scene(), conventions, recorder);
-    recorder.finish();
-    return OtherRun{Trace::from_bytes(recorder.take_bytes(), opened.scene().name)};
-  };
+  options.run_changed = test::made_anew;
   options.open = [](const Trace&, const Offer& offer) {
     if (offer.id == "small") {
       Scene scene = test::record_run("pyramid").scene();

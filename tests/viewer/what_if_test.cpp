@@ -18,7 +18,7 @@
 #include "algorithms/scene/save.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"
-#include "tests/viewer/words/some_runs.hpp"
+#include "tests/viewer/made_anew.hpp"
 #include "traces/error.hpp"
 
 using namespace zstep;
@@ -38,18 +38,9 @@ Run changed_run(const Trace& opened, const std::string& id, const std::vector<Ch
 
 ViewerOptions changing() {
   ViewerOptions options;
-  options.run_changed = [](const Trace& opened, const std::string& id, const std::vector<Change>& changes) {
-    const Run run = changed_run(opened, id, changes);
-    TraceRecorder recorder(header_for(method(id), run.conventions), run.scene);
-    method(id).record(run.scene, run.conventions, recorder);
-    recorder.finish();
-    return OtherRun{Trace::from_bytes(recorder.take_bytes(), run.scene.name), true};
-  };
+  options.run_changed = test::made_anew;
   options.other_method = [](const Trace& trace, int) -> std::optional<OtherRun> {
-    TraceRecorder recorder(header_for(method("bsp"), {}), trace.scene());
-    method("bsp").record(trace.scene(), {}, recorder);
-    recorder.finish();
-    return OtherRun{Trace::from_bytes(recorder.take_bytes(), trace.scene().name), true};
+    return test::made_anew(trace, "bsp", {});
   };
   return options;
 }
