@@ -1,12 +1,13 @@
 // A Chromium without a window, driven by the protocol of its own tools over two pipes: no library, no port.
 import {spawn} from 'node:child_process';
-import {createHash} from 'node:crypto';
 import {mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
-export class Browser {
-  constructor(program = 'chromium') {
+import {Page} from './page.mjs';
+
+export class Chromium {
+  constructor(program) {
     this.home = mkdtempSync(join(tmpdir(), 'zstep-browser-'));
     this.process = spawn(program, ['--headless=new', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', '--remote-debugging-pipe',
       '--disable-dev-shm-usage', '--no-first-run', `--user-data-dir=${this.home}`, 'about:blank'],
@@ -37,16 +38,19 @@ export class Browser {
     return new Promise((resolve, reject) => this.waiting.set(id, {resolve, reject, method}));
   }
 
-  async open(url, {width = 1280, height = 720, scale = 1, mobile = false} = {}) {
+  /// `mobile`: as on a phone, with fingers. `before`: a script that runs before those of the page.
+  async open(url, {width = 1280, height = 720, scale = 1, mobile = false, before} = {}) {
     const {targetId} = await this.send('Target.createTarget', {url: 'about:blank'});
     const {sessionId} = await this.send('Target.attachToTarget', {targetId, flatten: true});
-    const page = new Page(this, targetId, sessionId);
+    const page = new ChromiumPage(this, targetId, sessionId);
     this.listeners.push((message) => { if (message.sessionId === sessionId) page.hear(message); });
     await page.send('Page.enable');
     await page.send('Runtime.enable');
     await page.send('Log.enable');
     await page.send('Network.enable');
     await page.resize(width, height, scale, mobile);
+    if (mobile) await page.send('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 5});
+    if (before) await page.send('Page.addScriptToEvaluateOnNewDocument', {source: before});
     await page.go(url);
     return page;
   }
@@ -59,11 +63,10 @@ export class Browser {
   }
 }
 
-export const digestOf = ({width, height, rgb}) => `${width}x${height} ${createHash('sha256').update(rgb).digest('hex')}`;
-
-export class Page {
+class ChromiumPage extends Page {
   constructor(browser, targetId, sessionId) {
-    Object.assign(this, {browser, targetId, sessionId, told: [], requests: []});
+    super();
+    Object.assign(this, {browser, targetId, sessionId});
   }
 
   hear({method, params}) {
@@ -85,21 +88,6 @@ export class Page {
 
   resize(width, height, scale = 1, mobile = false) {
     return this.send('Emulation.setDeviceMetricsOverride', {width, height, deviceScaleFactor: scale, mobile});
-  }
-
-  /// Until the expression is true; its last value is in the error otherwise.
-  async until(expression, seconds = 60) {
-    const end = Date.now() + seconds * 1000;
-    let value;
-    while (Date.now() < end) {
-      try {
-        if ((value = await this.ask(expression))) return value;
-      } catch (error) {
-        value = error.message;  // between two pages there is nobody to ask
-      }
-      await new Promise((resolve) => setTimeout(resolve, 30));
-    }
-    throw new Error(`waited ${seconds} s for: ${expression}; at the end it was ${value}; the page said: ${this.told.join(' | ')}`);
   }
 
   async key(key, {code = '', modifiers = 0, keyCode = 0, text = ''} = {}) {
@@ -133,41 +121,32 @@ export class Page {
     await this.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
   }
 
-  /// What an expression says of the canvas, as `{width, height, data}`, once that is the same twice.
-  async ofCanvas(expression) {
-    const one = () => this.ask(`(async () => {
-      const {width, height} = canvas, {data} = canvas.getContext('2d').getImageData(0, 0, width, height);
-      return JSON.stringify(await (${expression})({width, height, data}));
-    })()`);
-    let before = await one();
-    for (let k = 0; k < 50; ++k) {
-      await new Promise((resolve) => setTimeout(resolve, 120));
-      const now = await one();
-      if (now === before) return JSON.parse(now);
-      before = now;
-    }
-    throw new Error('the picture does not come to rest');
+  /// As a keyboard on the screen types.
+  insert(text) { return this.send('Input.insertText', {text}); }
+
+  /// Gives the page a file as the reader's dialogue does.
+  async choose(path) {
+    const {root} = await this.send('DOM.getDocument');
+    const {nodeId} = await this.send('DOM.querySelector', {nodeId: root.nodeId, selector: '#file'});
+    await this.send('DOM.setFileInputFiles', {nodeId, files: [path]});
   }
 
-  /// What is on the canvas: {width, height, rgb}.
-  async picture() {
-    const {width, height, rgb} = await this.ofCanvas(`({width, height, data}) => {
-      let text = '';
-      for (let at = 0; at < data.length; at += 4) text += String.fromCharCode(data[at], data[at + 1], data[at + 2]);
-      return {width, height, rgb: btoa(text)};
-    }`);
-    return {width, height, rgb: Buffer.from(rgb, 'base64')};
+  /// How many have a role in the accessibility tree, and this name, where one is given.
+  async accessible(role, name) {
+    const nodes = (await this.accessibilityTree()).filter((node) => node.role?.value === role);
+    return nodes.filter((node) => name === undefined || (node.name?.value ?? '') === name).length;
   }
 
-  /// A digest of it, as digestOf() has it of a picture: much less than the picture goes from the page to here.
-  async digest() {
-    return this.ofCanvas(`async ({width, height, data}) => {
-      const rgb = new Uint8Array(width * height * 3);
-      for (let from = 0, to = 0; from < data.length; from += 4) rgb[to++] = data[from], rgb[to++] = data[from + 1], rgb[to++] = data[from + 2];
-      const sum = new Uint8Array(await crypto.subtle.digest('SHA-256', rgb));
-      return width + 'x' + height + ' ' + [...sum].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-    }`);
+  /// Whether it is read in that tree.
+  async isRead(text) { return (await this.accessibilityTree()).some((node) => (node.name?.value ?? '').includes(text)); }
+
+  async accessibilityTree() { return (await this.send('Accessibility.getFullAXTree')).nodes.filter((node) => !node.ignored); }
+
+  offline() {
+    return this.send('Network.emulateNetworkConditions', {offline: true, latency: 0, downloadThroughput: -1, uploadThroughput: -1});
   }
+
+  front() { return this.send('Page.bringToFront'); }
 
   close() { return this.browser.send('Target.closeTarget', {targetId: this.targetId}); }
 }

@@ -8,10 +8,14 @@ import {tmpdir} from 'node:os';
 import {extname, join, normalize, resolve} from 'node:path';
 import {gzipSync} from 'node:zlib';
 
-import {Browser, digestOf} from './chromium.mjs';
+import {Chromium} from './chromium.mjs';
+import {Firefox} from './firefox.mjs';
+import {digestOf} from './page.mjs';
 import {readPng} from './png.mjs';
 
 const [site, pictures, only] = process.argv.slice(2);
+const program = process.env.ZSTEP_BROWSER || 'chromium';
+const newBrowser = () => new (/firefox/.test(program) ? Firefox : Chromium)(program);
 const types = {'.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml',
   '.webmanifest': 'application/manifest+json'};
 
@@ -49,6 +53,11 @@ const differ = (a, b) => {
 
 // The title of a window has buttons that one without it has not.
 const belowTitle = ({width, height, rgb}) => ({width, height: height - 30, rgb: rgb.subarray(30 * width * 3)});
+
+const reload = async (page) => {
+  await page.ask('window.before = true, void location.reload()');
+  await page.until(`window.before === undefined && ${shown}`);
+};
 
 let browser;
 const tests = [];
@@ -161,13 +170,11 @@ test('the sentence, the tables and every command are in the accessibility tree, 
   const page = await browser.open(address + '#lesson=z-buffer&step=867');
   await page.until(shown);
   await page.until(`tables.querySelectorAll('tr').length > 4`);
-  const {nodes} = await page.send('Accessibility.getFullAXTree');
-  const named = (role) => nodes.filter((node) => !node.ignored && node.role?.value === role).map((node) => node.name?.value ?? '');
-  for (const table of ['EDGE TABLE', 'ACTIVE EDGES']) check(named('table').includes(table), `no table ${table}: ${named('table')}`);
-  check(named('cell').includes('0.50'), 'no cell of the edge table');
-  const buttons = named('button');
-  check(buttons.length > 60 && buttons.every((name) => name !== ''), `${buttons.length} buttons`);
-  check(nodes.some((node) => (node.name?.value ?? '').includes('polygon B is at depth 0.5191')), 'the sentence is not told');
+  for (const table of ['EDGE TABLE', 'ACTIVE EDGES']) check(await page.accessible('table', table) === 1, `no table ${table}`);
+  check(await page.accessible('cell', '0.50') > 0, 'no cell of the edge table');
+  const buttons = await page.accessible('button');
+  check(buttons > 60 && await page.accessible('button', '') === 0, `${buttons} buttons, some without a name`);
+  check(await page.isRead('polygon B is at depth 0.5191'), 'the sentence is not told');
   await page.key('F6', {code: 'F6', keyCode: 117});
   check(await page.ask('commands.contains(document.activeElement)'), 'F6 does not leave the window');
   const pressed = (title) => page.ask(`[...commands.querySelectorAll('button')].find((one) => one.textContent.startsWith(${JSON.stringify(title)})).click()`);
@@ -187,11 +194,11 @@ test('without a network after the first visit', async () => {
   await page.ask('navigator.serviceWorker.ready.then(() => true)');
   await page.until(`caches.keys().then((names) => names.length > 0)`);
   await page.until('navigator.serviceWorker.controller !== null');
-  const native = await page.picture();
-  await page.send('Network.emulateNetworkConditions', {offline: true, latency: 0, downloadThroughput: -1, uploadThroughput: -1});
-  await page.ask('void location.reload()');
-  await page.until(shown);
-  check(same(await page.picture(), native), 'another picture');
+  const before = await page.picture();
+  await page.offline();
+  await reload(page);
+  const now = await page.picture();
+  check(same(now, before), `another picture: ${differ(now, before)}`);
   await page.close();
 });
 
@@ -204,15 +211,12 @@ test('settings stay, and where a browser refuses to keep them it works and says 
   const dark = await page.picture();
   const brightness = ({rgb}) => rgb.reduce((sum, one) => sum + one, 0) / rgb.length;
   check(brightness(light) > 150 && brightness(dark) < 100, `light has ${brightness(light)}, dark ${brightness(dark)}`);
-  await page.ask('void location.reload()');
-  await page.until(shown);
+  await reload(page);
   check(brightness(await page.picture()) < 100, 'the theme was forgotten');
   await page.ask(`void localStorage.clear()`);
   await page.close();
-  page = await browser.open('about:blank');
-  await page.send('Page.addScriptToEvaluateOnNewDocument',
-    {source: `Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('refused', 'SecurityError'); }})`});
-  await page.go(address + '#lesson=z-buffer&stop=1');
+  page = await browser.open(address + '#lesson=z-buffer&stop=1',
+    {before: `Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('refused', 'SecurityError'); }})`});
   await page.until(shown);
   await page.key('t', {code: 'KeyT', keyCode: 84, text: 't'});
   await page.until(`!notice.hidden && notice.textContent.includes('keeps nothing')`);
@@ -232,9 +236,7 @@ test('settings stay, and where a browser refuses to keep them it works and says 
 const choose = async (page, name, text) => {
   const folder = mkdtempSync(join(tmpdir(), 'zstep-file-'));
   writeFileSync(join(folder, name), text);
-  const {root} = await page.send('DOM.getDocument');
-  const {nodeId} = await page.send('DOM.querySelector', {nodeId: root.nodeId, selector: '#file'});
-  await page.send('DOM.setFileInputFiles', {nodeId, files: [join(folder, name)]});
+  await page.choose(join(folder, name));
   return folder;
 };
 
@@ -280,14 +282,13 @@ test('settings, progress and bookmarks go to another browser in a file', async (
     check(saved.includes(part), `${part} is not in ${saved}`);
   await page.close();
 
-  const other = new Browser(process.env.ZSTEP_BROWSER);
+  const other = newBrowser();
   const there = await other.open(address + '#lesson=bsp&stop=1');
   await there.until(shown);
   const folder = await choose(there, 'zstep-progress.ini', saved);
   await there.until(`/lesson bsp = 4[^]* here/.test(localStorage.getItem('zstep-settings') ?? '')`);
   check((await there.ask(`localStorage.getItem('zstep-settings')`)).includes('dark = 1'), 'the theme did not come along');
-  await there.ask('window.before = true, void location.reload()');
-  await there.until(`window.before === undefined && ${shown}`);
+  await reload(there);
   check(await there.ask(`Module.FS.readFile('/home/web_user/.config/zstep/lessons/bsp.marks', {encoding: 'utf8'}).includes(' here')`),
     'the bookmark did not stay');
   rmSync(folder, {recursive: true});
@@ -309,7 +310,6 @@ test('resized, on a screen of twice the pixels, and upright', async () => {
 test('by fingers on a phone: a step, a right click, a pinch, and the page stays where it is', async () => {
   for (const scale of [1, 3]) {
     const page = await browser.open(address + '#lesson=z-buffer&step=300', {width: 390, height: 844, scale, mobile: true});
-    await page.send('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 5});
     await page.until(`${shown} && canvas.width === 390 * ${scale}`);
     await page.until(`location.hash.includes('step=300')`);
     await page.fingers([[272, 815]]);  // the arrow on
@@ -330,7 +330,6 @@ test('by fingers on a phone: a step, a right click, a pinch, and the page stays 
 
 test('a keyboard on the screen comes up for the line that is touched, and types into it', async () => {
   const page = await browser.open(address, {width: 390, height: 844, scale: 2, mobile: true});
-  await page.send('Emulation.setTouchEmulationEnabled', {enabled: true, maxTouchPoints: 5});
   await page.until(shown);
   await page.until('line.right > line.left');
   check(await page.ask('document.activeElement !== typed'), 'the keyboard came unasked');
@@ -338,11 +337,11 @@ test('a keyboard on the screen comes up for the line that is touched, and types 
   const place = await page.ask('line');
   await page.fingers([[(place.left + place.right) / 2, (place.top + place.bottom) / 2]]);
   await page.until('document.activeElement === typed');
-  await page.send('Input.insertText', {text: 'bsp'});
+  await page.insert('bsp');
   const found = await page.picture();
   check(!same(empty, found), 'what is typed did not arrive');
   // Taken back and typed anew, as a keyboard does that corrects a word.
-  await page.ask(`typed.value = ' b'; typed.dispatchEvent(new Event('input')); typed.value = ' bsp'; void typed.dispatchEvent(new Event('input'))`);
+  for (const now of [' b', ' bsp']) await page.ask(`(typed.value = '${now}', typed.dispatchEvent(new Event('input')))`);
   check(same(found, await page.picture()), 'what was taken back is still there');
   // What the keyboard leaves is the window's.
   await page.resize(390, 500, 2, true);
@@ -359,7 +358,7 @@ test('two tabs beside each other', async () => {
   const two = await browser.open(address + '#lesson=bsp&stop=2');
   await two.until(shown);
   check(!same(first, await two.picture()), 'both show the same');
-  await one.send('Page.bringToFront');
+  await one.front();
   check(same(first, await one.picture()), 'the first came back as another');
   await one.close();
   await two.close();
@@ -368,7 +367,7 @@ test('two tabs beside each other', async () => {
 test('how long until the first picture, and how much is fetched for it', async () => {
   const times = [];
   for (let k = 0; k < 5; ++k) {  // each time by a browser that knows nothing
-    const fresh = new Browser(process.env.ZSTEP_BROWSER);
+    const fresh = newBrowser();
     const page = await fresh.open(address + '#lesson=viewing&stop=1');
     times.push(await page.until('Module.firstPicture'));
     check(await page.ask('first.broughtNow === false'), 'a function of the rest was called before the first picture');
@@ -388,7 +387,7 @@ test('what the first picture does not need is fetched after it, and waited for b
   const pictures = [];
   for (const slow of [0, 3000]) {
     restAfter = slow;
-    const fresh = new Browser(process.env.ZSTEP_BROWSER);  // which has kept nothing
+    const fresh = newBrowser();  // which has kept nothing
     const page = await fresh.open(address + '#lesson=z-buffer&step=867');
     await page.until(shown);
     if (slow === 0) await page.until('!first.alone');
@@ -402,13 +401,13 @@ test('what the first picture does not need is fetched after it, and waited for b
     await fresh.close();
   }
   restAfter = 0;
-  check(same(...pictures), 'another picture');
+  check(same(...pictures), `another picture: ${differ(...pictures)}`);
 });
 
 let failed = 0;
 for (const {name, run} of tests) {
   if (only && !name.includes(only)) continue;
-  browser = new Browser(process.env.ZSTEP_BROWSER);
+  browser = newBrowser();
   try {
     await run();
     console.log(`ok      ${name}`);

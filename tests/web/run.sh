@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The page in Chromium against what the native program draws: run.sh PROGRAM SITE [NAME]
+# The page in a browser against what the native program draws: run.sh PROGRAM SITE [NAME]
 #
-# SITE is what ./zstep web -o made; NAME runs the tests that have it in their names. Needs node and chromium.
+# SITE is what ./zstep web -o made; NAME runs the tests that have it in their names. Needs node, and chromium or what
+# ZSTEP_BROWSER names: a Chromium or a Firefox.
 set -eu
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 pictures=$(mktemp -d)
