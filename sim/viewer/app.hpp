@@ -12,6 +12,7 @@
 #include "sim/answers/explain_value.hpp"
 #include "sim/answers/pixel_history.hpp"
 #include "sim/answers/why_not.hpp"
+#include "sim/places/typed_place.hpp"
 #include "sim/viewer/board.hpp"
 #include "sim/viewer/changed.hpp"
 #include "sim/viewer/panes/pane.hpp"
@@ -21,6 +22,7 @@
 #include "sim/viewer/model/race.hpp"
 #include "sim/viewer/field.hpp"
 #include "sim/viewer/film.hpp"
+#include "sim/viewer/finder.hpp"
 #include "sim/viewer/motion.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
@@ -109,6 +111,7 @@ class App {
   /// What has the typed text in its name or title, in the order in which the page shows it; last, if a path is typed,
   /// the file.
   std::vector<const Offer*> choices();
+  const std::vector<Offer>& offers();  ///< all of them
   void open_start();  ///< with the lesson picked that was open last
   void open_start(Offer::What what);  ///< with the first of these picked that is not what is shown
   void open_offer(const Offer& offer);
@@ -191,7 +194,9 @@ class App {
   void put(const std::string& text);  ///< in place of what is typed
   void draw_field(const std::string& hint);
   void draw_drawer_field(const std::string& hint);  ///< which is one while the keys are the drawer's
-  int picked = 0;                 ///< in palette, and of an answer's rows
+  int picked = 0;                                   ///< of what is found, and of an answer's rows
+  const std::vector<Found>& found() { return finder_.find(*this); }
+  void take_found(std::size_t row);
   Inquiry& inquiry() { return inquiry_; }
   std::string tables() const;     ///< that can be asked, by name
   bool scroll_to_picked = false;
@@ -236,6 +241,8 @@ class App {
   void go_to_bookmark(std::size_t place);
   void remove_bookmark(std::size_t place);
   void paint_answer();            ///< over the frame, or no longer
+  places::Place place_typed() const;  ///< throws InputError where what is typed names none
+  void go_to(const places::Place& place);
   void go_to_typed();  ///< "12041", "25 %", "polygon 3", "9, 17"; what is none of these stays, with what is wrong
   void take_settings(const Settings& settings);  ///< as another App was left
   void say(std::string message);
@@ -348,7 +355,7 @@ class App {
   bool type(SDL_Keycode code, unsigned modifiers);
   /// A key of the overlay, or else of the drawer; false if it is none.
   bool key_of_box(SDL_Keycode code, unsigned modifiers);
-  bool pick_command(SDL_Keycode code);
+  bool pick_found(SDL_Keycode code);
   bool pick_offer(SDL_Keycode code);
   bool pick_here(SDL_Keycode code);
   bool pick_racer(SDL_Keycode code);
@@ -413,6 +420,7 @@ class App {
   std::function<std::vector<Offer>()> ask_for_offers_;
   std::vector<Offer> offers_;
   Offer typed_file_;
+  Finder finder_;
   float dpi_scale_;
   float built_for_ = 0;
   Overlay overlay_ = Overlay::none;

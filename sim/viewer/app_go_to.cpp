@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "sim/places/typed_place.hpp"
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/panes/workspace.hpp"
 #include "sim/viewer/pictures.hpp"
@@ -16,16 +15,24 @@
 
 namespace zstep::viewer {
 
+places::Place App::place_typed() const {
+  return places::find_place({session_.trace(), places_.marks(), session_.lesson(), session_.position()}, typed,
+                            "go to");
+}
+
 void App::go_to_typed() {
   places::Place place;
   try {
-    place =
-        places::find_place({session_.trace(), places_.marks(), session_.lesson(), session_.position()}, typed, "go to");
+    place = place_typed();
   } catch (const InputError& error) {
     wrong = error.what();  // what was typed stays, to be mended
     return session_.touch();
   }
   open(Overlay::none);
+  go_to(place);
+}
+
+void App::go_to(const places::Place& place) {
   if (place.pixel) {
     session_.select(Cell{place.pixel->x, place.pixel->y});
     return say("Selected; F runs to the next step that touches it.");

@@ -15,21 +15,24 @@ bool App::pick_among(std::size_t rows, SDL_Keycode code) {
   return true;
 }
 
-bool App::pick_command(SDL_Keycode code) {
-  const auto found = matching(typed);
-  if (code != SDLK_RETURN) return pick_among(found.size(), code);
-  if (picked >= static_cast<int>(found.size())) return true;
-  const Command* command = found[static_cast<std::size_t>(picked)];
+void App::take_found(std::size_t row) {
+  const Found taken = finder_.find(*this)[row];  // what is typed goes with the box
   open(Overlay::none);
-  if (command->release) hold(*command);
-  else run(*command);
+  taken.go(*this);
+  session_.touch();
+}
+
+bool App::pick_found(SDL_Keycode code) {
+  const std::vector<Found>& found = finder_.find(*this);
+  if (code != SDLK_RETURN) return pick_among(found.size(), code);
+  if (picked < static_cast<int>(found.size())) take_found(static_cast<std::size_t>(picked));
   return true;
 }
 
 bool App::key_of_box(SDL_Keycode code, unsigned modifiers) {
   switch (overlay_) {
     case Overlay::palette:
-      return pick_command(code);
+      return pick_found(code);
     case Overlay::go_to:
       return code == SDLK_RETURN ? go_to_typed(), true : false;
     case Overlay::start:

@@ -65,15 +65,18 @@ const Command* command_called(std::string_view id) {
   return nullptr;
 }
 
+bool has_words(const std::string& text, const std::string& typed) {
+  const std::string among = lower(text);
+  std::istringstream words(lower(typed));
+  for (std::string word; words >> word;)
+    if (among.find(word) == std::string::npos) return false;
+  return true;
+}
+
 std::vector<const Command*> matching(const std::string& typed) {
   std::vector<const Command*> found;
-  for (const Command& command : commands()) {
-    const std::string title = lower(std::string(command.group) + " " + command.title);
-    std::istringstream words(lower(typed));
-    bool all = true;
-    for (std::string word; words >> word;) all = all && title.find(word) != std::string::npos;
-    if (all) found.push_back(&command);
-  }
+  for (const Command& command : commands())
+    if (has_words(std::string(command.group) + " " + command.title, typed)) found.push_back(&command);
   return found;
 }
 

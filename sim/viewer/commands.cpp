@@ -237,7 +237,7 @@ const std::vector<Command>& table() {
        "Save a picture of the window",
        {{SDLK_s, C}},
        [](App& a) { a.requests.save_picture = fmt::format("zstep-{}.png", a.session().position()); }},
-      {"palette", "Window", "Every command by name", {{SDLK_p, C}}, [](App& a) { a.open(Overlay::palette); }},
+      {"palette", "Window", "Find commands, places, lessons", {{SDLK_p, C}}, [](App& a) { a.open(Overlay::palette); }},
       {"menu",
        "Window",
        "Menu",

@@ -42,7 +42,10 @@ const Command* command_for(char character);
 /// The command of this id, or nullptr.
 const Command* command_called(std::string_view id);
 
-/// Commands whose title holds all words typed, in table order.
+/// Whether a text holds all words that are typed, in any order, in large or small letters.
+bool has_words(const std::string& text, const std::string& typed);
+
+/// Commands whose title holds them, in table order.
 std::vector<const Command*> matching(const std::string& typed);
 
 /// The same with small letters, as what is typed is looked for.

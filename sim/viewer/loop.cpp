@@ -57,21 +57,7 @@ Loop::Loop(const Trace& trace, ViewerOptions options)
 Loop::~Loop() { save(true); }
 
 void Loop::serve() {
-  if (const int direction = std::exchange(stage_.app().requests.switch_method, 0); direction != 0) {
-    stage_.switch_method(direction);
-    name_window(window_, stage_.trace());
-  }
-  if (const auto offer = std::exchange(stage_.app().requests.open, std::nullopt)) {
-    stage_.open(*offer, std::exchange(stage_.app().requests.for_class, false));
-    name_window(window_, stage_.trace());
-  }
-  if (std::exchange(stage_.app().requests.check, false)) stage_.check();
-  if (const auto with = std::exchange(stage_.app().requests.compare_with, std::nullopt)) stage_.compare_with(*with);
-  const bool goes_on = stage_.app().requests.change_goes_on;
-  for (const Change& change : std::exchange(stage_.app().requests.changes, {})) stage_.change(change, goes_on);
-  if (const int direction = std::exchange(stage_.app().requests.undo_change, 0); direction != 0) stage_.undo(direction);
-  if (std::exchange(stage_.app().requests.end_run, false)) stage_.end_run();
-  stage_.look_for_run();
+  if (stage_.serve()) name_window(window_, stage_.trace());
   App& app = stage_.app();
   WindowRequests& r = app.requests;
   if (r.toggle_full_screen)

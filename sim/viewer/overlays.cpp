@@ -1,4 +1,5 @@
-// What lies over the window for a moment: key sheet, palette, menu, all from the table of commands; go-to; a search.
+// What lies over the window for a moment: key sheet and menu from the table of commands; what is found; go-to; a
+// search.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -46,21 +47,22 @@ void begin_overlay(App& app, const char* id, ImVec2 size, ImVec2 corner) {
 
 namespace {
 
-/// A row with a title on the left and its keys on the right; true when clicked.
-bool row(Ui& ui, const Command& command, float width, float height, bool lit) {
+/// A row with a title on the left and its keys, or what it is, on the right; true when clicked.
+bool row(Ui& ui, const char* id, const std::string& title, const std::string& beside, float width, float height,
+         bool lit) {
   const Theme& c = ui.colors();
   const float top = std::round((height - ui.em) * 0.375f);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + height};
-  const bool clicked = ImGui::InvisibleButton(command.id, {width, height});
+  const bool clicked = ImGui::InvisibleButton(id, {width, height});
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (lit) list->AddRectFilled(at, end, c.now_soft);
   else if (ImGui::IsItemHovered()) list->AddRectFilled(at, end, c.button_hovered);
-  const std::string keys = key_names(command);
-  const float keys_width = text_size(ui, ui.fonts.mono, keys).x;
-  draw_text(ui, {at.x + ui.em * 0.4f, at.y + top}, ui.fonts.text, c.text, command.title);
+  const float beside_width = text_size(ui, ui.fonts.mono, beside).x;
+  const std::string shown = fitted(ui, ui.fonts.text, title, width - ui.em * 0.8f);
+  draw_text(ui, {at.x + ui.em * 0.4f, at.y + top}, ui.fonts.text, c.text, shown);
   can_be_hit(ui, at, end);
-  if (text_size(ui, ui.fonts.text, command.title).x + keys_width + ui.em * 1.5f <= width)
-    draw_text(ui, {end.x - keys_width - ui.em * 0.4f, at.y + top + 1}, ui.fonts.mono, c.muted, keys);
+  if (text_size(ui, ui.fonts.text, shown).x + beside_width + ui.em * 1.5f <= width)
+    draw_text(ui, {end.x - beside_width - ui.em * 0.4f, at.y + top + 1}, ui.fonts.mono, c.muted, beside);
   return clicked;
 }
 
@@ -148,7 +150,9 @@ void draw_columns(App& app, const char* id, const char* title) {
       draw_text(ui, {x + ui.em * 0.4f, y - row_height + std::round((row_height - ui.em) * 0.6f)}, ui.fonts.bold,
                 ui.colors().now, command.group);
     ImGui::SetCursorScreenPos({x, y});
-    if (row(ui, command, sheet.widths[place.column] - ui.em * 0.5f, row_height, false)) clicked = &command;
+    if (row(ui, command.id, command.title, key_names(command), sheet.widths[place.column] - ui.em * 0.5f, row_height,
+            false))
+      clicked = &command;
   }
   ImGui::End();
   if (clicked) run(app, *clicked);
@@ -162,25 +166,28 @@ void draw_menu(App& app) { draw_columns(app, "menu", "Menu"); }
 void draw_palette(App& app) {
   Ui& ui = app.ui();
   const float row_height = std::max(std::round(ui.em * 1.4f), ui.least_target);
-  begin_overlay(app, "palette", {std::max(ui.em * 26, widest_row(ui)), row_height * 12 + ui.em * 3});
-  app.draw_field("Type a part of a command's name");
-  const auto found = matching(app.typed);
-  const Command* clicked = nullptr;
+  begin_overlay(app, "palette", {std::max(ui.em * 32, widest_row(ui)), row_height * 12 + ui.em * 3}, 0.1f);
+  app.draw_field("A command, step, polygon, stop, lesson, or z < 4.2");
+  const std::vector<Found>& found = app.found();
+  std::optional<std::size_t> clicked;
   ImGui::BeginChild("found", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoNav);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (row(ui, *found[i], ImGui::GetContentRegionAvail().x, row_height, app.picked == static_cast<int>(i)))
-      clicked = found[i];
+    ImGui::PushID(static_cast<int>(i));
+    if (row(ui, "found", found[i].title, found[i].beside, ImGui::GetContentRegionAvail().x, row_height,
+            app.picked == static_cast<int>(i)))
+      clicked = i;
+    ImGui::PopID();
     if (app.picked == static_cast<int>(i)) ImGui::SetScrollHereY(0.5f);
   }
-  if (found.empty()) say_empty(ui, "No command has this in its name.");
+  if (found.empty()) say_empty(ui, "Nothing here is called so, and it is no place and no condition.");
   ImGui::EndChild();
   ImGui::End();
-  if (clicked) run(app, *clicked);
+  if (clicked) app.take_found(*clicked);
 }
 
 void draw_go_to(App& app) {
   Ui& ui = app.ui();
-  begin_overlay(app, "go to", {ui.em * 30, ui.em * (app.wrong.empty() ? 9.5f : 11.5f)});
+  begin_overlay(app, "go to", {ui.em * 30, ui.em * (app.wrong.empty() ? 9.5f : 11.5f)}, 0.1f);
   flow(ui, "Go to", {.font = ui.fonts.bold});
   app.draw_field("12041");
   if (!app.wrong.empty()) {  // which says what may be typed as well

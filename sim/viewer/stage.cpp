@@ -184,6 +184,22 @@ Stage::Before Stage::show_in_place(std::optional<OtherRun> next) {
   return before;
 }
 
+bool Stage::serve() {
+  bool other = false;
+  if (const int direction = std::exchange(app().requests.switch_method, 0); direction != 0)
+    switch_method(direction), other = true;
+  if (const auto offer = std::exchange(app().requests.open, std::nullopt))
+    open(*offer, std::exchange(app().requests.for_class, false)), other = true;
+  if (std::exchange(app().requests.check, false)) check();
+  if (const auto with = std::exchange(app().requests.compare_with, std::nullopt)) compare_with(*with);
+  const bool goes_on = app().requests.change_goes_on;
+  for (const Change& made : std::exchange(app().requests.changes, {})) change(made, goes_on);
+  if (const int direction = std::exchange(app().requests.undo_change, 0); direction != 0) undo(direction);
+  if (std::exchange(app().requests.end_run, false)) end_run();
+  look_for_run();
+  return other;
+}
+
 void Stage::switch_method(int direction) {
   end_run();
   if (!options_.other_method) return app().say("No other method can be run from here.");

@@ -42,6 +42,9 @@ class Stage {
   App& first_app() { return *first_app_; }
   const Trace& first() const { return *first_; }
 
+  /// Does what the App asks for that may show something else. True where that may be of another name.
+  bool serve();
+
   /// Opens something else in place of all that is shown, at the place where it was left. What cannot be opened is said
   /// on the start page, and all stays as it is. Another method of a run that was changed is as after switch_method: the
   /// changes can be taken back there.

@@ -81,11 +81,15 @@ void draw_choice(App& app, const Offer& offer, const ListRow& row) {
 
 }  // namespace
 
-std::vector<const Offer*> App::choices() {
+const std::vector<Offer>& App::offers() {
   if (offers_.empty() && ask_for_offers_) offers_ = ask_for_offers_();
+  return offers_;
+}
+
+std::vector<const Offer*> App::choices() {
   const std::string part = lower(typed);
   std::vector<const Offer*> found;
-  for (const Offer& offer : offers_)
+  for (const Offer& offer : offers())
     if (lower(offer.id + "\n" + offer.title).find(part) != std::string::npos) found.push_back(&offer);
   if (typed.find_first_of("/.=\\") != std::string::npos) {
     typed_file_ = {Offer::What::scene, typed, "Open " + typed,

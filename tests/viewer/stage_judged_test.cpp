@@ -33,12 +33,6 @@ ViewerOptions with_runs() {
   return options;
 }
 
-/// What the window does with a request.
-void serve_judging(Stage& stage) {
-  if (std::exchange(stage.app().requests.check, false)) stage.check();
-  if (const auto with = std::exchange(stage.app().requests.compare_with, std::nullopt)) stage.compare_with(*with);
-}
-
 constexpr const char* right_compare = "\"nearer\":true";
 constexpr const char* wrong_compare = "\"nearer\":false";
 
@@ -51,7 +45,7 @@ TEST_CASE("Ctrl+K checks the run: it marks what is wrong and goes to the first c
   {
     Stage stage(right, options, Settings{}, 1280, 720);
     test::press(stage.app(), SDLK_k, KMOD_LCTRL);
-    serve_judging(stage);
+    stage.serve();
     CHECK(stage.app().session().message.find("Nothing is wrong") == 0);
     CHECK(stage.app().session().position() == 0);
   }
@@ -61,7 +55,7 @@ TEST_CASE("Ctrl+K checks the run: it marks what is wrong and goes to the first c
   REQUIRE(report.causes.size() >= 1);
   const test::Bytes before = test::picture(app);
   test::press(app, SDLK_k, KMOD_LCTRL);
-  serve_judging(stage);
+  stage.serve();
   CHECK(app.session().position() == report.causes.front().first.step);
   CHECK(app.session().message.find("to mend") != std::string::npos);
   REQUIRE(app.ui().findings != nullptr);
@@ -78,7 +72,7 @@ TEST_CASE("Ctrl+K checks the run: it marks what is wrong and goes to the first c
   // Again: the same place, from anywhere.
   app.session().go_to(0);
   test::press(app, SDLK_k, KMOD_LCTRL);
-  serve_judging(stage);
+  stage.serve();
   CHECK(app.session().position() == report.causes.front().first.step);
 }
 
@@ -95,7 +89,7 @@ TEST_CASE("Ctrl+D compares the run with zstep's own, with another that can be op
     REQUIRE(app.drawer() == Drawer::compare);
     test::type(app, with);
     test::press(app, SDLK_RETURN);
-    serve_judging(stage);
+    stage.serve();
     CHECK(app.drawer() == Drawer::none);
     REQUIRE(app.compares());
     const diff::DiffReport report = diff::compare(wrong, right);
@@ -127,18 +121,18 @@ TEST_CASE("what a run cannot be compared with is said in the drawer, and what wa
   test::press(app, SDLK_d, KMOD_LCTRL);
   test::type(app, "no such");
   test::press(app, SDLK_RETURN);
-  serve_judging(stage);
+  stage.serve();
   CHECK(app.drawer() == Drawer::compare);
   CHECK(app.typed == "no such");
   CHECK(app.wrong.find("there is no such file") != std::string::npos);
   CHECK_FALSE(app.compares());
   app.put("small");
   test::press(app, SDLK_RETURN);
-  serve_judging(stage);
+  stage.serve();
   CHECK(app.wrong == "That run has 8x8 pixels, and this one 32x32; record both with one size.");
   // A file that is dropped meanwhile is meant for the drawer; else it is opened.
   app.take_file("pyramid");
-  serve_judging(stage);
+  stage.serve();
   CHECK(app.compares());
   CHECK_FALSE(app.requests.open);
   app.take_file("pyramid");

@@ -36,12 +36,6 @@ ViewerOptions with_offers(int* asked = nullptr) {
   return options;
 }
 
-/// What the window does with a request.
-void serve(Stage& stage) {
-  if (const auto offer = std::exchange(stage.app().requests.open, std::nullopt))
-    stage.open(*offer, std::exchange(stage.app().requests.for_class, false));
-}
-
 std::string picked_id(App& app) { return app.choices().at(static_cast<std::size_t>(app.picked))->id; }
 
 }  // namespace
@@ -76,7 +70,7 @@ TEST_CASE("a lesson is opened from the start page, by keys alone, and how far it
   for (int k = 0; k < 3; ++k) test::press(stage.app(), SDLK_DOWN);
   CHECK(picked_id(stage.app()) == "z-buffer");
   test::press(stage.app(), SDLK_RETURN);
-  serve(stage);
+  stage.serve();
   REQUIRE(stage.app().session().lesson());
   CHECK(stage.app().session().lesson()->id == "z-buffer");
   CHECK(stage.app().overlay() == Overlay::none);
@@ -97,7 +91,7 @@ TEST_CASE("a lesson is opened from the start page, by keys alone, and how far it
   const std::int64_t left_at = stage.app().session().position();
   const std::string left = place_key(stage.trace());
   test::press(stage.app(), SDLK_RETURN);
-  serve(stage);
+  stage.serve();
   CHECK_FALSE(stage.app().session().lesson());
   CHECK(stage.trace().scene().name == "cube");
   CHECK(stage.app().settings().place(left) == left_at);
@@ -114,7 +108,7 @@ TEST_CASE("what cannot be opened is said on the start page, and all stays as it 
   test::type(stage.app(), "none.obj");
   REQUIRE(stage.app().choices().size() == 1);
   test::press(stage.app(), SDLK_RETURN);
-  serve(stage);
+  stage.serve();
   CHECK(stage.app().overlay() == Overlay::start);
   CHECK(stage.app().wrong.find("there is no such file") != std::string::npos);
   CHECK(stage.app().typed == "none.obj");
@@ -126,7 +120,7 @@ TEST_CASE("what cannot be opened is said on the start page, and all stays as it 
   drop.type = SDL_DROPFILE;
   drop.drop.file = SDL_strdup("gone.off");
   test::send(stage.app(), drop);
-  serve(stage);
+  stage.serve();
   CHECK(stage.app().overlay() == Overlay::start);
   CHECK(stage.app().wrong.find("gone.off") != std::string::npos);
 }
@@ -163,7 +157,7 @@ TEST_CASE("before a class a clicker's four keys are enough: choose a lesson, go 
   for (int k = 0; k < 2; ++k) test::press(stage.app(), SDLK_PAGEDOWN);
   test::press(stage.app(), SDLK_PAGEDOWN);
   test::press(stage.app(), SDLK_PERIOD);
-  serve(stage);
+  stage.serve();
   App& app = stage.app();
   REQUIRE(app.session().lesson());
   CHECK(app.session().lesson()->id == "z-buffer");

@@ -45,17 +45,10 @@ ViewerOptions changing() {
   return options;
 }
 
-/// As the window's loop does.
-void do_asked(Stage& stage) {
-  const bool goes_on = stage.app().requests.change_goes_on;
-  for (const Change& change : std::exchange(stage.app().requests.changes, {})) stage.change(change, goes_on);
-  if (const int direction = std::exchange(stage.app().requests.undo_change, 0); direction != 0) stage.undo(direction);
-}
-
 void ask(Stage& stage, const std::string& text) {
   test::type(stage.app(), text);
   test::press(stage.app(), SDLK_RETURN);
-  do_asked(stage);
+  stage.serve();
   stage.app().settle();
 }
 
@@ -165,13 +158,13 @@ TEST_CASE("what if: buttons and Ctrl with an arrow change a little, and the next
   test::type(stage.app(), "theta");
   const double theta = trace.scene().camera.theta;
   test::press(stage.app(), SDLK_UP, KMOD_CTRL);
-  do_asked(stage);
+  stage.serve();
   CHECK(stage.trace().scene().camera.theta == doctest::Approx(theta + 5).epsilon(0.1));
   CHECK(std::fmod(stage.trace().scene().camera.theta, 5) == 0);
   stage.app().put("coverage");
   stage.app().settle();
   test::press(stage.app(), SDLK_DOWN, KMOD_CTRL);
-  do_asked(stage);
+  stage.serve();
   CHECK(stage.trace().header().conventions.coverage == Conventions::Coverage::ceil_floor);
 }
 
@@ -203,7 +196,7 @@ TEST_CASE("what if: a vertex that is pulled in the scene moves with the hand, an
     motion.motion.x = x + 6 * k, motion.motion.y = y - 4 * k;
     test::send(stage.app(), motion);
     stage.app().frame();
-    do_asked(stage);
+    stage.serve();
   }
   button.type = SDL_MOUSEBUTTONUP;
   test::send(stage.app(), button);
@@ -266,12 +259,12 @@ TEST_CASE("what if: a lesson's task is asked in the drawer, with hints one at a 
   CHECK(stage.app().task() == task);  // the lesson waits, and what it asks stays
   for (std::size_t hints = 1; hints <= task->hints.size(); ++hints) {
     test::press(stage.app(), SDLK_h, KMOD_CTRL);
-    do_asked(stage);
+    stage.serve();
     CHECK(stage.app().hints_given() == hints);
     CHECK(stage.changes().size() == 1);
   }
   test::press(stage.app(), SDLK_h, KMOD_CTRL);  // how it is done
-  do_asked(stage);
+  stage.serve();
   REQUIRE(stage.app().changed().task);
   CHECK(stage.app().changed().task->done);
   stage.undo(1);

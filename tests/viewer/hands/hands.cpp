@@ -58,13 +58,7 @@ Hands::Hands(const HandStart& start) {
 
 /// What the window does with what it is asked, but for files, clipboard and screen, of which it is noted.
 void Hands::serve() {
-  viewer::Stage& stage = *stage_;
-  if (const int direction = std::exchange(stage.app().requests.switch_method, 0); direction != 0)
-    stage.switch_method(direction);
-  if (const auto offer = std::exchange(stage.app().requests.open, std::nullopt)) stage.open(*offer);
-  const bool goes_on = stage.app().requests.change_goes_on;
-  for (const Change& change : std::exchange(stage.app().requests.changes, {})) stage.change(change, goes_on);
-  if (const int direction = std::exchange(stage.app().requests.undo_change, 0); direction != 0) stage.undo(direction);
+  stage_->serve();
   const viewer::WindowRequests asked = std::exchange(app().requests, {});
   quit_ = quit_ || asked.quit;
   full_screen_ = full_screen_ != asked.toggle_full_screen;

@@ -1,0 +1,112 @@
+#include "sim/viewer/finder.hpp"
+
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sim/places/condition.hpp"
+#include "sim/viewer/app.hpp"
+#include "sim/viewer/commands.hpp"
+#include "sim/words/explain.hpp"
+#include "sim/words/numbers.hpp"
+#include "traces/error.hpp"
+
+namespace zstep::viewer {
+namespace {
+
+/// Of polygons and bookmarks, of which a run may have thousands.
+constexpr std::size_t most_of_a_kind = 40;
+
+std::string step_text(std::int64_t step) { return "step " + grouped(step); }
+
+/// Where the text says exactly where; nothing where it does not.
+std::optional<places::Place> place_named(const App& app) {
+  try {
+    return app.place_typed();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+Found row_of(const places::Place& place, const std::string& typed) {
+  const auto go = [place](App& a) { a.go_to(place); };
+  if (place.pixel) return {fmt::format("Select pixel ({}, {})", place.pixel->x, place.pixel->y), "", go};
+  return {"Go to " + typed, step_text(place.step), go};
+}
+
+std::optional<Found> condition_typed(App& app) {
+  try {
+    places::Condition(app.session().trace(), app.typed);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return Found{"Run until " + app.typed, "forwards",
+               [condition = app.typed](App& a) { a.run_until(condition, Places::Way::forwards); }};
+}
+
+void add_stops(App& app, std::vector<Found>& found) {
+  const Lesson* lesson = app.session().lesson();
+  if (!lesson) return;
+  for (std::size_t k = 0; k < lesson->stops.size(); ++k) {
+    const std::string title = fmt::format("{}. {}", k + 1, lesson->stops[k].heading);
+    if (has_words("stop " + title, app.typed))
+      found.push_back({title, "stop", [k](App& a) { a.session().to_stop(static_cast<int>(k)); }});
+  }
+}
+
+/// But for where what is named exactly leads.
+void add_polygons(App& app, std::int64_t named, std::vector<Found>& found) {
+  const Trace& trace = app.session().trace();
+  std::size_t count = 0;
+  for (const PolygonMark& mark : trace.polygons()) {
+    const std::string title = "Polygon " + polygon_label(trace.scene(), mark.polygon);
+    if (mark.position == named || !has_words(title, app.typed)) continue;
+    if (++count > most_of_a_kind) return;
+    found.push_back({title, step_text(mark.position),
+                     [step = mark.position](App& a) { a.go_to(places::Place{step, Unit::polygon}); }});
+  }
+}
+
+void add_bookmarks(App& app, std::vector<Found>& found) {
+  std::size_t count = 0;
+  for (const places::Bookmark& mark : app.places().bookmarks())
+    if (has_words("bookmark " + mark.name, app.typed) && ++count <= most_of_a_kind)
+      found.push_back(
+          {mark.name, step_text(mark.step), [step = mark.step](App& a) { a.go_to(places::Place{step}); }});
+}
+
+void add_offers(App& app, std::vector<Found>& found) {
+  const auto kind = [](Offer::What what) {
+    return what == Offer::What::lesson ? "lesson" : what == Offer::What::method ? "method" : "scene";
+  };
+  for (const Offer& offer : app.offers())
+    if (has_words(fmt::format("{} {} {}", kind(offer.what), offer.id, offer.title), app.typed))
+      found.push_back({offer.title, kind(offer.what), [what = offer](App& a) { a.open_offer(what); }});
+}
+
+}  // namespace
+
+const std::vector<Found>& Finder::find(App& app) {
+  if (std::exchange(found_for_, app.session().revision()) == app.session().revision()) return found_;
+  found_.clear();
+  const bool asked = app.typed.find_first_not_of(' ') != std::string::npos;
+  std::optional<places::Place> named;
+  if (asked) {
+    if ((named = place_named(app))) found_.push_back(row_of(*named, app.typed));
+    if (auto condition = condition_typed(app)) found_.push_back(std::move(*condition));
+  }
+  for (const Command* command : matching(app.typed))
+    found_.push_back({command->title, key_names(*command), [command](App& a) {
+                        if (command->release) a.hold(*command);
+                        else a.run(*command);
+                      }});
+  if (!asked) return found_;
+  add_stops(app, found_);
+  add_polygons(app, named ? named->step : -1, found_);
+  add_bookmarks(app, found_);
+  add_offers(app, found_);
+  return found_;
+}
+
+}  // namespace zstep::viewer
