@@ -86,6 +86,7 @@ struct Lesson {
   std::string id;  ///< "z-buffer", from the file's name: "4-z-buffer.md"
   std::string title;
   std::string summary;  ///< one line for `zstep list`
+  std::string theme;    ///< what lessons beside it in the order have, too; may be empty
   std::filesystem::path path;
   std::string scene;   ///< a name or a path, as load_scene takes it (relative to the lesson's folder)
   std::string method;  ///< a method's id
@@ -93,6 +94,10 @@ struct Lesson {
   ConventionOptions conventions;
   std::vector<Stop> stops;
 };
+
+/// How long it takes to read it and to look at its pictures, in minutes, as zstep reckons: 200 words a minute, 12
+/// seconds a stop, and half a minute for each question, task and marking.
+double reading_minutes(const Lesson& lesson);
 
 /// Loads a lesson. Throws InputError with FILE:LINE for what is wrong with it.
 Lesson load_lesson(const std::filesystem::path& path);

@@ -230,7 +230,7 @@ void check_stops(const Lesson& lesson, const std::string& file) {
 }
 
 void make_printable(Lesson& lesson) {
-  for (std::string* line : {&lesson.id, &lesson.title, &lesson.summary}) *line = printable(*line);
+  for (std::string* line : {&lesson.id, &lesson.title, &lesson.summary, &lesson.theme}) *line = printable(*line);
   const auto mend = [](std::string& text) { text = printable_lines(text); };
   for (Stop& stop : lesson.stops) {
     mend(stop.heading);

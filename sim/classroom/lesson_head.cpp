@@ -111,9 +111,10 @@ void read_lesson_head(Lesson& lesson, const std::string& file, std::string_view 
                      "write key = value lines");
   }
   read.known_keys(all, "a lesson's head",
-                  {"title", "summary", "scene", "method", "camera", "raster", "conventions", "options"});
+                  {"title", "summary", "theme", "scene", "method", "camera", "raster", "conventions", "options"});
   read.text(all, "title", lesson.title);
   read.text(all, "summary", lesson.summary);
+  read.text(all, "theme", lesson.theme);
   read.text(all, "scene", lesson.scene);
   read.text(all, "method", lesson.method);
 

@@ -1,11 +1,14 @@
 // Where lessons lie: $ZSTEP_LESSONS, beside the program, in the source tree.
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
+#include <sstream>
 
 #include <fmt/core.h>
 
 #include "sim/classroom/evaluate.hpp"
 #include "sim/classroom/lesson.hpp"
+#include "sim/classroom/markdown.hpp"
 #include "traces/error.hpp"
 
 namespace zstep {
@@ -25,6 +28,16 @@ std::vector<fs::path> lesson_folders() {
   }
   found.emplace_back(ZSTEP_LESSONS_IN_SOURCE);
   return found;
+}
+
+double reading_minutes(const Lesson& lesson) {
+  double minutes = 0;
+  for (const Stop& stop : lesson.stops) {
+    std::istringstream text(plain_text(parse_markdown(stop.text)));
+    const auto words = std::distance(std::istream_iterator<std::string>(text), {});
+    minutes += static_cast<double>(words) / 200 + 0.2 + (stop.question || stop.task || stop.marking ? 0.5 : 0);
+  }
+  return minutes;
 }
 
 namespace {

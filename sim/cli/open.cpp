@@ -78,8 +78,15 @@ std::vector<Offer> all_offers() {
   std::vector<Offer> offers;
   int number = 0;
   for (const Lesson& lesson : all_lessons())
-    offers.push_back({Offer::What::lesson, lesson.id, lesson.title, lesson.summary,
-                      static_cast<int>(lesson.stops.size()), ++number});
+    offers.push_back({Offer::What::lesson,
+                      lesson.id,
+                      lesson.title,
+                      lesson.summary,
+                      static_cast<int>(lesson.stops.size()),
+                      ++number,
+                      {},
+                      lesson.theme,
+                      reading_minutes(lesson)});
   for (const Method& one : methods())
     offers.push_back({Offer::What::method, std::string(one.id), std::string(one.title), std::string(one.paper)});
   for (const BuiltIn& scene : built_in_scenes())

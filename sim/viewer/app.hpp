@@ -115,6 +115,7 @@ class App {
   void open_start();  ///< with the lesson picked that was open last
   void open_start(Offer::What what);  ///< with the first of these picked that is not what is shown
   void open_offer(const Offer& offer);
+  void see_file();                            ///< if what is shown is a file of the reader's, it is offered from now on
   void take_file(const std::string& path);    ///< that was chosen, or dropped on the window
   void say_on_start(const std::string& why);  ///< that it could not be opened
 
@@ -419,6 +420,7 @@ class App {
   std::optional<ChosenLead> chosen_words_;  ///< in a window too small for all panes
   std::function<std::vector<Offer>()> ask_for_offers_;
   std::vector<Offer> offers_;
+  std::vector<Offer> own_files_;  ///< that were opened before and are still there, as of when the start page came up
   Offer typed_file_;
   Finder finder_;
   float dpi_scale_;

@@ -82,8 +82,11 @@ std::string progress_text(const fs::path& folder) {
   const auto add = [&](std::string_view name) {
     std::error_code error;
     if (!fs::is_regular_file(folder / name, error)) return;
-    const std::string part = whole_text(folder / name);
-    text += fmt::format("[{}]\n{}{}", name, part, part.empty() || part.back() == '\n' ? "" : "\n");
+    std::string part;
+    std::istringstream lines(whole_text(folder / name));
+    for (std::string line; std::getline(lines, line);)
+      if (!is_own_file(line)) part += line + "\n";
+    text += fmt::format("[{}]\n{}", name, part);
   };
   add(settings_name);
   std::vector<std::string> marks;

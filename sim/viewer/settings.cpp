@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -13,7 +14,8 @@
 namespace zstep::viewer {
 namespace {
 
-constexpr std::size_t places_kept = 200;
+constexpr std::string_view file_line = "file = ";
+constexpr std::size_t places_kept = 200, files_kept = 8;
 
 float share_or(float given, float otherwise) {
   return std::isfinite(given) ? std::clamp(given, 0.05f, 0.95f) : otherwise;
@@ -42,10 +44,17 @@ void Settings::see_stop(const std::string& lesson, int stops) {
   if (!known) put_last(lessons, lesson, std::max(stops, stops_seen(lesson)));
 }
 
+void Settings::see_file(const std::string& path) {
+  if (path.find('\n') != std::string::npos) return;
+  std::erase(files, path);
+  files.push_back(path);
+  if (files.size() > files_kept) files.erase(files.begin());
+}
+
 bool Settings::same_but_for_places(const Settings& other) const {
   const auto all = [](const Settings& s) {
     return std::tie(s.dark, s.presenter, s.reduced_motion, s.text_scale, s.width, s.height, s.speed, s.layout,
-                    s.lessons);
+                    s.lessons, s.files);
   };
   return all(*this) == all(other);
 }
@@ -69,6 +78,7 @@ std::filesystem::path settings_path() {
 Settings read_settings(std::istream& from) {
   Settings s;
   for (std::string line; std::getline(from, line);) {
+    if (is_own_file(line)) s.see_file(line.substr(file_line.size()));
     const std::size_t equals = line.rfind(" = ");  // a formula's name has one, too
     if (equals == std::string::npos || equals > 400) continue;
     const std::string key = line.substr(0, equals), value = line.substr(equals + 3);
@@ -99,6 +109,8 @@ Settings read_settings(std::istream& from) {
   return s;
 }
 
+bool is_own_file(std::string_view line) { return line.starts_with(file_line); }
+
 Settings load_settings(const std::filesystem::path& path) {
   std::ifstream file(path);
   return read_settings(file);
@@ -121,6 +133,7 @@ bool save_settings(const std::filesystem::path& path, const Settings& s) {
     for (const auto& [id, weight] : s.layout.structures) file << fmt::format("structure {} = {}\n", id, weight);
     for (const auto& [key, position] : s.places) file << fmt::format("place {} = {}\n", key, position);
     for (const auto& [id, stops] : s.lessons) file << fmt::format("lesson {} = {}\n", id, stops);
+    for (const std::string& own : s.files) file << file_line << own << '\n';
     file.flush();
     if (!file) return false;
   }

@@ -41,12 +41,15 @@ struct Settings {
   Kept places;   ///< by trace, newest last
   Kept lessons;  ///< how many of its stops were come to, by lesson, the one that was open last at the end
 
+  std::vector<std::string> files;  ///< of the reader's own that were opened, by their whole paths, newest last
+
   std::optional<std::int64_t> place(const std::string& key) const;
   void remember(const std::string& key, std::int64_t position);
   int stops_seen(const std::string& lesson) const;
   /// But for places, of which each step makes another.
   bool same_but_for_places(const Settings& other) const;
   void see_stop(const std::string& lesson, int stops);  ///< so many, counted from its first
+  void see_file(const std::string& path);
 };
 
 /// What to save when a run ends: what options of the command line set for this run alone (dark, presenter: in `begun`,
@@ -62,6 +65,8 @@ std::filesystem::path settings_path();
 /// What cannot be read is left at its default: a damaged file must not keep the viewer from opening.
 Settings load_settings(const std::filesystem::path& path);
 Settings read_settings(std::istream& from);
+/// Whether a line of such a file names one of the reader's files, which are none of another computer's.
+bool is_own_file(std::string_view line);
 /// False when it could not be written.
 bool save_settings(const std::filesystem::path& path, const Settings& settings);
 

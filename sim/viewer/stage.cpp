@@ -26,7 +26,6 @@ Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& s
              float dpi_scale)
     : first_(&trace), lesson_(options.lesson), options_(options), dpi_scale_(dpi_scale) {
   begin(settings, width, height);
-  app().opened_by = options.opened_by;
   if (options.checked) app().show_findings(*options.checked);
   if (options.against) app().show_against(*options.against);
 }
@@ -34,6 +33,8 @@ Stage::Stage(const Trace& trace, const ViewerOptions& options, const Settings& s
 void Stage::begin(const Settings& settings, int width, int height) {
   first_app_ = std::make_unique<App>(*first_, lesson_, settings, width, height, dpi_scale_);
   first_app_->offer(options_.offers);
+  first_app_->opened_by = opened_ ? opened_->opened_by : options_.opened_by;
+  first_app_->see_file();
   if (options_.run_changed) first_app_->allow_changes(options_.run_changed);
 }
 
@@ -68,7 +69,6 @@ void Stage::open(const Offer& offer, bool for_class) {
   lesson_ = opened_->lesson ? &*opened_->lesson : nullptr;
   begin(settings, width, height);
   app().board() = std::move(board);
-  app().opened_by = opened_->opened_by;
   moment_ = {};
   arrived_ = -1;
   changes_.clear(), undone_.clear(), before_change_.reset();

@@ -7,6 +7,7 @@
 
 #include "sim/viewer/app.hpp"
 #include "sim/viewer/commands.hpp"
+#include "sim/viewer/emblems.hpp"
 #include "sim/viewer/lists.hpp"
 #include "sim/viewer/overlays.hpp"
 
@@ -36,39 +37,55 @@ const char* heading_of(Offer::What what) {
   return "Scenes, by this method";
 }
 
-/// How far a lesson was read, as a bar and in numbers.
-void draw_progress(Ui& ui, const ListRow& row, int seen, int stops) {
-  if (seen <= 0 || stops <= 0) return;
+/// How long a lesson takes, and how far it was read, as a bar and in numbers.
+void draw_progress(Ui& ui, const ListRow& row, const Offer& lesson, int seen) {
   const Theme& c = ui.colors();
-  const std::string text = seen >= stops ? "read" : fmt::format("{} of {}", seen, stops);
+  const bool begun = seen > 0 && lesson.stops > 0;
+  const std::string text = !begun                 ? fmt::format("{:.0f} min", std::max(1.0, lesson.minutes))
+                           : seen >= lesson.stops ? "read"
+                                                  : fmt::format("{} of {}", seen, lesson.stops);
   const float bar = std::round(ui.em * 3), right = row.end.x - ui.em * 0.6f;
   const float middle = (row.at.y + row.end.y) / 2, thick = std::round(ui.em * 0.3f);
-  draw_text(ui,
-            {right - bar - ui.em * 0.5f - text_size(ui, ui.fonts.small, text).x,
-             std::round(middle - ui.fonts.small->FontSize / 2)},
+  const float text_end = begun ? right - bar - ui.em * 0.5f : right;
+  draw_text(ui, {text_end - text_size(ui, ui.fonts.small, text).x, std::round(middle - ui.fonts.small->FontSize / 2)},
             ui.fonts.small, c.muted, text);
+  if (!begun) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 from{right - bar, std::round(middle - thick / 2)};
   list->AddRectFilled(from, {right, from.y + thick}, c.head);
-  const float share = std::min(1.0f, static_cast<float>(seen) / static_cast<float>(stops));
+  const float share = std::min(1.0f, static_cast<float>(seen) / static_cast<float>(lesson.stops));
   list->AddRectFilled(from, {from.x + std::round(bar * share), from.y + thick}, c.text);
   frame_box(ui, from, {right, from.y + thick}, c.muted);
+}
+
+/// A picture of three by four in the row; where the text begins beside it.
+float draw_picture(Ui& ui, const Canvas& canvas, float x, const ListRow& row) {
+  const ImVec2 at{std::round(x), std::round(row.at.y + 2)};
+  const ImVec2 end{at.x + static_cast<float>(canvas.width()), at.y + static_cast<float>(canvas.height())};
+  ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, end);
+  frame_box(ui, at, end, ui.colors().rule);
+  return x + std::round((row.end.y - row.at.y) * 1.4f) + std::round(ui.em * 0.5f);
 }
 
 void draw_choice(App& app, const Offer& offer, const ListRow& row) {
   Ui& ui = app.ui();
   const float height = row.end.y - row.at.y, pad = std::round(ui.em * 0.5f);
   float x = row.at.x + pad;
+  const float tall = height - 4;
   if (offer.picture.height > 0) {
-    const float tall = height - 4, wide = std::round(tall * static_cast<float>(offer.picture.width) /
-                                                     static_cast<float>(offer.picture.height));
-    const ImVec2 at{std::round(x), std::round(row.at.y + 2)};
-    const Canvas& canvas = keep_canvas(ui.canvases, "offer " + offer.id, static_cast<int>(wide), static_cast<int>(tall),
-                                       paint_offer, offer.picture)
-                               ->made;
-    ImGui::GetWindowDrawList()->AddImage(Renderer::image(canvas), at, {at.x + wide, at.y + tall});
-    frame_box(ui, at, {at.x + wide, at.y + tall}, ui.colors().rule);
-    x += std::round(height * 1.4f) + pad;
+    const float wide =
+        std::round(tall * static_cast<float>(offer.picture.width) / static_cast<float>(offer.picture.height));
+    x = draw_picture(ui,
+                     keep_canvas(ui.canvases, "offer " + offer.id, static_cast<int>(wide), static_cast<int>(tall),
+                                 paint_offer, offer.picture)
+                         ->made,
+                     x, row);
+  } else if (offer.what == Offer::What::method && has_emblem(offer.id)) {
+    x = draw_picture(ui,
+                     keep_canvas(ui.canvases, "offer " + offer.id, static_cast<int>(std::round(tall * 4 / 3)),
+                                 static_cast<int>(tall), paint_emblem, offer.id, ui.colors())
+                         ->made,
+                     x, row);
   }
   const bool lesson = offer.what == Offer::What::lesson;
   const std::string title = lesson ? fmt::format("{}. {}", offer.number, offer.title) : offer.title;
@@ -76,7 +93,7 @@ void draw_choice(App& app, const Offer& offer, const ListRow& row) {
   const float room = row.end.x - x - (progress ? ui.em * 8 : 0);
   draw_text(ui, {x, row.at.y + std::round((height - ui.em) / 2) - 1}, ui.fonts.text, ui.colors().text,
             fitted(ui, ui.fonts.text, title, room));
-  if (progress) draw_progress(ui, row, app.settings().stops_seen(offer.id), offer.stops);
+  if (progress) draw_progress(ui, row, offer, app.settings().stops_seen(offer.id));
 }
 
 }  // namespace
@@ -91,6 +108,8 @@ std::vector<const Offer*> App::choices() {
   std::vector<const Offer*> found;
   for (const Offer& offer : offers())
     if (lower(offer.id + "\n" + offer.title).find(part) != std::string::npos) found.push_back(&offer);
+  for (const Offer& file : own_files_)
+    if (lower(file.id).find(part) != std::string::npos) found.push_back(&file);
   if (typed.find_first_of("/.=\\") != std::string::npos) {
     typed_file_ = {Offer::What::scene, typed, "Open " + typed,
                    "A mesh, a scene, a trace, a program's JSON Lines, or a "
@@ -100,7 +119,19 @@ std::vector<const Offer*> App::choices() {
   return found;
 }
 
+void App::see_file() {
+  std::error_code error;
+  if (opened_by.size() < 2 || opened_by[0] != "view" || !std::filesystem::is_regular_file(opened_by[1], error)) return;
+  const std::filesystem::path whole = std::filesystem::absolute(opened_by[1], error);
+  if (!error) settings_.see_file(whole.lexically_normal().string());
+}
+
 void App::open_start() {
+  own_files_.clear();
+  for (auto path = settings_.files.rbegin(); path != settings_.files.rend(); ++path)
+    if (std::error_code error; std::filesystem::is_regular_file(*path, error))
+      own_files_.push_back({Offer::What::scene, *path, std::filesystem::path(*path).filename().string(), *path});
+  for (Offer& file : own_files_) file.theme = "Your files";
   open(Overlay::start);
   const std::vector<const Offer*> all = choices();
   for (std::size_t k = 0; k < all.size() && !settings_.lessons.empty(); ++k)
@@ -192,7 +223,7 @@ void draw_start(App& app) {
   const float foot = std::ceil(flow_height(ui, app.wrong.empty() ? told : app.wrong, {.font = ui.fonts.bold}) +
                                (how_to.empty() ? 0 : flow_height(ui, how_to, muted)) + gap);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const float heights[] = {std::round(ui.em * 1.5f), std::round(ui.em * 1.5f), std::round(ui.em * 2.7f)};
+  const float heights[] = {std::round(ui.em * 1.5f), std::round(ui.em * 2.1f), std::round(ui.em * 2.7f)};
   const float shares[] = {narrow ? 1.0f : 0.5f, 0.24f, 0.26f};
   float x = at.x;
   const Offer* clicked = nullptr;
@@ -204,8 +235,11 @@ void draw_start(App& app) {
       ImGui::BeginChild(heading_of(what), {width, std::max(1.0f, room.y - foot - gap)}, false, ImGuiWindowFlags_NoNav);
     } else ImGui::Dummy({1, gap});
     flow(ui, heading_of(what), {.color = c.now, .font = ui.fonts.bold});
+    const std::string* theme = nullptr;
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k]->what != what) continue;
+      if (!all[k]->theme.empty() && (!theme || *theme != all[k]->theme)) flow(ui, all[k]->theme, muted);
+      theme = &all[k]->theme;
       const ListRow row = list_row(app, k, heights[column]);
       if (row.clicked) clicked = all[k];
       if (row.visible) draw_choice(app, *all[k], row);

@@ -27,6 +27,8 @@ struct Offer {
   int stops = 0;        ///< of a lesson
   int number = 0;       ///< of a lesson, in teaching order from 1
   Image picture{};      ///< of a scene
+  std::string theme{};  ///< of a lesson; neighbours with the same stand together
+  double minutes = 0;   ///< that a lesson takes
 };
 
 /// A run that was opened from the window.

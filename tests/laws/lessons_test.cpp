@@ -85,6 +85,21 @@ TEST_CASE("the lessons stand in teaching order: that of the numbers their files 
   }
 }
 
+TEST_CASE("lessons of a theme follow each other, and each is read in about ten minutes") {
+  std::vector<std::string> themes;
+  for (const Lesson& lesson : course().written) {
+    CAPTURE(lesson.id);
+    CHECK_FALSE(lesson.theme.empty());
+    if (themes.empty() || themes.back() != lesson.theme) {
+      CHECK(std::find(themes.begin(), themes.end(), lesson.theme) == themes.end());
+      themes.push_back(lesson.theme);
+    }
+    CHECK(reading_minutes(lesson) > 5);
+    CHECK(reading_minutes(lesson) < 16);
+  }
+  CHECK(themes.size() > 4);
+}
+
 TEST_CASE("every stop is found in the lesson's own run, in order") {
   for (std::size_t i = 0; i < course().told.size(); ++i) {
     const Lesson& lesson = course().told[i];

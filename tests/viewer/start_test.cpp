@@ -1,6 +1,12 @@
 // The start page: what it offers, and that opening something else leaves the place in what was open.
-#include <doctest/doctest.h>
+#include <filesystem>
+#include <fstream>
 
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include "sim/viewer/emblems.hpp"
+#include "sim/viewer/progress_file.hpp"
 #include "sim/viewer/stage.hpp"
 #include "tests/viewer/drive.hpp"
 #include "tests/viewer/words/some_runs.hpp"
@@ -8,6 +14,7 @@
 
 using namespace zstep;
 using namespace zstep::viewer;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -186,4 +193,57 @@ TEST_CASE("before a class a clicker's four keys are enough: choose a lesson, go 
     test::release(app, key);
     CHECK(test::picture(app) == shown);
   }
+}
+
+TEST_CASE(
+    "every method has a picture of its own on the start page, in light and dark, and what is no method has none") {
+  CHECK_FALSE(has_emblem("sorting"));
+  std::vector<Canvas> seen;
+  for (const Method& one : methods())
+    for (const Theme* theme : {&light_theme(), &dark_theme()}) {
+      CAPTURE(one.id);
+      CHECK(has_emblem(one.id));
+      Canvas canvas, blank;
+      canvas.resize(48, 36), blank.resize(48, 36);
+      paint_emblem(canvas, std::string(one.id), *theme);
+      paint_emblem(blank, "sorting", *theme);
+      const auto pixels = [](const Canvas& of) { return std::vector<Pixel32>(of.row(0), of.row(0) + 48 * 36); };
+      const std::vector<Pixel32> own = pixels(canvas), none = pixels(blank);
+      int painted = 0;
+      for (std::size_t k = 0; k < own.size(); ++k) painted += own[k] != none[k];
+      CHECK(painted > 150);
+      for (const Canvas& other : seen) CHECK(pixels(other) != own);
+      seen.push_back(std::move(canvas));
+    }
+}
+
+TEST_CASE("a file of the reader's that was opened is offered again as long as it is there, the last first") {
+  const Trace trace = test::record_run("pyramid");
+  const fs::path folder = fs::temp_directory_path() / ("zstep-own-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string first = (folder / "first = 1.off").string(), second = (folder / "second.off").string();
+  for (const std::string& path : {first, second}) std::ofstream(path) << "OFF";
+  Settings settings;
+  ViewerOptions options = with_offers();
+  for (const std::string& path : {first, second, first}) {
+    options.opened_by = {"view", path, "--algorithm", "bsp"};
+    Stage stage(trace, options, settings, 1280, 720);
+    settings = stage.app().settings();
+  }
+  CHECK(settings.files == std::vector<std::string>{second, first});
+  CHECK(save_settings(folder / "viewer.ini", settings));
+  settings = load_settings(folder / "viewer.ini");
+  CHECK(settings.files == std::vector<std::string>{second, first});
+  CHECK(progress_text(folder).find("second.off") == std::string::npos);  // it stays on this computer
+  fs::remove(second);
+  options.opened_by = {"lesson", "z-buffer"};
+  Stage stage(trace, options, settings, 1280, 720);
+  test::press(stage.app(), SDLK_o, KMOD_LCTRL);
+  test::type(stage.app(), "zstep-own");
+  stage.app().settle();
+  const std::vector<const Offer*> found = stage.app().choices();
+  REQUIRE(found.size() >= 1);
+  CHECK(found[0]->id == first);
+  CHECK(std::none_of(found.begin(), found.end(), [&](const Offer* one) { return one->id == second; }));
+  fs::remove_all(folder);
 }
