@@ -26,6 +26,7 @@
 #include "sim/viewer/motion.hpp"
 #include "sim/viewer/model/places.hpp"
 #include "sim/viewer/settings.hpp"
+#include "sim/viewer/own_files.hpp"
 #include "sim/viewer/panes/ui.hpp"
 #include "sim/viewer/touch.hpp"
 #include "sim/viewer/viewer.hpp"
@@ -420,8 +421,7 @@ class App {
   std::optional<ChosenLead> chosen_words_;  ///< in a window too small for all panes
   std::function<std::vector<Offer>()> ask_for_offers_;
   std::vector<Offer> offers_;
-  std::vector<Offer> own_files_;  ///< that were opened before and are still there, as of when the start page came up
-  Offer typed_file_;
+  OwnFiles own_files_;
   Finder finder_;
   float dpi_scale_;
   float built_for_ = 0;

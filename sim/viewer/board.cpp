@@ -22,8 +22,8 @@ std::string Board::clock(double now) const {
 }
 
 bool Board::put_away() {
-  const bool any = writes_ || lit_ || !strokes_.empty();
-  writes_ = lit_ = false;
+  const bool any = writes_ || lit_ || points_ || !strokes_.empty();
+  writes_ = lit_ = points_ = false;
   strokes_.clear();
   return any;
 }
@@ -71,7 +71,16 @@ void Board::draw(Ui& ui, ImVec2 at, ImVec2 size) {
       if (places.size() == 1) fill_circle(list, places[0], width, color);
       else stroke_lines(list, places, color, width);
     }
-  if (!lit_) return;
+  if (lit_) darken(ui, mouse);
+  if (!points_) return;
+  fill_circle(list, mouse, ui.em * 0.6f, ui.colors().pane);
+  fill_circle(list, mouse, ui.em * 0.5f, ui.colors().now);
+  stroke_circle(list, mouse, ui.em * 0.9f, ui.colors().now, 2 * ui.thin);
+}
+
+void Board::darken(const Ui& ui, ImVec2 mouse) const {
+  ImDrawList* list = ImGui::GetForegroundDrawList();
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
   // All but a circle round the mouse is dark: rows above and below it, and beside it in strips.
   const float radius = ui.em * 7;
   const ImU32 dark = IM_COL32(0, 0, 0, 150);

@@ -1,4 +1,4 @@
-// What a lecturer does over the window: writes on it, lights a part of it, and looks at the clock.
+// What a lecturer does over the window: writes on it, points at it, lights a part of it, and looks at the clock.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,9 @@ class Board {
   bool writes() const { return writes_; }
   void turn_spotlight() { lit_ = !lit_; }
   bool lit() const { return lit_; }
+  /// A spot where the mouse is, for the far end of a lecture room.
+  void turn_laser() { points_ = !points_; }
+  bool points() const { return points_; }
   /// Starts a clock, or ends it. `now` in seconds.
   void turn_clock(double now) { begun_ = begun_ < 0 ? now : -1; }
   bool clock_runs() const { return begun_ >= 0; }
@@ -32,8 +35,9 @@ class Board {
 
  private:
   void write(Ui& ui, ImVec2 at, ImVec2 size);
+  void darken(const Ui& ui, ImVec2 mouse) const;
   std::vector<std::vector<ImVec2>> strokes_;  ///< in parts of the window, so that they stay where it grows
-  bool writes_ = false, stays_ = false, lit_ = false, down_ = false;
+  bool writes_ = false, stays_ = false, lit_ = false, points_ = false, down_ = false;
   double begun_ = -1;
   std::int64_t step_ = -1;
 };

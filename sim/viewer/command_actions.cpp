@@ -147,6 +147,11 @@ void turn_spotlight(App& app) {
   app.session().touch();
 }
 
+void turn_laser(App& app) {
+  app.board().turn_laser();
+  app.session().touch();
+}
+
 void turn_clock(App& app) {
   app.board().turn_clock(app.clock_time);
   app.session().touch();

@@ -119,6 +119,7 @@ void turn_scene(App& app);
 /// T_1 to T_4 one by one, then none of them.
 void turn_viewing(App& app);
 void turn_spotlight(App& app);
+void turn_laser(App& app);
 void turn_clock(App& app);
 void end_loop(App& app);
 

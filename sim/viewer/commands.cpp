@@ -182,6 +182,7 @@ const std::vector<Command>& table() {
       {"pen", "Class", "Pen: write until the next step", {{SDLK_8}}, turn_pen<false>},
       {"pen-stays", "Class", "Pen: what is written stays", {{SDLK_8, S}}, turn_pen<true>},
       {"spotlight", "Class", "Spotlight at the mouse", {{SDLK_9}}, turn_spotlight},
+      {"laser", "Class", "Laser spot at the mouse", {{SDLK_7, S}}, turn_laser},
       {"clock", "Class", "Clock: start, or end", {{SDLK_9, S}}, turn_clock},
       {"notes", "Class", "Speaker's notes", {{SDLK_n, C}}, [](App& a) { a.requests.toggle_notes = true; }},
       {"open", "Window", "Open a lesson, scene or file", {{SDLK_o, C}}, [](App& a) { a.open_start(); }},

@@ -25,7 +25,8 @@ void paint_offer(Canvas& canvas, const Image& image) {
     }
 }
 
-const char* heading_of(Offer::What what) {
+const char* heading_of(Offer::What what, bool files_alone) {
+  if (files_alone) return "Files";
   switch (what) {
     case Offer::What::lesson:
       return "Lessons";
@@ -108,14 +109,7 @@ std::vector<const Offer*> App::choices() {
   std::vector<const Offer*> found;
   for (const Offer& offer : offers())
     if (lower(offer.id + "\n" + offer.title).find(part) != std::string::npos) found.push_back(&offer);
-  for (const Offer& file : own_files_)
-    if (lower(file.id).find(part) != std::string::npos) found.push_back(&file);
-  if (typed.find_first_of("/.=\\") != std::string::npos) {
-    typed_file_ = {Offer::What::scene, typed, "Open " + typed,
-                   "A mesh, a scene, a trace, a program's JSON Lines, or a "
-                   "surface by its formula."};
-    found.push_back(&typed_file_);
-  }
+  for (const Offer* file : own_files_.find(typed)) found.push_back(file);
   return found;
 }
 
@@ -127,11 +121,7 @@ void App::see_file() {
 }
 
 void App::open_start() {
-  own_files_.clear();
-  for (auto path = settings_.files.rbegin(); path != settings_.files.rend(); ++path)
-    if (std::error_code error; std::filesystem::is_regular_file(*path, error))
-      own_files_.push_back({Offer::What::scene, *path, std::filesystem::path(*path).filename().string(), *path});
-  for (Offer& file : own_files_) file.theme = "Your files";
+  own_files_.look_for(settings_.files);
   open(Overlay::start);
   const std::vector<const Offer*> all = choices();
   for (std::size_t k = 0; k < all.size() && !settings_.lessons.empty(); ++k)
@@ -153,6 +143,11 @@ void App::open_start(Offer::What what) {
 
 void App::open_offer(const Offer& offer) {
   wrong.clear();
+  if (is_folder(offer)) {
+    put(std::string(offer.id));
+    picked = 0;
+    return session_.touch();
+  }
   requests.open = offer;
   session_.touch();
 }
@@ -224,23 +219,35 @@ void draw_start(App& app) {
                                (how_to.empty() ? 0 : flow_height(ui, how_to, muted)) + gap);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float heights[] = {std::round(ui.em * 1.5f), std::round(ui.em * 2.1f), std::round(ui.em * 2.7f)};
-  const float shares[] = {narrow ? 1.0f : 0.5f, 0.24f, 0.26f};
+  float shares[] = {0.5f, 0.24f, 0.26f};
+  float sum = 0;  // of the columns that have something in them
+  for (const Offer::What what : {Offer::What::lesson, Offer::What::method, Offer::What::scene}) {
+    float& share = shares[static_cast<std::size_t>(what)];
+    if (std::none_of(all.begin(), all.end(), [&](const Offer* one) { return one->what == what; })) share = 0;
+    sum += share;
+  }
   float x = at.x;
   const Offer* clicked = nullptr;
   for (const Offer::What what : {Offer::What::lesson, Offer::What::method, Offer::What::scene}) {
     const auto column = static_cast<std::size_t>(what);
-    const float width = std::floor((room.x - (narrow ? 0 : 2 * gap)) * shares[column]);
+    const float width = narrow ? room.x : std::floor((room.x - 2 * gap) * shares[column] / std::max(0.01f, sum));
+    if (!narrow && width <= 0) continue;
+    const bool files_alone = what == Offer::What::scene && std::all_of(all.begin(), all.end(), [](const Offer* one) {
+                               return one->what != Offer::What::scene || one->picture.height == 0;
+                             });
+    const char* const heading = heading_of(what, files_alone);
     if (!narrow || what == Offer::What::lesson) {
       ImGui::SetCursorScreenPos({x, at.y + gap});
-      ImGui::BeginChild(heading_of(what), {width, std::max(1.0f, room.y - foot - gap)}, false, ImGuiWindowFlags_NoNav);
+      ImGui::BeginChild(heading, {width, std::max(1.0f, room.y - foot - gap)}, false, ImGuiWindowFlags_NoNav);
     } else ImGui::Dummy({1, gap});
-    flow(ui, heading_of(what), {.color = c.now, .font = ui.fonts.bold});
+    flow(ui, heading, {.color = c.now, .font = ui.fonts.bold});
     const std::string* theme = nullptr;
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k]->what != what) continue;
       if (!all[k]->theme.empty() && (!theme || *theme != all[k]->theme)) flow(ui, all[k]->theme, muted);
       theme = &all[k]->theme;
-      const ListRow row = list_row(app, k, heights[column]);
+      const bool has_picture = what == Offer::What::method || all[k]->picture.height > 0;
+      const ListRow row = list_row(app, k, has_picture ? heights[column] : heights[0]);
       if (row.clicked) clicked = all[k];
       if (row.visible) draw_choice(app, *all[k], row);
     }

@@ -247,3 +247,41 @@ TEST_CASE("a file of the reader's that was opened is offered again as long as it
   CHECK(std::none_of(found.begin(), found.end(), [&](const Offer* one) { return one->id == second; }));
   fs::remove_all(folder);
 }
+
+TEST_CASE("a path that is typed is completed from its folder: folders lead on, files that can be opened are opened") {
+  const Trace trace = test::record_run("pyramid");
+  const fs::path folder = fs::temp_directory_path() / ("zstep-paths-" + std::to_string(getpid()));
+  fs::create_directories(folder / "meshes");
+  for (const char* name : {"Ring.off", "ring.ztrace", "ring.txt", ".ring.off", "meshes/ring.ply"})
+    std::ofstream(folder / name) << "x";
+  ViewerOptions options = with_offers();
+  Stage stage(trace, options, {}, 1280, 720);
+  App& app = stage.app();
+  const auto listed = [&](const std::string& typed) {
+    test::press(app, SDLK_ESCAPE);
+    test::press(app, SDLK_o, KMOD_LCTRL);
+    test::type(app, typed);
+    app.settle();
+    std::vector<std::string> names;
+    for (const Offer* offer : app.choices()) names.push_back(offer->title);
+    return names;
+  };
+  const std::string at = folder.string() + "/";
+  CHECK(listed(at) == std::vector<std::string>{"meshes/", "Ring.off", "ring.ztrace", "Open " + at});
+  CHECK(listed(at + "r") == std::vector<std::string>{"Ring.off", "ring.ztrace", "Open " + at + "r"});
+  CHECK(listed(at + ".r") == std::vector<std::string>{".ring.off", "Open " + at + ".r"});
+  CHECK(listed(at + "ring.ztrace") == std::vector<std::string>{"ring.ztrace"});
+  CHECK(listed(at + "nowhere/x") == std::vector<std::string>{"Open " + at + "nowhere/x"});
+  CHECK(app.choices()[0]->theme.empty());
+  // Through a folder to a file, by Enter alone.
+  listed(at + "me");
+  CHECK(app.choices()[0]->theme == "In " + folder.string());
+  test::press(app, SDLK_RETURN);
+  CHECK(app.typed == at + "meshes/");
+  app.settle();
+  CHECK_FALSE(app.requests.open);
+  test::press(app, SDLK_RETURN);
+  REQUIRE(app.requests.open);
+  CHECK(app.requests.open->id == at + "meshes/ring.ply");
+  fs::remove_all(folder);
+}

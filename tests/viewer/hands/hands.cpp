@@ -249,6 +249,7 @@ bool Hands::holds(const std::string& check) {
   if (what == "walked") return app().ui().look.turn != 0 || app().ui().look.tilt != viewer::Look().tilt;
   if (what == "pen") return app().board().writes();
   if (what == "spotlight") return app().board().lit();
+  if (what == "laser") return app().board().points();
   if (what == "racing") return app().racing();
   if (what == "answered") return s.stop() >= 0 && !s.question_open();
   if (what == "before") return s.looking_back;
